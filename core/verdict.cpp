@@ -1,0 +1,50 @@
+#include "core/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/decimal.hpp"
+
+namespace stickslip {
+
+std::string to_string(Truth truth) {
+  switch (truth) {
+    case Truth::proved:
+      return "proved";
+    case Truth::refuted:
+      return "refuted";
+    case Truth::undecided:
+      return "undecided";
+    case Truth::out_of_domain:
+      return "out_of_domain";
+  }
+  return "undecided";
+}
+
+Verdict Verdict::refuted(Witness witness) {
+  std::string point;
+  for (const Coordinate& coordinate : witness.point) {
+    point +=
+        fmt::format("{}{} = {}", point.empty() ? "" : ", ", coordinate.name, to_string(coordinate.value));
+  }
+  std::string reason =
+      fmt::format("{}{} on the left and {} on the right at {}",
+                  witness.component.empty() ? "" : fmt::format("entry {}: ", witness.component),
+                  to_string(witness.left, 10), to_string(witness.right, 10), point);
+  return {Truth::refuted, std::move(reason), std::move(witness)};
+}
+
+Verdict all_of(const std::vector<Verdict>& verdicts) {
+  for (const Truth truth : {Truth::refuted, Truth::out_of_domain, Truth::undecided}) {
+    const auto found = std::find_if(verdicts.begin(), verdicts.end(),
+                                    [truth](const Verdict& verdict) { return verdict.truth == truth; });
+    if (found != verdicts.end()) {
+      return *found;
+    }
+  }
+  return verdicts.empty() ? Verdict::undecided("nothing was examined") : Verdict::proved();
+}
+
+}  // namespace stickslip

@@ -1,0 +1,58 @@
+// Truth has more than two values, and every value but "proved" says why.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/ball.hpp"
+#include "core/rational.hpp"
+
+namespace stickslip {
+
+enum class Truth {
+  proved,
+  refuted,        // with a witness
+  undecided,      // with the reason
+  out_of_domain,  // with the reason
+};
+
+[[nodiscard]] std::string to_string(Truth truth);
+
+// One coordinate of a point at which a statement was evaluated.
+struct Coordinate {
+  std::string name;  // the paper's symbol in plain text: "omega1", "tau"
+  Rational value;
+};
+
+// A point at which the two sides of a statement are disjoint balls.
+struct Witness {
+  std::vector<Coordinate> point;
+  std::string component;  // which entry of a vector or matrix statement: "(2,1)"; empty for a scalar
+  Ball left;
+  Ball right;
+};
+
+struct Verdict {
+  Truth truth = Truth::undecided;
+  std::string reason;  // one sentence; empty only for proved
+  std::optional<Witness> witness;
+
+  [[nodiscard]] static Verdict proved() { return {Truth::proved, {}, {}}; }
+  [[nodiscard]] static Verdict refuted(Witness witness);
+  // For statements about numbers, where the balls stand in the reason.
+  [[nodiscard]] static Verdict refuted(std::string reason) { return {Truth::refuted, std::move(reason), {}}; }
+  [[nodiscard]] static Verdict undecided(std::string reason) {
+    return {Truth::undecided, std::move(reason), {}};
+  }
+  [[nodiscard]] static Verdict out_of_domain(std::string reason) {
+    return {Truth::out_of_domain, std::move(reason), {}};
+  }
+};
+
+// The verdict on "all of them hold": the first refuted one, else the first out of domain, else the first
+// undecided, else proved. The conjunction of nothing is undecided: a proof that looked at nothing proves
+// nothing.
+[[nodiscard]] Verdict all_of(const std::vector<Verdict>& verdicts);
+
+}  // namespace stickslip

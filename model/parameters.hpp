@@ -1,0 +1,74 @@
+// The data of equations (2) and (4), and the modes (39).
+#pragma once
+
+#include "model/linear.hpp"
+
+namespace stickslip::model {
+
+// The dimensionless data. By (3) time is dimensionless; us, V and p are lengths, as x is.
+template <class S>
+struct Parameters {
+  S chi;    // k2/(k1+k2), 0 < chi < 1
+  S eta;    // m1/m2 > 0
+  S us;     // slipping friction force, > 0
+  S V;      // belt velocity
+  S omega;  // load frequency, > 0
+  S p;      // load amplitude
+};
+
+// Natural frequencies 0 < omega1 < 1 < omega2 and the second components of the eigenvectors (1, lambda_j),
+// (39). A caller may take any scalars for the four: a formula that holds for all of them holds for the modes.
+template <class S>
+struct Modes {
+  S omega1;
+  S omega2;
+  S lambda1;
+  S lambda2;
+};
+
+// (39): the stiffness matrix K of x'' + K x = (0, eta u + p cos(omega t + phi)).
+template <class S>
+[[nodiscard]] Matrix2<S> stiffness(const S& chi, const S& eta) {
+  return matrix<S>(S(1), S(-chi), S(-chi * eta), S(chi * eta));
+}
+
+// (35), from (39): lambda_j = (1 - omega_j²)/chi.
+template <class S>
+[[nodiscard]] S lambda(const S& chi, const S& omega_j) {
+  return (S(1) - omega_j * omega_j) / chi;
+}
+
+template <class S>
+[[nodiscard]] Modes<S> modes_of(const S& chi, const S& omega1, const S& omega2) {
+  return {omega1, omega2, lambda(chi, omega1), lambda(chi, omega2)};
+}
+
+// (39) inverted: chi and eta from the frequencies, for 0 < omega1 < 1 < omega2.
+template <class S>
+[[nodiscard]] S chi_from_frequencies(const S& omega1, const S& omega2) {
+  const S a = omega1 * omega1;
+  const S b = omega2 * omega2;
+  return (S(1) - a) * (b - S(1)) / (a + b - S(1));
+}
+
+template <class S>
+[[nodiscard]] S eta_from_frequencies(const S& omega1, const S& omega2) {
+  const S a = omega1 * omega1;
+  const S b = omega2 * omega2;
+  const S product = a + b - S(1);  // chi eta
+  return product / chi_from_frequencies(omega1, omega2);
+}
+
+// (39) solved: the roots of s⁴ - (1 + chi eta) s² + chi eta (1 - chi), for numeric scalars with a square
+// root. Assumes 0 < chi < 1 and eta > 0, where the discriminant is positive; the smaller root comes from the
+// product of both, without cancellation.
+template <class S>
+[[nodiscard]] Modes<S> modes(const S& chi, const S& eta) {
+  using std::sqrt;
+  const S sum = S(1) + chi * eta;
+  const S product = chi * eta * (S(1) - chi);
+  const S larger = (sum + S(sqrt(S(sum * sum - S(4) * product)))) / S(2);
+  return modes_of<S>(chi, S(sqrt(S(product / larger))), S(sqrt(larger)));
+}
+
+}  // namespace stickslip::model

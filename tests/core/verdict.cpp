@@ -1,0 +1,24 @@
+#include "core/verdict.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace stickslip;
+
+TEST_CASE("a conjunction is as good as its worst member") {
+  const Verdict good = Verdict::proved();
+  const Verdict bad = Verdict::refuted("no");
+  const Verdict open = Verdict::undecided("perhaps");
+  const Verdict outside = Verdict::out_of_domain("not asked");
+  CHECK(all_of({good, good}).truth == Truth::proved);
+  CHECK(all_of({good, open, bad, outside}).truth == Truth::refuted);
+  CHECK(all_of({good, open, outside}).truth == Truth::out_of_domain);
+  CHECK(all_of({open, good}).reason == "perhaps");
+  CHECK(all_of({}).truth == Truth::undecided);
+}
+
+TEST_CASE("a refutation names its point and both sides") {
+  const Verdict verdict = Verdict::refuted(
+      Witness{{{"omega1", Rational(1, 2)}, {"t", Rational(1, 3)}}, "(2,1)", Ball(1), Ball(2)});
+  CHECK(verdict.truth == Truth::refuted);
+  CHECK(verdict.reason == "entry (2,1): 1 on the left and 2 on the right at omega1 = 0.5, t = 1/3");
+}
