@@ -5,14 +5,58 @@
 #include <cln/rational.h>
 #include <cln/rational_io.h>
 
+#include <numbers>
+
 namespace stickslip {
+namespace {
+
+cln::float_format_t format_of(long bits) {
+  return cln::float_format(static_cast<unsigned long>(static_cast<double>(bits) * 0.30103) + 1);
+}
+
+cln::cl_I to_cln(const mpz_class& value) {
+  return cln::cl_I(value.get_str().c_str());
+}
+
+}  // namespace
 
 cln::cl_R to_cln(const Rational& value, long bits) {
-  const cln::cl_I numerator(value.get_num().get_str().c_str());
-  const cln::cl_I denominator(value.get_den().get_str().c_str());
-  const cln::float_format_t format =
-      cln::float_format(static_cast<unsigned long>(static_cast<double>(bits) * 0.30103) + 1);
-  return cln::cl_float(cln::cl_RA(numerator / denominator), format);
+  return cln::cl_float(cln::cl_RA(to_cln(value.get_num()) / to_cln(value.get_den())), format_of(bits));
+}
+
+cln::cl_R to_cln(const Ball& ball) {
+  fmpq_t exact;
+  fmpq_init(exact);
+  arf_get_fmpq(exact, arb_midref(ball.raw()));
+  Rational value;
+  fmpq_get_mpq(value.get_mpq_t(), exact);
+  fmpq_clear(exact);
+  return to_cln(value, WorkingPrecision::bits());
+}
+
+template <>
+double scalar<double>(const Rational& value) {
+  return value.get_d();
+}
+template <>
+cln::cl_R scalar<cln::cl_R>(const Rational& value) {
+  return to_cln(value, WorkingPrecision::bits());
+}
+template <>
+Ball scalar<Ball>(const Rational& value) {
+  return Ball(value);
+}
+template <>
+double pi<double>() {
+  return std::numbers::pi;
+}
+template <>
+cln::cl_R pi<cln::cl_R>() {
+  return cln::pi(format_of(WorkingPrecision::bits()));
+}
+template <>
+Ball pi<Ball>() {
+  return Ball::pi();
 }
 
 }  // namespace stickslip

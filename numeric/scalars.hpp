@@ -16,6 +16,28 @@ namespace stickslip {
 // their float operands, so numbers made here compute at the precision that was asked for.
 [[nodiscard]] cln::cl_R to_cln(const Rational& value, long bits);
 
+// The midpoint of a finite ball as a CLN float of the working precision: to compare the two engines.
+[[nodiscard]] cln::cl_R to_cln(const Ball& ball);
+
+// An exact number and pi as scalars of one kind; balls and CLN floats take the working precision.
+template <class S>
+[[nodiscard]] S scalar(const Rational& value);
+template <class S>
+[[nodiscard]] S pi();
+
+template <>
+[[nodiscard]] double scalar<double>(const Rational& value);
+template <>
+[[nodiscard]] cln::cl_R scalar<cln::cl_R>(const Rational& value);
+template <>
+[[nodiscard]] Ball scalar<Ball>(const Rational& value);
+template <>
+[[nodiscard]] double pi<double>();
+template <>
+[[nodiscard]] cln::cl_R pi<cln::cl_R>();
+template <>
+[[nodiscard]] Ball pi<Ball>();
+
 }  // namespace stickslip
 
 namespace Eigen {

@@ -1,0 +1,19 @@
+// sinc(x) = sin(x)/x for scalars that have no sinc of their own, such as symbolic expressions, where x ≠ 0 is
+// then a hypothesis. Numeric scalars bring theirs, with sinc(0) = 1, by argument-dependent lookup.
+#pragma once
+
+#include <cmath>
+
+namespace stickslip::model {
+
+template <class S>
+[[nodiscard]] S sinc(const S& x) {
+  using std::sin;
+  return S(sin(x)) / x;
+}
+
+[[nodiscard]] inline double sinc(double x) {
+  return x == 0 ? 1 : std::sin(x) / x;
+}
+
+}  // namespace stickslip::model

@@ -1,0 +1,36 @@
+#include "numeric/domain.hpp"
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+void require(bool holds, const char* name, const Rational& value, const char* range) {
+  if (!holds) {
+    throw DomainError(name, to_string(value), range);
+  }
+}
+
+}  // namespace
+
+bool is_resonant(const ExactParameters& a) {
+  const Rational w = a.omega * a.omega;
+  return w * w - (1 + a.chi * a.eta) * w + a.chi * a.eta * (1 - a.chi) == 0;
+}
+
+void require_model_domain(const ExactParameters& a) {
+  require(a.chi > 0 && a.chi < 1, "chi", a.chi, "0 < chi < 1");
+  require(a.eta > 0, "eta", a.eta, "eta > 0");
+  require(a.us > 0, "us", a.us, "us > 0");
+  require(a.omega > 0, "omega", a.omega, "omega > 0");
+  require(a.p >= 0, "p", a.p, "p >= 0");
+}
+
+void require_stick_slip_domain(const ExactParameters& a) {
+  require_model_domain(a);
+  require(a.V > 0, "V", a.V, "V > 0 for orbits with a stick phase");
+  require(!is_resonant(a), "omega", a.omega, "not a natural frequency: omega ≠ omega1, omega2");
+}
+
+}  // namespace stickslip

@@ -1,0 +1,27 @@
+// sinc(x) = sin(x)/x with sinc(0) = 1, and its derivative, for every numeric scalar: the entire functions
+// that remain when factors of a duration are divided out of a closing equation.
+#pragma once
+
+#include <cln/real.h>
+
+#include "core/ball.hpp"
+
+namespace stickslip {
+
+// As model::sinc.
+[[nodiscard]] double sinc(double x);
+[[nodiscard]] double sinc_slope(double x);
+[[nodiscard]] Ball sinc(const Ball& x);
+// Contains (cos x - sinc x)/x for every member, also where x contains 0.
+[[nodiscard]] Ball sinc_slope(const Ball& x);
+
+}  // namespace stickslip
+
+// Found by argument-dependent lookup.
+namespace cln {
+
+[[nodiscard]] cl_R sinc(const cl_R& x);
+// Assumes x ≠ 0 or x exactly 0; loses digits near 0 (floats only propose).
+[[nodiscard]] cl_R sinc_slope(const cl_R& x);
+
+}  // namespace cln
