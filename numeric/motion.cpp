@@ -1,0 +1,128 @@
+#include "numeric/motion.hpp"
+
+#include <optional>
+
+#include "core/error.hpp"
+
+namespace stickslip {
+
+using model::Vector4;
+
+std::string to_string(PhaseKind kind) {
+  switch (kind) {
+    case PhaseKind::slip:
+      return "slip";
+    case PhaseKind::overshoot:
+      return "overshoot";
+    case PhaseKind::stick:
+      return "stick";
+  }
+  throw InternalError("a phase of no known kind");
+}
+
+namespace {
+
+Vector4<Ball> flow(const model::Oscillator<Ball>& o, PhaseKind kind, const Ball& psi0, const Vector4<Ball>& Z,
+                   const Ball& t) {
+  switch (kind) {
+    case PhaseKind::slip:
+      return model::slip_flow<Ball>(o.modes, o.Q, o.data.omega, psi0, Z, t);
+    case PhaseKind::overshoot:
+      return model::overshoot_flow<Ball>(o.modes, o.Q, o.d0, o.data.omega, psi0, Z, t);
+    case PhaseKind::stick:
+      return model::stick_flow<Ball>(o.data.chi, Z, t);
+  }
+  throw InternalError("a phase of no known kind");
+}
+
+const Phase& phase(const Motion& motion, std::size_t k) {
+  if (k >= motion.phases.size()) {
+    throw InternalError("phase " + std::to_string(k) + " of a motion with " +
+                        std::to_string(motion.phases.size()));
+  }
+  return motion.phases[k];
+}
+
+}  // namespace
+
+Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi, const Vector4<Ball>& Z0,
+               const std::vector<Leg>& legs) {
+  Motion motion{oscillator, phi, {}};
+  motion.phases.reserve(legs.size());
+  Ball start(0);
+  Vector4<Ball> Z = Z0;
+  for (const Leg& leg : legs) {
+    motion.phases.push_back({leg.kind, start, leg.duration, Z});
+    Z = state(motion, motion.phases.size() - 1, leg.duration);
+    start += leg.duration;
+  }
+  return motion;
+}
+
+Ball load_phase(const Motion& motion, std::size_t k) {
+  return motion.oscillator.data.omega * phase(motion, k).start + motion.phi;
+}
+
+Vector4<Ball> state(const Motion& motion, std::size_t k, const Ball& t) {
+  const Phase& f = phase(motion, k);
+  return flow(motion.oscillator, f.kind, load_phase(motion, k), f.Z, t);
+}
+
+Ball friction(const Motion& motion, std::size_t k, const Ball& t) {
+  const Ball psi = load_phase(motion, k) + motion.oscillator.data.omega * t;
+  return model::friction_at<Ball>(motion.oscillator.data, state(motion, k, t), psi);
+}
+
+model::PhaseWaves<Ball> waves(const Motion& motion, std::size_t k) {
+  const Phase& f = phase(motion, k);
+  const Ball psi0 = load_phase(motion, k);
+  if (f.kind == PhaseKind::stick) {
+    return model::stick_waves<Ball>(motion.oscillator, psi0, f.Z);
+  }
+  return model::slip_waves<Ball>(motion.oscillator, f.kind == PhaseKind::slip ? 1 : -1, psi0, f.Z);
+}
+
+Ball period(const Motion& motion) {
+  Ball sum(0);
+  for (const Phase& f : motion.phases) {
+    sum += f.duration;
+  }
+  return sum;
+}
+
+Vector4<Ball> state_at(const Motion& motion, const Ball& t) {
+  std::optional<Vector4<Ball>> hull;
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    const Phase& f = motion.phases[k];
+    const Ball local = t - f.start;
+    const bool before = k > 0 && local.is_negative();
+    const bool after = k + 1 < motion.phases.size() && (local - f.duration).is_positive();
+    if (before || after) {
+      continue;
+    }
+    const Vector4<Ball> Z = state(motion, k, local);
+    if (!hull) {
+      hull = Z;
+    } else {
+      for (int i = 0; i < 4; ++i) {
+        (*hull)(i) = Ball::hull((*hull)(i), Z(i));
+      }
+    }
+  }
+  if (!hull) {
+    throw InternalError("a motion without phases has no state");
+  }
+  return *hull;
+}
+
+std::vector<Vector4<Ball>> gaps(const Motion& motion) {
+  std::vector<Vector4<Ball>> result;
+  result.reserve(motion.phases.size());
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    const Vector4<Ball>& next = motion.phases[(k + 1) % motion.phases.size()].Z;
+    result.emplace_back(state(motion, k, motion.phases[k].duration) - next);
+  }
+  return result;
+}
+
+}  // namespace stickslip
