@@ -72,18 +72,16 @@ template <int N>
   return common;
 }
 
-// Krawczyk's operator K(X) = m - Y f(m) + (I - Y f'(X)) (X - m), m = mid X, Y near f'(m)⁻¹. Every zero of f
-// in X lies in K(X); if K(X) lies in the interior of X then f has exactly one zero in X. Nothing when f'(X)
-// is not finite or its midpoint is singular.
-template <int N, class F>
-[[nodiscard]] std::optional<Box<N>> krawczyk_operator(const F& f, const Box<N>& X) {
-  const Box<N> m = midpoint<N>(X);
-  const BallMatrix<N> slope = linearise<Ball, N>(f, X).second;
+// Krawczyk's operator K(X) = m - Y f(m) + (I - Y f'(X)) (X - m), m in X, Y near f'(m)⁻¹. Every zero of f in
+// X lies in K(X); if K(X) lies in the interior of X then f has exactly one zero in X. Nothing when f'(X) is
+// not finite or its midpoint is singular.
+template <int N>
+[[nodiscard]] std::optional<Box<N>> krawczyk_image(const Box<N>& m, const Box<N>& at_m,
+                                                   const BallMatrix<N>& slope, const Box<N>& X) {
   const std::optional<BallMatrix<N>> Y = approximate_inverse<Ball, N>(slope);
   if (!Y) {
     return std::nullopt;
   }
-  const Box<N> at_m = f(m);
   const BallMatrix<N> rest = BallMatrix<N>::Identity() - *Y * slope;
   const Box<N> K = m - *Y * at_m + rest * Box<N>(X - m);
   for (int i = 0; i < N; ++i) {
@@ -92,6 +90,13 @@ template <int N, class F>
     }
   }
   return K;
+}
+
+// The same for a function, about the box's midpoint.
+template <int N, class F>
+[[nodiscard]] std::optional<Box<N>> krawczyk_operator(const F& f, const Box<N>& X) {
+  const Box<N> m = midpoint<N>(X);
+  return krawczyk_image<N>(m, f(m), linearise<Ball, N>(f, X).second, X);
 }
 
 // A proof that f has exactly one zero in `unique`, and that it lies in `box`; or the reason why it failed.
@@ -200,7 +205,7 @@ template <int N, class Recipe>
     if (smaller) {
       box = *smaller;
     }
-    stalled = radius_exponent<N>(box) < before - 4 ? 0 : stalled + 1;
+    stalled = radius_exponent<N>(box) < before ? 0 : stalled + 1;
   }
   return box;
 }

@@ -8,11 +8,6 @@ namespace {
 using model::Vector2;
 using model::Vector4;
 
-// Bits that `digits` significant digits need, with room for the flow's growth of errors.
-long bits_for(int digits) {
-  return static_cast<long>(std::ceil(3.3219281 * digits)) + 16;
-}
-
 // C from the row whose left side is larger.
 double amplitude(const model::SymmetricRows<double>& rows) {
   const int j = std::abs(rows.left(0)) > std::abs(rows.left(1)) ? 0 : 1;
@@ -33,6 +28,19 @@ void close_in_all_components(const ExactParameters& a, SymmetricOrbit& orbit) {
 }
 
 }  // namespace
+
+long bits_for(int digits) {
+  return static_cast<long>(std::ceil(3.3219281 * digits)) + 16;
+}
+
+SymmetricOrbit describe_symmetric(const ExactParameters& a, LoadPhase phase, const Box<2>& tau_C) {
+  SymmetricOrbit orbit;
+  orbit.phase = phase;
+  orbit.bits = WorkingPrecision::bits();
+  orbit.state = symmetric_state<Ball>(a, phase, tau_C);
+  close_in_all_components(a, orbit);
+  return orbit;
+}
 
 std::vector<Vector2<double>> symmetric_guesses(const ExactParameters& a, LoadPhase phase) {
   const model::SymmetricData<double> data = symmetric_data<double>(a, phase);
@@ -59,24 +67,19 @@ SymmetricProof prove_symmetric(const ExactParameters& a, LoadPhase phase, const 
                                int digits) {
   require_stick_slip_domain(a);
   const auto recipe = [&] { return SymmetricClosing<Ball>{symmetric_data<Ball>(a, phase)}; };
-  SymmetricProof proof;
-  proof.orbit.phase = phase;
-  Box<2> box;
+  ZeroProof<2> zero;
   {
     const WorkingPrecision scope(128);
-    const ZeroProof<2> zero = prove_zero_near<2>(recipe(), Box<2>(Ball(guess(0)), Ball(guess(1))));
-    proof.existence = zero.verdict;
-    proof.orbit.tau_unique = zero.unique(0);
-    proof.orbit.C_unique = zero.unique(1);
-    box = zero.box;
+    zero = prove_zero_near<2>(recipe(), Box<2>(Ball(guess(0)), Ball(guess(1))));
   }
-  if (proof.existence.truth != Truth::proved) {
-    return proof;
+  if (zero.verdict.truth != Truth::proved) {
+    return {zero.verdict, {}};
   }
-  proof.orbit.bits = bits_for(digits) + 64;
-  const WorkingPrecision scope(proof.orbit.bits);
-  proof.orbit.state = symmetric_state<Ball>(a, phase, refine<2>(recipe, box, bits_for(digits)));
-  close_in_all_components(a, proof.orbit);
+  const WorkingPrecision scope(bits_for(digits) + 64);
+  SymmetricProof proof{zero.verdict,
+                       describe_symmetric(a, phase, refine<2>(recipe, zero.box, bits_for(digits)))};
+  proof.orbit.tau_unique = zero.unique(0);
+  proof.orbit.C_unique = zero.unique(1);
   return proof;
 }
 

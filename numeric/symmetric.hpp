@@ -89,7 +89,7 @@ struct SymmetricState {
 struct SymmetricOrbit {
   LoadPhase phase = LoadPhase::first;
   SymmetricState<Ball> state;
-  Ball tau_unique;  // no other orbit of this load phase has tau here with C in C_unique
+  Ball tau_unique;  // no other orbit of this load phase has tau here and C in C_unique
   Ball C_unique;
   long bits = 0;                    // the precision that the state was computed with
   model::Vector4<Ball> residual13;  // Z(tau) - E Z0 by the flow (5): each contains 0
@@ -148,12 +148,21 @@ template <class S>
   return symmetric_state<S>(a, phase, *zero);
 }
 
+// The bits that `digits` significant digits need, with a few to spare.
+[[nodiscard]] long bits_for(int digits);
+
+// Everything about the orbit at a proved (tau, C), at the working precision, with its residuals; the boxes of
+// uniqueness are left empty.
+[[nodiscard]] SymmetricOrbit describe_symmetric(const ExactParameters& a, LoadPhase phase,
+                                                const Box<2>& tau_C);
+
 // Proves the orbit near a guess and encloses it to `digits` significant decimal digits or more.
 // Throws DomainError outside the domain of require_stick_slip_domain.
 [[nodiscard]] SymmetricProof prove_symmetric(const ExactParameters& a, LoadPhase phase,
                                              const model::Vector2<double>& guess, int digits);
 
-// All orbits that the scan of both load phases finds, each proved or with the reason why not.
+// All orbits that the scan (see list_symmetric for a list that is proved to be complete) of both load phases
+// finds, each proved or with the reason why not.
 [[nodiscard]] std::vector<SymmetricProof> solve_symmetric(const ExactParameters& a, int digits);
 
 // Whether the paper's (16) has exactly one zero near (tau, z10, z20, zdot10).
