@@ -99,7 +99,7 @@ void decide_at_start(Condition& condition, const Motion& motion, const Ball& ur,
   const Phase& phase = motion.phases[q.phase];
   const Affine form = affine_form(motion, ur, q.quantity);
   const Ball excess = phase.Z(3) - motion.oscillator.data.V;
-  const Ball r = model::friction_at<Ball>(motion.oscillator.data, phase.Z, load_phase(motion, q.phase));
+  const Ball r = model::friction_at<Ball>(motion.oscillator.data, phase.Z, phase.load);
   if (!excess.contains_zero()) {
     return refute(condition, "z2' = V", excess);
   }

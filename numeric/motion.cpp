@@ -47,39 +47,34 @@ const Phase& phase(const Motion& motion, std::size_t k) {
 
 Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi, const Vector4<Ball>& Z0,
                const std::vector<Leg>& legs) {
-  Motion motion{oscillator, phi, {}};
+  Motion motion{oscillator, {}};
   motion.phases.reserve(legs.size());
   Ball start(0);
   Vector4<Ball> Z = Z0;
   for (const Leg& leg : legs) {
-    motion.phases.push_back({leg.kind, start, leg.duration, Z});
+    motion.phases.push_back({leg.kind, start, leg.duration, oscillator.data.omega * start + phi, Z});
     Z = state(motion, motion.phases.size() - 1, leg.duration);
     start += leg.duration;
   }
   return motion;
 }
 
-Ball load_phase(const Motion& motion, std::size_t k) {
-  return motion.oscillator.data.omega * phase(motion, k).start + motion.phi;
-}
-
 Vector4<Ball> state(const Motion& motion, std::size_t k, const Ball& t) {
   const Phase& f = phase(motion, k);
-  return flow(motion.oscillator, f.kind, load_phase(motion, k), f.Z, t);
+  return flow(motion.oscillator, f.kind, f.load, f.Z, t);
 }
 
 Ball friction(const Motion& motion, std::size_t k, const Ball& t) {
-  const Ball psi = load_phase(motion, k) + motion.oscillator.data.omega * t;
+  const Ball psi = phase(motion, k).load + motion.oscillator.data.omega * t;
   return model::friction_at<Ball>(motion.oscillator.data, state(motion, k, t), psi);
 }
 
 model::PhaseWaves<Ball> waves(const Motion& motion, std::size_t k) {
   const Phase& f = phase(motion, k);
-  const Ball psi0 = load_phase(motion, k);
   if (f.kind == PhaseKind::stick) {
-    return model::stick_waves<Ball>(motion.oscillator, psi0, f.Z);
+    return model::stick_waves<Ball>(motion.oscillator, f.load, f.Z);
   }
-  return model::slip_waves<Ball>(motion.oscillator, f.kind == PhaseKind::slip ? 1 : -1, psi0, f.Z);
+  return model::slip_waves<Ball>(motion.oscillator, f.kind == PhaseKind::slip ? 1 : -1, f.load, f.Z);
 }
 
 Ball period(const Motion& motion) {

@@ -1,6 +1,6 @@
 // A piecewise motion as data: slip, overshoot and stick phases one after the other, in balls.
 //
-// Time is dimensionless (3) and counted from the start of the first phase, where the load's phase is phi; z =
+// Time is dimensionless (3) and counted from the start of the first phase; z =
 // x
 // - d0, V and the friction forces are lengths.
 #pragma once
@@ -26,12 +26,12 @@ struct Phase {
   PhaseKind kind = PhaseKind::slip;
   Ball start;              // time at which it begins
   Ball duration;           // >= 0
+  Ball load;               // the load's phase omega t + phi when it begins
   model::Vector4<Ball> Z;  // (z, z') when it begins
 };
 
 struct Motion {
   model::Oscillator<Ball> oscillator;
-  Ball phi;
   std::vector<Phase> phases;
 };
 
@@ -45,9 +45,6 @@ struct Leg {
 // before ends. Whether it obeys the friction law and whether it closes is not looked at.
 [[nodiscard]] Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi,
                              const model::Vector4<Ball>& Z0, const std::vector<Leg>& legs);
-
-// The load's phase omega t + phi when phase k begins.
-[[nodiscard]] Ball load_phase(const Motion& motion, std::size_t k);
 
 // Z at the time t after phase k began, by the flow of that phase, also for t outside its duration.
 [[nodiscard]] model::Vector4<Ball> state(const Motion& motion, std::size_t k, const Ball& t);

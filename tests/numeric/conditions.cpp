@@ -161,7 +161,7 @@ TEST_CASE("phases in another order, a shifted state or another phase of the load
   shifted.phases[0].Z(0) += Ball(parse_rational("1e-20"));
   never_proved(shifted);
   Motion other_load = orbit.motion;
-  other_load.phi += Ball(parse_rational("1e-20"));
+  other_load.phases[1].load += Ball(parse_rational("1e-20"));
   never_proved(other_load);
   Motion truncated = orbit.motion;
   truncated.phases.pop_back();

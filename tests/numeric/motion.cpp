@@ -76,7 +76,7 @@ TEST_CASE("the friction at rest balances the mass during stick, and drives it du
 TEST_CASE("phases follow each other, and the gaps tell where they do not") {
   Motion motion = three_phases();
   check_same(period(motion), exact("9.9908"));
-  check_same(load_phase(motion, 1), exact("4.909") * exact("0.6289") + exact("0.3"));
+  check_same(motion.phases[1].load, exact("4.909") * exact("0.6289") + exact("0.3"));
   const std::vector<Vector4<Ball>> closed = gaps(motion);
   REQUIRE(closed.size() == 3);
   for (int i = 0; i < 4; ++i) {
