@@ -1,0 +1,200 @@
+#include "numeric/nonsticking.hpp"
+
+#include <algorithm>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "numeric/inflation.hpp"
+
+namespace stickslip {
+namespace {
+
+constexpr long search_bits = 64;
+
+model::Parameters<Ball> to_balls(const ExactParameters& a) {
+  return {Ball(a.chi), Ball(a.eta), Ball(a.us), Ball(a.V), Ball(a.omega), Ball(a.p)};
+}
+
+// The search looks at x = (delta/pi, mu/pi) in [0, 1] × an interval of length 2.
+constexpr double mu_first = -0.9140625;
+
+struct Scaled {
+  const TwoSlips& f;
+
+  template <class T>
+  [[nodiscard]] model::Vector2<T> operator()(const model::Vector2<T>& x) const {
+    const T pi(f.pi);
+    return f(model::Vector2<T>(T(pi * x(0)), T(pi * x(1))));
+  }
+};
+
+// omega_j = k omega for an integer k >= 1, decided in rationals: (k omega)² is a root of (39). Its larger
+// root is below 1 + chi eta.
+std::optional<long> resonance(const ExactParameters& a) {
+  const Rational sum = 1 + a.chi * a.eta;
+  const Rational product = a.chi * a.eta * (1 - a.chi);
+  for (long k = 1;; ++k) {
+    const Rational w = k * k * a.omega * a.omega;
+    if (w * w - sum * w + product == 0) {
+      return k;
+    }
+    if (w > sum) {
+      return std::nullopt;
+    }
+  }
+}
+
+void require_no_resonance(const ExactParameters& a) {
+  if (const std::optional<long> k = resonance(a)) {
+    throw DomainError("omega", to_string(a.omega),
+                      "no resonance: here " + std::to_string(*k) + " omega is a natural frequency");
+  }
+}
+
+Ball smaller(const Ball& a, const Ball& b) {
+  Ball result;
+  arb_min(result.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
+  return result;
+}
+
+// The friction at rest at the start of phase k.
+Ball friction_at_start(const Motion& motion, std::size_t k) {
+  return model::friction_at<Ball>(motion.oscillator.data, motion.phases[k].Z, motion.phases[k].load);
+}
+
+// The same zero modulo 2 pi in mu.
+bool same_zero(const NonstickingOrbit& a, const NonstickingOrbit& b) {
+  for (const int turn : {-1, 1}) {
+    Box<2> shifted = b.box;
+    shifted(1) += Ball(2 * turn) * Ball::pi();
+    if (contains<2>(a.unique, shifted)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void conclude(const ExactParameters& a, const FoundZero<2>& found, int digits, NonstickingList& list) {
+  const long bits = 4L * digits + 32;
+  const auto recipe = [&a] { return two_slips_of(to_balls(a)); };
+  const Box<2> start = found.zero * Ball::pi();
+  const Box<2> box = refine<2>(recipe, start, bits);
+  const WorkingPrecision scope(bits + 64);
+  const TwoSlips f = recipe();
+  const Ball beyond = box(0) - f.pi;
+  if (box(0).is_negative() || beyond.is_positive()) {
+    return;
+  }
+  const NonstickingOrbit orbit = describe_nonsticking(f, box, found.unique * f.pi);
+  if (!box(0).is_positive() || !beyond.is_negative()) {
+    list.unresolved.push_back({orbit.tau, box(1), "a motion one of whose phases may last no time at all"});
+    return;
+  }
+  const bool known = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const NonstickingOrbit& other) {
+    return same_zero(other, orbit) || same_zero(orbit, other);
+  });
+  if (!known) {
+    list.orbits.push_back(orbit);
+  }
+}
+
+Condition condition(const char* id, const char* statement, const Ball& margin) {
+  Condition result{id, statement, {}, margin, Ball(0), {}};
+  const std::string value = to_string(margin, 10);
+  result.verdict = margin.is_positive() ? Verdict::proved()
+                   : margin.is_negative()
+                       ? Verdict::refuted("the distance is " + value)
+                       : Verdict::undecided("the distance is " + value + ", not separated from zero");
+  return result;
+}
+
+}  // namespace
+
+TwoSlips two_slips_of(const model::Parameters<Ball>& a) {
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(a);
+  return {o, model::modal_rest<Ball>(o.modes, o.d0), Ball::pi()};
+}
+
+NonstickingOrbit describe_nonsticking(const TwoSlips& f, const Box<2>& box, const Box<2>& unique) {
+  const Ball& omega = f.o.data.omega;
+  NonstickingOrbit orbit;
+  orbit.box = box;
+  orbit.unique = unique;
+  orbit.Theta = Ball(2) * f.pi / omega;
+  orbit.tau = Ball(2) * box(0) / omega;
+  orbit.tau1 = Ball(2) * (f.pi - box(0)) / omega;
+  orbit.phi = box(1) - box(0);
+  if ((orbit.phi + f.pi).is_negative()) {
+    orbit.phi += Ball(2) * f.pi;
+  }
+  const auto [Z0, ZB] =
+      model::two_slips_states<Ball>(f.o.data.V, f.o.modes, f.o.Q, f.c, omega, f.pi, box(0), box(1));
+  orbit.x10 = Z0(0) + f.o.d0(0);
+  orbit.x20 = Z0(1) + f.o.d0(1);
+  orbit.xdot10 = Z0(2);
+  orbit.motion = {f.o,
+                  {{PhaseKind::slip, Ball(0), orbit.tau, orbit.phi, Z0},
+                   {PhaseKind::overshoot, orbit.tau, orbit.tau1, box(1) + box(0), ZB}}};
+  orbit.ur_max = smaller(friction_at_start(orbit.motion, 0), -friction_at_start(orbit.motion, 1));
+  return orbit;
+}
+
+NonstickingProof prove_nonsticking(const model::Parameters<Ball>& a, const Box<2>& guess) {
+  const TwoSlips f = two_slips_of(a);
+  const ZeroProof<2> proof = prove_zero_by_inflation<2>(f, guess);
+  if (proof.verdict.truth != Truth::proved) {
+    return {proof.verdict, std::nullopt};
+  }
+  return {proof.verdict, describe_nonsticking(f, proof.box, proof.unique)};
+}
+
+NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
+  require_model_domain(a);
+  require_no_resonance(a);
+  NonstickingList list;
+  if (a.p == 0 || a.omega == 1) {
+    if (a.V == 0) {
+      const Ball Theta = Ball(2) * Ball::pi() / Ball(a.omega);
+      const Ball circle = Ball::hull(-Ball::pi(), Ball::pi());
+      list.unresolved.push_back(
+          {Ball::hull(Ball(0), Theta), circle, "q2 = 0: the load does not act on x2 and its phase is free"});
+    }
+    return list;
+  }
+  SearchResult<2> result;
+  {
+    const WorkingPrecision scope(search_bits);
+    const TwoSlips f = two_slips_of(to_balls(a));
+    const Scaled g{f};
+    result = search<2>({{0, mu_first}, {1, mu_first + 2}}, KrawczykContractor<2, Scaled>{g},
+                       KrawczykDecider<2, Scaled>{g});
+    for (const UnresolvedBox<2>& open : result.unresolved) {
+      list.unresolved.push_back(
+          {Ball(2) * f.pi * open.box(0) / f.o.data.omega, open.box(1) * f.pi, open.reason});
+    }
+  }
+  list.cells = result.cells;
+  for (const FoundZero<2>& found : result.zeros) {
+    conclude(a, found, digits, list);
+  }
+  std::sort(list.orbits.begin(), list.orbits.end(), [](const auto& x, const auto& y) {
+    return std::pair(x.tau.approximate(), x.phi.approximate()) <
+           std::pair(y.tau.approximate(), y.phi.approximate());
+  });
+  return list;
+}
+
+std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit, const std::optional<Ball>& ur) {
+  std::vector<Condition> conditions = decide_conditions(Family::nonsticking, orbit.motion, ur);
+  const model::Oscillator<Ball>& o = orbit.motion.oscillator;
+  const model::Parameters<Ball>& a = o.data;
+  if (!ur) {
+    conditions.push_back(condition("ur_max", "min(r(0), -r(tau)) > us", orbit.ur_max - a.us));
+  } else if (arb_is_zero(a.V.raw()) != 0 && (Ball(2) * orbit.box(0)).overlaps(Ball::pi())) {
+    const Ball left = (a.chi * a.eta * (o.Q(1) - o.Q(0)) - a.p) * cos(orbit.phi) - a.eta * *ur;
+    conditions.push_back(condition("36", "chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0", left));
+  }
+  return conditions;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,85 @@
+// Orbits that never stick: slip on (0, tau), overshoot on (tau, Theta), for any V and with tau free.
+//
+// They are the zeros (delta, mu) of the two equations of model/nonsticking.hpp, delta = omega tau/2 in [0,
+// pi], mu = phi + delta modulo 2 pi. Off resonance, at most one of them obeys z2' < V and z2' > V on its
+// phases: for the difference of two motions that never stick under the same load, (2) and (4) give
+//   d/dt (its energy) = (x2' - y2') (u(x2') - u(y2')) <= 0 up to a positive factor,
+// with equality only where u(x2') = u(y2'); over a period it returns to its value, so the frictions are equal
+// almost always, and a difference that moves freely with period Theta is zero off resonance.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/nonsticking.hpp"
+#include "numeric/conditions.hpp"
+#include "numeric/domain.hpp"
+#include "numeric/search.hpp"
+
+namespace stickslip {
+
+// The equations over parameters that are balls: exact data, or a whole box of them.
+struct TwoSlips {
+  model::Oscillator<Ball> o;
+  model::Vector2<Ball> c;  // modal_rest
+  Ball pi;
+
+  template <class T>
+  [[nodiscard]] model::Vector2<T> operator()(const model::Vector2<T>& x) const {
+    return model::two_slips<T>(model::lift<T>(o.data), model::lift<T>(o.modes), T(o.Q(1)), model::lift<T>(c),
+                               T(pi), x(0), x(1));
+  }
+};
+[[nodiscard]] TwoSlips two_slips_of(const model::Parameters<Ball>& a);
+
+// What an orbit is known by; each ball contains the exact value.
+struct NonstickingOrbit {
+  Ball tau, tau1, Theta, phi;  // tau + tau1 = Theta; phi in [-pi, pi] or a little outside
+  Ball x10, x20, xdot10;       // at t = 0, where x2' = V
+  // The largest admissible u_r is ur_max = min(r(0), -r(tau)): (25) and (26) hold exactly for u_r < ur_max.
+  Ball ur_max;
+  Motion motion;  // the two phases
+  Box<2> box;     // contains (delta, mu)
+  Box<2> unique;  // contains no other zero
+};
+
+// The orbit whose (delta, mu) lies in the box: everything that follows from the two numbers.
+[[nodiscard]] NonstickingOrbit describe_nonsticking(const TwoSlips& f, const Box<2>& box,
+                                                    const Box<2>& unique);
+
+// Whether each member of the parameters has exactly one zero near the guess (delta, mu). For parameters that
+// are wide balls it is a proof for the whole box of parameters, or undecided: then split the box.
+struct NonstickingProof {
+  Verdict existence;
+  std::optional<NonstickingOrbit> orbit;  // when existence is proved
+};
+[[nodiscard]] NonstickingProof prove_nonsticking(const model::Parameters<Ball>& a, const Box<2>& guess);
+
+// A part of the domain in which the search could not decide.
+struct UnresolvedNonsticking {
+  Ball tau, mu;
+  std::string reason;
+};
+
+struct NonstickingList {
+  std::vector<NonstickingOrbit> orbits;  // by increasing tau, admissible or not
+  std::vector<UnresolvedNonsticking> unresolved;
+  long cells = 0;  // examined by the search
+
+  // No motion with 0 < tau < Theta that closes with x2' = V at 0 and tau is missing.
+  [[nodiscard]] bool complete() const { return unresolved.empty(); }
+};
+
+// The complete list, each orbit enclosed to `digits` digits. Throws DomainError outside the domain of
+// require_model_domain and at resonance, omega_j = k omega with an integer k, where closed motions are not
+// isolated or do not exist. When the load does not act on x2 (q2 = 0: p = 0 or omega = 1) there is none for
+// V ≠ 0; for V = 0 the load's phase is then free and the whole domain is left unresolved.
+[[nodiscard]] NonstickingList list_nonsticking(const ExactParameters& a, int digits);
+
+// The conditions of the family, and for V = 0, tau = Theta/2 also (36). Without u_r those that need it are
+// replaced by "ur_max > us": some u_r > u_s satisfies them.
+[[nodiscard]] std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit,
+                                                            const std::optional<Ball>& ur);
+
+}  // namespace stickslip
