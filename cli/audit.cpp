@@ -1,0 +1,60 @@
+// stickslip audit: every statement of the paper.
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "proofs/paper.hpp"
+#include "report/files.hpp"
+#include "report/json.hpp"
+#include "report/pages.hpp"
+#include "report/summary.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+struct Options {
+  std::string out;
+  bool with_out = false;
+  bool json = false;
+};
+
+ExitCode run(const Options& options) {
+  if (options.with_out) {
+    report::require_writable(options.out);
+  }
+  const proofs::Audit audit = proofs::audit(proofs::paper());
+  if (options.with_out) {
+    report::write_files(options.out, report::pages(audit));
+  }
+  print(options.json ? report::to_text(report::to_json(audit))
+                     : report::terminal_report(audit, terminal_style()));
+  if (options.with_out) {
+    tell(fmt::format("The report is in {}: index.html, audit.tex and audit.json.", options.out));
+  }
+  return report::all_decided(audit) ? exit_decided : exit_undecided;
+}
+
+}  // namespace
+
+void add_audit(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("audit", "Examine every statement of the paper and report");
+  command->footer(
+      "Prints a table of all statements with their status, then the findings with their reasons, then\n"
+      "the printed numbers beside the proved ones.\n\n"
+      "Exit code: 0 everything is decided (also if the paper has misprints), 2 something is undecided.");
+  CLI::Option* out = command->add_option("--out", options->out,
+                                         "Also write index.html, audit.tex and audit.json into DIR, which is "
+                                         "created if only its last part is missing");
+  out->type_name("DIR");
+  command->add_flag("--json", options->json, "Print the results as JSON instead of the table");
+  command->callback([options, out, &action] {
+    options->with_out = out->count() > 0;
+    action = [options] { return run(*options); };
+  });
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,85 @@
+// stickslip check: single statements, equations, sections.
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "proofs/paper.hpp"
+#include "report/json.hpp"
+#include "report/summary.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> words;
+  bool list = false;
+  bool explain = false;
+  bool json = false;
+};
+
+std::set<std::string> ids_of(const std::vector<proofs::Claim>& claims,
+                             const std::vector<std::string>& words) {
+  std::set<std::string> ids;
+  for (const std::string& word : words) {
+    ids.merge(proofs::ids_named(claims, word));
+  }
+  return ids;
+}
+
+ExitCode list(const std::vector<proofs::Claim>& claims, const std::set<std::string>& ids) {
+  std::vector<proofs::Claim> named;
+  for (const proofs::Claim& claim : claims) {
+    if (ids.empty() || ids.contains(claim.id)) {
+      named.push_back(claim);
+    }
+  }
+  print(report::terminal_list(named));
+  return exit_decided;
+}
+
+ExitCode run(const Options& options) {
+  const std::vector<proofs::Claim> claims = proofs::paper();
+  const std::set<std::string> ids = ids_of(claims, options.words);
+  if (options.list) {
+    return list(claims, ids);
+  }
+  const proofs::Audit audit = proofs::audit(claims, ids);
+  if (options.json) {
+    print(report::to_text(report::to_json(audit)));
+  } else if (options.explain) {
+    print(report::terminal_explanations(audit, terminal_style()));
+  } else {
+    print(report::terminal_lines(audit, terminal_style()));
+  }
+  if (report::any_refuted(audit)) {
+    return exit_refuted;
+  }
+  return report::all_decided(audit) ? exit_decided : exit_undecided;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("check", "Prove single statements, equations or sections");
+  command->footer(
+      "Exit code: 0 every statement asked for holds (possibly under the hypotheses listed), 1 one of\n"
+      "them is refuted as printed, also if a corrected form is proved, 2 one of them is undecided.");
+  command
+      ->add_option("ID", options->words,
+                   "What to check: a statement (44.H), an equation with all its parts (44), a section or an "
+                   "appendix (sec3, A2); everything if there is none")
+      ->type_name("");
+  CLI::Option* list =
+      command->add_flag("--list", options->list, "Only list the statements, without proving them");
+  command->add_flag("--explain", options->explain,
+                    "Say everything about each: formula, assumptions, proof, hypotheses, what it uses");
+  CLI::Option* json = command->add_flag("--json", options->json, "Print the results as JSON");
+  list->excludes(json);
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,64 @@
+// stickslip latex: derived expressions for papers.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "symbolic/objects.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> names;
+  symbolic::Unknowns unknowns = symbolic::Unknowns::chi;
+  bool list = false;
+};
+
+// The named objects, or all of them. Names are looked up first, so that an unknown one prints nothing.
+std::string formulas(const Options& options) {
+  std::vector<const symbolic::Object*> chosen;
+  for (const std::string& name : options.names) {
+    chosen.push_back(&symbolic::object_named(name));
+  }
+  if (chosen.empty()) {
+    for (const symbolic::Object& object : symbolic::objects()) {
+      chosen.push_back(&object);
+    }
+  }
+  std::string result;
+  for (const symbolic::Object* object : chosen) {
+    result += (result.empty() ? "" : "\n") + symbolic::displayed(*object, options.unknowns);
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_latex(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("latex", "Print derived expressions as LaTeX");
+  command->footer(
+      "Displayed equations for a document with the amsmath package, e.g. `stickslip latex H > H.tex`.\n"
+      "Two runs print the same characters. Every formula is the one that the proofs are about.");
+  command->add_option("NAME", options->names, "What to print: H, Gamma, Q, ...; everything if there is none")
+      ->type_name("");
+  command->add_flag("--list", options->list, "List the names, with equation numbers");
+  command
+      ->add_option(
+          "--in", options->unknowns,
+          "Write with chi, eta and the abbreviations omega_j, lambda_j (chi, the default), or with the "
+          "natural frequencies omega_1, omega_2 alone (omega)")
+      ->type_name("chi|omega")
+      ->transform(CLI::Transformer(std::vector<std::pair<std::string, symbolic::Unknowns>>{
+          {"chi", symbolic::Unknowns::chi}, {"omega", symbolic::Unknowns::omega}}));
+  command->callback([options, &action] {
+    action = [options] {
+      print(options->list ? symbolic::list_of_objects() : formulas(*options));
+      return exit_decided;
+    };
+  });
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,153 @@
+#include "report/json.hpp"
+
+#include "core/decimal.hpp"
+#include "report/summary.hpp"
+#include "report/versions.hpp"
+#include "symbolic/names.hpp"
+
+namespace stickslip::report {
+namespace {
+
+using proofs::Audit;
+using proofs::Claim;
+using proofs::Outcome;
+using proofs::Record;
+
+// The function applied to all members of a container, as a list.
+template <class Range, class Function>
+Json list_of(const Range& range, const Function& function) {
+  Json list = Json::array();
+  for (const auto& member : range) {
+    list.push_back(function(member));
+  }
+  return list;
+}
+
+Json plain(const std::string& text) {
+  return text;
+}
+
+Json ball(const BallText& text) {
+  return {{"mid", text.mid}, {"rad", text.rad}};
+}
+
+Json formula(const proofs::Statement& statement) {
+  return {{"latex", proofs::latex(statement)}, {"text", proofs::text(statement)}};
+}
+
+Json hypothesis(const proofs::Hypothesis& h) {
+  return {{"latex", h.latex}, {"text", h.text}};
+}
+
+Json symbol(const std::string& name) {
+  return {{"name", name}, {"latex", symbolic::latex_name(name)}};
+}
+
+Json coordinate(const Coordinate& c) {
+  Json json = symbol(c.name);
+  json["value"] = to_string(c.value);
+  return json;
+}
+
+Json witness(const std::optional<Witness>& w) {
+  if (!w) {
+    return nullptr;
+  }
+  return {{"point", list_of(w->point, coordinate)},
+          {"component", w->component},
+          {"left", ball(to_text(w->left))},
+          {"right", ball(to_text(w->right))}};
+}
+
+Json comparison(const proofs::Comparison& c) {
+  return {{"name", c.name},
+          {"latex", c.latex},
+          {"printed", c.printed},
+          {"proved", ball(c.proved)},
+          {"units_off", ball(c.units_off)},
+          {"verdict", to_string(c.verdict.truth)},
+          {"reason", c.verdict.reason}};
+}
+
+Json outcome(const Outcome& o) {
+  return {{"verdict", to_string(o.verdict.truth)},
+          {"reason", o.verdict.reason},
+          {"witness", witness(o.verdict.witness)},
+          {"route", o.route},
+          {"hypotheses", list_of(o.hypotheses, hypothesis)},
+          {"uses", list_of(o.uses, plain)},
+          {"free", list_of(o.free, symbol)},
+          {"comparisons", list_of(o.comparisons, comparison)}};
+}
+
+bool needs_assumption(const Record& record, const std::string& id) {
+  return record.outcome.assumed.contains(id) || (record.corrected && record.corrected->assumed.contains(id));
+}
+
+Json assumptions(const Record& record) {
+  return list_of(record.claim.assumptions, [&record](const proofs::Assumption& assumption) {
+    Json json = {{"id", assumption.id}};
+    json.update(formula(assumption.statement));
+    json["needed"] = needs_assumption(record, assumption.id);
+    return json;
+  });
+}
+
+Json claim(const Record& record) {
+  const Claim& c = record.claim;
+  return {{"id", c.id},
+          {"place", c.place},
+          {"kind", proofs::to_string(c.kind)},
+          {"words", c.words},
+          {"status", proofs::to_string(record.status)},
+          {"meaning", proofs::describe(record.status)},
+          {"finding", is_finding(record.status)},
+          {"printed", list_of(c.printed, formula)},
+          {"corrected", list_of(c.corrected, formula)},
+          {"assumptions", assumptions(record)},
+          {"outcome", outcome(record.outcome)},
+          {"corrected_outcome", record.corrected ? outcome(*record.corrected) : Json(nullptr)},
+          {"used_by", list_of(record.used_by, plain)}};
+}
+
+Json summary(const Audit& audit) {
+  const auto status = [](const StatusCount& entry) -> Json {
+    return {{"status", proofs::to_string(entry.status)},
+            {"meaning", proofs::describe(entry.status)},
+            {"count", entry.count}};
+  };
+  return {{"statements", audit.records.size()},
+          {"decided", all_decided(audit)},
+          {"line", summary_line(audit)},
+          {"statuses", list_of(count_statuses(audit), status)}};
+}
+
+Json place(const PlaceRecords& p) {
+  return {{"id", p.id},
+          {"title", p.title},
+          {"claims", list_of(p.records, [](const Record* record) { return claim(*record); })}};
+}
+
+}  // namespace
+
+Json to_json(const Audit& audit) {
+  const auto component = [](const Component& c) -> Json {
+    return {{"name", c.name}, {"version", c.version}};
+  };
+  return {{"schema_version", schema_version},
+          {"program", {{"name", "stickslip"}, {"version", program_version()}}},
+          {"libraries", list_of(libraries(), component)},
+          {"paper",
+           {{"author", "M. Pascal"},
+            {"title", "New limit cycles of dry friction oscillators under harmonic load"},
+            {"journal", "Nonlinear Dynamics 70 (2012) 1435–1443"},
+            {"doi", "10.1007/s11071-012-0545-5"}}},
+          {"summary", summary(audit)},
+          {"places", list_of(by_place(audit), place)}};
+}
+
+std::string to_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace stickslip::report

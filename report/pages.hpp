@@ -1,0 +1,20 @@
+// The pages of an audit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/files.hpp"
+#include "report/json.hpp"
+
+namespace stickslip::report {
+
+// What the templates see: the JSON of the audit; beside every "status" also "status_words", without
+// underscores; in every comparison "proved_short" and "units_off_short"; and "findings" and "numbers", the
+// claims among all places that are findings or that compare printed numbers.
+[[nodiscard]] Json page_data(const Json& audit);
+
+// audit.json, index.html and audit.tex. Throws InputOutputError if a template cannot be read.
+[[nodiscard]] std::vector<File> pages(const proofs::Audit& audit);
+
+}  // namespace stickslip::report

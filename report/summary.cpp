@@ -1,0 +1,92 @@
+#include "report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "proofs/paper.hpp"
+
+namespace stickslip::report {
+namespace {
+
+using proofs::Audit;
+using proofs::Record;
+using proofs::Status;
+
+constexpr std::array best_to_worst = {
+    Status::as_printed,         Status::model,   Status::needs_hypotheses,  Status::digits_off,
+    Status::misprint_corrected, Status::refuted, Status::rests_on_unproved, Status::undecided,
+};
+
+std::string title_of(const std::string& place) {
+  for (const proofs::Place& known : proofs::places()) {
+    if (known.id == place) {
+      return known.title;
+    }
+  }
+  return place;
+}
+
+}  // namespace
+
+std::vector<StatusCount> count_statuses(const Audit& audit) {
+  std::vector<StatusCount> counts;
+  for (const Status status : best_to_worst) {
+    const auto count = std::ranges::count_if(
+        audit.records, [status](const Record& record) { return record.status == status; });
+    if (count > 0) {
+      counts.push_back({status, static_cast<std::size_t>(count)});
+    }
+  }
+  return counts;
+}
+
+bool is_finding(Status status) {
+  return status != Status::as_printed && status != Status::model;
+}
+
+bool is_decided(Status status) {
+  return status != Status::undecided && status != Status::rests_on_unproved;
+}
+
+bool all_decided(const Audit& audit) {
+  return std::ranges::all_of(audit.records, [](const Record& record) { return is_decided(record.status); });
+}
+
+bool any_refuted(const Audit& audit) {
+  return std::ranges::any_of(audit.records, [](const Record& record) {
+    return record.status == Status::refuted || record.outcome.verdict.truth == Truth::refuted;
+  });
+}
+
+std::string spaced(std::string word) {
+  std::ranges::replace(word, '_', ' ');
+  return word;
+}
+
+std::string summary_line(const Audit& audit) {
+  std::string parts;
+  for (const StatusCount& entry : count_statuses(audit)) {
+    parts += fmt::format("{}{} {}", parts.empty() ? ": " : ", ", entry.count,
+                         spaced(proofs::to_string(entry.status)));
+  }
+  const std::size_t total = audit.records.size();
+  return fmt::format("{} statement{}{}.", total, total == 1 ? "" : "s", parts);
+}
+
+std::vector<PlaceRecords> by_place(const Audit& audit) {
+  std::vector<PlaceRecords> places;
+  for (const Record& record : audit.records) {
+    const auto same = [&record](const PlaceRecords& place) { return place.id == record.claim.place; };
+    auto place = std::ranges::find_if(places, same);
+    if (place == places.end()) {
+      places.push_back({record.claim.place, title_of(record.claim.place), {}});
+      place = std::prev(places.end());
+    }
+    place->records.push_back(&record);
+  }
+  return places;
+}
+
+}  // namespace stickslip::report

@@ -1,0 +1,46 @@
+// What an audit comes to: counts, findings, and whether everything is decided.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "proofs/claim.hpp"
+
+namespace stickslip::report {
+
+struct StatusCount {
+  proofs::Status status = proofs::Status::undecided;
+  std::size_t count = 0;
+};
+
+// The statuses that occur, from the best to the worst.
+[[nodiscard]] std::vector<StatusCount> count_statuses(const proofs::Audit& audit);
+
+// Worth a reader's attention: everything that is neither proved as it stands nor part of the model.
+[[nodiscard]] bool is_finding(proofs::Status status);
+
+// Whether the question about the statement is answered, one way or the other.
+[[nodiscard]] bool is_decided(proofs::Status status);
+[[nodiscard]] bool all_decided(const proofs::Audit& audit);
+
+// Whether some statement, as printed, is refuted, even if a corrected form is proved.
+[[nodiscard]] bool any_refuted(const proofs::Audit& audit);
+
+// A word of the program without its underscores: "as printed" for to_string(Status::as_printed).
+[[nodiscard]] std::string spaced(std::string word);
+
+// "64 statements: 57 as printed, 2 model, 5 misprint corrected."
+[[nodiscard]] std::string summary_line(const proofs::Audit& audit);
+
+// The consecutive records of one place.
+struct PlaceRecords {
+  std::string id;
+  std::string title;  // of proofs::places(), else the id
+  std::vector<const proofs::Record*> records;
+};
+
+// The records by place, in the order in which places first occur. Points into the audit.
+[[nodiscard]] std::vector<PlaceRecords> by_place(const proofs::Audit& audit);
+
+}  // namespace stickslip::report
