@@ -110,7 +110,7 @@ Argument arrange_argument(const ex& argument) {
 }
 
 struct Before {
-  bool operator()(const Atom& a, const Atom& b) const { return compare(a, b) < 0; }
+  bool operator()(const Atom& a, const Atom& b) const { return std::is_lt(compare(a, b)); }
 };
 
 // Replaces what is not rational by variables.

@@ -19,7 +19,7 @@ bool is_one(const Product& product) {
 
 std::vector<Power>::iterator find_base(std::vector<Power>& powers, const Power& wanted) {
   return std::find_if(powers.begin(), powers.end(),
-                      [&](const Power& power) { return compare_bases(power, wanted) == 0; });
+                      [&](const Power& power) { return std::is_eq(compare_bases(power, wanted)); });
 }
 
 // The greatest common divisor as far as the factors show it.

@@ -126,7 +126,7 @@ Signed factored(const Polynomial& polynomial, const Alphabet& alphabet) {
     result.powers.push_back({{}, std::move(sum), exponent});
   }
   std::sort(result.powers.begin(), result.powers.end(),
-            [](const Power& a, const Power& b) { return compare_bases(a, b) < 0; });
+            [](const Power& a, const Power& b) { return std::is_lt(compare_bases(a, b)); });
   return result;
 }
 

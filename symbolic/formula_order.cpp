@@ -14,23 +14,23 @@ std::strong_ordering compare(const GiNaC::numeric& a, const GiNaC::numeric& b) {
 std::strong_ordering compare(const Product& a, const Product& b) {
   const std::size_t size = std::min(a.powers.size(), b.powers.size());
   for (std::size_t i = 0; i < size; ++i) {
-    if (const auto order = compare_bases(a.powers[i], b.powers[i]); order != 0) {
+    if (const auto order = compare_bases(a.powers[i], b.powers[i]); std::is_neq(order)) {
       return order;
     }
-    if (const auto order = b.powers[i].exponent <=> a.powers[i].exponent; order != 0) {
+    if (const auto order = b.powers[i].exponent <=> a.powers[i].exponent; std::is_neq(order)) {
       return order;
     }
   }
   const auto order = a.powers.size() <=> b.powers.size();
-  return order != 0 ? order : compare(a.coefficient, b.coefficient);
+  return std::is_neq(order) ? order : compare(a.coefficient, b.coefficient);
 }
 
 std::strong_ordering compare(const Fraction& a, const Fraction& b) {
-  if (const auto order = compare(a.numerator, b.numerator); order != 0) {
+  if (const auto order = compare(a.numerator, b.numerator); std::is_neq(order)) {
     return order;
   }
   const auto order = compare(a.denominator, b.denominator);
-  return order != 0 ? order : a.negative <=> b.negative;
+  return std::is_neq(order) ? order : a.negative <=> b.negative;
 }
 
 bool is_trigonometric(const Power& power) {
@@ -60,11 +60,11 @@ std::strong_ordering compare_arguments(const Atom& a, const Atom& b) {
 }  // namespace
 
 std::strong_ordering compare(const Sum& a, const Sum& b) {
-  if (const auto order = a.size() <=> b.size(); order != 0) {
+  if (const auto order = a.size() <=> b.size(); std::is_neq(order)) {
     return order;
   }
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (const auto order = compare(a[i], b[i]); order != 0) {
+    if (const auto order = compare(a[i], b[i]); std::is_neq(order)) {
       return order;
     }
   }
@@ -72,7 +72,7 @@ std::strong_ordering compare(const Sum& a, const Sum& b) {
 }
 
 std::strong_ordering compare(const Atom& a, const Atom& b) {
-  if (const auto order = a.kind <=> b.kind; order != 0) {
+  if (const auto order = a.kind <=> b.kind; std::is_neq(order)) {
     return order;
   }
   if (a.kind == Atom::Kind::symbol) {
@@ -81,13 +81,13 @@ std::strong_ordering compare(const Atom& a, const Atom& b) {
   const auto by_name = a.name <=> b.name;
   const auto by_arguments = compare_arguments(a, b);
   if (a.kind == Atom::Kind::trigonometric) {
-    return by_arguments != 0 ? by_arguments : by_name;
+    return std::is_neq(by_arguments) ? by_arguments : by_name;
   }
-  return by_name != 0 ? by_name : by_arguments;
+  return std::is_neq(by_name) ? by_name : by_arguments;
 }
 
 std::strong_ordering compare_bases(const Power& a, const Power& b) {
-  if (const auto order = place(a) <=> place(b); order != 0) {
+  if (const auto order = place(a) <=> place(b); std::is_neq(order)) {
     return order;
   }
   return a.sum.empty() ? compare(a.atom, b.atom) : compare(a.sum, b.sum);

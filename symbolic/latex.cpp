@@ -88,17 +88,22 @@ class Printer {
     }
     for (const Power& factor : p.powers) {
       const std::string next = power(factor, place);
-      result = result.empty() ? next : latex_ ? joined(result, next) : result + "*" + next;
+      if (latex_ && !result.empty()) {
+        result = joined(result, next);
+      } else {
+        result += (result.empty() ? "" : "*") + next;
+      }
     }
     return result;
   }
 
   [[nodiscard]] std::string sum(const Sum& s, Place place) const {
-    const std::string space = latex_ ? "" : " ";
+    const std::string plus = latex_ ? "+" : " + ";
+    const std::string minus = latex_ ? "-" : " - ";
     std::string result;
     for (const Fraction& term : s) {
       if (!result.empty()) {
-        result += space + (term.negative ? "-" : "+") + space;
+        result += term.negative ? minus : plus;
       } else if (term.negative) {
         result += "-";
       }

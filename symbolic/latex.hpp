@@ -26,10 +26,11 @@ namespace stickslip::symbolic {
 
 template <class Derived>
 [[nodiscard]] std::string latex(const Eigen::MatrixBase<Derived>& matrix) {
+  const auto& evaluated = matrix.eval();
   std::vector<GiNaC::ex> entries;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      entries.push_back(matrix.coeff(i, j));
+      entries.push_back(evaluated(i, j));
     }
   }
   return latex(entries, static_cast<std::size_t>(matrix.cols()));

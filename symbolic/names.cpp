@@ -134,16 +134,16 @@ std::string latex_name(const std::string& plain) {
 std::strong_ordering compare_names(const std::string& a, const std::string& b) {
   const Name left = parse(a);
   const Name right = parse(b);
-  if (const auto order = rank(left) <=> rank(right); order != 0) {
+  if (const auto order = rank(left) <=> rank(right); std::is_neq(order)) {
     return order;
   }
-  if (const auto order = left.letter <=> right.letter; order != 0) {
+  if (const auto order = left.letter <=> right.letter; std::is_neq(order)) {
     return order;
   }
-  if (const auto order = left.accent <=> right.accent; order != 0) {
+  if (const auto order = left.accent <=> right.accent; std::is_neq(order)) {
     return order;
   }
-  if (const auto order = left.subscript.size() <=> right.subscript.size(); order != 0) {
+  if (const auto order = left.subscript.size() <=> right.subscript.size(); std::is_neq(order)) {
     return order;
   }
   return a <=> b;

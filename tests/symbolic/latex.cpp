@@ -226,6 +226,8 @@ TEST_CASE("parameters, load and stick") {
         "\\frac{\\omega_1^{2}+\\omega_2^{2}-1}{\\omega_2^{2}-1}");
   CHECK(latex(model::d0<ex>(chi, s("us"))) ==
         "\\frac{u_s}{1-\\chi}\\begin{pmatrix}\n1 \\\\[8pt]\n\\dfrac{1}{\\chi}\n\\end{pmatrix}");
+  CHECK(latex(model::Sigma<ex>(chi) * model::Sigma<ex>(chi)) ==
+        "\\begin{pmatrix}\n1 & 2\\chi \\\\\n0 & 1\n\\end{pmatrix}");
   const model::Parameters<ex> all{chi, s("eta"), s("us"), s("V"), s("omega"), s("p")};
   CHECK(latex(model::Q<ex>(all, s.modes())) ==
         "\\frac{p}{(\\omega^{2}-\\omega_1^{2})(\\omega^{2}-\\omega_2^{2})}"
