@@ -43,12 +43,13 @@ void add_audit(CLI::App& program, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("audit", "Examine every statement of the paper and report");
   command->footer(
-      "Prints a table of all statements with their status, then the findings with their reasons, then\n"
-      "the printed numbers beside the proved ones.\n\n"
-      "Exit code: 0 everything is decided (also if the paper has misprints), 2 something is undecided.");
+      "Prints a table of all statements with their status, then the findings with their\n"
+      "reasons, then the printed numbers beside the proved ones.\n\n"
+      "Exit code: 0 everything is decided, also if the paper has misprints;\n"
+      "2 something is undecided.");
   CLI::Option* out = command->add_option("--out", options->out,
-                                         "Also write index.html, audit.tex and audit.json into DIR, which is "
-                                         "created if only its last part is missing");
+                                         "Also write index.html, audit.tex and audit.json into DIR, which\n"
+                                         "is created if only its last part is missing");
   out->type_name("DIR");
   command->add_flag("--json", options->json, "Print the results as JSON instead of the table");
   command->callback([options, out, &action] {

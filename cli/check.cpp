@@ -66,17 +66,19 @@ void add_check(CLI::App& program, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("check", "Prove single statements, equations or sections");
   command->footer(
-      "Exit code: 0 every statement asked for holds (possibly under the hypotheses listed), 1 one of\n"
-      "them is refuted as printed, also if a corrected form is proved, 2 one of them is undecided.");
+      "Exit code: 0 every statement asked for holds, possibly under the hypotheses listed;\n"
+      "1 one of them is refuted as printed, also if a corrected form is proved;\n"
+      "2 none is refuted, one is undecided.");
   command
       ->add_option("ID", options->words,
-                   "What to check: a statement (44.H), an equation with all its parts (44), a section or an "
-                   "appendix (sec3, A2); everything if there is none")
+                   "What to check: a statement (44.H), an equation with all its\nparts (44), a section or an "
+                   "appendix (sec3, A2); everything\nif none is given")
       ->type_name("");
   CLI::Option* list =
       command->add_flag("--list", options->list, "Only list the statements, without proving them");
-  command->add_flag("--explain", options->explain,
-                    "Say everything about each: formula, assumptions, proof, hypotheses, what it uses");
+  command->add_flag(
+      "--explain", options->explain,
+      "Say all about each: formula, assumptions, proof, hypotheses,\nwhat it uses and what uses it");
   CLI::Option* json = command->add_flag("--json", options->json, "Print the results as JSON");
   list->excludes(json);
   command->callback([options, &action] { action = [options] { return run(*options); }; });

@@ -16,6 +16,13 @@ struct Options {
   bool list = false;
 };
 
+symbolic::Unknowns unknowns_named(const std::string& word) {
+  if (word != "chi" && word != "omega") {
+    throw CLI::ValidationError("--in", "'" + word + "' is neither chi nor omega");
+  }
+  return word == "chi" ? symbolic::Unknowns::chi : symbolic::Unknowns::omega;
+}
+
 // The named objects, or all of them. Names are looked up first, so that an unknown one prints nothing.
 std::string formulas(const Options& options) {
   std::vector<const symbolic::Object*> chosen;
@@ -40,19 +47,19 @@ void add_latex(CLI::App& program, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("latex", "Print derived expressions as LaTeX");
   command->footer(
-      "Displayed equations for a document with the amsmath package, e.g. `stickslip latex H > H.tex`.\n"
-      "Two runs print the same characters. Every formula is the one that the proofs are about.");
-  command->add_option("NAME", options->names, "What to print: H, Gamma, Q, ...; everything if there is none")
+      "Displayed equations for a document with the amsmath package: stickslip latex H > H.tex\n"
+      "Every formula is printed from the one that the proofs are about; two runs print the\n"
+      "same characters.");
+  command->add_option("NAME", options->names, "What to print (H, Gamma, Q, ...); everything if none is given")
       ->type_name("");
   command->add_flag("--list", options->list, "List the names, with equation numbers");
   command
-      ->add_option(
-          "--in", options->unknowns,
-          "Write with chi, eta and the abbreviations omega_j, lambda_j (chi, the default), or with the "
-          "natural frequencies omega_1, omega_2 alone (omega)")
-      ->type_name("chi|omega")
-      ->transform(CLI::Transformer(std::vector<std::pair<std::string, symbolic::Unknowns>>{
-          {"chi", symbolic::Unknowns::chi}, {"omega", symbolic::Unknowns::omega}}));
+      ->add_option_function<std::string>(
+          "--in", [options](const std::string& word) { options->unknowns = unknowns_named(word); },
+          "chi (the default): with chi, eta and the abbreviations omega_j,\nlambda_j; omega: with the "
+          "natural "
+          "frequencies alone")
+      ->type_name("WORD");
   command->callback([options, &action] {
     action = [options] {
       print(options->list ? symbolic::list_of_objects() : formulas(*options));

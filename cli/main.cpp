@@ -14,14 +14,15 @@ namespace stickslip::cli {
 namespace {
 
 constexpr const char* about =
-    "Decides, statement by statement, what is true in\n"
-    "M. Pascal, New limit cycles of dry friction oscillators under harmonic load (2012).\n"
-    "Identities are proved for all parameters, printed numbers are compared with rigorous enclosures.";
+    "Decides, statement by statement, what is true in M. Pascal, New limit cycles of dry\n"
+    "friction oscillators under harmonic load, Nonlinear Dynamics 70 (2012). Identities are\n"
+    "proved for all parameters; printed numbers are compared with rigorous enclosures.";
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 asked and decided, 1 check met a refuted statement, 2 something is undecided, 64 the\n"
-    "command line is not understood, 65 parameters outside the domain, 70 fault of the program, 74 input or\n"
-    "output failed, 130 interrupted.";
+    "stickslip COMMAND --help says more about a command.\n\n"
+    "Exit codes: 0 asked and decided, 1 check met a refuted statement, 2 something is\n"
+    "undecided, 64 the command line is not understood, 65 parameters outside the domain,\n"
+    "70 fault of the program, 74 input or output failed, 130 interrupted.";
 
 std::string versions() {
   std::string text = fmt::format("stickslip {}\n", report::program_version());
@@ -50,6 +51,7 @@ ExitCode run(int argc, const char* const* argv) {
   program.footer(exit_codes);
   program.set_version_flag("--version", versions, "Print the versions of the program and of its libraries");
   program.require_subcommand(0, 1);
+  program.get_formatter()->column_width(16);
   add_audit(program, action);
   add_check(program, action);
   add_latex(program, action);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "core/error.hpp"
 #include "model/flows.hpp"
@@ -75,6 +76,65 @@ Lines assembled(const std::string& name, const Blocks& blocks, Unknowns unknowns
   return lines;
 }
 
+// The paper's abbreviations s_j = sin(omega_j t), and c_j likewise.
+struct Abbreviation {
+  const char* name;
+  std::string full;
+};
+
+const std::array<Abbreviation, 4>& wave_names() {
+  static const std::array<Abbreviation, 4> all = [] {
+    const Modes m = modes();
+    return std::array{Abbreviation{"c_1", latex(GiNaC::cos(m.omega1 * t()))},
+                      Abbreviation{"s_1", latex(GiNaC::sin(m.omega1 * t()))},
+                      Abbreviation{"c_2", latex(GiNaC::cos(m.omega2 * t()))},
+                      Abbreviation{"s_2", latex(GiNaC::sin(m.omega2 * t()))}};
+  }();
+  return all;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    const bool after_name = at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0;
+    const std::string replacement = (after_name ? " " : "") + to;
+    text.replace(at, from.size(), replacement);
+    at += replacement.size();
+  }
+}
+
+// The lines with the abbreviations of wave_names(), and a line that says what those that occur mean.
+Lines abbreviated(Lines lines) {
+  Lines meanings;
+  for (const Abbreviation& wave : wave_names()) {
+    bool used = false;
+    for (Line& line : lines) {
+      used = used || line.right.find(wave.full) != std::string::npos;
+      replace_all(line.right, wave.full, wave.name);
+    }
+    if (used) {
+      meanings.push_back({wave.name, wave.full});
+    }
+  }
+  Line last = meanings.front();
+  for (std::size_t i = 1; i < meanings.size(); ++i) {
+    last.right += fmt::format(",\\quad {} = {}", meanings[i].left, meanings[i].right);
+  }
+  lines.push_back(last);
+  return lines;
+}
+
+// In the frequencies alone a block of H with its factor is wider than a page: the matrix goes on a line of
+// its own.
+Lines fitted(Lines lines, Unknowns unknowns) {
+  for (Line& line : lines) {
+    const std::size_t matrix_at = line.right.find("\\begin{pmatrix}");
+    if (unknowns == Unknowns::omega && matrix_at != std::string::npos && matrix_at > 0) {
+      line.right.insert(matrix_at, "\\times{} \\\\\n");
+    }
+  }
+  return abbreviated(std::move(lines));
+}
+
 Blocks H_blocks() {
   return model::H_blocks(modes(), t());
 }
@@ -86,14 +146,16 @@ Blocks Gamma_blocks() {
 Lines natural_frequencies(Unknowns unknowns) {
   const ex s = symbol("s");
   const ex D = characteristic_polynomial(model::stiffness<ex>(chi(), eta()), s);
-  Lines lines = {scalar("D(s^2)=\\det(K-s^2I)", D, unknowns)};
-  if (unknowns == Unknowns::chi) {
-    const ex sum = -D.coeff(s, 2);
-    const ex root = GiNaC::sqrt((sum * sum - 4 * D.coeff(s, 0)).expand());
-    lines.push_back(scalar("\\omega_1^2", (sum - root) / 2, unknowns));
-    lines.push_back(scalar("\\omega_2^2", (sum + root) / 2, unknowns));
+  const std::string left = "D(s^2)=\\det(K-s^2I)";
+  if (unknowns == Unknowns::omega) {
+    return {scalar(left, D, unknowns)};
   }
-  return lines;
+  const ex sum = -D.coeff(s, 2);
+  const ex product = D.coeff(s, 0);
+  const ex root = GiNaC::sqrt((sum * sum - 4 * product).expand());
+  return {{left, fmt::format("s^{{4}}-({})s^{{2}}+{}", latex(sum), latex(product))},
+          scalar("\\omega_1^2", (sum - root) / 2, unknowns),
+          scalar("\\omega_2^2", (sum + root) / 2, unknowns)};
 }
 
 Lines lambdas(Unknowns unknowns) {
@@ -125,34 +187,47 @@ Lines modal(const Vector4& Z, Unknowns unknowns) {
   std::array<ex, 2> combination = {0, 0};
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const ex coefficient = rest[0].coeff(waves[k]);
-    coefficients.push_back(scalar(latex_name(names[k]), coefficient, unknowns));
+    const ex lambda = k < 2 ? m.lambda1 : m.lambda2;
+    coefficients.push_back(scalar(latex_name(names[k]), coefficient, Unknowns::chi));
     combination[0] += symbol(names[k]) * waves[k];
-    combination[1] += (k < 2 ? m.lambda1 : m.lambda2) * symbol(names[k]) * waves[k];
+    combination[1] += lambda * symbol(names[k]) * waves[k];
     rest[0] = (rest[0] - coefficient * waves[k]).expand();
-    rest[1] = (rest[1] - rest[1].coeff(waves[k]) * waves[k]).expand();
+    rest[1] = (rest[1] - lambda * coefficient * waves[k]).normal().expand();
   }
   Lines lines;
   for (std::size_t i = 0; i < 2; ++i) {
-    lines.push_back(scalar(fmt::format("z_{}(t)", i + 1), combination[i] + rest[i].normal(), unknowns));
+    lines.push_back(scalar(fmt::format("z_{}(t)", i + 1), combination[i] + rest[i].normal(), Unknowns::chi));
   }
   lines.insert(lines.end(), coefficients.begin(), coefficients.end());
+  if (unknowns == Unknowns::omega) {
+    lines.push_back(scalar("\\lambda_1", m.lambda1, unknowns));
+    lines.push_back(scalar("\\lambda_2", m.lambda2, unknowns));
+  }
   return lines;
 }
 
 Lines slip(Unknowns unknowns) {
-  return modal(model::slip_flow<ex>(modes(), Q_symbols(), omega(), phi(), initial_state(), t()), unknowns);
+  const Vector4 Z = model::slip_flow<ex>(modes(), Q_symbols(), omega(), phi(), initial_state(), t());
+  return abbreviated(modal(Z, unknowns));
 }
 
 Lines overshoot(Unknowns unknowns) {
-  return modal(
-      model::overshoot_flow<ex>(modes(), Q_symbols(), d0_symbols(), omega(), phi(), initial_state(), t()),
-      unknowns);
+  const Vector4 Z =
+      model::overshoot_flow<ex>(modes(), Q_symbols(), d0_symbols(), omega(), phi(), initial_state(), t());
+  return abbreviated(modal(Z, unknowns));
 }
 
+// In the frequencies alone chi stays as an abbreviation.
 Lines stick(Unknowns unknowns) {
   const Vector4 Z = model::stick_flow<ex>(chi(), initial_state(), t());
-  return {scalar("z_1(t)", Z(0), unknowns), scalar("z_2(t)", Z(1), unknowns),
-          scalar("\\dot z_1(t)", Z(2), unknowns), scalar("\\dot z_2(t)", Z(3), unknowns)};
+  Lines lines;
+  for (int i = 0; i < 4; ++i) {
+    lines.push_back(scalar(fmt::format("{}z_{}(t)", i < 2 ? "" : "\\dot ", i % 2 + 1), Z(i), Unknowns::chi));
+  }
+  if (unknowns == Unknowns::omega) {
+    lines.push_back(scalar("\\chi", chi(), unknowns));
+  }
+  return lines;
 }
 
 Lines chi_lines(Unknowns) {
@@ -176,15 +251,15 @@ std::vector<Object> make_objects() {
       {"B", "(38)", "the modes as functions of time",
        [](Unknowns u) { return three("B", model::B(modes(), t()), u); }},
       {"H", "(6)", "flow of the slip without load, by blocks",
-       [](Unknowns u) { return assembled("H", H_blocks(), u); }},
+       [](Unknowns u) { return fitted(assembled("H", H_blocks(), u), u); }},
       {"H1", "(38)", "first block of H",
-       [](Unknowns u) { return Lines{matrix("H_1(t)", H_blocks().first, u)}; }},
+       [](Unknowns u) { return fitted({matrix("H_1(t)", H_blocks().first, u)}, u); }},
       {"H2", "(38)", "second block of H",
-       [](Unknowns u) { return Lines{matrix("H_2(t)", H_blocks().second, u)}; }},
+       [](Unknowns u) { return fitted({matrix("H_2(t)", H_blocks().second, u)}, u); }},
       {"H3", "(38)", "third block of H",
-       [](Unknowns u) { return Lines{matrix("H_3(t)", H_blocks().third, u)}; }},
+       [](Unknowns u) { return fitted({matrix("H_3(t)", H_blocks().third, u)}, u); }},
       {"L", "(8)", "what the reversed friction adds in an overshooting slip, per 2 d_0",
-       [](Unknowns u) { return Lines{matrix("L(t)", model::L(modes(), t()), u)}; }},
+       [](Unknowns u) { return fitted({matrix("L(t)", model::L(modes(), t()), u)}, u); }},
       {"Sigma", "(41)", "matrix of the eigenvectors during stick",
        [](Unknowns u) { return Lines{matrix("\\Sigma", model::Sigma(chi()), u)}; }},
       {"gamma", "(41)", "the motions during stick as functions of time",
