@@ -40,6 +40,22 @@ template <class S>
   return sum;
 }
 
+// w and w' at t.
+template <class S>
+[[nodiscard]] std::array<S, 2> value_and_slope(const Wave<S>& w, const S& t) {
+  using std::cos;
+  using std::sin;
+  std::array<S, 2> d{S(w.constant + w.slope * t), w.slope};
+  for (int k = 0; k < w.count; ++k) {
+    const Harmonic<S>& h = w.harmonics[static_cast<unsigned>(k)];
+    const S c = S(cos(S(h.nu * t)));
+    const S s = S(sin(S(h.nu * t)));
+    d[0] += h.a * c + h.b * s;
+    d[1] += h.nu * (h.b * c - h.a * s);
+  }
+  return d;
+}
+
 // factor w + offset.
 template <class S>
 [[nodiscard]] Wave<S> affine(const S& factor, const Wave<S>& w, const S& offset) {

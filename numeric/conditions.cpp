@@ -65,26 +65,24 @@ void refute(Condition& condition, const char* premise, const Ball& excess) {
       Verdict::refuted(fmt::format("{} is not met: off by {}", premise, to_string(excess, shown_digits)));
 }
 
-void decide_along(Condition& condition, const Motion& motion, const Ball& ur, const Requirement& q) {
+void decide_along(Condition& condition, const Motion& motion, const model::PhaseWaves<Ball>& w,
+                  const Ball& ur, const Requirement& q) {
   const Phase& phase = motion.phases[q.phase];
   const Affine form = affine_form(motion, ur, q.quantity);
-  const model::PhaseWaves<Ball> w = waves(motion, q.phase);
   const Wave<Ball> g = model::affine<Ball>(form.factor, form.of_speed ? w.zdot2 : w.r, form.offset);
   const char* premise = form.of_speed ? "z2' = V at an end of the phase" : "r = ur at the end of the stick";
-  for (const bool end : {false, true}) {
-    if (end ? q.touches.end : q.touches.start) {
-      const Ball excess = model::value(g, end ? phase.duration : Ball(0));
-      if (!excess.contains_zero()) {
-        return refute(condition, premise, excess);
-      }
-    }
+  const Infimum infimum = weighted_infimum(g, phase.duration, q.touches);
+  if (q.touches.start && !infimum.start.contains_zero()) {
+    return refute(condition, premise, infimum.start);
+  }
+  if (q.touches.end && !infimum.end.contains_zero()) {
+    return refute(condition, premise, infimum.end);
   }
   if (!phase.duration.is_positive()) {
     condition.verdict = Verdict::undecided("the duration of the phase is not proved positive: " +
                                            to_string(phase.duration, shown_digits));
     return;
   }
-  const Infimum infimum = weighted_infimum(g, phase.duration, q.touches);
   judge(condition, infimum.value, q.strict, "the smallest distance");
   condition.at = phase.start + infimum.time;
   if (condition.verdict.truth == Truth::refuted) {
@@ -113,9 +111,9 @@ void decide_at_start(Condition& condition, const Motion& motion, const Ball& ur,
   }
 }
 
-}  // namespace
-
-Condition decide(const Motion& motion, const std::optional<Ball>& ur, const Requirement& q) {
+// As decide; `known` holds the waves of all phases or is empty.
+Condition decide_with(const Motion& motion, const std::vector<model::PhaseWaves<Ball>>& known,
+                      const std::optional<Ball>& ur, const Requirement& q) {
   Condition condition{q.id, q.statement, {}, {}, {}, {}};
   if (q.phase >= motion.phases.size()) {
     throw InternalError("condition " + q.id + " speaks of a phase that the motion does not have");
@@ -132,14 +130,15 @@ Condition decide(const Motion& motion, const std::optional<Ball>& ur, const Requ
   } else if (q.quantity == Quantity::friction_step) {
     judge(condition, friction - us, q.strict, "ur - us");
   } else if (q.along) {
-    decide_along(condition, motion, friction, q);
+    decide_along(condition, motion, known.empty() ? waves(motion, q.phase) : known[q.phase], friction, q);
   } else {
     decide_at_start(condition, motion, friction, q);
   }
   return condition;
 }
 
-Verdict closes(Family family, const Motion& motion) {
+// The verdict of closes, from the waves of all phases.
+Verdict closes_with(Family family, const Motion& motion, const std::vector<model::PhaseWaves<Ball>>& known) {
   const std::vector<PhaseKind> kinds = phase_kinds(family);
   bool same = kinds.size() == motion.phases.size();
   for (std::size_t k = 0; same && k < kinds.size(); ++k) {
@@ -149,7 +148,7 @@ Verdict closes(Family family, const Motion& motion) {
     return Verdict::refuted("the phases are not those of the family");
   }
   static constexpr std::array<const char*, 4> names{"z1", "z2", "z1'", "z2'"};
-  const std::vector<model::Vector4<Ball>> jumps = gaps(motion);
+  const std::vector<model::Vector4<Ball>> jumps = gaps(motion, known);
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     for (int i = 0; i < 4; ++i) {
       if (jumps[k](i).is_nonzero()) {
@@ -162,13 +161,24 @@ Verdict closes(Family family, const Motion& motion) {
   return Verdict::undecided("no gap is separated from zero; only an existence proof closes a motion");
 }
 
+}  // namespace
+
+Condition decide(const Motion& motion, const std::optional<Ball>& ur, const Requirement& q) {
+  return decide_with(motion, {}, ur, q);
+}
+
+Verdict closes(Family family, const Motion& motion) {
+  return closes_with(family, motion, all_waves(motion));
+}
+
 std::vector<Condition> decide_conditions(Family family, const Motion& motion, const std::optional<Ball>& ur) {
   std::vector<Condition> result;
-  const Verdict closing = closes(family, motion);
+  const std::vector<model::PhaseWaves<Ball>> known = all_waves(motion);
+  const Verdict closing = closes_with(family, motion, known);
   for (const Requirement& requirement : requirements(family, ur.has_value())) {
     result.push_back(closing.truth == Truth::refuted
                          ? Condition{requirement.id, requirement.statement, closing, {}, {}, {}}
-                         : decide(motion, ur, requirement));
+                         : decide_with(motion, known, ur, requirement));
   }
   return result;
 }

@@ -27,41 +27,61 @@ void sin_cos(double x, double& s, double& c) {
   c = std::cos(x);
 }
 
+// sum += a b and sum -= a b without a temporary.
+void add_product(Ball& sum, const Ball& a, const Ball& b) {
+  arb_addmul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
+}
+void subtract_product(Ball& sum, const Ball& a, const Ball& b) {
+  arb_submul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
+}
+void add_product(double& sum, double a, double b) {
+  sum += a * b;
+}
+void subtract_product(double& sum, double a, double b) {
+  sum -= a * b;
+}
+
 // g, g', g'', g''' at t.
 template <class S>
 std::array<S, 4> derivatives(const Wave<S>& g, const S& t) {
-  std::array<S, 4> d{g.constant + g.slope * t, g.slope, S(0), S(0)};
+  std::array<S, 4> d{g.constant, g.slope, S(0), S(0)};
+  add_product(d[0], g.slope, t);
   S s(0);
   S c(0);
   for (int k = 0; k < g.count; ++k) {
     const Harmonic<S>& h = g.harmonics[static_cast<unsigned>(k)];
     sin_cos(S(h.nu * t), s, c);
-    const S p = h.a * c + h.b * s;
-    const S q = h.nu * (h.b * c - h.a * s);
+    S p = h.a * c;
+    add_product(p, h.b, s);
+    S q = h.b * c;
+    subtract_product(q, h.a, s);
+    q *= h.nu;
     const S square = h.nu * h.nu;
     d[0] += p;
     d[1] += q;
-    d[2] -= square * p;
-    d[3] -= square * q;
+    subtract_product(d[2], square, p);
+    subtract_product(d[3], square, q);
   }
   return d;
 }
 
-// |g^(n)| <= this, at all times, n >= 2.
-Ball derivative_bound(const Wave<Ball>& g, int n) {
-  Ball sum(0);
+// Bounds of |g'''| and |g''''| at all times, for the wave and for the reversed one.
+struct Bounds {
+  Ball third, fourth;
+};
+Bounds derivative_bounds(const Wave<Ball>& g) {
+  Bounds sum;
   for (int k = 0; k < g.count; ++k) {
     const Harmonic<Ball>& h = g.harmonics[static_cast<unsigned>(k)];
-    Ball term = sqrt(h.a * h.a + h.b * h.b);
-    if (!term.is_finite()) {  // both amplitudes contain zero
-      term = abs(h.a) + abs(h.b);
+    Ball amplitude = sqrt(h.a * h.a + h.b * h.b);
+    if (!amplitude.is_finite()) {  // both contain zero
+      amplitude = abs(h.a) + abs(h.b);
     }
-    for (int i = 0; i < n; ++i) {
-      term *= h.nu;
-    }
-    sum += abs(term);
+    const Ball term = abs(amplitude * h.nu * h.nu * h.nu);
+    sum.third += term;
+    sum.fourth += term * abs(h.nu);
   }
-  return sum.upper();
+  return {sum.third.upper(), sum.fourth.upper()};
 }
 
 Wave<double> approximate(const Wave<Ball>& g) {
@@ -199,9 +219,9 @@ class Search {
     if (!found_ || !floor_ || !floor_->is_finite()) {
       Ball everything;
       arb_zero_pm_inf(everything.raw());
-      return {everything, T_};
+      return {everything, T_, {}, {}};
     }
-    return {Ball::hull(*floor_, best_.upper()), time_};
+    return {Ball::hull(*floor_, best_.upper()), time_, {}, {}};
   }
 
  private:
@@ -304,16 +324,25 @@ bool Search::settle_convex(const Piece& piece, double a, double b, const Ball& c
   return true;
 }
 
-void add_pieces(std::vector<Piece>& pieces, const Side& side, bool touched, double length) {
-  const Ball third = derivative_bound(side.g, 3);
+// g(0).
+Ball initial_value(const Wave<Ball>& g) {
+  Ball sum = g.constant;
+  for (int k = 0; k < g.count; ++k) {
+    sum += g.harmonics[static_cast<unsigned>(k)].a;
+  }
+  return sum;
+}
+
+void add_pieces(std::vector<Piece>& pieces, const Side& side, const Bounds& bounds, bool touched,
+                double length) {
   if (!touched) {
-    pieces.push_back({&side, false, 0, length, third});
+    pieces.push_back({&side, false, 0, length, bounds.third});
     return;
   }
   const double collar = std::min(1.0, length);
-  pieces.push_back({&side, true, 0, collar, derivative_bound(side.g, 4) / Ball(4)});
+  pieces.push_back({&side, true, 0, collar, bounds.fourth / Ball(4)});
   if (length > collar) {
-    pieces.push_back({&side, false, collar, length, third});
+    pieces.push_back({&side, false, collar, length, bounds.third});
   }
 }
 
@@ -323,20 +352,27 @@ Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
   const double last = lower_double(T);
   const double half = std::nextafter(upper_double(T) / 2, std::numeric_limits<double>::infinity());
   Search search(T, last);
+  const Wave<Ball> back = reversed(g, T);
+  const auto finish = [&] {
+    Infimum found = search.result();
+    found.start = initial_value(g);
+    found.end = initial_value(back);
+    return found;
+  };
   if (!(last > 0) || !(half < last)) {
-    return search.result();
+    return finish();
   }
   // Each end is looked at from itself, for a phase of uncertain length is best known there; a single touched
   // end sees the whole phase, so that w is the distance to it wherever that is below 1.
   const Side start{g, approximate(g), false};
-  const Wave<Ball> back = reversed(g, T);
   const Side end{back, approximate(back), true};
+  const Bounds bounds = derivative_bounds(g);
   std::vector<Piece> pieces;
   if (touches.start == touches.end) {
-    add_pieces(pieces, start, touches.start, half);
-    add_pieces(pieces, end, touches.end, half);
+    add_pieces(pieces, start, bounds, touches.start, half);
+    add_pieces(pieces, end, bounds, touches.end, half);
   } else {
-    add_pieces(pieces, touches.start ? start : end, true, upper_double(T));
+    add_pieces(pieces, touches.start ? start : end, bounds, true, upper_double(T));
   }
   std::vector<std::pair<double, double>> guesses;
   for (const Piece& piece : pieces) {
@@ -350,7 +386,7 @@ Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
   for (const Piece& piece : pieces) {
     search.cover(piece);
   }
-  return search.result();
+  return finish();
 }
 
 std::optional<Violation> violation(const Wave<Ball>& g, const Ball& T, const Ball& near) {

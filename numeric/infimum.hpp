@@ -25,6 +25,8 @@ struct Touches {
 struct Infimum {
   Ball value;  // contains the weighted infimum, for all members of the wave and of T
   Ball time;   // contains a time in [0, T] at which the quotient (its limit at a touched end) lies in `value`
+  Ball start;  // g(0) and g(T), as far as the wave tells: a touched end whose ball excludes zero is none
+  Ball end;
 };
 
 // Assumes T > 0 for all members, and g zero at the touched ends. Returns an unbounded value when T or the

@@ -110,14 +110,30 @@ Vector4<Ball> state_at(const Motion& motion, const Ball& t) {
   return *hull;
 }
 
-std::vector<Vector4<Ball>> gaps(const Motion& motion) {
+std::vector<model::PhaseWaves<Ball>> all_waves(const Motion& motion) {
+  std::vector<model::PhaseWaves<Ball>> result;
+  result.reserve(motion.phases.size());
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    result.push_back(waves(motion, k));
+  }
+  return result;
+}
+
+std::vector<Vector4<Ball>> gaps(const Motion& motion, const std::vector<model::PhaseWaves<Ball>>& all_waves) {
   std::vector<Vector4<Ball>> result;
   result.reserve(motion.phases.size());
   for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    const Ball& T = motion.phases[k].duration;
+    const auto [z1, zdot1] = model::value_and_slope(all_waves[k].z1, T);
+    const auto [z2, zdot2] = model::value_and_slope(all_waves[k].z2, T);
     const Vector4<Ball>& next = motion.phases[(k + 1) % motion.phases.size()].Z;
-    result.emplace_back(state(motion, k, motion.phases[k].duration) - next);
+    result.emplace_back(Vector4<Ball>(z1, z2, zdot1, zdot2) - next);
   }
   return result;
+}
+
+std::vector<Vector4<Ball>> gaps(const Motion& motion) {
+  return gaps(motion, all_waves(motion));
 }
 
 }  // namespace stickslip

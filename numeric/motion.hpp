@@ -65,5 +65,9 @@ struct Leg {
 // Where phase k ends minus where the next one begins, one vector per phase; after the last phase comes the
 // first. An orbit has zero in all of them, and a ball that excludes zero proves that the motion is none.
 [[nodiscard]] std::vector<model::Vector4<Ball>> gaps(const Motion& motion);
+// The same from waves of all phases that are known already.
+[[nodiscard]] std::vector<model::Vector4<Ball>> gaps(const Motion& motion,
+                                                     const std::vector<model::PhaseWaves<Ball>>& all_waves);
+[[nodiscard]] std::vector<model::PhaseWaves<Ball>> all_waves(const Motion& motion);
 
 }  // namespace stickslip
