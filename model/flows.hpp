@@ -7,6 +7,13 @@
 
 namespace stickslip::model {
 
+// (13): E = diag(-I, I). It takes the state of z(t) to that of -z(-t): (z, z') becomes (-z, z').
+template <class S>
+[[nodiscard]] Matrix4<S> reversal() {
+  const Matrix2<S> zero = diagonal<S>(S(0), S(0));
+  return blocks<S>(diagonal<S>(S(-1), S(-1)), zero, zero, identity2<S>());
+}
+
 // (5): slip with x2' < V, u = us.
 template <class S>
 [[nodiscard]] Vector4<S> slip_flow(const Modes<S>& m, const Vector2<S>& Q, const S& omega, const S& psi0,
