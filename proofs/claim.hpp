@@ -1,0 +1,105 @@
+// Claims are data; verdicts are computed by their proofs, statuses from verdicts.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/verdict.hpp"
+#include "proofs/term.hpp"
+#include "symbolic/scalar.hpp"
+
+namespace stickslip::proofs {
+
+// The paper's kinds of statement.
+enum class Kind { definition, model, identity, step, theorem, condition, numbers };
+
+[[nodiscard]] std::string to_string(Kind kind);
+
+// Something that is taken for granted by the statement itself: "(13)" and its equation.
+struct Assumption {
+  std::string id;
+  Statement statement;
+};
+
+// Something that a proof divided by: it holds where this is not zero.
+struct Hypothesis {
+  GiNaC::ex nonzero;  // what must not vanish
+  std::string text;   // "omega - omega1 != 0"
+  std::string latex;  // the same
+};
+
+// One printed value against the proved one.
+struct Comparison {
+  std::string name;     // "tau"
+  std::string latex;    // its LaTeX name
+  std::string printed;  // as printed
+  BallText proved;
+  BallText units_off;  // (printed - proved) in units of the last place
+  Verdict verdict;     // proved: the printed value is the correctly rounded one
+};
+
+// What a proof found out.
+struct Outcome {
+  Verdict verdict;
+  std::string route;                   // how, in one sentence
+  std::vector<Hypothesis> hypotheses;  // beyond those the paper states
+  std::set<std::string> uses;          // ids of the claims that the proof took as premises
+  std::set<std::string> assumed;       // ids of the claim's own assumptions that the proof needed
+  std::vector<std::string> free;       // symbols (plain names) for all of whose values it was proved
+  std::vector<Coordinate> at;          // the data at which it was proved; empty: for all
+  std::vector<Comparison> comparisons;
+};
+
+class Prover;
+struct Claim;
+using Proof = std::function<Outcome(Prover&, const Claim&)>;
+
+struct Claim {
+  std::string id;     // "44.H": permanent
+  std::string place;  // "sec3", "A1"
+  Kind kind = Kind::step;
+  std::vector<Statement> printed = {};       // as printed: all of them are claimed
+  std::string words = {};                    // one plain sentence: what it says
+  std::vector<Assumption> assumptions = {};  // "if", as the paper states it
+  Proof prove = {};                          // none for a model equation
+  // If the printed form fails: the reading that the derivation supports, and its proof.
+  std::vector<Statement> corrected = {};
+  Proof prove_corrected = {};
+};
+
+// Computed, never typed.
+enum class Status {
+  as_printed,          // proved as it stands
+  needs_hypotheses,    // proved where something nonzero that the paper does not mention is nonzero
+  misprint_corrected,  // refuted as printed, the corrected form proved
+  digits_off,          // a printed number is not the correctly rounded one
+  refuted,
+  undecided,
+  rests_on_unproved,  // proved, but something that it uses is not
+  model,              // an equation of the model: taken as given
+};
+
+[[nodiscard]] std::string to_string(Status status);
+[[nodiscard]] std::string describe(Status status);
+
+struct Record {
+  Claim claim;
+  Outcome outcome;                   // of the statement as printed
+  std::optional<Outcome> corrected;  // of the corrected form, where there is one and it was needed
+  Status status = Status::undecided;
+  std::set<std::string> used_by;
+};
+
+// Records in the paper's order.
+struct Audit {
+  std::vector<Record> records;
+};
+
+// Proves the claims with these ids (all of them if `ids` is empty) and whatever they use; the records are of
+// the ids asked for, in the paper's order. Throws InternalError if a proof uses itself or an unknown id.
+[[nodiscard]] Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids = {});
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,23 @@
+#include "proofs/meaning.hpp"
+
+namespace stickslip::proofs {
+
+std::set<std::string> definitions_in(const Term& term) {
+  static const std::map<std::string, std::string> defined_in{
+      {"H", "6.H"},     {"H1", "38"},          {"H2", "38"},     {"H3", "38"},     {"B1", "38"},
+      {"B2", "38"},     {"B3", "38"},          {"Lambda", "38"}, {"psi1", "39"},   {"psi2", "39"},
+      {"K", "39"},      {"Gamma", "10.Gamma"}, {"Gamma1", "41"}, {"Gamma2", "41"}, {"Gamma3", "41"},
+      {"gamma1", "41"}, {"gamma2", "41"},      {"gamma3", "41"}, {"Sigma", "41"},  {"F", "5.F"},
+      {"F0", "5.F"},    {"R", "5.F"},          {"L", "8.L"},
+  };
+  std::set<std::string> result;
+  if (const auto found = defined_in.find(term.name()); found != defined_in.end()) {
+    result.insert(found->second);
+  }
+  for (const Term& argument : term.arguments()) {
+    result.merge(definitions_in(argument));
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,53 @@
+// The ways in which the suite proves a statement of the paper. Each returns a proof to be put into a claim.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proofs/claim.hpp"
+#include "symbolic/decide.hpp"
+
+namespace stickslip::proofs {
+
+// Every printed equation holds identically: both sides are evaluated with the model's formulas and compared
+// by normal form. Assumptions whose left side is a scalar symbol (phi = (pi - omega*tau)/2) are put in first.
+[[nodiscard]] Proof by_normal_form();
+
+// The same for equations other than the printed ones, which say what the printed words mean.
+[[nodiscard]] Proof by_normal_form(std::vector<Statement> equations);
+
+// The same where one side comes from a derivation that shares no formula with the model.
+struct Derived {
+  symbolic::Matrix value;
+  Term stated;
+};
+[[nodiscard]] Proof by_derivation(const std::string& route, std::function<std::vector<Derived>()> derive);
+
+// The printed right side, as a function of t, is the solution of y' = A y + forcing, y(start) = initial: it
+// satisfies both, and solutions of linear equations are unique.
+[[nodiscard]] Proof by_differential_equation(const Term& A, const Term& forcing, const Term& initial,
+                                             const Term& start = 0);
+
+// A premise of a proof by rewriting: a claim, or one of the claim's own assumptions, with symbols of time
+// replaced (from("5").at("t", tau - t)), solved for its left side or for another product of letters.
+struct Premise {
+  std::string id;
+  bool assumed = false;
+  Replacements replacements = {};
+  std::optional<Term> lead = {};
+
+  [[nodiscard]] Premise at(const std::string& symbol, const Term& value) const;
+  [[nodiscard]] Premise solved_for(const Term& product) const;
+};
+[[nodiscard]] Premise from(const std::string& id);
+[[nodiscard]] Premise assuming(const std::string& id);
+
+// The printed equations follow from the premises by replacing equals by equals, for any matrices whatever;
+// only premises that were needed are recorded.
+[[nodiscard]] Proof by_rewriting(std::vector<Premise> premises);
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,50 @@
+#include "proofs/paper.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
+
+namespace stickslip::proofs {
+
+const std::vector<Place>& places() {
+  static const std::vector<Place> all{
+      {"sec3", "Section 3: closed-form phases", "section3", section3},
+      {"sec4", "Section 4: symmetric orbits", "section4", section4},
+      {"A1", "Appendix 1: modes, H and Gamma", "appendix1", appendix1},
+      {"A2", "Appendix 2: the symmetry of the orbits of Section 4", "appendix2", appendix2},
+  };
+  return all;
+}
+
+std::vector<Claim> paper() {
+  std::vector<Claim> all;
+  for (const Place& place : places()) {
+    for (Claim& claim : place.claims()) {
+      all.push_back(std::move(claim));
+    }
+  }
+  return all;
+}
+
+std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::string& word) {
+  std::set<std::string> ids;
+  for (const Claim& claim : claims) {
+    if (claim.id == word || claim.place == word || claim.id.starts_with(word + ".")) {
+      ids.insert(claim.id);
+    }
+  }
+  if (word.empty() || ids.empty()) {
+    std::vector<std::string> known;
+    for (const Place& place : places()) {
+      known.push_back(place.id);
+    }
+    throw UsageError(
+        fmt::format("there is no claim '{}': name an equation such as 40, a claim such as 44.H, or one of "
+                    "the places {}",
+                    word, fmt::join(known, ", ")));
+  }
+  return ids;
+}
+
+}  // namespace stickslip::proofs

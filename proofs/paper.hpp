@@ -1,0 +1,34 @@
+// The paper, section by section: M. Pascal, New limit cycles of dry friction oscillators under harmonic load,
+// Nonlinear Dynamics 70 (2012) 1435-1443.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/claim.hpp"
+
+namespace stickslip::proofs {
+
+[[nodiscard]] std::vector<Claim> section3();   // (5)-(10)
+[[nodiscard]] std::vector<Claim> section4();   // example S
+[[nodiscard]] std::vector<Claim> appendix1();  // (38)-(42)
+[[nodiscard]] std::vector<Claim> appendix2();  // (43)-(46), (17)
+
+struct Place {
+  std::string id;      // "sec3", "A1"
+  std::string title;   // "Section 3: closed-form phases"
+  std::string source;  // the file in proofs/, also the name of its identity-check program
+  std::vector<Claim> (*claims)();
+};
+
+// In the paper's order.
+[[nodiscard]] const std::vector<Place>& places();
+
+// All claims in the paper's order.
+[[nodiscard]] std::vector<Claim> paper();
+
+// The ids that a word names: a claim (47.c1), an equation with all its parts (47), a place (sec4, A3). Throws
+// UsageError naming the word and what there is.
+[[nodiscard]] std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::string& word);
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,147 @@
+#include "proofs/prover.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "proofs/point.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/latex.hpp"
+
+namespace stickslip::proofs {
+namespace {
+
+bool stands(Status status) {
+  return status == Status::as_printed || status == Status::needs_hypotheses ||
+         status == Status::misprint_corrected || status == Status::model;
+}
+
+Status status_of(const Record& record, bool premises_stand) {
+  if (record.claim.kind == Kind::model) {
+    return Status::model;
+  }
+  const bool repaired = record.corrected && record.corrected->verdict.truth == Truth::proved;
+  switch (record.outcome.verdict.truth) {
+    case Truth::proved:
+      if (!premises_stand) {
+        return Status::rests_on_unproved;
+      }
+      return record.outcome.hypotheses.empty() ? Status::as_printed : Status::needs_hypotheses;
+    case Truth::refuted:
+      if (record.claim.kind == Kind::numbers) {
+        return Status::digits_off;
+      }
+      return repaired && premises_stand ? Status::misprint_corrected : Status::refuted;
+    case Truth::undecided:
+    case Truth::out_of_domain:
+      break;
+  }
+  return Status::undecided;
+}
+
+Outcome taken_as_given() {
+  Outcome outcome;
+  outcome.verdict = Verdict::out_of_domain("an equation of the model, taken as given");
+  return outcome;
+}
+
+// The hypotheses that are not met at the data; all of them where the proof is for all data.
+std::vector<Hypothesis> open_at(std::vector<Hypothesis> hypotheses, const std::vector<Coordinate>& data) {
+  if (!data.empty()) {
+    std::erase_if(hypotheses, [&](const Hypothesis& hypothesis) {
+      return symbolic::evaluate(hypothesis.nonzero, values_at(data, symbolic::symbols_of(hypothesis.nonzero)))
+          .is_nonzero();
+    });
+  }
+  return hypotheses;
+}
+
+}  // namespace
+
+Prover::Prover(const std::vector<Claim>& claims) {
+  for (const Claim& claim : claims) {
+    if (!claims_.emplace(claim.id, &claim).second) {
+      throw InternalError("two claims have the id " + claim.id);
+    }
+  }
+}
+
+const Claim& Prover::claim(const std::string& id) const {
+  const auto found = claims_.find(id);
+  if (found == claims_.end()) {
+    throw InternalError("there is no claim " + id);
+  }
+  return *found->second;
+}
+
+const Record& Prover::prove(const std::string& id) {
+  if (const auto known = records_.find(id); known != records_.end()) {
+    return known->second;
+  }
+  if (std::find(under_way_.begin(), under_way_.end(), id) != under_way_.end()) {
+    throw InternalError(fmt::format("the proof of {} uses itself: {}", id, fmt::join(under_way_, " -> ")));
+  }
+  under_way_.push_back(id);
+  Record record{claim(id), {}, {}, {}, {}};
+  record.outcome = record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given();
+  if (record.outcome.verdict.truth == Truth::refuted && record.claim.prove_corrected) {
+    Claim reading = record.claim;
+    reading.printed = reading.corrected;
+    record.corrected = reading.prove_corrected(*this, reading);
+  }
+  bool premises_stand = true;
+  Outcome& relied_on = record.corrected ? *record.corrected : record.outcome;
+  for (const std::string& used : relied_on.uses) {
+    const Record& premise = prove(used);
+    premises_stand = premises_stand && stands(premise.status);
+    const Outcome& from = premise.corrected ? *premise.corrected : premise.outcome;
+    relied_on.hypotheses = joined(relied_on.hypotheses, open_at(from.hypotheses, relied_on.at));
+  }
+  record.status = status_of(record, premises_stand);
+  under_way_.pop_back();
+  return records_.emplace(id, std::move(record)).first->second;
+}
+
+const std::vector<Statement>& proved_form(const Record& record) {
+  return record.corrected ? record.claim.corrected : record.claim.printed;
+}
+
+Hypothesis hypothesis(const GiNaC::ex& nonzero) {
+  return {nonzero, symbolic::text(nonzero) + " != 0", symbolic::latex(nonzero) + " \\neq 0"};
+}
+
+std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::stable_sort(a.begin(), a.end(),
+                   [](const Hypothesis& x, const Hypothesis& y) { return x.text < y.text; });
+  a.erase(std::unique(a.begin(), a.end(),
+                      [](const Hypothesis& x, const Hypothesis& y) { return x.text == y.text; }),
+          a.end());
+  return a;
+}
+
+Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {
+  Prover prover(claims);
+  for (const std::string& id : ids) {
+    (void)prover.claim(id);
+  }
+  Audit result;
+  for (const Claim& claim : claims) {
+    if (ids.empty() || ids.contains(claim.id)) {
+      result.records.push_back(prover.prove(claim.id));
+    }
+  }
+  for (Record& record : result.records) {
+    for (const Record& other : result.records) {
+      if (other.outcome.uses.contains(record.claim.id) ||
+          (other.corrected && other.corrected->uses.contains(record.claim.id))) {
+        record.used_by.insert(other.claim.id);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,121 @@
+// Section 3: the closed-form phases, (5)-(10). A phase begins at t = 0.
+#include "proofs/derivations.hpp"
+#include "proofs/methods.hpp"
+#include "proofs/paper.hpp"
+#include "proofs/vocabulary.hpp"
+
+namespace stickslip::proofs {
+namespace {
+
+using namespace vocabulary;
+
+// What acts on z = x - d0: the load, and the friction beyond the u_s that d0 balances.
+Term forcing(const Term& friction) {
+  return column({0, 0, 0, eta * friction + p * cos(omega * t + phi)});
+}
+
+}  // namespace
+
+std::vector<Claim> section3() {
+  const std::string sec = "sec3";
+  const Term slip = H(t) * (Z0 - F0) + F(t);
+  return {
+      {.id = "5.F",
+       .place = sec,
+       .kind = Kind::definition,
+       .printed = {equation(F(t), column({R(t), derivative(R(t))})), equation(R(t), Q * cos(omega * t + phi)),
+                   equation(F0, F(0))},
+       .words = "the forced response F = (R, R') with R(t) = Q cos(omega t + phi)",
+       .prove = by_normal_form()},
+      {.id = "5",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(Z(t), slip)},
+       .words = "slip with x2' < V, u = u_s: the motion that starts at Z_0",
+       .prove = by_differential_equation(first_order(K), forcing(0), Z0)},
+      {.id = "6.H",
+       .place = sec,
+       .kind = Kind::definition,
+       .printed = {equation(H(t), block(2, {H1(t), H2(t), H3(t), H1(t)}))},
+       .words = "H(t) is the flow of x'' + K x = 0: the exponential of its first-order system",
+       .prove = by_derivation(
+           "H(t) equals the matrix exponential, found from the resolvent of the first-order system",
+           [] {
+             return std::vector<Derived>{{slip_exponential(), H(t)},
+                                         {slip_exponential(), block(2, {H1(t), H2(t), H3(t), H1(t)})}};
+           })},
+      {.id = "6.d0",
+       .place = sec,
+       .kind = Kind::definition,
+       .printed = {equation(d01, us / (1 - chi)), equation(d02, d01 / chi)},
+       .words = "d_0 is the equilibrium under the friction +u_s: K d_0 = (0, eta u_s)",
+       .prove = by_normal_form({equation(K * d0, column({0, eta * us})), equation(d01, us / (1 - chi)),
+                                equation(d02, d01 / chi)})},
+      {.id = "7",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(
+                       q1, chi * p /
+                               ((power(omega, 2) - power(omega1, 2)) * (power(omega, 2) - power(omega2, 2)))),
+                   equation(q2, q1 * (1 - power(omega, 2)) / chi)},
+       .words = "Q is the amplitude of the forced response: (K - omega^2 I) Q = (0, p)",
+       .prove = by_derivation(
+           "the linear system (K - omega^2 I) Q = (0, p) solved by elimination",
+           [] {
+             const Term first =
+                 chi * p / ((power(omega, 2) - power(omega1, 2)) * (power(omega, 2) - power(omega2, 2)));
+             return std::vector<Derived>{
+                 {forced_amplitudes(), Q},
+                 {forced_amplitudes(), column({first, first * (1 - power(omega, 2)) / chi})}};
+           })},
+      {.id = "8.L",
+       .place = sec,
+       .kind = Kind::definition,
+       .printed = {equation(L(t), column({H1(t) - I2, H3(t)}))},
+       .words = "L(t) d_0 is what H(t) adds to the constant (d_0, 0)",
+       .prove = by_normal_form({equation(L(t), column({H1(t) - I2, H3(t)})),
+                                equation(L(t) * d0, (H(t) - I4) * column({d0, zero(2, 1)}))})},
+      {.id = "8",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(Z(t), slip + 2 * L(t) * d0)},
+       .words = "slip with x2' > V, u = -u_s (overshooting): the motion that starts at Z_0",
+       .prove = by_differential_equation(first_order(K), forcing(-2 * us), Z0)},
+      {.id = "9",
+       .place = sec,
+       .kind = Kind::model,
+       .words = "stick, x2' = V: x1'' + x1 - chi x2 = 0, x2'' = 0"},
+      {.id = "9.z",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(d01 - chi * d02, 0)},
+       .words = "(9) keeps its form for z = x - d_0",
+       .prove = by_normal_form()},
+      {.id = "10.Gamma",
+       .place = sec,
+       .kind = Kind::definition,
+       .printed = {equation(Gamma(t), block(2, {Gamma1(t), Gamma2(t), Gamma3(t), Gamma1(t)}))},
+       .words = "Gamma(t) is the flow of (9): the exponential of its first-order system",
+       .prove = by_derivation(
+           "Gamma(t) equals the matrix exponential, found from the resolvent of the first-order system",
+           [] {
+             return std::vector<Derived>{
+                 {stick_exponential(), Gamma(t)},
+                 {stick_exponential(), block(2, {Gamma1(t), Gamma2(t), Gamma3(t), Gamma1(t)})}};
+           })},
+      {.id = "10",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(Z(t), Gamma(t) * Z0)},
+       .words = "stick: the motion that starts at Z_0",
+       .prove = by_differential_equation(first_order(stick_matrix), zero(4, 1), Z0)},
+      {.id = "10.belt",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(block(1, {0, 0, 0, 1}) * Gamma(t) * Z0, zdot20)},
+       .words = "during stick the velocity of the second mass stays that of the belt",
+       .prove = by_normal_form()},
+  };
+}
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,41 @@
+// The paper's symbols as terms. Names are the paper's in ASCII; what they mean stands in meaning.hpp.
+#pragma once
+
+#include "proofs/term.hpp"
+
+namespace stickslip::proofs::vocabulary {
+
+// Parameters and times.
+inline const Term chi = scalar("chi"), eta = scalar("eta"), us = scalar("us"), ur = scalar("ur"),
+                  V = scalar("V"), omega = scalar("omega"), p = scalar("p"), phi = scalar("phi");
+inline const Term omega1 = scalar("omega1"), omega2 = scalar("omega2"), lambda1 = scalar("lambda1"),
+                  lambda2 = scalar("lambda2");
+inline const Term t = scalar("t"), s = scalar("s"), t1 = scalar("t1"), tau = scalar("tau"), T = scalar("T"),
+                  Theta = scalar("Theta");
+
+// Constant vectors and matrices.
+inline const Term E = matrix("E", 4), I2 = identity(2), I4 = identity(4), K = matrix("K", 2),
+                  Lambda = matrix("Lambda", 2), Sigma = matrix("Sigma", 2);
+inline const Term d0 = vector("d0", 2), d01 = scalar("d01"), d02 = scalar("d02");
+inline const Term Q = vector("Q", 2), q1 = scalar("q1"), q2 = scalar("q2");
+inline const Term psi1 = vector("psi1", 2), psi2 = vector("psi2", 2);
+inline const Term F0 = vector("F0", 4), Z0 = vector("Z0", 4);
+inline const Term z10 = scalar("z10"), z20 = scalar("z20"), zdot10 = scalar("zdot10"),
+                  zdot20 = scalar("zdot20");
+
+// Functions of time.
+inline const Function H{"H", {4, 4}}, H1{"H1", {2, 2}}, H2{"H2", {2, 2}}, H3{"H3", {2, 2}};
+inline const Function B1{"B1", {2, 2}}, B2{"B2", {2, 2}}, B3{"B3", {2, 2}};
+inline const Function Gamma{"Gamma", {4, 4}}, Gamma1{"Gamma1", {2, 2}}, Gamma2{"Gamma2", {2, 2}},
+    Gamma3{"Gamma3", {2, 2}};
+inline const Function gamma1{"gamma1", {2, 2}}, gamma2{"gamma2", {2, 2}}, gamma3{"gamma3", {2, 2}};
+inline const Function F{"F", {4, 1}}, R{"R", {2, 1}}, L{"L", {4, 2}}, Z{"Z", {4, 1}};
+
+// The matrix of y'' + M y = 0 as a first-order system for (y, y').
+[[nodiscard]] inline Term first_order(const Term& M) {
+  return block(2, {zero(2, 2), I2, -M, zero(2, 2)});
+}
+// (9): x1'' + x1 - chi x2 = 0, x2'' = 0 has M = [[1, -chi], [0, 0]].
+inline const Term stick_matrix = block(2, {1, -chi, 0, 0});
+
+}  // namespace stickslip::proofs::vocabulary

@@ -1,0 +1,112 @@
+#include "proofs/paper.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/prover.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+
+namespace {
+
+const Audit& whole() {
+  static const Audit result = audit(paper());
+  return result;
+}
+
+const Record& record(const std::string& id) {
+  for (const Record& candidate : whole().records) {
+    if (candidate.claim.id == id) {
+      return candidate;
+    }
+  }
+  throw InternalError("no record " + id);
+}
+
+}  // namespace
+
+TEST_CASE("nothing is left open, and what is proved says how") {
+  for (const Record& r : whole().records) {
+    CAPTURE(r.claim.id);
+    CAPTURE(r.outcome.verdict.reason);
+    CHECK(r.status != Status::undecided);
+    CHECK(r.status != Status::rests_on_unproved);
+    CHECK(r.status != Status::refuted);
+    CHECK(r.claim.words.size() > 0);
+    if (r.status != Status::model) {
+      CHECK(r.outcome.route.size() > 0);
+    }
+    if (r.outcome.verdict.truth != Truth::proved) {
+      CHECK(r.outcome.verdict.reason.size() > 0);
+    }
+  }
+}
+
+TEST_CASE("Appendix 1 holds for all parameters, without hypotheses") {
+  for (const Record& r : whole().records) {
+    if (r.claim.place == "A1") {
+      CAPTURE(r.claim.id);
+      CHECK(r.status == Status::as_printed);
+    }
+  }
+}
+
+TEST_CASE("the slip solution needs the load to be off resonance, which the paper does not say") {
+  CHECK(record("7").status == Status::needs_hypotheses);
+  CHECK(record("7").outcome.hypotheses.size() == 2);
+  CHECK(record("17.slip").status == Status::needs_hypotheses);
+  CHECK(record("10").status == Status::as_printed);
+}
+
+TEST_CASE("(17) is proved from Appendix 2, link by link") {
+  CHECK(record("17.slip").outcome.uses ==
+        std::set<std::string>{"13.E", "38.commute", "43", "44.E", "44.F", "44.F0", "44.H", "5"});
+  CHECK(record("17.slip").outcome.assumed.contains("13"));
+  CHECK(record("17.stick").outcome.uses ==
+        std::set<std::string>{"4.stick", "41.commute", "45", "46.E", "46.group"});
+  CHECK(record("17.stick").outcome.assumed == std::set<std::string>{"15"});
+}
+
+TEST_CASE("without one of its premises (17) is not proved") {
+  std::vector<Claim> claims = paper();
+  for (const std::string cut : {"13.E", "44.E", "44.H"}) {
+    CAPTURE(cut);
+    std::vector<Claim> mutilated = claims;
+    for (Claim& claim : mutilated) {
+      if (claim.id == cut) {
+        claim.prove = [](Prover&, const Claim&) { return Outcome{.verdict = Verdict::undecided("cut")}; };
+      }
+    }
+    CHECK(audit(mutilated, {"17.slip"}).records.front().status == Status::rests_on_unproved);
+  }
+}
+
+TEST_CASE("(45) as the source prints it is a misprint") {
+  CHECK(record("45").status == Status::misprint_corrected);
+  REQUIRE(record("45").outcome.verdict.witness.has_value());
+  CHECK_FALSE(
+      record("45").outcome.verdict.witness->left.overlaps(record("45").outcome.verdict.witness->right));
+}
+
+TEST_CASE("example S: the orbit is proved, the period is right, other digits are off") {
+  CHECK(record("S.orbit").status == Status::as_printed);
+  CHECK(record("S.Theta").status == Status::as_printed);
+  for (const char* id : {"S.tau", "S.T", "S.z10", "S.z20", "S.zdot10", "S.ur"}) {
+    CAPTURE(id);
+    CHECK(record(id).status == Status::digits_off);
+    REQUIRE(record(id).outcome.comparisons.size() == 1);
+    CHECK(record(id).outcome.comparisons.front().units_off.rad != "inf");
+  }
+}
+
+TEST_CASE("words name claims, equations with their parts, and places") {
+  const std::vector<Claim> claims = paper();
+  CHECK(ids_named(claims, "40") == std::set<std::string>{"40"});
+  CHECK(ids_named(claims, "44") == std::set<std::string>{"44.E", "44.F", "44.F0", "44.H"});
+  CHECK(ids_named(claims, "44.H") == std::set<std::string>{"44.H"});
+  CHECK(ids_named(claims, "A2").contains("17.slip"));
+  CHECK_FALSE(ids_named(claims, "4").contains("40"));
+  CHECK_THROWS_AS((void)ids_named(claims, "99"), UsageError);
+  CHECK_THROWS_AS((void)ids_named(claims, ""), UsageError);
+}
