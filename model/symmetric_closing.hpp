@@ -61,15 +61,15 @@ template <class S>
 // lambda_k P_j and V omega_k² R_j + sigma p S_j, k the other mode.
 template <class S>
 [[nodiscard]] SymmetricRows<S> symmetric_rows(const SymmetricData<S>& a, const S& tau) {
-  using std::cos;
-  using std::sin;
   const S half_T = (a.Theta - tau) / S(2);
-  const S sin_T = S(sin(half_T));
-  const S cos_T = S(cos(half_T));
+  const std::pair<S, S> stick = sin_cos(half_T);
+  const S& sin_T = stick.first;
+  const S& cos_T = stick.second;
   const auto row = [&](const S& omega_j, const S& omega_k, const S& lambda_k, S& left, S& right) {
     const S alpha = omega_j * tau / S(2);
-    const S c = omega_j * S(cos(alpha));
-    const S s = S(sin(alpha));
+    const std::pair<S, S> at_alpha = sin_cos(alpha);
+    const S c = omega_j * at_alpha.second;
+    const S& s = at_alpha.first;
     left = lambda_k * S(c * sin_T + s * cos_T);
     right =
         a.V * omega_k * omega_k * S(c * half_T + s) + a.sigma * a.p * load_transfer(omega_j, a.omega, tau);
@@ -98,13 +98,12 @@ template <class S>
 // The state Z0 at the beginning of the slip.
 template <class S>
 [[nodiscard]] Vector4<S> symmetric_start(const SymmetricData<S>& a, const S& tau, const S& C) {
-  using std::cos;
-  using std::sin;
   const S half_T = (a.Theta - tau) / S(2);
   Vector4<S> Z0;
   Z0(1) = a.V * half_T;
-  Z0(0) = a.chi * Z0(1) + C * S(sin(half_T));
-  Z0(2) = a.chi * a.V + C * S(cos(half_T));
+  const std::pair<S, S> stick = sin_cos(half_T);
+  Z0(0) = a.chi * Z0(1) + C * stick.first;
+  Z0(2) = a.chi * a.V + C * stick.second;
   Z0(3) = a.V;
   return Z0;
 }

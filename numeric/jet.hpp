@@ -4,13 +4,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "numeric/scalars.hpp"
 #include "numeric/sinc.hpp"
 
 namespace stickslip {
+
+// Whether a number is exactly zero: then products with it need not be computed.
+[[nodiscard]] inline bool is_zero(double x) {
+  return x == 0;
+}
+[[nodiscard]] inline bool is_zero(const cln::cl_R& x) {
+  return cln::zerop(x);
+}
+[[nodiscard]] inline bool is_zero(const Ball& x) {
+  return arb_is_zero(x.raw()) != 0;
+}
 
 template <class S, int N>
 struct Jet {
@@ -18,8 +31,8 @@ struct Jet {
   std::array<S, N> partials = zeros();
 
   Jet() = default;
-  Jet(int constant) : value(constant) {}       // NOLINT: scalars convert from int
-  Jet(const S& constant) : value(constant) {}  // NOLINT: a constant has no derivative
+  Jet(int constant) : value(constant) {}           // NOLINT: scalars convert from int
+  Jet(S constant) : value(std::move(constant)) {}  // NOLINT: a constant has no derivative
 
   // The i-th argument of a function, at `at`.
   [[nodiscard]] static Jet variable(const S& at, int i) {
@@ -29,10 +42,12 @@ struct Jet {
   }
 
   // The chain rule for g(this): value g, derivative slope.
-  [[nodiscard]] Jet chain(const S& g, const S& slope) const {
-    Jet result(g);
+  [[nodiscard]] Jet chain(S g, const S& slope) const {
+    Jet result(std::move(g));
     for (std::size_t i = 0; i < N; ++i) {
-      result.partials[i] = slope * partials[i];
+      if (!is_zero(partials[i])) {
+        result.partials[i] = slope * partials[i];
+      }
     }
     return result;
   }
@@ -40,49 +55,76 @@ struct Jet {
   Jet& operator+=(const Jet& b) {
     value += b.value;
     for (std::size_t i = 0; i < N; ++i) {
-      partials[i] += b.partials[i];
+      if (!is_zero(b.partials[i])) {
+        partials[i] += b.partials[i];
+      }
     }
     return *this;
   }
   Jet& operator-=(const Jet& b) {
     value -= b.value;
     for (std::size_t i = 0; i < N; ++i) {
-      partials[i] -= b.partials[i];
+      if (!is_zero(b.partials[i])) {
+        partials[i] -= b.partials[i];
+      }
     }
     return *this;
   }
-  Jet& operator*=(const Jet& b) { return *this = *this * b; }
-  Jet& operator/=(const Jet& b) { return *this = *this / b; }
+  Jet& operator*=(const Jet& b) {
+    if (this == &b) {
+      return *this *= Jet(b);
+    }
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(partials[i])) {
+        partials[i] *= b.value;
+      }
+      if (!is_zero(b.partials[i])) {
+        partials[i] += value * b.partials[i];
+      }
+    }
+    value *= b.value;
+    return *this;
+  }
+  Jet& operator/=(const Jet& b) {
+    if (this == &b) {
+      return *this /= Jet(b);
+    }
+    value /= b.value;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(b.partials[i])) {
+        partials[i] -= value * b.partials[i];
+      }
+      if (!is_zero(partials[i])) {
+        partials[i] /= b.value;
+      }
+    }
+    return *this;
+  }
 
-  friend Jet operator+(Jet a, const Jet& b) { return a += b; }
-  friend Jet operator-(Jet a, const Jet& b) { return a -= b; }
+  friend Jet operator+(Jet a, const Jet& b) { return std::move(a += b); }
+  friend Jet operator-(Jet a, const Jet& b) { return std::move(a -= b); }
+  friend Jet operator*(Jet a, const Jet& b) { return std::move(a *= b); }
+  friend Jet operator/(Jet a, const Jet& b) { return std::move(a /= b); }
   friend Jet operator-(const Jet& a) { return a.chain(S(-a.value), S(-1)); }
   friend Jet operator+(const Jet& a) { return a; }
-  friend Jet operator*(const Jet& a, const Jet& b) {
-    Jet result(S(a.value * b.value));
-    for (std::size_t i = 0; i < N; ++i) {
-      result.partials[i] = a.value * b.partials[i] + a.partials[i] * b.value;
-    }
-    return result;
+
+  friend std::pair<Jet, Jet> sin_cos(const Jet& a) {
+    const std::pair<S, S> both = sin_cos(a.value);
+    return {a.chain(both.first, both.second), a.chain(both.second, S(-both.first))};
   }
-  friend Jet operator/(const Jet& a, const Jet& b) {
-    const S reciprocal = S(1) / b.value;
-    Jet result(S(a.value * reciprocal));
-    for (std::size_t i = 0; i < N; ++i) {
-      result.partials[i] = (a.partials[i] - result.value * b.partials[i]) * reciprocal;
-    }
-    return result;
+  // Exactly zero with all its derivatives, so that what it multiplies can be skipped.
+  friend bool is_zero(const Jet& a) {
+    return is_zero(a.value) &&
+           std::all_of(a.partials.begin(), a.partials.end(), [](const S& x) { return is_zero(x); });
   }
 
   friend Jet sin(const Jet& a) {
-    using std::cos;
-    using std::sin;
-    return a.chain(S(sin(a.value)), S(cos(a.value)));
+    const std::pair<S, S> both = sin_cos(a.value);
+    return a.chain(both.first, both.second);
   }
   friend Jet cos(const Jet& a) {
-    using std::cos;
-    using std::sin;
-    return a.chain(S(cos(a.value)), S(-sin(a.value)));
+    const std::pair<S, S> both = sin_cos(a.value);
+    return a.chain(both.second, S(-both.first));
   }
   friend Jet sqrt(const Jet& a) {
     using std::sqrt;

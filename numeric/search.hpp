@@ -217,30 +217,63 @@ template <int N, class Contract, class Decide>
   return result;
 }
 
+// The part of X that a single equation g = 0 leaves, from its mean value form g(m) + slope (X - m): solved
+// for each coordinate in turn. Nothing when g has no zero in X.
+template <int N>
+[[nodiscard]] std::optional<Box<N>> contract_by(const Ball& at_m, const Eigen::Matrix<Ball, 1, N>& slope,
+                                                const Box<N>& m, Box<N> X) {
+  Box<N> share;
+  Ball sum = at_m;
+  for (int i = 0; i < N; ++i) {
+    share(i) = slope(i) * (X(i) - m(i));
+    sum += share(i);
+  }
+  if (sum.is_nonzero()) {
+    return std::nullopt;
+  }
+  for (int i = 0; i < N; ++i) {
+    if (!slope(i).is_nonzero()) {
+      continue;
+    }
+    Ball others = at_m;
+    for (int j = 0; j < N; ++j) {
+      others += j == i ? Ball(0) : share(j);
+    }
+    const std::optional<Ball> side = intersection(X(i), m(i) - others / slope(i));
+    if (!side) {
+      return std::nullopt;
+    }
+    X(i) = *side;
+    share(i) = slope(i) * (X(i) - m(i));
+  }
+  return X;
+}
+
 // The contractor and the decider that Krawczyk's operator gives for f (see krawczyk.hpp).
 template <int N, class F>
 struct KrawczykContractor {
-  const F& f;
+  F f;
 
-  // Excludes by f itself, by its mean value form, or by an image disjoint from the box.
+  // By the sign of f, by each equation's mean value form, and by Krawczyk's operator.
   [[nodiscard]] std::optional<Box<N>> operator()(const Box<N>& X) const {
     const auto [value, slope] = linearise<Ball, N>(f, X);
     const Box<N> m = midpoint<N>(X);
     const Box<N> at_m = f(m);
-    const Box<N> mean_value = at_m + slope * Box<N>(X - m);
-    for (int i = 0; i < N; ++i) {
-      if (value(i).is_nonzero() || mean_value(i).is_nonzero()) {
-        return std::nullopt;
-      }
+    std::optional<Box<N>> rest = X;
+    for (int i = 0; i < N && rest; ++i) {
+      rest = value(i).is_nonzero() ? std::nullopt : contract_by<N>(at_m(i), slope.row(i), m, *rest);
+    }
+    if (!rest) {
+      return std::nullopt;
     }
     const std::optional<Box<N>> K = krawczyk_image<N>(m, at_m, slope, X);
-    return K ? intersection<N>(*K, X) : X;
+    return K ? intersection<N>(*K, *rest) : rest;
   }
 };
 
 template <int N, class F>
 struct KrawczykDecider {
-  const F& f;
+  F f;
 
   [[nodiscard]] Decision<N> operator()(const Box<N>& X) const {
     const ZeroProof<N> proof = krawczyk_test<N>(f, inflate<N>(X, 1.25));

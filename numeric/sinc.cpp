@@ -61,6 +61,16 @@ Ball sinc_slope(const Ball& x) {
   return (cos(x) - sinc(x)) / x;
 }
 
+std::pair<double, double> sin_cos(double x) {
+  return {std::sin(x), std::cos(x)};
+}
+
+std::pair<Ball, Ball> sin_cos(const Ball& x) {
+  std::pair<Ball, Ball> result;
+  arb_sin_cos(result.first.raw(), result.second.raw(), x.raw(), WorkingPrecision::bits());
+  return result;
+}
+
 }  // namespace stickslip
 
 namespace cln {
@@ -71,6 +81,10 @@ cl_R sinc(const cl_R& x) {
 
 cl_R sinc_slope(const cl_R& x) {
   return zerop(x) ? cl_R(0) : cl_R((cos(x) - sinc(x)) / x);
+}
+
+std::pair<cl_R, cl_R> sin_cos(const cl_R& x) {
+  return {sin(x), cos(x)};
 }
 
 }  // namespace cln

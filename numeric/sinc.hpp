@@ -4,6 +4,8 @@
 
 #include <cln/real.h>
 
+#include <utility>
+
 #include "core/ball.hpp"
 
 namespace stickslip {
@@ -15,6 +17,10 @@ namespace stickslip {
 // Contains (cos x - sinc x)/x for every member, also where x contains 0.
 [[nodiscard]] Ball sinc_slope(const Ball& x);
 
+// (sin x, cos x).
+[[nodiscard]] std::pair<double, double> sin_cos(double x);
+[[nodiscard]] std::pair<Ball, Ball> sin_cos(const Ball& x);
+
 }  // namespace stickslip
 
 // Found by argument-dependent lookup.
@@ -23,5 +29,7 @@ namespace cln {
 [[nodiscard]] cl_R sinc(const cl_R& x);
 // Assumes x ≠ 0 or x exactly 0; loses digits near 0 (floats only propose).
 [[nodiscard]] cl_R sinc_slope(const cl_R& x);
+
+[[nodiscard]] std::pair<cl_R, cl_R> sin_cos(const cl_R& x);
 
 }  // namespace cln

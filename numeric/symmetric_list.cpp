@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "numeric/end_rows.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -25,52 +27,20 @@ Eliminant eliminant(const ExactParameters& a, LoadPhase phase) {
   return {{symmetric_data<Ball>(a, phase)}};
 }
 
-// What is left of rows that vanish at an end of the domain, once the cube of the distance is divided out.
-// S(q) = sinc(√q) has -1/6 <= S'(q) <= -1/6 + q/60 for 0 <= q <= 1, and (x cos x - sin x)/x³ lies between
-// -1/3 and -1/3 + x²/30 for 0 <= x <= 1. Nothing when a frequency times t/2 may exceed 1.
-struct EndRows {
-  const model::SymmetricData<Ball>& data;
-  Ball t;  // distance from the end, in time
-
-  [[nodiscard]] bool applies() const {
-    const Ball fastest = (data.m.omega2 + Ball(1) + data.omega) * t / Ball(2);
-    return (abs(fastest) - Ball(1)).is_negative();
-  }
-  // (omega cos(omega t/2) sin(omega_j t/2) - omega_j sin(omega t/2) cos(omega_j t/2))/((omega_j² - omega²)
-  // t³) = (sinc a - sinc b)/(4 t²), a, b = (omega_j ∓ omega) t/2.
-  [[nodiscard]] Ball transfer(const Ball& omega_j, const Ball& omega) const {
-    const Ball b = (omega_j + omega) * t / Ball(2);
-    return -omega_j * omega * bounded(-6, b * b / Ball(60)) / Ball(4);
-  }
-  // lambda_k P_j/t³ up to the sign common to both j, at tau = t when omega = 1/k.
-  [[nodiscard]] Ball left(const Ball& omega_j, const Ball& lambda_k) const {
-    return lambda_k * (omega_j * omega_j - Ball(1)) * transfer(omega_j, Ball(1));
-  }
-  // Row j divided by t³ at T = t when omega_j = k omega, up to the sign (-1)^k.
-  void row(const Ball& omega_j, const Ball& omega_k, const Ball& lambda_k, Ball& l, Ball& r) const {
-    const Ball x = omega_j * t / Ball(2);
-    const Ball cubic = omega_j * omega_j * omega_j / Ball(8) * bounded(-3, x * x / Ball(30));
-    l = -left(omega_j, lambda_k);
-    r = data.V * omega_k * omega_k * cubic + data.sigma * data.p * transfer(omega_j, data.omega);
-  }
-
- private:
-  [[nodiscard]] static Ball bounded(int reciprocal, const Ball& slack) {
-    const Ball bound = Ball(1) / Ball(reciprocal);
-    return Ball::hull(bound, bound + slack);
-  }
-};
-
 // Which rows vanish identically at an end: decided in rationals.
 struct EndZeros {
   bool origin;                   // omega = 1/k: both left sides vanish at tau = 0
   std::array<bool, 2> resonant;  // omega_j = k omega, k > 1: row j vanishes at T = 0
 };
 
+EndRows end_rows(const model::SymmetricData<Ball>& d, const Ball& t) {
+  return {d.m, d.omega, t};
+}
+
 // omega = 1/k. At tau = 0 the left sides vanish and the right sides are V omega_k² omega_j Theta/2 > 0: no
 // orbit. Beside it the divided eliminant decides.
 bool excluded_at_origin(const model::SymmetricData<Ball>& data, const Ball& tau) {
-  const EndRows end{data, tau};
+  const EndRows end = end_rows(data, tau);
   const model::Vector2<Ball> right = model::symmetric_rows(data, tau).right;
   const Ball quotient =
       end.left(data.m.omega2, data.m.lambda1) * right(0) - end.left(data.m.omega1, data.m.lambda2) * right(1);
@@ -80,13 +50,18 @@ bool excluded_at_origin(const model::SymmetricData<Ball>& data, const Ball& tau)
 // omega_j = k omega: row j holds at T = 0 whatever C. For T > 0 the divided eliminant decides.
 bool excluded_before_end(const model::SymmetricData<Ball>& data, const std::array<bool, 2>& resonant,
                          const Ball& tau) {
-  const EndRows end{data, data.Theta - tau};
+  const EndRows end = end_rows(data, data.Theta - tau);
   model::SymmetricRows<Ball> rows = model::symmetric_rows(data, tau);
+  const auto divide = [&](const Ball& omega_j, const Ball& omega_k, const Ball& lambda_k, int j) {
+    rows.left(j) = -end.left(omega_j, lambda_k);
+    rows.right(j) = data.V * omega_k * omega_k * end.cubic(omega_j) +
+                    data.sigma * data.p * end.transfer(omega_j, data.omega);
+  };
   if (resonant[0]) {
-    end.row(data.m.omega1, data.m.omega2, data.m.lambda2, rows.left(0), rows.right(0));
+    divide(data.m.omega1, data.m.omega2, data.m.lambda2, 0);
   }
   if (resonant[1]) {
-    end.row(data.m.omega2, data.m.omega1, data.m.lambda1, rows.left(1), rows.right(1));
+    divide(data.m.omega2, data.m.omega1, data.m.lambda1, 1);
   }
   return end.applies() && (rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1)).is_nonzero();
 }

@@ -1,0 +1,80 @@
+// The orbits with an overshooting part of Section 5: slip on (0, tau), overshoot on (tau, tau + tau1), stick
+// on (tau + tau1, Theta); Z(Theta) = Z0 (20), z2'(0) = z2'(tau) = z2'(tau + tau1) = V (12), (18), (19).
+//
+// The search runs over (s, w) in [0, 1]², tau + tau1 = Theta s, tau1 = Theta s w: the closed triangle tau,
+// tau1
+// >= 0, tau + tau1 <= Theta. The reduced equations of model/overshooting_closing.hpp are linear in the
+// amplitudes, which are eliminated by determinants; a zero of those counts only when the amplitudes that it
+// stands for are proved to exist.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/overshooting_closing.hpp"
+#include "numeric/domain.hpp"
+#include "numeric/search.hpp"
+
+namespace stickslip {
+
+// The data of the reduced equations at the working precision.
+template <class S>
+[[nodiscard]] model::OvershootingData<S> overshooting_data(const ExactParameters& a) {
+  const S chi = scalar<S>(a.chi);
+  const S eta = scalar<S>(a.eta);
+  const S omega = scalar<S>(a.omega);
+  return {chi,
+          eta,
+          model::modes<S>(chi, eta),
+          scalar<S>(a.us),
+          scalar<S>(a.V),
+          omega,
+          scalar<S>(a.p),
+          S(S(2) * pi<S>() / omega)};
+}
+
+// What an orbit is known by; each member contains the exact value.
+template <class S>
+struct OvershootingState {
+  S tau, tau1, T, Theta, phi;  // phi in (-pi, pi] when it is a result
+  S z10, z20, zdot10, zdot20;  // the state at the beginning of the slip
+  S x10, x20;                  // the same as displacements
+  S ur;                        // from (12)
+};
+
+struct OvershootingOrbit {
+  OvershootingState<Ball> state;
+  Box<2> unique;                    // no other orbit has ((tau + tau1)/Theta, tau1/(tau + tau1)) in this box
+  long bits = 0;                    // the precision that the state was computed with
+  model::Vector4<Ball> residual20;  // Z(Theta) - Z0 through the flows (5), (8), (10): each contains 0
+  Ball residual18;                  // z2'(tau) - V
+  Ball residual19;                  // z2'(tau + tau1) - V
+};
+
+// A part of the triangle in which the search could not decide.
+struct UnresolvedTimes {
+  Ball tau, tau1;
+  std::string reason;
+};
+
+struct OvershootingList {
+  std::vector<OvershootingOrbit> orbits;  // sorted by tau + tau1; the existence of each is proved
+  std::vector<UnresolvedTimes> unresolved;
+  long cells = 0;  // examined by the search
+
+  // No orbit in the closed triangle is missing from the list.
+  [[nodiscard]] bool complete() const { return unresolved.empty(); }
+};
+
+// All orbits at the load phase phi (exactly as given, any real number), u_r being a result.
+// Throws DomainError outside the domain of require_stick_slip_domain.
+[[nodiscard]] OvershootingList list_overshooting_at_phase(const ExactParameters& a, const Rational& phi,
+                                                          int digits);
+
+// All orbits whose friction at rest is u_r (exactly as given), the load's phase phi being a result in (-pi,
+// pi]. Throws DomainError outside that domain, for p = 0, where no phase is left to meet u_r, and for u_r <=
+// 0.
+[[nodiscard]] OvershootingList list_overshooting_at_friction(const ExactParameters& a, const Rational& ur,
+                                                             int digits);
+
+}  // namespace stickslip

@@ -1,0 +1,156 @@
+// Example O (Fig. 3) and the complete lists of overshooting orbits, at a given phase and at a given friction.
+#include "numeric/overshooting.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "core/error.hpp"
+#include "numeric/overshooting_rows.hpp"
+#include "tests/numeric/examples.hpp"
+
+using namespace stickslip;
+using namespace stickslip::examples;
+
+namespace {
+
+void check_list(const OvershootingList& list, const char* tiny) {
+  const Ball bound(parse_rational(tiny));
+  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
+    const OvershootingOrbit& orbit = list.orbits[i];
+    for (const Ball& residual : {orbit.residual20(0), orbit.residual20(1), orbit.residual20(2),
+                                 orbit.residual20(3), orbit.residual18, orbit.residual19}) {
+      CHECK(residual.contains_zero());
+      CHECK((residual.radius() - bound).is_negative());
+    }
+    CHECK(orbit.state.tau.is_positive());
+    CHECK(orbit.state.tau1.is_positive());
+    CHECK(orbit.state.T.is_positive());
+    for (std::size_t j = 0; j < i; ++j) {
+      const OvershootingState<Ball>& other = list.orbits[j].state;
+      CHECK_FALSE((other.tau.overlaps(orbit.state.tau) && other.tau1.overlaps(orbit.state.tau1)));
+    }
+  }
+}
+
+const OvershootingOrbit* find(const OvershootingList& list, const char* tau, const char* tau1) {
+  for (const OvershootingOrbit& orbit : list.orbits) {
+    if (near(orbit.state.tau, tau, "0.001") && near(orbit.state.tau1, tau1, "0.001")) {
+      return &orbit;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("example O: two orbits at phi = 0, the printed one among them, closing in all of (20)") {
+  const OvershootingList list = list_overshooting_at_phase(O(), 0, 30);
+  CHECK(list.complete());
+  CHECK(list.orbits.size() == 2);
+  check_list(list, "1e-28");
+  const OvershootingOrbit* printed = find(list, "4.909", "2.8275");
+  REQUIRE(printed != nullptr);
+  CHECK(near(printed->state.ur, "0.459", "0.001"));
+  CHECK(near(printed->state.T, "2.2543", "0.001"));
+}
+
+TEST_CASE("a thousand digits of example O") {
+  const OvershootingList coarse = list_overshooting_at_phase(O(), 0, 20);
+  const OvershootingList fine = list_overshooting_at_phase(O(), 0, 1000);
+  REQUIRE(fine.orbits.size() == coarse.orbits.size());
+  const WorkingPrecision precision(3500);
+  check_list(fine, "1e-995");
+  for (std::size_t i = 0; i < fine.orbits.size(); ++i) {
+    CHECK(fine.orbits[i].state.tau.overlaps(coarse.orbits[i].state.tau));
+    CHECK(fine.orbits[i].state.ur.overlaps(coarse.orbits[i].state.ur));
+    CHECK((fine.orbits[i].state.tau1.radius() - Ball(parse_rational("1e-999"))).is_negative());
+  }
+}
+
+TEST_CASE("at a given friction the phase is a result, and giving that phase gives the orbit back") {
+  const Rational ur = parse_rational("0.459");
+  const OvershootingList list = list_overshooting_at_friction(O(), ur, 30);
+  CHECK(list.complete());
+  CHECK(list.orbits.size() == 2);
+  check_list(list, "1e-25");
+  for (const OvershootingOrbit& orbit : list.orbits) {
+    CHECK(orbit.state.ur.contains(ur));
+  }
+  // The phase of the first, cut to a decimal: an orbit with nearly the same friction is in that list.
+  const Rational phi = parse_decimal(to_text(list.orbits[0].state.phi, 12).mid).value;
+  const OvershootingList at_phase = list_overshooting_at_phase(O(), phi, 20);
+  CHECK(at_phase.complete());
+  CHECK(std::any_of(at_phase.orbits.begin(), at_phase.orbits.end(), [&](const OvershootingOrbit& orbit) {
+    return near(orbit.state.ur, "0.459", "1e-9") &&
+           (abs(orbit.state.tau - list.orbits[0].state.tau) - Ball(1e-9)).is_negative();
+  }));
+}
+
+TEST_CASE("a phase and that phase plus a turn have the same orbits") {
+  const OvershootingList list = list_overshooting_at_phase(O(), parse_rational("6.283185307"), 15);
+  CHECK(list.complete());
+  CHECK(list.orbits.size() == 2);
+  CHECK(find(list, "4.9091", "2.8273") != nullptr);
+}
+
+TEST_CASE("special frequencies: omega = 1/k has no orbit at tau + tau1 = 0") {
+  for (const char* omega : {"1", "1/2"}) {
+    CAPTURE(omega);
+    const OvershootingList list = list_overshooting_at_phase(
+        parameters("0.2", "4", "0.05", "1", omega, "0.05"), parse_rational("0.3"), 15);
+    CHECK(list.complete());
+    check_list(list, "1e-10");
+  }
+  CHECK(list_overshooting_at_friction(parameters("0.2", "4", "0.05", "1", "1", "0.05"), 1, 15).complete());
+}
+
+TEST_CASE("data outside the domain are refused by name") {
+  CHECK_THROWS_AS((void)list_overshooting_at_friction(parameters("0.2", "4", "0.05", "1", "0.6", "0"), 1, 15),
+                  DomainError);
+  CHECK_THROWS_AS((void)list_overshooting_at_friction(O(), 0, 15), DomainError);
+  CHECK_THROWS_AS((void)list_overshooting_at_phase(parameters("0.2", "4", "0.05", "-1", "0.6", "0.1"), 0, 15),
+                  DomainError);
+}
+
+TEST_CASE("random data: every zero that Newton's method finds from a grid is in the list") {
+  const unsigned seed = std::random_device{}();
+  MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  const auto between = [&](int low, int high) -> Rational {
+    return Rational(std::uniform_int_distribution<int>(low, high)(random)) / 1000;
+  };
+  for (int k = 0; k < 4; ++k) {
+    const ExactParameters a{between(100, 900),  between(500, 5000), between(10, 500),
+                            between(300, 2000), between(400, 1500), between(0, 500)};
+    const Rational phi = between(-3000, 3000);
+    CAPTURE(to_string(a.chi));
+    CAPTURE(to_string(a.eta));
+    CAPTURE(to_string(a.us));
+    CAPTURE(to_string(a.V));
+    CAPTURE(to_string(a.omega));
+    CAPTURE(to_string(a.p));
+    CAPTURE(to_string(phi));
+    const OvershootingList list = list_overshooting_at_phase(a, phi, 15);
+    check_list(list, "1e-8");
+    const OvershootingAtPhase<double> f{overshooting_data<double>(a), phi.get_d(), 0};
+    for (int cell = 0; cell < 100; ++cell) {
+      const Eigen::Vector2d start(0.05 + 0.1 * (cell % 10), 0.05 + 0.1 * (cell / 10));
+      const auto zero = newton<double, 2>(f, start, 30);
+      if (!zero || zero->minCoeff() < 0.001 || zero->maxCoeff() > 0.999) {
+        continue;
+      }
+      const Eigen::Vector2d value = f(*zero);
+      const Times<double> t = times<double>(f.data.Theta, *zero);
+      const bool spurious = std::abs(f.odd<double>(f.data, t).left(0)) < 1e-6;
+      const bool open = std::any_of(list.unresolved.begin(), list.unresolved.end(), [&](const auto& u) {
+        return !(abs(u.tau - Ball(t.tau)) - Ball(1e-3)).is_positive();
+      });
+      const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const auto& orbit) {
+        return (abs(orbit.state.tau - Ball(t.tau)) - Ball(1e-6)).is_negative() &&
+               (abs(orbit.state.tau1 - Ball(t.tau1)) - Ball(1e-6)).is_negative();
+      });
+      CHECK((listed || open || spurious || value.norm() > 1e-12));
+    }
+  }
+}
