@@ -172,8 +172,13 @@ Verdict closes(Family family, const Motion& motion) {
 }
 
 std::vector<Condition> decide_conditions(Family family, const Motion& motion, const std::optional<Ball>& ur) {
+  return decide_conditions(family, motion, all_waves(motion), ur);
+}
+
+std::vector<Condition> decide_conditions(Family family, const Motion& motion,
+                                         const std::vector<model::PhaseWaves<Ball>>& known,
+                                         const std::optional<Ball>& ur) {
   std::vector<Condition> result;
-  const std::vector<model::PhaseWaves<Ball>> known = all_waves(motion);
   const Verdict closing = closes_with(family, motion, known);
   for (const Requirement& requirement : requirements(family, ur.has_value())) {
     result.push_back(closing.truth == Truth::refuted

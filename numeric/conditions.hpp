@@ -37,6 +37,11 @@ struct Condition {
 [[nodiscard]] std::vector<Condition> decide_conditions(Family family, const Motion& motion,
                                                        const std::optional<Ball>& ur);
 
+// The same with the waves of all phases known, perhaps better than from the states of the motion.
+[[nodiscard]] std::vector<Condition> decide_conditions(Family family, const Motion& motion,
+                                                       const std::vector<model::PhaseWaves<Ball>>& known,
+                                                       const std::optional<Ball>& ur);
+
 // "All of them hold": proved is what `admissible` means.
 [[nodiscard]] Verdict admissible(const std::vector<Condition>& conditions);
 

@@ -22,19 +22,6 @@ std::string to_string(PhaseKind kind) {
 
 namespace {
 
-Vector4<Ball> flow(const model::Oscillator<Ball>& o, PhaseKind kind, const Ball& psi0, const Vector4<Ball>& Z,
-                   const Ball& t) {
-  switch (kind) {
-    case PhaseKind::slip:
-      return model::slip_flow<Ball>(o.modes, o.Q, o.data.omega, psi0, Z, t);
-    case PhaseKind::overshoot:
-      return model::overshoot_flow<Ball>(o.modes, o.Q, o.d0, o.data.omega, psi0, Z, t);
-    case PhaseKind::stick:
-      return model::stick_flow<Ball>(o.data.chi, Z, t);
-  }
-  throw InternalError("a phase of no known kind");
-}
-
 const Phase& phase(const Motion& motion, std::size_t k) {
   if (k >= motion.phases.size()) {
     throw InternalError("phase " + std::to_string(k) + " of a motion with " +
@@ -45,23 +32,9 @@ const Phase& phase(const Motion& motion, std::size_t k) {
 
 }  // namespace
 
-Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi, const Vector4<Ball>& Z0,
-               const std::vector<Leg>& legs) {
-  Motion motion{oscillator, {}};
-  motion.phases.reserve(legs.size());
-  Ball start(0);
-  Vector4<Ball> Z = Z0;
-  for (const Leg& leg : legs) {
-    motion.phases.push_back({leg.kind, start, leg.duration, oscillator.data.omega * start + phi, Z});
-    Z = state(motion, motion.phases.size() - 1, leg.duration);
-    start += leg.duration;
-  }
-  return motion;
-}
-
 Vector4<Ball> state(const Motion& motion, std::size_t k, const Ball& t) {
   const Phase& f = phase(motion, k);
-  return flow(motion.oscillator, f.kind, f.load, f.Z, t);
+  return flow<Ball>(motion.oscillator, f.kind, f.load, f.Z, t);
 }
 
 Ball friction(const Motion& motion, std::size_t k, const Ball& t) {
@@ -70,11 +43,7 @@ Ball friction(const Motion& motion, std::size_t k, const Ball& t) {
 }
 
 model::PhaseWaves<Ball> waves(const Motion& motion, std::size_t k) {
-  const Phase& f = phase(motion, k);
-  if (f.kind == PhaseKind::stick) {
-    return model::stick_waves<Ball>(motion.oscillator, f.load, f.Z);
-  }
-  return model::slip_waves<Ball>(motion.oscillator, f.kind == PhaseKind::slip ? 1 : -1, f.load, f.Z);
+  return waves_of<Ball>(motion.oscillator, phase(motion, k));
 }
 
 Ball period(const Motion& motion) {

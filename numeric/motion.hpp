@@ -22,29 +22,77 @@ enum class PhaseKind {
 
 [[nodiscard]] std::string to_string(PhaseKind kind);
 
-struct Phase {
+// Over balls, or over jets for derivatives by the parameters.
+template <class S>
+struct PhaseOf {
   PhaseKind kind = PhaseKind::slip;
-  Ball start;              // time at which it begins
-  Ball duration;           // >= 0
-  Ball load;               // the load's phase omega t + phi when it begins
-  model::Vector4<Ball> Z;  // (z, z') when it begins
+  S start;              // time at which it begins
+  S duration;           // >= 0
+  S load;               // the load's phase omega t + phi when it begins
+  model::Vector4<S> Z;  // (z, z') when it begins
 };
 
-struct Motion {
-  model::Oscillator<Ball> oscillator;
-  std::vector<Phase> phases;
+template <class S>
+struct MotionOf {
+  model::Oscillator<S> oscillator;
+  std::vector<PhaseOf<S>> phases;
 };
+
+using Phase = PhaseOf<Ball>;
+using Motion = MotionOf<Ball>;
 
 // A kind of phase and how long it lasts.
-struct Leg {
+template <class S>
+struct LegOf {
   PhaseKind kind = PhaseKind::slip;
-  Ball duration;
+  S duration;
 };
+using Leg = LegOf<Ball>;
 
-// The motion that starts at Z0 and goes through the legs in their order, each from the state where the one
-// before ends. Whether it obeys the friction law and whether it closes is not looked at.
-[[nodiscard]] Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi,
-                             const model::Vector4<Ball>& Z0, const std::vector<Leg>& legs);
+// Z at the time t after a phase with that state and load phase began.
+template <class S>
+[[nodiscard]] model::Vector4<S> flow(const model::Oscillator<S>& o, PhaseKind kind, const S& load,
+                                     const model::Vector4<S>& Z, const S& t) {
+  if (kind == PhaseKind::stick) {
+    return model::stick_flow<S>(o.data.chi, Z, t);
+  }
+  return kind == PhaseKind::slip ? model::slip_flow<S>(o.modes, o.Q, o.data.omega, load, Z, t)
+                                 : model::overshoot_flow<S>(o.modes, o.Q, o.d0, o.data.omega, load, Z, t);
+}
+
+// The motion that starts at Z0 with the load's phase phi and goes through the legs in their order, each from
+// the state where the one before ends. Whether it obeys the friction law and whether it closes is not looked
+// at.
+template <class S>
+[[nodiscard]] MotionOf<S> compose_motion(const model::Oscillator<S>& oscillator, const S& phi,
+                                         const model::Vector4<S>& Z0, const std::vector<LegOf<S>>& legs) {
+  MotionOf<S> motion{oscillator, {}};
+  motion.phases.reserve(legs.size());
+  S start(0);
+  model::Vector4<S> Z = Z0;
+  for (const LegOf<S>& leg : legs) {
+    const S load = oscillator.data.omega * start + phi;
+    motion.phases.push_back({leg.kind, start, leg.duration, load, Z});
+    if (motion.phases.size() < legs.size()) {
+      Z = flow<S>(oscillator, leg.kind, load, Z, leg.duration);
+      start += leg.duration;
+    }
+  }
+  return motion;
+}
+[[nodiscard]] inline Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi,
+                                    const model::Vector4<Ball>& Z0, const std::vector<Leg>& legs) {
+  return compose_motion<Ball>(oscillator, phi, Z0, legs);
+}
+
+// A phase as functions of the time since it began.
+template <class S>
+[[nodiscard]] model::PhaseWaves<S> waves_of(const model::Oscillator<S>& o, const PhaseOf<S>& phase) {
+  if (phase.kind == PhaseKind::stick) {
+    return model::stick_waves<S>(o, phase.load, phase.Z);
+  }
+  return model::slip_waves<S>(o, phase.kind == PhaseKind::slip ? 1 : -1, phase.load, phase.Z);
+}
 
 // Z at the time t after phase k began, by the flow of that phase, also for t outside its duration.
 [[nodiscard]] model::Vector4<Ball> state(const Motion& motion, std::size_t k, const Ball& t);

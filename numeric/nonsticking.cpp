@@ -4,7 +4,6 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/inflation.hpp"
 
 namespace stickslip {
 namespace {
@@ -121,31 +120,19 @@ NonstickingOrbit describe_nonsticking(const TwoSlips& f, const Box<2>& box, cons
   orbit.box = box;
   orbit.unique = unique;
   orbit.Theta = Ball(2) * f.pi / omega;
-  orbit.tau = Ball(2) * box(0) / omega;
-  orbit.tau1 = Ball(2) * (f.pi - box(0)) / omega;
   orbit.phi = box(1) - box(0);
   if ((orbit.phi + f.pi).is_negative()) {
     orbit.phi += Ball(2) * f.pi;
   }
-  const auto [Z0, ZB] =
-      model::two_slips_states<Ball>(f.o.data.V, f.o.modes, f.o.Q, f.c, omega, f.pi, box(0), box(1));
+  orbit.motion = two_slips_motion<Ball>(f.o, f.c, f.pi, box(0), box(1));
+  orbit.tau = orbit.motion.phases[0].duration;
+  orbit.tau1 = orbit.motion.phases[1].duration;
+  const model::Vector4<Ball>& Z0 = orbit.motion.phases[0].Z;
   orbit.x10 = Z0(0) + f.o.d0(0);
   orbit.x20 = Z0(1) + f.o.d0(1);
   orbit.xdot10 = Z0(2);
-  orbit.motion = {f.o,
-                  {{PhaseKind::slip, Ball(0), orbit.tau, orbit.phi, Z0},
-                   {PhaseKind::overshoot, orbit.tau, orbit.tau1, box(1) + box(0), ZB}}};
   orbit.ur_max = smaller(friction_at_start(orbit.motion, 0), -friction_at_start(orbit.motion, 1));
   return orbit;
-}
-
-NonstickingProof prove_nonsticking(const model::Parameters<Ball>& a, const Box<2>& guess) {
-  const TwoSlips f = two_slips_of(a);
-  const ZeroProof<2> proof = prove_zero_by_inflation<2>(f, guess);
-  if (proof.verdict.truth != Truth::proved) {
-    return {proof.verdict, std::nullopt};
-  }
-  return {proof.verdict, describe_nonsticking(f, proof.box, proof.unique)};
 }
 
 NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
@@ -167,7 +154,7 @@ NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
     const TwoSlips f = two_slips_of(to_balls(a));
     const Scaled g{f};
     result = search<2>({{0, mu_first}, {1, mu_first + 2}}, KrawczykContractor<2, Scaled>{g},
-                       KrawczykDecider<2, Scaled>{g});
+                       KrawczykDecider<2, Scaled>{g}, {0x1p-30, 200000});
     for (const UnresolvedBox<2>& open : result.unresolved) {
       list.unresolved.push_back(
           {Ball(2) * f.pi * open.box(0) / f.o.data.omega, open.box(1) * f.pi, open.reason});
@@ -184,12 +171,16 @@ NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
   return list;
 }
 
+Condition room_for_friction(const Ball& ur_max, const Ball& us) {
+  return condition("ur_max", "min(r(0), -r(tau)) > us", ur_max - us);
+}
+
 std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit, const std::optional<Ball>& ur) {
   std::vector<Condition> conditions = decide_conditions(Family::nonsticking, orbit.motion, ur);
   const model::Oscillator<Ball>& o = orbit.motion.oscillator;
   const model::Parameters<Ball>& a = o.data;
   if (!ur) {
-    conditions.push_back(condition("ur_max", "min(r(0), -r(tau)) > us", orbit.ur_max - a.us));
+    conditions.push_back(room_for_friction(orbit.ur_max, a.us));
   } else if (arb_is_zero(a.V.raw()) != 0 && (Ball(2) * orbit.box(0)).overlaps(Ball::pi())) {
     const Ball left = (a.chi * a.eta * (o.Q(1) - o.Q(0)) - a.p) * cos(orbit.phi) - a.eta * *ur;
     conditions.push_back(condition("36", "chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0", left));

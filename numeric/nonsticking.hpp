@@ -33,6 +33,19 @@ struct TwoSlips {
 };
 [[nodiscard]] TwoSlips two_slips_of(const model::Parameters<Ball>& a);
 
+// The two phases at (delta, mu), c = modal_rest.
+template <class S>
+[[nodiscard]] MotionOf<S> two_slips_motion(const model::Oscillator<S>& o, const model::Vector2<S>& c,
+                                           const S& half_turn, const S& delta, const S& mu) {
+  const S& omega = o.data.omega;
+  const auto states = model::two_slips_states<S>(o.data.V, o.modes, o.Q, c, omega, half_turn, delta, mu);
+  const S tau = S(2) * delta / omega;
+  const S tau1 = S(2) * (half_turn - delta) / omega;
+  return {o,
+          {{PhaseKind::slip, S(0), tau, S(mu - delta), states.Z0},
+           {PhaseKind::overshoot, tau, tau1, S(mu + delta), states.ZB}}};
+}
+
 // What an orbit is known by; each ball contains the exact value.
 struct NonstickingOrbit {
   Ball tau, tau1, Theta, phi;  // tau + tau1 = Theta; phi in [-pi, pi] or a little outside
@@ -47,14 +60,6 @@ struct NonstickingOrbit {
 // The orbit whose (delta, mu) lies in the box: everything that follows from the two numbers.
 [[nodiscard]] NonstickingOrbit describe_nonsticking(const TwoSlips& f, const Box<2>& box,
                                                     const Box<2>& unique);
-
-// Whether each member of the parameters has exactly one zero near the guess (delta, mu). For parameters that
-// are wide balls it is a proof for the whole box of parameters, or undecided: then split the box.
-struct NonstickingProof {
-  Verdict existence;
-  std::optional<NonstickingOrbit> orbit;  // when existence is proved
-};
-[[nodiscard]] NonstickingProof prove_nonsticking(const model::Parameters<Ball>& a, const Box<2>& guess);
 
 // A part of the domain in which the search could not decide.
 struct UnresolvedNonsticking {
@@ -78,8 +83,11 @@ struct NonstickingList {
 [[nodiscard]] NonstickingList list_nonsticking(const ExactParameters& a, int digits);
 
 // The conditions of the family, and for V = 0, tau = Theta/2 also (36). Without u_r those that need it are
-// replaced by "ur_max > us": some u_r > u_s satisfies them.
+// replaced by room_for_friction.
 [[nodiscard]] std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit,
                                                             const std::optional<Ball>& ur);
+
+// "ur_max > us": some u_r > u_s satisfies (25) and (26).
+[[nodiscard]] Condition room_for_friction(const Ball& ur_max, const Ball& us);
 
 }  // namespace stickslip

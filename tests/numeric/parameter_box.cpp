@@ -1,0 +1,151 @@
+// Whole boxes of parameters at once.
+#include "numeric/parameter_box.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "core/error.hpp"
+#include "numeric/nonsticking.hpp"
+#include "numeric/symmetric.hpp"
+#include "tests/numeric/composed.hpp"
+
+using namespace stickslip;
+using namespace stickslip::examples;
+
+namespace {
+
+Ball around(const Ball& middle, const char* radius) {
+  const Ball r(parse_rational(radius));
+  return middle + Ball::hull(-r, r);
+}
+
+ExactParameters P() {
+  return parameters("0.3", "4", "0.1", "0", "0.6", "1");
+}
+
+SymmetricState<Ball> state_S(const ExactParameters& a) {
+  for (const SymmetricProof& proof : solve_symmetric(a, 30)) {
+    if (proof.existence.truth == Truth::proved && proof.orbit.phase == LoadPhase::first &&
+        near(proof.orbit.state.tau, "7.749", "0.1")) {
+      return proof.orbit.state;
+    }
+  }
+  FAIL("no orbit S");
+  return {};
+}
+
+std::vector<double> guess_S() {
+  const SymmetricState<Ball> s = state_S(S());
+  return {s.tau.approximate(), s.C.approximate()};
+}
+
+std::vector<double> guess_O() {
+  const ComposedOrbit orbit = orbit_O();
+  std::vector<double> guess;
+  for (int i = 0; i < 5; ++i) {
+    guess.push_back(orbit.proof.box(i).approximate());
+  }
+  return guess;
+}
+
+std::vector<double> guess_P() {
+  const NonstickingOrbit orbit = list_nonsticking(P(), 20).orbits.at(0);
+  return {orbit.box(0).approximate(), orbit.box(1).approximate()};
+}
+
+}  // namespace
+
+TEST_CASE("a box of no width gives the orbit itself") {
+  const BoxOrbit S_box = prove_symmetric_over(balls(S()), 1, guess_S());
+  REQUIRE(S_box.existence.truth == Truth::proved);
+  CHECK(S_box.zero[0].overlaps(state_S(S()).tau));
+  CHECK(S_box.ur.overlaps(state_S(S()).ur));
+  CHECK((S_box.ur.radius() - Ball(1e-20)).is_negative());
+  CHECK(admissible(S_box.conditions).truth == Truth::proved);
+  const BoxOrbit O_box = prove_overshooting_over(balls(O()), Ball(0), guess_O());
+  REQUIRE(O_box.existence.truth == Truth::proved);
+  CHECK(O_box.ur.overlaps(orbit_O().ur));
+  CHECK(admissible(O_box.conditions).truth == Truth::proved);
+  const BoxOrbit P_box = prove_nonsticking_over(balls(P()), Ball(parse_rational("0.2996")), guess_P());
+  REQUIRE(P_box.existence.truth == Truth::proved);
+  CHECK(P_box.ur.overlaps(list_nonsticking(P(), 20).orbits[0].ur_max));
+  CHECK(admissible(P_box.conditions).truth == Truth::proved);
+}
+
+TEST_CASE("chi = 0.5 ± 1e-4: example S exists and is admissible for every member") {
+  model::Parameters<Ball> a = balls(S());
+  a.chi = around(a.chi, "1e-4");
+  const BoxOrbit orbit = prove_symmetric_over(a, 1, guess_S());
+  REQUIRE(orbit.existence.truth == Truth::proved);
+  CHECK(orbit.split == "chi");
+  for (const Condition& condition : orbit.conditions) {
+    CAPTURE(condition.id);
+    CAPTURE(condition.verdict.reason);
+    CHECK(condition.verdict.truth == Truth::proved);
+  }
+  // The enclosures hold the orbits of members, ends of the box included, and are not wildly larger.
+  Ball hull = orbit.ur.midpoint();
+  for (const char* chi : {"0.4999", "0.49993", "0.5", "0.50004", "0.5001"}) {
+    CAPTURE(chi);
+    const SymmetricState<Ball> member = state_S(parameters(chi, "3.8", "0.02", "1", "0.6", "0.05"));
+    CHECK(orbit.zero[0].contains(member.tau));
+    CHECK(orbit.ur.contains(member.ur));
+    CHECK(orbit.motion.phases[0].Z(0).contains(member.z10));
+    CHECK(orbit.motion.phases[0].load.contains(member.phi));
+    hull = Ball::hull(hull, member.ur);
+  }
+  CHECK((orbit.ur.radius() - Ball(3) * hull.radius()).is_negative());
+}
+
+TEST_CASE("the margins over a box contain those of its members") {
+  model::Parameters<Ball> a = balls(O());
+  a.V = around(a.V, "2e-5");
+  a.p = around(a.p, "2e-6");
+  const BoxOrbit orbit = prove_overshooting_over(a, around(Ball(0), "1e-5"), guess_O());
+  REQUIRE(orbit.existence.truth == Truth::proved);
+  CHECK(admissible(orbit.conditions).truth == Truth::proved);
+  for (const char* V : {"0.99998", "1.00001", "1.00002"}) {
+    const ExactParameters member = parameters("0.2", "4", "0.05", V, "0.6289", "0.050001");
+    const BoxOrbit narrow =
+        prove_overshooting_over(balls(member), Ball(parse_rational("-0.000007")), guess_O());
+    REQUIRE(narrow.existence.truth == Truth::proved);
+    for (std::size_t i = 0; i < narrow.conditions.size(); ++i) {
+      CAPTURE(narrow.conditions[i].id);
+      CHECK(orbit.conditions[i].margin->contains(*narrow.conditions[i].margin));
+    }
+    for (std::size_t i = 0; i < 5; ++i) {
+      CHECK(orbit.zero[i].contains(narrow.zero[i]));
+    }
+  }
+}
+
+TEST_CASE("example P is one of a family through V = 0") {
+  model::Parameters<Ball> a = balls(P());
+  a.V = around(Ball(0), "0.01");
+  a.chi = around(a.chi, "1e-4");
+  const BoxOrbit orbit = prove_nonsticking_over(a, around(Ball(parse_rational("0.2")), "0.01"), guess_P());
+  REQUIRE(orbit.existence.truth == Truth::proved);
+  CHECK(admissible(orbit.conditions).truth == Truth::proved);
+  const BoxOrbit without = prove_nonsticking_over(a, std::nullopt, guess_P());
+  CHECK(admissible(without.conditions).truth == Truth::proved);
+  const BoxOrbit grazing = prove_nonsticking_over(a, Ball(parse_rational("0.2996")), guess_P());
+  CHECK(admissible(grazing.conditions).truth == Truth::undecided);
+}
+
+TEST_CASE("boxes that are too wide are undecided and name the parameter to split") {
+  model::Parameters<Ball> a = balls(S());
+  a.chi = around(a.chi, "0.05");
+  a.p = around(a.p, "1e-6");
+  const BoxOrbit orbit = prove_symmetric_over(a, 1, guess_S());
+  CHECK(orbit.existence.truth == Truth::undecided);
+  CHECK(orbit.split == "chi");
+  CHECK(orbit.conditions.empty());
+  a = balls(S());
+  a.omega = around(a.omega, "0.5");  // holds a natural frequency
+  CHECK(prove_symmetric_over(a, 1, guess_S()).existence.truth == Truth::undecided);
+}
+
+TEST_CASE("a wrong number of unknowns is the caller's error") {
+  CHECK_THROWS_AS((void)prove_symmetric_over(balls(S()), 1, {1, 2, 3}), InternalError);
+}
