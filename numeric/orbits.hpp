@@ -1,0 +1,67 @@
+// All orbits of one family at given parameters, with everything that is decided about them, in one form for
+// the three families.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/conditions.hpp"
+#include "numeric/domain.hpp"
+
+namespace stickslip {
+
+// What is asked for.
+struct OrbitQuestion {
+  Family family = Family::symmetric;
+  ExactParameters parameters;
+  std::optional<Rational> phi;  // overshooting: exactly one of phi and ur
+  std::optional<Rational> ur;   // non-sticking: optional
+  int digits = 20;              // significant ones, of every value of an orbit
+};
+
+// A number under the paper's symbol in ASCII: tau, tau1, T, Theta, phi, z10, z20, zdot10, x10, x20, xdot10,
+// ur, ur_max.
+struct NamedBall {
+  std::string name;
+  Ball value;
+};
+
+struct DecidedOrbit {
+  std::vector<NamedBall> values;  // those that the family has, in the order above
+  Motion motion;
+  std::vector<Condition> conditions;
+  Verdict admissible;  // of "all conditions hold"
+};
+
+// A part of the search's domain that it could not decide.
+struct UnresolvedPart {
+  std::vector<NamedBall> where;
+  std::string reason;
+};
+
+// What else there is to know about a list.
+enum class Remark {
+  load_absent,           // p = 0: the load's phase means nothing
+  closes_without_stick,  // omega_j = k omega, k > 1: at T = 0 a motion closes that never sticks; not listed
+};
+
+struct OrbitList {
+  OrbitQuestion question;
+  std::vector<DecidedOrbit> orbits;
+  std::vector<UnresolvedPart> unresolved;
+  std::vector<Remark> remarks;
+
+  // No orbit of the family is missing.
+  [[nodiscard]] bool complete() const { return unresolved.empty(); }
+};
+
+// Every orbit is proved or refuted to be admissible.
+[[nodiscard]] bool all_decided(const OrbitList& list);
+
+// The complete list, or what is missing from it. A condition that the asked digits leave undecided is looked
+// at again with more. Throws DomainError when the data are outside the domain of the family, among them
+// ur <= us, and InternalError for a phi or ur that the family does not take.
+[[nodiscard]] OrbitList list_orbits(const OrbitQuestion& question);
+
+}  // namespace stickslip
