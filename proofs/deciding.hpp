@@ -1,0 +1,38 @@
+// What the methods of proof share: statements evaluated under a claim's assumptions, decided by normal form,
+// and everything that took recorded in an outcome.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "proofs/claim.hpp"
+#include "proofs/meaning.hpp"
+#include "symbolic/decide.hpp"
+
+namespace stickslip::proofs {
+
+// An assumption of the form "scalar = value", which is put in wherever the scalar stands.
+[[nodiscard]] bool is_substitution(const Assumption& assumption);
+
+// Whether the term changes with the symbol. F0 and R mention the load's phase without showing it.
+[[nodiscard]] bool depends_on(const Term& term, const std::string& name);
+
+// What the claim's assumptions give to scalars.
+struct Given {
+  std::map<std::string, Term> values;
+
+  explicit Given(const Claim& claim);
+  // Refers to this object, which has to outlive it.
+  [[nodiscard]] Lookup<GiNaC::ex> lookup() const;
+};
+
+// Adds the claim's substitutions that the term depends on, and the claims that define what it speaks of.
+void record_assumptions(Outcome& outcome, const Claim& claim, const Term& term);
+void record_definitions(Outcome& outcome, const Claim& claim, const Term& term);
+
+// Sets the verdict on left = right and adds what that took to the outcome.
+void decide(Outcome& outcome, const Claim& claim, const symbolic::Matrix& left,
+            const symbolic::Matrix& right);
+void decide(Outcome& outcome, const Claim& claim, const Statement& statement);
+
+}  // namespace stickslip::proofs
