@@ -1,10 +1,13 @@
 #include "numeric/orbits.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/nonsticking.hpp"
+#include "numeric/overshooting.hpp"
+#include "numeric/parameter_box.hpp"
 #include "numeric/symmetric_list.hpp"
 
 namespace stickslip {
@@ -15,44 +18,110 @@ constexpr int fewest_digits = 20;
 // How often an undecided condition is looked at with four times the digits.
 constexpr int more_attempts = 2;
 
-void fill_in_verdict(OrbitList& list, DecidedOrbit orbit) {
-  orbit.admissible = admissible(orbit.conditions);
-  list.orbits.push_back(std::move(orbit));
+using Guess = std::vector<double>;
+
+template <class Function>
+auto each_parameter(const model::Parameters<Range>& a, const Function& f) {
+  return model::Parameters<decltype(f(a.chi))>{f(a.chi), f(a.eta), f(a.us), f(a.V), f(a.omega), f(a.p)};
 }
 
-// phi of the symmetric family over a range of tau.
-Ball symmetric_phi(const ExactParameters& a, LoadPhase phase, const Ball& tau) {
-  return model::symmetric_phase<Ball>(symmetric_data<Ball>(a, phase), Ball::pi(), tau);
+Rational lower(const Range& range) {
+  return range.middle - range.radius;
+}
+Rational upper(const Range& range) {
+  return range.middle + range.radius;
+}
+Ball ball(const Range& range) {
+  return range.radius == 0 ? Ball(range.middle) : Ball::from_interval(lower(range), upper(range));
+}
+std::optional<Ball> ball(const std::optional<Range>& range) {
+  return range ? std::optional(ball(*range)) : std::nullopt;
+}
+ExactParameters middle(const model::Parameters<Range>& a) {
+  return each_parameter(a, [](const Range& range) { return range.middle; });
+}
+model::Parameters<Ball> balls(const model::Parameters<Range>& a) {
+  return each_parameter(a, [](const Range& range) { return ball(range); });
 }
 
-DecidedOrbit decided(const ExactParameters& a, const SymmetricOrbit& found) {
-  const WorkingPrecision scope(found.bits);
-  const SymmetricState<Ball>& s = found.state;
-  const model::Parameters<Ball> data{Ball(a.chi), Ball(a.eta),   Ball(a.us),
-                                     Ball(a.V),   Ball(a.omega), Ball(a.p)};
-  // The stick begins at E Z0 (13).
-  const model::Vector4<Ball> Z0(s.z10, s.z20, s.zdot10, data.V);
-  const model::Vector4<Ball> ZC(-s.z10, -s.z20, s.zdot10, data.V);
+// An orbit as its motion tells it; ur is u_r, or the largest admissible one.
+DecidedOrbit decided_orbit(const OrbitQuestion& q, const Motion& motion, const Ball& ur,
+                           const std::vector<Condition>& conditions) {
+  const Phase& slip = motion.phases.front();
+  const Ball Theta = Ball(2) * Ball::pi() / motion.oscillator.data.omega;
+  const bool overshoots = q.family != Family::symmetric;
+  const bool never_sticks = q.family == Family::nonsticking;
+  const Ball phi = (slip.load + Ball::pi()).is_negative() ? slip.load + Ball(2) * Ball::pi() : slip.load;
   DecidedOrbit orbit;
-  orbit.values = {{"tau", s.tau}, {"T", s.T},           {"Theta", s.Theta},   {"phi", s.phi},
-                  {"z10", s.z10}, {"z20", s.z20},       {"zdot10", s.zdot10}, {"x10", s.x10},
-                  {"x20", s.x20}, {"xdot10", s.zdot10}, {"ur", s.ur}};
-  orbit.motion = {model::oscillator<Ball>(data),
-                  {{PhaseKind::slip, Ball(0), s.tau, s.phi, Z0},
-                   {PhaseKind::stick, s.tau, s.T, Ball(s.phi + data.omega * s.tau), ZC}}};
-  orbit.conditions = decide_conditions(Family::symmetric, orbit.motion, s.ur);
+  orbit.values.push_back({"tau", slip.duration});
+  if (overshoots) {
+    orbit.values.push_back({"tau1", motion.phases[1].duration});
+  }
+  if (!never_sticks) {
+    orbit.values.push_back({"T", motion.phases.back().duration});
+  }
+  const model::Vector2<Ball>& d0 = motion.oscillator.d0;
+  for (const NamedBall& value : {NamedBall{"Theta", Theta},
+                                 {"phi", phi},
+                                 {"z10", slip.Z(0)},
+                                 {"z20", slip.Z(1)},
+                                 {"zdot10", slip.Z(2)},
+                                 {"x10", slip.Z(0) + d0(0)},
+                                 {"x20", slip.Z(1) + d0(1)},
+                                 {"xdot10", slip.Z(2)},
+                                 {never_sticks && !q.ur ? "ur_max" : "ur", ur}}) {
+    orbit.values.push_back(value);
+  }
+  orbit.motion = motion;
+  orbit.conditions = conditions;
+  orbit.admissible = admissible(conditions);
   return orbit;
 }
 
+// The orbit that the middle of the box has, over the whole box.
+void add_over_box(OrbitList& list, const BoxOrbit& box, const std::vector<NamedBall>& at_middle) {
+  if (box.existence.truth != Truth::proved) {
+    list.unresolved.push_back(
+        {at_middle, "the orbit at the middle of the parameters is not proved for all of them: " +
+                        box.existence.reason + ", first " + box.split});
+    return;
+  }
+  const std::optional<Ball> given = ball(list.question.ur);
+  DecidedOrbit orbit = decided_orbit(list.question, box.motion, given.value_or(box.ur), box.conditions);
+  orbit.split = orbit.admissible.truth == Truth::undecided ? box.split : "";
+  list.orbits.push_back(orbit);
+}
+
+Motion symmetric_motion(const model::Parameters<Ball>& data, const SymmetricState<Ball>& s) {
+  // The stick begins at E Z0 (13).
+  const model::Vector4<Ball> Z0(s.z10, s.z20, s.zdot10, data.V);
+  const model::Vector4<Ball> ZC(-s.z10, -s.z20, s.zdot10, data.V);
+  return {model::oscillator<Ball>(data),
+          {{PhaseKind::slip, Ball(0), s.tau, s.phi, Z0},
+           {PhaseKind::stick, s.tau, s.T, Ball(s.phi + data.omega * s.tau), ZC}}};
+}
+
 void list_symmetric_orbits(OrbitList& list, int digits) {
-  const ExactParameters& a = list.question.parameters;
+  const OrbitQuestion& q = list.question;
+  const ExactParameters a = middle(q.parameters);
   const SymmetricList found = list_symmetric(a, digits);
   for (const SymmetricOrbit& orbit : found.orbits) {
-    fill_in_verdict(list, decided(a, orbit));
+    const SymmetricState<Ball>& s = orbit.state;
+    if (asks_for_box(q)) {
+      const Guess guess{s.tau.approximate(), s.C.approximate()};
+      const int sigma = orbit.phase == LoadPhase::first ? 1 : -1;
+      add_over_box(list, prove_symmetric_over(balls(q.parameters), sigma, guess),
+                   {{"tau", s.tau}, {"phi", s.phi}});
+      continue;
+    }
+    const WorkingPrecision scope(orbit.bits);
+    const Motion motion = symmetric_motion(balls(q.parameters), s);
+    list.orbits.push_back(decided_orbit(q, motion, s.ur, decide_conditions(Family::symmetric, motion, s.ur)));
   }
   for (const UnresolvedTau& open : found.unresolved) {
-    list.unresolved.push_back(
-        {{{"tau", open.tau}, {"phi", symmetric_phi(a, open.phase, open.tau)}}, open.reason});
+    const model::SymmetricData<Ball> data = symmetric_data<Ball>(a, open.phase);
+    const Ball phi = model::symmetric_phase<Ball>(data, Ball::pi(), open.tau);
+    list.unresolved.push_back({{{"tau", open.tau}, {"phi", phi}}, open.reason});
   }
   if (found.load_absent) {
     list.remarks.push_back(Remark::load_absent);
@@ -62,41 +131,79 @@ void list_symmetric_orbits(OrbitList& list, int digits) {
   }
 }
 
-DecidedOrbit decided(const NonstickingOrbit& found, const std::optional<Rational>& ur) {
-  const Phase& slip = found.motion.phases.front();
-  const std::optional<Ball> given = ur ? std::optional(Ball(*ur)) : std::nullopt;
-  DecidedOrbit orbit;
-  orbit.values = {{"tau", found.tau}, {"tau1", found.tau1},    {"Theta", found.Theta}, {"phi", found.phi},
-                  {"z10", slip.Z(0)}, {"z20", slip.Z(1)},      {"zdot10", slip.Z(2)},  {"x10", found.x10},
-                  {"x20", found.x20}, {"xdot10", found.xdot10}};
-  orbit.values.push_back(given ? NamedBall{"ur", *given} : NamedBall{"ur_max", found.ur_max});
-  orbit.motion = found.motion;
-  orbit.conditions = nonsticking_conditions(found, given);
-  return orbit;
+void list_overshooting_orbits(OrbitList& list, int digits) {
+  const OrbitQuestion& q = list.question;
+  const ExactParameters a = middle(q.parameters);
+  const OvershootingList found = q.phi ? list_overshooting_at_phase(a, q.phi->middle, digits)
+                                       : list_overshooting_at_friction(a, q.ur->middle, digits);
+  for (const OvershootingOrbit& orbit : found.orbits) {
+    const OvershootingState<Ball>& s = orbit.state;
+    if (asks_for_box(q)) {
+      const Guess guess{s.tau.approximate(), s.tau1.approximate(), s.z10.approximate(), s.z20.approximate(),
+                        s.zdot10.approximate()};
+      add_over_box(list, prove_overshooting_over(balls(q.parameters), ball(*q.phi), guess),
+                   {{"tau", s.tau}, {"tau1", s.tau1}});
+      continue;
+    }
+    const WorkingPrecision scope(orbit.bits);
+    const model::Parameters<Ball> data = balls(q.parameters);
+    const Motion motion =
+        compose(model::oscillator<Ball>(data), s.phi, {s.z10, s.z20, s.zdot10, data.V},
+                {{PhaseKind::slip, s.tau}, {PhaseKind::overshoot, s.tau1}, {PhaseKind::stick, s.T}});
+    list.orbits.push_back(
+        decided_orbit(q, motion, s.ur, decide_conditions(Family::overshooting, motion, s.ur)));
+  }
+  for (const UnresolvedTimes& open : found.unresolved) {
+    list.unresolved.push_back({{{"tau", open.tau}, {"tau1", open.tau1}}, open.reason});
+  }
 }
 
 void list_nonsticking_orbits(OrbitList& list, int digits) {
   const OrbitQuestion& q = list.question;
-  const NonstickingList found = list_nonsticking(q.parameters, digits);
-  const WorkingPrecision scope(4L * digits + 96);
+  const NonstickingList found = list_nonsticking(middle(q.parameters), digits);
+  const WorkingPrecision scope(asks_for_box(q) ? WorkingPrecision::bits() : 4L * digits + 96);
+  const std::optional<Ball> ur = ball(q.ur);
   for (const NonstickingOrbit& orbit : found.orbits) {
-    fill_in_verdict(list, decided(orbit, q.ur));
+    if (asks_for_box(q)) {
+      const Guess guess{orbit.box(0).approximate(), orbit.box(1).approximate()};
+      add_over_box(list, prove_nonsticking_over(balls(q.parameters), ur, guess),
+                   {{"tau", orbit.tau}, {"phi", orbit.phi}});
+      continue;
+    }
+    list.orbits.push_back(
+        decided_orbit(q, orbit.motion, ur.value_or(orbit.ur_max), nonsticking_conditions(orbit, ur)));
   }
   for (const UnresolvedNonsticking& open : found.unresolved) {
-    const Ball phi = open.mu - Ball(q.parameters.omega) * open.tau / Ball(2);
+    const Ball phi = open.mu - Ball(q.parameters.omega.middle) * open.tau / Ball(2);
     list.unresolved.push_back({{{"tau", open.tau}, {"phi", phi}}, open.reason});
   }
 }
 
-void require_meaningful(const OrbitQuestion& q) {
-  const bool meaningful = q.family == Family::symmetric      ? !q.phi && !q.ur
-                          : q.family == Family::overshooting ? q.phi.has_value() != q.ur.has_value()
-                                                             : !q.phi;
-  if (!meaningful) {
-    throw InternalError("phi or ur given to a family of orbits that does not take it");
+void require_understood(const OrbitQuestion& q) {
+  if (q.family != Family::overshooting && q.phi) {
+    throw UsageError(q.family == Family::symmetric
+                         ? "phi is not given for symmetric orbits: the symmetry fixes it, (pi - omega tau)/2"
+                         : "phi is not given for non-sticking orbits: it is a result");
   }
-  if (q.ur && *q.ur <= q.parameters.us) {
-    throw DomainError("ur", to_string(*q.ur), "ur > us = " + to_string(q.parameters.us));
+  if (q.family == Family::symmetric && q.ur) {
+    throw UsageError("ur is not given for symmetric orbits: it is a result, by (12)");
+  }
+  if (q.family == Family::overshooting && q.phi.has_value() == q.ur.has_value()) {
+    throw UsageError(
+        "overshooting orbits need exactly one of phi and ur: with phi, ur is a result; with ur, phi is");
+  }
+  if (q.family == Family::overshooting && q.ur && asks_for_box(q)) {
+    throw UsageError(
+        "a box of parameters is not supported for overshooting orbits with ur given: give phi instead");
+  }
+}
+
+// Each bound is on one parameter, so the two corners speak for the whole box.
+void require_domain(const OrbitQuestion& q) {
+  require_model_domain(each_parameter(q.parameters, lower));
+  require_model_domain(each_parameter(q.parameters, upper));
+  if (q.ur && lower(*q.ur) <= upper(q.parameters.us)) {
+    throw DomainError("ur", to_string(lower(*q.ur)), "ur > us = " + to_string(upper(q.parameters.us)));
   }
 }
 
@@ -105,29 +212,42 @@ OrbitList listed(const OrbitQuestion& question, int digits) {
   switch (question.family) {
     case Family::symmetric:
       list_symmetric_orbits(list, digits);
-      return list;
+      break;
     case Family::overshooting:
-      throw InternalError("the search for overshooting orbits is not there yet");
+      list_overshooting_orbits(list, digits);
+      break;
     case Family::nonsticking:
       list_nonsticking_orbits(list, digits);
-      return list;
+      break;
   }
-  throw InternalError("a family of no known kind");
+  if (asks_for_box(question)) {
+    list.remarks.push_back(Remark::searched_at_middle);
+  }
+  return list;
 }
 
 }  // namespace
 
+bool asks_for_box(const OrbitQuestion& q) {
+  const model::Parameters<Range>& a = q.parameters;
+  const std::array<const Range*, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
+  return std::any_of(all.begin(), all.end(), [](const Range* range) { return range->radius != 0; }) ||
+         (q.phi && q.phi->radius != 0) || (q.ur && q.ur->radius != 0);
+}
+
 bool all_decided(const OrbitList& list) {
-  return std::all_of(list.orbits.begin(), list.orbits.end(), [](const DecidedOrbit& orbit) {
-    return std::all_of(orbit.conditions.begin(), orbit.conditions.end(), [](const Condition& condition) {
-      return condition.verdict.truth == Truth::proved || condition.verdict.truth == Truth::refuted;
-    });
-  });
+  const auto decided = [](const Condition& c) {
+    return c.verdict.truth == Truth::proved || c.verdict.truth == Truth::refuted;
+  };
+  return list.unresolved.empty() &&
+         std::all_of(list.orbits.begin(), list.orbits.end(), [&](const DecidedOrbit& orbit) {
+           return std::all_of(orbit.conditions.begin(), orbit.conditions.end(), decided);
+         });
 }
 
 OrbitList list_orbits(const OrbitQuestion& question) {
-  require_model_domain(question.parameters);
-  require_meaningful(question);
+  require_understood(question);
+  require_domain(question);
   int digits = std::max(question.digits, fewest_digits);
   OrbitList list = listed(question, digits);
   for (int attempt = 0; attempt < more_attempts && list.complete() && !all_decided(list); ++attempt) {

@@ -11,14 +11,22 @@
 
 namespace stickslip {
 
-// What is asked for.
+// The closed interval [middle - radius, middle + radius]; radius >= 0.
+struct Range {
+  Rational middle;
+  Rational radius = 0;
+};
+
+// What is asked for: one set of parameters, or a whole box of them when some radius is not zero.
 struct OrbitQuestion {
   Family family = Family::symmetric;
-  ExactParameters parameters;
-  std::optional<Rational> phi;  // overshooting: exactly one of phi and ur
-  std::optional<Rational> ur;   // non-sticking: optional
-  int digits = 20;              // significant ones, of every value of an orbit
+  model::Parameters<Range> parameters;
+  std::optional<Range> phi;  // overshooting: exactly one of phi and ur
+  std::optional<Range> ur;   // non-sticking: optional
+  int digits = 20;           // significant ones, of every value of an orbit
 };
+
+[[nodiscard]] bool asks_for_box(const OrbitQuestion& question);
 
 // A number under the paper's symbol in ASCII: tau, tau1, T, Theta, phi, z10, z20, zdot10, x10, x20, xdot10,
 // ur, ur_max.
@@ -32,6 +40,7 @@ struct DecidedOrbit {
   Motion motion;
   std::vector<Condition> conditions;
   Verdict admissible;  // of "all conditions hold"
+  std::string split;   // for a box, when something is undecided: the parameter to split first
 };
 
 // A part of the search's domain that it could not decide.
@@ -44,6 +53,7 @@ struct UnresolvedPart {
 enum class Remark {
   load_absent,           // p = 0: the load's phase means nothing
   closes_without_stick,  // omega_j = k omega, k > 1: at T = 0 a motion closes that never sticks; not listed
+  searched_at_middle,    // a box: other orbits were searched for at the middle of the parameters only
 };
 
 struct OrbitList {
@@ -52,16 +62,18 @@ struct OrbitList {
   std::vector<UnresolvedPart> unresolved;
   std::vector<Remark> remarks;
 
-  // No orbit of the family is missing.
-  [[nodiscard]] bool complete() const { return unresolved.empty(); }
+  // No orbit of the family is missing; never so for a box.
+  [[nodiscard]] bool complete() const { return unresolved.empty() && !asks_for_box(question); }
 };
 
-// Every orbit is proved or refuted to be admissible.
+// Nothing is unresolved, and each condition of each orbit is proved or refuted.
 [[nodiscard]] bool all_decided(const OrbitList& list);
 
 // The complete list, or what is missing from it. A condition that the asked digits leave undecided is looked
-// at again with more. Throws DomainError when the data are outside the domain of the family, among them
-// ur <= us, and InternalError for a phi or ur that the family does not take.
+// at again with more. For a box of parameters: the orbits at its middle, each proved, with its conditions,
+// for all members of the box, or unresolved. Throws DomainError when the data are outside the domain of the
+// family, among them ur <= us, and UsageError for a phi or ur that the family does not take, and for a box of
+// parameters with ur given to the overshooting family.
 [[nodiscard]] OrbitList list_orbits(const OrbitQuestion& question);
 
 }  // namespace stickslip
