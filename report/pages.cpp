@@ -1,7 +1,5 @@
 #include "report/pages.hpp"
 
-#include <algorithm>
-
 #include "report/escape.hpp"
 #include "report/numbers.hpp"
 #include "report/summary.hpp"
@@ -14,16 +12,28 @@ std::string short_ball(const Json& ball, int digits) {
   return readable({ball.at("mid").get<std::string>(), ball.at("rad").get<std::string>()}, digits);
 }
 
-// "as printed" for as_printed.
-void add_words(Json& object) {
-  object["status_words"] = spaced(object.at("status"));
+// The value of the key without underscores: "as printed" for as_printed.
+void add_words(Json& object, const std::string& key) {
+  object[key + "_words"] = spaced(object.at(key));
 }
 
-void add_short_numbers(Json& outcome) {
+void complete_outcome(Json& outcome) {
+  add_words(outcome, "verdict");
   for (Json& comparison : outcome.at("comparisons")) {
     comparison["proved_short"] = short_ball(comparison.at("proved"), 12);
     comparison["units_off_short"] = short_ball(comparison.at("units_off"), 3);
   }
+}
+
+void complete_claim(Json& claim) {
+  add_words(claim, "status");
+  claim["examined"] = claim.at("status") != proofs::to_string(proofs::Status::model);
+  complete_outcome(claim.at("outcome"));
+  Json& corrected = claim.at("corrected_outcome");
+  if (!corrected.is_null()) {
+    complete_outcome(corrected);
+  }
+  claim["needs"] = (corrected.is_null() ? claim.at("outcome") : corrected).at("hypotheses");
 }
 
 }  // namespace
@@ -32,11 +42,12 @@ Json page_data(const Json& audit) {
   Json data = audit;
   Json findings = Json::array();
   Json numbers = Json::array();
-  std::ranges::for_each(data.at("summary").at("statuses"), add_words);
+  for (Json& status : data.at("summary").at("statuses")) {
+    add_words(status, "status");
+  }
   for (Json& place : data.at("places")) {
     for (Json& claim : place.at("claims")) {
-      add_words(claim);
-      add_short_numbers(claim.at("outcome"));
+      complete_claim(claim);
       if (claim.at("finding").get<bool>()) {
         findings.push_back(claim);
       }

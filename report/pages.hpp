@@ -9,9 +9,11 @@
 
 namespace stickslip::report {
 
-// What the templates see: the JSON of the audit; beside every "status" also "status_words", without
-// underscores; in every comparison "proved_short" and "units_off_short"; and "findings" and "numbers", the
-// claims among all places that are findings or that compare printed numbers.
+// What the templates see: the JSON of the audit, and beside every "status" and "verdict" also "status_words"
+// and "verdict_words", without underscores; in every claim "examined" (it is no part of the model) and
+// "needs" (the hypotheses of the form that is proved); in every comparison "proved_short" and
+// "units_off_short"; at the top "findings" and "numbers", the claims that are findings or that compare
+// printed numbers.
 [[nodiscard]] Json page_data(const Json& audit);
 
 // audit.json, index.html and audit.tex. Throws InputOutputError if a template cannot be read.

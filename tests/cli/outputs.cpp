@@ -1,0 +1,128 @@
+// Where results go, and what happens when they cannot go there.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
+
+using namespace stickslip;
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+// The exit code that `check` owes for these results.
+int code_of_check(const Json& audit) {
+  bool refuted = false;
+  for (const Json& place : audit.at("places")) {
+    for (const Json& claim : place.at("claims")) {
+      refuted = refuted || claim.at("outcome").at("verdict") == "refuted" || claim.at("status") == "refuted";
+    }
+  }
+  return refuted                                         ? exit_refuted
+         : audit.at("summary").at("decided").get<bool>() ? exit_decided
+                                                         : exit_undecided;
+}
+
+}  // namespace
+
+TEST_CASE("a place for the report that does not exist is named, and nothing is written") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "file";
+  std::ofstream(file) << "content";
+  const std::vector<std::string> places = {temporary.path() / "missing" / "out", file, file + "/out",
+                                           "/proc/stickslip", ""};
+  for (const std::string& place : places) {
+    const Run result = stickslip_program({"audit", "--out", place});
+    CAPTURE(result.err);
+    CHECK(result.code == exit_io);
+    CHECK(is_one_sentence(result.err, place));
+    CHECK(result.out.empty());
+  }
+  CHECK(content(file) == "content");
+  CHECK(temporary.count() == 1);
+}
+
+TEST_CASE("standard output that is full or closed is an error") {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"latex"},
+                                                    {"latex", "--list"},
+                                                    {"check", "--list"},
+                                                    {"--help"},
+                                                    {"--version"}}) {
+    const Run full = run_into(STICKSLIP_PROGRAM, arguments, "/dev/full");
+    CHECK(full.code == exit_io);
+    CHECK(is_one_sentence(full.err, "standard output"));
+    const Run closed = run_into(STICKSLIP_PROGRAM, arguments, "");
+    CHECK(closed.code == exit_io);
+    CHECK(is_one_sentence(closed.err, "standard output"));
+  }
+}
+
+TEST_CASE("a reader that has gone is no reason for noise") {
+  int ends[2];
+  REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
+  ::close(ends[0]);
+  const int process = start({"latex"}, ends[1]);
+  ::close(ends[1]);
+  CHECK(wait_for(process) == exit_io);
+}
+
+TEST_CASE("an interruption ends the program with its own exit code") {
+  // The program writes more than the pipe holds, and nobody reads: it waits.
+  int ends[2];
+  REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
+  const int capacity = ::fcntl(ends[1], F_SETPIPE_SZ, 4096);
+  REQUIRE(capacity > 0);
+  const int process = start({"latex"}, ends[1]);
+  for (int waiting = 0, held = 0; held < capacity && waiting < 2000; ++waiting) {
+    ::usleep(10000);
+    REQUIRE(::ioctl(ends[0], FIONREAD, &held) == 0);
+  }
+  ::kill(process, SIGINT);
+  CHECK(wait_for(process) == exit_interrupted);
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+TEST_CASE("the audit writes its report, the same each time") {
+  const TemporaryDirectory temporary;
+  const auto out = temporary.path() / "out";
+  const Run result = stickslip_program({"audit", "--json", "--out", out});
+  const Json json = Json::parse(result.out);
+  CHECK(result.code == (json.at("summary").at("decided").get<bool>() ? exit_decided : exit_undecided));
+  CHECK(result.err.find(out.string()) != std::string::npos);
+  CHECK(content(out / "audit.json") == result.out);
+  CHECK(temporary.count() == 4);
+  const std::string html = content(out / "index.html");
+  const std::string tex = content(out / "audit.tex");
+  CHECK(html.ends_with("</html>\n"));
+  CHECK(tex.ends_with("\\end{document}\n"));
+  CHECK(stickslip_program({"audit", "--out", out}).code == result.code);
+  CHECK(content(out / "audit.json") == result.out);
+  CHECK(content(out / "index.html") == html);
+  CHECK(content(out / "audit.tex") == tex);
+}
+
+TEST_CASE("check answers by its exit code, whatever the form of its output") {
+  const Run json = stickslip_program({"check", "--json"});
+  const int expected = code_of_check(Json::parse(json.out));
+  CHECK(json.code == expected);
+  const Run lines = stickslip_program({"check"});
+  CHECK(lines.code == expected);
+  const auto statements = Json::parse(json.out).at("summary").at("statements").get<std::ptrdiff_t>();
+  CHECK(std::count(lines.out.begin(), lines.out.end(), '\n') == statements + 1);
+  CHECK(lines.out.find('\x1b') == std::string::npos);
+}

@@ -1,0 +1,33 @@
+// The program as its users meet it: arguments in, exit code and two streams of text out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+struct Run {
+  int code = -1;  // the exit code; 128 + n if signal n ended the program
+  std::string out;
+  std::string err;
+};
+
+// Runs a program with these arguments; standard output goes to the named file and is read back from it, to a
+// temporary one by default. An empty name closes standard output.
+[[nodiscard]] Run run(const std::string& program, const std::vector<std::string>& arguments);
+[[nodiscard]] Run run_into(const std::string& program, const std::vector<std::string>& arguments,
+                           const std::string& output);
+
+// The same for the program under test.
+[[nodiscard]] Run stickslip_program(const std::vector<std::string>& arguments);
+
+// Starts the program under test with standard output to a pipe of the given descriptor; returns the process
+// id.
+[[nodiscard]] int start(const std::vector<std::string>& arguments, int output);
+// Waits for it and returns its exit code, as above.
+[[nodiscard]] int wait_for(int process);
+
+// Whether the text is one line "stickslip: ... ." that contains the part.
+[[nodiscard]] bool is_one_sentence(const std::string& text, const std::string& part);
+
+}  // namespace stickslip

@@ -1,0 +1,61 @@
+#include "symbolic/objects.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.hpp"
+
+using namespace stickslip;
+using namespace stickslip::symbolic;
+
+TEST_CASE("every object has a name of its own, an equation number and a title") {
+  std::set<std::string> names;
+  for (const Object& object : objects()) {
+    CHECK(names.insert(object.name).second);
+    CHECK(object.number.starts_with("("));
+    CHECK_FALSE(object.title.empty());
+    CHECK(&object_named(object.name) == &object);
+  }
+  for (const char* name :
+       {"H", "H1", "H2", "H3", "L", "Gamma", "Q", "F", "d0", "slip", "overshoot", "stick"}) {
+    CHECK_MESSAGE(names.contains(name), name);
+  }
+}
+
+TEST_CASE("an unknown name is a usage error that says where the names are") {
+  CHECK_THROWS_WITH_AS(static_cast<void>(object_named("h")),
+                       "there is no derived expression h: stickslip latex --list names them", UsageError);
+}
+
+TEST_CASE("a display is whole LaTeX") {
+  for (const Object& object : objects()) {
+    for (const Unknowns unknowns : {Unknowns::chi, Unknowns::omega}) {
+      const std::string text = displayed(object, unknowns);
+      CAPTURE(text);
+      CHECK(std::ranges::count(text, '{') == std::ranges::count(text, '}'));
+      const bool single = text.starts_with("\\[\n") && text.ends_with("\\]\n");
+      CHECK((single || (text.starts_with("\\begin{gather*}\n") && text.ends_with("\\end{gather*}\n"))));
+      CHECK(text == displayed(object, unknowns));
+    }
+  }
+}
+
+TEST_CASE("in the frequencies, chi, eta and lambda are gone or explained") {
+  CHECK(displayed(object_named("K"), Unknowns::omega).find("\\chi") == std::string::npos);
+  CHECK(displayed(object_named("H"), Unknowns::omega).find("\\lambda") == std::string::npos);
+  CHECK(displayed(object_named("Q"), Unknowns::omega).find("\\chi") == std::string::npos);
+  CHECK(displayed(object_named("slip"), Unknowns::omega).find("\\lambda_1 = ") != std::string::npos);
+  CHECK(displayed(object_named("stick"), Unknowns::omega).find("\\chi = ") != std::string::npos);
+}
+
+TEST_CASE("formulas of the paper, as a reader would write them") {
+  CHECK(displayed(object_named("Q"), Unknowns::chi) ==
+        "\\[\nQ = \\frac{p}{(\\omega^{2}-\\omega_1^{2})(\\omega^{2}-\\omega_2^{2})}\\begin{pmatrix}\n"
+        "\\chi \\\\\n1-\\omega^{2}\n\\end{pmatrix}\n\\]\n");
+  const std::string H = displayed(object_named("H"), Unknowns::chi);
+  CHECK(H.find("H(t) = \\begin{pmatrix}\nH_1(t) & H_2(t) \\\\\nH_3(t) & H_1(t)\n\\end{pmatrix}") !=
+        std::string::npos);
+  CHECK(H.find("\\lambda_2 c_1-\\lambda_1 c_2 & c_2-c_1") != std::string::npos);
+}
