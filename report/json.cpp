@@ -49,14 +49,18 @@ Json coordinate(const Coordinate& c) {
   return json;
 }
 
+// Enough to tell the sides apart. The digits beyond depend on the order of GiNaC's sums, which no two runs
+// share.
+constexpr int witness_digits = 10;
+
 Json witness(const std::optional<Witness>& w) {
   if (!w) {
     return nullptr;
   }
   return {{"point", list_of(w->point, coordinate)},
           {"component", w->component},
-          {"left", ball(to_text(w->left))},
-          {"right", ball(to_text(w->right))}};
+          {"left", ball(to_text(w->left, witness_digits))},
+          {"right", ball(to_text(w->right, witness_digits))}};
 }
 
 Json comparison(const proofs::Comparison& c) {

@@ -120,7 +120,7 @@ std::string findings(const Audit& audit, const Style& style) {
     details.add("says", record.claim.words);
     details.add("printed", record.claim.printed);
     details.add("why not", record.outcome.verdict.reason);
-    details.add("needs", record.outcome.hypotheses);
+    details.add("needs", (record.corrected ? *record.corrected : record.outcome).hypotheses);
     details.add("corrected", record.claim.corrected);
     result += head(record, style) + details.text();
   }
@@ -157,7 +157,9 @@ std::string explanation(const Record& record, const Style& style) {
   for (const proofs::Assumption& assumption : record.claim.assumptions) {
     details.add("if", fmt::format("{}: {}", assumption.id, proofs::text(assumption.statement)));
   }
-  details.add("verdict", "proof", record.outcome);
+  if (record.status != Status::model) {
+    details.add("verdict", "proof", record.outcome);
+  }
   details.add("corrected", record.claim.corrected);
   if (record.corrected) {
     details.add("verdict", "proof", *record.corrected);
