@@ -5,6 +5,7 @@
 #include <array>
 
 #include "model/flows.hpp"
+#include "model/sinc.hpp"
 
 namespace stickslip::model {
 
@@ -30,12 +31,11 @@ struct Wave {
 
 template <class S>
 [[nodiscard]] S value(const Wave<S>& w, const S& t) {
-  using std::cos;
-  using std::sin;
   S sum = w.constant + w.slope * t;
   for (int k = 0; k < w.count; ++k) {
     const Harmonic<S>& h = w.harmonics[static_cast<unsigned>(k)];
-    sum += h.a * S(cos(S(h.nu * t))) + h.b * S(sin(S(h.nu * t)));
+    const std::pair<S, S> at_t = sin_cos(S(h.nu * t));
+    sum += h.a * at_t.second + h.b * at_t.first;
   }
   return sum;
 }
@@ -43,13 +43,12 @@ template <class S>
 // w and w' at t.
 template <class S>
 [[nodiscard]] std::array<S, 2> value_and_slope(const Wave<S>& w, const S& t) {
-  using std::cos;
-  using std::sin;
   std::array<S, 2> d{S(w.constant + w.slope * t), w.slope};
   for (int k = 0; k < w.count; ++k) {
     const Harmonic<S>& h = w.harmonics[static_cast<unsigned>(k)];
-    const S c = S(cos(S(h.nu * t)));
-    const S s = S(sin(S(h.nu * t)));
+    const std::pair<S, S> at_t = sin_cos(S(h.nu * t));
+    const S& s = at_t.first;
+    const S& c = at_t.second;
     d[0] += h.a * c + h.b * s;
     d[1] += h.nu * (h.b * c - h.a * s);
   }
@@ -83,14 +82,13 @@ template <class S>
 // s -> w(T - s).
 template <class S>
 [[nodiscard]] Wave<S> reversed(const Wave<S>& w, const S& T) {
-  using std::cos;
-  using std::sin;
   Wave<S> result = w;
   result.constant = w.constant + w.slope * T;
   result.slope = -w.slope;
   for (Harmonic<S>& h : result.harmonics) {
-    const S c = S(cos(S(h.nu * T)));
-    const S s = S(sin(S(h.nu * T)));
+    const std::pair<S, S> at_T = sin_cos(S(h.nu * T));
+    const S& s = at_T.first;
+    const S& c = at_T.second;
     h = {h.nu, S(h.a * c + h.b * s), S(h.a * s - h.b * c)};
   }
   return result;

@@ -13,6 +13,7 @@
 
 #include "model/waves.hpp"
 #include "numeric/scalars.hpp"
+#include "numeric/sinc.hpp"
 
 namespace stickslip {
 

@@ -11,6 +11,7 @@
 #include "core/ball.hpp"
 #include "model/waves.hpp"
 #include "numeric/scalars.hpp"
+#include "numeric/sinc.hpp"
 
 namespace stickslip {
 
