@@ -71,6 +71,29 @@ struct OvershootingProblem {
   }
 };
 
+// The same at a given u_r, the seventh parameter: the load's phase is the sixth unknown, for (12).
+struct OvershootingAtFriction {
+  static constexpr int unknowns = 6;
+
+  template <class T>
+  [[nodiscard]] MotionOf<T> motion(const Eigen::Matrix<T, 6, 1>& x, const ParameterVector<T>& p) const {
+    ParameterVector<T> with_phase = p;
+    with_phase(6) = x(5);
+    return OvershootingProblem{}.motion<T>(x.template head<5>(), with_phase);
+  }
+  template <class T>
+  [[nodiscard]] Eigen::Matrix<T, 6, 1> closing(const Eigen::Matrix<T, 6, 1>& x,
+                                               const ParameterVector<T>& p) const {
+    ParameterVector<T> with_phase = p;
+    with_phase(6) = x(5);
+    Eigen::Matrix<T, 6, 1> f;
+    f.template head<5>() = OvershootingProblem{}.closing<T>(x.template head<5>(), with_phase);
+    const model::Vector4<T> Z0(x(2), x(3), x(4), p(3));
+    f(5) = model::friction_at<T>({p(0), p(1), p(2), p(3), p(4), p(5)}, Z0, x(5)) - p(6);
+    return f;
+  }
+};
+
 struct NonstickingProblem {
   static constexpr int unknowns = 2;
 
@@ -143,12 +166,12 @@ S friction_of(const MotionOf<S>& motion, std::size_t k) {
   return model::friction_at<S>(motion.oscillator.data, motion.phases[k].Z, motion.phases[k].load);
 }
 
-constexpr std::array<const char*, parameter_count> names{"chi", "eta", "us", "V", "omega", "p", "phi"};
+constexpr std::array<const char*, parameter_count - 1> names{"chi", "eta", "us", "V", "omega", "p"};
 
 // Existence, and the motion with its waves over the whole box.
 template <class Problem>
 BoxOrbit prove_over(const Problem& problem, const model::Parameters<Ball>& a, const Ball& seventh,
-                    const std::vector<double>& guess) {
+                    const char* seventh_name, const std::vector<double>& guess) {
   constexpr int N = Problem::unknowns;
   if (guess.size() != N) {
     throw InternalError("a guess of " + std::to_string(guess.size()) + " numbers for " + std::to_string(N) +
@@ -163,7 +186,8 @@ BoxOrbit prove_over(const Problem& problem, const model::Parameters<Ball>& a, co
   const ParametricProof<N> proof = prove_over_parameters<N>(problem, P, start);
   BoxOrbit orbit;
   orbit.existence = proof.verdict;
-  orbit.split = names[static_cast<std::size_t>(proof.widest)];
+  const auto widest = static_cast<std::size_t>(proof.widest);
+  orbit.split = widest < names.size() ? names[widest] : seventh_name;
   if (proof.verdict.truth != Truth::proved) {
     return orbit;
   }
@@ -198,7 +222,7 @@ BoxOrbit prove_over(const Problem& problem, const model::Parameters<Ball>& a, co
 }  // namespace
 
 BoxOrbit prove_symmetric_over(const model::Parameters<Ball>& a, int sigma, const std::vector<double>& guess) {
-  BoxOrbit orbit = prove_over(SymmetricProblem{sigma}, a, Ball(0), guess);
+  BoxOrbit orbit = prove_over(SymmetricProblem{sigma}, a, Ball(0), "", guess);
   if (orbit.existence.truth == Truth::proved) {
     orbit.conditions = decide_conditions(Family::symmetric, orbit.motion, orbit.waves, orbit.ur);
   }
@@ -207,8 +231,18 @@ BoxOrbit prove_symmetric_over(const model::Parameters<Ball>& a, int sigma, const
 
 BoxOrbit prove_overshooting_over(const model::Parameters<Ball>& a, const Ball& phi,
                                  const std::vector<double>& guess) {
-  BoxOrbit orbit = prove_over(OvershootingProblem{}, a, phi, guess);
+  BoxOrbit orbit = prove_over(OvershootingProblem{}, a, phi, "phi", guess);
   if (orbit.existence.truth == Truth::proved) {
+    orbit.conditions = decide_conditions(Family::overshooting, orbit.motion, orbit.waves, orbit.ur);
+  }
+  return orbit;
+}
+
+BoxOrbit prove_overshooting_at_friction_over(const model::Parameters<Ball>& a, const Ball& ur,
+                                             const std::vector<double>& guess) {
+  BoxOrbit orbit = prove_over(OvershootingAtFriction{}, a, ur, "ur", guess);
+  if (orbit.existence.truth == Truth::proved) {
+    orbit.ur = ur;
     orbit.conditions = decide_conditions(Family::overshooting, orbit.motion, orbit.waves, orbit.ur);
   }
   return orbit;
@@ -216,7 +250,7 @@ BoxOrbit prove_overshooting_over(const model::Parameters<Ball>& a, const Ball& p
 
 BoxOrbit prove_nonsticking_over(const model::Parameters<Ball>& a, const std::optional<Ball>& ur,
                                 const std::vector<double>& guess) {
-  BoxOrbit orbit = prove_over(NonstickingProblem{}, a, Ball(0), guess);
+  BoxOrbit orbit = prove_over(NonstickingProblem{}, a, Ball(0), "", guess);
   if (orbit.existence.truth == Truth::proved) {
     const Ball at_tau = -friction_of<Ball>(orbit.motion, 1);
     arb_min(orbit.ur.raw(), orbit.ur.raw(), at_tau.raw(), WorkingPrecision::bits());

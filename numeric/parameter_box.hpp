@@ -12,8 +12,8 @@ namespace stickslip {
 
 // An orbit for each member of a box of parameters.
 struct BoxOrbit {
-  Verdict existence;       // exactly one orbit near the guess, for each member
-  std::string split;       // the parameter to split first when something is undecided: "chi", …, "phi"
+  Verdict existence;  // exactly one orbit near the guess, for each member
+  std::string split;  // the parameter to split first when something is undecided: "chi", …, "phi", "ur"
   std::vector<Ball> zero;  // contains the unknowns for all members, in the order of the guess
   Motion motion;           // each ball contains the value for all members; meaningless unless proved
   std::vector<model::PhaseWaves<Ball>> waves;  // likewise, of each phase
@@ -29,6 +29,10 @@ struct BoxOrbit {
 // guess: (tau, tau1, z10, z20, z10') at the load phase phi, which may be a ball too.
 [[nodiscard]] BoxOrbit prove_overshooting_over(const model::Parameters<Ball>& a, const Ball& phi,
                                                const std::vector<double>& guess);
+
+// The same at a given u_r; guess: (tau, tau1, z10, z20, z10', phi).
+[[nodiscard]] BoxOrbit prove_overshooting_at_friction_over(const model::Parameters<Ball>& a, const Ball& ur,
+                                                           const std::vector<double>& guess);
 
 // guess: (delta, mu) of model/nonsticking.hpp. Without ur, (25) and (26) read ur_max > us.
 [[nodiscard]] BoxOrbit prove_nonsticking_over(const model::Parameters<Ball>& a, const std::optional<Ball>& ur,

@@ -120,6 +120,24 @@ TEST_CASE("the margins over a box contain those of its members") {
   }
 }
 
+TEST_CASE("an engineer knows the friction, not the phase: example O over a box of u_r") {
+  std::vector<double> guess = guess_O();
+  guess.push_back(0);
+  const Ball ur = orbit_O().ur.midpoint();
+  const BoxOrbit point = prove_overshooting_at_friction_over(balls(O()), ur, guess);
+  REQUIRE(point.existence.truth == Truth::proved);
+  CHECK(near(point.zero[5], "0", "1e-20"));
+  const BoxOrbit box = prove_overshooting_at_friction_over(balls(O()), around(ur, "1e-6"), guess);
+  REQUIRE(box.existence.truth == Truth::proved);
+  CHECK(box.split == "ur");
+  CHECK(admissible(box.conditions).truth == Truth::proved);
+  CHECK(box.zero[0].contains(point.zero[0]));
+  const BoxOrbit member = prove_overshooting_at_friction_over(balls(O()), ur + Ball(9e-7), guess);
+  REQUIRE(member.existence.truth == Truth::proved);
+  CHECK(box.zero[5].contains(member.zero[5]));
+  CHECK_FALSE(point.zero[5].overlaps(member.zero[5]));
+}
+
 TEST_CASE("example P is one of a family through V = 0") {
   model::Parameters<Ball> a = balls(P());
   a.V = around(Ball(0), "0.01");
