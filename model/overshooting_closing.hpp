@@ -64,12 +64,8 @@ template <class S>
 [[nodiscard]] std::array<OvershootingRow<S>, 2> overshooting_odd(const OvershootingData<S>& d, const S& tau,
                                                                  const S& tau1) {
   using std::cos;
-  using std::sin;
   const S total = tau + tau1;
   const S half_T = (d.Theta - total) / S(2);
-  const std::pair<S, S> stick = sin_cos(half_T);
-  const S& sin_T = stick.first;
-  const S& cos_T = stick.second;
   const auto row = [&](const S& omega_j, const S& omega_k, const S& lambda_k) {
     const S alpha = omega_j * total / S(2);
     const std::pair<S, S> whole = sin_cos(alpha);
@@ -77,7 +73,7 @@ template <class S>
     const S& cos_alpha = whole.second;
     const S c = omega_j * cos_alpha;
     OvershootingRow<S> r;
-    r.C = lambda_k * S(c * sin_T + sin_alpha * cos_T);
+    r.C = lambda_k * stick_transfer<S>(omega_j, d.Theta, total).odd;
     r.sin_psi = -d.p * load_transfer<S>(omega_j, d.omega, total);
     // 2 sin(mu) sin(nu) = cos(mu - nu) - cos(alpha)
     r.one = -d.V * omega_k * omega_k * S(c * half_T + sin_alpha) -
@@ -91,21 +87,13 @@ template <class S>
 template <class S>
 [[nodiscard]] std::array<OvershootingRow<S>, 2> overshooting_even(const OvershootingData<S>& d, const S& tau,
                                                                   const S& tau1) {
-  using std::cos;
   using std::sin;
   const S total = tau + tau1;
-  const S half_T = (d.Theta - total) / S(2);
-  const std::pair<S, S> stick = sin_cos(half_T);
-  const S& sin_T = stick.first;
-  const S& cos_T = stick.second;
   const auto row = [&](const S& omega_j, const S& omega_k, const S& lambda_k) {
-    const S alpha = omega_j * total / S(2);
-    const std::pair<S, S> whole = sin_cos(alpha);
-    const S& sin_alpha = whole.first;
-    const S& cos_alpha = whole.second;
+    const S sin_alpha = S(sin(S(omega_j * total / S(2))));
     OvershootingRow<S> r;
     r.a = -omega_k * omega_k * omega_j * sin_alpha;
-    r.D = lambda_k * S(omega_j * sin_alpha * cos_T + cos_alpha * sin_T);
+    r.D = lambda_k * stick_transfer<S>(omega_j, d.Theta, total).even;
     // -S'_j = (tau + tau1)/4 (sinc((omega_j + omega)(tau + tau1)/2) + sinc((omega_j - omega)(tau + tau1)/2))
     const S half = total / S(2);
     r.cos_psi = d.p * half / S(2) *
@@ -117,36 +105,44 @@ template <class S>
   return {row(d.m.omega1, d.m.omega2, d.m.lambda2), row(d.m.omega2, d.m.omega1, d.m.lambda1)};
 }
 
-// One phase's share of F or G in one mode, t its duration, mu = omega_j t/2, b = omega t/2.
+// One phase's share of F or G in one mode: the mean acceleration of y_j over a duration t that begins (or, in
+// the overshoot, seen backwards, ends) beside the stick. mu = omega_j t/2.
 template <class S>
 struct MeanAcceleration {
-  S of_position;  // omega_j² sinc(2 mu): coefficient of y_j at the outer end, from its rest
-  S of_velocity;  // omega_j sinc(mu) sin(mu): of y_j' there, away from the outer end
+  S of_position;  // omega_j² sinc(2 mu): of y_j at the end beside the stick, from its rest
+  S of_odd;       // omega_j sinc(mu) (omega_j cos(mu) sin(T/2) + sin(mu) cos(T/2)): of C h_j
+  S of_even;      // omega_j sinc(mu) (omega_j cos(mu) cos(T/2) - sin(mu) sin(T/2)): of D h_j
+  S of_belt;      // omega_j sinc(mu) (omega_j cos(mu) T/2 + sin(mu)): of V g_j
   S of_cos;       // -(2/t) cos(mu) S'_j(t): of p h'_j cos(load's phase at the phase's middle)
   S of_sin;       // (2/t) sin(mu) S_j(t): of p h'_j sin(…), its sign that of the direction of time
 };
 
 template <class S>
-[[nodiscard]] MeanAcceleration<S> mean_acceleration(const S& omega_j, const S& omega, const S& t) {
+[[nodiscard]] MeanAcceleration<S> mean_acceleration(const S& omega_j, const S& omega, const S& half_T,
+                                                    const S& t) {
   const S mu = omega_j * t / S(2);
   const S b = omega * t / S(2);
   const std::pair<S, S> at_mu = sin_cos(mu);
-  const S& sin_mu = at_mu.first;
+  const std::pair<S, S> sum = sin_cos(S(mu + half_T));
+  const std::pair<S, S> difference = sin_cos(S(mu - half_T));
+  const S above = (omega_j + S(1)) / S(2);
+  const S below = (omega_j - S(1)) / S(2);
+  const S factor = omega_j * S(sinc(mu));
   const S near = S(sinc(S(mu - b)));
   const S far = S(sinc(S(mu + b)));
-  return {S(omega_j * omega_j * S(sinc(S(S(2) * mu)))), S(omega_j * S(sinc(mu)) * sin_mu),
-          S(at_mu.second * S(near + far) / S(2)), S(sin_mu * S(near - far) / S(2))};
+  return {S(omega_j * omega_j * S(sinc(S(S(2) * mu)))),
+          S(factor * S(above * sum.first - below * difference.first)),
+          S(factor * S(above * sum.second + below * difference.second)),
+          S(factor * S(omega_j * at_mu.second * half_T + at_mu.first)),
+          S(at_mu.second * S(near + far) / S(2)),
+          S(at_mu.first * S(near - far) / S(2))};
 }
 
 // turn, multiplied by lambda_2 - lambda_1.
 template <class S>
 [[nodiscard]] OvershootingRow<S> overshooting_turn(const OvershootingData<S>& d, const S& tau,
                                                    const S& tau1) {
-  using std::cos;
   const S half_T = (d.Theta - tau - tau1) / S(2);
-  const std::pair<S, S> stick = sin_cos(half_T);
-  const S& sin_T = stick.first;
-  const S& cos_T = stick.second;
   const S b = d.omega * tau / S(2);
   const S b1 = d.omega * tau1 / S(2);
   const std::pair<S, S> at_b = sin_cos(b);
@@ -158,21 +154,18 @@ template <class S>
   OvershootingRow<S> r;
   // h, g and load: the mode's shares of (1, 0), (chi, 1) and (0, 1) in z2, times lambda_2 - lambda_1.
   const auto add = [&](const S& omega_j, const S& h, const S& g, const S& load) {
-    const MeanAcceleration<S> slip = mean_acceleration<S>(omega_j, d.omega, tau);
-    const MeanAcceleration<S> over = mean_acceleration<S>(omega_j, d.omega, tau1);
-    const S p_minus = slip.of_position - over.of_position;
-    const S p_plus = slip.of_position + over.of_position;
-    const S q_minus = slip.of_velocity - over.of_velocity;
-    const S q_plus = slip.of_velocity + over.of_velocity;
-    r.a += g * p_minus;
-    r.C += h * S(p_plus * sin_T + q_plus * cos_T);
-    r.D += h * S(p_minus * cos_T - q_minus * sin_T);
+    const MeanAcceleration<S> slip = mean_acceleration<S>(omega_j, d.omega, half_T, tau);
+    const MeanAcceleration<S> over = mean_acceleration<S>(omega_j, d.omega, half_T, tau1);
+    r.a += g * S(slip.of_position - over.of_position);
+    r.C += h * S(slip.of_odd + over.of_odd);
+    r.D += h * S(slip.of_even - over.of_even);
     // The middle of the slip is at the load's phase psi - b1, that of the overshoot at psi + b.
     r.cos_psi += d.p * load *
                  S(over.of_cos * cos_b + over.of_sin * sin_b - slip.of_cos * cos_b1 - slip.of_sin * sin_b1);
     r.sin_psi += d.p * load *
                  S(over.of_sin * cos_b - over.of_cos * sin_b - slip.of_cos * sin_b1 + slip.of_sin * cos_b1);
-    r.one += d.V * g * S(p_plus * half_T + q_plus) - S(2) * d.eta * d.us * load * S(sinc(S(omega_j * tau1)));
+    r.one +=
+        d.V * g * S(slip.of_belt + over.of_belt) - S(2) * d.eta * d.us * load * S(sinc(S(omega_j * tau1)));
   };
   const S& l1 = d.m.lambda1;
   const S& l2 = d.m.lambda2;

@@ -58,19 +58,33 @@ template <class S>
   return half / S(2) * S(sinc(S((omega_j - omega) * half)) - sinc(S((omega_j + omega) * half)));
 }
 
+// P_j, and P'_j of overshooting_closing.hpp, as sums of two sines: slips of total duration `total`, Theta the
+// period. In these the argument changes slowly with `total`, so that enclosures are tight.
+template <class S>
+struct StickTransfer {
+  S odd;   // omega_j cos(alpha_j) sin(T/2) + sin(alpha_j) cos(T/2)
+  S even;  // omega_j sin(alpha_j) cos(T/2) + cos(alpha_j) sin(T/2)
+};
+template <class S>
+[[nodiscard]] StickTransfer<S> stick_transfer(const S& omega_j, const S& Theta, const S& total) {
+  using std::sin;
+  const S above = omega_j + S(1);
+  const S below = omega_j - S(1);
+  const S sum = above * S(sin(S((Theta + below * total) / S(2))));         // sin(alpha_j + T/2)
+  const S difference = below * S(sin(S((above * total - Theta) / S(2))));  // sin(alpha_j - T/2)
+  return {S((sum - difference) / S(2)), S((sum + difference) / S(2))};
+}
+
 // lambda_k P_j and V omega_k² R_j + sigma p S_j, k the other mode.
 template <class S>
 [[nodiscard]] SymmetricRows<S> symmetric_rows(const SymmetricData<S>& a, const S& tau) {
   const S half_T = (a.Theta - tau) / S(2);
-  const std::pair<S, S> stick = sin_cos(half_T);
-  const S& sin_T = stick.first;
-  const S& cos_T = stick.second;
   const auto row = [&](const S& omega_j, const S& omega_k, const S& lambda_k, S& left, S& right) {
     const S alpha = omega_j * tau / S(2);
     const std::pair<S, S> at_alpha = sin_cos(alpha);
     const S c = omega_j * at_alpha.second;
     const S& s = at_alpha.first;
-    left = lambda_k * S(c * sin_T + s * cos_T);
+    left = lambda_k * stick_transfer<S>(omega_j, a.Theta, tau).odd;
     right =
         a.V * omega_k * omega_k * S(c * half_T + s) + a.sigma * a.p * load_transfer(omega_j, a.omega, tau);
   };

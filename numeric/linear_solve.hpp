@@ -74,4 +74,36 @@ template <class S, int N>
   return inverse;
 }
 
+// A box that contains every x with A x = b for some A, b in the given enclosures: elimination after
+// multiplication by an approximate inverse. Nothing when a pivot may vanish.
+template <int N>
+[[nodiscard]] std::optional<Eigen::Matrix<Ball, N, 1>> enclose_solution(const Eigen::Matrix<Ball, N, N>& A,
+                                                                        const Eigen::Matrix<Ball, N, 1>& b) {
+  const std::optional<Eigen::Matrix<Ball, N, N>> Y = approximate_inverse<Ball, N>(A);
+  if (!Y) {
+    return std::nullopt;
+  }
+  Eigen::Matrix<Ball, N, N> m = *Y * A;
+  Eigen::Matrix<Ball, N, 1> x = *Y * b;
+  for (int k = 0; k < N; ++k) {
+    if (!m(k, k).is_nonzero()) {
+      return std::nullopt;
+    }
+    for (int i = k + 1; i < N; ++i) {
+      const Ball factor = m(i, k) / m(k, k);
+      for (int j = k + 1; j < N; ++j) {
+        m(i, j) -= factor * m(k, j);
+      }
+      x(i) -= factor * x(k);
+    }
+  }
+  for (int k = N - 1; k >= 0; --k) {
+    for (int j = k + 1; j < N; ++j) {
+      x(k) -= m(k, j) * x(j);
+    }
+    x(k) /= m(k, k);
+  }
+  return x;
+}
+
 }  // namespace stickslip

@@ -100,6 +100,37 @@ AtFriction adapted(AtFriction f, const Box<2>& X) {
   return f;
 }
 
+// Where both odd rows may be multiples of each other their minors say nothing, and both functions can vanish
+// without an orbit. There one odd row at a time and the other four equations are solved for (a, C, D, cos
+// psi, sin psi): no orbit when cos² psi + sin² psi = 1 or the odd row left out cannot hold.
+bool excluded_by_all_rows(const AtFriction& f, const Box<2>& X) {
+  const Times<Ball> t = times<Ball>(f.data.Theta, X);
+  const auto odd = model::overshooting_odd<Ball>(f.data, t.tau, t.tau1);
+  const auto [even1, even2] = model::overshooting_even<Ball>(f.data, t.tau, t.tau1);
+  const std::array<model::OvershootingRow<Ball>, 4> others{
+      even1, even2, model::overshooting_turn<Ball>(f.data, t.tau, t.tau1),
+      model::overshooting_friction<Ball>(f.data, f.ur, t.tau, t.tau1)};
+  for (const std::size_t j : {0U, 1U}) {
+    Eigen::Matrix<Ball, 5, 5> A;
+    Eigen::Matrix<Ball, 5, 1> b;
+    for (int i = 0; i < 5; ++i) {
+      const model::OvershootingRow<Ball>& row = i == 0 ? odd[j] : others[static_cast<std::size_t>(i - 1)];
+      A.row(i) << row.a, row.C, row.D, row.cos_psi, row.sin_psi;
+      b(i) = -row.one;
+    }
+    const std::optional<Eigen::Matrix<Ball, 5, 1>> x = enclose_solution<5>(A, b);
+    if (x) {
+      const model::OvershootingRow<Ball>& other = odd[1 - j];
+      const Ball norm = (*x)(3) * (*x)(3) + (*x)(4) * (*x)(4) - Ball(1);
+      const Ball residual = other.C * (*x)(1) + other.sin_psi * (*x)(4) + other.one;
+      if (norm.is_nonzero() || residual.is_nonzero()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 // |sin psi| > 1 all over the box: sin psi ∓ 1, times the denominator, have the same sign.
 std::optional<Box<2>> contract_cheaply(const AtFriction& f, const Box<2>& X) {
   const model::OvershootingData<Jet<Ball, 2>> d = model::lift<Jet<Ball, 2>>(f.data);
@@ -114,7 +145,11 @@ std::optional<Box<2>> contract_cheaply(const AtFriction& f, const Box<2>& X) {
   const Ball above = range(jets.sin_psi + jets.over, at_m.sin_psi + at_m.over);
   const bool excluded =
       (below.is_positive() && above.is_positive()) || (below.is_negative() && above.is_negative());
-  return excluded ? std::nullopt : std::optional(X);
+  const bool degenerate = jets.over.value.contains_zero() && radius_exponent<2>(X) < -5;
+  if (excluded || (degenerate && excluded_by_all_rows(f, X))) {
+    return std::nullopt;
+  }
+  return X;
 }
 
 // omega = 1/k: the coefficients of C and sin psi vanish like t³, t = tau + tau1, and the rest does not.
@@ -186,6 +221,12 @@ OvershootingOrbit describe(const ExactParameters& a, const Times<Ball>& t, const
   orbit.residual20 = model::stick_flow<Ball>(d.chi, ZC, T) - Z0;
   orbit.residual18 = ZB(3) - d.V;
   orbit.residual19 = ZC(3) - d.V;
+  for (const Ball& residual : {orbit.residual20(0), orbit.residual20(1), orbit.residual20(2),
+                               orbit.residual20(3), orbit.residual18, orbit.residual19}) {
+    if (residual.is_nonzero()) {
+      throw InternalError("a zero of the reduced equations of Section 5 does not close through the flows");
+    }
+  }
   return orbit;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -25,6 +27,13 @@ void close_in_all_components(const ExactParameters& a, SymmetricOrbit& orbit) {
   orbit.residual13 = model::slip_flow<Ball>(data.m, Q, data.omega, s.phi, Z0, s.tau) - EZ0;
   orbit.residual15 = Z0 - model::stick_flow<Ball>(data.chi, EZ0, s.T);
   orbit.residual16 = sixteen(Vector4<Ball>(s.tau, s.z10, s.z20, s.zdot10));
+  for (const Vector4<Ball>& residual : {orbit.residual13, orbit.residual15, orbit.residual16}) {
+    for (int i = 0; i < 4; ++i) {
+      if (residual(i).is_nonzero()) {
+        throw InternalError("a zero of the reduced equations of Section 4 does not close through the flows");
+      }
+    }
+  }
 }
 
 }  // namespace
