@@ -6,169 +6,22 @@
 #include <utility>
 #include <vector>
 
+#include "numeric/piece.hpp"
+
 namespace stickslip {
 
-using model::Harmonic;
 using model::Wave;
+using pieces::Piece;
+using pieces::Side;
+using pieces::Taylor;
 
 namespace {
-
-// A function and its first two derivatives at a point.
-template <class S>
-struct Taylor {
-  S value, slope, curvature;
-};
-
-void sin_cos(const Ball& x, Ball& s, Ball& c) {
-  arb_sin_cos(s.raw(), c.raw(), x.raw(), WorkingPrecision::bits());
-}
-void sin_cos(double x, double& s, double& c) {
-  s = std::sin(x);
-  c = std::cos(x);
-}
-
-// sum += a b and sum -= a b without a temporary.
-void add_product(Ball& sum, const Ball& a, const Ball& b) {
-  arb_addmul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
-}
-void subtract_product(Ball& sum, const Ball& a, const Ball& b) {
-  arb_submul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
-}
-void add_product(double& sum, double a, double b) {
-  sum += a * b;
-}
-void subtract_product(double& sum, double a, double b) {
-  sum -= a * b;
-}
-
-// g, g', g'', g''' at t.
-template <class S>
-std::array<S, 4> derivatives(const Wave<S>& g, const S& t) {
-  std::array<S, 4> d{g.constant, g.slope, S(0), S(0)};
-  add_product(d[0], g.slope, t);
-  S s(0);
-  S c(0);
-  for (int k = 0; k < g.count; ++k) {
-    const Harmonic<S>& h = g.harmonics[static_cast<unsigned>(k)];
-    sin_cos(S(h.nu * t), s, c);
-    S p = h.a * c;
-    add_product(p, h.b, s);
-    S q = h.b * c;
-    subtract_product(q, h.a, s);
-    q *= h.nu;
-    const S square = h.nu * h.nu;
-    d[0] += p;
-    d[1] += q;
-    subtract_product(d[2], square, p);
-    subtract_product(d[3], square, q);
-  }
-  return d;
-}
-
-// Bounds of |g'''| and |g''''| at all times, for the wave and for the reversed one.
-struct Bounds {
-  Ball third, fourth;
-};
-Bounds derivative_bounds(const Wave<Ball>& g) {
-  Bounds sum;
-  for (int k = 0; k < g.count; ++k) {
-    const Harmonic<Ball>& h = g.harmonics[static_cast<unsigned>(k)];
-    Ball amplitude = sqrt(h.a * h.a + h.b * h.b);
-    if (!amplitude.is_finite()) {  // both contain zero
-      amplitude = abs(h.a) + abs(h.b);
-    }
-    const Ball term = abs(amplitude * h.nu * h.nu * h.nu);
-    sum.third += term;
-    sum.fourth += term * abs(h.nu);
-  }
-  return {sum.third.upper(), sum.fourth.upper()};
-}
-
-Wave<double> approximate(const Wave<Ball>& g) {
-  Wave<double> w;
-  w.constant = g.constant.approximate();
-  w.slope = g.slope.approximate();
-  for (int k = 0; k < g.count; ++k) {
-    const Harmonic<Ball>& h = g.harmonics[static_cast<unsigned>(k)];
-    w.add(h.nu.approximate(), h.a.approximate(), h.b.approximate());
-  }
-  return w;
-}
 
 double upper_double(const Ball& x) {
   return arf_get_d(arb_midref(x.upper().raw()), ARF_RND_CEIL);
 }
 double lower_double(const Ball& x) {
   return arf_get_d(arb_midref(x.lower().raw()), ARF_RND_FLOOR);
-}
-
-// The wave seen from one end of the phase, the time s counted from that end.
-struct Side {
-  Wave<Ball> g;
-  Wave<double> guess;
-  bool from_end;
-};
-
-// g/w on [a, b] of a side, w = s when weighted and 1 otherwise; `third` bounds the third derivative of g/w.
-// For g(0) = 0: g(s)/s is the mean of g'(s x) over 0 < x < 1, so its n-th derivative is the mean of
-// x^n g^(n+1)(s x), at most max |g^(n+1)|/(n+1), and g^(n+1)(0)/(n+1) at s = 0.
-struct Piece {
-  const Side* side;
-  bool weighted;
-  double a, b;
-  Ball third;
-
-  template <class S>
-  [[nodiscard]] Taylor<S> at(const Wave<S>& g, double s) const {
-    const std::array<S, 4> d = derivatives<S>(g, S(s));
-    if (!weighted) {
-      return {d[0], d[1], d[2]};
-    }
-    if (s == 0) {
-      return {d[1], d[2] / S(2), d[3] / S(3)};
-    }
-    const S k = d[0] / S(s);
-    const S k1 = (d[1] - k) / S(s);
-    return {k, k1, (d[2] - S(2) * k1) / S(s)};
-  }
-  [[nodiscard]] Taylor<Ball> ball(double s) const { return at<Ball>(side->g, s); }
-
-  // A floating-point guess of where the piece is smallest near s, within [low, high].
-  [[nodiscard]] double descend(double s, double low, double high) const {
-    for (int i = 0; i < 6; ++i) {
-      const Taylor<double> k = at<double>(side->guess, s);
-      double step = k.curvature > 0 ? -k.slope / k.curvature : (k.slope > 0 ? low - s : high - s);
-      if (!std::isfinite(step)) {
-        return s;
-      }
-      const double next = std::clamp(s + step, low, high);
-      if (std::abs(next - s) <= 1e-16 * (1 + std::abs(s))) {
-        return next;
-      }
-      s = next;
-    }
-    return s;
-  }
-};
-
-// The smallest of some samples, improved: only a guess.
-std::pair<double, double> sampled_minimum(const Piece& piece) {
-  const int n = 4 + static_cast<int>(2 * (piece.b - piece.a));
-  const double step = (piece.b - piece.a) / n;
-  double best = std::numeric_limits<double>::infinity();
-  double where = piece.a;
-  for (int i = 0; i <= n; ++i) {
-    const double s = i == n ? piece.b : piece.a + i * step;
-    const double k = piece.at<double>(piece.side->guess, s == 0 ? 0 : std::max(s, 1e-6)).value;
-    if (k < best) {
-      best = k;
-      where = s;
-    }
-  }
-  const double low = std::max(piece.a, where - step);
-  const double high = std::min(piece.b, where + step);
-  where = piece.descend(where, low, high);
-  return {piece.at<double>(piece.side->guess, where).value, where};
 }
 
 class Search {
@@ -179,7 +32,7 @@ class Search {
   // uncertain length is replaced by the last one that is certain.
   void offer(const Piece& piece, double s, const Ball& value, const Ball& around) {
     if (s > last_) {
-      return offer(piece, last_, piece.ball(last_).value, Ball(last_));
+      return offer(piece, last_, piece.at(last_).value, Ball(last_));
     }
     if (!value.is_finite() || (found_ && (value.upper() - best_.upper()).is_positive())) {
       return;
@@ -193,7 +46,7 @@ class Search {
   // Where the infimum is likely to be.
   void propose(const Piece& piece, double s) {
     proposal_ = {&piece, s};
-    offer(piece, s, piece.ball(s).value, Ball(s));
+    offer(piece, s, piece.at(s).value, Ball(s));
   }
 
   void cover(const Piece& piece) {
@@ -233,7 +86,7 @@ class Search {
 
   // Takes g/w at s, where the least value of [a, b] is known to be, as that least value.
   bool accept_end(const Piece& piece, double s) {
-    const Ball k = piece.ball(s).value;
+    const Ball k = piece.at(s).value;
     offer(piece, s, k, Ball(s));
     accept(k.lower());
     return true;
@@ -257,7 +110,7 @@ bool Search::settle(const Piece& piece, double a, double b) {
   const bool one_sided = piece.weighted && a == 0;
   const double c = one_sided ? 0 : a + (b - a) / 2;
   const Ball h = one_sided ? Ball(b) : Ball(std::nextafter((b - a) / 2, b));
-  const Taylor<Ball> k = piece.ball(c);
+  const Taylor<Ball> k = piece.at(c);
   const Ball spread = piece.third * h * h * h / Ball(6);
   const Ball lowest_slope = one_sided ? k.slope.lower() : -abs(k.slope).upper();
   Ball lower = k.value - spread;
@@ -305,7 +158,7 @@ bool Search::settle(const Piece& piece, double a, double b) {
 bool Search::settle_convex(const Piece& piece, double a, double b, const Ball& curvature) {
   const bool proposed = proposal_.first == &piece && a <= proposal_.second && proposal_.second <= b;
   const double s = proposed ? proposal_.second : piece.descend(a + (b - a) / 2, a, b);
-  const Taylor<Ball> k = piece.ball(s);
+  const Taylor<Ball> k = piece.at(s);
   Ball lower = k.value - k.slope * k.slope / (Ball(2) * curvature);
   const bool at_a = s == a && !k.slope.is_negative() && !k.slope.contains_zero();
   const bool at_b = s == b && k.slope.is_negative();
@@ -333,7 +186,7 @@ Ball initial_value(const Wave<Ball>& g) {
   return sum;
 }
 
-void add_pieces(std::vector<Piece>& pieces, const Side& side, const Bounds& bounds, bool touched,
+void add_pieces(std::vector<Piece>& pieces, const Side& side, const pieces::Bounds& bounds, bool touched,
                 double length) {
   if (!touched) {
     pieces.push_back({&side, false, 0, length, bounds.third});
@@ -364,26 +217,29 @@ Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
   }
   // Each end is looked at from itself, for a phase of uncertain length is best known there; a single touched
   // end sees the whole phase, so that w is the distance to it wherever that is below 1.
-  const Side start{g, approximate(g), false};
-  const Side end{back, approximate(back), true};
-  const Bounds bounds = derivative_bounds(g);
-  std::vector<Piece> pieces;
+  const Side start = pieces::side_of(g, false);
+  const Side end = pieces::side_of(back, true);
+  const pieces::Bounds bounds = pieces::derivative_bounds(g);
+  std::vector<Piece> all;
   if (touches.start == touches.end) {
-    add_pieces(pieces, start, bounds, touches.start, half);
-    add_pieces(pieces, end, bounds, touches.end, half);
+    add_pieces(all, start, bounds, touches.start, half);
+    add_pieces(all, end, bounds, touches.end, half);
   } else {
-    add_pieces(pieces, touches.start ? start : end, bounds, true, upper_double(T));
+    add_pieces(all, touches.start ? start : end, bounds, true, upper_double(T));
   }
-  std::vector<std::pair<double, double>> guesses;
-  for (const Piece& piece : pieces) {
-    guesses.push_back(sampled_minimum(piece));
+  const Piece* best = nullptr;
+  pieces::Guess lowest{};
+  for (const Piece& piece : all) {
+    const pieces::Guess guess = pieces::sampled_minimum(piece);
+    if (best == nullptr || guess.value < lowest.value) {
+      best = &piece;
+      lowest = guess;
+    }
   }
-  const auto best = std::min_element(guesses.begin(), guesses.end());
-  const Piece& where = pieces[static_cast<std::size_t>(best - guesses.begin())];
-  if (std::isfinite(best->second)) {
-    search.propose(where, best->second);
+  if (std::isfinite(lowest.s)) {
+    search.propose(*best, lowest.s);
   }
-  for (const Piece& piece : pieces) {
+  for (const Piece& piece : all) {
     search.cover(piece);
   }
   return finish();

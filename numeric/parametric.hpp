@@ -4,10 +4,9 @@
 // quantity g is instead g(x(p0), p0) + dg/dp (P - p0), p0 = mid P, with the total derivative dg/dp over the
 // whole box, by jets; dx/dp = -(df/dx)⁻¹ df/dp. This is the mean value theorem, not an approximation.
 //
-// A problem has x of N unknowns and
-//   template <class T> Eigen::Matrix<T, N, 1> closing(const Eigen::Matrix<T, N, 1>& x, const
-//   ParameterVector<T>&)
-// for T = Ball and jets over balls.
+// A problem has x of N unknowns and, for T = Ball and jets over balls,
+//   template <class T>
+//   Eigen::Matrix<T, N, 1> closing(const Eigen::Matrix<T, N, 1>& x, const ParameterVector<T>& p) const
 #pragma once
 
 #include "numeric/inflation.hpp"
@@ -135,7 +134,7 @@ template <int N>
 }  // namespace detail
 
 // One zero for each p in P, near the guess. x(p0) is found first; then the box grows with Krawczyk's image
-//   m - Y f(m, p0) - Y f_p(X, P) (P - p0) + (I - Y f_x(X, P)) (X - m)
+//   x(p0) + R (P - p0) + E (X - x(p0)),  R = -Y f_p(X, P),  E = I - Y f_x(X, P),
 // until that lies inside it. Undecided when it does not: split P, best in the parameter `widest`.
 template <int N, class F>
 [[nodiscard]] ParametricProof<N> prove_over_parameters(const F& f, const ParameterVector<Ball>& P,
