@@ -32,6 +32,8 @@ std::string to_string(Status status) {
       return "misprint_corrected";
     case Status::digits_off:
       return "digits_off";
+    case Status::necessary_not_sufficient:
+      return "necessary_not_sufficient";
     case Status::refuted:
       return "refuted";
     case Status::undecided:
@@ -54,6 +56,8 @@ std::string describe(Status status) {
       return "misprint: refuted as printed, the corrected form is proved";
     case Status::digits_off:
       return "printed digits are not the correctly rounded ones";
+    case Status::necessary_not_sufficient:
+      return "proved to be necessary, refuted to be sufficient";
     case Status::refuted:
       return "refuted";
     case Status::undecided:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -26,9 +27,10 @@ struct Assumption {
 
 // Something that a proof divided by: it holds where this is not zero.
 struct Hypothesis {
-  GiNaC::ex nonzero;  // what must not vanish
-  std::string text;   // "omega - omega1 != 0"
-  std::string latex;  // the same
+  GiNaC::ex nonzero;   // what must not vanish
+  std::string text;    // "omega - omega1 != 0"
+  std::string latex;   // the same
+  std::string origin;  // the id of the claim whose proof divided by it
 };
 
 // One printed value against the proved one.
@@ -37,20 +39,23 @@ struct Comparison {
   std::string latex;    // its LaTeX name
   std::string printed;  // as printed
   BallText proved;
-  BallText units_off;  // (printed - proved) in units of the last place
+  BallText units_off;  // (proved - printed) in units of the last place
   Verdict verdict;     // proved: the printed value is the correctly rounded one
 };
 
 // What a proof found out.
 struct Outcome {
-  Verdict verdict;
-  std::string route;                   // how, in one sentence
-  std::vector<Hypothesis> hypotheses;  // beyond those the paper states
-  std::set<std::string> uses;          // ids of the claims that the proof took as premises
-  std::set<std::string> assumed;       // ids of the claim's own assumptions that the proof needed
-  std::vector<std::string> free;       // symbols (plain names) for all of whose values it was proved
-  std::vector<Coordinate> at;          // the data at which it was proved; empty: for all
-  std::vector<Comparison> comparisons;
+  Verdict verdict = {};
+  std::string route = {};                   // how, in one sentence
+  std::vector<Hypothesis> hypotheses = {};  // beyond those the paper states
+  std::set<std::string> uses = {};          // ids of the claims that the proof took as premises
+  std::set<std::string> assumed = {};       // ids of the claim's own assumptions that the proof needed
+  std::vector<std::string> free = {};       // symbols (plain names) for all of whose values it was proved
+  std::vector<Coordinate> at = {};          // the data at which it was proved; empty: for all
+  std::vector<Comparison> comparisons = {};
+  // For premises that were used with symbols replaced or under assumptions of the claim's own: their
+  // hypotheses as they read here, by id of the premise.
+  std::map<std::string, std::vector<Hypothesis>> inherited = {};
 };
 
 class Prover;
@@ -65,6 +70,11 @@ struct Claim {
   std::string words = {};                    // one plain sentence: what it says
   std::vector<Assumption> assumptions = {};  // "if", as the paper states it
   Proof prove = {};                          // none for a model equation
+  // The other direction, where the paper presents what it deduces as equivalent: the premises from the
+  // printed.
+  Proof prove_converse = {};
+  // What the source has lost of the printed form, which is then a reading that the proof has to justify.
+  std::string illegible = {};
   // If the printed form fails: the reading that the derivation supports, and its proof.
   std::vector<Statement> corrected = {};
   Proof prove_corrected = {};
@@ -72,10 +82,11 @@ struct Claim {
 
 // Computed, never typed.
 enum class Status {
-  as_printed,          // proved as it stands
-  needs_hypotheses,    // proved where something nonzero that the paper does not mention is nonzero
-  misprint_corrected,  // refuted as printed, the corrected form proved
-  digits_off,          // a printed number is not the correctly rounded one
+  as_printed,                // proved as it stands
+  needs_hypotheses,          // proved where something nonzero that the paper does not mention is nonzero
+  misprint_corrected,        // refuted as printed, the corrected form proved
+  digits_off,                // a printed number is not the correctly rounded one
+  necessary_not_sufficient,  // follows, but does not give back what it was deduced from
   refuted,
   undecided,
   rests_on_unproved,  // proved, but something that it uses is not
@@ -85,12 +96,20 @@ enum class Status {
 [[nodiscard]] std::string to_string(Status status);
 [[nodiscard]] std::string describe(Status status);
 
+// An edit of a refuted statement that makes it a theorem.
+struct Repair {
+  std::string what;  // "sign of H2(t)*H3(t)"
+  Statement statement;
+};
+
 struct Record {
-  Claim claim;
+  Claim claim;                       // where no corrected form was given, the one found
   Outcome outcome;                   // of the statement as printed
   std::optional<Outcome> corrected;  // of the corrected form, where there is one and it was needed
   Status status = Status::undecided;
   std::set<std::string> used_by;
+  std::optional<Outcome> converse = {};
+  std::vector<Repair> repairs = {};  // all single edits that are proved
 };
 
 // Records in the paper's order.

@@ -1,17 +1,45 @@
 #include "proofs/deciding.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "model/nonsticking.hpp"
+#include "model/nonsticking_closed_form.hpp"
 #include "proofs/prover.hpp"
 #include "symbolic/evaluate.hpp"
+#include "symbolic/hypotheses.hpp"
 
 namespace stickslip::proofs {
 namespace {
 
 using GiNaC::ex;
 
-// The definitions that stay closed unless an identity needs to look inside: (6) for d0, (7) for Q.
+symbolic::Definition half_period_definition() {
+  const Lookup<ex> sym = symbolically();
+  const model::Modes<ex> m{sym("omega1"), sym("omega2"), sym("lambda1"), sym("lambda2")};
+  const model::HalfPeriod<ex> h =
+      model::half_period<ex>(sym("chi"), m, {sym("d01"), sym("d02")}, sym("omega"), sym("pi"));
+  return {"35.def",
+          {{sym("phi1"), h.phi1},
+           {sym("phi2"), h.phi2},
+           {sym("d"), h.d},
+           {sym("a1"), h.a1},
+           {sym("a2"), h.a2},
+           {sym("b1"), h.b1},
+           {sym("b2"), h.b2}}};
+}
+
+symbolic::Definition rho_definition() {
+  const Lookup<ex> sym = symbolically();
+  return {"70.rho",
+          {{sym("rho1"), model::rho<ex>(sym("omega1"), sym("tau"), sym("tau1"))},
+           {sym("rho2"), model::rho<ex>(sym("omega2"), sym("tau"), sym("tau1"))}}};
+}
+
+// The definitions that stay closed unless an identity needs to look inside: (6) for d0, (7) for Q, those of
+// (34) and (35), (70) for rho.
 const std::vector<symbolic::Definition>& definitions() {
   static const std::vector<symbolic::Definition> known = [] {
     const Lookup<ex> sym = symbolically();
@@ -20,9 +48,57 @@ const std::vector<symbolic::Definition>& definitions() {
     const model::Vector2<ex> d0 = model::d0<ex>(a.chi, a.us);
     const model::Vector2<ex> Q = model::Q<ex>(a, m);
     return std::vector<symbolic::Definition>{{"6.d0", {{sym("d01"), d0(0)}, {sym("d02"), d0(1)}}},
-                                             {"7", {{sym("q1"), Q(0)}, {sym("q2"), Q(1)}}}};
+                                             {"7", {{sym("q1"), Q(0)}, {sym("q2"), Q(1)}}},
+                                             half_period_definition(),
+                                             rho_definition()};
   }();
   return known;
+}
+
+// A factor that must not vanish, in the parameters: what that says when all definitions are open.
+std::vector<ex> in_parameters(const ex& factor) {
+  ex opened = factor;
+  for (const symbolic::Definition& definition : definitions()) {
+    opened = opened.subs(definition.replacement, GiNaC::subs_options::no_pattern);
+  }
+  return opened.is_equal(factor) ? std::vector<ex>{factor} : symbolic::hypotheses_of({1 / opened});
+}
+
+const Assumption& assumption_of(const Claim& claim, const std::string& id) {
+  const auto found = std::find_if(claim.assumptions.begin(), claim.assumptions.end(),
+                                  [&](const Assumption& assumption) { return assumption.id == id; });
+  if (found == claim.assumptions.end()) {
+    throw InternalError(fmt::format("claim {} does not assume {}", claim.id, id));
+  }
+  return *found;
+}
+
+// A claim may serve as a premise only where what it assumes itself is assumed here too, unchanged.
+void check_assumptions(const Claim& user, const Claim& used, const Premise& premise) {
+  for (const Assumption& assumption : used.assumptions) {
+    (void)assumption_of(user, assumption.id);
+    for (const auto& replacement : premise.replacements) {
+      if (depends_on(assumption.statement.left, replacement.first) ||
+          depends_on(assumption.statement.right, replacement.first)) {
+        throw InternalError(fmt::format("claim {} uses {} with another {} than the one assumed in {}",
+                                        user.id, used.id, replacement.first, assumption.id));
+      }
+    }
+  }
+}
+
+// What must not vanish, with the premise's replacements and under the claim's assumptions.
+std::vector<ex> instantiated(const ex& nonzero, const Premise& premise, const Given& given) {
+  GiNaC::exmap values;
+  for (const ex& symbol : symbolic::symbols_of(nonzero)) {
+    const std::string name = GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
+    const auto replaced = premise.replacements.find(name);
+    values[symbol] = replaced == premise.replacements.end()
+                         ? given.lookup()(name)
+                         : evaluate<ex>(replaced->second, given.lookup())(0, 0);
+  }
+  const ex here = nonzero.subs(values, GiNaC::subs_options::no_pattern);
+  return here.is_equal(nonzero) ? std::vector<ex>{nonzero} : symbolic::vanishing_factors(here);
 }
 
 bool mentions(const Term& term, const std::string& name) {
@@ -81,6 +157,37 @@ Lookup<ex> Given::lookup() const {
   };
 }
 
+std::vector<Statement> statements_of(Prover& prover, const Claim& claim, const Premise& premise) {
+  std::vector<Statement> statements;
+  if (premise.assumed) {
+    statements = {assumption_of(claim, premise.id).statement};
+  } else {
+    const Record& record = prover.prove(premise.id);
+    check_assumptions(claim, record.claim, premise);
+    statements = proved_form(record);
+  }
+  for (Statement& statement : statements) {
+    statement = substitute(statement, premise.replacements);
+  }
+  return statements;
+}
+
+void record_premise(Outcome& outcome, Prover& prover, const Claim& claim, const Premise& premise) {
+  if (premise.assumed) {
+    outcome.assumed.insert(premise.id);
+    return;
+  }
+  outcome.uses.insert(premise.id);
+  const Record& record = prover.prove(premise.id);
+  const Given given(claim);
+  std::vector<Hypothesis>& here = outcome.inherited[premise.id];
+  for (const Hypothesis& general : (record.corrected ? *record.corrected : record.outcome).hypotheses) {
+    for (const ex& factor : instantiated(general.nonzero, premise, given)) {
+      here = joined(here, {hypothesis(factor, general.origin)});
+    }
+  }
+}
+
 void record_assumptions(Outcome& outcome, const Claim& claim, const Term& term) {
   for (const Assumption& assumption : claim.assumptions) {
     if (is_substitution(assumption) && depends_on(term, assumption.statement.left.name())) {
@@ -103,7 +210,9 @@ void decide(Outcome& outcome, const Claim& claim, const symbolic::Matrix& left,
             const symbolic::Matrix& right) {
   symbolic::Decision decision = symbolic::decide_equal(left, right, definitions());
   for (const ex& factor : decision.nonzero) {
-    outcome.hypotheses = joined(outcome.hypotheses, {hypothesis(factor)});
+    for (const ex& part : in_parameters(factor)) {
+      outcome.hypotheses = joined(outcome.hypotheses, {hypothesis(part, claim.id)});
+    }
   }
   decision.opened.erase(claim.id);
   outcome.uses.merge(decision.opened);

@@ -7,6 +7,7 @@
 
 #include "proofs/claim.hpp"
 #include "proofs/meaning.hpp"
+#include "proofs/methods.hpp"
 #include "symbolic/decide.hpp"
 
 namespace stickslip::proofs {
@@ -25,6 +26,15 @@ struct Given {
   // Refers to this object, which has to outlive it.
   [[nodiscard]] Lookup<GiNaC::ex> lookup() const;
 };
+
+// What a premise offers to the claim: the form that was proved, with symbols replaced. Throws InternalError
+// where the premise assumes something that the claim does not.
+[[nodiscard]] std::vector<Statement> statements_of(Prover& prover, const Claim& claim,
+                                                   const Premise& premise);
+
+// Adds a premise that was needed, and its hypotheses as they read with the premise's replacements and under
+// the claim's assumptions.
+void record_premise(Outcome& outcome, Prover& prover, const Claim& claim, const Premise& premise);
 
 // Adds the claim's substitutions that the term depends on, and the claims that define what it speaks of.
 void record_assumptions(Outcome& outcome, const Claim& claim, const Term& term);

@@ -87,45 +87,12 @@ Premise assuming(const std::string& id) {
 
 namespace {
 
-const Assumption& assumption_of(const Claim& claim, const std::string& id) {
-  const auto found = std::find_if(claim.assumptions.begin(), claim.assumptions.end(),
-                                  [&](const Assumption& assumption) { return assumption.id == id; });
-  if (found == claim.assumptions.end()) {
-    throw InternalError(fmt::format("claim {} does not assume {}", claim.id, id));
-  }
-  return *found;
-}
-
-// A claim may serve as a premise only where what it assumes itself is assumed here too, unchanged.
-void check_assumptions(const Claim& user, const Claim& used, const Premise& premise) {
-  for (const Assumption& assumption : used.assumptions) {
-    (void)assumption_of(user, assumption.id);
-    for (const auto& replacement : premise.replacements) {
-      if (depends_on(assumption.statement.left, replacement.first) ||
-          depends_on(assumption.statement.right, replacement.first)) {
-        throw InternalError(fmt::format("claim {} uses {} with another {} than the one assumed in {}",
-                                        user.id, used.id, replacement.first, assumption.id));
-      }
-    }
-  }
-}
-
-std::vector<Statement> statements_of(Prover& prover, const Claim& claim, const Premise& premise) {
-  if (premise.assumed) {
-    return {assumption_of(claim, premise.id).statement};
-  }
-  const Record& record = prover.prove(premise.id);
-  check_assumptions(claim, record.claim, premise);
-  return proved_form(record);
-}
-
 // The statements of a premise that can be solved for what it is to be solved for; at least one.
 std::vector<Rule> rules_of(Prover& prover, const Claim& claim, const Premise& premise,
                            const std::vector<Rule>& known) {
   const Given given(claim);
   std::vector<Rule> rules;
-  for (const Statement& general : statements_of(prover, claim, premise)) {
-    const Statement statement = substitute(general, premise.replacements);
+  for (const Statement& statement : statements_of(prover, claim, premise)) {
     const Polynomial lead = polynomial(premise.lead.value_or(statement.left), given.lookup());
     if (auto rule = solve(residual(statement, given.lookup()), lead, premise.id, known)) {
       rules.push_back(*std::move(rule));
@@ -163,7 +130,7 @@ Proof by_rewriting(std::vector<Premise> premises) {
       }
       for (const Premise& premise : premises) {
         if (rewritten.sources.contains(premise.id)) {
-          (premise.assumed ? outcome.assumed : outcome.uses).insert(premise.id);
+          record_premise(outcome, prover, claim, premise);
         }
       }
       record_assumptions(outcome, claim, statement.left);

@@ -6,16 +6,21 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "proofs/deciding.hpp"
 #include "proofs/point.hpp"
+#include "proofs/repair.hpp"
 #include "symbolic/evaluate.hpp"
+#include "symbolic/hypotheses.hpp"
 #include "symbolic/latex.hpp"
+#include "symbolic/signs.hpp"
 
 namespace stickslip::proofs {
 namespace {
 
 bool stands(Status status) {
   return status == Status::as_printed || status == Status::needs_hypotheses ||
-         status == Status::misprint_corrected || status == Status::model;
+         status == Status::misprint_corrected || status == Status::necessary_not_sufficient ||
+         status == Status::model;
 }
 
 Status status_of(const Record& record, bool premises_stand) {
@@ -27,6 +32,10 @@ Status status_of(const Record& record, bool premises_stand) {
     case Truth::proved:
       if (!premises_stand) {
         return Status::rests_on_unproved;
+      }
+      if (record.converse && record.converse->verdict.truth != Truth::proved) {
+        return record.converse->verdict.truth == Truth::refuted ? Status::necessary_not_sufficient
+                                                                : Status::undecided;
       }
       return record.outcome.hypotheses.empty() ? Status::as_printed : Status::needs_hypotheses;
     case Truth::refuted:
@@ -56,6 +65,25 @@ std::vector<Hypothesis> open_at(std::vector<Hypothesis> hypotheses, const std::v
     });
   }
   return hypotheses;
+}
+
+// Takes away the hypotheses that the claim itself states: where one fails, something is zero that the claim
+// assumes is not.
+void discharge_stated(Outcome& outcome, const Claim& claim) {
+  const Given given(claim);
+  for (const Assumption& assumption : claim.assumptions) {
+    if (assumption.statement.relation != Relation::not_equal) {
+      continue;
+    }
+    const GiNaC::ex stated =
+        evaluate<GiNaC::ex>(assumption.statement.left - assumption.statement.right, given.lookup())(0, 0);
+    const auto discharged = std::erase_if(outcome.hypotheses, [&](const Hypothesis& hypothesis) {
+      return symbolic::vanishes_with(stated, hypothesis.nonzero);
+    });
+    if (discharged > 0) {
+      outcome.assumed.insert(assumption.id);
+    }
+  }
 }
 
 }  // namespace
@@ -90,26 +118,40 @@ const Record& Prover::prove(const std::string& id) {
     Claim reading = record.claim;
     reading.printed = reading.corrected;
     record.corrected = reading.prove_corrected(*this, reading);
+  } else if (record.outcome.verdict.truth == Truth::refuted && !record.claim.printed.empty()) {
+    repair(*this, record);
   }
-  bool premises_stand = true;
-  Outcome& relied_on = record.corrected ? *record.corrected : record.outcome;
-  for (const std::string& used : relied_on.uses) {
-    const Record& premise = prove(used);
-    premises_stand = premises_stand && stands(premise.status);
-    const Outcome& from = premise.corrected ? *premise.corrected : premise.outcome;
-    relied_on.hypotheses = joined(relied_on.hypotheses, open_at(from.hypotheses, relied_on.at));
+  if (record.claim.prove_converse) {
+    record.converse = record.claim.prove_converse(*this, record.claim);
   }
+  const bool premises_stand = inherit(record.corrected ? *record.corrected : record.outcome, record.claim) &&
+                              (!record.converse || inherit(*record.converse, record.claim));
   record.status = status_of(record, premises_stand);
   under_way_.pop_back();
   return records_.emplace(id, std::move(record)).first->second;
+}
+
+bool Prover::inherit(Outcome& outcome, const Claim& claim) {
+  bool all_stand = true;
+  for (const std::string& used : outcome.uses) {
+    const Record& premise = prove(used);
+    all_stand = all_stand && stands(premise.status);
+    const Outcome& from = premise.corrected ? *premise.corrected : premise.outcome;
+    const auto here = outcome.inherited.find(used);
+    outcome.hypotheses =
+        joined(open_at(here == outcome.inherited.end() ? from.hypotheses : here->second, outcome.at),
+               outcome.hypotheses);
+  }
+  discharge_stated(outcome, claim);
+  return all_stand;
 }
 
 const std::vector<Statement>& proved_form(const Record& record) {
   return record.corrected ? record.claim.corrected : record.claim.printed;
 }
 
-Hypothesis hypothesis(const GiNaC::ex& nonzero) {
-  return {nonzero, symbolic::text(nonzero) + " != 0", symbolic::latex(nonzero) + " \\neq 0"};
+Hypothesis hypothesis(const GiNaC::ex& nonzero, const std::string& origin) {
+  return {nonzero, symbolic::text(nonzero) + " != 0", symbolic::latex(nonzero) + " \\neq 0", origin};
 }
 
 std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b) {
@@ -136,7 +178,8 @@ Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) 
   for (Record& record : result.records) {
     for (const Record& other : result.records) {
       if (other.outcome.uses.contains(record.claim.id) ||
-          (other.corrected && other.corrected->uses.contains(record.claim.id))) {
+          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
+          (other.converse && other.converse->uses.contains(record.claim.id))) {
         record.used_by.insert(other.claim.id);
       }
     }

@@ -21,6 +21,10 @@ class Prover {
   [[nodiscard]] const Claim& claim(const std::string& id) const;
 
  private:
+  // Adds the hypotheses of all that the outcome uses, takes away those that the claim states; whether all
+  // that it uses stands.
+  bool inherit(Outcome& outcome, const Claim& claim);
+
   std::map<std::string, const Claim*> claims_;
   std::map<std::string, Record> records_;
   std::vector<std::string> under_way_;
@@ -30,8 +34,8 @@ class Prover {
 // id.
 [[nodiscard]] const std::vector<Statement>& proved_form(const Record& record);
 
-// Hypotheses joined without repetition, in order of their text.
+// Hypotheses joined without repetition, in order of their text; of equal ones the first stays.
 [[nodiscard]] std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b);
-[[nodiscard]] Hypothesis hypothesis(const GiNaC::ex& nonzero);
+[[nodiscard]] Hypothesis hypothesis(const GiNaC::ex& nonzero, const std::string& origin);
 
 }  // namespace stickslip::proofs

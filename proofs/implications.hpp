@@ -1,0 +1,75 @@
+// Methods of proof for statements that follow from others: equations as combinations of equations,
+// inequalities as positive combinations of inequalities, chains of claims.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/methods.hpp"
+
+namespace stickslip::proofs {
+
+// left * (difference of the sides of a premise's statement) * right; `statement` counts its statements from
+// 0.
+struct Multiple {
+  Premise premise;
+  std::size_t statement = 0;
+  Term left = 1;
+  Term right = 1;
+};
+
+// The difference of the sides of each printed equation is the given sum of multiples of premises,
+// identically. What the multiples divide by are hypotheses. One list per printed equation.
+[[nodiscard]] Proof by_combination(std::vector<std::vector<Multiple>> combinations);
+
+// A product that is positive: of a coefficient, and of the differences (larger minus smaller side) of
+// premises that are inequalities.
+struct Positive {
+  Term coefficient = 1;
+  std::vector<Multiple> factors = {};  // `left` and `right` are not used
+};
+
+// Why an inequality follows: the sum of `divisors`, times the difference of its sides, is the sum of
+// `positive` and of multiples of equations. Every sum is of at least one term; without divisors they are 1.
+struct Certificate {
+  std::vector<Positive> positive;
+  std::vector<Multiple> equations = {};
+  std::vector<Positive> divisors = {};
+};
+
+// Each printed inequality follows by its certificate, checked by normal form. Coefficients must be certain to
+// be positive on the domain, up to squares, whose zeros become hypotheses. An absolute value that is one side
+// of a strict inequality is done away with by squares; the other side must then be positive, as the premise
+// `positive_side` says.
+[[nodiscard]] Proof by_positive_combination(std::vector<Certificate> certificates,
+                                            std::optional<Premise> positive_side = {});
+
+// The printed equations hold identically once the premises, each of the form "symbol = value" (a vector gives
+// its components), are put in.
+[[nodiscard]] Proof by_putting_in(std::vector<Premise> premises);
+
+// The printed equations say "inverse(A) = B": A B = I and B A = I follow by rewriting.
+[[nodiscard]] Proof by_inverse(std::vector<Premise> premises);
+
+// The printed right side is the rate of change of the quantity (a function of the symbols on the left sides
+// of `motion`, whose rates of change stand on their right sides).
+[[nodiscard]] Proof by_rate_of_change(const Term& quantity, std::vector<Statement> motion);
+
+// The printed left sides are names that have no other meaning, introduced here.
+[[nodiscard]] Proof by_definition();
+
+// The statement is what the listed claims say together; `words` says how. The only step that is read, not
+// computed: it should be short.
+[[nodiscard]] Proof by_claims(std::vector<std::string> ids, const std::string& words);
+
+// At the point, where the symbols of `values` take the values given, every statement of `true_there` holds
+// and `false_there` does not, in balls: a refutation.
+struct Counterexample {
+  std::vector<Coordinate> point;
+  std::vector<Statement> values;  // "symbol = value"
+  std::vector<Statement> true_there;
+  Statement false_there;
+};
+[[nodiscard]] Proof by_counterexample(Counterexample example);
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,78 @@
+#include "symbolic/signs.hpp"
+
+#include "symbolic/evaluate.hpp"
+#include "symbolic/hypotheses.hpp"
+#include "symbolic/normal_form.hpp"
+#include "symbolic/symbols.hpp"
+
+namespace stickslip::symbolic {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+struct Factor {
+  ex base;
+  int exponent = 1;
+};
+
+std::vector<Factor> factors_of(const ex& polynomial) {
+  const ex factored = GiNaC::factor(polynomial);
+  std::vector<Factor> result;
+  for (const ex& part : is_a<GiNaC::mul>(factored) ? factored : ex(GiNaC::lst{factored})) {
+    const bool power = is_a<GiNaC::power>(part);
+    result.push_back(
+        {power ? part.op(0) : part, power ? GiNaC::ex_to<GiNaC::numeric>(part.op(1)).to_int() : 1});
+  }
+  return result;
+}
+
+// At omega1 = 1/2, omega2 = 2 and 1 for everything else.
+Ball sample(const ex& expression) {
+  BallValues values;
+  for (const ex& symbol : symbols_of(expression)) {
+    values[symbol] = Ball(1);
+  }
+  values[symbol("omega1")] = Ball(Rational(1, 2));
+  values[symbol("omega2")] = Ball(2);
+  return evaluate(expression, values);
+}
+
+}  // namespace
+
+bool vanishes_with(const ex& expression, const ex& factor) {
+  const ex a = in_frequencies(expression);
+  const ex b = in_frequencies(factor);
+  const TrigField field({a, b});
+  const ex multiple = field.reduce(field.to_generators(a).numer());
+  const ex divisor = field.reduce(field.to_generators(b).numer());
+  ex quotient;
+  return GiNaC::divide(multiple, divisor, quotient) ||
+         GiNaC::divide(field.reduce(multiple * multiple), divisor, quotient);
+}
+
+std::optional<std::vector<ex>> positive_unless_zero(const ex& expression) {
+  const ex parametrised = in_frequencies(expression);
+  const TrigField field({parametrised});
+  const ex fraction = field.to_generators(parametrised).numer_denom();
+  std::vector<ex> nonzero;
+  int sign = 1;
+  for (const ex& side : fraction) {
+    for (const Factor& factor : factors_of(field.reduce(side))) {
+      const ex base = field.from_generators(factor.base);
+      const std::vector<ex> zeros = vanishing_factors(base);
+      if (factor.exponent % 2 == 0) {
+        nonzero.insert(nonzero.end(), zeros.begin(), zeros.end());
+        continue;
+      }
+      const Ball value = sample(base);
+      if (!zeros.empty() || !value.is_nonzero()) {
+        return std::nullopt;
+      }
+      sign = value.is_negative() ? -sign : sign;
+    }
+  }
+  return sign > 0 ? std::optional(nonzero) : std::nullopt;
+}
+
+}  // namespace stickslip::symbolic
