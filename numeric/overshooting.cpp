@@ -197,20 +197,35 @@ std::optional<Amplitudes> amplitudes(const AtFriction& f, const Box<2>& sw) {
 
 // ---- both ----
 
+// The motion from Z0 through the three phases.
+struct Flight {
+  model::Vector4<Ball> ZB, ZC, end;  // at tau, at tau + tau1, at tau + tau1 + T
+};
+
+Flight fly(const model::OvershootingData<Ball>& d, const Ball& phi, const Times<Ball>& t, const Ball& T,
+           const model::Vector4<Ball>& Z0) {
+  const model::Parameters<Ball> b{d.chi, d.eta, d.us, d.V, d.omega, d.p};
+  const model::Vector2<Ball> Q = model::Q<Ball>(b, d.m);
+  const model::Vector2<Ball> d0 = model::d0<Ball>(d.chi, d.us);
+  Flight flight;
+  flight.ZB = model::slip_flow<Ball>(d.m, Q, d.omega, phi, Z0, t.tau);
+  const Ball phi_B = phi + d.omega * t.tau;
+  flight.ZC = model::overshoot_flow<Ball>(d.m, Q, d0, d.omega, phi_B, flight.ZB, t.tau1);
+  flight.end = model::stick_flow<Ball>(d.chi, flight.ZC, T);
+  return flight;
+}
+
 // The orbit in the paper's terms, closed through the flows and not through the reduction.
 OvershootingOrbit describe(const ExactParameters& a, const Times<Ball>& t, const Amplitudes& amplitude) {
   using model::Vector2;
   using model::Vector4;
   const model::OvershootingData<Ball> d = overshooting_data<Ball>(a);
   const model::Parameters<Ball> b{d.chi, d.eta, d.us, d.V, d.omega, d.p};
-  const Vector2<Ball> Q = model::Q<Ball>(b, d.m);
   const Vector2<Ball> d0 = model::d0<Ball>(d.chi, d.us);
   const Ball& phi = amplitude.phi;
   const Ball T = d.Theta - t.tau - t.tau1;
   const Vector4<Ball> Z0 = model::overshooting_start<Ball>(d, T, amplitude.a, amplitude.C, amplitude.D);
-  const Vector4<Ball> ZB = model::slip_flow<Ball>(d.m, Q, d.omega, phi, Z0, t.tau);
-  const Ball phi_B = phi + d.omega * t.tau;
-  const Vector4<Ball> ZC = model::overshoot_flow<Ball>(d.m, Q, d0, d.omega, phi_B, ZB, t.tau1);
+  const Flight flight = fly(d, phi, t, T, Z0);
   OvershootingOrbit orbit;
   orbit.state = {
       t.tau,         t.tau1,        T,
@@ -218,9 +233,9 @@ OvershootingOrbit describe(const ExactParameters& a, const Times<Ball>& t, const
       Z0(1),         Z0(2),         Z0(3),
       Z0(0) + d0(0), Z0(1) + d0(1), model::friction_at_rest<Ball>(b, Vector2<Ball>(Z0(0), Z0(1)), phi)};
   orbit.bits = WorkingPrecision::bits();
-  orbit.residual20 = model::stick_flow<Ball>(d.chi, ZC, T) - Z0;
-  orbit.residual18 = ZB(3) - d.V;
-  orbit.residual19 = ZC(3) - d.V;
+  orbit.residual20 = flight.end - Z0;
+  orbit.residual18 = flight.ZB(3) - d.V;
+  orbit.residual19 = flight.ZC(3) - d.V;
   for (const Ball& residual : {orbit.residual20(0), orbit.residual20(1), orbit.residual20(2),
                                orbit.residual20(3), orbit.residual18, orbit.residual19}) {
     if (residual.is_nonzero()) {
@@ -317,6 +332,32 @@ OvershootingList list_overshooting_at_friction(const ExactParameters& a, const R
         return AtFriction{overshooting_data<Ball>(a), Ball(ur), 3};
       },
       digits);
+}
+
+PrintedClosing printed_closing_overshooting(const ExactParameters& a, const Rational& phi,
+                                            const std::array<Decimal, 5>& printed) {
+  require_stick_slip_domain(a);
+  const model::OvershootingData<Ball> d = overshooting_data<Ball>(a);
+  const auto residuals = [&](const std::array<Ball, 5>& x) -> std::array<Ball, 5> {
+    const model::Vector4<Ball> Z0(x[2], x[3], x[4], d.V);
+    const Flight flight = fly(d, Ball(phi), {x[0], x[1]}, d.Theta - x[0] - x[1], Z0);
+    const model::Vector4<Ball> gap = flight.end - Z0;
+    return {flight.ZB(3) - d.V, gap(0), gap(1), gap(2), gap(3)};
+  };
+  std::array<Ball, 5> point;
+  std::array<Ball, 5> interval;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    point[i] = Ball(printed[i].value);
+    interval[i] = printed_interval(printed[i]);
+  }
+  PrintedClosing result{residuals(point), residuals(interval),
+                        Verdict::undecided("every closing condition may hold somewhere in the intervals")};
+  const bool refuted = std::any_of(result.at_intervals.begin(), result.at_intervals.end(),
+                                   [](const Ball& residual) { return residual.is_nonzero(); });
+  if (refuted) {
+    result.verdict = Verdict::refuted("a closing condition holds nowhere in the printed intervals");
+  }
+  return result;
 }
 
 }  // namespace stickslip

@@ -8,11 +8,13 @@
 // stands for are proved to exist.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "model/overshooting_closing.hpp"
 #include "numeric/domain.hpp"
+#include "numeric/printed.hpp"
 #include "numeric/search.hpp"
 
 namespace stickslip {
@@ -76,5 +78,17 @@ struct OvershootingList {
 // 0.
 [[nodiscard]] OvershootingList list_overshooting_at_friction(const ExactParameters& a, const Rational& ur,
                                                              int digits);
+
+// The closing conditions at printed values of (tau, tau1, z10, z20, zdot10), through the flows (5), (8),
+// (10).
+struct PrintedClosing {
+  // z2'(tau) - V, then the components z1, z2, z1', z2' of Z(Theta) - Z0.
+  std::array<Ball, 5> at_points;     // at the decimals themselves
+  std::array<Ball, 5> at_intervals;  // over the intervals that they stand for
+  // Of "the printed intervals contain an orbit": refuted when a condition excludes it, else undecided.
+  Verdict verdict;
+};
+[[nodiscard]] PrintedClosing printed_closing_overshooting(const ExactParameters& a, const Rational& phi,
+                                                          const std::array<Decimal, 5>& printed);
 
 }  // namespace stickslip

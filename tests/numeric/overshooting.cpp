@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
 
 #include "core/error.hpp"
@@ -65,6 +67,23 @@ TEST_CASE("a thousand digits of example O") {
     CHECK(fine.orbits[i].state.tau.overlaps(coarse.orbits[i].state.tau));
     CHECK(fine.orbits[i].state.ur.overlaps(coarse.orbits[i].state.ur));
     CHECK((fine.orbits[i].state.tau1.radius() - Ball(parse_rational("1e-999"))).is_negative());
+  }
+}
+
+TEST_CASE("the closing conditions at printed values contain those at every point of the intervals") {
+  const auto closing = [](std::array<const char*, 5> text) {
+    std::array<Decimal, 5> printed;
+    std::transform(text.begin(), text.end(), printed.begin(), [](const char* t) { return parse_decimal(t); });
+    return printed_closing_overshooting(O(), 0, printed);
+  };
+  const PrintedClosing paper = closing({"4.909", "2.8275", "1.2809", "3.3861", "-0.4117"});
+  CHECK(paper.verdict.truth == Truth::refuted);
+  const PrintedClosing right = closing({"4.90912", "2.82727", "1.28219", "3.38966", "-0.41265"});
+  CHECK(right.verdict.truth == Truth::undecided);
+  for (const PrintedClosing& c : {paper, right}) {
+    for (std::size_t i = 0; i < 5; ++i) {
+      CHECK(c.at_intervals[i].contains(c.at_points[i]));
+    }
   }
 }
 
