@@ -1,11 +1,16 @@
 // Orbits that never stick: slip on (0, tau), overshoot on (tau, Theta), for any V and with tau free.
 //
 // They are the zeros (delta, mu) of the two equations of model/nonsticking.hpp, delta = omega tau/2 in [0,
-// pi], mu = phi + delta modulo 2 pi. Off resonance, at most one of them obeys z2' < V and z2' > V on its
-// phases: for the difference of two motions that never stick under the same load, (2) and (4) give
-//   d/dt (its energy) = (x2' - y2') (u(x2') - u(y2')) <= 0 up to a positive factor,
-// with equality only where u(x2') = u(y2'); over a period it returns to its value, so the frictions are equal
-// almost always, and a difference that moves freely with period Theta is zero off resonance.
+// pi], mu = phi + delta modulo 2 pi.
+//
+// Off resonance at most one motion of period Theta never sticks, whatever its number of transitions, so at
+// most one of the zeros obeys z2' < V and z2' > V on its phases. For let w be the difference of two under the
+// same load. With M = diag(eta, 1) the matrix M K is symmetric and positive definite, and by (2), (4)
+//   E = (w'ᵀ M w' + wᵀ M K w)/2,   E' = eta (x2' - y2') (u(x2') - u(y2')) <= 0,
+// because u = us sign(V - x2') does not increase. E returns after a period, so u(x2') = u(y2') almost always,
+// and w moves freely with period Theta: it is zero unless some omega_j is a multiple of omega. For V = 0 the
+// motion -x(t + Theta/2) is another under the same load, hence the same: (54) holds for every motion that
+// never sticks, without the assumption of two transitions.
 #pragma once
 
 #include <optional>
