@@ -53,6 +53,17 @@ struct OvershootingOrbit {
   Ball residual19;                  // z2'(tau + tau1) - V
 };
 
+// What the times leave open: the motion on the stick and the load's phase (model/overshooting_closing.hpp).
+struct StickAmplitudes {
+  Ball a, C, D, phi;
+};
+
+// Everything about the orbit at proved times and amplitudes, at the working precision, closed through the
+// flows and not through the reduction; the box of uniqueness is left empty. Throws InternalError when a
+// residual excludes 0.
+[[nodiscard]] OvershootingOrbit describe_overshooting(const ExactParameters& a, const Ball& tau,
+                                                      const Ball& tau1, const StickAmplitudes& amplitude);
+
 // A part of the triangle in which the search could not decide.
 struct UnresolvedTimes {
   Ball tau, tau1;
