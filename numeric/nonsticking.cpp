@@ -14,8 +14,12 @@ model::Parameters<Ball> to_balls(const ExactParameters& a) {
   return {Ball(a.chi), Ball(a.eta), Ball(a.us), Ball(a.V), Ball(a.omega), Ball(a.p)};
 }
 
-// The search looks at x = (delta/pi, mu/pi) in [0, 1] × an interval of length 2.
-constexpr double mu_first = -0.9140625;
+// The search looks at x = (delta/pi, mu/pi). It covers [0, 1] × an interval of length 2 with a little to
+// spare: then the halvings do not meet delta = pi/2 and sin(mu) = 0, where zeros with a symmetry lie and
+// would be cut in two.
+constexpr double delta_last = 1.0371;
+constexpr double mu_first = -0.9137;
+constexpr double mu_last = 1.0868;
 
 struct Scaled {
   const TwoSlips& f;
@@ -153,9 +157,12 @@ NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
     const WorkingPrecision scope(search_bits);
     const TwoSlips f = two_slips_of(to_balls(a));
     const Scaled g{f};
-    result = search<2>({{0, mu_first}, {1, mu_first + 2}}, KrawczykContractor<2, Scaled>{g},
+    result = search<2>({{0, mu_first}, {delta_last, mu_last}}, KrawczykContractor<2, Scaled>{g},
                        KrawczykDecider<2, Scaled>{g}, {0x1p-30, 200000});
     for (const UnresolvedBox<2>& open : result.unresolved) {
+      if ((open.box(0) - Ball(1)).is_positive()) {
+        continue;
+      }
       list.unresolved.push_back(
           {Ball(2) * f.pi * open.box(0) / f.o.data.omega, open.box(1) * f.pi, open.reason});
     }
