@@ -199,8 +199,13 @@ template <int N, class Recipe>
     const long before = radius_exponent<N>(box);
     precision = std::clamp(-2 * before + 64, 128L, bits + 64 + 64 * stalled);
     const WorkingPrecision scope(precision);
-    const auto f = recipe();
-    const std::optional<Box<N>> K = krawczyk_operator<N>(f, box);
+    const Box<N> m = midpoint<N>(box);
+    const Box<N> at_m = recipe()(m);
+    const BallMatrix<N> slope = [&] {  // no sharper than the box is small
+      const WorkingPrecision half(std::clamp(-before + 64, 64L, precision));
+      return linearise<Ball, N>(recipe(), box).second;
+    }();
+    const std::optional<Box<N>> K = krawczyk_image<N>(m, at_m, slope, box);
     const std::optional<Box<N>> smaller = K ? intersection<N>(*K, box) : std::nullopt;
     if (smaller) {
       box = *smaller;
