@@ -1,7 +1,7 @@
 #include "symbolic/hypotheses.hpp"
 
 #include <map>
-#include <set>
+#include <utility>
 
 #include "symbolic/latex.hpp"
 #include "symbolic/normal_form.hpp"
@@ -84,7 +84,8 @@ std::vector<ex> sorted(const GiNaC::exset& factors) {
   for (const ex& factor : factors) {
     const std::string plus = text(factor);
     const std::string minus = text(-factor);
-    plus.size() <= minus.size() ? by_text.emplace(plus, factor) : by_text.emplace(minus, -factor);
+    const bool as_it_stands = std::pair(plus.size(), plus) <= std::pair(minus.size(), minus);
+    as_it_stands ? by_text.emplace(plus, factor) : by_text.emplace(minus, -factor);
   }
   std::vector<ex> result;
   for (const auto& entry : by_text) {
