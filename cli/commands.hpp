@@ -15,5 +15,6 @@ using Action = std::function<ExitCode()>;
 void add_audit(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_latex(CLI::App& program, Action& action);
+void add_orbits(CLI::App& program, Action& action);
 
 }  // namespace stickslip::cli

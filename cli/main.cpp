@@ -35,7 +35,7 @@ std::string versions() {
 // The arguments that the program, as opposed to its commands, was given beyond its own.
 void require_command(const CLI::App& program, const Action& action) {
   const std::vector<std::string> strangers = program.remaining();
-  const std::string known = "the commands are audit, check and latex; see stickslip --help";
+  const std::string known = "the commands are audit, check, latex and orbits; see stickslip --help";
   if (!strangers.empty()) {
     const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
     throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
@@ -55,6 +55,7 @@ ExitCode run(int argc, const char* const* argv) {
   add_audit(program, action);
   add_check(program, action);
   add_latex(program, action);
+  add_orbits(program, action);
   program.allow_extras();
   try {
     program.parse(argc, argv);

@@ -1,0 +1,129 @@
+// stickslip orbits: all periodic orbits of a family.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/orbit_data.hpp"
+#include "cli/output.hpp"
+#include "report/json.hpp"
+#include "report/orbits.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+constexpr int default_digits = 20;
+constexpr int most_digits = 2000;
+
+struct Options {
+  std::string family;
+  TypedParameters parameters;
+  std::string file;
+  std::string example;
+  std::string digits;
+  bool json = false;
+};
+
+constexpr const char* details =
+    "Searches the whole closed domain of the family and lists every orbit, each proved to\n"
+    "exist, with every condition decided along the whole motion; what could not be decided\n"
+    "is listed too.\n\n"
+    "A number is a decimal or a fraction and is taken exactly: 0.1607, 2.5e-3, 1/3. With\n"
+    "0.5+-1e-4 for some parameters, each orbit is proved for all values in the box.\n\n"
+    "symmetric     ur and phi are results and are not given.\n"
+    "overshooting  exactly one of --phi and --ur is given; the other is a result.\n"
+    "nonsticking   phi is a result; without --ur the largest admissible one is, ur_max,\n"
+    "              and \"admissible\" speaks of all other conditions.\n\n"
+    "Exit code: 0 the list is complete and everything in it is decided, also if no orbit\n"
+    "is admissible; 2 something is undecided or unresolved.";
+
+// A line on a terminal's standard error while an object of this type lives.
+class Progress {
+ public:
+  explicit Progress(const std::string& line) : shown_(::isatty(STDERR_FILENO) != 0) {
+    if (shown_) {
+      fmt::print(stderr, "{}", line);
+    }
+  }
+  ~Progress() {
+    if (shown_) {
+      std::fputs("\r\x1b[K", stderr);
+    }
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+ private:
+  bool shown_;
+};
+
+int digits_of(const std::string& text) {
+  int value = default_digits;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (!text.empty() && (error != std::errc() || rest != end || value < 1 || value > most_digits)) {
+    throw UsageError(fmt::format("digits: '{}' is not a whole number from 1 to {}", text, most_digits));
+  }
+  return value;
+}
+
+OrbitList search(const OrbitQuestion& question) {
+  const Progress progress("searching for orbits ...");
+  return list_orbits(question);
+}
+
+ExitCode run(const Options& options) {
+  if (options.family.empty()) {
+    throw UsageError("a family of orbits is missing: symmetric, overshooting or nonsticking");
+  }
+  const OrbitQuestion asked = question(family_named(options.family), options.parameters, options.file,
+                                       options.example, digits_of(options.digits));
+  const OrbitList list = search(asked);
+  print(options.json ? report::to_text(report::to_json(list))
+                     : report::terminal_report(list, terminal_style()));
+  return all_decided(list) ? exit_decided : exit_undecided;
+}
+
+void add_parameter(CLI::App& command, const std::shared_ptr<Options>& options, const std::string& name,
+                   const std::string& description) {
+  command
+      .add_option_function<std::string>(
+          "--" + name, [options, name](const std::string& text) { options->parameters[name] = text; },
+          description)
+      ->type_name("NUMBER");
+}
+
+}  // namespace
+
+void add_orbits(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
+  command->footer(details);
+  command->add_option("FAMILY", options->family, "symmetric, overshooting or nonsticking")->type_name("");
+  add_parameter(*command, options, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
+  add_parameter(*command, options, "eta", "Mass ratio m1/m2 > 0");
+  add_parameter(*command, options, "us", "Slipping friction force > 0");
+  add_parameter(*command, options, "V", "Belt velocity; > 0 for orbits with a stick phase");
+  add_parameter(*command, options, "omega", "Frequency of the load > 0");
+  add_parameter(*command, options, "p", "Amplitude of the load >= 0");
+  add_parameter(*command, options, "phi", "Phase of the load");
+  add_parameter(*command, options, "ur", "Friction force at rest > us");
+  command->add_option("--example", options->example, "Take the data of the paper's example S, O or P")
+      ->type_name("NAME");
+  command
+      ->add_option("--params", options->file,
+                   "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them")
+      ->type_name("FILE");
+  command
+      ->add_option("--digits", options->digits,
+                   fmt::format("Significant digits of each value: {} by default, {} at most", default_digits,
+                               most_digits))
+      ->type_name("N");
+  command->add_flag("--json", options->json, "Print the list as JSON");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace stickslip::cli
