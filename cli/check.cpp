@@ -66,8 +66,9 @@ void add_check(CLI::App& program, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("check", "Prove single statements, equations or sections");
   command->footer(
-      "Exit code: 0 every statement asked for holds, possibly under the hypotheses listed;\n"
-      "1 one of them is refuted as printed, also if a corrected form is proved;\n"
+      "Exit code: 0 every statement asked for holds, possibly corrected or under the hypotheses\n"
+      "listed;\n"
+      "1 one of them is refuted;\n"
       "2 none is refuted, one is undecided.");
   command
       ->add_option("ID", options->words,

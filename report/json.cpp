@@ -35,8 +35,14 @@ Json formula(const proofs::Statement& statement) {
   return {{"latex", proofs::latex(statement)}, {"text", proofs::text(statement)}};
 }
 
+Json repair(const proofs::Repair& r) {
+  Json json = {{"what", r.what}};
+  json.update(formula(r.statement));
+  return json;
+}
+
 Json hypothesis(const proofs::Hypothesis& h) {
-  return {{"latex", h.latex}, {"text", h.text}};
+  return {{"latex", h.latex}, {"text", h.text}, {"origin", h.origin}};
 }
 
 Json symbol(const std::string& name) {
@@ -105,12 +111,15 @@ Json claim(const Record& record) {
           {"words", c.words},
           {"status", proofs::to_string(record.status)},
           {"meaning", proofs::describe(record.status)},
-          {"finding", is_finding(record.status)},
+          {"finding", is_finding(record)},
           {"printed", list_of(c.printed, formula)},
           {"corrected", list_of(c.corrected, formula)},
           {"assumptions", assumptions(record)},
           {"outcome", outcome(record.outcome)},
           {"corrected_outcome", record.corrected ? outcome(*record.corrected) : Json(nullptr)},
+          {"converse", record.converse ? outcome(*record.converse) : Json(nullptr)},
+          {"repairs", list_of(record.repairs, repair)},
+          {"illegible", c.illegible},
           {"used_by", list_of(record.used_by, plain)}};
 }
 

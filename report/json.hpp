@@ -18,12 +18,14 @@ inline constexpr const char* schema_version = "1.0";
 //  "places": [{"id", "title", "claims": [CLAIM]}]}
 // CLAIM: {"id", "place", "kind", "words", "status", "meaning", "finding",
 //  "printed": [FORMULA], "corrected": [FORMULA], "assumptions": [{"id", "latex", "text", "needed"}],
-//  "outcome": OUTCOME, "corrected_outcome": OUTCOME or null, "used_by": [id]}
+//  "outcome": OUTCOME, "corrected_outcome": OUTCOME or null, "converse": OUTCOME or null,
+//  "repairs": [{"what", "latex", "text"}], "illegible", "used_by": [id]}
 // FORMULA: {"latex", "text"}
 // OUTCOME: {"verdict", "reason", "witness": null or {"point": [{"name", "latex", "value"}], "component",
 // "left": BALL,
-//  "right": BALL}, "route", "hypotheses": [FORMULA], "uses": [id], "free": [{"name", "latex"}],
-//  "comparisons": [{"name", "latex", "printed", "proved": BALL, "units_off": BALL, "verdict", "reason"}]}
+//  "right": BALL}, "route", "hypotheses": [{"latex", "text", "origin"}], "uses": [id], "free": [{"name",
+//  "latex"}], "comparisons": [{"name", "latex", "printed", "proved": BALL, "units_off": BALL, "verdict",
+//  "reason"}]}
 // BALL: {"mid", "rad"}, decimal strings, rounded outwards.
 //
 // Every key is always there; numbers are strings except for counts; the same audit gives the same text,

@@ -29,10 +29,12 @@ void complete_claim(Json& claim) {
   add_words(claim, "status");
   claim["examined"] = claim.at("status") != proofs::to_string(proofs::Status::model);
   complete_outcome(claim.at("outcome"));
-  Json& corrected = claim.at("corrected_outcome");
-  if (!corrected.is_null()) {
-    complete_outcome(corrected);
+  for (const char* further : {"corrected_outcome", "converse"}) {
+    if (!claim.at(further).is_null()) {
+      complete_outcome(claim.at(further));
+    }
   }
+  const Json& corrected = claim.at("corrected_outcome");
   claim["needs"] = (corrected.is_null() ? claim.at("outcome") : corrected).at("hypotheses");
 }
 

@@ -15,8 +15,15 @@ using proofs::Record;
 using proofs::Status;
 
 constexpr std::array best_to_worst = {
-    Status::as_printed,         Status::model,   Status::needs_hypotheses,  Status::digits_off,
-    Status::misprint_corrected, Status::refuted, Status::rests_on_unproved, Status::undecided,
+    Status::as_printed,
+    Status::model,
+    Status::needs_hypotheses,
+    Status::digits_off,
+    Status::misprint_corrected,
+    Status::necessary_not_sufficient,
+    Status::refuted,
+    Status::rests_on_unproved,
+    Status::undecided,
 };
 
 std::string title_of(const std::string& place) {
@@ -42,8 +49,26 @@ std::vector<StatusCount> count_statuses(const Audit& audit) {
   return counts;
 }
 
-bool is_finding(Status status) {
-  return status != Status::as_printed && status != Status::model;
+bool is_finding(const Record& record) {
+  if (record.status == Status::needs_hypotheses) {
+    return std::ranges::any_of(record.outcome.hypotheses, [&](const proofs::Hypothesis& hypothesis) {
+      return hypothesis.origin == record.claim.id;
+    });
+  }
+  return record.status != Status::as_printed && record.status != Status::model;
+}
+
+std::set<std::string> inheriting(const Audit& audit, const Record& record) {
+  std::set<std::string> ids;
+  for (const Record& other : audit.records) {
+    const proofs::Outcome& outcome = other.corrected ? *other.corrected : other.outcome;
+    for (const proofs::Hypothesis& hypothesis : outcome.hypotheses) {
+      if (hypothesis.origin == record.claim.id && other.claim.id != record.claim.id) {
+        ids.insert(other.claim.id);
+      }
+    }
+  }
+  return ids;
 }
 
 bool is_decided(Status status) {
@@ -56,7 +81,7 @@ bool all_decided(const Audit& audit) {
 
 bool any_refuted(const Audit& audit) {
   return std::ranges::any_of(audit.records, [](const Record& record) {
-    return record.status == Status::refuted || record.outcome.verdict.truth == Truth::refuted;
+    return record.status == Status::refuted || record.status == Status::digits_off;
   });
 }
 

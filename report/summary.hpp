@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,18 @@ struct StatusCount {
 // The statuses that occur, from the best to the worst.
 [[nodiscard]] std::vector<StatusCount> count_statuses(const proofs::Audit& audit);
 
-// Worth a reader's attention: everything that is neither proved as it stands nor part of the model.
-[[nodiscard]] bool is_finding(proofs::Status status);
+// Worth a reader's attention: everything that is neither proved as it stands nor part of the model. A claim
+// that only inherits another claim's hypothesis is not a finding of its own.
+[[nodiscard]] bool is_finding(const proofs::Record& record);
+
+// The other claims that hold only under a hypothesis which this claim's proof brought in.
+[[nodiscard]] std::set<std::string> inheriting(const proofs::Audit& audit, const proofs::Record& record);
 
 // Whether the question about the statement is answered, one way or the other.
 [[nodiscard]] bool is_decided(proofs::Status status);
 [[nodiscard]] bool all_decided(const proofs::Audit& audit);
 
-// Whether some statement, as printed, is refuted, even if a corrected form is proved.
+// Whether some statement is refuted (printed digits included) without a corrected form that is proved.
 [[nodiscard]] bool any_refuted(const proofs::Audit& audit);
 
 // A word of the program without its underscores: "as printed" for to_string(Status::as_printed).

@@ -113,14 +113,17 @@ std::string tables_by_place(const Audit& audit, const Style& style) {
 std::string findings(const Audit& audit, const Style& style) {
   std::string result;
   for (const Record& record : audit.records) {
-    if (!is_finding(record.status)) {
+    if (!is_finding(record)) {
       continue;
     }
     Details details(style.width);
     details.add("says", record.claim.words);
     details.add("printed", record.claim.printed);
+    details.add("lost", record.claim.illegible);
     details.add("why not", record.outcome.verdict.reason);
+    details.add("converse", record.converse ? record.converse->verdict.reason : std::string());
     details.add("needs", (record.corrected ? *record.corrected : record.outcome).hypotheses);
+    details.add("so do", joined(inheriting(audit, record)));
     details.add("corrected", record.claim.corrected);
     result += head(record, style) + details.text();
   }
@@ -154,6 +157,7 @@ std::string explanation(const Record& record, const Style& style) {
   details.add("kind", proofs::to_string(record.claim.kind));
   details.add("says", record.claim.words);
   details.add("printed", record.claim.printed);
+  details.add("lost", record.claim.illegible);
   for (const proofs::Assumption& assumption : record.claim.assumptions) {
     details.add("if", fmt::format("{}: {}", assumption.id, proofs::text(assumption.statement)));
   }
@@ -163,6 +167,9 @@ std::string explanation(const Record& record, const Style& style) {
   details.add("corrected", record.claim.corrected);
   if (record.corrected) {
     details.add("verdict", "proof", *record.corrected);
+  }
+  if (record.converse) {
+    details.add("converse", "proof", *record.converse);
   }
   details.add("used by", joined(record.used_by));
   return head(record, style) + details.text();

@@ -29,7 +29,7 @@ int code_of_check(const Json& audit) {
   bool refuted = false;
   for (const Json& place : audit.at("places")) {
     for (const Json& claim : place.at("claims")) {
-      refuted = refuted || claim.at("outcome").at("verdict") == "refuted" || claim.at("status") == "refuted";
+      refuted = refuted || claim.at("status") == "refuted" || claim.at("status") == "digits_off";
     }
   }
   return refuted                                         ? exit_refuted

@@ -68,6 +68,7 @@ Audit sample_audit() {
   needs.outcome.hypotheses.emplace_back();
   needs.outcome.hypotheses.back().text = "omega - omega1 != 0";
   needs.outcome.hypotheses.back().latex = "\\omega-\\omega_1\\neq 0";
+  needs.outcome.hypotheses.back().origin = "5.where";
   Record open =
       record("17", "A2", Status::undecided, "The symmetry of the orbit in time.", equation(Z(t), Z0));
   open.outcome.verdict = Verdict::undecided("the search ran out of its budget, " + std::string(120, 'x'));

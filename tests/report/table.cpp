@@ -79,6 +79,10 @@ TEST_CASE("what an audit comes to") {
   audit.records.resize(3);
   CHECK(all_decided(audit));
   CHECK_FALSE(any_refuted(audit));
+  CHECK(is_finding(audit.records[2]));
+  audit.records[2].outcome.hypotheses.back().origin = "5";  // inherited: said once, at its origin
+  CHECK_FALSE(is_finding(audit.records[2]));
+  CHECK(inheriting(audit, audit.records[1]) == std::set<std::string>{"5.where"});
   CHECK(summary_line({}) == "0 statements.");
   CHECK(by_place(sample_audit()).size() == 4);
 }
