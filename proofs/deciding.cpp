@@ -125,13 +125,11 @@ symbolic::Matrix evaluate_beside(const Term& term, const Term& other, const Look
 
 }  // namespace
 
-// An assumption of the form "scalar = value", which is put in wherever the scalar stands.
 bool is_substitution(const Assumption& assumption) {
   return assumption.statement.relation == Relation::equal && assumption.statement.left.op() == Op::symbol &&
          assumption.statement.left.shape().is_scalar();
 }
 
-// F0 and R mention the load's phase without showing it.
 bool depends_on(const Term& term, const std::string& name) {
   if (mentions(term, name)) {
     return true;
@@ -205,14 +203,17 @@ void record_definitions(Outcome& outcome, const Claim& claim, const Term& term) 
   }
 }
 
-// Decides left = right and adds what that took to the outcome.
+void record_nonzero(Outcome& outcome, const Claim& claim, const ex& factor) {
+  for (const ex& part : in_parameters(factor)) {
+    outcome.hypotheses = joined(outcome.hypotheses, {hypothesis(part, claim.id)});
+  }
+}
+
 void decide(Outcome& outcome, const Claim& claim, const symbolic::Matrix& left,
             const symbolic::Matrix& right) {
   symbolic::Decision decision = symbolic::decide_equal(left, right, definitions());
   for (const ex& factor : decision.nonzero) {
-    for (const ex& part : in_parameters(factor)) {
-      outcome.hypotheses = joined(outcome.hypotheses, {hypothesis(part, claim.id)});
-    }
+    record_nonzero(outcome, claim, factor);
   }
   decision.opened.erase(claim.id);
   outcome.uses.merge(decision.opened);

@@ -40,6 +40,9 @@ void record_premise(Outcome& outcome, Prover& prover, const Claim& claim, const 
 void record_assumptions(Outcome& outcome, const Claim& claim, const Term& term);
 void record_definitions(Outcome& outcome, const Claim& claim, const Term& term);
 
+// Adds the hypothesis that the factor does not vanish, in terms of the parameters.
+void record_nonzero(Outcome& outcome, const Claim& claim, const GiNaC::ex& factor);
+
 // Sets the verdict on left = right and adds what that took to the outcome.
 void decide(Outcome& outcome, const Claim& claim, const symbolic::Matrix& left,
             const symbolic::Matrix& right);

@@ -134,8 +134,7 @@ Verdict coefficient_is_positive(const Premises& premises, const Term& coefficien
     return Verdict::undecided("the coefficient " + text(coefficient) + " is not known to be positive");
   }
   for (const ex& factor : *nonzero) {
-    premises.outcome.hypotheses =
-        joined(premises.outcome.hypotheses, {hypothesis(factor, premises.claim.id)});
+    record_nonzero(premises.outcome, premises.claim, factor);
   }
   return Verdict::proved();
 }

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "model/flows.hpp"
+#include "model/nonsticking_closed_form.hpp"
 #include "numeric/jet.hpp"
 #include "proofs/term.hpp"
 #include "symbolic/scalar.hpp"
@@ -49,6 +50,27 @@ model::Vector2<S> pair(const S& a, const S& b) {
   return {a, b};
 }
 
+// (x1, x2)ᵀ from the names of its components; `suffix` 0 or B.
+template <class S>
+model::Vector2<S> pair_named(const Lookup<S>& scalar, const std::string& letter, const std::string& suffix) {
+  return {scalar(letter + "1" + suffix), scalar(letter + "2" + suffix)};
+}
+
+// (z, z') at 0 or B.
+template <class S>
+model::Vector4<S> state(const Lookup<S>& scalar, const std::string& suffix) {
+  return model::stack<S>(pair_named<S>(scalar, "z", suffix), pair_named<S>(scalar, "zdot", suffix));
+}
+
+// The states of x = z + d_0 (once) and of z + 2 d_0 (twice).
+template <class S>
+model::Vector4<S> shifted(const model::Vector4<S>& Z, const Lookup<S>& scalar, int times) {
+  model::Vector4<S> result = Z;
+  result(0) += S(times) * scalar("d01");
+  result(1) += S(times) * scalar("d02");
+  return result;
+}
+
 template <class S>
 model::Vector4<S> load(const Lookup<S>& scalar, const S& t) {
   return model::F<S>(pair<S>(scalar("q1"), scalar("q2")), scalar("omega"),
@@ -57,6 +79,25 @@ model::Vector4<S> load(const Lookup<S>& scalar, const S& t) {
 
 template <class S>
 using Symbols = std::map<std::string, std::function<Value<S>(const Lookup<S>&)>>;
+
+// (57): xi_1 = (H(tau) + E)(Z_0 - F_0), xi_2 = (H(-tau_1) + E)(Zbar_0 - F_0).
+template <class S>
+model::Vector4<S> xi(const Lookup<S>& scalar, int which) {
+  const S t = which == 1 ? scalar("tau") : S(S(0) - scalar("tau1"));
+  const model::Vector4<S> start = shifted<S>(state<S>(scalar, "0"), scalar, which == 1 ? 0 : 2);
+  return (model::H<S>(modes<S>(scalar), t) + model::reversal<S>()) *
+         model::Vector4<S>(start - load<S>(scalar, S(0)));
+}
+
+// (63), (64): P_1, P_2 and P = P_1 - P_2.
+template <class S>
+model::Matrix2<S> P(const Lookup<S>& scalar, int which) {
+  const auto first = [&] { return model::speed_from_place<S>(modes<S>(scalar), scalar("tau")); };
+  const auto second = [&] { return model::speed_from_place<S>(modes<S>(scalar), scalar("tau1")); };
+  return which == 1   ? first()
+         : which == 2 ? model::Matrix2<S>(second() * S(-1))
+                      : model::Matrix2<S>(first() + second());
+}
 
 // Vectors and matrices that do not depend on time.
 template <class S>
@@ -73,12 +114,44 @@ const Symbols<S>& symbols() {
       {"psi1", [](const L& s) -> V { return pair<S>(S(1), s("lambda1")); }},
       {"psi2", [](const L& s) -> V { return pair<S>(S(1), s("lambda2")); }},
       {"F0", [](const L& s) -> V { return load<S>(s, S(0)); }},
-      {"Z0",
-       [](const L& s) -> V {
-         return model::stack<S>(pair<S>(s("z10"), s("z20")), pair<S>(s("zdot10"), s("zdot20")));
-       }},
+      {"FB", [](const L& s) -> V { return load<S>(s, s("tau")); }},
+      {"Z0", [](const L& s) -> V { return state<S>(s, "0"); }},
+      {"ZB", [](const L& s) -> V { return state<S>(s, "B"); }},
+      {"z0", [](const L& s) -> V { return pair_named<S>(s, "z", "0"); }},
+      {"zB", [](const L& s) -> V { return pair_named<S>(s, "z", "B"); }},
+      {"zdot0", [](const L& s) -> V { return pair_named<S>(s, "zdot", "0"); }},
+      {"zdotB", [](const L& s) -> V { return pair_named<S>(s, "zdot", "B"); }},
+      {"X0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 1); }},
+      {"XB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 1); }},
+      {"x0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 1).template head<2>(); }},
+      {"xB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 1).template head<2>(); }},
+      {"Zbar0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 2); }},
+      {"ZbarB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 2); }},
+      {"zbar0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 2).template head<2>(); }},
+      {"zbarB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 2).template head<2>(); }},
+      {"delta0", [](const L& s) -> V { return shifted<S>(model::Vector4<S>::Constant(S(0)), s, 1); }},
+      {"xi1", [](const L& s) -> V { return xi<S>(s, 1); }},
+      {"xi2", [](const L& s) -> V { return xi<S>(s, 2); }},
+      {"X1", [](const L& s) -> V { return xi<S>(s, 1).template head<2>(); }},
+      {"Y1", [](const L& s) -> V { return xi<S>(s, 1).template tail<2>(); }},
+      {"X2", [](const L& s) -> V { return xi<S>(s, 2).template head<2>(); }},
+      {"Y2", [](const L& s) -> V { return xi<S>(s, 2).template tail<2>(); }},
+      {"P1", [](const L& s) -> V { return P<S>(s, 1); }},
+      {"P2", [](const L& s) -> V { return P<S>(s, 2); }},
+      {"P", [](const L& s) -> V { return P<S>(s, 0); }},
+      {"Ptilde", [](const L& s) -> V { return model::diagonal<S>(s("rho1"), s("rho2")); }},
   };
   return known;
+}
+
+// Scalars that are to be differentiated have none.
+template <class S>
+S absolute_value(const S& value) {
+  if constexpr (requires { S(abs(value)); }) {
+    return S(abs(value));
+  } else {
+    throw InternalError("an absolute value cannot be differentiated");
+  }
 }
 
 template <class S>
@@ -94,6 +167,7 @@ const Functions<S>& functions() {
       {"cos", [](const L&, const S& t) -> V { return scalar_value<S>(S(cos(t))); }},
       {"sin", [](const L&, const S& t) -> V { return scalar_value<S>(S(sin(t))); }},
       {"tan", [](const L&, const S& t) -> V { return scalar_value<S>(S(S(sin(t)) / S(cos(t)))); }},
+      {"abs", [](const L&, const S& t) -> V { return scalar_value<S>(absolute_value<S>(t)); }},
       {"H", [](const L& s, const S& t) -> V { return model::H<S>(modes<S>(s), t); }},
       {"H1", [](const L& s, const S& t) -> V { return model::H_blocks<S>(modes<S>(s), t).first; }},
       {"H2", [](const L& s, const S& t) -> V { return model::H_blocks<S>(modes<S>(s), t).second; }},

@@ -11,8 +11,10 @@ const std::vector<Place>& places() {
   static const std::vector<Place> all{
       {"sec3", "Section 3: closed-form phases", "section3", section3},
       {"sec4", "Section 4: symmetric orbits", "section4", section4},
+      {"sec6", "Section 6: orbits that never stick", "section6", section6},
       {"A1", "Appendix 1: modes, H and Gamma", "appendix1", appendix1},
       {"A2", "Appendix 2: the symmetry of the orbits of Section 4", "appendix2", appendix2},
+      {"A4", "Appendix 4: the symmetry of the orbits of Section 6", "appendix4", appendix4},
   };
   return all;
 }

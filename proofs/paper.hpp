@@ -11,8 +11,10 @@ namespace stickslip::proofs {
 
 [[nodiscard]] std::vector<Claim> section3();   // (5)-(10)
 [[nodiscard]] std::vector<Claim> section4();   // example S
+[[nodiscard]] std::vector<Claim> section6();   // (25)-(37)
 [[nodiscard]] std::vector<Claim> appendix1();  // (38)-(42)
 [[nodiscard]] std::vector<Claim> appendix2();  // (43)-(46), (17)
+[[nodiscard]] std::vector<Claim> appendix4();  // (52)-(54)
 
 struct Place {
   std::string id;      // "sec3", "A1"

@@ -1,5 +1,9 @@
 #include "proofs/point.hpp"
 
+#include <optional>
+
+#include "model/nonsticking.hpp"
+
 namespace stickslip::proofs {
 namespace {
 
@@ -21,6 +25,22 @@ model::Modes<Ball> modes_at(const Values& given) {
                                  value_of(given, "omega2"));
   }
   return model::modes<Ball>(value_of(given, "chi"), value_of(given, "eta"));
+}
+
+// (34), (35).
+std::optional<Ball> half_period_value(const Values& given, const std::string& name) {
+  using HalfPeriod = model::HalfPeriod<Ball>;
+  static const std::map<std::string, Ball HalfPeriod::*> members{
+      {"phi1", &HalfPeriod::phi1}, {"phi2", &HalfPeriod::phi2}, {"d", &HalfPeriod::d},
+      {"a1", &HalfPeriod::a1},     {"a2", &HalfPeriod::a2},     {"b1", &HalfPeriod::b1},
+      {"b2", &HalfPeriod::b2}};
+  const auto member = members.find(name);
+  if (member == members.end()) {
+    return std::nullopt;
+  }
+  const HalfPeriod h = model::half_period<Ball>(value_of(given, "chi"), modes_at(given), {Ball(0), Ball(0)},
+                                                value_of(given, "omega"), Ball::pi());
+  return h.*member->second;
 }
 
 Ball value_of(const Values& given, const std::string& name) {
@@ -48,6 +68,13 @@ Ball value_of(const Values& given, const std::string& name) {
     const model::Parameters<Ball> a{
         value_of(given, "chi"), Ball(0), Ball(0), Ball(0), value_of(given, "omega"), value_of(given, "p")};
     return model::Q<Ball>(a, modes_at(given))(name == "q1" ? 0 : 1);
+  }
+  if (const auto half = half_period_value(given, name)) {
+    return *half;
+  }
+  if (name == "rho1" || name == "rho2") {
+    return model::rho<Ball>(value_of(given, name == "rho1" ? "omega1" : "omega2"), value_of(given, "tau"),
+                            value_of(given, "tau1"));
   }
   throw InternalError("the symbol " + name + " has no value at this point");
 }

@@ -164,6 +164,10 @@ Term tan(const Term& argument) {
   return Function{"tan", {}}(argument);
 }
 
+Term abs(const Term& argument) {
+  return Function{"abs", {}}(argument);
+}
+
 Term operator+(const Term& a, const Term& b) {
   std::vector<Term> terms = joined(Op::sum, a, b);
   const Shape shape = sum_shape(terms);

@@ -86,6 +86,8 @@ struct Function {
 [[nodiscard]] Term cos(const Term& argument);
 [[nodiscard]] Term sin(const Term& argument);
 [[nodiscard]] Term tan(const Term& argument);
+// |argument|: printed and evaluated in balls, but no element of the field of normal_form.hpp.
+[[nodiscard]] Term abs(const Term& argument);
 
 [[nodiscard]] Term operator+(const Term& a, const Term& b);
 [[nodiscard]] Term operator-(const Term& a, const Term& b);

@@ -40,6 +40,10 @@ bool is_trigonometric(const Term& term) {
 // H_1(t), H_1^{2}(t), F'(t), \cos(\omega t): `decoration` stands between name and argument.
 std::string application(const Term& function, const std::string& decoration, Style style) {
   const std::string argument = print(function.arguments().front(), style).text;
+  if (function.name() == "abs") {
+    return style == Style::latex ? fmt::format("\\left|{}\\right|{}", argument, decoration)
+                                 : fmt::format("|{}|{}", argument, decoration);
+  }
   const std::string name = is_trigonometric(function) && style == Style::latex
                                ? "\\" + function.name()
                                : name_of(function.name(), style);
