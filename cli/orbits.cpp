@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "report/json.hpp"
 #include "report/orbits.hpp"
+#include "report/orbits_plot.hpp"
 
 namespace stickslip::cli {
 namespace {
@@ -24,6 +25,8 @@ struct Options {
   std::string file;
   std::string example;
   std::string digits;
+  std::string plot;
+  bool with_plot = false;
   bool json = false;
 };
 
@@ -75,13 +78,29 @@ OrbitList search(const OrbitQuestion& question) {
   return list_orbits(question);
 }
 
+void draw(const OrbitList& list, const std::string& file) {
+  const std::string script = report::plot_script(list, report::plot_format(file));
+  if (script.empty()) {
+    tell(fmt::format("There is no orbit to draw: {} is not written.", file));
+    return;
+  }
+  report::write_plot(file, script);
+}
+
 ExitCode run(const Options& options) {
   if (options.family.empty()) {
     throw UsageError("a family of orbits is missing: symmetric, overshooting or nonsticking");
   }
   const OrbitQuestion asked = question(family_named(options.family), options.parameters, options.file,
                                        options.example, digits_of(options.digits));
+  if (options.with_plot) {
+    (void)report::plot_format(options.plot);
+    report::require_plot(options.plot);
+  }
   const OrbitList list = search(asked);
+  if (options.with_plot) {
+    draw(list, options.plot);
+  }
   print(options.json ? report::to_text(report::to_json(list))
                      : report::terminal_report(list, terminal_style()));
   return all_decided(list) ? exit_decided : exit_undecided;
@@ -123,7 +142,14 @@ void add_orbits(CLI::App& program, Action& action) {
                                most_digits))
       ->type_name("N");
   command->add_flag("--json", options->json, "Print the list as JSON");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  CLI::Option* plot = command->add_option("--plot", options->plot,
+                                          "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
+                                          "FILE.pdf: phase portraits and time histories");
+  plot->type_name("FILE");
+  command->callback([options, plot, &action] {
+    options->with_plot = plot->count() > 0;
+    action = [options] { return run(*options); };
+  });
 }
 
 }  // namespace stickslip::cli

@@ -1,0 +1,150 @@
+#include "report/orbits_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "report/files.hpp"
+#include "report/orbit_words.hpp"
+#include "report/templates.hpp"
+
+namespace stickslip::report {
+namespace {
+
+constexpr int samples = 240;  // per phase
+constexpr int height = 760;   // of one orbit, in pixels of the SVG
+
+MotionOf<double> in_double(const Motion& motion) {
+  const model::Parameters<Ball>& a = motion.oscillator.data;
+  MotionOf<double> result{
+      model::oscillator<double>({a.chi.approximate(), a.eta.approximate(), a.us.approximate(),
+                                 a.V.approximate(), a.omega.approximate(), a.p.approximate()}),
+      {}};
+  for (const Phase& phase : motion.phases) {
+    result.phases.push_back({phase.kind, phase.start.approximate(), phase.duration.approximate(),
+                             phase.load.approximate(),
+                             phase.Z.unaryExpr([](const Ball& b) { return b.approximate(); })});
+  }
+  return result;
+}
+
+// In the paper's pictures: Fig. 2 slip thick, stick thin; Fig. 3 the overshoot heaviest, the stick thin; Fig.
+// 4 the overshoot thick.
+double line_width(Family family, PhaseKind kind) {
+  if (kind == PhaseKind::stick) {
+    return 1;
+  }
+  const bool overshoot = kind == PhaseKind::overshoot;
+  switch (family) {
+    case Family::symmetric:
+      return 3;
+    case Family::overshooting:
+      return overshoot ? 5 : 2.5;
+    case Family::nonsticking:
+      return overshoot ? 3.5 : 1.2;
+  }
+  return 1;
+}
+
+const char* colour(PhaseKind kind) {
+  switch (kind) {
+    case PhaseKind::slip:
+      return "#1f4e9c";
+    case PhaseKind::overshoot:
+      return "#c0392b";
+    case PhaseKind::stick:
+      return "#404040";
+  }
+  return "#000000";
+}
+
+// Lines "t q1 q2 q1' q2'", q = z or x.
+std::string table(const MotionOf<double>& motion, const PhaseOf<double>& phase,
+                  const model::Vector2<double>& d) {
+  std::string text;
+  for (int i = 0; i <= samples; ++i) {
+    const double t = phase.duration * i / samples;
+    const model::Vector4<double> Z = flow<double>(motion.oscillator, phase.kind, phase.load, phase.Z, t);
+    text += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g} {:.8g}\n", phase.start + t, Z(0) + d(0), Z(1) + d(1),
+                        Z(2), Z(3));
+  }
+  return text;
+}
+
+Json phases_of(const MotionOf<double>& motion, Family family, std::size_t orbit) {
+  const bool absolute = family == Family::nonsticking;
+  const model::Vector2<double> shift = absolute ? motion.oscillator.d0 : model::Vector2<double>(0, 0);
+  Json phases = Json::array();
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    const PhaseOf<double>& phase = motion.phases[k];
+    phases.push_back({{"block", fmt::format("$orbit{}phase{}", orbit, k)},
+                      {"kind", to_string(phase.kind)},
+                      {"width", fmt::format("{}", line_width(family, phase.kind))},
+                      {"colour", colour(phase.kind)},
+                      {"start", fmt::format("{:.8g}", phase.start)},
+                      {"middle", fmt::format("{:.8g}", phase.start + phase.duration / 2)},
+                      {"first", k == 0},
+                      {"table", table(motion, phase, shift)}});
+  }
+  return phases;
+}
+
+std::string parameter_text(const OrbitQuestion& question) {
+  std::string text;
+  for (const NamedRange& parameter : named_parameters(question)) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", parameter.name, notation(parameter.range));
+  }
+  return text;
+}
+
+std::string tell(const DecidedOrbit& orbit) {
+  return orbit.admissible.truth == Truth::proved    ? "admissible"
+         : orbit.admissible.truth == Truth::refuted ? "not admissible"
+                                                    : "undecided";
+}
+
+Json orbit_data(const OrbitList& list, std::size_t i) {
+  const DecidedOrbit& orbit = list.orbits[i];
+  const MotionOf<double> motion = in_double(orbit.motion);
+  const PhaseOf<double>& last = motion.phases.back();
+  return {{"title", fmt::format("{} orbit {} of {}, {}", name_of(list.question.family), i + 1,
+                                list.orbits.size(), tell(orbit))},
+          {"q", list.question.family == Family::nonsticking ? "x" : "z"},
+          {"period", fmt::format("{:.8g}", last.start + last.duration)},
+          {"V", fmt::format("{:.8g}", motion.oscillator.data.V)},
+          {"phases", phases_of(motion, list.question.family, i + 1)}};
+}
+
+std::string as_it_is(std::string_view text) {
+  return std::string(text);
+}
+
+}  // namespace
+
+std::string plot_script(const OrbitList& list, PlotFormat format) {
+  const bool any_admissible =
+      std::any_of(list.orbits.begin(), list.orbits.end(),
+                  [](const DecidedOrbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+  Json orbits = Json::array();
+  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
+    if (!any_admissible || list.orbits[i].admissible.truth == Truth::proved) {
+      orbits.push_back(orbit_data(list, i));
+    }
+  }
+  if (orbits.empty()) {
+    return "";
+  }
+  const std::size_t rows = orbits.size();
+  const Json data = {{"svg", format == PlotFormat::svg},
+                     {"pdf", format == PlotFormat::pdf},
+                     {"height", std::to_string(height * rows)},
+                     {"inches", fmt::format("{:.2f}", static_cast<double>(height * rows) / 96)},
+                     {"rows", std::to_string(2 * rows)},
+                     {"parameters", parameter_text(list.question)},
+                     {"orbits", orbits}};
+  const std::string name = "orbits.gp.mustache";
+  return render(name, read_file(template_directory() / name), data, as_it_is);
+}
+
+}  // namespace stickslip::report
