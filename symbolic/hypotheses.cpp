@@ -69,8 +69,10 @@ bool cannot_vanish(const ex& factor) {
   return true;
 }
 
+// Irreducible over the rationals, with π as one more symbol (GiNaC does not factor beside constants).
 std::vector<ex> factors_of(const ex& polynomial) {
-  const ex factored = GiNaC::factor(polynomial);
+  static const GiNaC::symbol pi("pi");
+  const ex factored = GiNaC::factor(polynomial.subs(GiNaC::Pi == pi)).subs(pi == GiNaC::Pi);
   std::vector<ex> result;
   for (const ex& part : is_a<GiNaC::mul>(factored) ? factored : ex(GiNaC::lst{factored})) {
     result.push_back(is_a<GiNaC::power>(part) ? part.op(0) : part);
