@@ -1,0 +1,152 @@
+// stickslip orbits from outside: exit codes, sentences, JSON.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
+
+using namespace stickslip;
+
+namespace {
+
+using Json = nlohmann::json;
+
+Run orbits(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "orbits");
+  return stickslip_program(arguments);
+}
+
+struct Refusal {
+  std::vector<std::string> arguments;
+  int code;
+  std::string named;
+};
+
+}  // namespace
+
+TEST_CASE("what is missing, misplaced or no number is a usage error that names it") {
+  const std::vector<Refusal> refusals = {
+      {{}, exit_usage, "family"},
+      {{"frob"}, exit_usage, "frob"},
+      {{"symmetric"}, exit_usage, "--chi"},
+      {{"symmetric", "--example", "Q"}, exit_usage, "'Q'"},
+      {{"symmetric", "--example", "S", "--ur", "0.2"}, exit_usage, "ur"},
+      {{"symmetric", "--example", "S", "--phi", "0"}, exit_usage, "phi"},
+      {{"overshooting", "--example", "S"}, exit_usage, "exactly one of phi and ur"},
+      {{"overshooting", "--example", "O", "--phi", "0", "--ur", "1"}, exit_usage, "exactly one"},
+      {{"nonsticking", "--example", "P", "--phi", "1"}, exit_usage, "phi"},
+      {{"symmetric", "--example", "S", "--chi", "abc"}, exit_usage, "chi: 'abc'"},
+      {{"symmetric", "--example", "S", "--chi", "1/0"}, exit_usage, "1/0"},
+      {{"symmetric", "--example", "S", "--chi", "0.5+-"}, exit_usage, "chi"},
+      {{"symmetric", "--example", "S", "--chi", "0.5+--1"}, exit_usage, "chi"},
+      {{"symmetric", "--example", "S", "--digits", "0"}, exit_usage, "digits"},
+      {{"symmetric", "--example", "S", "--digits", "ten"}, exit_usage, "digits"},
+      {{"symmetric", "--example", "S", "--plot", "a.png"}, exit_usage, "a.png"},
+      {{"symmetric", "--example", "S", "--frob"}, exit_usage, "--frob"},
+      {{"overshooting", "--example", "O", "--ur", "0.4+-0.1"}, exit_usage, "box"},
+  };
+  for (const Refusal& refusal : refusals) {
+    const Run result = orbits(refusal.arguments);
+    CAPTURE(refusal.named);
+    CAPTURE(result.err);
+    CHECK(result.code == refusal.code);
+    CHECK(is_one_sentence(result.err, refusal.named));
+    CHECK(result.out.empty());
+  }
+}
+
+TEST_CASE("parameters outside the domain are named with value and allowed range") {
+  const std::vector<Refusal> refusals = {
+      {{"--chi", "1.5"}, exit_domain, "chi = 1.5 is outside the allowed range: 0 < chi < 1"},
+      {{"--chi", "0"}, exit_domain, "chi = 0"},
+      {{"--chi", "0.5+-0.5"}, exit_domain, "chi = 0"},
+      {{"--eta", "-1"}, exit_domain, "eta = -1"},
+      {{"--us", "0"}, exit_domain, "us = 0"},
+      {{"--V", "-1"}, exit_domain, "V = -1"},
+      {{"--omega", "0"}, exit_domain, "omega = 0"},
+      {{"--p", "-0.1"}, exit_domain, "p = -0.1"},
+  };
+  for (const Refusal& refusal : refusals) {
+    std::vector<std::string> arguments{"symmetric", "--example", "S"};
+    arguments.insert(arguments.end(), refusal.arguments.begin(), refusal.arguments.end());
+    const Run result = orbits(arguments);
+    CAPTURE(result.err);
+    CHECK(result.code == refusal.code);
+    CHECK(is_one_sentence(result.err, refusal.named));
+  }
+  const Run friction = orbits({"nonsticking", "--example", "P", "--ur", "0.05"});
+  CHECK(friction.code == exit_domain);
+  CHECK(is_one_sentence(friction.err, "ur = 0.05"));
+}
+
+TEST_CASE("the examples are complete and decided, and JSON is all that is printed") {
+  const std::vector<std::vector<std::string>> questions = {
+      {"symmetric", "--example", "S"},
+      {"overshooting", "--example", "O"},
+      {"nonsticking", "--example", "P"},
+      {"nonsticking", "--example", "P", "--ur", "0.2"},
+  };
+  for (std::vector<std::string> question : questions) {
+    CHECK(orbits(question).code == exit_decided);
+    question.emplace_back("--json");
+    const Run result = orbits(question);
+    CHECK(result.code == exit_decided);
+    CHECK(result.err.empty());
+    const Json json = Json::parse(result.out);
+    CHECK(json.at("family") == question.front());
+    CHECK(json.at("complete") == true);
+    CHECK(json.at("orbits").size() >= 2);
+  }
+}
+
+TEST_CASE("an undecided orbit is exit code 2") {
+  const Run result = orbits({"nonsticking", "--example", "P", "--p", "1+-1e-2"});
+  CHECK(result.code == exit_undecided);
+  CHECK(result.out.find("split p first") != std::string::npos);
+}
+
+TEST_CASE("a parameter file gives the same answer as options, and options go before it") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "p.toml";
+  std::ofstream(file) << "# an oscillator\nchi = 0.5  # ratio\neta = \"19/5\"\nus = 0.02\nV = 1\n"
+                         "omega = 0.6\np = 0.05\n";
+  const std::string expected = orbits({"symmetric", "--example", "S", "--json"}).out;
+  CHECK(orbits({"symmetric", "--params", file, "--json"}).out == expected);
+  CHECK(orbits({"symmetric", "--params", file, "--p", "0.06", "--json"}).out != expected);
+  const std::vector<std::pair<std::string, std::string>> broken = {
+      {"kappa = 1\n", "kappa"}, {"[orbits]\nchi = 0.5\n", "section"}, {"chi = [1, 2]\n", "chi"}};
+  for (const auto& [text, named] : broken) {
+    std::ofstream(file) << text;
+    const Run result = orbits({"symmetric", "--params", file});
+    CHECK(result.code == exit_usage);
+    CHECK(is_one_sentence(result.err, named));
+  }
+  CHECK(orbits({"symmetric", "--params", temporary.path() / "missing"}).code == exit_io);
+}
+
+TEST_CASE("a plot is written whole or not at all") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "orbit.svg";
+  CHECK(orbits({"overshooting", "--example", "O", "--plot", file}).code == exit_decided);
+  CHECK(std::filesystem::file_size(file) > 1000);
+  const Run missing = orbits({"overshooting", "--example", "O", "--plot", file + ".d/a.svg"});
+  CHECK(missing.code == exit_io);
+  CHECK(is_one_sentence(missing.err, file));
+  CHECK(missing.out.empty());
+  CHECK(temporary.count() == 1);
+}
+
+TEST_CASE("without gnuplot there is a sentence instead of a plot") {
+  const TemporaryDirectory temporary;
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", temporary.path().c_str(), 1);
+  const Run result = orbits({"symmetric", "--example", "S", "--plot", temporary.path() / "a.svg"});
+  ::setenv("PATH", path.c_str(), 1);
+  CHECK(result.code == exit_io);
+  CHECK(is_one_sentence(result.err, "gnuplot"));
+  CHECK(temporary.count() == 0);
+}

@@ -1,0 +1,58 @@
+// Pictures of orbits.
+#include "report/orbits_plot.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "core/error.hpp"
+#include "numeric/examples.hpp"
+#include "report/files.hpp"
+#include "tests/report/temporary.hpp"
+
+using namespace stickslip;
+using report::PlotFormat;
+
+namespace {
+
+OrbitList example_list() {
+  const ExactParameters& a = example_named("O").data;
+  return list_orbits({Family::overshooting,
+                      {{a.chi}, {a.eta}, {a.us}, {a.V}, {a.omega}, {a.p}},
+                      Range{Rational(0)},
+                      {},
+                      20});
+}
+
+}  // namespace
+
+TEST_CASE("the script draws the admissible orbits only, each phase with its own line") {
+  const std::string script = report::plot_script(example_list(), PlotFormat::svg);
+  CHECK(script.find("$orbit1phase0") == std::string::npos);
+  for (const char* part : {"$orbit2phase0", "$orbit2phase1", "$orbit2phase2", "\"overshoot\"", "lw 5 "}) {
+    CHECK(script.find(part) != std::string::npos);
+  }
+  OrbitList none = example_list();
+  none.orbits.clear();
+  CHECK(report::plot_script(none, PlotFormat::svg).empty());
+}
+
+TEST_CASE("gnuplot draws both formats") {
+  const TemporaryDirectory temporary;
+  const OrbitList list = example_list();
+  report::write_plot(temporary.path() / "a.svg", report::plot_script(list, PlotFormat::svg));
+  report::write_plot(temporary.path() / "a.pdf", report::plot_script(list, PlotFormat::pdf));
+  CHECK(report::read_file(temporary.path() / "a.svg").find("</svg>") != std::string::npos);
+  CHECK(report::read_file(temporary.path() / "a.pdf").starts_with("%PDF"));
+  CHECK(temporary.count() == 2);
+}
+
+TEST_CASE("what cannot be drawn is an error, and leaves no file") {
+  const TemporaryDirectory temporary;
+  CHECK_THROWS_AS((void)report::gnuplot("nonsense"), InputOutputError);
+  CHECK_THROWS_AS(report::write_plot(temporary.path() / "a.svg", "nonsense"), InputOutputError);
+  CHECK_THROWS_AS(report::require_plot(temporary.path() / "missing" / "a.svg"), InputOutputError);
+  CHECK_THROWS_AS(report::require_plot(temporary.path()), InputOutputError);
+  CHECK_THROWS_AS((void)report::plot_format("a.png"), UsageError);
+  CHECK(temporary.count() == 0);
+}
