@@ -66,13 +66,13 @@ const PrintedResult& Example::result(const std::string& result_name) const {
   throw InternalError(fmt::format("example {} prints no {}", name, result_name));
 }
 
-const std::vector<Example>& examples() {
+const std::vector<Example>& printed_examples() {
   static const std::vector<Example> all{example_S(), example_O(), example_P()};
   return all;
 }
 
 const Example& example_named(const std::string& name) {
-  for (const Example& example : examples()) {
+  for (const Example& example : printed_examples()) {
     if (example.name == name) {
       return example;
     }

@@ -31,7 +31,7 @@ struct Example {
 };
 
 // S, O, P: symmetric, overshooting, non-sticking.
-[[nodiscard]] const std::vector<Example>& examples();
+[[nodiscard]] const std::vector<Example>& printed_examples();
 
 // Throws UsageError naming the known ones when there is no example of that name.
 [[nodiscard]] const Example& example_named(const std::string& name);

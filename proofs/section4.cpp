@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "numeric/examples.hpp"
 #include "numeric/symmetric.hpp"
 #include "proofs/methods.hpp"
 #include "proofs/paper.hpp"
@@ -15,30 +16,15 @@ using namespace vocabulary;
 
 const std::string sec = "sec4";
 
-// The data of Fig. 2. The source lost the minus signs of z_1(0), z_2(0), z_1'(0): only their digits are
-// printed facts.
-struct PrintedS {
-  ExactParameters data{parse_rational("0.5"), parse_rational("3.8"), parse_rational("0.02"),
-                       parse_rational("1"),   parse_rational("0.6"), parse_rational("0.05")};
-  Decimal ur = parse_decimal("0.1607");
-  Decimal tau = parse_decimal("7.749");
-  Decimal T = parse_decimal("2.723");
-  Decimal Theta = parse_decimal("10.472");
-  Decimal z10 = parse_decimal("1.0609");
-  Decimal z20 = parse_decimal("1.3615");
-  Decimal zdot10 = parse_decimal("0.581");
-};
-
-const PrintedS& printed() {
-  static const PrintedS values;
-  return values;
+const Example& printed() {
+  return example_named("S");
 }
 
 // The proved orbit whose slip lasts as long as printed, if there is exactly one.
 const SymmetricOrbit& orbit() {
   static const SymmetricOrbit found = [] {
     constexpr int digits = 30;
-    const Ball tau = printed_interval(printed().tau);
+    const Ball tau = printed_interval(printed().result("tau").value);
     std::vector<SymmetricOrbit> near;
     for (const SymmetricProof& proof : solve_symmetric(printed().data, digits)) {
       if (proof.existence.truth == Truth::proved && proof.orbit.phase == LoadPhase::first &&
@@ -54,13 +40,14 @@ const SymmetricOrbit& orbit() {
   return found;
 }
 
-// The printed digits with the sign that the orbit has.
-Decimal with_sign_of(const Ball& value, Decimal digits) {
-  if (value.is_negative()) {
-    digits.value = -digits.value;
-    digits.text = "-" + digits.text;
+// The printed value; where its sign is lost, with the one that the orbit has.
+Decimal as_printed(const PrintedResult& result, const Ball& value) {
+  Decimal decimal = result.value;
+  if (result.sign_lost && value.is_negative()) {
+    decimal.value = -decimal.value;
+    decimal.text = "-" + decimal.text;
   }
-  return digits;
+  return decimal;
 }
 
 Comparison compared(const std::string& name, const Decimal& decimal, const Ball& value) {
@@ -85,18 +72,18 @@ Outcome at_the_data(const std::string& route) {
 const char* const ball_route = "Krawczyk's test in balls on equations equivalent to (13) and (15)";
 
 // A printed value against the orbit.
-Claim printed_value(const std::string& name, const Decimal& decimal, Ball SymmetricState<Ball>::*member,
-                    bool sign_lost = false) {
+Claim printed_value(const std::string& name, Ball SymmetricState<Ball>::*member) {
+  const PrintedResult& result = printed().result(name);
   return {.id = "S." + name,
           .place = sec,
           .kind = Kind::numbers,
-          .words = fmt::format("{} = {}{}", name, decimal.text,
-                               sign_lost ? " up to its sign, which is not legible in the source" : ""),
+          .words = fmt::format("{} = {}{}", name, result.value.text,
+                               result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
           .prove = [=](Prover&, const Claim&) {
             const Ball& value = orbit().state.*member;
             Outcome outcome = at_the_data(ball_route);
             outcome.uses = {"S.orbit"};
-            outcome.comparisons = {compared(name, sign_lost ? with_sign_of(value, decimal) : decimal, value)};
+            outcome.comparisons = {compared(name, as_printed(result, value), value)};
             outcome.verdict = outcome.comparisons.front().verdict;
             return outcome;
           }};
@@ -142,8 +129,9 @@ Claim printed_values_close() {
         const SymmetricState<Ball>& state = orbit().state;
         const PrintedZero zero = printed_zero_of_16(
             printed().data, LoadPhase::first,
-            {printed().tau, with_sign_of(state.z10, printed().z10), with_sign_of(state.z20, printed().z20),
-             with_sign_of(state.zdot10, printed().zdot10)});
+            {as_printed(printed().result("tau"), state.tau), as_printed(printed().result("z10"), state.z10),
+             as_printed(printed().result("z20"), state.z20),
+             as_printed(printed().result("zdot10"), state.zdot10)});
         Outcome outcome;
         outcome.route =
             "(16) evaluated in balls at the printed values and over the intervals that they stand for";
@@ -156,7 +144,6 @@ Claim printed_values_close() {
 
 std::vector<Claim> section4() {
   using State = SymmetricState<Ball>;
-  const PrintedS& S = printed();
   return {
       {.id = "13.E",
        .place = sec,
@@ -172,13 +159,13 @@ std::vector<Claim> section4() {
        .assumptions = {{"13", equation(Z(tau), E * Z0)}},
        .prove = by_differential_equation(first_order(stick_matrix), zero(4, 1), E * Z0, tau)},
       closes(),
-      printed_value("tau", S.tau, &State::tau),
-      printed_value("T", S.T, &State::T),
-      printed_value("Theta", S.Theta, &State::Theta),
-      printed_value("z10", S.z10, &State::z10, true),
-      printed_value("z20", S.z20, &State::z20, true),
-      printed_value("zdot10", S.zdot10, &State::zdot10, true),
-      printed_value("ur", S.ur, &State::ur),
+      printed_value("tau", &State::tau),
+      printed_value("T", &State::T),
+      printed_value("Theta", &State::Theta),
+      printed_value("z10", &State::z10),
+      printed_value("z20", &State::z20),
+      printed_value("zdot10", &State::zdot10),
+      printed_value("ur", &State::ur),
       printed_values_close(),
   };
 }
