@@ -55,6 +55,21 @@ const std::vector<symbolic::Definition>& definitions() {
   return known;
 }
 
+// What the definitions say under the claim's assumptions.
+std::vector<symbolic::Definition> definitions_under(const Given& given) {
+  GiNaC::exmap values;
+  for (const auto& value : given.values) {
+    values[symbolically()(value.first)] = given.lookup()(value.first);
+  }
+  std::vector<symbolic::Definition> result = definitions();
+  for (symbolic::Definition& definition : result) {
+    for (auto& entry : definition.replacement) {
+      entry.second = entry.second.subs(values, GiNaC::subs_options::no_pattern);
+    }
+  }
+  return result;
+}
+
 // A factor that must not vanish, in the parameters: what that says when all definitions are open.
 std::vector<ex> in_parameters(const ex& factor) {
   ex opened = factor;
@@ -211,7 +226,7 @@ void record_nonzero(Outcome& outcome, const Claim& claim, const ex& factor) {
 
 void decide(Outcome& outcome, const Claim& claim, const symbolic::Matrix& left,
             const symbolic::Matrix& right) {
-  symbolic::Decision decision = symbolic::decide_equal(left, right, definitions());
+  symbolic::Decision decision = symbolic::decide_equal(left, right, definitions_under(Given(claim)));
   for (const ex& factor : decision.nonzero) {
     record_nonzero(outcome, claim, factor);
   }

@@ -330,6 +330,40 @@ Proof by_rate_of_change(const Term& quantity, std::vector<Statement> motion) {
   };
 }
 
+Proof by_zero_of_cosine(const Term& angle, const std::string& assumption, const Term& lower,
+                        const Term& upper) {
+  return [=](Prover& prover, const Claim& claim) {
+    require_count(claim, 1);
+    const Statement& printed = claim.printed.front();
+    const Given given(claim);
+    const auto angle_at = [&](const Term& value) {
+      return evaluate<ex>(substitute(angle, {{printed.left.name(), value}}), given.lookup())(0, 0).normal();
+    };
+    const Statement zero = statements_of(prover, claim, assuming(assumption)).front();
+    const ex slope = evaluate<ex>(angle, given.lookup())(0, 0).diff(
+        GiNaC::ex_to<GiNaC::symbol>(symbolically()(printed.left.name())));
+    const ex begin = angle_at(lower) / GiNaC::Pi, end = angle_at(upper) / GiNaC::Pi;
+    const ex found = angle_at(printed.right) / GiNaC::Pi;
+    if (!equal(zero.left, cos(angle)) || !zero.right.is_zero() ||
+        slope.has(symbolically()(printed.left.name())) || !begin.info(GiNaC::info_flags::rational) ||
+        !end.info(GiNaC::info_flags::rational) || !found.info(GiNaC::info_flags::rational)) {
+      throw InternalError(
+          fmt::format("claim {}: {} does not run from one multiple of pi to another", claim.id, text(angle)));
+    }
+    Outcome outcome;
+    outcome.assumed.insert(assumption);
+    record_assumptions(outcome, claim, upper);
+    outcome.route = "cos vanishes at the odd multiples of pi/2, one of which lies between the ends";
+    // Zeros are at k + 1/2; one of them lies strictly between the ends, and it is the value printed.
+    const GiNaC::numeric b = GiNaC::ex_to<GiNaC::numeric>(begin), e = GiNaC::ex_to<GiNaC::numeric>(end),
+                         f = GiNaC::ex_to<GiNaC::numeric>(found), whole(1), half_turn(1, 2);
+    const bool alone = b < f && f < e && (f - half_turn).is_integer() && f - whole <= b && f + whole >= e;
+    outcome.verdict =
+        alone ? Verdict::proved() : Verdict::undecided("the value printed is not the only zero in between");
+    return outcome;
+  };
+}
+
 Proof by_definition() {
   return [](Prover&, const Claim& claim) {
     for (const Statement& printed : claim.printed) {

@@ -55,6 +55,12 @@ struct Certificate {
 // of `motion`, whose rates of change stand on their right sides).
 [[nodiscard]] Proof by_rate_of_change(const Term& quantity, std::vector<Statement> motion);
 
+// The printed equation "variable = value" follows from cos(angle) = 0, which the assumption says, and lower <
+// variable < upper: the angle is linear in the variable, runs through whole or half turns at the ends, and
+// between them there is one zero of the cosine.
+[[nodiscard]] Proof by_zero_of_cosine(const Term& angle, const std::string& assumption, const Term& lower,
+                                      const Term& upper);
+
 // The printed left sides are names that have no other meaning, introduced here.
 [[nodiscard]] Proof by_definition();
 

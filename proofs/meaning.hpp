@@ -114,6 +114,10 @@ const Symbols<S>& symbols() {
       {"psi1", [](const L& s) -> V { return pair<S>(S(1), s("lambda1")); }},
       {"psi2", [](const L& s) -> V { return pair<S>(S(1), s("lambda2")); }},
       {"F0", [](const L& s) -> V { return load<S>(s, S(0)); }},
+      {"delta",
+       [](const L& s) -> V {
+         return model::stack<S>(pair<S>(s("delta1"), s("delta2")), pair<S>(s("deltadot1"), s("deltadot2")));
+       }},
       {"FB", [](const L& s) -> V { return load<S>(s, s("tau")); }},
       {"Z0", [](const L& s) -> V { return state<S>(s, "0"); }},
       {"ZB", [](const L& s) -> V { return state<S>(s, "B"); }},

@@ -80,23 +80,51 @@ Premise Premise::solved_for(const Term& product) const {
   return result;
 }
 
+Premise Premise::divided_by(const Term& square) const {
+  Premise result = *this;
+  result.factor = square;
+  return result;
+}
+
 Premise from(const std::string& id) {
-  return {id, false, {}, {}};
+  return {id, false, {}, {}, {}};
 }
 Premise assuming(const std::string& id) {
-  return {id, true, {}, {}};
+  return {id, true, {}, {}, {}};
 }
 
 namespace {
+
+// A^{-1} A = I.
+Rule cancellation(const Claim& claim, const Term& square, const Lookup<ex>& lookup) {
+  for (const Assumption& assumption : claim.assumptions) {
+    const Statement& stated = assumption.statement;
+    if (stated.relation == Relation::not_equal && equal(stated.left, determinant(square)) &&
+        stated.right.is_zero()) {
+      return {polynomial(inverse(square) * square, lookup).begin()->first, {{{}, 1}}, {assumption.id}};
+    }
+  }
+  throw InternalError(
+      fmt::format("claim {} divides by {} without assuming that it can", claim.id, text(square)));
+}
 
 // The statements of a premise that can be solved for what it is to be solved for; at least one.
 std::vector<Rule> rules_of(Prover& prover, const Claim& claim, const Premise& premise,
                            const std::vector<Rule>& known) {
   const Given given(claim);
   std::vector<Rule> rules;
-  for (const Statement& statement : statements_of(prover, claim, premise)) {
+  std::vector<Rule> simplifying = known;
+  if (premise.factor) {
+    simplifying.push_back(cancellation(claim, *premise.factor, given.lookup()));
+  }
+  for (Statement statement : statements_of(prover, claim, premise)) {
+    if (premise.factor) {
+      const Term left = inverse(*premise.factor);
+      statement = {left * statement.left,
+                   statement.right.is_zero() ? statement.right : left * statement.right, statement.relation};
+    }
     const Polynomial lead = polynomial(premise.lead.value_or(statement.left), given.lookup());
-    if (auto rule = solve(residual(statement, given.lookup()), lead, premise.id, known)) {
+    if (auto rule = solve(residual(statement, given.lookup()), lead, premise.id, simplifying)) {
       rules.push_back(*std::move(rule));
     }
   }
@@ -129,6 +157,11 @@ Proof by_rewriting(std::vector<Premise> premises) {
       const Rewritten rewritten = rewrite(residual(statement, given.lookup()), rules);
       if (!rewritten.rest.empty()) {
         outcome.verdict = Verdict::undecided("the premises leave " + text(rewritten.rest));
+      }
+      for (const Assumption& assumption : claim.assumptions) {
+        if (rewritten.sources.contains(assumption.id)) {
+          outcome.assumed.insert(assumption.id);
+        }
       }
       for (const Premise& premise : premises) {
         if (rewritten.sources.contains(premise.id)) {

@@ -39,7 +39,11 @@ struct Premise {
   bool assumed = false;
   Replacements replacements = {};
   std::optional<Term> lead = {};
+  std::optional<Term> factor = {};
 
+  // The premise multiplied from the left by the inverse of a matrix; the claim must assume that its
+  // determinant is not zero.
+  [[nodiscard]] Premise divided_by(const Term& square) const;
   [[nodiscard]] Premise at(const std::string& symbol, const Term& value) const;
   [[nodiscard]] Premise solved_for(const Term& product) const;
 };

@@ -15,6 +15,7 @@ const std::vector<Place>& places() {
       {"A1", "Appendix 1: modes, H and Gamma", "appendix1", appendix1},
       {"A2", "Appendix 2: the symmetry of the orbits of Section 4", "appendix2", appendix2},
       {"A4", "Appendix 4: the symmetry of the orbits of Section 6", "appendix4", appendix4},
+      {"A5", "Appendix 5: two transitions per period", "appendix5", appendix5},
       {"red", "The equations that the proofs of orbits solve", "reduced", reduced},
   };
   return all;

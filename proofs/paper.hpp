@@ -15,8 +15,9 @@ namespace stickslip::proofs {
 [[nodiscard]] std::vector<Claim> appendix1();  // (38)-(42)
 [[nodiscard]] std::vector<Claim> appendix2();  // (43)-(46), (17)
 [[nodiscard]] std::vector<Claim> appendix4();  // (52)-(54)
+[[nodiscard]] std::vector<Claim> appendix5();  // (55)-(70)
 
-[[nodiscard]] std::vector<Claim> reduced();    // what the proofs of orbits solve in place of (13)-(28)
+[[nodiscard]] std::vector<Claim> reduced();  // what the proofs of orbits solve in place of (13)-(28)
 
 struct Place {
   std::string id;      // "sec3", "A1"

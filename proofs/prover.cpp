@@ -86,6 +86,17 @@ void discharge_stated(Outcome& outcome, const Claim& claim) {
   }
 }
 
+// Takes away the hypotheses that another one contains, as sin(2x) != 0 contains sin(x) != 0.
+void keep_strongest(std::vector<Hypothesis>& hypotheses) {
+  const std::vector<Hypothesis> all = hypotheses;
+  std::erase_if(hypotheses, [&](const Hypothesis& weak) {
+    return std::any_of(all.begin(), all.end(), [&](const Hypothesis& strong) {
+      return strong.text != weak.text && symbolic::vanishes_with(strong.nonzero, weak.nonzero) &&
+             !symbolic::vanishes_with(weak.nonzero, strong.nonzero);
+    });
+  });
+}
+
 }  // namespace
 
 Prover::Prover(const std::vector<Claim>& claims) {
@@ -143,6 +154,7 @@ bool Prover::inherit(Outcome& outcome, const Claim& claim) {
                outcome.hypotheses);
   }
   discharge_stated(outcome, claim);
+  keep_strongest(outcome.hypotheses);
   return all_stand;
 }
 
