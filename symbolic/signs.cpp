@@ -44,8 +44,17 @@ bool vanishes_with(const ex& expression, const ex& factor) {
   const ex a = in_frequencies(expression);
   const ex b = in_frequencies(factor);
   const TrigField field({a, b});
-  const ex multiple = field.reduce(field.to_generators(a).numer());
-  const ex divisor = field.reduce(field.to_generators(b).numer());
+  // Pi is transcendental: as good as a symbol.
+  static const GiNaC::symbol transcendental;
+  const auto polynomial = [&](const ex& e) {
+    return field.reduce(field.to_generators(e).numer()).subs(GiNaC::Pi == transcendental);
+  };
+  const ex multiple = polynomial(a);
+  const ex divisor = polynomial(b);
+  if (!multiple.info(GiNaC::info_flags::rational_polynomial) ||
+      !divisor.info(GiNaC::info_flags::rational_polynomial)) {
+    return false;
+  }
   ex quotient;
   return GiNaC::divide(multiple, divisor, quotient) ||
          GiNaC::divide(field.reduce(multiple * multiple), divisor, quotient);
