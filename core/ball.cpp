@@ -63,7 +63,7 @@ std::string decimal_bound(const Ball& ball) {
 
 }  // namespace
 
-thread_local long WorkingPrecision::bits_ = 128;
+constinit thread_local long WorkingPrecision::bits_ = 128;
 
 WorkingPrecision::WorkingPrecision(long bits) : previous_(bits_) {
   bits_ = bits;

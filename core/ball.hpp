@@ -27,7 +27,7 @@ class WorkingPrecision {
 
  private:
   long previous_;
-  static thread_local long bits_;
+  static constinit thread_local long bits_;  // constinit: no wrapper function at every use
 };
 
 // A ball contains every real number that it stands for. Each operation returns a ball that contains the exact

@@ -69,10 +69,8 @@ bool cannot_vanish(const ex& factor) {
   return true;
 }
 
-// Irreducible over the rationals, with π as one more symbol (GiNaC does not factor beside constants).
 std::vector<ex> factors_of(const ex& polynomial) {
-  static const GiNaC::symbol pi("pi");
-  const ex factored = GiNaC::factor(polynomial.subs(GiNaC::Pi == pi)).subs(pi == GiNaC::Pi);
+  const ex factored = GiNaC::factor(polynomial);
   std::vector<ex> result;
   for (const ex& part : is_a<GiNaC::mul>(factored) ? factored : ex(GiNaC::lst{factored})) {
     result.push_back(is_a<GiNaC::power>(part) ? part.op(0) : part);
@@ -103,9 +101,10 @@ void collect_vanishing(const ex& expression, GiNaC::exset& found) {
   if (numerator.is_zero()) {
     throw OutsideField("the expression divides by something that is identically zero");
   }
-  for (const ex& factor : factors_of(numerator)) {
+  for (const ex& generated : factors_of(numerator)) {
+    const ex factor = field.from_generators(generated);
     if (!cannot_vanish(factor)) {
-      found.insert(field.from_generators(factor));
+      found.insert(factor);
     }
   }
 }

@@ -126,6 +126,12 @@ ex reduce_square(const ex& polynomial, const ex& c, const ex& s) {
   return result.expand();
 }
 
+// π as a generator: GiNaC divides and factors polynomials in symbols, not beside constants.
+const ex& pi_generator() {
+  static const ex generator = GiNaC::symbol("pi");
+  return generator;
+}
+
 class ToGenerators : public GiNaC::map_function {
  public:
   explicit ToGenerators(const std::vector<Circle>& circles) : circles_(circles) {}
@@ -141,7 +147,7 @@ class ToGenerators : public GiNaC::map_function {
       const Pair p = pair(e.op(0));
       return p.s / p.c;
     }
-    return e.map(*this);
+    return e.is_equal(GiNaC::Pi) ? pi_generator() : e.map(*this);
   }
 
  private:
@@ -232,7 +238,7 @@ bool TrigField::is_zero(const ex& expression) const {
 }
 
 ex TrigField::from_generators(const ex& expression) const {
-  GiNaC::exmap back;
+  GiNaC::exmap back{{pi_generator(), GiNaC::Pi}};
   for (const Circle& circle : circles_) {
     back[circle.c] = GiNaC::cos(circle.angle);
     back[circle.s] = GiNaC::sin(circle.angle);

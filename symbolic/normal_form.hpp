@@ -30,7 +30,7 @@ class TrigField {
  public:
   explicit TrigField(const std::vector<GiNaC::ex>& expressions);
 
-  // The expression as a rational function of symbols and generators; not normalised.
+  // The expression as a rational function of symbols and generators, π being one of them; not normalised.
   [[nodiscard]] GiNaC::ex to_generators(const GiNaC::ex& expression) const;
 
   // A polynomial in the generators with every s² replaced by 1 - c², expanded: zero exactly if it vanishes on
@@ -40,7 +40,7 @@ class TrigField {
   // Whether the expression is identically zero. Throws OutsideField if it divides by zero.
   [[nodiscard]] bool is_zero(const GiNaC::ex& expression) const;
 
-  // Back from generators to cos and sin.
+  // Back from generators to cos, sin and π.
   [[nodiscard]] GiNaC::ex from_generators(const GiNaC::ex& expression) const;
 
   [[nodiscard]] const std::vector<Circle>& circles() const { return circles_; }

@@ -54,3 +54,7 @@ TEST_CASE("denominators are found wherever they stand") {
 TEST_CASE("division by zero is not a hypothesis") {
   CHECK_THROWS_AS((void)hypotheses_of({1 / (chi * eta - w1 * w1 - w2 * w2 + 1)}), OutsideField);
 }
+
+TEST_CASE("pi is a positive number beside which polynomials still factor") {
+  CHECK(texts(vanishing_factors((GiNaC::Pi - t) * (GiNaC::Pi + w) * V)) == Texts{"V", "pi - t"});
+}
