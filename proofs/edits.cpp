@@ -83,6 +83,15 @@ std::vector<std::string> siblings(const std::string& name) {
       {"z10", "z20"},
       {"zdot10", "zdot20"},
       {"us", "ur"},
+      {"tau", "tau1"},
+      {"phi1", "phi2"},
+      {"a1", "a2"},
+      {"b1", "b2"},
+      {"rho1", "rho2"},
+      {"xi1", "xi2"},
+      {"X1", "X2"},
+      {"Y1", "Y2"},
+      {"P1", "P2"},
   };
   for (const auto& family : families) {
     if (std::find(family.begin(), family.end(), name) != family.end()) {
