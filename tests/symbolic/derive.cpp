@@ -28,6 +28,8 @@ TEST_CASE("Vieta's equations give back (39)") {
   const ex s = symbol("s");
   const ex polynomial = characteristic_polynomial(model::stiffness<ex>(solution.chi, solution.eta), s);
   CHECK(decide_equal(polynomial, (s * s - w1 * w1) * (s * s - w2 * w2)).verdict.truth == Truth::proved);
+  CHECK(decide_equal(solution.chi, chi).verdict.truth == Truth::proved);
+  CHECK(decide_equal(solution.eta, eta).verdict.truth == Truth::proved);
 }
 
 TEST_CASE("the derived exponentials solve their systems") {
