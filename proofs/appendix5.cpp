@@ -349,22 +349,6 @@ void append(std::vector<Claim>& claims, std::vector<Claim> more) {
   claims.insert(claims.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-Claim main_theorem() {
-  return {
-      .id = "A5.theorem",
-      .place = A5,
-      .kind = Kind::theorem,
-      .words =
-          "V = 0, two transitions per period, off resonance, and omega != 1: tau = pi/omega and the motion "
-          "is symmetric in space and time (the stronger A5.unique does without two transitions and "
-          "omega != 1)",
-      .assumptions = cycle_and({off_resonance}),
-      .prove =
-          by_claims({"67.sin", "67.cases", "67.first", "67.impossible", "67.second", "69.det", "69.motion"},
-                    "sin(phi_B) = -sin(phi) leaves two cases; the first is impossible, the second gives "
-                    "tau = pi/omega and with (69) the symmetry")};
-}
-
 }  // namespace
 
 std::vector<Claim> appendix5() {
@@ -374,7 +358,6 @@ std::vector<Claim> appendix5() {
   append(claims, weaker_hypotheses());
   append(claims, symmetry());
   append(claims, resonance());
-  claims.push_back(main_theorem());
   append(claims, uniqueness());
   return claims;
 }

@@ -378,16 +378,4 @@ Proof by_definition() {
   };
 }
 
-Proof by_claims(std::vector<std::string> ids, const std::string& words) {
-  return [ids = std::move(ids), words](Prover& prover, const Claim& claim) {
-    Outcome outcome;
-    outcome.route = words;
-    outcome.verdict = Verdict::proved();
-    for (const std::string& id : ids) {
-      record_premise(outcome, prover, claim, from(id));
-    }
-    return outcome;
-  };
-}
-
 }  // namespace stickslip::proofs

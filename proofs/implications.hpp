@@ -64,10 +64,6 @@ struct Certificate {
 // The printed left sides are names that have no other meaning, introduced here.
 [[nodiscard]] Proof by_definition();
 
-// The statement is what the listed claims say together; `words` says how. The only step that is read, not
-// computed: it should be short.
-[[nodiscard]] Proof by_claims(std::vector<std::string> ids, const std::string& words);
-
 // At the point, where the symbols of `values` take the values given, every statement of `true_there` holds
 // and `false_there` does not, in balls: a refutation.
 struct Counterexample {

@@ -140,20 +140,6 @@ std::vector<Claim> uniqueness() {
            "half a period later the load is the opposite one; for V = 0 so is the friction of the opposite "
            "motion: -X(t + Theta/2) is a motion too, and never sticks if X never does",
        .prove = by_normal_form()},
-      {.id = "A5.unique",
-       .place = A5,
-       .kind = Kind::theorem,
-       .words =
-           "off resonance at most one motion of period Theta slips at almost all times, for any V and any "
-           "number of transitions; for V = 0 it is its own mirror, X(t) = -X(t + Theta/2), so that of two "
-           "transitions the second is at Theta/2: neither det P, nor omega != 1, nor two transitions are "
-           "needed",
-       .assumptions = {off_resonance, free_difference},
-       .prove =
-           by_claims({"A5.energy", "A5.opposite", "A5.free", "A5.mirror"},
-                     "over a period the energy of the difference returns to its value, so that the frictions "
-                     "are equal at almost all times and the difference moves freely; it has period Theta, "
-                     "hence it is zero; X and its mirror are two such motions")},
   };
 }
 
