@@ -1,5 +1,7 @@
 #include "proofs/meaning.hpp"
 
+#include <map>
+
 namespace stickslip::proofs {
 
 std::set<std::string> definitions_in(const Term& term) {

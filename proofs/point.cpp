@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "core/error.hpp"
 #include "model/nonsticking.hpp"
+#include "model/nonsticking_closed_form.hpp"
 
 namespace stickslip::proofs {
 namespace {

@@ -340,11 +340,9 @@ std::vector<Equal> two_slips_close(Flows& flows) {
 // det(H(Theta) - I) = (2 - 2 cos(omega_1 Theta))(2 - 2 cos(omega_2 Theta)).
 std::vector<Equal> one_response(Flows&) {
   const ex Theta = period();
-  const model::Matrix4<ex> H = model::H<ex>(modes(), Theta);
-  const symbolic::Matrix shifted = H - model::Matrix4<ex>(model::Matrix4<ex>::Identity());
   const ex product = (2 - 2 * cos(symbol("omega1") * Theta)) * (2 - 2 * cos(symbol("omega2") * Theta));
-  return {{symbolic::Matrix::Constant(1, 1, detail::determinant<ex>(shifted)),
-           symbolic::Matrix::Constant(1, 1, product)}};
+  const Term stated = determinant(vocabulary::H(2 * pi() / vocabulary::omega) - vocabulary::I4);
+  return {{evaluate<ex>(stated, symbolically()), symbolic::Matrix::Constant(1, 1, product)}};
 }
 
 namespace v = vocabulary;

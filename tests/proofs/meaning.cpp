@@ -1,4 +1,5 @@
 #include "proofs/meaning.hpp"
+#include "core/error.hpp"
 
 #include <doctest/doctest.h>
 
