@@ -1,8 +1,8 @@
-#include "proofs/meaning.hpp"
 #include "core/error.hpp"
 
 #include <doctest/doctest.h>
 
+#include "core/error.hpp"
 #include "proofs/point.hpp"
 #include "proofs/vocabulary.hpp"
 #include "symbolic/decide.hpp"
