@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "proofs/meaning.hpp"
 
 #include <doctest/doctest.h>
 
