@@ -67,19 +67,19 @@ template <class S>
   const auto load = [&](const S& x1, const S& x2, const S& x3, const S& x4) {
     return S(l.omega * S(x3 * q1 + x4 * q2) * sin_phi - S(x1 * q1 + x2 * q2) * cos_phi);
   };
-  return {{S(Ht(1, 1) - G(1, 1)), Ht(2, 1), S(Ht(3, 1) + G(3, 1)), H(4, 1), Ht(4, 1)},
-          {S(Ht(1, 2) - G(1, 2)), S(Ht(2, 2) - one), S(Ht(3, 2) + G(3, 2)), H(4, 2), Ht(4, 2)},
-          {c1, Ht(2, 3), S(Ht(1, 1) - G(1, 1)), H(2, 1), Ht(2, 1)},
-          {S(load(Ht(1, 1), Ht(1, 2), Ht(1, 3), Ht(1, 4)) + q1 * S(cos(l.phiC)) +
-             two * (h(1, 1) - one) * d01 + two * h(1, 2) * d02 + (Ht(1, 4) + G(1, 4)) * l.V),
-           S(load(Ht(2, 1), Ht(2, 2), Ht(2, 3), Ht(2, 4)) + q2 * S(cos(l.phiC)) + two * h(2, 1) * d01 +
-             two * (h(2, 2) - one) * d02 + (Ht(2, 4) + l.T) * l.V),
-           S(load(Ht(3, 1), Ht(3, 2), Ht(1, 1), Ht(1, 2)) - l.omega * q1 * S(sin(l.phiC)) +
-             two * h(3, 1) * d01 + two * h(3, 2) * d02 + (Ht(1, 2) - G(1, 2)) * l.V),
-           S((H(2, 2) - one) * l.V - q2 * l.omega * S(sin(l.phiB)) +
-             load(H(4, 1), H(4, 2), H(2, 1), H(2, 2))),
-           S((Ht(2, 2) - one) * l.V - q2 * l.omega * S(sin(l.phiC)) +
-             load(Ht(4, 1), Ht(4, 2), Ht(2, 1), Ht(2, 2)) + two * (h(4, 1) * d01 + h(4, 2) * d02))}};
+  return {
+      {S(Ht(1, 1) - G(1, 1)), Ht(2, 1), S(Ht(3, 1) + G(3, 1)), H(4, 1), Ht(4, 1)},
+      {S(Ht(1, 2) - G(1, 2)), S(Ht(2, 2) - one), S(Ht(3, 2) + G(3, 2)), H(4, 2), Ht(4, 2)},
+      {c1, Ht(2, 3), S(Ht(1, 1) - G(1, 1)), H(2, 1), Ht(2, 1)},
+      {S(load(Ht(1, 1), Ht(1, 2), Ht(1, 3), Ht(1, 4)) + q1 * S(cos(l.phiC)) + two * (h(1, 1) - one) * d01 +
+         two * h(1, 2) * d02 + (Ht(1, 4) + G(1, 4)) * l.V),
+       S(load(Ht(2, 1), Ht(2, 2), Ht(2, 3), Ht(2, 4)) + q2 * S(cos(l.phiC)) + two * h(2, 1) * d01 +
+         two * (h(2, 2) - one) * d02 + (Ht(2, 4) + l.T) * l.V),
+       S(load(Ht(3, 1), Ht(3, 2), Ht(1, 1), Ht(1, 2)) - l.omega * q1 * S(sin(l.phiC)) + two * h(3, 1) * d01 +
+         two * h(3, 2) * d02 + (Ht(1, 2) - G(1, 2)) * l.V),
+       S((H(2, 2) - one) * l.V - q2 * l.omega * S(sin(l.phiB)) + load(H(4, 1), H(4, 2), H(2, 1), H(2, 2))),
+       S((Ht(2, 2) - one) * l.V - q2 * l.omega * S(sin(l.phiC)) +
+         load(Ht(4, 1), Ht(4, 2), Ht(2, 1), Ht(2, 2)) + two * (h(4, 1) * d01 + h(4, 2) * d02))}};
 }
 
 // (22): z10 = Delta1/Delta, z20 = Delta2/Delta, z1'(0) = Delta3/Delta, from equations 1, 2, 3 where Delta is

@@ -189,8 +189,6 @@ std::vector<Claim> symmetry() {
   const Term turned = sin(phi + omega * tau / 2);
   const Assumption first_case{"67.case1", equation(turned, 0)};
   const Assumption second_case{"67.case2", equation(cos(omega * tau / 2), 0)};
-  const Assumption falls{"25.slip", {z20, z2B, Relation::greater}};
-  const Assumption regular_H1{"69.H1", {determinant(H1(tau) - I2), 0, Relation::not_equal}};
   const std::vector<Assumption> moving = cycle_and({off_resonance, starts_with_belt, meets_belt, at_rest});
   return {
       {.id = "66",
@@ -357,6 +355,7 @@ std::vector<Claim> appendix5() {
   append(claims, through_P());
   append(claims, weaker_hypotheses());
   append(claims, symmetry());
+  append(claims, theorem());
   append(claims, resonance());
   append(claims, uniqueness());
   return claims;

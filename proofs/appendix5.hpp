@@ -25,6 +25,8 @@ inline const Assumption regular_P{"65.det", {determinant(P), 0, Relation::not_eq
 inline const Assumption off_resonance{
     "70.resonance", {sin(omega1 * Theta / 2) * sin(omega2 * Theta / 2), 0, Relation::not_equal}};
 inline const Assumption at_rest{"A5.V", equation(V, 0)};
+inline const Assumption falls{"25.slip", {z20, z2B, Relation::greater}};
+inline const Assumption regular_H1{"69.H1", {determinant(H1(tau) - I2), 0, Relation::not_equal}};
 
 inline const Term phiB = omega * tau + phi;
 inline const Term top = block(1, {I2, zero(2, 2)}), bottom = block(1, {zero(2, 2), I2});
@@ -36,6 +38,8 @@ inline const Term top = block(1, {I2, zero(2, 2)}), bottom = block(1, {zero(2, 2
 
 // Off resonance both xi vanish, with no other hypothesis.
 [[nodiscard]] std::vector<Claim> weaker_hypotheses();
+// (66)-(69) put together.
+[[nodiscard]] std::vector<Claim> theorem();
 // At most one motion that never sticks, by the energy of differences.
 [[nodiscard]] std::vector<Claim> uniqueness();
 

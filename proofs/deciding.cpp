@@ -88,16 +88,43 @@ const Assumption& assumption_of(const Claim& claim, const std::string& id) {
   return *found;
 }
 
-// A claim may serve as a premise only where what it assumes itself is assumed here too, unchanged.
-void check_assumptions(const Claim& user, const Claim& used, const Premise& premise) {
+bool says(const Record& record, const Statement& statement) {
+  const std::vector<Statement>& said = proved_form(record);
+  return std::any_of(said.begin(), said.end(), [&](const Statement& one) { return equal(one, statement); });
+}
+
+// The claim that takes the place of an assumption, for a premise that has it.
+Premise supplier(const Premise& premise, const std::string& id) {
+  Premise result = from(id);
+  result.supplied = premise.supplied;
+  return result;
+}
+
+// A claim may serve as a premise only where what it assumes itself is assumed here too, unchanged, or is
+// supplied by a claim for which the same holds. A corrected form needs what its own proof took.
+void check_assumptions(Prover& prover, const Claim& user, const Record& record, const Premise& premise) {
+  const Claim& used = record.claim;
   for (const Assumption& assumption : used.assumptions) {
-    (void)assumption_of(user, assumption.id);
+    if (record.corrected && !record.corrected->assumed.contains(assumption.id)) {
+      continue;
+    }
     for (const auto& replacement : premise.replacements) {
       if (depends_on(assumption.statement.left, replacement.first) ||
           depends_on(assumption.statement.right, replacement.first)) {
         throw InternalError(fmt::format("claim {} uses {} with another {} than the one assumed in {}",
                                         user.id, used.id, replacement.first, assumption.id));
       }
+    }
+    if (const auto supplied = premise.supplied.find(assumption.id); supplied != premise.supplied.end()) {
+      const Record& supplier_record = prover.prove(supplied->second);
+      if (!says(supplier_record, assumption.statement)) {
+        throw InternalError(fmt::format("claim {}: {} does not say what {} assumes as {}", user.id,
+                                        supplied->second, used.id, assumption.id));
+      }
+      check_assumptions(prover, user, supplier_record, supplier(premise, supplied->second));
+    } else if (!equal(assumption_of(user, assumption.id).statement, assumption.statement)) {
+      throw InternalError(
+          fmt::format("claim {} assumes another {} than {}", user.id, assumption.id, used.id));
     }
   }
 }
@@ -176,7 +203,7 @@ std::vector<Statement> statements_of(Prover& prover, const Claim& claim, const P
     statements = {assumption_of(claim, premise.id).statement};
   } else {
     const Record& record = prover.prove(premise.id);
-    check_assumptions(claim, record.claim, premise);
+    check_assumptions(prover, claim, record, premise);
     statements = proved_form(record);
   }
   for (Statement& statement : statements) {
@@ -192,11 +219,21 @@ void record_premise(Outcome& outcome, Prover& prover, const Claim& claim, const 
   }
   outcome.uses.insert(premise.id);
   const Record& record = prover.prove(premise.id);
+  for (const std::string& id : (record.corrected ? *record.corrected : record.outcome).assumed) {
+    if (!premise.supplied.contains(id)) {
+      outcome.assumed.insert(id);
+    }
+  }
   const Given given(claim);
   std::vector<Hypothesis>& here = outcome.inherited[premise.id];
   for (const Hypothesis& general : (record.corrected ? *record.corrected : record.outcome).hypotheses) {
     for (const ex& factor : instantiated(general.nonzero, premise, given)) {
       here = joined(here, {hypothesis(factor, general.origin)});
+    }
+  }
+  for (const Assumption& assumption : record.claim.assumptions) {
+    if (const auto supplied = premise.supplied.find(assumption.id); supplied != premise.supplied.end()) {
+      record_premise(outcome, prover, claim, supplier(premise, supplied->second));
     }
   }
 }

@@ -33,6 +33,10 @@ template <class S>
 extern template Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);
 extern template Value<Ball> evaluate(const Term&, const Lookup<Ball>&);
 
+// Whether it is an element of the field in which identities are decided: every name has a meaning in the
+// model, and there is no absolute value.
+[[nodiscard]] bool is_in_field(const Term& term);
+
 // The claims that define what a term speaks of: 38 for H_1, 41 for Gamma_2, … (cos, t and the parameters need
 // none).
 [[nodiscard]] std::set<std::string> definitions_in(const Term& term);

@@ -60,17 +60,30 @@ Proof by_differential_equation(const Term& A, const Term& forcing, const Term& i
     // Time counted from the start: fewer phases for the normal form.
     const Replacements from_start{{"t", scalar("t") + start}};
     const Term solution = substitute(claim.printed.front().right, from_start);
-    return conjunction(
+    Outcome outcome = conjunction(
         "it satisfies the differential equation and the initial value; linear equations have one solution",
         claim,
         {equation(derivative(solution), A * solution + substitute(forcing, from_start)),
          equation(substitute(solution, {{"t", 0}}), initial)});
+    const Statement begins = equation(substitute(claim.printed.front().left, {{"t", start}}), initial);
+    for (const Assumption& assumption : claim.assumptions) {
+      if (equal(assumption.statement, begins)) {
+        outcome.assumed.insert(assumption.id);
+      }
+    }
+    return outcome;
   };
 }
 
 Premise Premise::at(const std::string& symbol, const Term& value) const {
   Premise result = *this;
   result.replacements.emplace(symbol, value);
+  return result;
+}
+
+Premise Premise::given(const std::string& assumption, const std::string& claim) const {
+  Premise result = *this;
+  result.supplied.emplace(assumption, claim);
   return result;
 }
 
@@ -87,10 +100,10 @@ Premise Premise::divided_by(const Term& square) const {
 }
 
 Premise from(const std::string& id) {
-  return {id, false, {}, {}, {}};
+  return {.id = id};
 }
 Premise assuming(const std::string& id) {
-  return {id, true, {}, {}, {}};
+  return {.id = id, .assumed = true};
 }
 
 namespace {
@@ -170,6 +183,28 @@ Proof by_rewriting(std::vector<Premise> premises) {
       }
       record_assumptions(outcome, claim, statement.left);
       record_assumptions(outcome, claim, statement.right);
+    }
+    return outcome;
+  };
+}
+
+Proof by_premises(std::vector<Premise> premises) {
+  return [premises = std::move(premises)](Prover& prover, const Claim& claim) {
+    Outcome outcome;
+    outcome.route = "what the premises say; what they assume beyond this is supplied by the claims listed";
+    outcome.verdict = Verdict::proved();
+    for (const Statement& printed : claim.printed) {
+      const auto made_by = [&](const Premise& premise) {
+        const std::vector<Statement> made = statements_of(prover, claim, premise);
+        return std::any_of(made.begin(), made.end(),
+                           [&](const Statement& one) { return equal(one, printed); });
+      };
+      const auto source = std::find_if(premises.begin(), premises.end(), made_by);
+      if (source == premises.end()) {
+        outcome.verdict = Verdict::undecided(fmt::format("no premise says {}", text(printed)));
+        continue;
+      }
+      record_premise(outcome, prover, claim, *source);
     }
     return outcome;
   };

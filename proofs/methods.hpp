@@ -40,11 +40,16 @@ struct Premise {
   Replacements replacements = {};
   std::optional<Term> lead = {};
   std::optional<Term> factor = {};
+  std::map<std::string, std::string> supplied =
+      {};  // what the premise assumes, by id, and the claim that proves it
 
   // The premise multiplied from the left by the inverse of a matrix; the claim must assume that its
   // determinant is not zero.
   [[nodiscard]] Premise divided_by(const Term& square) const;
   [[nodiscard]] Premise at(const std::string& symbol, const Term& value) const;
+  // What the premise assumes under this id need not be assumed here: the claim named proves that very
+  // statement.
+  [[nodiscard]] Premise given(const std::string& assumption, const std::string& claim) const;
   [[nodiscard]] Premise solved_for(const Term& product) const;
 };
 [[nodiscard]] Premise from(const std::string& id);
@@ -53,5 +58,9 @@ struct Premise {
 // The printed equations follow from the premises by replacing equals by equals, for any matrices whatever;
 // only premises that were needed are recorded.
 [[nodiscard]] Proof by_rewriting(std::vector<Premise> premises);
+
+// Each printed statement is one that a premise makes: what the premises assume and the claim does not is
+// supplied by other claims. All premises must be needed.
+[[nodiscard]] Proof by_premises(std::vector<Premise> premises);
 
 }  // namespace stickslip::proofs

@@ -67,18 +67,37 @@ std::vector<Hypothesis> open_at(std::vector<Hypothesis> hypotheses, const std::v
   return hypotheses;
 }
 
+// Whether the relation excludes that both sides are equal.
+bool keeps_apart(Relation relation) {
+  return relation == Relation::not_equal || relation == Relation::less || relation == Relation::greater;
+}
+
+// What a claim assumes not to be zero, with all that it assumes put in, and with each of its "symbol = value"
+// alone (Theta may be given both as tau + tau_1 and as 2 pi/omega).
+std::vector<GiNaC::ex> readings(const Claim& claim, const Term& nonzero) {
+  std::vector<GiNaC::ex> result{evaluate<GiNaC::ex>(nonzero, Given(claim).lookup())(0, 0)};
+  for (const Assumption& assumption : claim.assumptions) {
+    if (is_substitution(assumption)) {
+      const Replacements alone{{assumption.statement.left.name(), assumption.statement.right}};
+      result.push_back(evaluate<GiNaC::ex>(substitute(nonzero, alone), symbolically())(0, 0));
+    }
+  }
+  return result;
+}
+
 // Takes away the hypotheses that the claim itself states: where one fails, something is zero that the claim
 // assumes is not.
 void discharge_stated(Outcome& outcome, const Claim& claim) {
-  const Given given(claim);
   for (const Assumption& assumption : claim.assumptions) {
-    if (assumption.statement.relation != Relation::not_equal) {
+    const Term nonzero = assumption.statement.left - assumption.statement.right;
+    if (outcome.hypotheses.empty() || !keeps_apart(assumption.statement.relation) || !is_in_field(nonzero)) {
       continue;
     }
-    const GiNaC::ex stated =
-        evaluate<GiNaC::ex>(assumption.statement.left - assumption.statement.right, given.lookup())(0, 0);
+    const std::vector<GiNaC::ex> stated = readings(claim, nonzero);
     const auto discharged = std::erase_if(outcome.hypotheses, [&](const Hypothesis& hypothesis) {
-      return symbolic::vanishes_with(stated, hypothesis.nonzero);
+      return std::any_of(stated.begin(), stated.end(), [&](const GiNaC::ex& one) {
+        return symbolic::vanishes_with(one, hypothesis.nonzero);
+      });
     });
     if (discharged > 0) {
       outcome.assumed.insert(assumption.id);

@@ -156,7 +156,7 @@ Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules) {
       return result;
     }
   }
-  throw InternalError("rewriting does not end; what is left: " + text(result.rest));
+  throw InternalError(fmt::format("rewriting does not end after {} steps", most_steps));
 }
 
 std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead, const std::string& source,

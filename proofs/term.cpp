@@ -249,7 +249,11 @@ Statement substitute(const Statement& statement, const Replacements& replacement
 bool equal(const Term& a, const Term& b) {
   return a.op() == b.op() && a.name() == b.name() && a.number() == b.number() && a.shape() == b.shape() &&
          std::equal(a.arguments().begin(), a.arguments().end(), b.arguments().begin(), b.arguments().end(),
-                    equal);
+                    [](const Term& x, const Term& y) { return equal(x, y); });
+}
+
+bool equal(const Statement& a, const Statement& b) {
+  return a.relation == b.relation && equal(a.left, b.left) && equal(a.right, b.right);
 }
 
 }  // namespace stickslip::proofs

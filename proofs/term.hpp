@@ -122,6 +122,7 @@ struct Statement {
   return {left, right, Relation::equal};
 }
 [[nodiscard]] Statement substitute(const Statement& statement, const Replacements& replacements);
+[[nodiscard]] bool equal(const Statement& a, const Statement& b);
 
 // As LaTeX, and as one line of plain text for a terminal.
 [[nodiscard]] std::string latex(const Term& term);

@@ -38,9 +38,27 @@ Ball sample(const ex& expression) {
   return evaluate(expression, values);
 }
 
+// Whether the expression is zero at omega = root, where the factor is linear in omega: sin(omega1*Pi/omega)
+// and omega - omega1 are no polynomials in common quantities.
+bool vanishes_at_root_in_omega(const ex& expression, const ex& factor) {
+  const ex omega = symbol("omega");
+  const ex slope = factor.coeff(omega, 1);
+  if (!factor.is_polynomial(omega) || factor.degree(omega) != 1 || slope.has(omega)) {
+    return false;
+  }
+  try {
+    return expression.subs(omega == -factor.coeff(omega, 0) / slope).normal().is_zero();
+  } catch (const GiNaC::pole_error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 bool vanishes_with(const ex& expression, const ex& factor) {
+  if (vanishes_at_root_in_omega(expression, factor)) {
+    return true;
+  }
   const ex a = in_frequencies(expression);
   const ex b = in_frequencies(factor);
   const TrigField field({a, b});

@@ -9,8 +9,9 @@
 
 namespace stickslip::symbolic {
 
-// Whether a polynomial certificate shows that the expression is zero wherever the factor is: the expression,
-// or its square, is a multiple of the factor. chi, eta, lambda1, lambda2 stand for (39). False says nothing.
+// Whether a certificate shows that the expression is zero wherever the factor is: the expression, or its
+// square, is a multiple of the factor, or the factor is linear in omega and the expression zero at its root.
+// chi, eta, lambda1, lambda2 stand for (39). False says nothing.
 [[nodiscard]] bool vanishes_with(const GiNaC::ex& expression, const GiNaC::ex& factor);
 
 // If the expression is certainly positive where certain factors are not zero: these factors, as
