@@ -2,19 +2,14 @@
 // t_1 = t - tau, the argument here is the time t = tau + t_1 itself.
 #include "proofs/methods.hpp"
 #include "proofs/paper.hpp"
-#include "proofs/vocabulary.hpp"
+#include "proofs/symmetric.hpp"
 
 namespace stickslip::proofs {
 namespace {
 
-using namespace vocabulary;
+using namespace symmetric;
 
 const std::string A2 = "A2";
-
-const Assumption time_lag{"4.lag", equation(phi, (pi() - omega * tau) / 2)};
-const Assumption slip_ends{"13", equation(Z(tau), E* Z0)};
-const Assumption stick_ends{"15", equation(Gamma(T) * E * Z0, Z0)};
-const Assumption stick_lasts{"4.T", equation(T, Theta - tau)};
 
 // (15) solved for z0: the states at the end of every stick that closes.
 Assumption closing_state(const Term& z, const Term& row) {

@@ -1,5 +1,5 @@
-// Appendix 5 as one theorem: off resonance and for V = 0, a motion of two slips per period that closes is symmetric
-// in space and time. Composed of (66)-(69), without dividing by q_2: omega = 1 needs no exception.
+// Appendix 5 as one theorem: off resonance and for V = 0, a motion of two slips per period that closes is
+// symmetric in space and time. Composed of (66)-(69), without dividing by q_2: omega = 1 needs no exception.
 #include "proofs/appendix5.hpp"
 #include "proofs/calculus.hpp"
 #include "proofs/implications.hpp"
@@ -30,7 +30,8 @@ std::vector<Claim> theorem() {
        .place = A5,
        .kind = Kind::step,
        .printed = {equation(omega * (z2B - z20) * cos(quarter), 2 * V * sin(quarter))},
-       .words = "the second rows of (66), with nothing divided by: how far the slip goes and how long it lasts; for V > 0 "
+       .words = "the second rows of (66), with nothing divided by: how far the slip goes and how long it "
+                "lasts; for V > 0 "
                 "a slip that ends with z2B < z20 lasts longer than half a period",
        .assumptions = moving({}),
        .prove = by_combination({{{from("66"), 0, omega * cos(quarter) * second_row},
@@ -60,7 +61,8 @@ std::vector<Claim> theorem() {
        .place = A5,
        .kind = Kind::step,
        .printed = {equation(cos(quarter), 0)},
-       .words = "V = 0: the case sin(phi + omega tau/2) = 0 of (67), all its branches phi_B = -phi + 2 k pi, is excluded by "
+       .words = "V = 0: the case sin(phi + omega tau/2) = 0 of (67), all its branches phi_B = -phi + 2 k pi, "
+                "is excluded by "
                 "z2B < z20, the other remains",
        .assumptions = moving({at_rest, falls}),
        .prove = by_combination({{{from("A5.turn"), 0, 1 / (omega * (z2B - z20))},
@@ -78,7 +80,8 @@ std::vector<Claim> theorem() {
        .printed = {second_half.statement},
        .words = "so does the overshoot",
        .assumptions = two_slips_at_rest(),
-       .prove = by_combination({{{assuming("56.tau1"), 0, -1}, {assuming("28.period"), 0}, {from("A5.half"), 0, -1}}})},
+       .prove = by_combination(
+           {{{assuming("56.tau1"), 0, -1}, {assuming("28.period"), 0}, {from("A5.half"), 0, -1}}})},
       {.id = "A5.regular",
        .place = A5,
        .kind = Kind::step,
@@ -90,7 +93,8 @@ std::vector<Claim> theorem() {
        .place = A5,
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(t + tau)), half.statement},
-       .words = "Appendix 5: off resonance, a motion with V = 0 and two slips per period, x2' < 0 on the first, is "
+       .words = "Appendix 5: off resonance, a motion with V = 0 and two slips per period, x2' < 0 on the "
+                "first, is "
                 "symmetric in space and time; det P != 0, det H_2 != 0 and omega != 1 are not needed",
        .assumptions = two_slips_at_rest(),
        .prove = by_premises({from("69.motion")

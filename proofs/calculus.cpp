@@ -42,8 +42,8 @@ Proof by_mean_value(MeanValue step) {
     const Function motion{named.left.name(), named.left.shape()};
     require(slope.relation == Relation::less && printed.relation == Relation::less, claim,
             "the mean value theorem is used for 'less'");
-    require(equal(slope.left, derivative(step.row * motion(scalar("t")))) && !depends_on(slope.right, "t"), claim,
-            text(slope) + " does not bound the rate of change by a constant");
+    require(equal(slope.left, derivative(step.row * motion(scalar("t")))) && !depends_on(slope.right, "t"),
+            claim, text(slope) + " does not bound the rate of change by a constant");
     require(equal(named, equation(motion(step.upper), step.at_upper)) &&
                 step.at_lower.name() == named.left.name() + "0",
             claim, text(named) + " does not say where the motion ends");
@@ -70,11 +70,12 @@ Proof by_periodic_decrease(PeriodicDecrease step) {
             text(positive) + " does not say that the weight is positive");
     require(equal(only(claim.printed, claim), equation(step.difference, 0)), claim,
             "what follows is that the difference is zero");
-    require(periodic.left.op() == Op::function && equal(periodic.left.arguments().front(), scalar("Theta")), claim,
-            text(periodic) + " does not say that the difference of the motions returns");
+    require(periodic.left.op() == Op::function && equal(periodic.left.arguments().front(), scalar("Theta")),
+            claim, text(periodic) + " does not say that the difference of the motions returns");
     Outcome outcome;
-    outcome.route = "a continuous function of period Theta that never increases is constant, so its rate of change "
-                    "is zero at almost all times";
+    outcome.route =
+        "a continuous function of period Theta that never increases is constant, so its rate of change "
+        "is zero at almost all times";
     for (const Premise& premise : {step.rate, step.form, step.positive, assuming(step.periodic)}) {
       record_premise(outcome, prover, claim, premise);
     }
@@ -104,7 +105,8 @@ Proof by_nonzero_multiple(const std::string& assumption) {
       return evaluate<ex>(statement.left - statement.right, given.lookup())(0, 0);
     };
     Outcome outcome;
-    outcome.route = "where the left side vanishes, so does what is assumed not to: it, or its square, is a multiple";
+    outcome.route =
+        "where the left side vanishes, so does what is assumed not to: it, or its square, is a multiple";
     outcome.assumed.insert(assumption);
     for (const Term& side : {printed.left, stated.left}) {
       record_assumptions(outcome, claim, side);

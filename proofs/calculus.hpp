@@ -8,12 +8,12 @@
 
 namespace stickslip::proofs {
 
-// Mean value theorem. The assumption says "d/dt (row * Z(t)) < bound" for lower < t < upper, the bound constant;
-// the printed inequality is row * at_upper - row * at_lower < bound * (upper - lower). The claim must assume
-// Z(upper) = at_upper under the id `named`; at_lower is Z(0), and lower is 0.
+// Mean value theorem. The assumption says "d/dt (row * Z(t)) < bound" for lower < t < upper, the bound
+// constant; the printed inequality is row * at_upper - row * at_lower < bound * (upper - lower). The claim
+// must assume Z(upper) = at_upper under the id `named`; at_lower is Z(0), and lower is 0.
 struct MeanValue {
-  std::string slope;     // id of the assumption about the derivative
-  std::string named;     // id of the assumption Z(upper) = at_upper
+  std::string slope;  // id of the assumption about the derivative
+  std::string named;  // id of the assumption Z(upper) = at_upper
   Term row = 1;
   Term at_lower = 0, at_upper = 0;
   Term upper = 0;
@@ -21,9 +21,9 @@ struct MeanValue {
 [[nodiscard]] Proof by_mean_value(MeanValue step);
 
 // A continuous function of period Theta whose rate of change is never positive does not change. `rate` says
-// d/dt E = A, `form` says A = -weight * difference^2 with a weight that `positive` says is positive; the printed
-// equation is difference = 0, at almost all times. E is a function of `motions`, pairs of symbols, through their
-// differences alone, which `periodic` assumes to return after Theta.
+// d/dt E = A, `form` says A = -weight * difference^2 with a weight that `positive` says is positive; the
+// printed equation is difference = 0, at almost all times. E is a function of `motions`, pairs of symbols,
+// through their differences alone, which `periodic` assumes to return after Theta.
 struct PeriodicDecrease {
   Premise rate, form, positive;
   std::string periodic;

@@ -64,13 +64,16 @@ struct Certificate {
 // The printed left sides are names that have no other meaning, introduced here.
 [[nodiscard]] Proof by_definition();
 
-// At the point, where the symbols of `values` take the values given, every statement of `true_there` holds
-// and `false_there` does not, in balls: a refutation.
+// At the point, where the symbols of `values` take the values given (in terms of one another and of the
+// point), every statement of `true_there` holds and none of `false_there` does, in balls; those of
+// `true_identically` hold by normal form for every point. A refutation of what says that the former imply one
+// of the latter.
 struct Counterexample {
   std::vector<Coordinate> point;
-  std::vector<Statement> values;  // "symbol = value"
-  std::vector<Statement> true_there;
-  Statement false_there;
+  std::vector<Statement> values = {};  // "symbol = value"
+  std::vector<Statement> true_identically = {};
+  std::vector<Statement> true_there = {};
+  std::vector<Statement> false_there;
 };
 [[nodiscard]] Proof by_counterexample(Counterexample example);
 

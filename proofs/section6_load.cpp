@@ -59,7 +59,7 @@ Counterexample weak_load() {
                          {p, abs(in_37), Relation::greater},
                          pushes,
                          {ur, us, Relation::greater}},
-          .false_there = inequality36};
+          .false_there = {inequality36}};
 }
 
 std::vector<Claim> condition36() {

@@ -28,12 +28,8 @@ Claim mean_value(const Term& slope, const Statement& printed) {
           .printed = {printed},
           .assumptions = {{"slope", {derivative(place * Z(t)), slope, Relation::less}},
                           {"ZB", equation(Z(tau), ZB)}},
-          .prove = by_mean_value({.slope = "slope",
-                                  .named = "ZB",
-                                  .row = place,
-                                  .at_lower = Z0,
-                                  .at_upper = ZB,
-                                  .upper = tau})};
+          .prove = by_mean_value(
+              {.slope = "slope", .named = "ZB", .row = place, .at_lower = Z0, .at_upper = ZB, .upper = tau})};
 }
 
 // The paper with one claim changed.
@@ -77,17 +73,19 @@ TEST_CASE("a rate that is not minus a positive multiple of a square proves nothi
 }
 
 TEST_CASE("a claim that takes the place of an assumption must say just that, and its own assumptions count") {
-  const auto other = paper_with("A5.second", [](Claim& claim) { claim.printed = {equation(tau1, pi() / omega1)}; });
+  const auto other =
+      paper_with("A5.second", [](Claim& claim) { claim.printed = {equation(tau1, pi() / omega1)}; });
   CHECK_THROWS_WITH_AS((void)audit(other, {"A5.theorem"}), doctest::Contains("does not say"), InternalError);
   const auto without_slope = paper_with("A5.theorem", [](Claim& claim) {
     std::erase_if(claim.assumptions, [](const Assumption& a) { return a.id == "25.slope"; });
   });
-  CHECK_THROWS_WITH_AS((void)audit(without_slope, {"A5.theorem"}), doctest::Contains("25.slope"), InternalError);
-  const auto unsupplied = paper_with("A5.theorem", [](Claim& claim) { claim.prove = by_premises({from("69.motion")}); });
+  CHECK_THROWS_WITH_AS((void)audit(without_slope, {"A5.theorem"}), doctest::Contains("25.slope"),
+                       InternalError);
+  const auto unsupplied =
+      paper_with("A5.theorem", [](Claim& claim) { claim.prove = by_premises({from("69.motion")}); });
   CHECK_THROWS_AS((void)audit(unsupplied, {"A5.theorem"}), InternalError);
-  const auto too_much = paper_with("A5.theorem", [](Claim& claim) {
-    claim.printed.push_back(equation(X(t), X(t + tau)));
-  });
+  const auto too_much =
+      paper_with("A5.theorem", [](Claim& claim) { claim.printed.push_back(equation(X(t), X(t + tau))); });
   CHECK(status(too_much, "A5.theorem") == Status::undecided);
 }
 
