@@ -14,6 +14,12 @@ void require(bool holds, const char* name, const Rational& value, const char* ra
 
 }  // namespace
 
+ExactParameters parse_parameters(const char* chi, const char* eta, const char* us, const char* V,
+                                 const char* omega, const char* p) {
+  return {parse_rational(chi), parse_rational(eta),   parse_rational(us),
+          parse_rational(V),   parse_rational(omega), parse_rational(p)};
+}
+
 bool is_resonant(const ExactParameters& a) {
   const Rational w = a.omega * a.omega;
   return w * w - (1 + a.chi * a.eta) * w + a.chi * a.eta * (1 - a.chi) == 0;

@@ -3,11 +3,23 @@
 
 #include "core/rational.hpp"
 #include "model/parameters.hpp"
+#include "numeric/scalars.hpp"
 
 namespace stickslip {
 
 // The data of a problem, exactly as the user or the paper gave them.
 using ExactParameters = model::Parameters<Rational>;
+
+// Each read as parse_rational does, in the order of the fields. Throws UsageError likewise.
+[[nodiscard]] ExactParameters parse_parameters(const char* chi, const char* eta, const char* us,
+                                               const char* V, const char* omega, const char* p);
+
+// The data at the working precision.
+template <class S>
+[[nodiscard]] model::Parameters<S> parameters_as(const ExactParameters& a) {
+  return {scalar<S>(a.chi), scalar<S>(a.eta),   scalar<S>(a.us),
+          scalar<S>(a.V),   scalar<S>(a.omega), scalar<S>(a.p)};
+}
 
 // Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and p >= 0: the domain of (2), (4).
 void require_model_domain(const ExactParameters& a);

@@ -7,12 +7,6 @@
 namespace stickslip {
 namespace {
 
-ExactParameters data(const char* chi, const char* eta, const char* us, const char* V, const char* omega,
-                     const char* p) {
-  return {parse_rational(chi), parse_rational(eta),   parse_rational(us),
-          parse_rational(V),   parse_rational(omega), parse_rational(p)};
-}
-
 PrintedResult legible(const char* name, const char* value) {
   return {name, parse_decimal(value), false};
 }
@@ -24,7 +18,7 @@ Example example_S() {
   return {"S",
           "Fig. 2",
           Family::symmetric,
-          data("0.5", "3.8", "0.02", "1", "0.6", "0.05"),
+          parse_parameters("0.5", "3.8", "0.02", "1", "0.6", "0.05"),
           std::nullopt,
           std::nullopt,
           {legible("tau", "7.749"), legible("T", "2.723"), legible("Theta", "10.472"),
@@ -36,7 +30,7 @@ Example example_O() {
   return {"O",
           "Fig. 3",
           Family::overshooting,
-          data("0.2", "4", "0.05", "1", "0.6289", "0.05"),
+          parse_parameters("0.2", "4", "0.05", "1", "0.6289", "0.05"),
           Rational(0),
           std::nullopt,
           {legible("tau", "4.909"), legible("tau1", "2.8275"), legible("T", "2.2543"),
@@ -48,7 +42,7 @@ Example example_P() {
   return {"P",
           "Fig. 4",
           Family::nonsticking,
-          data("0.3", "4", "0.1", "0", "0.6", "1"),
+          parse_parameters("0.3", "4", "0.1", "0", "0.6", "1"),
           std::nullopt,
           parse_rational("0.2996"),
           {legible("Theta", "10.472"), without_sign("x10", "1.5608"), without_sign("x20", "3.3295"),

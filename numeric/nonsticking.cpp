@@ -10,10 +10,6 @@ namespace {
 
 constexpr long search_bits = 64;
 
-model::Parameters<Ball> to_balls(const ExactParameters& a) {
-  return {Ball(a.chi), Ball(a.eta), Ball(a.us), Ball(a.V), Ball(a.omega), Ball(a.p)};
-}
-
 // The search looks at x = (delta/pi, mu/pi). It covers [0, 1] × an interval of length 2 with a little to
 // spare: then the halvings do not meet delta = pi/2 and sin(mu) = 0, where zeros with a symmetry lie and
 // would be cut in two.
@@ -77,13 +73,15 @@ bool same_zero(const NonstickingOrbit& a, const NonstickingOrbit& b) {
   return false;
 }
 
+// A proved (delta, mu), to `digits` digits.
+Box<2> refined(const ExactParameters& a, const Box<2>& zero, int digits) {
+  return refine<2>([&a] { return two_slips_of(parameters_as<Ball>(a)); }, zero, bits_for(digits));
+}
+
 void conclude(const ExactParameters& a, const FoundZero<2>& found, int digits, NonstickingList& list) {
-  const long bits = 4L * digits + 32;
-  const auto recipe = [&a] { return two_slips_of(to_balls(a)); };
-  const Box<2> start = found.zero * Ball::pi();
-  const Box<2> box = refine<2>(recipe, start, bits);
-  const WorkingPrecision scope(bits + 64);
-  const TwoSlips f = recipe();
+  const Box<2> box = refined(a, found.zero * Ball::pi(), digits);
+  const WorkingPrecision scope(bits_for(digits) + 64);
+  const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
   const Ball beyond = box(0) - f.pi;
   if (box(0).is_negative() || beyond.is_positive()) {
     return;
@@ -139,6 +137,27 @@ NonstickingOrbit describe_nonsticking(const TwoSlips& f, const Box<2>& box, cons
   return orbit;
 }
 
+NonstickingProof prove_nonsticking(const ExactParameters& a, const model::Vector2<double>& guess,
+                                   int digits) {
+  require_model_domain(a);
+  require_no_resonance(a);
+  ZeroProof<2> zero;
+  {
+    const WorkingPrecision scope(128);
+    zero = prove_zero_near<2>(two_slips_of(parameters_as<Ball>(a)), Box<2>(Ball(guess(0)), Ball(guess(1))));
+  }
+  if (zero.verdict.truth != Truth::proved) {
+    return {zero.verdict, {}};
+  }
+  const Box<2> box = refined(a, zero.box, digits);
+  const WorkingPrecision scope(bits_for(digits) + 64);
+  const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
+  if (!box(0).is_positive() || !(box(0) - f.pi).is_negative()) {
+    return {Verdict::undecided("a motion one of whose phases may last no time at all"), {}};
+  }
+  return {zero.verdict, describe_nonsticking(f, box, zero.unique)};
+}
+
 NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
   require_model_domain(a);
   require_no_resonance(a);
@@ -155,7 +174,7 @@ NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
   SearchResult<2> result;
   {
     const WorkingPrecision scope(search_bits);
-    const TwoSlips f = two_slips_of(to_balls(a));
+    const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
     const Scaled g{f};
     result = search<2>({{0, mu_first}, {delta_last, mu_last}}, KrawczykContractor<2, Scaled>{g},
                        KrawczykDecider<2, Scaled>{g}, {0x1p-30, 200000});

@@ -66,6 +66,17 @@ struct NonstickingOrbit {
 [[nodiscard]] NonstickingOrbit describe_nonsticking(const TwoSlips& f, const Box<2>& box,
                                                     const Box<2>& unique);
 
+// Whether there is exactly one orbit near a guess.
+struct NonstickingProof {
+  Verdict existence;
+  NonstickingOrbit orbit;  // meaningless unless existence is proved
+};
+
+// Proves the orbit near the guess (delta, mu) and encloses it to `digits` digits. Throws DomainError like
+// list_nonsticking.
+[[nodiscard]] NonstickingProof prove_nonsticking(const ExactParameters& a,
+                                                 const model::Vector2<double>& guess, int digits);
+
 // A part of the domain in which the search could not decide.
 struct UnresolvedNonsticking {
   Ball tau, mu;

@@ -92,15 +92,6 @@ void add_over_box(OrbitList& list, const BoxOrbit& box, const std::vector<NamedB
   list.orbits.push_back(orbit);
 }
 
-Motion symmetric_motion(const model::Parameters<Ball>& data, const SymmetricState<Ball>& s) {
-  // The stick begins at E Z0 (13).
-  const model::Vector4<Ball> Z0(s.z10, s.z20, s.zdot10, data.V);
-  const model::Vector4<Ball> ZC(-s.z10, -s.z20, s.zdot10, data.V);
-  return {model::oscillator<Ball>(data),
-          {{PhaseKind::slip, Ball(0), s.tau, s.phi, Z0},
-           {PhaseKind::stick, s.tau, s.T, Ball(s.phi + data.omega * s.tau), ZC}}};
-}
-
 void list_symmetric_orbits(OrbitList& list, int digits) {
   const OrbitQuestion& q = list.question;
   const ExactParameters a = middle(q.parameters);
@@ -115,7 +106,7 @@ void list_symmetric_orbits(OrbitList& list, int digits) {
       continue;
     }
     const WorkingPrecision scope(orbit.bits);
-    const Motion motion = symmetric_motion(balls(q.parameters), s);
+    const Motion motion = motion_of(a, orbit);
     list.orbits.push_back(decided_orbit(q, motion, s.ur, decide_conditions(Family::symmetric, motion, s.ur)));
   }
   for (const UnresolvedTau& open : found.unresolved) {
@@ -146,10 +137,7 @@ void list_overshooting_orbits(OrbitList& list, int digits) {
       continue;
     }
     const WorkingPrecision scope(orbit.bits);
-    const model::Parameters<Ball> data = balls(q.parameters);
-    const Motion motion =
-        compose(model::oscillator<Ball>(data), s.phi, {s.z10, s.z20, s.zdot10, data.V},
-                {{PhaseKind::slip, s.tau}, {PhaseKind::overshoot, s.tau1}, {PhaseKind::stick, s.T}});
+    const Motion motion = motion_of(a, orbit);
     list.orbits.push_back(
         decided_orbit(q, motion, s.ur, decide_conditions(Family::overshooting, motion, s.ur)));
   }
@@ -161,7 +149,7 @@ void list_overshooting_orbits(OrbitList& list, int digits) {
 void list_nonsticking_orbits(OrbitList& list, int digits) {
   const OrbitQuestion& q = list.question;
   const NonstickingList found = list_nonsticking(middle(q.parameters), digits);
-  const WorkingPrecision scope(asks_for_box(q) ? WorkingPrecision::bits() : 4L * digits + 96);
+  const WorkingPrecision scope(asks_for_box(q) ? WorkingPrecision::bits() : bits_for(digits) + 64);
   const std::optional<Ball> ur = ball(q.ur);
   for (const NonstickingOrbit& orbit : found.orbits) {
     if (asks_for_box(q)) {

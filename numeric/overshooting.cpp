@@ -33,18 +33,24 @@ OvershootingOrbit describe_overshooting(const ExactParameters& a, const Ball& ta
   using model::Vector2;
   using model::Vector4;
   const model::OvershootingData<Ball> d = overshooting_data<Ball>(a);
-  const model::Parameters<Ball> b{d.chi, d.eta, d.us, d.V, d.omega, d.p};
   const Vector2<Ball> d0 = model::d0<Ball>(d.chi, d.us);
   const Ball& phi = amplitude.phi;
   const Ball T = d.Theta - tau - tau1;
   const Vector4<Ball> Z0 = model::overshooting_start<Ball>(d, T, amplitude.a, amplitude.C, amplitude.D);
   const Flight flight = fly(d, phi, tau, tau1, T, Z0);
   OvershootingOrbit orbit;
-  orbit.state = {
-      tau,           tau1,          T,
-      d.Theta,       phi,           Z0(0),
-      Z0(1),         Z0(2),         Z0(3),
-      Z0(0) + d0(0), Z0(1) + d0(1), model::friction_at_rest<Ball>(b, Vector2<Ball>(Z0(0), Z0(1)), phi)};
+  orbit.state = {tau,
+                 tau1,
+                 T,
+                 d.Theta,
+                 phi,
+                 Z0(0),
+                 Z0(1),
+                 Z0(2),
+                 Z0(3),
+                 Z0(0) + d0(0),
+                 Z0(1) + d0(1),
+                 model::friction_at_rest<Ball>(parameters_as<Ball>(a), Vector2<Ball>(Z0(0), Z0(1)), phi)};
   orbit.bits = WorkingPrecision::bits();
   orbit.residual20 = flight.end - Z0;
   orbit.residual18 = flight.ZB(3) - d.V;
@@ -56,6 +62,13 @@ OvershootingOrbit describe_overshooting(const ExactParameters& a, const Ball& ta
     }
   }
   return orbit;
+}
+
+Motion motion_of(const ExactParameters& a, const OvershootingOrbit& orbit) {
+  const WorkingPrecision scope(orbit.bits);
+  const OvershootingState<Ball>& s = orbit.state;
+  return compose(model::oscillator<Ball>(parameters_as<Ball>(a)), s.phi, {s.z10, s.z20, s.zdot10, s.zdot20},
+                 {{PhaseKind::slip, s.tau}, {PhaseKind::overshoot, s.tau1}, {PhaseKind::stick, s.T}});
 }
 
 PrintedClosing printed_closing_overshooting(const ExactParameters& a, const Rational& phi,

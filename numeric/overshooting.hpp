@@ -14,6 +14,7 @@
 
 #include "model/overshooting_closing.hpp"
 #include "numeric/domain.hpp"
+#include "numeric/motion.hpp"
 #include "numeric/printed.hpp"
 #include "numeric/search.hpp"
 
@@ -22,17 +23,9 @@ namespace stickslip {
 // The data of the reduced equations at the working precision.
 template <class S>
 [[nodiscard]] model::OvershootingData<S> overshooting_data(const ExactParameters& a) {
-  const S chi = scalar<S>(a.chi);
-  const S eta = scalar<S>(a.eta);
-  const S omega = scalar<S>(a.omega);
-  return {chi,
-          eta,
-          model::modes<S>(chi, eta),
-          scalar<S>(a.us),
-          scalar<S>(a.V),
-          omega,
-          scalar<S>(a.p),
-          S(S(2) * pi<S>() / omega)};
+  const model::Parameters<S> b = parameters_as<S>(a);
+  const S Theta = S(2) * pi<S>() / b.omega;
+  return {b.chi, b.eta, model::modes<S>(b.chi, b.eta), b.us, b.V, b.omega, b.p, Theta};
 }
 
 // What an orbit is known by; each member contains the exact value.
@@ -53,6 +46,9 @@ struct OvershootingOrbit {
   Ball residual19;                  // z2'(tau + tau1) - V
 };
 
+// Its three phases through the flows, at the precision of the orbit.
+[[nodiscard]] Motion motion_of(const ExactParameters& a, const OvershootingOrbit& orbit);
+
 // What the times leave open: the motion on the stick and the load's phase (model/overshooting_closing.hpp).
 struct StickAmplitudes {
   Ball a, C, D, phi;
@@ -63,6 +59,18 @@ struct StickAmplitudes {
 // residual excludes 0.
 [[nodiscard]] OvershootingOrbit describe_overshooting(const ExactParameters& a, const Ball& tau,
                                                       const Ball& tau1, const StickAmplitudes& amplitude);
+
+// Whether there is exactly one orbit near a guess.
+struct OvershootingProof {
+  Verdict existence;
+  OvershootingOrbit orbit;  // meaningless unless existence is proved
+};
+
+// Proves the orbit at the load phase phi near the guess (tau, tau1) and encloses it to `digits` significant
+// decimal digits or more. Undecided when no box around the guess passes Krawczyk's test, or the orbit reaches
+// an edge of the triangle. Throws DomainError outside the domain of require_stick_slip_domain.
+[[nodiscard]] OvershootingProof prove_overshooting_at_phase(const ExactParameters& a, const Rational& phi,
+                                                            const model::Vector2<double>& guess, int digits);
 
 // A part of the triangle in which the search could not decide.
 struct UnresolvedTimes {

@@ -191,33 +191,41 @@ std::optional<StickAmplitudes> amplitudes(const AtFriction& f, const Box<2>& sw)
 
 // ---- both ----
 
-// A zero refined and looked at: an orbit of the list, outside the triangle, on its edge, or no orbit that
-// could be proved. recipe(): the functions at the working precision.
+// A proved zero of the two functions, refined and looked at.
+struct Concluded {
+  bool outside = false;  // of the triangle
+  Times<Ball> times;
+  std::string reason;  // why it is no proved orbit
+  std::optional<OvershootingOrbit> orbit;
+};
+
+// recipe(): the functions at the working precision.
 template <class Recipe>
-void conclude(const ExactParameters& a, const Recipe& recipe, const FoundZero<2>& found, int digits,
-              OvershootingList& list) {
+Concluded conclude(const ExactParameters& a, const Recipe& recipe, const FoundZero<2>& found, int digits) {
   const auto here = [&] { return adapted(recipe(), found.zero); };
   const Box<2> sw = refine<2>(here, found.zero, bits_for(digits));
   const WorkingPrecision scope(bits_for(digits) + 64);
   const auto f = here();
-  const Times<Ball> t = times<Ball>(f.data.Theta, sw);
+  Concluded result;
+  result.times = times<Ball>(f.data.Theta, sw);
   bool inside = true;
   for (int i = 0; i < 2; ++i) {
-    if (sw(i).is_negative() || (sw(i) - Ball(1)).is_positive()) {
-      return;
-    }
-    inside = inside && sw(i).is_positive() && (sw(i) - Ball(1)).is_negative();
+    const Ball beyond = sw(i) - Ball(1);
+    result.outside = result.outside || sw(i).is_negative() || beyond.is_positive();
+    inside = inside && sw(i).is_positive() && beyond.is_negative();
+  }
+  if (!inside) {
+    result.reason = "an orbit one of whose phases may last no time at all";
+    return result;
   }
   const std::optional<StickAmplitudes> amplitude = amplitudes(f, sw);
-  if (!inside || !amplitude) {
-    list.unresolved.push_back({t.tau, t.tau1,
-                               inside
-                                   ? "the amplitudes cannot be eliminated: their determinant may vanish here"
-                                   : "an orbit one of whose phases may last no time at all"});
-    return;
+  if (!amplitude) {
+    result.reason = "the amplitudes cannot be eliminated: their determinant may vanish here";
+    return result;
   }
-  list.orbits.push_back(describe_overshooting(a, t.tau, t.tau1, *amplitude));
-  list.orbits.back().unique = found.unique;
+  result.orbit = describe_overshooting(a, result.times.tau, result.times.tau1, *amplitude);
+  result.orbit->unique = found.unique;
+  return result;
 }
 
 template <class Recipe>
@@ -247,21 +255,46 @@ OvershootingList list_all(const ExactParameters& a, const Recipe& recipe, int di
   std::sort(result.zeros.begin(), result.zeros.end(),
             [](const auto& x, const auto& y) { return x.zero(0).approximate() < y.zero(0).approximate(); });
   for (const FoundZero<2>& found : result.zeros) {
-    conclude(a, recipe, found, digits, list);
+    const Concluded zero = conclude(a, recipe, found, digits);
+    if (zero.orbit) {
+      list.orbits.push_back(*zero.orbit);
+    } else if (!zero.outside) {
+      list.unresolved.push_back({zero.times.tau, zero.times.tau1, zero.reason});
+    }
   }
   return list;
+}
+
+auto at_phase(const ExactParameters& a, const Rational& phi) {
+  return [&a, &phi] { return AtPhase{overshooting_data<Ball>(a), Ball(phi), 0}; };
 }
 
 }  // namespace
 
 OvershootingList list_overshooting_at_phase(const ExactParameters& a, const Rational& phi, int digits) {
   require_stick_slip_domain(a);
-  return list_all(
-      a,
-      [&] {
-        return AtPhase{overshooting_data<Ball>(a), Ball(phi), 0};
-      },
-      digits);
+  return list_all(a, at_phase(a, phi), digits);
+}
+
+OvershootingProof prove_overshooting_at_phase(const ExactParameters& a, const Rational& phi,
+                                              const model::Vector2<double>& guess, int digits) {
+  require_stick_slip_domain(a);
+  ZeroProof<2> zero;
+  {
+    const WorkingPrecision scope(128);
+    const AtPhase f = at_phase(a, phi)();
+    const Ball total = Ball(guess(0)) + Ball(guess(1));
+    const Box<2> sw(total / f.data.Theta, Ball(guess(1)) / total);
+    zero = prove_zero_near<2>(adapted(f, sw), sw);
+  }
+  if (zero.verdict.truth != Truth::proved) {
+    return {zero.verdict, {}};
+  }
+  const Concluded concluded = conclude(a, at_phase(a, phi), {zero.box, zero.unique}, digits);
+  if (!concluded.orbit) {
+    return {Verdict::undecided(concluded.reason), {}};
+  }
+  return {zero.verdict, *concluded.orbit};
 }
 
 OvershootingList list_overshooting_at_friction(const ExactParameters& a, const Rational& ur, int digits) {

@@ -5,6 +5,7 @@
 #include <cln/rational.h>
 #include <cln/rational_io.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace stickslip {
@@ -32,6 +33,10 @@ cln::cl_R to_cln(const Ball& ball) {
   fmpq_get_mpq(value.get_mpq_t(), exact);
   fmpq_clear(exact);
   return to_cln(value, WorkingPrecision::bits());
+}
+
+long bits_for(int digits) {
+  return static_cast<long>(std::ceil(3.3219281 * digits)) + 16;
 }
 
 template <>

@@ -19,6 +19,9 @@ namespace stickslip {
 // The midpoint of a finite ball as a CLN float of the working precision: to compare the two engines.
 [[nodiscard]] cln::cl_R to_cln(const Ball& ball);
 
+// The bits that `digits` significant digits need, with a few to spare.
+[[nodiscard]] long bits_for(int digits);
+
 // An exact number and pi as scalars of one kind; balls and CLN floats take the working precision.
 template <class S>
 [[nodiscard]] S scalar(const Rational& value);

@@ -38,8 +38,15 @@ void close_in_all_components(const ExactParameters& a, SymmetricOrbit& orbit) {
 
 }  // namespace
 
-long bits_for(int digits) {
-  return static_cast<long>(std::ceil(3.3219281 * digits)) + 16;
+Motion motion_of(const ExactParameters& a, const SymmetricOrbit& orbit) {
+  const WorkingPrecision scope(orbit.bits);
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(a));
+  const SymmetricState<Ball>& s = orbit.state;
+  const Vector4<Ball> Z0(s.z10, s.z20, s.zdot10, s.zdot20);
+  const Vector4<Ball> ZC(-s.z10, -s.z20, s.zdot10, s.zdot20);
+  return {o,
+          {{PhaseKind::slip, Ball(0), s.tau, s.phi, Z0},
+           {PhaseKind::stick, s.tau, s.T, Ball(s.phi + o.data.omega * s.tau), ZC}}};
 }
 
 SymmetricOrbit describe_symmetric(const ExactParameters& a, LoadPhase phase, const Box<2>& tau_C) {

@@ -12,6 +12,7 @@
 #include "model/symmetric_closing.hpp"
 #include "numeric/domain.hpp"
 #include "numeric/krawczyk.hpp"
+#include "numeric/motion.hpp"
 #include "numeric/printed.hpp"
 
 namespace stickslip {
@@ -71,9 +72,7 @@ struct Equations16 {
 template <class S>
 [[nodiscard]] Equations16<S> equations_16(const ExactParameters& a, LoadPhase phase) {
   const model::SymmetricData<S> data = symmetric_data<S>(a, phase);
-  const model::Parameters<S> b{scalar<S>(a.chi), scalar<S>(a.eta),   scalar<S>(a.us),
-                               scalar<S>(a.V),   scalar<S>(a.omega), scalar<S>(a.p)};
-  return {data, model::Vector2<S>(model::Q<S>(b, data.m) * data.sigma)};
+  return {data, model::Vector2<S>(model::Q<S>(parameters_as<S>(a), data.m) * data.sigma)};
 }
 
 // What an orbit is known by; each member contains the exact value.
@@ -97,6 +96,9 @@ struct SymmetricOrbit {
   model::Vector4<Ball> residual16;  // the paper's four equations: each contains 0
 };
 
+// Its slip and its stick, which begins at E Z0 (13), at the precision of the orbit.
+[[nodiscard]] Motion motion_of(const ExactParameters& a, const SymmetricOrbit& orbit);
+
 // Whether there is exactly one orbit near a guess.
 struct SymmetricProof {
   Verdict existence;
@@ -117,7 +119,6 @@ template <class S>
   const model::Vector4<S> Z0 = model::symmetric_start<S>(data, tau, tau_C(1));
   const model::Vector2<S> x0 = Z0.template head<2>() + model::d0<S>(data.chi, scalar<S>(a.us));
   const S phi = model::symmetric_phase<S>(data, pi<S>(), tau);
-  const model::Parameters<S> b{data.chi, scalar<S>(a.eta), scalar<S>(a.us), data.V, data.omega, data.p};
   return {tau,
           S(data.Theta - tau),
           data.Theta,
@@ -128,7 +129,7 @@ template <class S>
           Z0(3),
           x0(0),
           x0(1),
-          model::friction_at_rest<S>(b, model::Vector2<S>(Z0.template head<2>()), phi),
+          model::friction_at_rest<S>(parameters_as<S>(a), model::Vector2<S>(Z0.template head<2>()), phi),
           tau_C(1)};
 }
 
@@ -147,9 +148,6 @@ template <class S>
   }
   return symmetric_state<S>(a, phase, *zero);
 }
-
-// The bits that `digits` significant digits need, with a few to spare.
-[[nodiscard]] long bits_for(int digits);
 
 // Everything about the orbit at a proved (tau, C), at the working precision, with its residuals; the boxes of
 // uniqueness are left empty.

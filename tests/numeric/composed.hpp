@@ -9,10 +9,6 @@
 
 namespace stickslip::examples {
 
-[[nodiscard]] inline model::Parameters<Ball> balls(const ExactParameters& a) {
-  return {Ball(a.chi), Ball(a.eta), Ball(a.us), Ball(a.V), Ball(a.omega), Ball(a.p)};
-}
-
 // x = (tau, tau1, z10, z20, zdot10) -> z2'(tau) - V, z2'(tau + tau1) - V, and z1, z2, z1' after the stick
 // minus before the slip. Without overshoot (tau1 and its equation trivial) the orbit is symmetric or not.
 template <class S>
@@ -67,7 +63,7 @@ struct ComposedOrbit {
 
 // An orbit with an overshoot for the data a and the load phase phi, near x.
 [[nodiscard]] inline ComposedOrbit overshooting_near(const ExactParameters& a, const Ball& phi, Box<5> x) {
-  const model::Oscillator<Ball> o = model::oscillator<Ball>(balls(a));
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(a));
   const Composed<Ball> f{o, phi, Ball(2) * Ball::pi() / o.data.omega, true};
   for (int k = 0; k < 8; ++k) {
     const auto better = newton<Ball, 5>(f, midpoint<5>(x), 1);

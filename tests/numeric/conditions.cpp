@@ -26,18 +26,10 @@ struct Symmetric {
   Ball ur;
 };
 
-Symmetric motion_of(const ExactParameters& a, const SymmetricOrbit& orbit) {
-  const SymmetricState<Ball>& s = orbit.state;
-  const model::Vector4<Ball> Z0(s.z10, s.z20, s.zdot10, s.zdot20);
-  return {compose(model::oscillator<Ball>(balls(a)), s.phi, Z0,
-                  {{PhaseKind::slip, s.tau}, {PhaseKind::stick, s.T}}),
-          s.ur};
-}
-
 Symmetric orbit_S() {
   for (const SymmetricProof& proof : solve_symmetric(S(), 30)) {
     if (proof.existence.truth == Truth::proved && near(proof.orbit.state.tau, "7.749", "0.01")) {
-      return motion_of(S(), proof.orbit);
+      return {motion_of(S(), proof.orbit), proof.orbit.state.ur};
     }
   }
   FAIL("no orbit S");

@@ -1,24 +1,23 @@
-// The paper's examples and other data for the tests, exactly.
+// The data of the paper's examples, and comparison with printed numbers, for the tests.
 #pragma once
 
 #include "core/decimal.hpp"
-#include "numeric/domain.hpp"
+#include "numeric/examples.hpp"
 #include "numeric/krawczyk.hpp"
 
 namespace stickslip::examples {
 
-[[nodiscard]] inline ExactParameters parameters(const char* chi, const char* eta, const char* us,
-                                                const char* V, const char* omega, const char* p) {
-  return {parse_rational(chi), parse_rational(eta),   parse_rational(us),
-          parse_rational(V),   parse_rational(omega), parse_rational(p)};
-}
-
-// Fig. 2 and Fig. 3.
+// The data of Figs. 2, 3 and 4.
 [[nodiscard]] inline ExactParameters S() {
-  return parameters("0.5", "3.8", "0.02", "1", "0.6", "0.05");
+  return example_named("S").data;
 }
 [[nodiscard]] inline ExactParameters O() {
-  return parameters("0.2", "4", "0.05", "1", "0.6289", "0.05");
+  return example_named("O").data;
+}
+[[nodiscard]] inline ExactParameters P(const char* V = "0") {
+  ExactParameters a = example_named("P").data;
+  a.V = parse_rational(V);
+  return a;
 }
 
 // Every member of the ball is closer than `distance` to `value`.

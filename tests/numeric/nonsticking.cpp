@@ -14,11 +14,6 @@ using namespace stickslip::examples;
 
 namespace {
 
-// Fig. 4.
-ExactParameters P(const char* V = "0") {
-  return parameters("0.3", "4", "0.1", V, "0.6", "1");
-}
-
 Verdict admissible_at(const NonstickingOrbit& orbit, const std::optional<Ball>& ur) {
   return admissible(nonsticking_conditions(orbit, ur));
 }
@@ -70,7 +65,7 @@ TEST_CASE("example P: both branches of cos(phi) close in all components of (28),
 
 TEST_CASE("the closed form (34), (35) is the orbit found by the search") {
   const NonstickingList list = list_nonsticking(P(), 30);
-  const TwoSlips f = two_slips_of(balls(P()));
+  const TwoSlips f = two_slips_of(parameters_as<Ball>(P()));
   const model::HalfPeriod<Ball> h =
       model::half_period<Ball>(f.o.data.chi, f.o.modes, f.o.d0, f.o.data.omega, f.pi);
   const Ball sin_phi = -h.friction_speed / (f.o.Q(1) * f.o.data.omega);
@@ -165,7 +160,7 @@ TEST_CASE("random data: the lists are complete, and never two orbits are admissi
       continue;
     }
     // Another way to count: mu eliminated, V² = (A² - (sigma/sin delta)²) cos² delta has as many zeros delta.
-    const TwoSlips f = two_slips_of(balls(a));
+    const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
     const double A = (f.o.Q(1) * f.o.data.omega).approximate();
     const double V = f.o.data.V.approximate();
     const auto G = [&](double delta) {
@@ -185,7 +180,7 @@ TEST_CASE("random data: the lists are complete, and never two orbits are admissi
 
 TEST_CASE("the least load: (37) is necessary, (36) needs more") {
   const ExactParameters a = P();
-  const TwoSlips f = two_slips_of(balls(a));
+  const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
   const model::HalfPeriod<Ball> h =
       model::half_period<Ball>(f.o.data.chi, f.o.modes, f.o.d0, f.o.data.omega, f.pi);
   const Ball ur(parse_rational("0.2"));
@@ -212,7 +207,7 @@ TEST_CASE("the least load: (37) is necessary, (36) needs more") {
 
 TEST_CASE("a box moved by ten radii holds no zero") {
   const NonstickingOrbit orbit = list_nonsticking(P("0.1"), 30).orbits[0];
-  const TwoSlips f = two_slips_of(balls(P("0.1")));
+  const TwoSlips f = two_slips_of(parameters_as<Ball>(P("0.1")));
   Box<2> moved = box_around<2>(orbit.box, 1e-20);
   CHECK(krawczyk_test<2>(f, moved).verdict.truth == Truth::proved);
   moved(1) += Ball(parse_rational("1e-19"));
@@ -220,7 +215,8 @@ TEST_CASE("a box moved by ten radii holds no zero") {
 }
 
 TEST_CASE("degenerate data: resonance and a bad domain are refused, no load on x2 is answered") {
-  CHECK_THROWS_AS((void)list_nonsticking(parameters("1.5", "4", "0.1", "0", "0.6", "1"), 20), DomainError);
+  CHECK_THROWS_AS((void)list_nonsticking(parse_parameters("1.5", "4", "0.1", "0", "0.6", "1"), 20),
+                  DomainError);
   // omega1 = 1/2 and omega2 = 2, by (39) inverted.
   const Rational chi = model::chi_from_frequencies<Rational>(Rational(1, 2), Rational(2));
   const Rational eta = model::eta_from_frequencies<Rational>(Rational(1, 2), Rational(2));
@@ -229,11 +225,11 @@ TEST_CASE("degenerate data: resonance and a bad domain are refused, no load on x
     const ExactParameters a{chi, eta, Rational(1, 10), Rational(0), parse_rational(omega), Rational(1)};
     CHECK_THROWS_AS((void)list_nonsticking(a, 20), DomainError);
   }
-  const NonstickingList none = list_nonsticking(parameters("0.3", "4", "0.1", "0.1", "1", "1"), 20);
+  const NonstickingList none = list_nonsticking(parse_parameters("0.3", "4", "0.1", "0.1", "1", "1"), 20);
   CHECK(none.complete());
   CHECK(none.orbits.empty());
-  CHECK_FALSE(list_nonsticking(parameters("0.3", "4", "0.1", "0", "0.6", "0"), 20).complete());
-  CHECK(list_nonsticking(parameters("0.3", "4", "0.1", "0.1", "0.6", "0"), 20).orbits.empty());
+  CHECK_FALSE(list_nonsticking(parse_parameters("0.3", "4", "0.1", "0", "0.6", "0"), 20).complete());
+  CHECK(list_nonsticking(parse_parameters("0.3", "4", "0.1", "0.1", "0.6", "0"), 20).orbits.empty());
 }
 
 TEST_CASE("digits as asked, precisions overlap") {

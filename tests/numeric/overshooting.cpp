@@ -117,19 +117,22 @@ TEST_CASE("special frequencies: omega = 1/k has no orbit at tau + tau1 = 0") {
   for (const char* omega : {"1", "1/2"}) {
     CAPTURE(omega);
     const OvershootingList list = list_overshooting_at_phase(
-        parameters("0.2", "4", "0.05", "1", omega, "0.05"), parse_rational("0.3"), 15);
+        parse_parameters("0.2", "4", "0.05", "1", omega, "0.05"), parse_rational("0.3"), 15);
     CHECK(list.complete());
     check_list(list, "1e-10");
   }
-  CHECK(list_overshooting_at_friction(parameters("0.2", "4", "0.05", "1", "1", "0.05"), 1, 15).complete());
+  CHECK(list_overshooting_at_friction(parse_parameters("0.2", "4", "0.05", "1", "1", "0.05"), 1, 15)
+            .complete());
 }
 
 TEST_CASE("data outside the domain are refused by name") {
-  CHECK_THROWS_AS((void)list_overshooting_at_friction(parameters("0.2", "4", "0.05", "1", "0.6", "0"), 1, 15),
-                  DomainError);
+  CHECK_THROWS_AS(
+      (void)list_overshooting_at_friction(parse_parameters("0.2", "4", "0.05", "1", "0.6", "0"), 1, 15),
+      DomainError);
   CHECK_THROWS_AS((void)list_overshooting_at_friction(O(), 0, 15), DomainError);
-  CHECK_THROWS_AS((void)list_overshooting_at_phase(parameters("0.2", "4", "0.05", "-1", "0.6", "0.1"), 0, 15),
-                  DomainError);
+  CHECK_THROWS_AS(
+      (void)list_overshooting_at_phase(parse_parameters("0.2", "4", "0.05", "-1", "0.6", "0.1"), 0, 15),
+      DomainError);
 }
 
 TEST_CASE("random data: every zero that Newton's method finds from a grid is in the list") {

@@ -20,10 +20,6 @@ Ball around(const Ball& middle, const char* radius) {
   return middle + Ball::hull(-r, r);
 }
 
-ExactParameters P() {
-  return parameters("0.3", "4", "0.1", "0", "0.6", "1");
-}
-
 SymmetricState<Ball> state_S(const ExactParameters& a) {
   for (const SymmetricProof& proof : solve_symmetric(a, 30)) {
     if (proof.existence.truth == Truth::proved && proof.orbit.phase == LoadPhase::first &&
@@ -57,24 +53,25 @@ std::vector<double> guess_P() {
 }  // namespace
 
 TEST_CASE("a box of no width gives the orbit itself") {
-  const BoxOrbit S_box = prove_symmetric_over(balls(S()), 1, guess_S());
+  const BoxOrbit S_box = prove_symmetric_over(parameters_as<Ball>(S()), 1, guess_S());
   REQUIRE(S_box.existence.truth == Truth::proved);
   CHECK(S_box.zero[0].overlaps(state_S(S()).tau));
   CHECK(S_box.ur.overlaps(state_S(S()).ur));
   CHECK((S_box.ur.radius() - Ball(1e-20)).is_negative());
   CHECK(admissible(S_box.conditions).truth == Truth::proved);
-  const BoxOrbit O_box = prove_overshooting_over(balls(O()), Ball(0), guess_O());
+  const BoxOrbit O_box = prove_overshooting_over(parameters_as<Ball>(O()), Ball(0), guess_O());
   REQUIRE(O_box.existence.truth == Truth::proved);
   CHECK(O_box.ur.overlaps(orbit_O().ur));
   CHECK(admissible(O_box.conditions).truth == Truth::proved);
-  const BoxOrbit P_box = prove_nonsticking_over(balls(P()), Ball(parse_rational("0.2996")), guess_P());
+  const BoxOrbit P_box =
+      prove_nonsticking_over(parameters_as<Ball>(P()), Ball(parse_rational("0.2996")), guess_P());
   REQUIRE(P_box.existence.truth == Truth::proved);
   CHECK(P_box.ur.overlaps(list_nonsticking(P(), 20).orbits[0].ur_max));
   CHECK(admissible(P_box.conditions).truth == Truth::proved);
 }
 
 TEST_CASE("chi = 0.5 ± 1e-4: example S exists and is admissible for every member") {
-  model::Parameters<Ball> a = balls(S());
+  model::Parameters<Ball> a = parameters_as<Ball>(S());
   a.chi = around(a.chi, "1e-4");
   const BoxOrbit orbit = prove_symmetric_over(a, 1, guess_S());
   REQUIRE(orbit.existence.truth == Truth::proved);
@@ -88,7 +85,7 @@ TEST_CASE("chi = 0.5 ± 1e-4: example S exists and is admissible for every membe
   Ball hull = orbit.ur.midpoint();
   for (const char* chi : {"0.4999", "0.49993", "0.5", "0.50004", "0.5001"}) {
     CAPTURE(chi);
-    const SymmetricState<Ball> member = state_S(parameters(chi, "3.8", "0.02", "1", "0.6", "0.05"));
+    const SymmetricState<Ball> member = state_S(parse_parameters(chi, "3.8", "0.02", "1", "0.6", "0.05"));
     CHECK(orbit.zero[0].contains(member.tau));
     CHECK(orbit.ur.contains(member.ur));
     CHECK(orbit.motion.phases[0].Z(0).contains(member.z10));
@@ -99,16 +96,16 @@ TEST_CASE("chi = 0.5 ± 1e-4: example S exists and is admissible for every membe
 }
 
 TEST_CASE("the margins over a box contain those of its members") {
-  model::Parameters<Ball> a = balls(O());
+  model::Parameters<Ball> a = parameters_as<Ball>(O());
   a.V = around(a.V, "2e-5");
   a.p = around(a.p, "2e-6");
   const BoxOrbit orbit = prove_overshooting_over(a, around(Ball(0), "1e-5"), guess_O());
   REQUIRE(orbit.existence.truth == Truth::proved);
   CHECK(admissible(orbit.conditions).truth == Truth::proved);
   for (const char* V : {"0.99998", "1.00001", "1.00002"}) {
-    const ExactParameters member = parameters("0.2", "4", "0.05", V, "0.6289", "0.050001");
+    const ExactParameters member = parse_parameters("0.2", "4", "0.05", V, "0.6289", "0.050001");
     const BoxOrbit narrow =
-        prove_overshooting_over(balls(member), Ball(parse_rational("-0.000007")), guess_O());
+        prove_overshooting_over(parameters_as<Ball>(member), Ball(parse_rational("-0.000007")), guess_O());
     REQUIRE(narrow.existence.truth == Truth::proved);
     for (std::size_t i = 0; i < narrow.conditions.size(); ++i) {
       CAPTURE(narrow.conditions[i].id);
@@ -124,22 +121,24 @@ TEST_CASE("an engineer knows the friction, not the phase: example O over a box o
   std::vector<double> guess = guess_O();
   guess.push_back(0);
   const Ball ur = orbit_O().ur.midpoint();
-  const BoxOrbit point = prove_overshooting_at_friction_over(balls(O()), ur, guess);
+  const BoxOrbit point = prove_overshooting_at_friction_over(parameters_as<Ball>(O()), ur, guess);
   REQUIRE(point.existence.truth == Truth::proved);
   CHECK(near(point.zero[5], "0", "1e-20"));
-  const BoxOrbit box = prove_overshooting_at_friction_over(balls(O()), around(ur, "1e-6"), guess);
+  const BoxOrbit box =
+      prove_overshooting_at_friction_over(parameters_as<Ball>(O()), around(ur, "1e-6"), guess);
   REQUIRE(box.existence.truth == Truth::proved);
   CHECK(box.split == "ur");
   CHECK(admissible(box.conditions).truth == Truth::proved);
   CHECK(box.zero[0].contains(point.zero[0]));
-  const BoxOrbit member = prove_overshooting_at_friction_over(balls(O()), ur + Ball(9e-7), guess);
+  const BoxOrbit member =
+      prove_overshooting_at_friction_over(parameters_as<Ball>(O()), ur + Ball(9e-7), guess);
   REQUIRE(member.existence.truth == Truth::proved);
   CHECK(box.zero[5].contains(member.zero[5]));
   CHECK_FALSE(point.zero[5].overlaps(member.zero[5]));
 }
 
 TEST_CASE("example P is one of a family through V = 0") {
-  model::Parameters<Ball> a = balls(P());
+  model::Parameters<Ball> a = parameters_as<Ball>(P());
   a.V = around(Ball(0), "0.01");
   a.chi = around(a.chi, "1e-4");
   const BoxOrbit orbit = prove_nonsticking_over(a, around(Ball(parse_rational("0.2")), "0.01"), guess_P());
@@ -152,18 +151,18 @@ TEST_CASE("example P is one of a family through V = 0") {
 }
 
 TEST_CASE("boxes that are too wide are undecided and name the parameter to split") {
-  model::Parameters<Ball> a = balls(S());
+  model::Parameters<Ball> a = parameters_as<Ball>(S());
   a.chi = around(a.chi, "0.05");
   a.p = around(a.p, "1e-6");
   const BoxOrbit orbit = prove_symmetric_over(a, 1, guess_S());
   CHECK(orbit.existence.truth == Truth::undecided);
   CHECK(orbit.split == "chi");
   CHECK(orbit.conditions.empty());
-  a = balls(S());
+  a = parameters_as<Ball>(S());
   a.omega = around(a.omega, "0.5");  // holds a natural frequency
   CHECK(prove_symmetric_over(a, 1, guess_S()).existence.truth == Truth::undecided);
 }
 
 TEST_CASE("a wrong number of unknowns is the caller's error") {
-  CHECK_THROWS_AS((void)prove_symmetric_over(balls(S()), 1, {1, 2, 3}), InternalError);
+  CHECK_THROWS_AS((void)prove_symmetric_over(parameters_as<Ball>(S()), 1, {1, 2, 3}), InternalError);
 }

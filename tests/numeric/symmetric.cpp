@@ -120,13 +120,13 @@ TEST_CASE("the printed values of example S, in the paper's own equations") {
 
 TEST_CASE("data outside the domain are refused by name") {
   const auto refuse = [](const ExactParameters& a) { (void)solve_symmetric(a, 20); };
-  CHECK_THROWS_AS(refuse(parameters("1", "3.8", "0.02", "1", "0.6", "0.05")), DomainError);
-  CHECK_THROWS_AS(refuse(parameters("0.5", "0", "0.02", "1", "0.6", "0.05")), DomainError);
-  CHECK_THROWS_AS(refuse(parameters("0.5", "3.8", "0", "1", "0.6", "0.05")), DomainError);
-  CHECK_THROWS_AS(refuse(parameters("0.5", "3.8", "0.02", "0", "0.6", "0.05")), DomainError);
-  CHECK_THROWS_AS(refuse(parameters("0.5", "3.8", "0.02", "1", "0", "0.05")), DomainError);
-  CHECK_THROWS_AS(refuse(parameters("0.5", "3.8", "0.02", "1", "0.6", "-1")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("1", "3.8", "0.02", "1", "0.6", "0.05")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("0.5", "0", "0.02", "1", "0.6", "0.05")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("0.5", "3.8", "0", "1", "0.6", "0.05")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("0.5", "3.8", "0.02", "0", "0.6", "0.05")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("0.5", "3.8", "0.02", "1", "0", "0.05")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("0.5", "3.8", "0.02", "1", "0.6", "-1")), DomainError);
   // omega1 = 1/2 and omega2 = 2 by (39): chi eta = 13/4, 1 - chi = 4/13.
-  CHECK_THROWS_AS(refuse(parameters("9/13", "169/36", "0.02", "1", "0.5", "0.05")), DomainError);
-  CHECK_THROWS_AS(refuse(parameters("9/13", "169/36", "0.02", "1", "2", "0.05")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("9/13", "169/36", "0.02", "1", "0.5", "0.05")), DomainError);
+  CHECK_THROWS_AS(refuse(parse_parameters("9/13", "169/36", "0.02", "1", "2", "0.05")), DomainError);
 }

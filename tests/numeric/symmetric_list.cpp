@@ -49,34 +49,35 @@ TEST_CASE("example S: two orbits of either load phase, the printed one among the
 
 TEST_CASE("lists at other data: none, many, without load, near and at special frequencies") {
   complete_list(O(), 2);
-  complete_list(parameters("0.5", "3.8", "0.02", "1", "3", "0.05"), 0);
-  complete_list(parameters("0.5", "3.8", "0.02", "1", "0.1", "0.05"), 22);
-  complete_list(parameters("0.5", "3.8", "0.02", "1", "0.6", "5"), 3);
-  complete_list(parameters("0.0001", "3.8", "0.02", "1", "0.6", "0.05"), 0);
-  complete_list(parameters("0.9999", "3.8", "0.02", "1", "0.6", "0.05"), 4);
-  CHECK(complete_list(parameters("0.5", "3.8", "0.02", "1", "0.6", "0"), 2).load_absent);
+  complete_list(parse_parameters("0.5", "3.8", "0.02", "1", "3", "0.05"), 0);
+  complete_list(parse_parameters("0.5", "3.8", "0.02", "1", "0.1", "0.05"), 22);
+  complete_list(parse_parameters("0.5", "3.8", "0.02", "1", "0.6", "5"), 3);
+  complete_list(parse_parameters("0.0001", "3.8", "0.02", "1", "0.6", "0.05"), 0);
+  complete_list(parse_parameters("0.9999", "3.8", "0.02", "1", "0.6", "0.05"), 4);
+  CHECK(complete_list(parse_parameters("0.5", "3.8", "0.02", "1", "0.6", "0"), 2).load_absent);
 }
 
 TEST_CASE("omega = 1/k: the eliminant's zero at tau = 0 is no orbit") {
-  complete_list(parameters("0.5", "3.8", "0.02", "1", "1", "0.05"), 0);
-  complete_list(parameters("0.5", "3.8", "0.02", "1", "1/2", "0.05"), 4);
-  complete_list(parameters("0.5", "3.8", "0.02", "1", "0.999", "0.05"), 0);
+  complete_list(parse_parameters("0.5", "3.8", "0.02", "1", "1", "0.05"), 0);
+  complete_list(parse_parameters("0.5", "3.8", "0.02", "1", "1/2", "0.05"), 4);
+  complete_list(parse_parameters("0.5", "3.8", "0.02", "1", "0.999", "0.05"), 0);
 }
 
 TEST_CASE("omega_j = k omega: the closing motion without a stick is told apart") {
   // omega1 = 1/2, omega2 = 2.
-  const SymmetricList list = complete_list(parameters("9/13", "169/36", "0.02", "1", "2/3", "0.05"), 2);
+  const SymmetricList list = complete_list(parse_parameters("9/13", "169/36", "0.02", "1", "2/3", "0.05"), 2);
   CHECK(list.closes_without_stick);
   CHECK_FALSE(complete_list(S(), 4).closes_without_stick);
-  CHECK_THROWS_AS((void)list_symmetric(parameters("9/13", "169/36", "0.02", "1", "1/2", "0.05"), 15),
+  CHECK_THROWS_AS((void)list_symmetric(parse_parameters("9/13", "169/36", "0.02", "1", "1/2", "0.05"), 15),
                   DomainError);
-  complete_list(parameters("9/13", "169/36", "0.02", "1", "0.500001", "0.05"), 5);
+  complete_list(parse_parameters("9/13", "169/36", "0.02", "1", "0.500001", "0.05"), 5);
 }
 
 TEST_CASE("what cannot be decided is left open with a reason, and soon") {
   // omega1 = 2 omega, omega2 = 8 omega and omega = 1/4 at once: zeros of high order at the ends and at
   // Theta/2.
-  const SymmetricList list = list_symmetric(parameters("9/13", "169/36", "0.02", "1", "1/4", "0.05"), 15);
+  const SymmetricList list =
+      list_symmetric(parse_parameters("9/13", "169/36", "0.02", "1", "1/4", "0.05"), 15);
   CHECK_FALSE(list.complete());
   check_list(list);
   for (const UnresolvedTau& open : list.unresolved) {
