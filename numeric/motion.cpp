@@ -79,6 +79,20 @@ Vector4<Ball> state_at(const Motion& motion, const Ball& t) {
   return *hull;
 }
 
+MotionOf<double> in_double(const Motion& motion) {
+  const model::Parameters<Ball>& a = motion.oscillator.data;
+  MotionOf<double> result{
+      model::oscillator<double>({a.chi.approximate(), a.eta.approximate(), a.us.approximate(),
+                                 a.V.approximate(), a.omega.approximate(), a.p.approximate()}),
+      {}};
+  for (const Phase& phase : motion.phases) {
+    result.phases.push_back({phase.kind, phase.start.approximate(), phase.duration.approximate(),
+                             phase.load.approximate(),
+                             phase.Z.unaryExpr([](const Ball& b) { return b.approximate(); })});
+  }
+  return result;
+}
+
 std::vector<model::PhaseWaves<Ball>> all_waves(const Motion& motion) {
   std::vector<model::PhaseWaves<Ball>> result;
   result.reserve(motion.phases.size());

@@ -1,8 +1,7 @@
 // A piecewise motion as data: slip, overshoot and stick phases one after the other, in balls.
 //
-// Time is dimensionless (3) and counted from the start of the first phase; z =
-// x
-// - d0, V and the friction forces are lengths.
+// Time is dimensionless (3) and counted from the start of the first phase; z = x - d0, V and the friction
+// forces are lengths.
 #pragma once
 
 #include <string>
@@ -110,6 +109,9 @@ template <class S>
 // A ball around Z at time t after the motion began, 0 <= t <= period: the hull over the phases that t may lie
 // in. Assumes at least one phase.
 [[nodiscard]] model::Vector4<Ball> state_at(const Motion& motion, const Ball& t);
+
+// The midpoints: a proposal, and what pictures are drawn from.
+[[nodiscard]] MotionOf<double> in_double(const Motion& motion);
 
 // Where phase k ends minus where the next one begins, one vector per phase; after the last phase comes the
 // first. An orbit has zero in all of them, and a ball that excludes zero proves that the motion is none.

@@ -75,6 +75,9 @@ DecidedOrbit decided_orbit(const OrbitQuestion& q, const Motion& motion, const B
   orbit.motion = motion;
   orbit.conditions = conditions;
   orbit.admissible = admissible(conditions);
+  if (orbit.admissible.truth == Truth::proved) {
+    orbit.stability = decide_stability(motion);
+  }
   return orbit;
 }
 

@@ -8,6 +8,7 @@
 
 #include "numeric/conditions.hpp"
 #include "numeric/domain.hpp"
+#include "numeric/dynamics/stability.hpp"
 
 namespace stickslip {
 
@@ -39,8 +40,9 @@ struct DecidedOrbit {
   std::vector<NamedBall> values;  // those that the family has, in the order above
   Motion motion;
   std::vector<Condition> conditions;
-  Verdict admissible;  // of "all conditions hold"
-  std::string split;   // for a box, when something is undecided: the parameter to split first
+  Verdict admissible;                  // of "all conditions hold"
+  std::optional<Stability> stability;  // of an admissible orbit
+  std::string split;                   // for a box, when something is undecided: the parameter to split first
 };
 
 // A part of the search's domain that it could not decide.

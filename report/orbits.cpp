@@ -130,6 +130,24 @@ std::string values(const DecidedOrbit& orbit, const OrbitQuestion& question, con
   return columns_of(rows, style.width);
 }
 
+std::string complex(const ComplexBall& mu, int digits) {
+  const auto part = [digits](const Ball& b) { return to_string(b, known_digits(b, digits)); };
+  const bool real = mu.im.is_exact() && mu.im.contains_zero();
+  return real ? part(mu.re) : fmt::format("({}) + i ({})", part(mu.re), part(mu.im));
+}
+
+std::string stability(const DecidedOrbit& orbit, const OrbitQuestion& question, const Style& style) {
+  if (!orbit.stability) {
+    return {};
+  }
+  const Stability& s = *orbit.stability;
+  std::vector<Row> rows{{{"  stability"}, {to_string(s.kind) + (s.reason.empty() ? "" : ": " + s.reason)}}};
+  for (const ComplexBall& mu : s.multipliers) {
+    rows.push_back({{"  multiplier"}, {complex(mu, question.digits)}});
+  }
+  return "\n" + columns_of(rows, style.width);
+}
+
 // A margin or its time, if known.
 std::string shown(const std::optional<Ball>& ball) {
   return ball ? rounded(*ball, margin_digits) : "";
@@ -158,8 +176,8 @@ std::string terminal_report(const OrbitList& list, const Style& style) {
     const DecidedOrbit& orbit = list.orbits[i];
     const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
     const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
-    text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style) + "\n" +
-            conditions(orbit, style);
+    text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style) +
+            stability(orbit, list.question, style) + "\n" + conditions(orbit, style);
   }
   return list.orbits.empty() ? text : text + "\n" + labelled(0, "margin", meaning_of_margin, style.width);
 }

@@ -11,13 +11,15 @@ namespace stickslip::report {
 
 // {"family", "parameters": {"chi", "eta", "us", "V", "omega", "p", "phi", "ur"}, "complete", "unresolved":
 // [{"tau": BALL, …, "reason"}], "remarks": [text], "orbits": [{"tau": BALL, "tau1", "T", "Theta", "phi",
-// "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur" or "ur_max", "admissible", "split", "conditions":
-// [{"id", "statement", "verdict", "reason", "margin": BALL, "at": BALL}]}]} BALL: {"mid", "rad"}, decimal
-// strings, rounded outwards; parameters are exact decimals or fractions.
+// "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur" or "ur_max", "admissible", "split",
+// "multipliers": [{"re": BALL, "im": BALL}], "stability": "stable", "unstable", "marginal" or "undecided",
+// "stability_reason", "conditions": [{"id", "statement", "verdict", "reason", "margin": BALL, "at": BALL}]}]}
+// BALL: {"mid", "rad"}, decimal strings, rounded outwards; parameters are exact decimals or fractions.
 //
 // Keys that do not apply are absent: phi and ur among the parameters unless given, what the family does not
-// have, a margin that is not known, the reason of what is proved, remarks when there are none. "admissible"
-// is null when undecided; "split" is then, for a box of parameters, the one to divide first.
+// have, a margin that is not known, the reason of what is proved, remarks when there are none, multipliers
+// and stability unless the orbit is admissible, the reason of stable and unstable. "admissible" is null when
+// undecided; "split" is then, for a box of parameters, the one to divide first.
 [[nodiscard]] Json to_json(const OrbitList& list);
 
 // The parameters; how complete the search is; each orbit with its values to the asked digits and its

@@ -42,6 +42,20 @@ Json condition(const Condition& c) {
   return json;
 }
 
+void add_stability(Json& json, const std::optional<Stability>& stability, int digits) {
+  if (!stability) {
+    return;
+  }
+  json["multipliers"] = Json::array();
+  for (const ComplexBall& mu : stability->multipliers) {
+    json["multipliers"].push_back({{"re", ball(mu.re, digits)}, {"im", ball(mu.im, digits)}});
+  }
+  json["stability"] = to_string(stability->kind);
+  if (!stability->reason.empty()) {
+    json["stability_reason"] = stability->reason;
+  }
+}
+
 Json orbit(const DecidedOrbit& o, int digits) {
   Json json = Json::object();
   add_values(json, o.values, digits);
@@ -51,6 +65,7 @@ Json orbit(const DecidedOrbit& o, int digits) {
   if (!o.split.empty()) {
     json["split"] = o.split;
   }
+  add_stability(json, o.stability, digits);
   json["conditions"] = Json::array();
   for (const Condition& c : o.conditions) {
     json["conditions"].push_back(condition(c));

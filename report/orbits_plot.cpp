@@ -15,20 +15,6 @@ namespace {
 constexpr int samples = 240;  // per phase
 constexpr int height = 760;   // of one orbit, in pixels of the SVG
 
-MotionOf<double> in_double(const Motion& motion) {
-  const model::Parameters<Ball>& a = motion.oscillator.data;
-  MotionOf<double> result{
-      model::oscillator<double>({a.chi.approximate(), a.eta.approximate(), a.us.approximate(),
-                                 a.V.approximate(), a.omega.approximate(), a.p.approximate()}),
-      {}};
-  for (const Phase& phase : motion.phases) {
-    result.phases.push_back({phase.kind, phase.start.approximate(), phase.duration.approximate(),
-                             phase.load.approximate(),
-                             phase.Z.unaryExpr([](const Ball& b) { return b.approximate(); })});
-  }
-  return result;
-}
-
 // In the paper's pictures: Fig. 2 slip thick, stick thin; Fig. 3 the overshoot heaviest, the stick thin; Fig.
 // 4 the overshoot thick.
 double line_width(Family family, PhaseKind kind) {

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "numeric/examples.hpp"
+#include "numeric/example_orbits.hpp"
 #include "report/numbers.hpp"
 #include "report/orbit_words.hpp"
 #include "report/unicode.hpp"
@@ -15,18 +15,6 @@ using namespace stickslip;
 using report::Json;
 
 namespace {
-
-OrbitQuestion question_of(const Example& example, int digits = 20) {
-  const ExactParameters& a = example.data;
-  OrbitQuestion q{example.family, {{a.chi}, {a.eta}, {a.us}, {a.V}, {a.omega}, {a.p}}, {}, {}, digits};
-  if (example.phi) {
-    q.phi = Range{*example.phi};
-  }
-  if (example.ur) {
-    q.ur = Range{*example.ur};
-  }
-  return q;
-}
 
 // No number anywhere: values are decimal strings.
 void check_no_floats(const Json& json) {
@@ -63,6 +51,14 @@ void check_orbit(const Json& orbit, const OrbitQuestion& q) {
     check_ball(orbit.at(name));
   }
   expected.insert({"admissible", "conditions"});
+  if (orbit.at("admissible") == true) {
+    expected.insert({"multipliers", "stability"});
+    CHECK(orbit.at("multipliers").size() == 4);
+    for (const Json& mu : orbit.at("multipliers")) {
+      check_ball(mu.at("re"));
+      check_ball(mu.at("im"));
+    }
+  }
   std::set<std::string> found;
   for (const auto& [key, value] : orbit.items()) {
     found.insert(key);

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
-#include "numeric/examples.hpp"
+#include "numeric/example_orbits.hpp"
 #include "report/files.hpp"
 #include "tests/report/temporary.hpp"
 
@@ -16,12 +16,7 @@ using report::PlotFormat;
 namespace {
 
 OrbitList example_list() {
-  const ExactParameters& a = example_named("O").data;
-  return list_orbits({Family::overshooting,
-                      {{a.chi}, {a.eta}, {a.us}, {a.V}, {a.omega}, {a.p}},
-                      Range{Rational(0)},
-                      {},
-                      20});
+  return list_orbits(question_of(example_named("O")));
 }
 
 }  // namespace
