@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "numeric/symmetric.hpp"
-#include "proofs/printed_example.hpp"
+#include "proofs/example_orbit.hpp"
 #include "proofs/symmetric.hpp"
 
 namespace stickslip::proofs {
@@ -37,9 +37,12 @@ const SymmetricOrbit& orbit() {
 
 const char* const ball_route = "Krawczyk's test in balls on equations equivalent to (13) and (15)";
 
+PrintedPlace where() {
+  return {printed(), sec, "S.orbit", ball_route};
+}
+
 Claim orbit_value(const std::string& name, Ball SymmetricState<Ball>::*member) {
-  return printed_value({printed(), sec, "S.orbit", ball_route}, name,
-                       [member] { return orbit().state.*member; });
+  return printed_value(where(), name, [member] { return orbit().state.*member; });
 }
 
 std::vector<Ball> components(const model::Vector4<Ball>& v) {
@@ -87,11 +90,30 @@ Claim printed_values_close() {
       }};
 }
 
+// Which printed numbers were computed from which.
+std::vector<Claim> origins() {
+  const Example& example = printed();
+  const PrintedPlace place = where();
+  return {
+      computed_from(
+          place, "T", "Theta - tau",
+          [&example] { return printed_decimal(example, "Theta") - printed_decimal(example, "tau"); }),
+      computed_from(place, "z20", "V T/2, by (16),",
+                    [&example] { return Ball(example.data.V) * printed_decimal(example, "T") / Ball(2); }),
+      computed_from(place, "ur", "(12) solved for u_r", [&example] {
+        const ExactParameters& a = example.data;
+        const Ball cos_phi = sin(Ball(a.omega) * printed_decimal(example, "tau") / Ball(2));
+        return Ball(a.us) +
+               Ball(a.chi) * (printed_decimal(example, "z20") - printed_decimal(example, "z10")) -
+               Ball(a.p) / Ball(a.eta) * cos_phi;
+      })};
+}
+
 }  // namespace
 
 std::vector<Claim> example_S() {
   using State = SymmetricState<Ball>;
-  return {
+  std::vector<Claim> claims{
       closes(),
       orbit_value("tau", &State::tau),
       orbit_value("T", &State::T),
@@ -102,6 +124,10 @@ std::vector<Claim> example_S() {
       orbit_value("ur", &State::ur),
       printed_values_close(),
   };
+  for (std::vector<Claim> more : {origins(), orbit_claims(where())}) {
+    std::move(more.begin(), more.end(), std::back_inserter(claims));
+  }
+  return claims;
 }
 
 }  // namespace stickslip::proofs

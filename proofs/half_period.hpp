@@ -45,5 +45,7 @@ inline const Term speed_continued =
 
 // (36), (37): which loads keep the mass from sticking.
 [[nodiscard]] std::vector<Claim> section6_load();
+// The orbit of Fig. 4.
+[[nodiscard]] std::vector<Claim> example_P();
 
 }  // namespace stickslip::proofs::half_period

@@ -9,6 +9,7 @@ namespace stickslip::proofs {
 
 const std::vector<Place>& places() {
   static const std::vector<Place> all{
+      {"sec2", "Section 2: the model", "section2", section2},
       {"sec3", "Section 3: closed-form phases", "section3", section3},
       {"sec4", "Section 4: symmetric orbits", "section4", section4},
       {"sec6", "Section 6: orbits that never stick", "section6", section6},

@@ -9,8 +9,9 @@
 
 namespace stickslip::proofs {
 
-[[nodiscard]] std::vector<Claim> section3();   // (5)-(10)
-[[nodiscard]] std::vector<Claim> section4();   // example S
+[[nodiscard]] std::vector<Claim> section2();   // (1)-(4)
+[[nodiscard]] std::vector<Claim> section3();   // (5)-(11)
+[[nodiscard]] std::vector<Claim> section4();   // (12)-(16), example S
 [[nodiscard]] std::vector<Claim> section6();   // (25)-(37)
 [[nodiscard]] std::vector<Claim> appendix1();  // (38)-(42)
 [[nodiscard]] std::vector<Claim> appendix2();  // (43)-(46), (17)

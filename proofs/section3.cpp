@@ -1,6 +1,6 @@
 // Section 3: the closed-form phases, (5)-(10). A phase begins at t = 0.
 #include "proofs/derivations.hpp"
-#include "proofs/methods.hpp"
+#include "proofs/implications.hpp"
 #include "proofs/paper.hpp"
 #include "proofs/vocabulary.hpp"
 
@@ -13,6 +13,10 @@ using namespace vocabulary;
 Term forcing(const Term& friction) {
   return column({0, 0, 0, eta * friction + p * cos(omega * t + phi)});
 }
+
+const Term x1 = scalar("x1"), x2 = scalar("x2"), pull = chi * (x2 - x1) - p / eta * cos(omega * t + phi);
+const Assumption below{"4.below", {pull, ur, Relation::less}},
+    above{"4.above", {pull, -ur, Relation::greater}}, holds{"4.ur", {eta * ur, 0, Relation::greater}};
 
 }  // namespace
 
@@ -115,6 +119,15 @@ std::vector<Claim> section3() {
        .printed = {equation(block(1, {0, 0, 0, 1}) * Gamma(t) * Z0, zdot20)},
        .words = "during stick the velocity of the second mass stays that of the belt",
        .prove = by_normal_form()},
+      {.id = "11",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {{abs(chi * eta * (x2 - x1) - p * cos(omega * t + phi)), eta * ur, Relation::less}},
+       .words = "the stick lasts while |r| < u_r of (4)",
+       .assumptions = {below, above, holds},
+       .prove = by_positive_combination(
+           {{.positive = {{power(eta, 2), {{assuming("4.below")}, {assuming("4.above")}}}}}},
+           assuming("4.ur"))},
   };
 }
 

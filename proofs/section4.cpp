@@ -1,4 +1,5 @@
-// Section 4: the symmetric orbits, (12)-(16): slip on (0, tau), stick on (tau, Theta). (17) is proved in Appendix 2.
+// Section 4: the symmetric orbits, (12)-(16): slip on (0, tau), stick on (tau, Theta). (17) is proved in
+// Appendix 2.
 #include "proofs/implications.hpp"
 #include "proofs/paper.hpp"
 #include "proofs/symmetric.hpp"
@@ -13,11 +14,11 @@ const std::string sec = "sec4";
 const Term s0 = scalar("s0"), c0 = scalar("c0"), z1C = scalar("z1C"), z2C = scalar("z2C"), z1 = scalar("z1"),
            z2 = scalar("z2");
 const Assumption breaks{"4.breaks", equation(friction_at_rest(z10, z20, phi), ur)};
-const Assumption half_sine{"16.s0", equation(s0, sin(omega * tau / 2))},
-    half_cosine{"16.c0", equation(c0, cos(omega * tau / 2))};
+const Assumption half_sine{"16.s0", equation(s0, sin(omega*tau / 2))},
+    half_cosine{"16.c0", equation(c0, cos(omega*tau / 2))};
 const Assumption repeats{"28.closes", equation(Z(Theta), Z0)};
 
-const Statement equation12 = equation(chi * eta * (z20 - z10), p * cos(phi) + eta * (ur - us));
+const Statement equation12 = equation(chi * eta * (z20 - z10), p* cos(phi) + eta * (ur - us));
 
 const Term w0 = z0 - Q * s0, wdot0 = zdot0 + Q * omega * c0;
 const Statement slip16 = equation((H1(tau) + I2) * w0 + H2(tau) * wdot0, zero(2, 1)),
@@ -92,9 +93,9 @@ std::vector<Claim> lag() {
   const auto share = [](const Term& row) { return row * inverse(Lambda) * Q; };
   const auto lines = [](const Term& row, const Term& frequency) {
     const Term mode = row * inverse(Lambda);
-    return std::vector<Multiple>{
-        {from("13.slip"), 0,
-         block(1, {mode * (frequency * sin(frequency * tau / 2) / 2), mode * (cos(frequency * tau / 2) / 2)})}};
+    return std::vector<Multiple>{{from("13.slip"), 0,
+                                  block(1, {mode * (frequency * sin(frequency * tau / 2) / 2),
+                                            mode * (cos(frequency * tau / 2) / 2)})}};
   };
   return {
       {.id = "13.slip",
@@ -109,15 +110,18 @@ std::vector<Claim> lag() {
        .kind = Kind::theorem,
        .printed = {equation(middle * balance(omega1) * share(half_period::first_row), 0),
                    equation(middle * balance(omega2) * share(half_period::second_row), 0)},
-       .words = "where (13) holds, cos(phi + omega tau/2) = 0: phi is the time lag or differs from it by pi; but for the "
-                "slips with omega_j tan(omega_j tau/2) = omega tan(omega tau/2) for both j, where the phase is free",
+       .words = "where (13) holds, cos(phi + omega tau/2) = 0: phi is the time lag or differs from it by pi; "
+                "but for the "
+                "slips with omega_j tan(omega_j tau/2) = omega tan(omega tau/2) for both j, where the phase "
+                "is free",
        .assumptions = {slip_ends},
-       .prove = by_combination({lines(half_period::first_row, omega1), lines(half_period::second_row, omega2)})},
+       .prove =
+           by_combination({lines(half_period::first_row, omega1), lines(half_period::second_row, omega2)})},
   };
 }
 
-// (16) where cos(omega_1 tau/2) = 0: three linear equations for the state are left, which have a solution for every
-// such tau, and the motion from there does not end its slip by (13).
+// (16) where cos(omega_1 tau/2) = 0: three linear equations for the state are left, which have a solution for
+// every such tau, and the motion from there does not end its slip by (13).
 Counterexample spurious() {
   const Term turn = tan(T / 2), angle = omega2 * tau / 2;
   const Term second_place = z20 - q2 * s0 - lambda1 * (chi * z20 - chi * V * turn - q1 * s0),
@@ -129,8 +133,8 @@ Counterexample spurious() {
                     {"V", Rational(1)},
                     {"p", Rational(1, 2)}},
           .values = {equation(tau, pi() / omega1), equation(T, 2 * pi() / omega - tau), time_lag.statement,
-                     half_sine.statement, half_cosine.statement, equation(zdot20, V), equation(z20, V * T / 2),
-                     equation(z10, chi * z20 + turn * (zdot10 - chi * V)),
+                     half_sine.statement, half_cosine.statement, equation(zdot20, V),
+                     equation(z20, V * T / 2), equation(z10, chi * z20 + turn * (zdot10 - chi * V)),
                      equation(zdot10, (cos(angle) * second_place + sin(angle) / omega2 * second_speed) /
                                           (lambda1 * (cos(angle) * turn + sin(angle) / omega2)))},
           .true_identically = {slip16, stick16},
@@ -154,14 +158,15 @@ std::vector<Claim> closing() {
        .printed = {stick_ends.statement},
        .words = "the motion has the period Theta = tau + T",
        .assumptions = {slip_ends, stick_lasts, closes},
-       .prove = by_rewriting({from("4.stick").at("t", Theta).solved_for(Gamma(Theta - tau) * E * Z0),
-                              assuming("28.closes")})},
+       .prove = by_rewriting(
+           {from("4.stick").at("t", Theta).solved_for(Gamma(Theta - tau) * E * Z0), assuming("28.closes")})},
       {.id = "16",
        .place = sec,
        .kind = Kind::step,
        .printed = {slip16, stick16},
-       .words = "the upper halves of (13) and (15); they do not give these back where cos(omega_j tau/2) = 0 or "
-                "cos(T/2) = 0: at tau = pi/omega_1 (16) has a solution that does not close, for all parameters",
+       .words =
+           "the upper halves of (13) and (15); they do not give these back where cos(omega_j tau/2) = 0 or "
+           "cos(T/2) = 0: at tau = pi/omega_1 (16) has a solution that does not close, for all parameters",
        .assumptions = {time_lag, half_sine, half_cosine, slip_ends, stick_ends},
        .prove = by_combination({{{from("13.slip"), 0, top}}, {{assuming("15"), 0, -top}}}),
        .prove_converse = by_counterexample(spurious())},
@@ -181,17 +186,20 @@ std::vector<Claim> closing() {
 
 // (11) during the stick.
 std::vector<Claim> stick_conditions() {
-  const Assumption above{"11.above", {friction_at_rest(z1, z2, omega * (tau + t1) + phi), -ur, Relation::greater}},
+  const Assumption above{"11.above",
+                         {friction_at_rest(z1, z2, omega * (tau + t1) + phi), -ur, Relation::greater}},
       below{"11.below", {friction_at_rest(z1, z2, omega * (tau + t1) + phi), ur, Relation::less}};
   const Term pull = chi * eta * (z2 - z1) + p * sin(omega * (t1 + tau / 2));
-  const Statement f1{pull - eta * (ur - us), 0, Relation::less_or_equal}, f2{pull + eta * (ur + us), 0, Relation::greater};
+  const Statement f1{pull - eta * (ur - us), 0, Relation::less_or_equal},
+      f2{pull + eta * (ur + us), 0, Relation::greater};
   const Statement f1_strict{f1.left, 0, Relation::less};
   return {
       {.id = "4.f",
        .place = sec,
        .kind = Kind::condition,
        .printed = {f1, f2},
-       .words = "(11) with the time lag, at the time tau + t_1 of the stick; f_1 <= 0 holds with < inside the stick",
+       .words = "(11) with the time lag, at the time tau + t_1 of the stick; f_1 <= 0 holds with < inside "
+                "the stick",
        .assumptions = {time_lag, above, below},
        .prove = by_positive_combination({{.positive = {{eta, {{assuming("11.below")}}}}},
                                          {.positive = {{eta, {{assuming("11.above")}}}}}}),

@@ -282,6 +282,7 @@ std::vector<Claim> section6() {
   append(claims, states());
   append(claims, closed_forms());
   append(claims, section6_load());
+  append(claims, example_P());
   return claims;
 }
 
