@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "model/nonsticking.hpp"
 #include "model/nonsticking_closed_form.hpp"
+#include "proofs/abbreviations.hpp"
 #include "proofs/prover.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/hypotheses.hpp"
@@ -175,6 +176,9 @@ bool is_substitution(const Assumption& assumption) {
 bool depends_on(const Term& term, const std::string& name) {
   if (mentions(term, name)) {
     return true;
+  }
+  if (const auto meaning = term.op() == Op::symbol ? abbreviated(term.name()) : std::nullopt) {
+    return depends_on(*meaning, name);
   }
   const bool is_load = term.name() == "F" || term.name() == "F0" || term.name() == "R";
   return (is_load && (name == "phi" || name == "omega")) ||

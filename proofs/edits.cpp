@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "proofs/abbreviations.hpp"
 
 namespace stickslip::proofs {
 namespace {
@@ -92,13 +93,19 @@ std::vector<std::string> siblings(const std::string& name) {
       {"X1", "X2"},
       {"Y1", "Y2"},
       {"P1", "P2"},
+      {"a_1", "a_2", "a_3", "a_4", "a_5"},
+      {"b_1", "b_2", "b_3", "b_4", "b_5"},
+      {"c_1", "c_2", "c_3", "c_4", "c_5"},
+      {"d_1", "d_2", "d_3", "d_4", "d_5"},
+      {"Delta", "Delta1", "Delta2", "Delta3"},
+      {"phiB", "phiC"},
   };
   for (const auto& family : families) {
     if (std::find(family.begin(), family.end(), name) != family.end()) {
       return family;
     }
   }
-  return {};
+  return entry_siblings(name);
 }
 
 void name_edits(const Term& term, TermEdits& found) {

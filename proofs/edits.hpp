@@ -11,7 +11,7 @@ namespace stickslip::proofs {
 enum class EditKind {
   sign,      // one term of a sum, or one minus sign, the other way
   factor,    // one factor of a product left out
-  index,     // one index changed: H_1 for H_2, omega_1 for omega_2, …
+  index,     // one index changed: H_1 for H_2, omega_1 for omega_2, …; H_11 for h_11
   exchange,  // two entries of a block matrix exchanged
   function,  // cos for sin, sin for cos
   exponent,  // one exponent left out

@@ -10,6 +10,7 @@
 #include "model/flows.hpp"
 #include "model/nonsticking_closed_form.hpp"
 #include "numeric/jet.hpp"
+#include "proofs/abbreviations.hpp"
 #include "proofs/meaning.hpp"
 
 namespace stickslip::proofs {
@@ -30,13 +31,13 @@ model::Vector2<S> pair(const S& a, const S& b) {
   return {a, b};
 }
 
-// (x1, x2)ᵀ from the names of its components; `suffix` 0 or B.
+// (x1, x2)ᵀ from the names of its components; `suffix` 0, B or C.
 template <class S>
 model::Vector2<S> pair_named(const Lookup<S>& scalar, const std::string& letter, const std::string& suffix) {
   return {scalar(letter + "1" + suffix), scalar(letter + "2" + suffix)};
 }
 
-// (z, z') at 0 or B.
+// (z, z') at 0, B or C.
 template <class S>
 model::Vector4<S> state(const Lookup<S>& scalar, const std::string& suffix) {
   return model::stack<S>(pair_named<S>(scalar, "z", suffix), pair_named<S>(scalar, "zdot", suffix));
@@ -101,6 +102,7 @@ const Symbols<S>& symbols() {
       {"FB", [](const L& s) -> V { return load<S>(s, s("tau")); }},
       {"Z0", [](const L& s) -> V { return state<S>(s, "0"); }},
       {"ZB", [](const L& s) -> V { return state<S>(s, "B"); }},
+      {"ZC", [](const L& s) -> V { return state<S>(s, "C"); }},
       {"z0", [](const L& s) -> V { return pair_named<S>(s, "z", "0"); }},
       {"zB", [](const L& s) -> V { return pair_named<S>(s, "z", "B"); }},
       {"zdot0", [](const L& s) -> V { return pair_named<S>(s, "zdot", "0"); }},
@@ -179,7 +181,8 @@ Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
     return Value<S>::Identity(term.shape().rows, term.shape().columns);
   }
   if (term.shape().is_scalar()) {
-    return scalar_value<S>(scalar(term.name()));
+    const std::optional<Term> meaning = abbreviated(term.name());
+    return meaning ? evaluate<S>(*meaning, scalar) : scalar_value<S>(scalar(term.name()));
   }
   const auto found = symbols<S>().find(term.name());
   if (found == symbols<S>().end()) {

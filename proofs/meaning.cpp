@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "proofs/abbreviations.hpp"
+
 namespace stickslip::proofs {
 
 std::set<std::string> definitions_in(const Term& term) {
@@ -21,6 +23,11 @@ std::set<std::string> definitions_in(const Term& term) {
   std::set<std::string> result;
   if (const auto found = defined_in.find(term.name()); found != defined_in.end()) {
     result.insert(found->second);
+  }
+  if (const auto meaning = term.op() == Op::symbol ? abbreviated(term.name()) : std::nullopt) {
+    result.merge(definitions_in(*meaning));
+    result.insert(abbreviation_defined_in(term.name()));
+    result.erase("");
   }
   for (const Term& argument : term.arguments()) {
     result.merge(definitions_in(argument));

@@ -12,9 +12,11 @@ namespace stickslip::proofs {
 [[nodiscard]] std::vector<Claim> section2();   // (1)-(4)
 [[nodiscard]] std::vector<Claim> section3();   // (5)-(11)
 [[nodiscard]] std::vector<Claim> section4();   // (12)-(16), example S
+[[nodiscard]] std::vector<Claim> section5();   // (18)-(24), example O
 [[nodiscard]] std::vector<Claim> section6();   // (25)-(37)
 [[nodiscard]] std::vector<Claim> appendix1();  // (38)-(42)
 [[nodiscard]] std::vector<Claim> appendix2();  // (43)-(46), (17)
+[[nodiscard]] std::vector<Claim> appendix3();  // (47)-(51)
 [[nodiscard]] std::vector<Claim> appendix4();  // (52)-(54)
 [[nodiscard]] std::vector<Claim> appendix5();  // (55)-(70)
 

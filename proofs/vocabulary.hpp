@@ -44,6 +44,11 @@ inline const Term xi1 = vector("xi1", 4), xi2 = vector("xi2", 4), X1 = vector("X
 inline const Term P1 = matrix("P1", 2), P2 = matrix("P2", 2), P = matrix("P", 2),
                   Ptilde = matrix("Ptilde", 2);
 
+// Section 5. The rest of its symbols are abbreviations (abbreviations.hpp).
+inline const Term ZC = vector("ZC", 4), z1C = scalar("z1C"), z2C = scalar("z2C"), tau2 = scalar("tau2"),
+                  Delta = scalar("Delta"), Delta1 = scalar("Delta1"), Delta2 = scalar("Delta2"),
+                  Delta3 = scalar("Delta3");
+
 // Functions of time.
 inline const Function H{"H", {4, 4}}, H1{"H1", {2, 2}}, H2{"H2", {2, 2}}, H3{"H3", {2, 2}};
 inline const Function B1{"B1", {2, 2}}, B2{"B2", {2, 2}}, B3{"B3", {2, 2}};

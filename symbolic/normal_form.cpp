@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <utility>
+
+#include "symbolic/evaluate.hpp"
 
 namespace stickslip::symbolic {
 namespace {
@@ -132,6 +136,75 @@ const ex& pi_generator() {
   return generator;
 }
 
+// The degree of an expression in a symbol as it stands, without expanding: at least the true one. Nothing if
+// the symbol stands in a function or below a fraction bar.
+std::optional<int> written_degree(const ex& e, const ex& symbol) {
+  if (e.is_equal(symbol)) {
+    return 1;
+  }
+  if (!e.has(symbol)) {
+    return 0;
+  }
+  if (is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::posint)) {
+    const auto base = written_degree(e.op(0), symbol);
+    return base ? std::optional(*base * ex_to<numeric>(e.op(1)).to_int()) : std::nullopt;
+  }
+  const bool product = is_a<GiNaC::mul>(e);
+  if (!product && !is_a<GiNaC::add>(e)) {
+    return std::nullopt;
+  }
+  int degree = 0;
+  for (const ex& operand : e) {
+    const auto part = written_degree(operand, symbol);
+    if (!part) {
+      return std::nullopt;
+    }
+    degree = product ? degree + *part : std::max(degree, *part);
+  }
+  return degree;
+}
+
+// e = constant + slope * symbol, for a written degree of at most 1.
+struct Linear {
+  ex constant;
+  ex slope;
+};
+
+Linear linear_parts(const ex& e, const ex& symbol) {
+  if (e.is_equal(symbol)) {
+    return {0, 1};
+  }
+  if (!e.has(symbol)) {
+    return {e, 0};
+  }
+  Linear result{is_a<GiNaC::mul>(e) ? 1 : 0, 0};
+  if (is_a<GiNaC::add>(e)) {
+    for (const ex& operand : e) {
+      const Linear part = linear_parts(operand, symbol);
+      result.constant += part.constant;
+      result.slope += part.slope;
+    }
+    return result;
+  }
+  for (const ex& operand : e) {
+    const Linear part = linear_parts(operand, symbol);
+    // One factor alone has a slope.
+    result.slope = part.slope * result.constant + part.constant * result.slope;
+    result.constant *= part.constant;
+  }
+  return result;
+}
+
+// A symbol in which the expression is linear as it stands.
+std::optional<ex> linear_symbol(const ex& e) {
+  for (const ex& symbol : symbols_of(e)) {
+    if (written_degree(e, symbol) == 1) {
+      return symbol;
+    }
+  }
+  return std::nullopt;
+}
+
 class ToGenerators : public GiNaC::map_function {
  public:
   explicit ToGenerators(const std::vector<Circle>& circles) : circles_(circles) {}
@@ -230,6 +303,14 @@ ex TrigField::reduce(const ex& polynomial) const {
 }
 
 bool TrigField::is_zero(const ex& expression) const {
+  if (expression.is_zero()) {
+    return true;
+  }
+  if (const auto symbol = linear_symbol(expression)) {
+    // Many small identities for a large one.
+    const Linear parts = linear_parts(expression, *symbol);
+    return is_zero(parts.slope) && is_zero(parts.constant);
+  }
   const ex fraction = to_generators(expression).numer_denom();
   if (reduce(fraction.op(1)).is_zero()) {
     throw OutsideField("the expression divides by something that is identically zero");
