@@ -28,34 +28,41 @@ ex coefficient_of(const ex& expression, const std::vector<Term>& unknowns, const
   return part;
 }
 
+// "name = value" has the normal form of the value derived.
+Verdict has_value(Outcome& outcome, const Claim& claim, const Statement& printed, const Named& derived) {
+  if (printed.relation != Relation::equal || !equal(printed.left, derived.name)) {
+    return Verdict::undecided(fmt::format("{} does not say what {} is", text(printed), text(derived.name)));
+  }
+  const Given given(claim);
+  record_definitions(outcome, claim, printed.right);
+  record_assumptions(outcome, claim, printed.right);
+  decide(outcome, claim, symbolic::Matrix::Constant(1, 1, derived.value),
+         evaluate<ex>(printed.right, given.lookup()));
+  return outcome.verdict;
+}
+
 }  // namespace
 
-Proof by_coefficient(const Term& expression, std::vector<Term> unknowns, const Term& unknown) {
+Proof by_coefficient(const Term& name, const Term& expression, std::vector<Term> unknowns,
+                     const Term& unknown) {
   return [=, unknowns = std::move(unknowns)](Prover&, const Claim& claim) {
     if (claim.printed.size() != 1) {
       throw InternalError(fmt::format("claim {} prints more than one coefficient", claim.id));
     }
     const Given given(claim);
-    const Term& stated = claim.printed.front().right;
     Outcome outcome;
-    for (const Term& side : {expression, stated}) {
-      record_definitions(outcome, claim, side);
-      record_assumptions(outcome, claim, side);
-    }
-    const ex derived =
-        coefficient_of(evaluate<ex>(expression, given.lookup())(0, 0), unknowns, unknown);
-    const Value<ex> read = stated.is_zero() ? Value<ex>::Constant(1, 1, ex(0))
-                                            : evaluate<ex>(stated, given.lookup());
-    decide(outcome, claim, symbolic::Matrix::Constant(1, 1, derived), read);
+    record_definitions(outcome, claim, expression);
+    record_assumptions(outcome, claim, expression);
+    const ex derived = coefficient_of(evaluate<ex>(expression, given.lookup())(0, 0), unknowns, unknown);
+    outcome.verdict = has_value(outcome, claim, claim.printed.front(), {name, derived});
     outcome.route = "the coefficient derived from the flows and the printed one have the same normal form";
     return outcome;
   };
 }
 
-Proof by_formulas(std::function<std::vector<ex>()> values) {
+Proof by_formulas(std::function<std::vector<Named>()> values) {
   return [values = std::move(values)](Prover&, const Claim& claim) {
-    const Given given(claim);
-    const std::vector<ex> expected = values();
+    const std::vector<Named> expected = values();
     if (expected.size() != claim.printed.size()) {
       throw InternalError(fmt::format("claim {} prints {} statements, {} are compared", claim.id,
                                       claim.printed.size(), expected.size()));
@@ -63,14 +70,11 @@ Proof by_formulas(std::function<std::vector<ex>()> values) {
     Outcome outcome;
     std::vector<Verdict> verdicts;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      const Term& stated = claim.printed[i].right;
-      record_definitions(outcome, claim, stated);
-      decide(outcome, claim, symbolic::Matrix::Constant(1, 1, expected[i]),
-             evaluate<ex>(stated, given.lookup()));
-      verdicts.push_back(outcome.verdict);
+      verdicts.push_back(has_value(outcome, claim, claim.printed[i], expected[i]));
     }
     outcome.verdict = all_of(verdicts);
-    outcome.route = "the formulas that the program computes with and the printed ones have the same normal form";
+    outcome.route =
+        "the formulas that the program computes with and the printed ones have the same normal form";
     return outcome;
   };
 }

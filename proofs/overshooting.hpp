@@ -51,4 +51,23 @@ inline const Term after_both = H(tau + tau1) * (Z0 - F0) + 2 * L(tau1) * d0 + F(
          coefficient('d', i);
 }
 
+// A state without z2' that is even about the middle of the stick, from the even rows of
+// model/overshooting_closing.hpp: a = lambda_2 P'_1, D = omega_2^2 omega_1 sin(alpha_1), C = V = 0 solve
+// even_1, and leave -omega_1 omega_2 times this determinant of even_2; alpha_j = omega_j (tau + tau_1)/2.
+inline const Term alpha1 = omega1 * (tau + tau1) / 2, alpha2 = omega2 * (tau + tau1) / 2;
+inline const Term even_determinant = (lambda2 - lambda1) * cos(T / 2) * sin(alpha1) * sin(alpha2) +
+                                     sin(T / 2) * (lambda2 * omega1 * cos(alpha1) * sin(alpha2) -
+                                                   lambda1 * omega2 * cos(alpha2) * sin(alpha1));
+inline const Term even_place = lambda2 * (omega1 * sin(alpha1) * cos(T / 2) + cos(alpha1) * sin(T / 2));
+inline const Term even_swing = power(omega2, 2) * omega1 * sin(alpha1);
+inline const Term even_state =
+    column({chi * even_place + even_swing * cos(T / 2), even_place, -even_swing* sin(T / 2), 0});
+
 }  // namespace stickslip::proofs::overshooting
+
+namespace stickslip::proofs {
+
+[[nodiscard]] std::vector<Claim> section5_linear();  // (21)-(23)
+[[nodiscard]] std::vector<Claim> example_O();        // the orbit of Fig. 3
+
+}  // namespace stickslip::proofs

@@ -11,8 +11,7 @@ using namespace symmetric;
 
 const std::string sec = "sec4";
 
-const Term s0 = scalar("s0"), c0 = scalar("c0"), z1C = scalar("z1C"), z2C = scalar("z2C"), z1 = scalar("z1"),
-           z2 = scalar("z2");
+const Term s0 = scalar("s0"), c0 = scalar("c0"), z1 = scalar("z1"), z2 = scalar("z2");
 const Assumption breaks{"4.breaks", equation(friction_at_rest(z10, z20, phi), ur)};
 const Assumption half_sine{"16.s0", equation(s0, sin(omega*tau / 2))},
     half_cosine{"16.c0", equation(c0, cos(omega*tau / 2))};
