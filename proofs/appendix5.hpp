@@ -38,6 +38,8 @@ inline const Term top = block(1, {I2, zero(2, 2)}), bottom = block(1, {zero(2, 2
 
 // Off resonance both xi vanish, with no other hypothesis.
 [[nodiscard]] std::vector<Claim> weaker_hypotheses();
+// What its theorem assumes: a cycle of two slips at V = 0, off resonance, with x2' < 0 on the first.
+[[nodiscard]] std::vector<Assumption> two_slips_at_rest();
 // (66)-(69) put together.
 [[nodiscard]] std::vector<Claim> theorem();
 // At most one motion that never sticks, by the energy of differences.

@@ -18,11 +18,11 @@ std::vector<Assumption> moving(std::vector<Assumption> more) {
   return cycle_and(std::move(more));
 }
 
+}  // namespace
+
 std::vector<Assumption> two_slips_at_rest() {
   return moving({at_rest, period, goes_down});
 }
-
-}  // namespace
 
 std::vector<Claim> theorem() {
   return {

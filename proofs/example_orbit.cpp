@@ -28,28 +28,28 @@ OrbitQuestion question_of(const Example& example) {
   return question;
 }
 
-std::string shown(const Ball& ball) {
-  const BallText text = to_text(ball, 6);
-  return fmt::format("{} ± {}", text.mid, text.rad);
-}
-
 Claim list_claim(const PrintedPlace& where) {
-  return {.id = where.example.name + ".list",
-          .place = where.place,
-          .kind = Kind::numbers,
-          .words = fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
-          .prove = [where](Prover&, const Claim&) {
-            const OrbitList& list = orbits_of(where.example);
-            const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const DecidedOrbit& orbit) {
-              return orbit.admissible.truth == Truth::proved;
-            });
-            Outcome outcome = at_the_data(
-                where.example, fmt::format("exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
-                                           list.orbits.size(), good, list.unresolved.size()));
-            outcome.verdict = list.complete() ? Verdict::proved()
-                                              : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
-            return outcome;
-          }};
+  return {
+      .id = where.example.name + ".list",
+      .place = where.place,
+      .kind = Kind::numbers,
+      .words =
+          fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
+      .prove = [where](Prover&, const Claim&) {
+        const OrbitList& list = orbits_of(where.example);
+        const auto good =
+            std::count_if(list.orbits.begin(), list.orbits.end(),
+                          [](const DecidedOrbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+        Outcome outcome = at_the_data(
+            where.example,
+            fmt::format("exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
+                        list.orbits.size(), good, list.unresolved.size()));
+        outcome.verdict =
+            list.complete()
+                ? Verdict::proved()
+                : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
+        return outcome;
+      }};
 }
 
 Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
@@ -80,6 +80,11 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
 
 }  // namespace
 
+std::string shown(const Ball& ball) {
+  const BallText text = to_text(ball, 6);
+  return fmt::format("{} ± {}", text.mid, text.rad);
+}
+
 const OrbitList& orbits_of(const Example& example) {
   static std::map<std::string, OrbitList> lists;
   const auto known = lists.find(example.name);
@@ -108,7 +113,8 @@ const DecidedOrbit& printed_orbit(const Example& example) {
     }
   }
   if (near.size() != 1) {
-    throw InternalError(fmt::format("{} proved orbits lie near the printed one of {}", near.size(), example.figure));
+    throw InternalError(
+        fmt::format("{} proved orbits lie near the printed one of {}", near.size(), example.figure));
   }
   return *near.front();
 }
@@ -128,17 +134,18 @@ Ball printed_decimal(const Example& example, const std::string& name) {
 
 Claim computed_from(const PrintedPlace& where, const std::string& name, const std::string& formula,
                     std::function<Ball()> value) {
-  return {.id = fmt::format("{}.from.{}", where.example.name, name),
-          .place = where.place,
-          .kind = Kind::numbers,
-          .words = fmt::format("the printed {} is {} of the other printed values, rounded", name, formula),
-          .prove = [=, value = std::move(value)](Prover&, const Claim&) {
-            const Ball computed = value();
-            Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");
-            outcome.comparisons = {compared(name, as_printed(where.example.result(name), computed), computed)};
-            outcome.verdict = outcome.comparisons.front().verdict;
-            return outcome;
-          }};
+  return {
+      .id = fmt::format("{}.from.{}", where.example.name, name),
+      .place = where.place,
+      .kind = Kind::numbers,
+      .words = fmt::format("the printed {} is {} of the other printed values, rounded", name, formula),
+      .prove = [=, value = std::move(value)](Prover&, const Claim&) {
+        const Ball computed = value();
+        Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");
+        outcome.comparisons = {compared(name, as_printed(where.example.result(name), computed), computed)};
+        outcome.verdict = outcome.comparisons.front().verdict;
+        return outcome;
+      }};
 }
 
 }  // namespace stickslip::proofs

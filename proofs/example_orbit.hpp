@@ -1,5 +1,5 @@
-// An example of the paper against the complete list of orbits at its data: how many there are, and every inequality
-// along the motion that the paper shows.
+// An example of the paper against the complete list of orbits at its data: how many there are, and every
+// inequality along the motion that the paper shows.
 #pragma once
 
 #include "numeric/orbits.hpp"
@@ -10,19 +10,22 @@ namespace stickslip::proofs {
 // The complete list at the example's data, made once.
 [[nodiscard]] const OrbitList& orbits_of(const Example& example);
 
-// The orbit of the list that has each printed result to within 100 units of its last place; throws InternalError unless
-// there is exactly one.
+// The orbit of the list that has each printed result to within 100 units of its last place; throws
+// InternalError unless there is exactly one.
 [[nodiscard]] const DecidedOrbit& printed_orbit(const Example& example);
 
 // The value of that name. Throws InternalError when the family has none.
 [[nodiscard]] const Ball& value_of(const DecidedOrbit& orbit, const std::string& name);
 
+// "7.74669 ± 3.1e-6".
+[[nodiscard]] std::string shown(const Ball& ball);
+
 // "S.list": the list is complete; "S.if.14.lower", …: each condition along the printed orbit.
 [[nodiscard]] std::vector<Claim> orbit_claims(const PrintedPlace& where);
 
 // "S.from.T": the printed result is what the formula gives at the other printed values, `value`, rounded.
-[[nodiscard]] Claim computed_from(const PrintedPlace& where, const std::string& name, const std::string& formula,
-                                  std::function<Ball()> value);
+[[nodiscard]] Claim computed_from(const PrintedPlace& where, const std::string& name,
+                                  const std::string& formula, std::function<Ball()> value);
 
 // The printed decimal of that name, exactly; with the sign of the proved value where the source has lost it.
 [[nodiscard]] Ball printed_decimal(const Example& example, const std::string& name);

@@ -1,6 +1,8 @@
 // Section 6, example P: the orbit of Fig. 4, and the numbers that are printed for it.
+#include <fmt/format.h>
+
 #include "core/error.hpp"
-#include "numeric/nonsticking.hpp"
+#include "numeric/least_load.hpp"
 #include "proofs/example_orbit.hpp"
 #include "proofs/half_period.hpp"
 
@@ -24,9 +26,10 @@ Claim closes_claim() {
             const DecidedOrbit& orbit = printed_orbit(example_named("P"));
             Outcome outcome = at_the_data(example_named("P"), where().route);
             outcome.uses = {"5", "27", "28.reduced"};
-            outcome.verdict = all_of({orbit.admissible, closes(Family::nonsticking, orbit.motion).truth == Truth::refuted
-                                                            ? Verdict::refuted("the phases leave gaps")
-                                                            : Verdict::proved()});
+            outcome.verdict =
+                all_of({orbit.admissible, closes(Family::nonsticking, orbit.motion).truth == Truth::refuted
+                                              ? Verdict::refuted("the phases leave gaps")
+                                              : Verdict::proved()});
             return outcome;
           }};
 }
@@ -51,13 +54,41 @@ Claim friction_claim() {
           .prove = [](Prover&, const Claim&) {
             const Example& example = example_named("P");
             const Ball slack = largest_friction(example) - Ball(*example.ur);
-            Outcome outcome = at_the_data(example, "0 <= ur_max - u_r < 1e-4, in balls, with (25) and (26) at their ends");
+            Outcome outcome =
+                at_the_data(example, "0 <= ur_max - u_r < 1e-4, in balls, with (25) and (26) at their ends");
             outcome.uses = {"P.orbit"};
             const Ball rest = Ball(parse_rational("1e-4")) - slack;
             outcome.verdict = slack.is_positive() && rest.is_positive() ? Verdict::proved()
                               : slack.is_negative() || rest.is_negative()
                                   ? Verdict::refuted("ur_max - u_r is " + to_string(slack))
                                   : Verdict::undecided("ur_max - u_r is " + to_string(slack));
+            return outcome;
+          }};
+}
+
+// (37) made sharp, with x2' < 0 on the whole slip.
+Claim least_load_claim() {
+  return {.id = "P.least",
+          .place = "sec6",
+          .kind = Kind::condition,
+          .words =
+              "the load of Fig. 4 exceeds the least one: p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2), B "
+              "= b_1 d_01 + b_2 "
+              "d_02, which is necessary and sufficient; S is the supremum over 0 < t < pi/omega that "
+              "37.speed leaves, and "
+              "37.sharp is the case eta u_r/omega > S",
+          .prove = [](Prover&, const Claim&) {
+            const Example& example = example_named("P");
+            const LeastLoad least = least_load(printed_orbit(example).motion, Ball(*example.ur), 20);
+            Outcome outcome = at_the_data(
+                example,
+                fmt::format("the supremum bracketed in balls: S = {}, eta u_r/omega = {}, least p = {}",
+                            shown(least.speed_push), shown(least.friction_push), shown(least.p)));
+            outcome.uses = {"P.orbit", "37.speed", "37.sharp", "37.sharp.back"};
+            const Ball slack = Ball(example.data.p) - least.p;
+            outcome.verdict = slack.is_positive()   ? Verdict::proved()
+                              : slack.is_negative() ? Verdict::refuted("the least p is " + shown(least.p))
+                                                    : Verdict::undecided("the least p is " + shown(least.p));
             return outcome;
           }};
 }
@@ -70,6 +101,7 @@ std::vector<Claim> half_period::example_P() {
     claims.push_back(value(name));
   }
   claims.push_back(friction_claim());
+  claims.push_back(least_load_claim());
   for (Claim& claim : orbit_claims(where())) {
     claims.push_back(std::move(claim));
   }

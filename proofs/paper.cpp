@@ -14,6 +14,7 @@ const std::vector<Place>& places() {
       {"sec4", "Section 4: symmetric orbits", "section4", section4},
       {"sec5", "Section 5: orbits with an overshooting part", "section5", section5},
       {"sec6", "Section 6: orbits that never stick", "section6", section6},
+      {"sec7", "Abstract and conclusion", "section7", section7},
       {"A1", "Appendix 1: modes, H and Gamma", "appendix1", appendix1},
       {"A2", "Appendix 2: the symmetry of the orbits of Section 4", "appendix2", appendix2},
       {"A3", "Appendix 3: the coefficients of (21)", "appendix3", appendix3},

@@ -13,7 +13,8 @@ namespace stickslip::proofs {
 [[nodiscard]] std::vector<Claim> section3();   // (5)-(11)
 [[nodiscard]] std::vector<Claim> section4();   // (12)-(16), example S
 [[nodiscard]] std::vector<Claim> section5();   // (18)-(24), example O
-[[nodiscard]] std::vector<Claim> section6();   // (25)-(37)
+[[nodiscard]] std::vector<Claim> section6();   // (25)-(37), example P
+[[nodiscard]] std::vector<Claim> section7();   // abstract and conclusion
 [[nodiscard]] std::vector<Claim> appendix1();  // (38)-(42)
 [[nodiscard]] std::vector<Claim> appendix2();  // (43)-(46), (17)
 [[nodiscard]] std::vector<Claim> appendix3();  // (47)-(51)
