@@ -16,5 +16,6 @@ void add_audit(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_latex(CLI::App& program, Action& action);
 void add_orbits(CLI::App& program, Action& action);
+void add_simulate(CLI::App& program, Action& action);
 
 }  // namespace stickslip::cli

@@ -35,7 +35,7 @@ std::string versions() {
 // The arguments that the program, as opposed to its commands, was given beyond its own.
 void require_command(const CLI::App& program, const Action& action) {
   const std::vector<std::string> strangers = program.remaining();
-  const std::string known = "the commands are audit, check, latex and orbits; see stickslip --help";
+  const std::string known = "the commands are audit, check, latex, orbits and simulate; see stickslip --help";
   if (!strangers.empty()) {
     const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
     throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
@@ -56,6 +56,7 @@ ExitCode run(int argc, const char* const* argv) {
   add_check(program, action);
   add_latex(program, action);
   add_orbits(program, action);
+  add_simulate(program, action);
   program.allow_extras();
   try {
     program.parse(argc, argv);

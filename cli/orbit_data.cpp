@@ -78,7 +78,26 @@ std::optional<Range> optional_range(const TypedParameters& parameters, const std
   return found == parameters.end() ? std::nullopt : std::optional(parse_range(name, found->second));
 }
 
+void add_parameter(CLI::App& command, TypedParameters& parameters, const std::string& name,
+                   const std::string& description) {
+  command
+      .add_option_function<std::string>(
+          "--" + name, [&parameters, name](const std::string& text) { parameters[name] = text; }, description)
+      ->type_name("NUMBER");
+}
+
 }  // namespace
+
+void add_parameters(CLI::App& command, TypedParameters& parameters) {
+  add_parameter(command, parameters, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
+  add_parameter(command, parameters, "eta", "Mass ratio m1/m2 > 0");
+  add_parameter(command, parameters, "us", "Slipping friction force > 0");
+  add_parameter(command, parameters, "V", "Belt velocity; > 0 for orbits with a stick phase");
+  add_parameter(command, parameters, "omega", "Frequency of the load > 0");
+  add_parameter(command, parameters, "p", "Amplitude of the load >= 0");
+  add_parameter(command, parameters, "phi", "Phase of the load");
+  add_parameter(command, parameters, "ur", "Friction force at rest > us");
+}
 
 Range parse_range(const std::string& name, const std::string& text) {
   for (const std::string separator : {"+-", "±"}) {

@@ -1,6 +1,7 @@
 // From what the user types to the question that numeric/orbits.hpp answers.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 
@@ -10,6 +11,9 @@ namespace stickslip::cli {
 
 // Parameters as text under their names: chi, eta, us, V, omega, p, phi, ur.
 using TypedParameters = std::map<std::string, std::string>;
+
+// Options --chi, --eta, … for all of them; each writes the text that it is given.
+void add_parameters(CLI::App& command, TypedParameters& parameters);
 
 // A number as core/decimal.hpp reads it, or an interval "0.5+-1e-4" ("0.5±1e-4"). Throws UsageError naming
 // the parameter and the text.

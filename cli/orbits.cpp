@@ -106,15 +106,6 @@ ExitCode run(const Options& options) {
   return all_decided(list) ? exit_decided : exit_undecided;
 }
 
-void add_parameter(CLI::App& command, const std::shared_ptr<Options>& options, const std::string& name,
-                   const std::string& description) {
-  command
-      .add_option_function<std::string>(
-          "--" + name, [options, name](const std::string& text) { options->parameters[name] = text; },
-          description)
-      ->type_name("NUMBER");
-}
-
 }  // namespace
 
 void add_orbits(CLI::App& program, Action& action) {
@@ -122,14 +113,7 @@ void add_orbits(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
   command->footer(details);
   command->add_option("FAMILY", options->family, "symmetric, overshooting or nonsticking")->type_name("");
-  add_parameter(*command, options, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
-  add_parameter(*command, options, "eta", "Mass ratio m1/m2 > 0");
-  add_parameter(*command, options, "us", "Slipping friction force > 0");
-  add_parameter(*command, options, "V", "Belt velocity; > 0 for orbits with a stick phase");
-  add_parameter(*command, options, "omega", "Frequency of the load > 0");
-  add_parameter(*command, options, "p", "Amplitude of the load >= 0");
-  add_parameter(*command, options, "phi", "Phase of the load");
-  add_parameter(*command, options, "ur", "Friction force at rest > us");
+  add_parameters(*command, options->parameters);
   command->add_option("--example", options->example, "Take the data of the paper's example S, O or P")
       ->type_name("NAME");
   command

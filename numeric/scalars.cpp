@@ -41,7 +41,7 @@ long bits_for(int digits) {
 
 template <>
 double scalar<double>(const Rational& value) {
-  return value.get_d();
+  return Ball(value).approximate();  // to nearest; GMP's own conversion cuts off
 }
 template <>
 cln::cl_R scalar<cln::cl_R>(const Rational& value) {

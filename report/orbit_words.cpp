@@ -35,6 +35,18 @@ std::vector<NamedRange> named_parameters(const OrbitQuestion& question) {
   return named;
 }
 
+std::string colour_of(PhaseKind kind) {
+  switch (kind) {
+    case PhaseKind::slip:
+      return "#1f4e9c";
+    case PhaseKind::overshoot:
+      return "#c0392b";
+    case PhaseKind::stick:
+      return "#404040";
+  }
+  return "#000000";
+}
+
 std::string describe(Remark remark) {
   switch (remark) {
     case Remark::load_absent:

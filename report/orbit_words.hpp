@@ -22,6 +22,9 @@ struct NamedRange {
 // The six parameters in the paper's order, then phi and ur as far as they are given.
 [[nodiscard]] std::vector<NamedRange> named_parameters(const OrbitQuestion& question);
 
+// The colour of a kind of phase in pictures: "#1f4e9c".
+[[nodiscard]] std::string colour_of(PhaseKind kind);
+
 // One sentence.
 [[nodiscard]] std::string describe(Remark remark);
 

@@ -33,18 +33,6 @@ double line_width(Family family, PhaseKind kind) {
   return 1;
 }
 
-const char* colour(PhaseKind kind) {
-  switch (kind) {
-    case PhaseKind::slip:
-      return "#1f4e9c";
-    case PhaseKind::overshoot:
-      return "#c0392b";
-    case PhaseKind::stick:
-      return "#404040";
-  }
-  return "#000000";
-}
-
 // Lines "t q1 q2 q1' q2'", q = z or x.
 std::string table(const MotionOf<double>& motion, const PhaseOf<double>& phase,
                   const model::Vector2<double>& d) {
@@ -67,7 +55,7 @@ Json phases_of(const MotionOf<double>& motion, Family family, std::size_t orbit)
     phases.push_back({{"block", fmt::format("$orbit{}phase{}", orbit, k)},
                       {"kind", to_string(phase.kind)},
                       {"width", fmt::format("{}", line_width(family, phase.kind))},
-                      {"colour", colour(phase.kind)},
+                      {"colour", colour_of(phase.kind)},
                       {"start", fmt::format("{:.8g}", phase.start)},
                       {"middle", fmt::format("{:.8g}", phase.start + phase.duration / 2)},
                       {"first", k == 0},

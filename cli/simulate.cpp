@@ -1,0 +1,261 @@
+// stickslip simulate: the motion under the friction law from any state.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/orbit_data.hpp"
+#include "cli/output.hpp"
+#include "core/decimal.hpp"
+#include "numeric/dynamics/record.hpp"
+#include "numeric/example_orbits.hpp"
+#include "report/files.hpp"
+#include "report/simulation.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+constexpr double default_periods = 100;
+constexpr double samples_in_period = 200;
+
+struct Options {
+  TypedParameters parameters;
+  std::string file, example, state, perturb, periods, every, csv, plot;
+};
+
+constexpr const char* details =
+    "Follows x1, x2 under (2) and the friction law (4) in closed form, in double; events are\n"
+    "found with certainty, not by signs at the ends of steps. A simulation proves nothing.\n\n"
+    "It starts at --state at t = 0, with all parameters, --phi and --ur given; or with\n"
+    "--example S, O or P where the paper's orbit begins, proved, plus --perturb. A state is\n"
+    "four numbers x1,x2,x1',x2'.\n\n"
+    "Ctrl-C ends the simulation; what was computed is still written, with exit code 130.";
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void interrupt(int /*signal*/) {
+  interrupted = 1;
+}
+
+// While an object of this type lives, an interruption is only noted; a second one ends the program.
+class Interruptible {
+ public:
+  Interruptible() {
+    struct sigaction action = {};
+    action.sa_handler = interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigaction(SIGINT, &action, &previous_);
+  }
+  ~Interruptible() { ::sigaction(SIGINT, &previous_, nullptr); }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  struct sigaction previous_ = {};
+};
+
+// A bar on a terminal's standard error.
+class Bar {
+ public:
+  Bar() : shown_(::isatty(STDERR_FILENO) != 0) {}
+  ~Bar() {
+    if (drawn_) {
+      std::fputs("\r\x1b[K", stderr);
+    }
+  }
+  Bar(const Bar&) = delete;
+  Bar& operator=(const Bar&) = delete;
+
+  void show(double share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown_ || now - last_ < std::chrono::milliseconds(100)) {
+      return;
+    }
+    constexpr int width = 40;
+    const auto done = static_cast<std::size_t>(share * width);
+    fmt::print(stderr, "\rsimulating [{}{}] {:3.0f} %", std::string(done, '#'),
+               std::string(width - done, '.'), 100 * share);
+    std::fflush(stderr);
+    last_ = now;
+    drawn_ = true;
+  }
+
+ private:
+  bool shown_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+double number(const std::string& name, const std::string& text) {
+  const Range range = parse_range(name, text);
+  if (range.radius != 0) {
+    throw UsageError(fmt::format("{}: '{}' is an interval, but a simulation needs a number", name, text));
+  }
+  return scalar<double>(range.middle);
+}
+
+double positive(const std::string& name, const std::string& text) {
+  const double value = number(name, text);
+  if (!(value > 0)) {
+    throw UsageError(fmt::format("{}: '{}' is not a positive number", name, text));
+  }
+  return value;
+}
+
+model::Vector4<double> four_numbers(const std::string& name, const std::string& text) {
+  model::Vector4<double> X;
+  std::size_t from = 0;
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t comma = text.find(',', from);
+    if ((comma == std::string::npos) != (i == 3)) {
+      throw UsageError(fmt::format("{}: '{}' is not four numbers x1,x2,x1',x2'", name, text));
+    }
+    X(i) = number(name, text.substr(from, comma - from));
+    from = comma + 1;
+  }
+  return X;
+}
+
+// The beginning of the example's orbit.
+Start start_of_example(const std::string& name) {
+  const DecidedOrbit orbit = printed_orbit(example_named(name));
+  const MotionOf<double> motion = in_double(orbit.motion);
+  const PhaseOf<double>& first = motion.phases.front();
+  Start start{motion.oscillator.data, 0, first.load, first.Z};
+  start.X.head<2>() += motion.oscillator.d0;
+  for (const NamedBall& value : orbit.values) {
+    if (value.name == "ur") {
+      start.ur = value.value.approximate();
+    }
+  }
+  return start;
+}
+
+void replace(double& value, const TypedParameters& typed, const char* name) {
+  if (const auto found = typed.find(name); found != typed.end()) {
+    value = number(name, found->second);
+  }
+}
+
+Start start_of(const Options& options) {
+  if (options.example.empty() && options.state.empty()) {
+    throw UsageError("a start is missing: give --state x1,x2,x1',x2' or --example");
+  }
+  TypedParameters typed = options.file.empty() ? TypedParameters() : read_parameters(options.file);
+  for (const auto& [name, text] : options.parameters) {
+    typed[name] = text;
+  }
+  Start start;
+  if (!options.example.empty()) {
+    start = start_of_example(options.example);
+  } else {
+    for (const char* name : {"chi", "eta", "us", "V", "omega", "p", "phi", "ur"}) {
+      if (!typed.contains(name)) {
+        throw UsageError(
+            fmt::format("the parameter {0} is missing: give --{0}, or all by --params or --example", name));
+      }
+    }
+  }
+  model::Parameters<double>& a = start.data;
+  replace(a.chi, typed, "chi");
+  replace(a.eta, typed, "eta");
+  replace(a.us, typed, "us");
+  replace(a.V, typed, "V");
+  replace(a.omega, typed, "omega");
+  replace(a.p, typed, "p");
+  replace(start.phi, typed, "phi");
+  replace(start.ur, typed, "ur");
+  if (!options.state.empty()) {
+    start.X = four_numbers("state", options.state);
+  }
+  if (!options.perturb.empty()) {
+    start.X += four_numbers("perturb", options.perturb);
+  }
+  return start;
+}
+
+RecordPlan plan_of(const Options& options, const Start& start) {
+  const double period = 2 * std::acos(-1.0) / start.data.omega;
+  const double periods = options.periods.empty() ? default_periods : positive("periods", options.periods);
+  const bool keep = !options.csv.empty() || !options.plot.empty();
+  return {periods * period,
+          options.every.empty() ? period / samples_in_period : positive("every", options.every), keep};
+}
+
+void require_file(const std::filesystem::path& file) {
+  const std::filesystem::path directory = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(directory, ignored) || std::filesystem::is_directory(file, ignored)) {
+    throw InputOutputError(fmt::format("cannot write {}: {}", file.string(),
+                                       std::filesystem::is_directory(file, ignored)
+                                           ? "it is a directory"
+                                           : directory.string() + " is not an existing directory"));
+  }
+  report::require_writable(directory);
+}
+
+void write(const Record& record, const Options& options) {
+  if (!options.csv.empty()) {
+    const std::filesystem::path file = options.csv;
+    report::write_files(file.has_parent_path() ? file.parent_path() : ".",
+                        {{file.filename().string(), report::to_csv(record)}});
+  }
+  if (!options.plot.empty()) {
+    report::write_plot(options.plot, report::plot_script(record, report::plot_format(options.plot)));
+  }
+}
+
+Record simulate(const Start& start, const RecordPlan& plan) {
+  const Interruptible scope;
+  Bar bar;
+  return record_motion(start, plan, [&bar](double share) {
+    bar.show(share);
+    return interrupted == 0;
+  });
+}
+
+ExitCode run(const Options& options) {
+  if (!options.csv.empty()) {
+    require_file(options.csv);
+  }
+  if (!options.plot.empty()) {
+    (void)report::plot_format(options.plot);
+    report::require_plot(options.plot);
+  }
+  const Start start = start_of(options);
+  const Record record = simulate(start, plan_of(options, start));
+  write(record, options);
+  print(report::terminal_report(record, terminal_style()));
+  return record.interrupted ? exit_interrupted : exit_decided;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("simulate", "Follow the motion under the friction law");
+  command->footer(details);
+  add_parameters(*command, options->parameters);
+  const auto add = [&](const char* name, std::string& value, const char* type, const std::string& words) {
+    command->add_option(name, value, words)->type_name(type);
+  };
+  add("--example", options->example, "NAME", "Start where the orbit of the paper's example S, O or P begins");
+  add("--params", options->file, "FILE", "Take parameters from a TOML file with lines chi = 0.5");
+  add("--state", options->state, "X", "Start at x1,x2,x1',x2'");
+  add("--perturb", options->perturb, "X", "Add these four numbers to the start");
+  add("--periods", options->periods, "N", fmt::format("Periods of the load: {} by default", default_periods));
+  add("--every", options->every, "TIME",
+      fmt::format("Time between two samples: by default {} in a period", samples_in_period));
+  add("--csv", options->csv, "FILE", "Write the samples, with r, u and the energy");
+  add("--plot", options->plot, "FILE", "Draw phase portraits, speed and energy into FILE.svg or FILE.pdf");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace stickslip::cli
