@@ -23,6 +23,7 @@ struct ModalResponse {
   S stiff;               // omega_j² s
   S from_cos, from_sin;  // C, S
   S cos_rate, sin_rate;  // C', S'
+  S load_cos, load_sin;  // of omega h
 };
 
 // Assumes omega_j > 0 and cos(omega_j h) ≠ -1.
@@ -50,7 +51,9 @@ template <class S>
           C,
           S(half / omega_j * (sinc_a * cos_b - cos_a * sinc_b)),
           S(half * (sinc_a * cos_b + cos_a * sinc_b)),
-          S(omega * C)};
+          S(omega * C),
+          S(cos_a * cos_b + sin_a * sin_b),
+          S(sin_a * cos_b - cos_a * sin_b)};
 }
 
 }  // namespace stickslip::model

@@ -16,7 +16,7 @@ namespace {
 
 // A step, in units of the inverse of the fastest frequency: long enough to be few, short enough for the
 // polynomials to exclude events.
-constexpr double step_angle = 0.95;
+constexpr double step_angle = 1.05;
 // Shorter than this, no time has passed.
 constexpr double instant = 1e-15;
 // So many transitions in one instant, and the mass is held.
@@ -220,10 +220,13 @@ Simulation::Outcome Simulation::stick() {
 // grows at the rate eta (|r| - us); when that is zero, us = ur = |r|, the derivatives of |r| decide.
 bool Simulation::leaves(const Vector4<double>& X, int side, double r) const {
   const double slope = -side * model::belt_acceleration<double>(a_.eta, side * a_.us, r);
+  if (slope != 0) {
+    return slope > 0;
+  }
   const double psi = phase_of_load();
   const double rate = model::friction_rate<double>(a_, X, psi);
   const double second = a_.chi * (X(0) - a_.chi * X(1)) + a_.p * a_.omega * a_.omega / a_.eta * std::cos(psi);
-  return slope > 0 || (slope == 0 && (side * rate > 0 || (rate == 0 && side * second > 0)));
+  return side * rate > 0 || (rate == 0 && side * second > 0);
 }
 
 void Simulation::begin(PhaseKind kind, const Vector4<double>& X, double exit_slope) {

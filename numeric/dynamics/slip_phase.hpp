@@ -14,7 +14,6 @@ namespace stickslip {
 struct SlipStep {
   double h = 0;
   std::array<model::ModalResponse<double>, 2> mode;
-  double load_cos = 1, load_sin = 0;  // of omega h
 };
 
 // What is fixed by the data of (2).
@@ -39,9 +38,7 @@ struct SlipData {
   [[nodiscard]] SlipStep step(double h) const {
     return {h,
             {model::modal_response<double>(omega_j[0], omega, h),
-             model::modal_response<double>(omega_j[1], omega, h)},
-            std::cos(omega * h),
-            std::sin(omega * h)};
+             model::modal_response<double>(omega_j[1], omega, h)}};
   }
 };
 
@@ -68,8 +65,10 @@ class SlipPhase {
       v_[j] = m.c * v_[j] - m.stiff * y_[j] + m.s * f + d.P[j] * (m.cos_rate * c_ - m.sin_rate * s_);
       y_[j] = y;
     }
-    const double c = step.load_cos * c_ - step.load_sin * s_;
-    s_ = step.load_cos * s_ + step.load_sin * c_;
+    const double turn_c = step.mode[0].load_cos;
+    const double turn_s = step.mode[0].load_sin;
+    const double c = turn_c * c_ - turn_s * s_;
+    s_ = turn_c * s_ + turn_s * c_;
     c_ = c;
   }
 
