@@ -25,6 +25,11 @@ namespace stickslip {
   return arb_is_zero(x.raw()) != 0;
 }
 
+// Whether no member is zero: then one can divide by it.
+[[nodiscard]] inline bool is_nonzero(const Ball& x) {
+  return x.is_nonzero();
+}
+
 template <class S, int N>
 struct Jet {
   S value = S(0);
@@ -116,6 +121,17 @@ struct Jet {
   friend bool is_zero(const Jet& a) {
     return is_zero(a.value) &&
            std::all_of(a.partials.begin(), a.partials.end(), [](const S& x) { return is_zero(x); });
+  }
+
+  friend bool is_nonzero(const Jet& a) { return is_nonzero(a.value); }
+  // sum += factor b, the factor a constant.
+  friend void add_product(Jet& sum, const S& factor, const Jet& b) {
+    add_product(sum.value, factor, b.value);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(b.partials[i])) {
+        add_product(sum.partials[i], factor, b.partials[i]);
+      }
+    }
   }
 
   friend Jet sin(const Jet& a) {

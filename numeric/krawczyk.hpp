@@ -140,7 +140,7 @@ template <int N>
 template <int N, class F>
 [[nodiscard]] ZeroProof<N> prove_zero_near(const F& f, const Box<N>& guess) {
   ZeroProof<N> best{Verdict::undecided("no box around the guess passed Krawczyk's test"), guess, guess};
-  for (double radius = 1e-13; radius < 1; radius *= 4) {
+  for (double radius = 1e-13; radius < 1; radius *= 16) {
     const ZeroProof<N> proof = krawczyk_test<N>(f, box_around<N>(guess, radius));
     const bool proved = proof.verdict.truth == Truth::proved;
     if (proved && best.verdict.truth == Truth::proved) {

@@ -74,36 +74,25 @@ template <class S, int N>
   return inverse;
 }
 
-// A box that contains every x with A x = b for some A, b in the given enclosures: elimination after
-// multiplication by an approximate inverse. Nothing when a pivot may vanish.
+// Whether a is proved to be invertible, all members of its entries: |I - Y a| < 1 in the norm of row sums for
+// the approximate inverse Y.
 template <int N>
-[[nodiscard]] std::optional<Eigen::Matrix<Ball, N, 1>> enclose_solution(const Eigen::Matrix<Ball, N, N>& A,
-                                                                        const Eigen::Matrix<Ball, N, 1>& b) {
-  const std::optional<Eigen::Matrix<Ball, N, N>> Y = approximate_inverse<Ball, N>(A);
+[[nodiscard]] bool is_invertible(const Eigen::Matrix<Ball, N, N>& a) {
+  const std::optional<Eigen::Matrix<Ball, N, N>> Y = approximate_inverse<Ball, N>(a);
   if (!Y) {
-    return std::nullopt;
+    return false;
   }
-  Eigen::Matrix<Ball, N, N> m = *Y * A;
-  Eigen::Matrix<Ball, N, 1> x = *Y * b;
-  for (int k = 0; k < N; ++k) {
-    if (!m(k, k).is_nonzero()) {
-      return std::nullopt;
+  const Eigen::Matrix<Ball, N, N> rest = Eigen::Matrix<Ball, N, N>::Identity() - *Y * a;
+  for (int i = 0; i < N; ++i) {
+    Ball sum(-1);
+    for (int j = 0; j < N; ++j) {
+      sum += abs(rest(i, j));
     }
-    for (int i = k + 1; i < N; ++i) {
-      const Ball factor = m(i, k) / m(k, k);
-      for (int j = k + 1; j < N; ++j) {
-        m(i, j) -= factor * m(k, j);
-      }
-      x(i) -= factor * x(k);
+    if (!sum.is_negative()) {
+      return false;
     }
   }
-  for (int k = N - 1; k >= 0; --k) {
-    for (int j = k + 1; j < N; ++j) {
-      x(k) -= m(k, j) * x(j);
-    }
-    x(k) /= m(k, k);
-  }
-  return x;
+  return true;
 }
 
 }  // namespace stickslip

@@ -1,11 +1,10 @@
-// The reduced equations of Section 5 as two functions of (s, w), tau + tau1 = Theta s, tau1 = Theta s w, with
-// the amplitudes, and the load's phase where it is unknown, eliminated by determinants.
-//
-// Each family is a functor for krawczyk.hpp and search.hpp over T = Ball and jets over it.
+// The reduced equations of Section 5 as rows over (s, w), tau + tau1 = Theta s, tau1 = Theta s w, that are
+// linear in the amplitudes a, C, D of the stick and, where the load's phase is unknown, in its cosine and
+// sine.
 #pragma once
 
 #include "model/overshooting_closing.hpp"
-#include "numeric/jet.hpp"
+#include "numeric/elimination.hpp"
 
 namespace stickslip {
 
@@ -26,156 +25,135 @@ template <class T>
   return a * d - b * c;
 }
 
-// Of rows i, j, k in the columns l, m, n.
-template <class T, int Rows, int Columns>
-[[nodiscard]] T det3(const Eigen::Matrix<T, Rows, Columns>& x, std::array<int, 3> row,
-                     std::array<int, 3> column) {
-  const auto [i, j, k] = row;
-  const auto [l, m, n] = column;
-  return x(i, l) * det2<T>(x(j, m), x(j, n), x(k, m), x(k, n)) -
-         x(i, m) * det2<T>(x(j, l), x(j, n), x(k, l), x(k, n)) +
-         x(i, n) * det2<T>(x(j, l), x(j, m), x(k, l), x(k, m));
-}
-
-// By Laplace's expansion in the first two rows.
-template <class T>
-[[nodiscard]] T det4(const Eigen::Matrix<T, 4, 4>& x) {
-  const auto upper = [&](int i, int j) { return det2<T>(x(0, i), x(0, j), x(1, i), x(1, j)); };
-  const auto lower = [&](int i, int j) { return det2<T>(x(2, i), x(2, j), x(3, i), x(3, j)); };
-  return upper(0, 1) * lower(2, 3) - upper(0, 2) * lower(1, 3) + upper(0, 3) * lower(1, 2) +
-         upper(1, 2) * lower(0, 3) - upper(1, 3) * lower(0, 2) + upper(2, 3) * lower(0, 1);
-}
-
-// phi given. Each odd row is left C + right = 0; the even rows and turn are linear in (a, D, 1), with C
-// eliminated through the odd row `pivot`.
-template <class S>
+// phi given: five rows for (a, C, D).
 struct OvershootingAtPhase {
-  model::OvershootingData<S> data;
-  S phi;
-  int pivot = 0;
+  static constexpr int rows = 5;
+  static constexpr int unknowns = 3;
+  model::OvershootingData<Ball> data;
+  Ball phi;
 
-  template <class T>
-  struct Odd {
-    Eigen::Matrix<T, 2, 1> left, right;
-  };
+  template <class T, int R>
+  using Rows = Eigen::Matrix<T, R, unknowns + 1>;
 
-  // (sin psi, cos psi).
+  // odd_1 and odd_2: only their columns C and 1 are not zero.
   template <class T>
-  [[nodiscard]] std::pair<T, T> phase(const model::OvershootingData<T>& d, const Times<T>& t) const {
-    return sin_cos(T(T(phi) + d.omega * T(t.tau + t.tau1) / T(2)));
+  [[nodiscard]] Rows<T, 2> odd(const model::OvershootingData<T>& d, const Times<T>& t) const {
+    const auto both = model::overshooting_odd<T>(d, t.tau, t.tau1);
+    return with_phase<T, 2>(both, d, t);
+  }
+  // even_1, even_2 and turn.
+  template <class T>
+  [[nodiscard]] Rows<T, 3> others(const model::OvershootingData<T>& d, const Times<T>& t) const {
+    const auto [even1, even2] = model::overshooting_even<T>(d, t.tau, t.tau1);
+    return with_phase<T, 3>({even1, even2, model::overshooting_turn<T>(d, t.tau, t.tau1)}, d, t);
   }
 
+  // What must vanish once (a, C, D) are eliminated.
   template <class T>
-  [[nodiscard]] Odd<T> odd(const model::OvershootingData<T>& d, const Times<T>& t) const {
-    const T sin_psi = phase<T>(d, t).first;
-    const auto rows = model::overshooting_odd<T>(d, t.tau, t.tau1);
-    return {{rows[0].C, rows[1].C},
-            {T(rows[0].one + rows[0].sin_psi * sin_psi), T(rows[1].one + rows[1].sin_psi * sin_psi)}};
+  [[nodiscard]] Eigen::Matrix<T, 2, 1> functions(const Rows<T, rows>& eliminated) const {
+    return {eliminated(3, 3), eliminated(4, 3)};
   }
 
-  // Columns a, D, 1 of even_1, even_2 and of turn times the pivot's left side.
-  template <class T>
-  [[nodiscard]] Eigen::Matrix<T, 3, 3> even(const model::OvershootingData<T>& d, const Times<T>& t,
-                                            const Odd<T>& o) const {
-    const auto [s, c] = phase<T>(d, t);
-    const auto rows = model::overshooting_even<T>(d, t.tau, t.tau1);
-    const model::OvershootingRow<T> turn = model::overshooting_turn<T>(d, t.tau, t.tau1);
-    Eigen::Matrix<T, 3, 3> m;
-    for (int j = 0; j < 2; ++j) {
-      const model::OvershootingRow<T>& row = rows[static_cast<std::size_t>(j)];
-      m(j, 0) = row.a;
-      m(j, 1) = row.D;
-      m(j, 2) = row.one + row.cos_psi * c;
+ private:
+  template <class T, int R>
+  [[nodiscard]] Rows<T, R> with_phase(const std::array<model::OvershootingRow<T>, R>& all,
+                                      const model::OvershootingData<T>& d, const Times<T>& t) const {
+    const std::pair<T, T> psi = sin_cos(T(T(phi) + d.omega * T(t.tau + t.tau1) / T(2)));
+    Rows<T, R> m;
+    for (int i = 0; i < R; ++i) {
+      const model::OvershootingRow<T>& row = all[static_cast<std::size_t>(i)];
+      T one = row.one;
+      if (!is_zero(row.cos_psi)) {
+        one += row.cos_psi * psi.second;
+      }
+      if (!is_zero(row.sin_psi)) {
+        one += row.sin_psi * psi.first;
+      }
+      m.row(i) << row.a, row.C, row.D, one;
     }
-    const T& left = o.left(pivot);
-    m(2, 0) = turn.a * left;
-    m(2, 1) = turn.D * left;
-    m(2, 2) = T(turn.one + turn.cos_psi * c + turn.sin_psi * s) * left - turn.C * o.right(pivot);
     return m;
-  }
-
-  // The determinant of the odd rows alone: cheap, and enough to exclude most of the triangle.
-  template <class T>
-  [[nodiscard]] T first(const Eigen::Matrix<T, 2, 1>& sw) const {
-    const model::OvershootingData<T> d = model::lift<T>(data);
-    const Odd<T> o = odd<T>(d, times<T>(d.Theta, sw));
-    return det2<T>(o.left(0), o.right(0), o.left(1), o.right(1));
-  }
-
-  // Both determinants.
-  template <class T>
-  [[nodiscard]] Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& sw) const {
-    const model::OvershootingData<T> d = model::lift<T>(data);
-    const Times<T> t = times<T>(d.Theta, sw);
-    const Odd<T> o = odd<T>(d, t);
-    const Eigen::Matrix<T, 3, 3> m = even<T>(d, t, o);
-    return {det2<T>(o.left(0), o.right(0), o.left(1), o.right(1)), det3<T, 3, 3>(m, {0, 1, 2}, {0, 1, 2})};
   }
 };
 
-// u_r given, phi unknown. The odd rows are linear in (C, sin psi, 1); their 2×2 minors give C and sin psi
-// over the common denominator `over`. The even rows, turn and (12), times that denominator, are linear in
-// (a, D, cos psi, 1); the three rows other than `left_out` give cos psi. The two functions are the
-// determinant of the four rows and cos² psi + sin² psi - 1 times the squares of its denominators.
-template <class S>
+// u_r given, phi unknown: six rows for (a, C, D, cos psi, sin psi).
 struct OvershootingAtFriction {
-  model::OvershootingData<S> data;
-  S ur;
-  int left_out = 3;
+  static constexpr int rows = 6;
+  static constexpr int unknowns = 5;
+  model::OvershootingData<Ball> data;
+  Ball ur;
 
-  template <class T>
-  struct Odd {
-    T C, sin_psi, over;
-  };
+  template <class T, int R>
+  using Rows = Eigen::Matrix<T, R, unknowns + 1>;
 
+  // odd_1 and odd_2: only their columns C, sin psi and 1 are not zero.
   template <class T>
-  [[nodiscard]] Odd<T> odd(const model::OvershootingData<T>& d, const Times<T>& t) const {
-    const auto [x, y] = model::overshooting_odd<T>(d, t.tau, t.tau1);
-    return {det2<T>(x.sin_psi, x.one, y.sin_psi, y.one), det2<T>(x.one, x.C, y.one, y.C),
-            det2<T>(x.C, x.sin_psi, y.C, y.sin_psi)};
+  [[nodiscard]] Rows<T, 2> odd(const model::OvershootingData<T>& d, const Times<T>& t) const {
+    return as_matrix<T, 2>(model::overshooting_odd<T>(d, t.tau, t.tau1));
+  }
+  // even_1, even_2, turn and (12).
+  template <class T>
+  [[nodiscard]] Rows<T, 4> others(const model::OvershootingData<T>& d, const Times<T>& t) const {
+    const auto [even1, even2] = model::overshooting_even<T>(d, t.tau, t.tau1);
+    return as_matrix<T, 4>({even1, even2, model::overshooting_turn<T>(d, t.tau, t.tau1),
+                            model::overshooting_friction<T>(d, T(ur), t.tau, t.tau1)});
   }
 
-  // Columns a, D, cos psi and 1 times `over` of even_1, even_2, turn and (12).
+  // What must vanish once they are eliminated: the sixth row, and cos² psi + sin² psi - 1.
   template <class T>
-  [[nodiscard]] Eigen::Matrix<T, 4, 4> rows(const model::OvershootingData<T>& d, const Times<T>& t,
-                                            const Odd<T>& o) const {
-    const auto [even1, even2] = model::overshooting_even<T>(d, t.tau, t.tau1);
-    const std::array<model::OvershootingRow<T>, 4> all{
-        even1, even2, model::overshooting_turn<T>(d, t.tau, t.tau1),
-        model::overshooting_friction<T>(d, T(ur), t.tau, t.tau1)};
-    Eigen::Matrix<T, 4, 4> m;
-    for (int i = 0; i < 4; ++i) {
+  [[nodiscard]] Eigen::Matrix<T, 2, 1> functions(const Rows<T, rows>& eliminated) const {
+    const Eigen::Matrix<T, unknowns, 1> u = back_substituted<T, rows, unknowns + 1>(eliminated);
+    return {eliminated(5, 5), T(u(3) * u(3) + (u(4) - T(1)) * (u(4) + T(1)))};
+  }
+
+ private:
+  template <class T, int R>
+  [[nodiscard]] static Rows<T, R> as_matrix(const std::array<model::OvershootingRow<T>, R>& all) {
+    Rows<T, R> m;
+    for (int i = 0; i < R; ++i) {
       const model::OvershootingRow<T>& row = all[static_cast<std::size_t>(i)];
-      m(i, 0) = row.a;
-      m(i, 1) = row.D;
-      m(i, 2) = row.cos_psi;
-      m(i, 3) = row.one * o.over + row.C * o.C + row.sin_psi * o.sin_psi;
+      m.row(i) << row.a, row.C, row.D, row.cos_psi, row.sin_psi, row.one;
     }
     return m;
   }
+};
 
-  // The rows other than left_out.
-  [[nodiscard]] std::array<int, 3> kept() const {
-    std::array<int, 3> rows{};
-    for (int i = 0, k = 0; i < 4; ++i) {
-      if (i != left_out) {
-        rows[static_cast<std::size_t>(k++)] = i;
-      }
-    }
-    return rows;
+template <class T, class Family>
+using RowsOf = Eigen::Matrix<T, Family::rows, Family::unknowns + 1>;
+
+// The odd rows above the others.
+template <class T, class Family>
+[[nodiscard]] RowsOf<T, Family> all_rows(const Family& f, const Eigen::Matrix<T, 2, 1>& sw) {
+  const model::OvershootingData<T> d = model::lift<T>(f.data);
+  const Times<T> t = times<T>(d.Theta, sw);
+  RowsOf<T, Family> m;
+  m.template topRows<2>() = f.template odd<T>(d, t);
+  m.template bottomRows<Family::rows - 2>() = f.template others<T>(d, t);
+  return m;
+}
+
+// Two functions of (s, w), for krawczyk.hpp: the family's rows combined as fits a box, its unknowns
+// eliminated. Not finite where a pivot may vanish. Where they are finite and vanish, all combined rows hold
+// for exactly one value of the unknowns; so do the rows themselves when the combinations are invertible.
+template <class Family>
+struct Eliminated {
+  static constexpr int R = Family::rows;
+  static constexpr int C = Family::unknowns + 1;
+  Family family;
+  Eigen::Matrix<Ball, R, R> combinations;
+
+  template <class T>
+  [[nodiscard]] Eigen::Matrix<T, R, C> rows(const Eigen::Matrix<T, 2, 1>& sw) const {
+    return combined_rows<T, R, C>(combinations, all_rows<T>(family, sw));
   }
 
   template <class T>
   [[nodiscard]] Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& sw) const {
-    const model::OvershootingData<T> d = model::lift<T>(data);
-    const Times<T> t = times<T>(d.Theta, sw);
-    const Odd<T> o = odd<T>(d, t);
-    const Eigen::Matrix<T, 4, 4> m = rows<T>(d, t, o);
-    const T scale = det3<T, 4, 4>(m, kept(), {0, 1, 2});
-    const T cosine = det3<T, 4, 4>(m, kept(), {0, 1, 3});  // -cos psi scale over
-    const T sine = o.sin_psi * scale;
-    const T unit = o.over * scale;
-    return {det4<T>(m), T(cosine * cosine + T(sine - unit) * T(sine + unit))};
+    Eigen::Matrix<T, R, C> m = rows<T>(sw);
+    if (!eliminate<T, R, C>(m, 0, C - 1)) {
+      const T nowhere = T(1) / T(0);
+      return {nowhere, nowhere};
+    }
+    return family.template functions<T>(m);
   }
 };
 

@@ -20,20 +20,6 @@ void sin_cos(double x, double& s, double& c) {
   c = std::cos(x);
 }
 
-// sum += a b and sum -= a b without a temporary.
-void add_product(Ball& sum, const Ball& a, const Ball& b) {
-  arb_addmul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
-}
-void subtract_product(Ball& sum, const Ball& a, const Ball& b) {
-  arb_submul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
-}
-void add_product(double& sum, double a, double b) {
-  sum += a * b;
-}
-void subtract_product(double& sum, double a, double b) {
-  sum -= a * b;
-}
-
 // g, g', g'', g''' at t.
 template <class S>
 std::array<S, 4> derivatives(const Wave<S>& g, const S& t) {

@@ -22,6 +22,20 @@ namespace stickslip {
 // The bits that `digits` significant digits need, with a few to spare.
 [[nodiscard]] long bits_for(int digits);
 
+// sum += a b and sum -= a b without a temporary.
+inline void add_product(Ball& sum, const Ball& a, const Ball& b) {
+  arb_addmul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
+}
+inline void subtract_product(Ball& sum, const Ball& a, const Ball& b) {
+  arb_submul(sum.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
+}
+inline void add_product(double& sum, double a, double b) {
+  sum += a * b;
+}
+inline void subtract_product(double& sum, double a, double b) {
+  sum -= a * b;
+}
+
 // An exact number and pi as scalars of one kind; balls and CLN floats take the working precision.
 template <class S>
 [[nodiscard]] S scalar(const Rational& value);

@@ -3,10 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include <random>
-
 #include "core/error.hpp"
 #include "tests/numeric/examples.hpp"
+#include "tests/numeric/random_data.hpp"
 
 using namespace stickslip;
 using namespace stickslip::examples;
@@ -87,23 +86,11 @@ TEST_CASE("what cannot be decided is left open with a reason, and soon") {
 }
 
 TEST_CASE("random data: the list holds every orbit that a scan in floats can find") {
-  const unsigned seed = std::random_device{}();
-  MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
-  const auto between = [&](int low, int high) -> Rational {
-    return Rational(std::uniform_int_distribution<int>(low, high)(random)) / 1000;
-  };
+  RandomData random;
+  INFO("STICKSLIP_SEED=", random.seed());
   for (int k = 0; k < 12; ++k) {
-    const ExactParameters a{between(50, 950),   between(300, 6000), between(1, 500),
-                            between(100, 3000), between(200, 2000), between(0, 2000)};
-    CAPTURE(to_string(a.chi));
-    CAPTURE(to_string(a.eta));
-    CAPTURE(to_string(a.omega));
-    CAPTURE(to_string(a.p));
-    CAPTURE(to_string(a.V));
-    if (is_resonant(a)) {
-      continue;
-    }
+    const ExactParameters a = random.parameters();
+    CAPTURE(examples::to_string(a));
     const SymmetricList list = list_symmetric(a, 15);
     check_list(list);
     for (const SymmetricProof& proof : solve_symmetric(a, 15)) {
