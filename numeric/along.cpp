@@ -41,10 +41,9 @@ class Deviation {
   }
 
   [[nodiscard]] SymmetryAlong result() const {
-    return {bound_, reason_.empty()
-                        ? Verdict::undecided("it holds to within " + to_string(bound_, 3) +
-                                             " at all times; balls prove no equality")
-                        : Verdict::refuted(reason_)};
+    return {bound_, reason_.empty() ? Verdict::undecided("it holds to within " + to_string(bound_, 3) +
+                                                         " at all times; balls prove no equality")
+                                    : Verdict::refuted(reason_)};
   }
 
  private:

@@ -18,8 +18,8 @@ struct SymmetryAlong {
   Verdict verdict;
 };
 
-// (17): Z(t) = E Z(tau - t) on the slip and Z(t1) = E Z(T - t1) on the stick, t1 = t - tau, over the whole closed
-// phases. Throws InternalError unless the phases are slip, stick.
+// (17): Z(t) = E Z(tau - t) on the slip and Z(t1) = E Z(T - t1) on the stick, t1 = t - tau, over the whole
+// closed phases. Throws InternalError unless the phases are slip, stick.
 [[nodiscard]] SymmetryAlong symmetry_17(const Motion& motion);
 
 // (54): X(t) = -X(t + tau) for 0 <= t <= tau. Refuted when the two phases do not last equally long. Throws

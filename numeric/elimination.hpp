@@ -1,5 +1,5 @@
-// Linear unknowns eliminated from more equations than unknowns: each row of an R × (U + 1) matrix, U < R, says
-// row · (u, 1) = 0.
+// Linear unknowns eliminated from more equations than unknowns: each row of an R × (U + 1) matrix, U < R,
+// says row · (u, 1) = 0.
 //
 // The rows are first combined so that their midpoints become the unit matrix above zeros; then elimination
 // needs no pivoting and loses little. What remains are R - U equations without u.
@@ -14,10 +14,11 @@
 
 namespace stickslip {
 
-// The combinations of rows that do so for these entries, nearly: a proposal in double, by Gauss and Jordan with
-// row pivoting. Nothing when the first U columns are dependent or not finite.
+// The combinations of rows that do so for these entries, nearly: a proposal in double, by Gauss and Jordan
+// with row pivoting. Nothing when the first U columns are dependent or not finite.
 template <int R, int C>
-[[nodiscard]] std::optional<Eigen::Matrix<Ball, R, R>> row_combinations(const Eigen::Matrix<Ball, R, C>& rows) {
+[[nodiscard]] std::optional<Eigen::Matrix<Ball, R, R>> row_combinations(
+    const Eigen::Matrix<Ball, R, C>& rows) {
   constexpr int U = C - 1;
   Eigen::Matrix<double, R, C> m = rows.unaryExpr([](const Ball& x) { return x.approximate(); });
   Eigen::Matrix<double, R, R> combined = Eigen::Matrix<double, R, R>::Identity();

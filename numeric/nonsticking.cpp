@@ -201,15 +201,23 @@ Condition room_for_friction(const Ball& ur_max, const Ball& us) {
   return condition("ur_max", "min(r(0), -r(tau)) > us", ur_max - us);
 }
 
+std::optional<Condition> condition_36(const model::Oscillator<Ball>& o, const Ball& delta, const Ball& phi,
+                                      const Ball& ur) {
+  const model::Parameters<Ball>& a = o.data;
+  if (arb_is_zero(a.V.raw()) == 0 || !(Ball(2) * delta).overlaps(Ball::pi())) {
+    return std::nullopt;
+  }
+  const Ball left = (a.chi * a.eta * (o.Q(1) - o.Q(0)) - a.p) * cos(phi) - a.eta * ur;
+  return condition("36", "chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0", left);
+}
+
 std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit, const std::optional<Ball>& ur) {
   std::vector<Condition> conditions = decide_conditions(Family::nonsticking, orbit.motion, ur);
   const model::Oscillator<Ball>& o = orbit.motion.oscillator;
-  const model::Parameters<Ball>& a = o.data;
   if (!ur) {
-    conditions.push_back(room_for_friction(orbit.ur_max, a.us));
-  } else if (arb_is_zero(a.V.raw()) != 0 && (Ball(2) * orbit.box(0)).overlaps(Ball::pi())) {
-    const Ball left = (a.chi * a.eta * (o.Q(1) - o.Q(0)) - a.p) * cos(orbit.phi) - a.eta * *ur;
-    conditions.push_back(condition("36", "chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0", left));
+    conditions.push_back(room_for_friction(orbit.ur_max, o.data.us));
+  } else if (const std::optional<Condition> load = condition_36(o, orbit.box(0), orbit.phi, *ur)) {
+    conditions.push_back(*load);
   }
   return conditions;
 }

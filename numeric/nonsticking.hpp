@@ -103,6 +103,10 @@ struct NonstickingList {
 [[nodiscard]] std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit,
                                                             const std::optional<Ball>& ur);
 
+// (36), which is about the half-period orbit: nothing unless V = 0 and delta = omega tau/2 may be pi/2.
+[[nodiscard]] std::optional<Condition> condition_36(const model::Oscillator<Ball>& o, const Ball& delta,
+                                                    const Ball& phi, const Ball& ur);
+
 // "ur_max > us": some u_r > u_s satisfies (25) and (26).
 [[nodiscard]] Condition room_for_friction(const Ball& ur_max, const Ball& us);
 

@@ -125,6 +125,16 @@ void list_symmetric_orbits(OrbitList& list, int digits) {
   }
 }
 
+BoxOrbit overshooting_over_box(const OrbitQuestion& q, const OvershootingState<Ball>& s) {
+  Guess guess{s.tau.approximate(), s.tau1.approximate(), s.z10.approximate(), s.z20.approximate(),
+              s.zdot10.approximate()};
+  if (q.phi) {
+    return prove_overshooting_over(balls(q.parameters), ball(*q.phi), guess);
+  }
+  guess.push_back(s.phi.approximate());
+  return prove_overshooting_at_friction_over(balls(q.parameters), ball(*q.ur), guess);
+}
+
 void list_overshooting_orbits(OrbitList& list, int digits) {
   const OrbitQuestion& q = list.question;
   const ExactParameters a = middle(q.parameters);
@@ -133,10 +143,7 @@ void list_overshooting_orbits(OrbitList& list, int digits) {
   for (const OvershootingOrbit& orbit : found.orbits) {
     const OvershootingState<Ball>& s = orbit.state;
     if (asks_for_box(q)) {
-      const Guess guess{s.tau.approximate(), s.tau1.approximate(), s.z10.approximate(), s.z20.approximate(),
-                        s.zdot10.approximate()};
-      add_over_box(list, prove_overshooting_over(balls(q.parameters), ball(*q.phi), guess),
-                   {{"tau", s.tau}, {"tau1", s.tau1}});
+      add_over_box(list, overshooting_over_box(q, s), {{"tau", s.tau}, {"tau1", s.tau1}});
       continue;
     }
     const WorkingPrecision scope(orbit.bits);
@@ -182,10 +189,6 @@ void require_understood(const OrbitQuestion& q) {
   if (q.family == Family::overshooting && q.phi.has_value() == q.ur.has_value()) {
     throw UsageError(
         "overshooting orbits need exactly one of phi and ur: with phi, ur is a result; with ur, phi is");
-  }
-  if (q.family == Family::overshooting && q.ur && asks_for_box(q)) {
-    throw UsageError(
-        "a box of parameters is not supported for overshooting orbits with ur given: give phi instead");
   }
 }
 

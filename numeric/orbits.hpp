@@ -74,8 +74,7 @@ struct OrbitList {
 // The complete list, or what is missing from it. A condition that the asked digits leave undecided is looked
 // at again with more. For a box of parameters: the orbits at its middle, each proved, with its conditions,
 // for all members of the box, or unresolved. Throws DomainError when the data are outside the domain of the
-// family, among them ur <= us, and UsageError for a phi or ur that the family does not take, and for a box of
-// parameters with ur given to the overshooting family.
+// family, among them ur <= us, and UsageError for a phi or ur that the family does not take.
 [[nodiscard]] OrbitList list_orbits(const OrbitQuestion& question);
 
 }  // namespace stickslip

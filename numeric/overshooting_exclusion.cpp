@@ -5,7 +5,8 @@
 namespace stickslip {
 
 // The odd rows are left C + right = 0: their determinant alone excludes most of the triangle.
-std::optional<Box<2>> contract_by_odd_rows(const OddRows<OvershootingAtPhase>& o, const Box<2>& m, const Box<2>& X) {
+std::optional<Box<2>> contract_by_odd_rows(const OddRows<OvershootingAtPhase>& o, const Box<2>& m,
+                                           const Box<2>& X) {
   const BoxJet jet = det2<BoxJet>(o.over(0, 1), o.over(0, 3), o.over(1, 1), o.over(1, 3));
   if (jet.value.is_nonzero()) {
     return std::nullopt;
@@ -21,13 +22,13 @@ bool excluded_at_origin(const OvershootingAtPhase& f, const Box<2>& X) {
   const EndRows end{m, f.data.omega, t.tau + t.tau1};
   const auto odd = f.odd<Ball>(f.data, t);
   return end.applies() && odd(0, 3).is_nonzero() &&
-         (end.left(m.omega1, m.lambda2) * odd(1, 3) - end.left(m.omega2, m.lambda1) * odd(0, 3))
-             .is_nonzero();
+         (end.left(m.omega1, m.lambda2) * odd(1, 3) - end.left(m.omega2, m.lambda1) * odd(0, 3)).is_nonzero();
 }
 
-// |sin psi| > 1 all over the box: sin psi ∓ 1, times the determinant of the odd rows in (C, sin psi), have the
-// same sign.
-std::optional<Box<2>> contract_by_odd_rows(const OddRows<OvershootingAtFriction>& o, const Box<2>& m, const Box<2>& X) {
+// |sin psi| > 1 all over the box: sin psi ∓ 1, times the determinant of the odd rows in (C, sin psi), have
+// the same sign.
+std::optional<Box<2>> contract_by_odd_rows(const OddRows<OvershootingAtFriction>& o, const Box<2>& m,
+                                           const Box<2>& X) {
   const auto range = [&](int sign) {
     const auto of = [sign](const auto& x) {
       using T = std::decay_t<decltype(x(0, 0))>;

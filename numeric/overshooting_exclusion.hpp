@@ -1,4 +1,5 @@
-// What excludes boxes of (s, w) before the linear unknowns of Section 5 are eliminated (overshooting_rows.hpp).
+// What excludes boxes of (s, w) before the linear unknowns of Section 5 are eliminated
+// (overshooting_rows.hpp).
 #pragma once
 
 #include "numeric/overshooting_rows.hpp"
@@ -15,15 +16,15 @@ struct OddRows {
   Eigen::Matrix<Ball, 2, Family::unknowns + 1> at_m;
 };
 
-// The part of X, m its middle, that the odd rows alone leave. phi given: left C + right = 0, and their determinant
-// must vanish. u_r given: nothing is left where |sin psi| > 1.
-[[nodiscard]] std::optional<Box<2>> contract_by_odd_rows(const OddRows<OvershootingAtPhase>& o, const Box<2>& m,
-                                                         const Box<2>& X);
+// The part of X, m its middle, that the odd rows alone leave. phi given: left C + right = 0, and their
+// determinant must vanish. u_r given: nothing is left where |sin psi| > 1.
+[[nodiscard]] std::optional<Box<2>> contract_by_odd_rows(const OddRows<OvershootingAtPhase>& o,
+                                                         const Box<2>& m, const Box<2>& X);
 [[nodiscard]] std::optional<Box<2>> contract_by_odd_rows(const OddRows<OvershootingAtFriction>& o,
                                                          const Box<2>& m, const Box<2>& X);
 
-// omega = 1/k: near tau + tau1 = 0 the odd rows vanish like its cube, but for a part that does not. Whether that
-// excludes X.
+// omega = 1/k: near tau + tau1 = 0 the odd rows vanish like its cube, but for a part that does not. Whether
+// that excludes X.
 [[nodiscard]] bool excluded_at_origin(const OvershootingAtPhase& f, const Box<2>& X);
 [[nodiscard]] bool excluded_at_origin(const OvershootingAtFriction& f, const Box<2>& X);
 

@@ -257,6 +257,9 @@ BoxOrbit prove_nonsticking_over(const model::Parameters<Ball>& a, const std::opt
     orbit.conditions = decide_conditions(Family::nonsticking, orbit.motion, orbit.waves, ur);
     if (!ur) {
       orbit.conditions.push_back(room_for_friction(orbit.ur, a.us));
+    } else if (const std::optional<Condition> load =
+                   condition_36(orbit.motion.oscillator, orbit.zero[0], orbit.zero[1] - orbit.zero[0], *ur)) {
+      orbit.conditions.push_back(*load);
     }
   }
   return orbit;

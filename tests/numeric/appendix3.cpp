@@ -1,4 +1,5 @@
-// Appendix 3 in numbers: the coefficients (47)-(51) against the composed flows (5), (8), (10), and (21)-(23) on O.
+// Appendix 3 in numbers: the coefficients (47)-(51) against the composed flows (5), (8), (10), and (21)-(23)
+// on O.
 #include "model/appendix3.hpp"
 
 #include <doctest/doctest.h>
@@ -18,12 +19,12 @@ struct Point {
   Ball phi, tau, tau1, T;
 };
 
-// z1, z2, z1' of Z_C - Gamma(-T) Z0, z2'(tau) - V and z2'(tau + tau1) - V, by the flows: the left sides of (21).
+// z1, z2, z1' of Z_C - Gamma(-T) Z0, z2'(tau) - V and z2'(tau + tau1) - V, by the flows: the left sides of
+// (21).
 Box<5> composed(const Point& x, const Ball& z10, const Ball& z20, const Ball& zdot10) {
   const model::Vector4<Ball> Z0(z10, z20, zdot10, x.o.data.V);
-  const Motion motion =
-      compose(x.o, x.phi, Z0,
-              {{PhaseKind::slip, x.tau}, {PhaseKind::overshoot, x.tau1}, {PhaseKind::stick, x.T}});
+  const Motion motion = compose(
+      x.o, x.phi, Z0, {{PhaseKind::slip, x.tau}, {PhaseKind::overshoot, x.tau1}, {PhaseKind::stick, x.T}});
   const model::Vector4<Ball>& ZC = motion.phases[2].Z;
   const model::Vector4<Ball> back = model::stick_flow<Ball>(x.o.data.chi, Z0, -x.T);
   Box<5> left;
@@ -35,9 +36,9 @@ Box<5> composed(const Point& x, const Ball& z10, const Ball& z20, const Ball& zd
 model::ClosingCoefficients<Ball> coefficients(const Point& x,
                                               model::Reading reading = model::Reading::derived) {
   const auto& [data, modes, Q, d0] = x.o;
-  return model::appendix3<Ball>(model::appendix3_letters<Ball>(data.chi, modes, Q, d0, data.omega, data.V,
-                                                               x.phi, x.tau, x.tau1, x.T),
-                                reading);
+  return model::appendix3<Ball>(
+      model::appendix3_letters<Ball>(data.chi, modes, Q, d0, data.omega, data.V, x.phi, x.tau, x.tau1, x.T),
+      reading);
 }
 
 void check_equal(const Ball& a, const Ball& b) {

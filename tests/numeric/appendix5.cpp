@@ -25,8 +25,8 @@ void check_equal(const Matrix& a, const Matrix& b) {
   }
 }
 
-// (57) from its definition for the motion through Z0 that overshoots from Z_B at tau, whether it closes or not:
-// xi_2 is that of the overshoot that ends at Z0.
+// (57) from its definition for the motion through Z0 that overshoots from Z_B at tau, whether it closes or
+// not: xi_2 is that of the overshoot that ends at Z0.
 struct Xi {
   Vector4<Ball> first, second;
 };

@@ -150,6 +150,27 @@ TEST_CASE("example P is one of a family through V = 0") {
   CHECK(admissible(grazing.conditions).truth == Truth::undecided);
 }
 
+TEST_CASE("(36) is decided over boxes with V = 0, as (25) is") {
+  model::Parameters<Ball> a = parameters_as<Ball>(P());
+  a.p = around(a.p, "1e-4");
+  const auto condition = [&](const char* ur, const char* id) {
+    for (const Condition& c : prove_nonsticking_over(a, Ball(parse_rational(ur)), guess_P()).conditions) {
+      if (c.id == id) {
+        return c.verdict.truth;
+      }
+    }
+    return Truth::out_of_domain;
+  };
+  for (const char* ur : {"0.29", "0.2996", "0.31"}) {
+    CAPTURE(ur);
+    CHECK(condition(ur, "36") == condition(ur, "25"));
+  }
+  CHECK(condition("0.29", "36") == Truth::proved);
+  CHECK(condition("0.31", "36") == Truth::refuted);
+  a.V = around(a.V, "1e-5");
+  CHECK(condition("0.29", "36") == Truth::out_of_domain);  // not a condition of these orbits
+}
+
 TEST_CASE("boxes that are too wide are undecided and name the parameter to split") {
   model::Parameters<Ball> a = parameters_as<Ball>(S());
   a.chi = around(a.chi, "0.05");
