@@ -1,5 +1,7 @@
 #include "numeric/domain.hpp"
 
+#include <cmath>
+
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 
@@ -23,6 +25,18 @@ ExactParameters parse_parameters(const char* chi, const char* eta, const char* u
 bool is_resonant(const ExactParameters& a) {
   const Rational w = a.omega * a.omega;
   return w * w - (1 + a.chi * a.eta) * w + a.chi * a.eta * (1 - a.chi) == 0;
+}
+
+Resonances resonances(const ExactParameters& a) {
+  const model::Modes<double> m = model::modes<double>(a.chi.get_d(), a.eta.get_d());
+  // omega1 < 1 < omega2 tells whose multiple it is.
+  const auto multiple = [&a](double omega_j) {
+    const long k = std::lround(omega_j / a.omega.get_d());
+    ExactParameters b = a;
+    b.omega *= k;
+    return k >= 1 && is_resonant(b) && (b.omega < 1) == (omega_j < 1) ? k : 0;
+  };
+  return {multiple(m.omega1), multiple(m.omega2)};
 }
 
 void require_model_domain(const ExactParameters& a) {

@@ -31,4 +31,11 @@ void require_stick_slip_domain(const ExactParameters& a);
 // omega² is a root of (39): decided in rationals.
 [[nodiscard]] bool is_resonant(const ExactParameters& a);
 
+// The k >= 1 with k omega = omega1 and k omega = omega2, 0 where there is none: decided in rationals.
+struct Resonances {
+  long first = 0;
+  long second = 0;
+};
+[[nodiscard]] Resonances resonances(const ExactParameters& a);
+
 }  // namespace stickslip

@@ -27,26 +27,11 @@ struct Scaled {
   }
 };
 
-// omega_j = k omega for an integer k >= 1, decided in rationals: (k omega)² is a root of (39). Its larger
-// root is below 1 + chi eta.
-std::optional<long> resonance(const ExactParameters& a) {
-  const Rational sum = 1 + a.chi * a.eta;
-  const Rational product = a.chi * a.eta * (1 - a.chi);
-  for (long k = 1;; ++k) {
-    const Rational w = k * k * a.omega * a.omega;
-    if (w * w - sum * w + product == 0) {
-      return k;
-    }
-    if (w > sum) {
-      return std::nullopt;
-    }
-  }
-}
-
 void require_no_resonance(const ExactParameters& a) {
-  if (const std::optional<long> k = resonance(a)) {
+  const Resonances found = resonances(a);
+  if (const long k = found.first != 0 ? found.first : found.second; k != 0) {
     throw DomainError("omega", to_string(a.omega),
-                      "no resonance: here " + std::to_string(*k) + " omega is a natural frequency");
+                      "no resonance: here " + std::to_string(k) + " omega is a natural frequency");
   }
 }
 

@@ -142,6 +142,18 @@ Concluded conclude(const ExactParameters& a, const Recipe& recipe, const FoundZe
   return result;
 }
 
+// omega_j = k omega, k > 1: why boxes that reach T = 0 stay open. There the odd row of mode j is -2 eta
+// us/omega_j sin(mu_j) sin(nu_j) with mu_j + nu_j = k pi, to third order in T: it has double zeros where tau
+// is a multiple of Theta/k.
+std::string reason_at_end(const ExactParameters& a) {
+  const Resonances found = resonances(a);
+  const long k = found.first > 1 ? found.first : found.second;
+  return k > 1 ? "at T = 0, tau a multiple of Theta/" + std::to_string(k) +
+                     ", the equations have multiple zeros, for " + std::to_string(k) +
+                     " omega is a natural frequency"
+               : "";
+}
+
 template <class Recipe>
 OvershootingList list_all(const ExactParameters& a, const Recipe& recipe, int digits) {
   OvershootingList list;
@@ -158,9 +170,11 @@ OvershootingList list_all(const ExactParameters& a, const Recipe& recipe, int di
     };
     result = search<2>(
         {{0, 0}, {1, 1}}, contractor, [&](const Box<2>& X) { return decide(f, X); }, limits);
+    const std::string at_end = reason_at_end(a);
     for (const UnresolvedBox<2>& open : result.unresolved) {
       const Times<Ball> t = times<Ball>(f.data.Theta, open.box);
-      list.unresolved.push_back({t.tau, t.tau1, open.reason});
+      const bool reaches_end = !at_end.empty() && !(open.box(0) - Ball(1)).is_negative();
+      list.unresolved.push_back({t.tau, t.tau1, reaches_end ? at_end : open.reason});
     }
   }
   list.cells = result.cells;

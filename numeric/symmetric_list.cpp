@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "numeric/end_rows.hpp"
 
@@ -83,17 +82,9 @@ struct Contractor {
   }
 };
 
-// omega_j/omega is the integer next to it: (k omega)² solves (39).
-bool is_multiple(const ExactParameters& a, double ratio) {
-  ExactParameters b = a;
-  b.omega = a.omega * Rational(std::lround(ratio));
-  return std::lround(ratio) > 1 && std::abs(ratio - std::round(ratio)) < 0.1 && is_resonant(b);
-}
-
 EndZeros end_zeros(const ExactParameters& a) {
-  const model::SymmetricData<double> data = symmetric_data<double>(a, LoadPhase::first);
-  return {a.omega.get_num() == 1,
-          {is_multiple(a, data.m.omega1 / data.omega), is_multiple(a, data.m.omega2 / data.omega)}};
+  const Resonances k = resonances(a);
+  return {a.omega.get_num() == 1, {k.first > 1, k.second > 1}};
 }
 
 // One of the rows has a left side without zero in the box: its index, the one that keeps farther away.

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double radius = 1e-9;
 
-// That Krawczyk's test on f proves the zero in a small box around it, and never in a box that was moved off it or
-// shrunk away from it.
+// That Krawczyk's test on f proves the zero in a small box around it, and never in a box that was moved off
+// it or shrunk away from it.
 template <int N, class F>
 void check_boxes(const F& f, const Box<N>& zero) {
   const Box<N> box = box_around<N>(zero, radius);

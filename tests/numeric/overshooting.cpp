@@ -149,6 +149,36 @@ TEST_CASE("special frequencies: omega = 1/k has no orbit at tau + tau1 = 0") {
             .complete());
 }
 
+TEST_CASE(
+    "3 omega a natural frequency: what stays open lies at T = 0, where zeros are multiple, and says so") {
+  // omega1 = 1/2, omega2 = 2.
+  const ExactParameters a = parse_parameters("9/13", "169/36", "0.02", "1", "2/3", "0.05");
+  const OvershootingList list = list_overshooting_at_phase(a, parse_rational("0.3"), 15);
+  CHECK_FALSE(list.complete());
+  const Ball Theta = Ball(3) * Ball::pi();
+  for (const UnresolvedTimes& open : list.unresolved) {
+    CAPTURE(open.reason);
+    CHECK((Theta - open.tau - open.tau1).contains_zero());
+    CHECK(open.reason.find("3 omega is a natural frequency") != std::string::npos);
+    CHECK((open.tau.radius() - Ball(1e-3)).is_negative());
+    const Ball thirds = open.tau / (Theta / Ball(3));
+    CHECK((abs(thirds - Ball(std::lround(thirds.approximate()))) - Ball(1e-3)).is_negative());
+  }
+}
+
+TEST_CASE("multiples of omega that are natural frequencies are found exactly") {
+  const auto at = [](const char* omega) {
+    const Resonances k = resonances(parse_parameters("9/13", "169/36", "0.02", "1", omega, "0.05"));
+    return std::pair(k.first, k.second);
+  };
+  CHECK(at("1/2") == std::pair(1L, 4L));
+  CHECK(at("2/3") == std::pair(0L, 3L));
+  CHECK(at("1/4") == std::pair(2L, 8L));
+  CHECK(at("2") == std::pair(0L, 1L));
+  CHECK(at("0.6666") == std::pair(0L, 0L));
+  CHECK(at("3") == std::pair(0L, 0L));
+}
+
 TEST_CASE("data outside the domain are refused by name") {
   CHECK_THROWS_AS(
       (void)list_overshooting_at_friction(parse_parameters("0.2", "4", "0.05", "1", "0.6", "0"), 1, 15),

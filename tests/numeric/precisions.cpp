@@ -53,8 +53,7 @@ void check_precisions(const Prove& prove) {
 TEST_CASE("example S at 64, 128, 256 and 1024 bits") {
   const SymmetricState<Ball> s = list_symmetric(S(), 20).orbits.at(1).state;
   const model::Vector2<double> guess(s.tau.approximate(), s.C.approximate());
-  check_precisions(
-      [&](int digits) { return values(prove_symmetric(S(), LoadPhase::first, guess, digits)); });
+  check_precisions([&](int digits) { return values(prove_symmetric(S(), LoadPhase::first, guess, digits)); });
 }
 
 TEST_CASE("example O at 64, 128, 256 and 1024 bits") {
