@@ -25,6 +25,15 @@ template <class T>
   return a * d - b * c;
 }
 
+// By Laplace's expansion in the first two rows.
+template <class T>
+[[nodiscard]] T det4(const Eigen::Matrix<T, 4, 4>& x) {
+  const auto upper = [&](int i, int j) { return det2<T>(x(0, i), x(0, j), x(1, i), x(1, j)); };
+  const auto lower = [&](int i, int j) { return det2<T>(x(2, i), x(2, j), x(3, i), x(3, j)); };
+  return upper(0, 1) * lower(2, 3) - upper(0, 2) * lower(1, 3) + upper(0, 3) * lower(1, 2) +
+         upper(1, 2) * lower(0, 3) - upper(1, 3) * lower(0, 2) + upper(2, 3) * lower(0, 1);
+}
+
 // phi given: five rows for (a, C, D).
 struct OvershootingAtPhase {
   static constexpr int rows = 5;
