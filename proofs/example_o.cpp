@@ -1,5 +1,5 @@
-// Section 5, example O: the orbit of Fig. 3, the numbers that are printed for it, and a zero of (23) that is no
-// orbit.
+// Section 5, example O: the orbit of Fig. 3, the numbers that are printed for it, and a zero of (23) that is
+// no orbit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,28 +25,27 @@ PrintedPlace where() {
 }
 
 Claim number(const std::string& id, const std::string& words, Proof prove) {
-  return {
-      .id = id, .place = where().place, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
+  return {.id = id, .place = where().place, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
 }
 
 Claim closes() {
-  return number(
-      "O.orbit",
-      "an orbit with the data of Fig. 3 exists: it closes in all components of (20), with z2' = V at tau (18) "
-      "and tau + tau_1 (19)",
-      [](Prover&, const Claim&) {
-        Outcome outcome = at_the_data(printed(), where().route);
-        outcome.uses = {"5", "27", "10", "20.reduced", "20.stick", "18.reduced"};
-        const Motion& motion = printed_orbit(printed()).motion;
-        const model::Vector4<Ball> gap = gaps(motion).back();
-        const auto excess = [&](std::size_t phase) {
-          return std::vector<Ball>{motion.phases.at(phase).Z(3) - motion.oscillator.data.V};
-        };
-        outcome.verdict = all_of({vanishes({gap(0), gap(1), gap(2), gap(3)}, "Z(Theta) - Z_0 (20)"),
-                                  vanishes(excess(1), "z2'(tau) - V (18)"),
-                                  vanishes(excess(2), "z2'(tau + tau_1) - V (19)")});
-        return outcome;
-      });
+  return number("O.orbit",
+                "an orbit with the data of Fig. 3 exists: it closes in all components of (20), with z2' = V "
+                "at tau (18) "
+                "and tau + tau_1 (19)",
+                [](Prover&, const Claim&) {
+                  Outcome outcome = at_the_data(printed(), where().route);
+                  outcome.uses = {"5", "27", "10", "20.reduced", "20.stick", "18.reduced"};
+                  const Motion& motion = printed_orbit(printed()).motion;
+                  const model::Vector4<Ball> gap = gaps(motion).back();
+                  const auto excess = [&](std::size_t phase) {
+                    return std::vector<Ball>{motion.phases.at(phase).Z(3) - motion.oscillator.data.V};
+                  };
+                  outcome.verdict = all_of({vanishes({gap(0), gap(1), gap(2), gap(3)}, "Z(Theta) - Z_0 (20)"),
+                                            vanishes(excess(1), "z2'(tau) - V (18)"),
+                                            vanishes(excess(2), "z2'(tau + tau_1) - V (19)")});
+                  return outcome;
+                });
 }
 
 Claim orbit_value(const std::string& name) {
@@ -90,9 +89,10 @@ Claim printed_times() {
         const auto F = model::compatibility<Ball>(
             coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
         outcome.verdict = regular && list.complete() && !listed
-                              ? Verdict::refuted("no orbit lies in the printed intervals; at the printed "
-                                                 "decimals F_1 and F_2 are " +
-                                                 residuals({F[0], F[1]}))
+                              ? Verdict::refuted(
+                                    "no orbit lies in the printed intervals; at the printed "
+                                    "decimals F_1 and F_2 are " +
+                                    residuals({F[0], F[1]}))
                               : Verdict::undecided("the printed intervals may hold a zero");
         return outcome;
       });
@@ -109,14 +109,14 @@ Claim printed_state_closes() {
       "motion",
       [](Prover&, const Claim&) {
         Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
-        const PrintedClosing closing = printed_closing_overshooting(
-            printed().data, *printed().phi,
-            {decimal("tau"), decimal("tau1"), signed_decimal("z10"), signed_decimal("z20"), decimal("zdot10")});
+        const PrintedClosing closing =
+            printed_closing_overshooting(printed().data, *printed().phi,
+                                         {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
+                                          signed_decimal("z20"), decimal("zdot10")});
         outcome.verdict = closing.verdict;
         if (outcome.verdict.truth != Truth::proved) {
-          outcome.verdict.reason +=
-              "; at the printed decimals z2'(tau) - V and Z(Theta) - Z_0 are " +
-              residuals({closing.at_points.begin(), closing.at_points.end()});
+          outcome.verdict.reason += "; at the printed decimals z2'(tau) - V and Z(Theta) - Z_0 are " +
+                                    residuals({closing.at_points.begin(), closing.at_points.end()});
         }
         return outcome;
       });
@@ -124,8 +124,7 @@ Claim printed_state_closes() {
 
 // (22) at the printed tau and tau_1.
 Ball by_22(Ball model::CramerDeterminants<Ball>::*member) {
-  const auto c =
-      model::cramer<Ball>(coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
+  const auto c = model::cramer<Ball>(coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
   return c.*member / c.Delta;
 }
 
@@ -137,29 +136,30 @@ std::vector<Claim> origins() {
       computed_from(where(), "z10", formula22, [] { return by_22(&Determinants::Delta1); }),
       computed_from(where(), "z20", formula22, [] { return by_22(&Determinants::Delta2); }),
       computed_from(where(), "zdot10", formula22, [] { return by_22(&Determinants::Delta3); }),
-      computed_from(where(), "ur", "(24)",
-                    [] {
-                      const model::Parameters<Ball>& a = printed_orbit(printed()).motion.oscillator.data;
-                      return model::friction_at_rest<Ball>(a, {exactly("z10"), exactly("z20")},
-                                                           Ball(*printed().phi));
-                    }),
+      computed_from(
+          where(), "ur", "(24)",
+          [] {
+            const model::Parameters<Ball>& a = printed_orbit(printed()).motion.oscillator.data;
+            return model::friction_at_rest<Ball>(a, {exactly("z10"), exactly("z20")}, Ball(*printed().phi));
+          }),
       computed_from(where(), "T", "Theta - tau - tau_1",
                     [] { return exactly("Theta") - exactly("tau") - exactly("tau1"); }),
-      number("O.c1",
-             "the printed tau and tau_1 were not computed with the printed c_1: over their intervals it takes "
-             "F_1 farther from zero than the derived one",
-             [](Prover&, const Claim&) {
-               const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
-               const auto F_1 = [&](model::Reading reading) {
-                 return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);
-               };
-               Outcome outcome = at_the_data(printed(), "(23) in balls over the printed intervals");
-               const Ball more = F_1(model::Reading::printed) - F_1(model::Reading::derived);
-               outcome.verdict = more.is_positive()   ? Verdict::proved()
-                                 : more.is_negative() ? Verdict::refuted("it is nearer")
-                                                      : Verdict::undecided("the balls overlap");
-               return outcome;
-             }),
+      number(
+          "O.c1",
+          "the printed tau and tau_1 were not computed with the printed c_1: over their intervals it takes "
+          "F_1 farther from zero than the derived one",
+          [](Prover&, const Claim&) {
+            const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
+            const auto F_1 = [&](model::Reading reading) {
+              return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);
+            };
+            Outcome outcome = at_the_data(printed(), "(23) in balls over the printed intervals");
+            const Ball more = F_1(model::Reading::printed) - F_1(model::Reading::derived);
+            outcome.verdict = more.is_positive()   ? Verdict::proved()
+                              : more.is_negative() ? Verdict::refuted("it is nearer")
+                                                   : Verdict::undecided("the balls overlap");
+            return outcome;
+          }),
   };
 }
 
@@ -215,16 +215,17 @@ Ball unsolvable(const model::ClosingCoefficients<Ball>& k) {
 Claim spurious() {
   return number(
       "23.spurious",
-      "at the data of Fig. 3 a solution of (23) with tau, tau_1, T > 0 exists at which (21) has none: Delta = 0 "
+      "at the data of Fig. 3 a solution of (23) with tau, tau_1, T > 0 exists at which (21) has none: Delta "
+      "= 0 "
       "there",
       [](Prover&, const Claim&) {
         Outcome outcome = at_the_data(printed(), {});
         outcome.uses = {"22.square", "22.null"};
-        const auto total = zero_between(
-            [](const Ball& s) { return on_the_line(overshooting::even_determinant, s); }, 8, Rational(81, 10));
+        const auto total =
+            zero_between([](const Ball& s) { return on_the_line(overshooting::even_determinant, s); }, 8,
+                         Rational(81, 10));
         const auto F_1 = [&](const Ball& tau) {
-          return model::compatibility<Ball>(
-              coefficients(tau, *total - tau, model::Reading::derived))[0];
+          return model::compatibility<Ball>(coefficients(tau, *total - tau, model::Reading::derived))[0];
         };
         const auto tau = total ? zero_between(F_1, 3, Rational(33, 10)) : std::nullopt;
         if (!tau || !on_the_line(overshooting::even_place, *total).is_nonzero()) {
@@ -232,13 +233,13 @@ Claim spurious() {
           return outcome;
         }
         outcome.route = fmt::format(
-            "the square in Delta and, on the line where it is zero, F_1 change sign; F_2 is zero on that line; "
+            "the square in Delta and, on the line where it is zero, F_1 change sign; F_2 is zero on that "
+            "line; "
             "the determinant of (a, b, c, d) in equations 1, 2, 4, 5 is not zero: tau = {}, tau_1 = {}",
             to_string(*tau), to_string(*total - *tau));
-        outcome.verdict =
-            unsolvable(coefficients(*tau, *total - *tau, model::Reading::derived)).is_nonzero()
-                ? Verdict::proved()
-                : Verdict::undecided("the determinant of equations 1, 2, 4, 5 may be zero");
+        outcome.verdict = unsolvable(coefficients(*tau, *total - *tau, model::Reading::derived)).is_nonzero()
+                              ? Verdict::proved()
+                              : Verdict::undecided("the determinant of equations 1, 2, 4, 5 may be zero");
         return outcome;
       });
 }
@@ -250,8 +251,8 @@ std::vector<Claim> example_O() {
   for (const char* name : {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}) {
     claims.push_back(orbit_value(name));
   }
-  for (std::vector<Claim> more : {orbit_claims(where()), {printed_times(), printed_state_closes()}, origins(),
-                                  {spurious()}}) {
+  for (std::vector<Claim> more :
+       {orbit_claims(where()), {printed_times(), printed_state_closes()}, origins(), {spurious()}}) {
     claims.insert(claims.end(), more.begin(), more.end());
   }
   return claims;
