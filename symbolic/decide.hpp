@@ -42,6 +42,10 @@ struct Decision {
 [[nodiscard]] Decision decide_equal(const GiNaC::ex& left, const GiNaC::ex& right,
                                     const std::vector<Definition>& definitions = {});
 
+// Whether the expression is certainly not identically zero: at some point its ball excludes zero. Symbols
+// take any positive values, those of chi, eta, lambda1, lambda2 independent of omega1 and omega2.
+[[nodiscard]] bool differs_from_zero(const GiNaC::ex& expression);
+
 // A point of the domain where the two sides, free of chi, eta, lambda1, lambda2, are disjoint balls, if one
 // of the points tried is.
 [[nodiscard]] std::optional<Witness> find_witness(const GiNaC::ex& left, const GiNaC::ex& right);

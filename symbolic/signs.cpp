@@ -1,5 +1,8 @@
 #include "symbolic/signs.hpp"
 
+#include <map>
+#include <utility>
+
 #include "symbolic/evaluate.hpp"
 #include "symbolic/hypotheses.hpp"
 #include "symbolic/normal_form.hpp"
@@ -53,9 +56,30 @@ bool vanishes_at_root_in_omega(const ex& expression, const ex& factor) {
   }
 }
 
-}  // namespace
+// Whether the expression is certainly not zero at some zero of the factor, which is sought where the factor
+// is linear in a symbol.
+bool differs_at_a_root(const ex& expression, const ex& factor) {
+  for (const ex& symbol : symbols_of(factor)) {
+    if (!factor.is_polynomial(symbol) || factor.degree(symbol) != 1) {
+      continue;
+    }
+    BallValues values;
+    int next = 0;
+    for (const ex& other : symbols_of(GiNaC::lst{expression, factor})) {
+      values[other] = Ball(Rational(7 + 2 * next++, 10));
+    }
+    values[symbol] = evaluate(-factor.coeff(symbol, 0) / factor.coeff(symbol, 1), values);
+    if (evaluate(expression, values).is_nonzero()) {
+      return true;
+    }
+  }
+  return false;
+}
 
-bool vanishes_with(const ex& expression, const ex& factor) {
+bool shows_that_it_vanishes(const ex& expression, const ex& factor) {
+  if (differs_at_a_root(in_frequencies(expression), in_frequencies(factor).expand())) {
+    return false;
+  }
   if (vanishes_at_root_in_omega(expression, factor)) {
     return true;
   }
@@ -76,6 +100,23 @@ bool vanishes_with(const ex& expression, const ex& factor) {
   ex quotient;
   return GiNaC::divide(multiple, divisor, quotient) ||
          GiNaC::divide(field.reduce(multiple * multiple), divisor, quotient);
+}
+
+}  // namespace
+
+bool vanishes_with(const ex& expression, const ex& factor) {
+  // Every claim of a chain asks the same.
+  using Question = std::pair<ex, ex>;
+  const auto before = [](const Question& a, const Question& b) {
+    const int first = a.first.compare(b.first);
+    return first < 0 || (first == 0 && a.second.compare(b.second) < 0);
+  };
+  static std::map<Question, bool, decltype(before)> known(before);
+  const auto found = known.find({expression, factor});
+  return found != known.end()
+             ? found->second
+             : known.emplace(Question{expression, factor}, shows_that_it_vanishes(expression, factor))
+                   .first->second;
 }
 
 std::optional<std::vector<ex>> positive_unless_zero(const ex& expression) {

@@ -33,6 +33,20 @@ std::vector<std::string> sorted_names(const GiNaC::exset& symbols) {
 
 }  // namespace
 
+bool differs_from_zero(const ex& expression) {
+  std::mt19937 generator(2);
+  std::map<std::string, ex> symbols;
+  for (const ex& symbol : symbols_of(expression)) {
+    symbols[name_of(symbol)] = symbol;
+  }
+  const WorkingPrecision precision(128);
+  BallValues values;
+  for (const auto& [name, symbol] : symbols) {
+    values[symbol] = Ball(draw(name, generator));
+  }
+  return evaluate(expression, values).is_nonzero();
+}
+
 std::optional<Witness> find_witness(const ex& left, const ex& right) {
   constexpr int points = 40;
   const GiNaC::exset symbols = symbols_of(GiNaC::lst{left, right});
