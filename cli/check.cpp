@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "core/error.hpp"
 #include "proofs/paper.hpp"
 #include "report/json.hpp"
 #include "report/summary.hpp"
@@ -20,13 +21,33 @@ struct Options {
   bool json = false;
 };
 
-std::set<std::string> ids_of(const std::vector<proofs::Claim>& claims,
-                             const std::vector<std::string>& words) {
+// What the words name: statements, and statuses, which are known only when everything is proved.
+struct Wanted {
   std::set<std::string> ids;
+  std::set<std::string> statuses;
+};
+
+Wanted wanted_by(const std::vector<proofs::Claim>& claims, const std::vector<std::string>& words) {
+  Wanted wanted;
   for (const std::string& word : words) {
-    ids.merge(proofs::ids_named(claims, word));
+    if (proofs::is_status(word)) {
+      wanted.statuses.insert(word);
+    } else {
+      wanted.ids.merge(proofs::ids_named(claims, word));
+    }
   }
-  return ids;
+  return wanted;
+}
+
+proofs::Audit audit_of(const std::vector<proofs::Claim>& claims, const Wanted& wanted) {
+  if (wanted.statuses.empty()) {
+    return proofs::audit(claims, wanted.ids);
+  }
+  proofs::Audit audit = proofs::audit(claims);
+  std::erase_if(audit.records, [&](const proofs::Record& record) {
+    return !wanted.ids.contains(record.claim.id) && !wanted.statuses.contains(to_string(record.status));
+  });
+  return audit;
 }
 
 ExitCode list(const std::vector<proofs::Claim>& claims, const std::set<std::string>& ids) {
@@ -42,11 +63,15 @@ ExitCode list(const std::vector<proofs::Claim>& claims, const std::set<std::stri
 
 ExitCode run(const Options& options) {
   const std::vector<proofs::Claim> claims = proofs::paper();
-  const std::set<std::string> ids = ids_of(claims, options.words);
-  if (options.list) {
-    return list(claims, ids);
+  const Wanted wanted = wanted_by(claims, options.words);
+  if (options.list && !wanted.statuses.empty()) {
+    throw UsageError("--list proves nothing, so it knows no status: leave out '" + *wanted.statuses.begin() +
+                     "'");
   }
-  const proofs::Audit audit = proofs::audit(claims, ids);
+  if (options.list) {
+    return list(claims, wanted.ids);
+  }
+  const proofs::Audit audit = audit_of(claims, wanted);
   if (options.json) {
     print(report::to_text(report::to_json(audit)));
   } else if (options.explain) {
@@ -71,9 +96,11 @@ void add_check(CLI::App& program, Action& action) {
       "1 one of them is refuted;\n"
       "2 none is refuted, one is undecided.");
   command
-      ->add_option("ID", options->words,
-                   "What to check: a statement (44.H), an equation with all its\nparts (44), a section or an "
-                   "appendix (sec3, A2); everything\nif none is given")
+      ->add_option(
+          "ID", options->words,
+          "What to check: a statement (44.H), an equation with all its\nparts (44), a section or an "
+          "appendix (sec3, A2), a kind (theorem,\ncondition, ...), a status (refuted, digits_off, ...); "
+          "everything\nif none is given")
       ->type_name("");
   CLI::Option* list =
       command->add_flag("--list", options->list, "Only list the statements, without proving them");

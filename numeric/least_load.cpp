@@ -9,7 +9,8 @@
 namespace stickslip {
 namespace {
 
-// -x2' on the slip for another C: +1 if it is positive between the ends, -1 if it is negative somewhere, else 0.
+// -x2' on the slip for another C: +1 if it is positive between the ends, -1 if it is negative somewhere, else
+// 0.
 int moves_down(const model::Wave<Ball>& zdot2, const Ball& tau, const Ball& C) {
   model::Wave<Ball> g = affine<Ball>(Ball(-1), zdot2, Ball(0));
   g.harmonics[2].b = C;

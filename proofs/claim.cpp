@@ -46,6 +46,15 @@ std::string to_string(Status status) {
   return {};
 }
 
+bool is_status(const std::string& word) {
+  for (int i = 0; i <= static_cast<int>(Status::model); ++i) {
+    if (to_string(static_cast<Status>(i)) == word) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::string describe(Status status) {
   switch (status) {
     case Status::as_printed:

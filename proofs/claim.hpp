@@ -94,6 +94,8 @@ enum class Status {
 };
 
 [[nodiscard]] std::string to_string(Status status);
+// Whether the word is what to_string gives for some status.
+[[nodiscard]] bool is_status(const std::string& word);
 [[nodiscard]] std::string describe(Status status);
 
 // An edit of a refuted statement that makes it a theorem.

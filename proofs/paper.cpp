@@ -38,7 +38,8 @@ std::vector<Claim> paper() {
 std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::string& word) {
   std::set<std::string> ids;
   for (const Claim& claim : claims) {
-    if (claim.id == word || claim.place == word || claim.id.starts_with(word + ".")) {
+    if (claim.id == word || claim.place == word || claim.id.starts_with(word + ".") ||
+        to_string(claim.kind) == word) {
       ids.insert(claim.id);
     }
   }
@@ -47,10 +48,10 @@ std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::str
     for (const Place& place : places()) {
       known.push_back(place.id);
     }
-    throw UsageError(
-        fmt::format("there is no claim '{}': name an equation such as 40, a claim such as 44.H, or one of "
-                    "the places {}",
-                    word, fmt::join(known, ", ")));
+    throw UsageError(fmt::format(
+        "there is no claim '{}': name an equation such as 40, a claim such as 44.H, a kind such as "
+        "theorem, a status such as refuted, or one of the places {}",
+        word, fmt::join(known, ", ")));
   }
   return ids;
 }

@@ -116,6 +116,23 @@ TEST_CASE("the audit writes its report, the same each time") {
   CHECK(content(out / "audit.tex") == tex);
 }
 
+TEST_CASE("statements are named by kind and by status as well") {
+  const Run theorems = stickslip_program({"check", "--list", "theorem"});
+  CHECK(theorems.code == exit_decided);
+  CHECK(theorems.out.find("A5.theorem") != std::string::npos);
+  CHECK(theorems.out.find("44.H") == std::string::npos);
+  const Run given = stickslip_program({"check", "model", "--json"});
+  CHECK(given.code == exit_decided);
+  std::size_t count = 0;
+  for (const Json& place : Json::parse(given.out).at("places")) {
+    for (const Json& record : place.at("claims")) {
+      CHECK(record.at("status") == "model");
+      ++count;
+    }
+  }
+  CHECK(count == 3);
+}
+
 TEST_CASE("check answers by its exit code, whatever the form of its output") {
   const Run json = stickslip_program({"check", "--json"});
   const int expected = code_of_check(Json::parse(json.out));

@@ -28,6 +28,7 @@ TEST_CASE("what is not understood is named in one sentence") {
       {{"check", "99.x"}, "99.x"},
       {{"check", "--frob"}, "--frob"},
       {{"check", "--list", "--json"}, "--json"},
+      {{"check", "--list", "refuted"}, "refuted"},
       {{"latex", "Nonsense"}, "Nonsense"},
       {{"latex", "H", "Nonsense"}, "Nonsense"},
       {{"latex", "--in", "tau"}, "tau"},
