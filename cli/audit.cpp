@@ -7,9 +7,11 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "proofs/paper.hpp"
+#include "proofs/progress.hpp"
 #include "report/files.hpp"
 #include "report/json.hpp"
 #include "report/pages.hpp"
+#include "report/pictures.hpp"
 #include "report/summary.hpp"
 
 namespace stickslip::cli {
@@ -21,18 +23,36 @@ struct Options {
   bool json = false;
 };
 
+proofs::Audit prove() {
+  Progress progress("proving ...");
+  return proofs::audit(proofs::paper(),
+                       [&progress](const std::string& id, std::size_t done, std::size_t all) {
+                         progress.show(fmt::format("proving {} of {}: {}", done + 1, all, id));
+                       });
+}
+
+std::vector<report::ExampleOrbits> search_examples() {
+  const Progress progress("searching for the orbits of the figures ...");
+  return report::example_orbits();
+}
+
 ExitCode run(const Options& options) {
   if (options.with_out) {
     report::require_writable(options.out);
+    report::require_page_tools(true);
   }
-  const proofs::Audit audit = proofs::audit(proofs::paper());
+  const proofs::Audit audit = prove();
+  const std::vector<report::ExampleOrbits> examples = search_examples();
+  report::Report made;
   if (options.with_out) {
-    report::write_files(options.out, report::pages(audit));
+    const Progress progress("making the pages ...");
+    made = report::pages(audit, examples);
+    report::write_files(options.out, made.files);
   }
-  print(options.json ? report::to_text(report::to_json(audit))
+  print(options.json ? report::to_text(report::to_json(audit, "stickslip audit", examples))
                      : report::terminal_report(audit, terminal_style()));
   if (options.with_out) {
-    tell(fmt::format("The report is in {}: index.html, audit.tex and audit.json.", options.out));
+    tell(report_line(options.out, "audit", made));
   }
   return report::all_decided(audit) ? exit_decided : exit_undecided;
 }
@@ -48,8 +68,9 @@ void add_audit(CLI::App& program, Action& action) {
       "Exit code: 0 everything is decided, also if the paper has misprints;\n"
       "2 something is undecided.");
   CLI::Option* out = command->add_option("--out", options->out,
-                                         "Also write index.html, audit.tex and audit.json into DIR, which\n"
-                                         "is created if only its last part is missing");
+                                         "Also write the report into DIR: pages for a browser that begin\n"
+                                         "with index.html, audit.pdf where there is TeX, audit.tex and\n"
+                                         "audit.json. DIR is created if only its last part is missing");
   out->type_name("DIR");
   command->add_flag("--json", options->json, "Print the results as JSON instead of the table");
   command->callback([options, out, &action] {

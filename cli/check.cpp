@@ -61,6 +61,14 @@ ExitCode list(const std::vector<proofs::Claim>& claims, const std::set<std::stri
   return exit_decided;
 }
 
+std::string command_line(const Options& options) {
+  std::string command = "stickslip check";
+  for (const std::string& word : options.words) {
+    command += " " + word;
+  }
+  return command;
+}
+
 ExitCode run(const Options& options) {
   const std::vector<proofs::Claim> claims = proofs::paper();
   const Wanted wanted = wanted_by(claims, options.words);
@@ -73,7 +81,7 @@ ExitCode run(const Options& options) {
   }
   const proofs::Audit audit = audit_of(claims, wanted);
   if (options.json) {
-    print(report::to_text(report::to_json(audit)));
+    print(report::to_text(report::to_json(audit, command_line(options))));
   } else if (options.explain) {
     print(report::terminal_explanations(audit, terminal_style()));
   } else {

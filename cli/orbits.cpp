@@ -1,6 +1,5 @@
 // stickslip orbits: all periodic orbits of a family.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <memory>
@@ -9,9 +8,12 @@
 #include "cli/commands.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
+#include "report/files.hpp"
 #include "report/json.hpp"
 #include "report/orbits.hpp"
 #include "report/orbits_plot.hpp"
+#include "report/pages.hpp"
+#include "report/pictures.hpp"
 
 namespace stickslip::cli {
 namespace {
@@ -27,6 +29,8 @@ struct Options {
   std::string digits;
   std::string plot;
   bool with_plot = false;
+  std::string out;
+  bool with_out = false;
   bool json = false;
 };
 
@@ -42,26 +46,6 @@ constexpr const char* details =
     "              and \"admissible\" speaks of all other conditions.\n\n"
     "Exit code: 0 the list is complete and everything in it is decided, also if no orbit\n"
     "is admissible; 2 something is undecided or unresolved.";
-
-// A line on a terminal's standard error while an object of this type lives.
-class Progress {
- public:
-  explicit Progress(const std::string& line) : shown_(::isatty(STDERR_FILENO) != 0) {
-    if (shown_) {
-      fmt::print(stderr, "{}", line);
-    }
-  }
-  ~Progress() {
-    if (shown_) {
-      std::fputs("\r\x1b[K", stderr);
-    }
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
- private:
-  bool shown_;
-};
 
 int digits_of(const std::string& text) {
   int value = default_digits;
@@ -97,12 +81,25 @@ ExitCode run(const Options& options) {
     (void)report::plot_format(options.plot);
     report::require_plot(options.plot);
   }
+  if (options.with_out) {
+    report::require_writable(options.out);
+    report::require_page_tools(false);
+  }
   const OrbitList list = search(asked);
   if (options.with_plot) {
     draw(list, options.plot);
   }
+  report::Report made;
+  if (options.with_out) {
+    const Progress progress("making the pages ...");
+    made = report::pages(list);
+    report::write_files(options.out, made.files);
+  }
   print(options.json ? report::to_text(report::to_json(list))
                      : report::terminal_report(list, terminal_style()));
+  if (options.with_out) {
+    tell(report_line(options.out, "orbits", made));
+  }
   return all_decided(list) ? exit_decided : exit_undecided;
 }
 
@@ -130,8 +127,15 @@ void add_orbits(CLI::App& program, Action& action) {
                                           "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
                                           "FILE.pdf: phase portraits and time histories");
   plot->type_name("FILE");
-  command->callback([options, plot, &action] {
+  CLI::Option* out =
+      command->add_option("--out", options->out,
+                          "Also write a report into DIR: index.html, orbits.pdf where there is\n"
+                          "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
+                          "part is missing");
+  out->type_name("DIR");
+  command->callback([options, plot, out, &action] {
     options->with_plot = plot->count() > 0;
+    options->with_out = out->count() > 0;
     action = [options] { return run(*options); };
   });
 }

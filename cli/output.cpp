@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <system_error>
@@ -15,6 +16,9 @@ std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
+
+constexpr std::chrono::milliseconds patience{1000};
+constexpr std::chrono::milliseconds beat{200};
 
 }  // namespace
 
@@ -39,6 +43,40 @@ void print(std::string_view text) {
 void tell(std::string_view line) noexcept {
   std::fwrite(line.data(), 1, line.size(), stderr);
   std::fputc('\n', stderr);
+}
+
+Progress::Progress(const std::string& line) : terminal_(::isatty(STDERR_FILENO) != 0), line_(line) {
+  if (terminal_) {
+    writer_ = std::jthread([this](const std::stop_token& stop) {
+      std::unique_lock hold(lock_);
+      for (auto pause = patience; !over_.wait_for(hold, stop, pause, [&] { return stop.stop_requested(); });
+           pause = beat) {
+        fmt::print(stderr, "\r\x1b[K{}", line_);
+        shown_ = true;
+      }
+    });
+  }
+}
+
+Progress::~Progress() {
+  if (terminal_) {
+    writer_.request_stop();
+    writer_.join();
+    if (shown_) {
+      std::fputs("\r\x1b[K", stderr);
+    }
+  }
+}
+
+void Progress::show(const std::string& line) {
+  const std::lock_guard hold(lock_);
+  line_ = line;
+}
+
+std::string report_line(const std::string& directory, const std::string& name, const report::Report& report) {
+  const std::string pdf = report.note.empty() ? fmt::format(" {}.pdf,", name) : "";
+  return fmt::format("The report is in {0}: index.html,{1} {2}.tex and {2}.json.{3}", directory, pdf, name,
+                     report.note.empty() ? "" : " " + report.note);
 }
 
 report::Style terminal_style() {

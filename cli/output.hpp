@@ -1,9 +1,14 @@
 // Standard output, checked to the last byte.
 #pragma once
 
+#include <condition_variable>
+#include <mutex>
+#include <string>
 #include <string_view>
+#include <thread>
 
 #include "core/error.hpp"
+#include "report/pages.hpp"
 #include "report/table.hpp"
 
 namespace stickslip::cli {
@@ -19,6 +24,31 @@ void print(std::string_view text);
 
 // A line on standard error, for a person; whether it arrives does not matter.
 void tell(std::string_view line) noexcept;
+
+// A line on a terminal's standard error while an object of this type lives and the work takes over a second;
+// on anything else nothing.
+class Progress {
+ public:
+  explicit Progress(const std::string& line);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // Another line in its place.
+  void show(const std::string& line);
+
+ private:
+  bool terminal_;
+  bool shown_ = false;
+  std::string line_;
+  std::mutex lock_;
+  std::condition_variable_any over_;
+  std::jthread writer_;
+};
+
+// "The report is in DIR: index.html, NAME.tex, ..." and what could not be made.
+[[nodiscard]] std::string report_line(const std::string& directory, const std::string& name,
+                                      const report::Report& report);
 
 // Eighty columns; coloured on a terminal, unless NO_COLOR is set to something or the terminal is dumb.
 [[nodiscard]] report::Style terminal_style();

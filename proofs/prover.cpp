@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "proofs/deciding.hpp"
 #include "proofs/point.hpp"
+#include "proofs/progress.hpp"
 #include "proofs/repair.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/hypotheses.hpp"
@@ -195,16 +196,13 @@ std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypo
   return a;
 }
 
-Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {
-  Prover prover(claims);
-  for (const std::string& id : ids) {
-    (void)prover.claim(id);
-  }
+namespace {
+
+Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progress& progress) {
   Audit result;
-  for (const Claim& claim : claims) {
-    if (ids.empty() || ids.contains(claim.id)) {
-      result.records.push_back(prover.prove(claim.id));
-    }
+  for (const std::string& id : ids) {
+    progress(id, result.records.size(), ids.size());
+    result.records.push_back(prover.prove(id));
   }
   for (Record& record : result.records) {
     for (const Record& other : result.records) {
@@ -216,6 +214,31 @@ Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) 
     }
   }
   return result;
+}
+
+}  // namespace
+
+Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {
+  std::vector<std::string> asked;
+  Prover prover(claims);
+  for (const std::string& id : ids) {
+    (void)prover.claim(id);
+  }
+  for (const Claim& claim : claims) {
+    if (ids.empty() || ids.contains(claim.id)) {
+      asked.push_back(claim.id);
+    }
+  }
+  return prove_all(prover, asked, [](const std::string&, std::size_t, std::size_t) {});
+}
+
+Audit audit(const std::vector<Claim>& claims, const Progress& progress) {
+  std::vector<std::string> asked;
+  for (const Claim& claim : claims) {
+    asked.push_back(claim.id);
+  }
+  Prover prover(claims);
+  return prove_all(prover, asked, progress);
 }
 
 }  // namespace stickslip::proofs

@@ -1,6 +1,7 @@
 #include "report/json.hpp"
 
 #include "core/decimal.hpp"
+#include "report/orbits.hpp"
 #include "report/summary.hpp"
 #include "report/versions.hpp"
 #include "symbolic/names.hpp"
@@ -87,6 +88,7 @@ Json outcome(const Outcome& o) {
           {"hypotheses", list_of(o.hypotheses, hypothesis)},
           {"uses", list_of(o.uses, plain)},
           {"free", list_of(o.free, symbol)},
+          {"at", list_of(o.at, coordinate)},
           {"comparisons", list_of(o.comparisons, comparison)}};
 }
 
@@ -141,22 +143,40 @@ Json place(const PlaceRecords& p) {
           {"claims", list_of(p.records, [](const Record* record) { return claim(*record); })}};
 }
 
+Json example(const ExampleOrbits& e) {
+  const auto printed = [](const PrintedResult& result) -> Json {
+    return {{"name", result.name}, {"value", result.value.text}, {"sign_lost", result.sign_lost}};
+  };
+  return {{"name", e.example.name},
+          {"figure", e.example.figure},
+          {"printed", list_of(e.example.results, printed)},
+          {"orbits", to_json(e.list)}};
+}
+
 }  // namespace
 
-Json to_json(const Audit& audit) {
+Json provenance(const std::string& command) {
   const auto component = [](const Component& c) -> Json {
     return {{"name", c.name}, {"version", c.version}};
   };
+  const std::optional<std::string> date = source_date();
   return {{"schema_version", schema_version},
+          {"date", date ? Json(*date) : Json(nullptr)},
           {"program", {{"name", "stickslip"}, {"version", program_version()}}},
           {"libraries", list_of(libraries(), component)},
-          {"paper",
-           {{"author", "M. Pascal"},
-            {"title", "New limit cycles of dry friction oscillators under harmonic load"},
-            {"journal", "Nonlinear Dynamics 70 (2012) 1435–1443"},
-            {"doi", "10.1007/s11071-012-0545-5"}}},
-          {"summary", summary(audit)},
-          {"places", list_of(by_place(audit), place)}};
+          {"command", command}};
+}
+
+Json to_json(const Audit& audit, const std::string& command, const std::vector<ExampleOrbits>& examples) {
+  Json json = provenance(command);
+  json["paper"] = {{"author", "M. Pascal"},
+                   {"title", "New limit cycles of dry friction oscillators under harmonic load"},
+                   {"journal", "Nonlinear Dynamics 70 (2012) 1435–1443"},
+                   {"doi", "10.1007/s11071-012-0545-5"}};
+  json["summary"] = summary(audit);
+  json["places"] = list_of(by_place(audit), place);
+  json["examples"] = list_of(examples, example);
+  return json;
 }
 
 std::string to_text(const Json& json) {

@@ -28,4 +28,25 @@ struct NamedRange {
 // One sentence.
 [[nodiscard]] std::string describe(Remark remark);
 
+// "Symmetric orbits: slip on (0, tau), stick on (tau, Theta)".
+[[nodiscard]] std::string title_of(Family family);
+
+// The domain that was searched.
+[[nodiscard]] std::string searched(const OrbitQuestion& question);
+
+// "complete: 2 orbits, 1 admissible, no unresolved boxes".
+[[nodiscard]] std::string result_of_search(const OrbitList& list);
+
+// "admissible", or why it is not known to be: "not admissible: ur, 12".
+[[nodiscard]] std::string verdict_on(const DecidedOrbit& orbit);
+
+// What the margin of a condition is, in half a sentence.
+[[nodiscard]] std::string meaning_of_margin();
+
+// The LaTeX of the name of an orbit's value: those of symbolic/names.hpp and ur_max.
+[[nodiscard]] std::string latex_of_value(const std::string& name);
+
+// The command that lists the same orbits.
+[[nodiscard]] std::string command_of(const OrbitQuestion& question);
+
 }  // namespace stickslip::report

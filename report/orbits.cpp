@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "core/error.hpp"
 #include "report/layout.hpp"
 #include "report/numbers.hpp"
 #include "report/orbit_words.hpp"
@@ -15,39 +12,6 @@ namespace {
 
 constexpr int margin_digits = 5;
 
-constexpr const char* meaning_of_margin =
-    "the smallest distance from a violation, found at t; where the distance is zero at an end of its phase "
-    "by "
-    "construction, the smallest quotient of it and min(1, time to that end)";
-
-const char* title(Family family) {
-  switch (family) {
-    case Family::symmetric:
-      return "Symmetric orbits: slip on (0, tau), stick on (tau, Theta)";
-    case Family::overshooting:
-      return "Overshooting orbits: slip to tau, overshoot to tau + tau1, stick to Theta";
-    case Family::nonsticking:
-      return "Non-sticking orbits: slip on (0, tau), overshoot on (tau, Theta)";
-  }
-  throw InternalError("a family of no known kind");
-}
-
-std::string searched(const OrbitQuestion& q) {
-  if (asks_for_box(q)) {
-    return "the orbits at the middle of the parameters, each for all members of the box";
-  }
-  switch (q.family) {
-    case Family::symmetric:
-      return "0 <= tau <= Theta at both load phases, phi = (pi - omega tau)/2 and that + pi";
-    case Family::overshooting:
-      return fmt::format("tau >= 0, tau1 >= 0, tau + tau1 <= Theta {}",
-                         q.phi ? "at this phi" : "for every phi that gives this ur");
-    case Family::nonsticking:
-      return "0 <= tau <= Theta, every phi";
-  }
-  throw InternalError("a family of no known kind");
-}
-
 std::string bold(const Style& style) {
   return style.colour ? "\x1b[1m" : "";
 }
@@ -57,23 +21,6 @@ std::string colour_of(Truth truth, const Style& style) {
     return {};
   }
   return truth == Truth::proved ? "\x1b[32m" : truth == Truth::refuted ? "\x1b[31m" : "\x1b[33m";
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count == 0 ? "no" : std::to_string(count), count == 1 ? one : many);
-}
-
-std::string outcome_of_search(const OrbitList& list) {
-  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const DecidedOrbit& orbit) {
-    return orbit.admissible.truth == Truth::proved;
-  });
-  const std::string orbits = counted(list.orbits.size(), "orbit", "orbits");
-  const std::string admissible = list.orbits.empty() ? "" : fmt::format(", {} admissible", good);
-  const std::string open = counted(list.unresolved.size(), "unresolved box", "unresolved boxes");
-  const char* completeness = asks_for_box(list.question) ? ""
-                             : list.complete()           ? "complete: "
-                                                         : "not complete: ";
-  return fmt::format("{}{}{}, {}", completeness, orbits, admissible, open);
 }
 
 std::string parameter_list(const OrbitQuestion& question) {
@@ -87,7 +34,7 @@ std::string parameter_list(const OrbitQuestion& question) {
 std::string head(const OrbitList& list, const Style& style) {
   std::vector<Row> rows{{{"parameters"}, {parameter_list(list.question)}},
                         {{"searched"}, {searched(list.question)}},
-                        {{"result"}, {outcome_of_search(list)}}};
+                        {{"result"}, {result_of_search(list)}}};
   for (const Remark remark : list.remarks) {
     rows.push_back({{"remark"}, {describe(remark)}});
   }
@@ -98,23 +45,8 @@ std::string head(const OrbitList& list, const Style& style) {
     }
     rows.push_back({{"unresolved"}, {where + part.reason}});
   }
-  const Row heading{{title(list.question.family), bold(style)}};
+  const Row heading{{title_of(list.question.family), bold(style)}};
   return columns_of({heading}, style.width) + columns_of(rows, style.width);
-}
-
-std::string verdict_on(const DecidedOrbit& orbit) {
-  if (orbit.admissible.truth == Truth::proved) {
-    return "admissible";
-  }
-  const bool refuted = orbit.admissible.truth == Truth::refuted;
-  std::string ids;
-  for (const Condition& condition : orbit.conditions) {
-    if (condition.verdict.truth == orbit.admissible.truth) {
-      ids += (ids.empty() ? "" : ", ") + condition.id;
-    }
-  }
-  const std::string split = orbit.split.empty() ? "" : fmt::format("; split {} first", orbit.split);
-  return fmt::format("{}: {}{}", refuted ? "not admissible" : "undecided", ids, split);
 }
 
 // Without those that are given: they stand in the head.
@@ -179,7 +111,7 @@ std::string terminal_report(const OrbitList& list, const Style& style) {
     text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style) +
             stability(orbit, list.question, style) + "\n" + conditions(orbit, style);
   }
-  return list.orbits.empty() ? text : text + "\n" + labelled(0, "margin", meaning_of_margin, style.width);
+  return list.orbits.empty() ? text : text + "\n" + labelled(0, "margin", meaning_of_margin(), style.width);
 }
 
 }  // namespace stickslip::report

@@ -9,12 +9,13 @@
 
 namespace stickslip::report {
 
-// {"family", "parameters": {"chi", "eta", "us", "V", "omega", "p", "phi", "ur"}, "complete", "unresolved":
-// [{"tau": BALL, …, "reason"}], "remarks": [text], "orbits": [{"tau": BALL, "tau1", "T", "Theta", "phi",
-// "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur" or "ur_max", "admissible", "split",
-// "multipliers": [{"re": BALL, "im": BALL}], "stability": "stable", "unstable", "marginal" or "undecided",
-// "stability_reason", "conditions": [{"id", "statement", "verdict", "reason", "margin": BALL, "at": BALL}]}]}
-// BALL: {"mid", "rad"}, decimal strings, rounded outwards; parameters are exact decimals or fractions.
+// As report/schema/orbits.schema.json says: what provenance() says, and {"family", "parameters": {"chi",
+// "eta", "us", "V", "omega", "p", "phi", "ur"}, "complete", "unresolved": [{"tau": BALL, …, "reason"}],
+// "remarks": [text], "orbits": [{"tau": BALL, "tau1", "T", "Theta", "phi", "z10", "z20", "zdot10", "x10",
+// "x20", "xdot10", "ur" or "ur_max", "admissible", "split", "multipliers": [{"re": BALL, "im": BALL}],
+// "stability": "stable", "unstable", "marginal" or "undecided", "stability_reason", "conditions": [{"id",
+// "statement", "verdict", "reason", "margin": BALL, "at": BALL}]}]} BALL: {"mid", "rad"}, decimal strings,
+// rounded outwards; parameters are exact decimals or fractions.
 //
 // Keys that do not apply are absent: phi and ur among the parameters unless given, what the family does not
 // have, a margin that is not known, the reason of what is proved, remarks when there are none, multipliers

@@ -77,9 +77,10 @@ Json orbit(const DecidedOrbit& o, int digits) {
 
 Json to_json(const OrbitList& list) {
   const int digits = list.question.digits;
-  Json json = {{"family", name_of(list.question.family)},
-               {"parameters", parameters(list.question)},
-               {"complete", list.complete()}};
+  Json json = provenance(command_of(list.question));
+  json["family"] = name_of(list.question.family);
+  json["parameters"] = parameters(list.question);
+  json["complete"] = list.complete();
   json["unresolved"] = Json::array();
   for (const UnresolvedPart& part : list.unresolved) {
     Json where = Json::object();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "report/files.hpp"
 #include "report/orbit_words.hpp"
 #include "report/templates.hpp"
 
@@ -13,7 +12,16 @@ namespace stickslip::report {
 namespace {
 
 constexpr int samples = 240;  // per phase
-constexpr int height = 760;   // of one orbit, in pixels of the SVG
+constexpr double pixels_per_inch = 96;
+
+// In pixels of the SVG: the width of the picture, the height of a panel, and the rows of an orbit's panels.
+struct Page {
+  int width;
+  int panel_height;
+  int rows;
+};
+constexpr Page wide_page{1000, 380, 2};
+constexpr Page narrow_page{480, 340, 4};
 
 // In the paper's pictures: Fig. 2 slip thick, stick thin; Fig. 3 the overshoot heaviest, the stick thin; Fig.
 // 4 the overshoot thick.
@@ -90,35 +98,38 @@ Json orbit_data(const OrbitList& list, std::size_t i) {
           {"phases", phases_of(motion, list.question.family, i + 1)}};
 }
 
-std::string as_it_is(std::string_view text) {
-  return std::string(text);
-}
-
 }  // namespace
 
-std::string plot_script(const OrbitList& list, PlotFormat format) {
+std::string plot_script(const OrbitList& list, PlotFormat format, PlotShape shape,
+                        std::optional<std::size_t> only) {
   const bool any_admissible =
       std::any_of(list.orbits.begin(), list.orbits.end(),
                   [](const DecidedOrbit& orbit) { return orbit.admissible.truth == Truth::proved; });
   Json orbits = Json::array();
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    if (!any_admissible || list.orbits[i].admissible.truth == Truth::proved) {
+    const bool wanted = !any_admissible || list.orbits[i].admissible.truth == Truth::proved;
+    if (only ? i == *only : wanted) {
       orbits.push_back(orbit_data(list, i));
     }
   }
   if (orbits.empty()) {
     return "";
   }
-  const std::size_t rows = orbits.size();
+  const Page page = shape == PlotShape::wide ? wide_page : narrow_page;
+  const std::size_t rows = orbits.size() * static_cast<std::size_t>(page.rows);
+  const int height = page.panel_height * static_cast<int>(rows);
   const Json data = {{"svg", format == PlotFormat::svg},
                      {"pdf", format == PlotFormat::pdf},
-                     {"height", std::to_string(height * rows)},
-                     {"inches", fmt::format("{:.2f}", static_cast<double>(height * rows) / 96)},
-                     {"rows", std::to_string(2 * rows)},
+                     {"width", std::to_string(page.width)},
+                     {"height", std::to_string(height)},
+                     {"inches_wide", fmt::format("{:.2f}", page.width / pixels_per_inch)},
+                     {"inches", fmt::format("{:.2f}", height / pixels_per_inch)},
+                     {"rows", std::to_string(rows)},
+                     {"columns", std::to_string(4 / page.rows)},
+                     {"narrow", shape == PlotShape::narrow},
                      {"parameters", parameter_text(list.question)},
                      {"orbits", orbits}};
-  const std::string name = "orbits.gp.mustache";
-  return render(name, read_file(template_directory() / name), data, as_it_is);
+  return render_file("orbits.gp", data, plain_format);
 }
 
 }  // namespace stickslip::report

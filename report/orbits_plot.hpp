@@ -1,6 +1,8 @@
 // Orbits as pictures.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "numeric/orbits.hpp"
@@ -8,11 +10,13 @@
 
 namespace stickslip::report {
 
-// The script for gnuplot that draws the admissible orbits, or all if none is admissible: for each the phase
-// portraits of both masses, the phases in the line weights of Figs. 2-4, and the displacements and velocities
-// over one period with the times at which the phases change. (z_i, z_i') for orbits that stick, (x_i, x_i')
-// for those that do not, as in the paper. Drawn from midpoints in double: a picture proves nothing. Empty
-// when there is no orbit.
-[[nodiscard]] std::string plot_script(const OrbitList& list, PlotFormat format);
+// The script for gnuplot that draws the admissible orbits, or all if none is admissible, or the one named:
+// for each the phase portraits of both masses, the phases in the line weights of Figs. 2-4, and the
+// displacements and velocities over one period with the times at which the phases change. (z_i, z_i') for
+// orbits that stick, (x_i, x_i') for those that do not, as in the paper. Drawn from midpoints in double: a
+// picture proves nothing. Empty when there is no orbit.
+[[nodiscard]] std::string plot_script(const OrbitList& list, PlotFormat format,
+                                      PlotShape shape = PlotShape::wide,
+                                      std::optional<std::size_t> only = std::nullopt);
 
 }  // namespace stickslip::report

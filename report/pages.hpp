@@ -1,22 +1,28 @@
-// The pages of an audit.
+// The reports: pages for the browser, a paper for print, data.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "proofs/claim.hpp"
+#include "report/examples.hpp"
 #include "report/files.hpp"
-#include "report/json.hpp"
 
 namespace stickslip::report {
 
-// What the templates see: the JSON of the audit, and beside every "status" and "verdict" also "status_words"
-// and "verdict_words", without underscores; in every claim "examined" (it is no part of the model) and
-// "needs" (the hypotheses of the form that is proved); in every comparison "proved_short" and
-// "units_off_short"; at the top "findings" and "numbers", the claims that are findings or that compare
-// printed numbers.
-[[nodiscard]] Json page_data(const Json& audit);
+// The files of one directory, and a sentence about what could not be made; empty if everything was.
+struct Report {
+  std::vector<File> files;
+  std::string note;
+};
 
-// audit.json, index.html and audit.tex. Throws InputOutputError if a template cannot be read.
-[[nodiscard]] std::vector<File> pages(const proofs::Audit& audit);
+// index.html, statements.html, orbits.html with style.css and katex.css; audit.json; audit.tex and, where
+// there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be read or a program
+// that draws is missing or fails.
+[[nodiscard]] Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examples);
+
+// The same kind of report on one list of orbits: index.html with its style sheets, orbits.json, orbits.tex
+// and, where there is TeX, orbits.pdf; the figure.
+[[nodiscard]] Report pages(const OrbitList& list);
 
 }  // namespace stickslip::report

@@ -60,10 +60,6 @@ std::string stretches(const Record& record, double from, PhaseKind kind) {
   return text;
 }
 
-std::string as_it_is(std::string_view text) {
-  return std::string(text);
-}
-
 }  // namespace
 
 std::string plot_script(const Record& record, PlotFormat format) {
@@ -95,7 +91,7 @@ std::string plot_script(const Record& record, PlotFormat format) {
            "chi = {:.6g}, eta = {:.6g}, us = {:.6g}, ur = {:.6g}, V = {:.6g}, omega = {:.6g}, p = {:.6g}",
            a.chi, a.eta, a.us, record.start.ur, a.V, a.omega, a.p)}};
   const std::string name = "simulation.gp.mustache";
-  return render(name, read_file(template_directory() / name), data, as_it_is);
+  return render(name, read_file(template_directory() / name), data, plain_format);
 }
 
 }  // namespace stickslip::report

@@ -6,6 +6,9 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "report/escape.hpp"
+#include "report/files.hpp"
+#include "report/prose.hpp"
 
 namespace stickslip::report {
 namespace {
@@ -56,7 +59,32 @@ Data to_data(const Json& json) {
   }
 }
 
+void add_prose(Data& data, const PageFormat& format) {
+  using kainjow::mustache::lambda2;
+  using kainjow::mustache::renderer;
+  data.set("prose", lambda2{[&format](const std::string& section, const renderer& render_section) {
+             return format.prose(render_section(section, false));
+           }});
+}
+
+void add_partials(Data& data) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(template_directory())) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('_')) {
+      data.set(entry.path().stem().string().substr(1), read_file(entry.path()));
+    }
+  }
+}
+
+std::string as_it_is(std::string_view text) {
+  return std::string(text);
+}
+
 }  // namespace
+
+const PageFormat html_format{escape_html, prose_html};
+const PageFormat tex_format{escape_tex, prose_tex};
+const PageFormat plain_format{as_it_is, as_it_is};
 
 fs::path template_directory() {
   const fs::path installed = installed_directory();
@@ -69,14 +97,23 @@ fs::path template_directory() {
                                      installed.string(), STICKSLIP_SOURCE_TEMPLATES));
 }
 
-std::string render(const std::string& name, const std::string& source, const Json& data, Escape escape) {
+std::string render(const std::string& name, const std::string& source, const Json& data,
+                   const PageFormat& format) {
   kainjow::mustache::mustache page(source);
-  page.set_custom_escape([escape](const std::string& text) { return escape(text); });
-  std::string result = page.is_valid() ? page.render(to_data(data)) : std::string();
+  page.set_custom_escape([&format](const std::string& text) { return format.text(text); });
+  Data all = to_data(data);
+  add_prose(all, format);
+  add_partials(all);
+  std::string result = page.is_valid() ? page.render(all) : std::string();
   if (!page.is_valid()) {
     throw InternalError(fmt::format("the template {} is malformed: {}", name, page.error_message()));
   }
   return result;
+}
+
+std::string render_file(const std::string& name, const Json& data, const PageFormat& format) {
+  const std::string file = name + ".mustache";
+  return render(file, read_file(template_directory() / file), data, format);
 }
 
 }  // namespace stickslip::report

@@ -1,0 +1,19 @@
+// An audit that says how far it is.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "proofs/claim.hpp"
+
+namespace stickslip::proofs {
+
+// Called before each claim: its id, how many are done, how many there are.
+using Progress = std::function<void(const std::string& id, std::size_t done, std::size_t all)>;
+
+// The audit of all claims (claim.hpp).
+[[nodiscard]] Audit audit(const std::vector<Claim>& claims, const Progress& progress);
+
+}  // namespace stickslip::proofs

@@ -1,0 +1,32 @@
+// What an audit found, in words and in the order in which a reader wants it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/claim.hpp"
+
+namespace stickslip::report {
+
+// "The paper holds, with corrections.": what the worst status comes to.
+[[nodiscard]] std::string verdict_lead(const proofs::Audit& audit);
+
+// One sentence with the number of statements of each status; empty for an empty audit.
+[[nodiscard]] std::string verdict_sentence(const proofs::Audit& audit);
+
+// The same things that must not vanish, brought in by the proofs of some claims and inherited by others.
+struct HypothesisGroup {
+  std::vector<proofs::Hypothesis> hypotheses;
+  std::vector<const proofs::Record*> origins;
+  std::set<std::string> heirs;  // ids
+};
+
+// All hypotheses beyond the paper's, each once, those with most statements behind them first. Points into the
+// audit.
+[[nodiscard]] std::vector<HypothesisGroup> hypothesis_groups(const proofs::Audit& audit);
+
+// Of the form that is proved: the corrected one where there is one.
+[[nodiscard]] const proofs::Outcome& final_outcome(const proofs::Record& record);
+
+}  // namespace stickslip::report

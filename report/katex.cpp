@@ -1,0 +1,44 @@
+#include "report/katex.hpp"
+
+#include "report/json.hpp"
+#include "report/process.hpp"
+#include "report/templates.hpp"
+
+namespace stickslip::report {
+namespace {
+
+const Tool& typesetter() {
+  static const Tool tool{"node", "nodejs", "set formulas"};
+  return tool;
+}
+
+std::string script() {
+  return (template_directory() / "katex.js").string();
+}
+
+Json set(const Json& pages) {
+  return Json::parse(run(typesetter(), {script()}, Json{{"pages", pages}}.dump()));
+}
+
+}  // namespace
+
+void require_katex() {
+  require(typesetter());
+  (void)set(Json::array());
+}
+
+std::vector<File> with_formulas(const std::vector<File>& pages) {
+  Json sent = Json::array();
+  for (const File& page : pages) {
+    sent.push_back({{"name", page.name}, {"content", page.content}});
+  }
+  const Json answer = set(sent);
+  std::vector<File> result;
+  for (const Json& page : answer.at("pages")) {
+    result.push_back({page.at("name"), page.at("content")});
+  }
+  result.push_back({"katex.css", answer.at("css")});
+  return result;
+}
+
+}  // namespace stickslip::report

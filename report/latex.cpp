@@ -1,0 +1,59 @@
+#include "report/latex.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include "core/error.hpp"
+#include "report/process.hpp"
+
+namespace stickslip::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Tool& compiler() {
+  static const Tool tool{"latexmk", "latexmk, with texlive-latex-recommended", "compile LaTeX"};
+  return tool;
+}
+
+// A directory of its own, gone with all that is in it.
+class Workshop {
+ public:
+  Workshop() {
+    std::string name = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw InputOutputError("cannot create a temporary directory");
+    }
+    path_ = name;
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+Compiled compile(const std::vector<File>& files, const std::string& name) {
+  if (!is_there(compiler())) {
+    return {{}, fmt::format("{} is not there (Debian has it in {})", compiler().program, compiler().package)};
+  }
+  const Workshop workshop;
+  write_files(workshop.path(), files);
+  try {
+    (void)run(compiler(), {"-pdf", "-halt-on-error", "-interaction=nonstopmode", "-no-shell-escape", name + ".tex"},
+              {}, workshop.path());
+    return {{{name + ".pdf", read_file(workshop.path() / (name + ".pdf"))}}, {}};
+  } catch (const InputOutputError& error) {
+    return {{}, error.what()};
+  }
+}
+
+}  // namespace stickslip::report

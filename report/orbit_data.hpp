@@ -1,0 +1,16 @@
+// What the templates see of lists of orbits.
+#pragma once
+
+#include "numeric/orbits.hpp"
+#include "report/json.hpp"
+
+namespace stickslip::report {
+
+// {"title", "searched", "result", "command", "parameters": [{"latex", "value_latex"}], "remarks": [text],
+//  "unresolved": [{"where": [{"latex", "value"}], "reason"}],
+//  "orbits": [{"number", "total", "verdict", "tell", "split", "split_latex",
+//   "values": [{"latex", "mid", "rad", "short"}],
+//   "conditions": [{"id", "statement", "verdict", "verdict_words", "margin", "at", "reason_if_open"}]}]}
+[[nodiscard]] Json orbit_data(const OrbitList& list);
+
+}  // namespace stickslip::report

@@ -1,0 +1,180 @@
+#!/usr/bin/python3
+"""Opens a report in headless Chromium and follows every link of every page.
+
+  browser.py DIRECTORY [--screenshots DIRECTORY]
+
+Fails when a link, an anchor or a picture leads nowhere, when anything is fetched that is not a local file, when the
+console has an error, when a formula is left as source, or when a page is wider than a telephone. Exits with 77 when
+Debian's chromium-driver or python3-selenium is not there.
+"""
+import argparse
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+from urllib.parse import urldefrag, urljoin
+
+WIDTHS = {"phone": 390, "desktop": 1280}
+
+# What a page refers to, and what is wrong with it, found by the browser itself.
+INSPECT = r"""
+const attributes = (selector, name) => [...document.querySelectorAll(selector)].map((e) => e.getAttribute(name));
+const body = document.body.cloneNode(true);
+body.querySelectorAll(".katex-mathml, code, svg, .tex-source").forEach((e) => e.remove());
+const source = body.textContent.match(/\\[a-zA-Z]+|\{\{|<<|\$[^ ]/);
+const anchors = {};
+for (const id of attributes("[id]", "id")) anchors[id] = (anchors[id] || 0) + 1;
+return {
+  links: [...document.querySelectorAll("a")].map((a) => a.getAttribute("href") || a.getAttribute("xlink:href") || ""),
+  pictures: [...document.querySelectorAll("source")].map((s) => s.getAttribute("srcset")),
+  broken: [...document.images].filter((i) => !i.complete || i.naturalWidth === 0).map((i) => i.src),
+  fetched: performance.getEntriesByType("resource").map((r) => r.name),
+  anchors: anchors,
+  formulas: document.querySelectorAll(".katex").length,
+  silent: [...document.querySelectorAll(".katex")].filter((k) => !k.querySelector("math")).length,
+  wrong: document.querySelectorAll("tex, tex-display, .katex-error, katex-version").length,
+  source: source ? source[0] + " in: " + body.textContent.substr(Math.max(0, source.index - 40), 90) : "",
+};
+"""
+
+LANDS = r"""
+return arguments[0].filter((fragment) => {
+  location.hash = "#" + fragment;
+  const target = document.querySelector(":target");
+  return !target || target.id !== decodeURIComponent(fragment) || target.getClientRects().length === 0;
+});
+"""
+
+
+def browser(profile):
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    options = webdriver.ChromeOptions()
+    options.binary_location = shutil.which("chromium")
+    for flag in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--hide-scrollbars",
+                 "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                 "--disable-dev-shm-usage", f"--user-data-dir={profile}"):
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+
+
+def show(driver, width, height=900):
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                           {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
+
+
+class Check:
+    def __init__(self, driver, directory):
+        self.driver = driver
+        self.directory = directory
+        self.faults = []
+        self.pages = {}
+
+    def fault(self, page, text):
+        self.faults.append(f"{page.name}: {text}")
+
+    def open(self, page, width="desktop"):
+        show(self.driver, WIDTHS[width])
+        self.driver.get(page.as_uri())
+
+    def inspect(self, page):
+        self.open(page)
+        found = self.pages[page] = self.driver.execute_script(INSPECT)
+        for entry in self.driver.get_log("browser"):
+            self.fault(page, f"the console says: {entry['message']}")
+        for name in found["broken"]:
+            self.fault(page, f"a picture does not load: {name}")
+        for name in found["fetched"]:
+            if not name.startswith(("file:", "data:")):
+                self.fault(page, f"it fetches {name}")
+        for name, count in found["anchors"].items():
+            if count > 1:
+                self.fault(page, f"{count} elements have the id {name}")
+        if found["formulas"] == 0:
+            self.fault(page, "it has no formula")
+        if found["silent"]:
+            self.fault(page, f"{found['silent']} formulas have no MathML")
+        if found["wrong"]:
+            self.fault(page, f"{found['wrong']} formulas are not set")
+        if found["source"]:
+            self.fault(page, f"source is left: {found['source']}")
+        self.open(page, "phone")
+        wide = self.driver.execute_script("return document.documentElement.scrollWidth - window.innerWidth")
+        if wide > 0:
+            self.fault(page, f"it is {wide} pixels wider than a telephone")
+
+    def follow(self, page):
+        fragments = {}
+        for link in self.pages[page]["links"] + self.pages[page]["pictures"]:
+            target, fragment = urldefrag(urljoin(page.as_uri(), link))
+            if not link:
+                self.fault(page, "a link without target")
+            elif target.startswith("file:"):
+                path = pathlib.Path(target[len("file://"):])
+                if not path.is_file() or path.parent != self.directory:
+                    self.fault(page, f"{link} leads to no file of the report")
+                elif fragment:
+                    fragments.setdefault(path, set()).add(fragment)
+                elif path.suffix == ".html" and path not in self.pages:
+                    self.walk(path)
+            elif not target.startswith("https://doi.org/"):
+                self.fault(page, f"{link} leads out of the report")
+        for path, names in fragments.items():
+            if path not in self.pages:
+                self.walk(path)
+            self.open(path)
+            for name in self.driver.execute_script(LANDS, sorted(names)):
+                self.fault(page, f"{path.name}#{name} leads nowhere")
+
+    def walk(self, page):
+        self.inspect(page)
+        self.follow(page)
+
+    def photograph(self, directory):
+        directory.mkdir(exist_ok=True)
+        for page in self.pages:
+            for scheme in ("light", "dark"):
+                self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+                    "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+                for name, width in WIDTHS.items():
+                    self.open(page, name)
+                    height = self.driver.execute_script("return document.documentElement.scrollHeight")
+                    show(self.driver, width, min(height, 12000))
+                    self.driver.save_screenshot(str(directory / f"{page.stem}-{name}-{scheme}.png"))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("directory", type=pathlib.Path)
+    parser.add_argument("--screenshots", type=pathlib.Path)
+    arguments = parser.parse_args()
+    try:
+        import selenium  # noqa: F401
+    except ImportError:
+        sys.exit(77)
+    if not shutil.which("chromium") or not shutil.which("chromedriver"):
+        sys.exit(77)
+    directory = arguments.directory.resolve()
+    with tempfile.TemporaryDirectory() as profile:
+        os.environ["HOME"] = profile
+        driver = browser(profile)
+        try:
+            check = Check(driver, directory)
+            check.walk(directory / "index.html")
+            if arguments.screenshots:
+                check.photograph(arguments.screenshots)
+        finally:
+            driver.quit()
+    for fault in check.faults:
+        print(fault, file=sys.stderr)
+    links = sum(len(found["links"]) for found in check.pages.values())
+    formulas = sum(found["formulas"] for found in check.pages.values())
+    print(f"{len(check.pages)} pages, {links} links, {formulas} formulas, {len(check.faults)} faults")
+    sys.exit(1 if check.faults else 0)
+
+
+if __name__ == "__main__":
+    main()
