@@ -7,7 +7,6 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "proofs/paper.hpp"
-#include "proofs/progress.hpp"
 #include "report/files.hpp"
 #include "report/json.hpp"
 #include "report/pages.hpp"
@@ -23,14 +22,6 @@ struct Options {
   bool json = false;
 };
 
-proofs::Audit prove() {
-  Progress progress("proving ...");
-  return proofs::audit(proofs::paper(),
-                       [&progress](const std::string& id, std::size_t done, std::size_t all) {
-                         progress.show(fmt::format("proving {} of {}: {}", done + 1, all, id));
-                       });
-}
-
 std::vector<report::ExampleOrbits> search_examples() {
   const Progress progress("searching for the orbits of the figures ...");
   return report::example_orbits();
@@ -41,7 +32,7 @@ ExitCode run(const Options& options) {
     report::require_writable(options.out);
     report::require_page_tools(true);
   }
-  const proofs::Audit audit = prove();
+  const proofs::Audit audit = prove(proofs::paper(), {});
   const std::vector<report::ExampleOrbits> examples = search_examples();
   report::Report made;
   if (options.with_out) {

@@ -41,9 +41,9 @@ Wanted wanted_by(const std::vector<proofs::Claim>& claims, const std::vector<std
 
 proofs::Audit audit_of(const std::vector<proofs::Claim>& claims, const Wanted& wanted) {
   if (wanted.statuses.empty()) {
-    return proofs::audit(claims, wanted.ids);
+    return prove(claims, wanted.ids);
   }
-  proofs::Audit audit = proofs::audit(claims);
+  proofs::Audit audit = prove(claims, {});
   std::erase_if(audit.records, [&](const proofs::Record& record) {
     return !wanted.ids.contains(record.claim.id) && !wanted.statuses.contains(to_string(record.status));
   });

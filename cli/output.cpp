@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "proofs/progress.hpp"
+
 namespace stickslip::cli {
 namespace {
 
@@ -71,6 +73,13 @@ Progress::~Progress() {
 void Progress::show(const std::string& line) {
   const std::lock_guard hold(lock_);
   line_ = line;
+}
+
+proofs::Audit prove(const std::vector<proofs::Claim>& claims, const std::set<std::string>& ids) {
+  Progress progress("proving ...");
+  return proofs::audit(claims, ids, [&progress](const std::string& id, std::size_t done, std::size_t all) {
+    progress.show(fmt::format("proving {} of {}: {}", done + 1, all, id));
+  });
 }
 
 std::string report_line(const std::string& directory, const std::string& name, const report::Report& report) {

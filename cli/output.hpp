@@ -1,8 +1,9 @@
-// Standard output, checked to the last byte.
+// Standard output, checked to the last byte; progress on standard error.
 #pragma once
 
 #include <condition_variable>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -45,6 +46,9 @@ class Progress {
   std::condition_variable_any over_;
   std::jthread writer_;
 };
+
+// The audit of these claims, with its progress.
+[[nodiscard]] proofs::Audit prove(const std::vector<proofs::Claim>& claims, const std::set<std::string>& ids);
 
 // "The report is in DIR: index.html, NAME.tex, ..." and what could not be made.
 [[nodiscard]] std::string report_line(const std::string& directory, const std::string& name,

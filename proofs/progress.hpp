@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace stickslip::proofs {
 // Called before each claim: its id, how many are done, how many there are.
 using Progress = std::function<void(const std::string& id, std::size_t done, std::size_t all)>;
 
-// The audit of all claims (claim.hpp).
-[[nodiscard]] Audit audit(const std::vector<Claim>& claims, const Progress& progress);
+// The audit of claim.hpp.
+[[nodiscard]] Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids,
+                          const Progress& progress);
 
 }  // namespace stickslip::proofs

@@ -218,27 +218,22 @@ Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progr
 
 }  // namespace
 
-Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {
-  std::vector<std::string> asked;
+Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids, const Progress& progress) {
   Prover prover(claims);
   for (const std::string& id : ids) {
     (void)prover.claim(id);
   }
+  std::vector<std::string> asked;
   for (const Claim& claim : claims) {
     if (ids.empty() || ids.contains(claim.id)) {
       asked.push_back(claim.id);
     }
   }
-  return prove_all(prover, asked, [](const std::string&, std::size_t, std::size_t) {});
+  return prove_all(prover, asked, progress);
 }
 
-Audit audit(const std::vector<Claim>& claims, const Progress& progress) {
-  std::vector<std::string> asked;
-  for (const Claim& claim : claims) {
-    asked.push_back(claim.id);
-  }
-  Prover prover(claims);
-  return prove_all(prover, asked, progress);
+Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {
+  return audit(claims, ids, [](const std::string&, std::size_t, std::size_t) {});
 }
 
 }  // namespace stickslip::proofs

@@ -21,8 +21,8 @@ struct ExampleOrbits {
 // The complete lists of orbits at the data of Figs. 2, 3 and 4.
 [[nodiscard]] std::vector<ExampleOrbits> example_orbits();
 
-// The orbit whose values are nearest to those that the paper prints, the largest relative difference deciding:
-// the one that the figure shows. None when there is no orbit.
+// The orbit whose values are nearest to those that the paper prints, the largest relative difference
+// deciding: the one that the figure shows. None when there is no orbit.
 [[nodiscard]] std::optional<std::size_t> printed_orbit(const ExampleOrbits& example);
 
 }  // namespace stickslip::report

@@ -48,8 +48,9 @@ Compiled compile(const std::vector<File>& files, const std::string& name) {
   const Workshop workshop;
   write_files(workshop.path(), files);
   try {
-    (void)run(compiler(), {"-pdf", "-halt-on-error", "-interaction=nonstopmode", "-no-shell-escape", name + ".tex"},
-              {}, workshop.path());
+    (void)run(compiler(),
+              {"-pdf", "-halt-on-error", "-interaction=nonstopmode", "-no-shell-escape", name + ".tex"}, {},
+              workshop.path());
     return {{{name + ".pdf", read_file(workshop.path() / (name + ".pdf"))}}, {}};
   } catch (const InputOutputError& error) {
     return {{}, error.what()};

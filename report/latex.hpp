@@ -8,8 +8,9 @@
 
 namespace stickslip::report {
 
-// NAME.pdf from NAME.tex, which is among the files, with the pictures that it includes: without a date and the
-// same for the same files. `problem` says in half a sentence why there is none: TeX is not there, or complains.
+// NAME.pdf from NAME.tex, which is among the files, with the pictures that it includes: without a date and
+// the same for the same files. `problem` says in half a sentence why there is none: TeX is not there, or
+// complains.
 struct Compiled {
   std::vector<File> pdf;  // one file or none
   std::string problem;

@@ -124,7 +124,9 @@ const std::array<GroupWords, 4>& groups_of_claims() {
       {{Status::undecided, Status::rests_on_unproved},
        "Not decided",
        "Neither proved nor refuted, or proved from something that is not."},
-      {{Status::refuted}, "Refuted", "False as printed, with a witness, and in no corrected form that was found."},
+      {{Status::refuted},
+       "Refuted",
+       "False as printed, with a witness, and in no corrected form that was found."},
       {{Status::misprint_corrected},
        "Misprints",
        "False as printed, with a witness; the form that the derivation supports is proved."},
@@ -136,8 +138,11 @@ const std::array<GroupWords, 4>& groups_of_claims() {
 }
 
 Json group(const std::string& title, const std::string& explanation) {
-  return {{"title", title},           {"explanation", explanation}, {"claims", Json::array()},
-          {"numbers", Json::array()}, {"hypotheses_groups", Json::array()}};
+  return {{"title", title},
+          {"explanation", explanation},
+          {"claims", Json::array()},
+          {"numbers", Json::array()},
+          {"hypotheses_groups", Json::array()}};
 }
 
 void add_group(Json& findings, Json group, std::size_t count) {
@@ -156,7 +161,9 @@ bool compares(const Json& claim) {
 }
 
 Json hypothesis_group(const HypothesisGroup& g) {
-  Json json = {{"hypotheses", Json::array()}, {"origins", Json::array()}, {"heirs", g.heirs},
+  Json json = {{"hypotheses", Json::array()},
+               {"origins", Json::array()},
+               {"heirs", g.heirs},
                {"heirs_count", g.heirs.size()}};
   for (const proofs::Hypothesis& hypothesis : g.hypotheses) {
     json["hypotheses"].push_back({{"latex", hypothesis.latex}});
@@ -168,9 +175,10 @@ Json hypothesis_group(const HypothesisGroup& g) {
 }
 
 Json hypotheses_finding(const proofs::Audit& audit) {
-  Json json = group("Hypotheses that the paper does not state",
-                    "The proofs divide by these; where one of them vanishes, the statements behind it are not "
-                    "claimed. Each is shown once, with all statements that inherit it.");
+  Json json =
+      group("Hypotheses that the paper does not state",
+            "The proofs divide by these; where one of them vanishes, the statements behind it are not "
+            "claimed. Each is shown once, with all statements that inherit it.");
   for (const HypothesisGroup& g : hypothesis_groups(audit)) {
     json["hypotheses_groups"].push_back(hypothesis_group(g));
   }
@@ -226,7 +234,8 @@ Json page_data(const proofs::Audit& audit, const Json& json) {
   data["findings"] = findings(audit, claims);
   data["errata"] = Json::array();
   for (const Json& claim : claims) {
-    if (has_status(claim, Status::misprint_corrected)) {
+    if (has_status(claim, Status::misprint_corrected) ||
+        (has_status(claim, Status::digits_off) && compares(claim))) {
       data["errata"].push_back(claim);
     }
   }

@@ -8,14 +8,14 @@
 
 namespace stickslip::report {
 
-// The JSON of the audit (json.hpp) and beside it: next to every "status" and "verdict" also "status_words" and
-// "verdict_words"; in every claim "examined", "place_title", "words_sentence" and "needs", the hypotheses of the
-// form that is proved, each hypothesis with "foreign" unless it is the claim's own; shortened balls; in every
-// comparison "rounded", the proved value with as many digits as are printed;
-// "verdict_lead" and "verdict_sentence"; "numbers", the claims that compare printed numbers; "errata", the
-// misprints; and "findings", the
-// groups in which a reader meets them, most important first: {"title", "explanation", "count", "claims",
-// "numbers", "hypotheses_groups": [{"hypotheses", "origins": [{"id", "words"}], "heirs", "heirs_count"}]}.
+// The JSON of the audit (json.hpp) and beside it: next to every "status" and "verdict" also "status_words"
+// and "verdict_words"; in every claim "examined", "place_title", "words_sentence" and "needs", the hypotheses
+// of the form that is proved, each hypothesis with "foreign" unless it is the claim's own; shortened balls;
+// in every comparison "rounded", the proved value with as many digits as are printed; "verdict_lead" and
+// "verdict_sentence"; "numbers", the claims that compare printed numbers; "errata", the misprints and the
+// digits to correct; and "findings", the groups in which a reader meets them, most important first: {"title",
+// "explanation", "count", "claims", "numbers", "hypotheses_groups": [{"hypotheses", "origins": [{"id",
+// "words"}], "heirs", "heirs_count"}]}.
 [[nodiscard]] Json page_data(const proofs::Audit& audit, const Json& json);
 
 }  // namespace stickslip::report

@@ -12,14 +12,13 @@
 
 namespace stickslip::report {
 
-// STEM.svg, STEM-narrow.svg and STEM.pdf, without dates; none when there is no orbit to draw; of one orbit if one
-// is named. Throws
-// InputOutputError when gnuplot is missing or fails.
+// STEM.svg, STEM-narrow.svg and STEM.pdf, without dates; none when there is no orbit to draw; of one orbit if
+// one is named. Throws InputOutputError when gnuplot is missing or fails.
 [[nodiscard]] std::vector<File> pictures(const OrbitList& list, const std::string& stem,
                                          std::optional<std::size_t> only = std::nullopt);
 
-// Throws InputOutputError naming the program unless everything that pages are made with is there: Node.js with
-// KaTeX, gnuplot and, if asked for, Graphviz. Called before long work whose result is a page.
+// Throws InputOutputError naming the program unless everything that pages are made with is there: Node.js
+// with KaTeX, gnuplot and, if asked for, Graphviz. Called before long work whose result is a page.
 void require_page_tools(bool with_graph);
 
 // The programs that draw, with their versions.

@@ -94,20 +94,10 @@ bool is_symbol(std::string_view name) {
 
 constexpr std::array functions = {"sin", "cos", "det", "exp"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs = {{{"<=", "\\le"},
-                                                                                  {">=", "\\ge"},
-                                                                                  {"!=", "\\ne"},
-                                                                                  {"±", "\\pm"},
-                                                                                  {"=", "="},
-                                                                                  {"<", "<"},
-                                                                                  {">", ">"},
-                                                                                  {"+", "+"},
-                                                                                  {"-", "-"},
-                                                                                  {"*", "\\cdot"},
-                                                                                  {"/", "/"},
-                                                                                  {"^", "^"},
-                                                                                  {"{", "{"},
-                                                                                  {"}", "}"}}};
+using Sign = std::pair<std::string_view, std::string_view>;
+constexpr std::array signs = {Sign{"<=", "\\le"}, Sign{">=", "\\ge"},  Sign{"!=", "\\ne"}, Sign{"±", "\\pm"},
+                              Sign{"=", "="},     Sign{"<", "<"},      Sign{">", ">"},     Sign{"+", "+"},
+                              Sign{"-", "-"},     Sign{"*", "\\cdot"}, Sign{"/", "/"},     Sign{"^", "^"}};
 
 Token next_token(std::string_view text) {
   const char c = text.front();
@@ -138,9 +128,11 @@ Token next_token(std::string_view text) {
   switch (c) {
     case '(':
     case '[':
+    case '{':
       return {Sort::open, one};
     case ')':
     case ']':
+    case '}':
       return {Sort::close, one};
     case '|':
       return {Sort::bar, one};
@@ -192,7 +184,8 @@ std::size_t end_of_run(const Tokens& tokens, std::size_t begin) {
     if (sort == Sort::open) {
       const std::optional<std::size_t> beyond = end_of_group(tokens, i);
       const bool argument = i > begin && tokens[i - 1].sort != Sort::space;
-      if (!beyond || (!argument && !has(tokens, i, *beyond, Sort::symbol))) {
+      const bool misplaced = tokens[i].text == "{" && !(i > begin && tokens[i - 1].text == "^");
+      if (!beyond || misplaced || (!argument && !has(tokens, i, *beyond, Sort::symbol))) {
         break;
       }
       i = end = *beyond;
@@ -200,8 +193,7 @@ std::size_t end_of_run(const Tokens& tokens, std::size_t begin) {
       break;
     } else {
       ++i;
-      if (sort == Sort::symbol || sort == Sort::number || sort == Sort::bar ||
-          (sort == Sort::sign && tokens[i - 1].text == "}")) {
+      if (sort == Sort::symbol || sort == Sort::number || sort == Sort::bar) {
         end = i;
       }
     }
@@ -213,10 +205,9 @@ bool is_formula(const Tokens& tokens, std::size_t begin, std::size_t end) {
   if (begin == end) {
     return false;
   }
-  const std::size_t numbers = static_cast<std::size_t>(
-      std::count_if(tokens.begin() + static_cast<std::ptrdiff_t>(begin),
-                    tokens.begin() + static_cast<std::ptrdiff_t>(end),
-                    [](const Token& token) { return token.sort == Sort::number; }));
+  const std::size_t numbers = static_cast<std::size_t>(std::count_if(
+      tokens.begin() + static_cast<std::ptrdiff_t>(begin), tokens.begin() + static_cast<std::ptrdiff_t>(end),
+      [](const Token& token) { return token.sort == Sort::number; }));
   const bool lone = numbers == 1 && tokens[end - 1].text.find('e') != std::string_view::npos;
   return has(tokens, begin, end, Sort::symbol) || lone ||
          (numbers > 1 && has(tokens, begin, end, Sort::sign));
@@ -238,7 +229,8 @@ std::string latex_of(const Token& token) {
     }
     case Sort::sign:
       return std::string(
-          std::ranges::find(signs, token.text, &std::pair<std::string_view, std::string_view>::first)->second);
+          std::ranges::find(signs, token.text, &std::pair<std::string_view, std::string_view>::first)
+              ->second);
     case Sort::space:
       return "";
     default:

@@ -5,7 +5,7 @@
 
 Fails when a link, an anchor or a picture leads nowhere, when anything is fetched that is not a local file, when the
 console has an error, when a formula is left as source, or when a page is wider than a telephone. Exits with 77 when
-Debian's chromium-driver or python3-selenium is not there.
+Debian's chromium-driver or python3-selenium is not there, unless STICKSLIP_TOOLS is "required".
 """
 import argparse
 import os
@@ -153,10 +153,11 @@ def main():
     arguments = parser.parse_args()
     try:
         import selenium  # noqa: F401
+        there = bool(shutil.which("chromium") and shutil.which("chromedriver"))
     except ImportError:
-        sys.exit(77)
-    if not shutil.which("chromium") or not shutil.which("chromedriver"):
-        sys.exit(77)
+        there = False
+    if not there:
+        sys.exit(1 if os.environ.get("STICKSLIP_TOOLS") == "required" else 77)
     directory = arguments.directory.resolve()
     with tempfile.TemporaryDirectory() as profile:
         os.environ["HOME"] = profile

@@ -1,0 +1,43 @@
+// What a person at a terminal sees, and a pipe does not: colour and progress.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace stickslip;
+
+namespace {
+
+// Both streams of the program, run on a terminal of its own by script(1) of bsdutils.
+std::string on_terminal(const std::string& arguments) {
+  const Run result = run("/usr/bin/script", {"-qec", std::string(STICKSLIP_PROGRAM) + " " + arguments, "/dev/null"});
+  CHECK(result.code == exit_decided);
+  return result.out;
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("colour on a terminal, unless NO_COLOR is set") {
+  ::setenv("TERM", "xterm", 1);
+  CHECK(mentions(on_terminal("check 40"), "\x1b[32mas printed"));
+  ::setenv("NO_COLOR", "1", 1);
+  const std::string plain = on_terminal("check 40");
+  ::unsetenv("NO_COLOR");
+  CHECK(mentions(plain, "as printed"));
+  CHECK_FALSE(mentions(plain, "\x1b[32m"));
+}
+
+TEST_CASE("what takes over a second says how far it is, on a terminal only") {
+  const std::string shown = on_terminal("check A5 sec3");
+  CHECK(mentions(shown, "proving "));
+  CHECK(shown.ends_with(".\r\n"));
+  const Run piped = stickslip_program({"check", "A5", "sec3"});
+  CHECK(piped.err.empty());
+}
