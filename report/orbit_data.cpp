@@ -9,6 +9,7 @@ namespace {
 
 constexpr int margin_digits = 5;
 constexpr int short_digits = 15;
+constexpr int multiplier_digits = 8;
 
 std::string latex_of(const Range& range) {
   std::string text = notation(range);
@@ -39,6 +40,18 @@ Json condition(const Condition& c) {
           {"reason_if_open", decided ? Json(nullptr) : Json(c.verdict.reason)}};
 }
 
+void add_stability(Json& json, const std::optional<Stability>& stability) {
+  json["stability"] = nullptr;
+  json["multipliers"] = Json::array();
+  if (!stability) {
+    return;
+  }
+  json["stability"] = {{"kind", to_string(stability->kind)}, {"reason", stability->reason}};
+  for (const ComplexBall& mu : stability->multipliers) {
+    json["multipliers"].push_back(complex_text(mu, multiplier_digits));
+  }
+}
+
 Json orbit(const OrbitList& list, std::size_t i) {
   const DecidedOrbit& o = list.orbits[i];
   Json json = {{"number", i + 1},
@@ -52,6 +65,7 @@ Json orbit(const OrbitList& list, std::size_t i) {
   for (const NamedBall& named : o.values) {
     json["values"].push_back(value(named, list.question.digits));
   }
+  add_stability(json, o.stability);
   for (const Condition& c : o.conditions) {
     json["conditions"].push_back(condition(c));
   }

@@ -9,6 +9,7 @@ namespace stickslip::report {
 // {"title", "searched", "result", "command", "parameters": [{"latex", "value_latex"}], "remarks": [text],
 //  "unresolved": [{"where": [{"latex", "value"}], "reason"}],
 //  "orbits": [{"number", "total", "verdict", "tell", "split", "split_latex",
+//   "stability": null or {"kind", "reason"}, "multipliers": [text],
 //   "values": [{"latex", "mid", "rad", "short"}],
 //   "conditions": [{"id", "statement", "verdict", "verdict_words", "margin", "at", "reason_if_open"}]}]}
 [[nodiscard]] Json orbit_data(const OrbitList& list);

@@ -6,6 +6,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "report/numbers.hpp"
 #include "symbolic/names.hpp"
 
 namespace stickslip::report {
@@ -130,6 +131,12 @@ std::string verdict_on(const DecidedOrbit& orbit) {
   }
   const std::string split = orbit.split.empty() ? "" : fmt::format("; split {} first", orbit.split);
   return fmt::format("{}: {}{}", refuted ? "not admissible" : "undecided", ids, split);
+}
+
+std::string complex_text(const ComplexBall& mu, int digits) {
+  const auto part = [digits](const Ball& b) { return to_string(b, known_digits(b, digits)); };
+  const bool real = mu.im.is_exact() && mu.im.contains_zero();
+  return real ? part(mu.re) : fmt::format("({}) + i ({})", part(mu.re), part(mu.im));
 }
 
 std::string meaning_of_margin() {

@@ -40,6 +40,9 @@ struct NamedRange {
 // "admissible", or why it is not known to be: "not admissible: ur, 12".
 [[nodiscard]] std::string verdict_on(const DecidedOrbit& orbit);
 
+// "(0.1 ± 1e-5) + i (0.2 ± 1e-5)", or the real part alone when the imaginary part is exactly 0.
+[[nodiscard]] std::string complex_text(const ComplexBall& mu, int digits);
+
 // What the margin of a condition is, in half a sentence.
 [[nodiscard]] std::string meaning_of_margin();
 

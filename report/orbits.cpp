@@ -62,12 +62,6 @@ std::string values(const DecidedOrbit& orbit, const OrbitQuestion& question, con
   return columns_of(rows, style.width);
 }
 
-std::string complex(const ComplexBall& mu, int digits) {
-  const auto part = [digits](const Ball& b) { return to_string(b, known_digits(b, digits)); };
-  const bool real = mu.im.is_exact() && mu.im.contains_zero();
-  return real ? part(mu.re) : fmt::format("({}) + i ({})", part(mu.re), part(mu.im));
-}
-
 std::string stability(const DecidedOrbit& orbit, const OrbitQuestion& question, const Style& style) {
   if (!orbit.stability) {
     return {};
@@ -75,7 +69,7 @@ std::string stability(const DecidedOrbit& orbit, const OrbitQuestion& question, 
   const Stability& s = *orbit.stability;
   std::vector<Row> rows{{{"  stability"}, {to_string(s.kind) + (s.reason.empty() ? "" : ": " + s.reason)}}};
   for (const ComplexBall& mu : s.multipliers) {
-    rows.push_back({{"  multiplier"}, {complex(mu, question.digits)}});
+    rows.push_back({{"  multiplier"}, {complex_text(mu, question.digits)}});
   }
   return "\n" + columns_of(rows, style.width);
 }

@@ -17,11 +17,17 @@ namespace {
 using proofs::Status;
 
 constexpr int number_digits = 10;
-constexpr int witness_digits = 10;
 constexpr int unit_digits = 3;
 
 std::string short_ball(const Json& ball, int digits) {
   return readable({ball.at("mid").get<std::string>(), ball.at("rad").get<std::string>()}, digits);
+}
+
+// The difference in units, or that it is next to nothing.
+std::string units_off(const Json& ball) {
+  const Rational mid = parse_decimal(ball.at("mid").get<std::string>()).value;
+  const Rational rad = parse_decimal(ball.at("rad").get<std::string>()).value;
+  return abs(mid) + rad < Rational(1, 1000) ? "under 0.001" : short_ball(ball, unit_digits);
 }
 
 // The nearest whole number, halves upwards.
@@ -82,18 +88,13 @@ void complete_outcome(Json& outcome, const std::string& id) {
   add_words(outcome, "verdict");
   outcome["verdict_capital"] = capitalised(outcome.at("verdict_words"));
   complete_coordinates(outcome.at("at"));
-  if (Json& witness = outcome.at("witness"); !witness.is_null()) {
-    witness["left_short"] = short_ball(witness.at("left"), witness_digits);
-    witness["right_short"] = short_ball(witness.at("right"), witness_digits);
-    complete_coordinates(witness.at("point"));
-  }
   for (Json& hypothesis : outcome.at("hypotheses")) {
     hypothesis["foreign"] = hypothesis.at("origin") != id;
   }
   for (Json& comparison : outcome.at("comparisons")) {
     comparison["proved_short"] = short_ball(comparison.at("proved"), number_digits);
     comparison["rounded"] = rounded_like(comparison.at("printed"), comparison.at("proved"));
-    comparison["units_off_short"] = short_ball(comparison.at("units_off"), unit_digits);
+    comparison["units_off_short"] = units_off(comparison.at("units_off"));
   }
 }
 

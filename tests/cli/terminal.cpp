@@ -13,7 +13,8 @@ namespace {
 
 // Both streams of the program, run on a terminal of its own by script(1) of bsdutils.
 std::string on_terminal(const std::string& arguments) {
-  const Run result = run("/usr/bin/script", {"-qec", std::string(STICKSLIP_PROGRAM) + " " + arguments, "/dev/null"});
+  const Run result =
+      run("/usr/bin/script", {"-qec", std::string(STICKSLIP_PROGRAM) + " " + arguments, "/dev/null"});
   CHECK(result.code == exit_decided);
   return result.out;
 }

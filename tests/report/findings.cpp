@@ -79,7 +79,8 @@ TEST_CASE("the orbit of a figure is the one with the printed numbers") {
         for (const PrintedResult& printed : example.results) {
           if (printed.name == value.name) {
             CAPTURE(example.name);
-            CHECK(std::abs(std::abs(value.value.approximate()) - std::abs(printed.value.value.get_d())) < 0.01);
+            CHECK(std::abs(std::abs(value.value.approximate()) - std::abs(printed.value.value.get_d())) <
+                  0.01);
           }
         }
       }
