@@ -1,11 +1,13 @@
 #include "proofs/example_orbit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 
 #include "core/error.hpp"
+#include "numeric/dynamics/agreement.hpp"
 #include "numeric/printed.hpp"
 
 namespace stickslip::proofs {
@@ -78,6 +80,66 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
           }};
 }
 
+std::string shown_complex(const ComplexBall& number) {
+  const bool real = number.im.is_exact() && number.im.contains_zero();
+  return real ? shown(number.re) : fmt::format("({}) + ({}) i", shown(number.re), shown(number.im));
+}
+
+Claim stability_claim(const PrintedPlace& where) {
+  return {.id = where.example.name + ".stability",
+          .place = where.place,
+          .kind = Kind::numbers,
+          .words = fmt::format("whether the orbit of {} is stable, which the paper leaves open",
+                               where.example.figure),
+          .prove = [where](Prover&, const Claim&) {
+            const std::optional<Stability>& stability = printed_orbit(where.example).stability;
+            Outcome outcome = at_the_data(where.example, "Floquet multipliers, enclosed in balls");
+            outcome.uses = {where.orbit};
+            if (!stability || stability->kind == StabilityKind::undecided) {
+              outcome.verdict =
+                  Verdict::undecided(stability ? stability->reason : "the orbit is not admissible");
+              return outcome;
+            }
+            std::vector<std::string> multipliers;
+            for (const ComplexBall& multiplier : stability->multipliers) {
+              multipliers.push_back(shown_complex(multiplier));
+            }
+            outcome.route +=
+                fmt::format(": {}, with {}", to_string(stability->kind), fmt::join(multipliers, ", "));
+            outcome.verdict = Verdict::proved();
+            return outcome;
+          }};
+}
+
+// The bound is far above the integrator's tolerance of 1e-12 and far below any printed digit.
+constexpr double raw_bound = 1e-8;
+
+Claim raw_law_claim(const PrintedPlace& where) {
+  return {.id = where.example.name + ".raw",
+          .place = where.place,
+          .kind = Kind::numbers,
+          .words = fmt::format(
+              "the equations of motion (2) with the friction law (4), integrated over one period without any "
+              "closed form from the orbit of {}, give its phases, their times and the same state to 1e-8",
+              where.example.figure),
+          .prove = [where](Prover&, const Claim&) {
+            const Agreement found = agreement(
+                printed_orbit(where.example),
+                [](const Start& start, double duration) { return follow_raw_law(start, duration); });
+            Outcome outcome = at_the_data(where.example,
+                                          "integration in floating point by CVODE at the tolerance 1e-12: a "
+                                          "check of the closed forms by another route, not a proof in balls");
+            outcome.uses = {where.orbit};
+            outcome.verdict =
+                !found.difference.empty() ? Verdict::refuted("the motions differ: " + found.difference)
+                : found.time_error <= raw_bound && found.closure <= raw_bound
+                    ? Verdict::proved()
+                    : Verdict::undecided(fmt::format("times differ by {:.1e}, the state by {:.1e}",
+                                                     found.time_error, found.closure));
+            return outcome;
+          }};
+}
+
 }  // namespace
 
 std::string shown(const Ball& ball) {
@@ -125,6 +187,8 @@ std::vector<Claim> orbit_claims(const PrintedPlace& where) {
   for (const Requirement& requirement : requirements(where.example.family, ur_known)) {
     claims.push_back(condition_claim(where, requirement));
   }
+  claims.push_back(stability_claim(where));
+  claims.push_back(raw_law_claim(where));
   return claims;
 }
 

@@ -20,7 +20,8 @@ namespace stickslip::proofs {
 // "7.74669 ± 3.1e-6".
 [[nodiscard]] std::string shown(const Ball& ball);
 
-// "S.list": the list is complete; "S.if.14.lower", …: each condition along the printed orbit.
+// "S.list": the list is complete; "S.if.14.lower", …: each condition along the printed orbit; "S.stability";
+// "S.raw": the friction law integrated without closed forms agrees.
 [[nodiscard]] std::vector<Claim> orbit_claims(const PrintedPlace& where);
 
 // "S.from.T": the printed result is what the formula gives at the other printed values, `value`, rounded.
