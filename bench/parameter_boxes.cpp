@@ -15,7 +15,8 @@ Ball widened(const Ball& middle, double r) {
 
 model::Parameters<Ball> box(const char* example, double r) {
   const model::Parameters<Ball> a = parameters_as<Ball>(data(example));
-  return {widened(a.chi, r), widened(a.eta, r), widened(a.us, r), widened(a.V, r), widened(a.omega, r), widened(a.p, r)};
+  return {widened(a.chi, r), widened(a.eta, r),   widened(a.us, r),
+          widened(a.V, r),   widened(a.omega, r), widened(a.p, r)};
 }
 
 template <class Prover>
