@@ -124,7 +124,8 @@ TEST_CASE("statements are named by kind and by status as well") {
   const Run given = stickslip_program({"check", "model", "--json"});
   CHECK(given.code == exit_decided);
   std::size_t count = 0;
-  for (const Json& place : Json::parse(given.out).at("places")) {
+  const Json audit = Json::parse(given.out);
+  for (const Json& place : audit.at("places")) {
     for (const Json& record : place.at("claims")) {
       CHECK(record.at("status") == "model");
       ++count;
