@@ -27,7 +27,7 @@ const Record& record(const std::string& id) {
 }  // namespace
 
 // What the paper takes for granted, or asserts, and is not so.
-const std::set<std::string> refuted{"4.defined", "4.unique"};
+const std::set<std::string> refuted{"4.defined", "4.unique", "7.only"};
 
 TEST_CASE("nothing is left open, and what is proved says how") {
   for (const Record& r : whole().records) {
