@@ -5,6 +5,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "proofs/paper.hpp"
+#include "report/pages.hpp"
 #include "symbolic/objects.hpp"
 
 namespace stickslip::cli {
@@ -14,6 +16,7 @@ struct Options {
   std::vector<std::string> names;
   symbolic::Unknowns unknowns = symbolic::Unknowns::chi;
   bool list = false;
+  bool errata = false;
 };
 
 symbolic::Unknowns unknowns_named(const std::string& word) {
@@ -50,9 +53,17 @@ void add_latex(CLI::App& program, Action& action) {
       "Displayed equations for a document with the amsmath package: stickslip latex H > H.tex\n"
       "Every formula is printed from the one that the proofs are about; two runs print the\n"
       "same characters.");
-  command->add_option("NAME", options->names, "What to print (H, Gamma, Q, ...); everything if none is given")
-      ->type_name("");
-  command->add_flag("--list", options->list, "List the names, with equation numbers");
+  CLI::Option* names = command
+                           ->add_option("NAME", options->names,
+                                        "What to print (H, Gamma, Q, ...); everything if none is given")
+                           ->type_name("");
+  CLI::Option* list = command->add_flag("--list", options->list, "List the names, with equation numbers");
+  command
+      ->add_flag(
+          "--errata", options->errata,
+          "A document with the errata of the paper and the hypotheses\nto be added, after proving everything")
+      ->excludes(list)
+      ->excludes(names);
   command
       ->add_option_function<std::string>(
           "--in", [options](const std::string& word) { options->unknowns = unknowns_named(word); },
@@ -62,7 +73,9 @@ void add_latex(CLI::App& program, Action& action) {
       ->type_name("WORD");
   command->callback([options, &action] {
     action = [options] {
-      print(options->list ? symbolic::list_of_objects() : formulas(*options));
+      print(options->errata ? report::errata(prove(proofs::paper(), {}))
+            : options->list ? symbolic::list_of_objects()
+                            : formulas(*options));
       return exit_decided;
     };
   });

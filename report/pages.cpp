@@ -101,6 +101,11 @@ Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examp
   return report;
 }
 
+std::string errata(const proofs::Audit& audit) {
+  Json data = page_data(audit, to_json(audit, "stickslip latex --errata", {}));
+  return render_file("errata.tex", data, tex_format);
+}
+
 Report pages(const OrbitList& list) {
   const Json json = to_json(list);
   Report report{{{"orbits.json", to_text(json)}}, {}};

@@ -21,6 +21,10 @@ struct Report {
 // that draws is missing or fails.
 [[nodiscard]] Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examples);
 
+// The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
+// if the template cannot be read.
+[[nodiscard]] std::string errata(const proofs::Audit& audit);
+
 // The same kind of report on one list of orbits: index.html with its style sheets, orbits.json, orbits.tex
 // and, where there is TeX, orbits.pdf; the figure.
 [[nodiscard]] Report pages(const OrbitList& list);

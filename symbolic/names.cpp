@@ -80,6 +80,13 @@ Name parse(const std::string& plain) {
       return *name;
     }
   }
+  // z2C, zdot2B.
+  const std::size_t digit = plain.find_first_of("0123456789");
+  if (digit != std::string::npos) {
+    if (const auto name = with_subscript(digit, plain.substr(digit))) {
+      return *name;
+    }
+  }
   return {plain, "", "", false};
 }
 

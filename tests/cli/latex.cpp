@@ -83,3 +83,19 @@ TEST_CASE("the article of the audit compiles and fits the page" * doctest::timeo
   CHECK(result.code == 0);
   CHECK(overfull(result.out).empty());
 }
+
+TEST_CASE("the errata compile, name the misprint of (45) and the hypothesis of (7)" * doctest::timeout(300)) {
+  const Run errata = stickslip_program({"latex", "--errata"});
+  CHECK(errata.code == exit_decided);
+  CHECK(errata.out.find("\\textbf{(45)}") != std::string::npos);
+  CHECK(errata.out.find("\\omega - \\omega_1 \\neq 0") != std::string::npos);
+  if (!can_compile()) {
+    return;
+  }
+  const TemporaryDirectory temporary;
+  std::ofstream(temporary.path() / "errata.tex") << errata.out;
+  const Run result = pdflatex(temporary.path(), "errata.tex");
+  CAPTURE(result.out);
+  CHECK(result.code == 0);
+  CHECK(overfull(result.out).empty());
+}

@@ -17,6 +17,8 @@ TEST_CASE("plain names become the paper's symbols") {
   CHECK(latex_name("omega") == "\\omega");
   CHECK(latex_name("phi") == "\\varphi");
   CHECK(latex_name("phiB") == "\\varphi_B");
+  CHECK(latex_name("z2C") == "z_{2C}");
+  CHECK(latex_name("zdot2B") == "\\dot z_{2B}");
   CHECK(latex_name("phi_B") == "\\varphi_B");
   CHECK(latex_name("Theta") == "\\Theta");
   CHECK(latex_name("us") == "u_s");
