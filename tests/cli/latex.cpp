@@ -88,7 +88,7 @@ TEST_CASE("the errata compile, name the misprint of (45) and the hypothesis of (
   const Run errata = stickslip_program({"latex", "--errata"});
   CHECK(errata.code == exit_decided);
   CHECK(errata.out.find("\\textbf{(45)}") != std::string::npos);
-  CHECK(errata.out.find("\\omega - \\omega_1 \\neq 0") != std::string::npos);
+  CHECK(errata.out.find("\\omega-\\omega_1 \\neq 0") != std::string::npos);
   if (!can_compile()) {
     return;
   }
