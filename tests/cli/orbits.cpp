@@ -108,6 +108,78 @@ TEST_CASE("an undecided orbit is exit code 2") {
   CHECK(result.out.find("split p first") != std::string::npos);
 }
 
+TEST_CASE(
+    "a box of parameters with the friction given: proved where it is small, where to split where it is not") {
+  const Run small = orbits({"overshooting", "--example", "O", "--ur", "0.4589+-1e-6"});
+  CHECK(small.code == exit_decided);
+  const Run wide = orbits({"overshooting", "--example", "O", "--ur", "0.4589+-1e-2"});
+  CHECK(wide.code == exit_undecided);
+  CHECK(wide.out.find("first ur") != std::string::npos);
+}
+
+TEST_CASE("degenerate data: a precise answer or a precise refusal, for each family") {
+  const std::vector<std::string> O{"overshooting", "--example", "O"};
+  const std::vector<std::string> S{"symmetric", "--example", "S"};
+  const std::vector<std::string> P{"nonsticking", "--example", "P"};
+  // omega1 = 1/2, omega2 = 2.
+  const std::vector<std::string> half{"--chi", "9/13", "--eta", "169/36", "--omega", "1/2"};
+  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  const std::vector<Refusal> refusals = {
+      {with(S, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},
+      {with(O, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},
+      {with(P, half), exit_domain, "1 omega is a natural frequency"},
+      {with(P, {"--chi", "9/13", "--eta", "169/36", "--omega", "1/4"}), exit_domain, "2 omega"},
+      {with(S, {"--V", "0"}), exit_domain, "V = 0"},
+      {with(O, {"--V", "-0.5"}), exit_domain, "V = -0.5"},
+      {with(O, {"--us", "0"}), exit_domain, "us = 0"},
+      {with(P, {"--us", "0"}), exit_domain, "us = 0"},
+      {with(O, {"--ur", "0.01"}), exit_domain, "ur = 0.01"},
+      {with(O, {"--ur", "0.4", "--p", "0"}), exit_domain, "p = 0"},
+      {with(O, {"--chi", "1"}), exit_domain, "chi = 1"},
+      {with(P, {"--chi", "0"}), exit_domain, "chi = 0"},
+      {with(O, {"--phi", "east"}), exit_usage, "phi: 'east'"},
+  };
+  for (const Refusal& refusal : refusals) {
+    const Run result = orbits(refusal.arguments);
+    CAPTURE(refusal.named);
+    CAPTURE(result.err);
+    CHECK(result.code == refusal.code);
+    CHECK(is_one_sentence(result.err, refusal.named));
+    CHECK(result.out.empty());
+  }
+  struct Answer {
+    std::vector<std::string> arguments;
+    int code;
+    std::size_t count;
+  };
+  const std::vector<Answer> answers = {
+      {with(S, {"--p", "0"}), exit_decided, 2},
+      {with(O, {"--p", "0"}), exit_decided, 2},
+      {with(P, {"--p", "0"}), exit_undecided, 0},
+      {with(P, {"--p", "0", "--V", "0.1"}), exit_decided, 0},
+      {with(S, {"--omega", "1"}), exit_decided, 0},
+      {with(O, {"--omega", "1"}), exit_decided, 0},
+      {with(P, {"--omega", "1"}), exit_undecided, 0},
+      {with(S, {"--chi", "0.0001"}), exit_decided, 0},
+      {with(S, {"--chi", "0.9999"}), exit_decided, 4},
+      {with(O, {"--chi", "0.0001"}), exit_decided, 0},
+      {with(P, {"--chi", "0.9999"}), exit_decided, 8},
+      // A load's phase is any real number, and means the same a turn later.
+      {with(O, {"--phi", "6.283185307179586"}), exit_decided, 2},
+  };
+  for (const Answer& answer : answers) {
+    const Run result = orbits(with(answer.arguments, {"--json"}));
+    CAPTURE(result.out);
+    CHECK(result.code == answer.code);
+    const Json json = Json::parse(result.out);
+    CHECK(json.at("orbits").size() == answer.count);
+    CHECK(json.at("complete") == (answer.code == exit_decided));
+  }
+}
+
 TEST_CASE("a parameter file gives the same answer as options, and options go before it") {
   const TemporaryDirectory temporary;
   const std::string file = temporary.path() / "p.toml";
