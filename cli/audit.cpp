@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "numeric/example_orbits.hpp"
 #include "proofs/paper.hpp"
 #include "report/files.hpp"
 #include "report/json.hpp"
@@ -22,9 +23,12 @@ struct Options {
   bool json = false;
 };
 
-std::vector<report::ExampleOrbits> search_examples() {
-  const Progress progress("searching for the orbits of the figures ...");
-  return report::example_orbits();
+std::vector<ExampleOrbits> example_orbits() {
+  std::vector<ExampleOrbits> all;
+  for (const Example& example : printed_examples()) {
+    all.push_back(orbits_of(example));
+  }
+  return all;
 }
 
 ExitCode run(const Options& options) {
@@ -33,7 +37,7 @@ ExitCode run(const Options& options) {
     report::require_page_tools(true);
   }
   const proofs::Audit audit = prove(proofs::paper(), {});
-  const std::vector<report::ExampleOrbits> examples = search_examples();
+  const std::vector<ExampleOrbits> examples = example_orbits();
   report::Report made;
   if (options.with_out) {
     const Progress progress("making the pages ...");

@@ -2,22 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <mutex>
+#include <string>
 
 #include "core/error.hpp"
 
 namespace stickslip {
 namespace {
 
-// The largest difference from a printed value, by size where the sign is lost.
-double distance(const Example& example, const DecidedOrbit& orbit) {
+// How far the orbit is from what is printed. In double: it picks an orbit and proves nothing.
+double distance(const DecidedOrbit& orbit, const std::vector<PrintedResult>& printed) {
   double largest = 0;
-  for (const NamedBall& value : orbit.values) {
-    for (const PrintedResult& printed : example.results) {
-      if (printed.name == value.name) {
-        const double x = value.value.approximate();
-        const double difference = (printed.sign_lost ? std::abs(x) : x) - printed.value.value.get_d();
-        largest = std::max(largest, std::abs(difference));
+  for (const PrintedResult& result : printed) {
+    for (const NamedBall& value : orbit.values) {
+      if (value.name == result.name) {
+        const double proved = value.value.approximate();
+        const double wanted = result.value.value.get_d();
+        const double difference = result.sign_lost ? std::abs(proved) - std::abs(wanted) : proved - wanted;
+        largest = std::max(largest, std::abs(difference) / std::max(std::abs(wanted), 1e-3));
       }
     }
   }
@@ -38,21 +41,38 @@ OrbitQuestion question_of(const Example& example, int digits) {
   return q;
 }
 
-DecidedOrbit printed_orbit(const Example& example, int digits) {
-  const OrbitList list = list_orbits(question_of(example, digits));
-  const DecidedOrbit* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const DecidedOrbit& orbit : list.orbits) {
-    const double d = distance(example, orbit);
-    if (orbit.admissible.truth == Truth::proved && d < least) {
+const ExampleOrbits& orbits_of(const Example& example) {
+  constexpr int digits = 30;
+  static std::mutex one_at_a_time;
+  static std::map<std::string, ExampleOrbits> known;
+  const std::lock_guard lock(one_at_a_time);
+  const auto found = known.find(example.name);
+  return found != known.end()
+             ? found->second
+             : known.try_emplace(example.name, example, list_orbits(question_of(example, digits)))
+                   .first->second;
+}
+
+std::optional<std::size_t> printed_orbit(const ExampleOrbits& orbits) {
+  std::optional<std::size_t> nearest;
+  double least = 0;
+  for (std::size_t i = 0; i < orbits.list.orbits.size(); ++i) {
+    const double d = distance(orbits.list.orbits[i], orbits.example.results);
+    if (!nearest || d < least) {
+      nearest = i;
       least = d;
-      best = &orbit;
     }
   }
-  if (best == nullptr) {
-    throw InternalError("no admissible orbit for the data of example " + example.name);
+  return nearest;
+}
+
+const DecidedOrbit& printed_orbit(const Example& example) {
+  const ExampleOrbits& orbits = orbits_of(example);
+  const std::optional<std::size_t> nearest = printed_orbit(orbits);
+  if (!nearest) {
+    throw InternalError("there is no orbit at the data of " + example.figure);
   }
-  return *best;
+  return orbits.list.orbits[*nearest];
 }
 
 }  // namespace stickslip

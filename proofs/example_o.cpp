@@ -79,7 +79,7 @@ Claim printed_times() {
             "Delta over the printed intervals in balls: where it is not zero, a zero of (23) is one of the "
             "complete list");
         outcome.uses = {"O.list", "22.back", "23.back"};
-        const OrbitList& list = orbits_of(printed());
+        const OrbitList& list = orbits_of(printed()).list;
         const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
         const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const DecidedOrbit& one) {
           return value_of(one, "tau").overlaps(tau) && value_of(one, "tau1").overlaps(tau1);

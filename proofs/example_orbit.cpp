@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 #include "core/error.hpp"
 #include "numeric/dynamics/agreement.hpp"
@@ -12,23 +11,6 @@
 
 namespace stickslip::proofs {
 namespace {
-
-constexpr int digits = 30;
-
-OrbitQuestion question_of(const Example& example) {
-  const ExactParameters& a = example.data;
-  OrbitQuestion question;
-  question.family = example.family;
-  question.parameters = {{a.chi}, {a.eta}, {a.us}, {a.V}, {a.omega}, {a.p}};
-  if (example.phi) {
-    question.phi = Range{*example.phi};
-  }
-  if (example.ur) {
-    question.ur = Range{*example.ur};
-  }
-  question.digits = digits;
-  return question;
-}
 
 Claim list_claim(const PrintedPlace& where) {
   return {
@@ -38,7 +20,7 @@ Claim list_claim(const PrintedPlace& where) {
       .words =
           fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
       .prove = [where](Prover&, const Claim&) {
-        const OrbitList& list = orbits_of(where.example);
+        const OrbitList& list = orbits_of(where.example).list;
         const auto good =
             std::count_if(list.orbits.begin(), list.orbits.end(),
                           [](const DecidedOrbit& orbit) { return orbit.admissible.truth == Truth::proved; });
@@ -147,13 +129,6 @@ std::string shown(const Ball& ball) {
   return fmt::format("{} ± {}", text.mid, text.rad);
 }
 
-const OrbitList& orbits_of(const Example& example) {
-  static std::map<std::string, OrbitList> lists;
-  const auto known = lists.find(example.name);
-  return known != lists.end() ? known->second
-                              : lists.emplace(example.name, list_orbits(question_of(example))).first->second;
-}
-
 const Ball& value_of(const DecidedOrbit& orbit, const std::string& name) {
   const auto found = std::find_if(orbit.values.begin(), orbit.values.end(),
                                   [&](const NamedBall& value) { return value.name == name; });
@@ -161,24 +136,6 @@ const Ball& value_of(const DecidedOrbit& orbit, const std::string& name) {
     throw InternalError("the orbit has no value " + name);
   }
   return found->value;
-}
-
-const DecidedOrbit& printed_orbit(const Example& example) {
-  std::vector<const DecidedOrbit*> near;
-  for (const DecidedOrbit& orbit : orbits_of(example).orbits) {
-    if (std::all_of(example.results.begin(), example.results.end(), [&](const PrintedResult& result) {
-          const Ball& value = value_of(orbit, result.name);
-          const PrintedComparison comparison = compare_printed(result.name, as_printed(result, value), value);
-          return (abs(comparison.units) - Ball(100)).is_negative();
-        })) {
-      near.push_back(&orbit);
-    }
-  }
-  if (near.size() != 1) {
-    throw InternalError(
-        fmt::format("{} proved orbits lie near the printed one of {}", near.size(), example.figure));
-  }
-  return *near.front();
 }
 
 std::vector<Claim> orbit_claims(const PrintedPlace& where) {

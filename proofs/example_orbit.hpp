@@ -2,17 +2,10 @@
 // inequality along the motion that the paper shows.
 #pragma once
 
-#include "numeric/orbits.hpp"
+#include "numeric/example_orbits.hpp"
 #include "proofs/printed_example.hpp"
 
 namespace stickslip::proofs {
-
-// The complete list at the example's data, made once.
-[[nodiscard]] const OrbitList& orbits_of(const Example& example);
-
-// The orbit of the list that has each printed result to within 100 units of its last place; throws
-// InternalError unless there is exactly one.
-[[nodiscard]] const DecidedOrbit& printed_orbit(const Example& example);
 
 // The value of that name. Throws InternalError when the family has none.
 [[nodiscard]] const Ball& value_of(const DecidedOrbit& orbit, const std::string& name);

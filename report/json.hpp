@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "numeric/example_orbits.hpp"
 #include "proofs/claim.hpp"
-#include "report/examples.hpp"
 
 namespace stickslip::report {
 

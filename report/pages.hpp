@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "numeric/example_orbits.hpp"
 #include "proofs/claim.hpp"
-#include "report/examples.hpp"
 #include "report/files.hpp"
 
 namespace stickslip::report {

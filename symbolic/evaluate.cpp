@@ -16,12 +16,6 @@ using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
 
-std::string plain(const ex& e) {
-  std::ostringstream out;
-  out << e;
-  return out.str();
-}
-
 Ball integer_power(const Ball& base, long exponent) {
   Ball result;
   arb_pow_ui(result.raw(), base.raw(), static_cast<unsigned long>(std::labs(exponent)),
@@ -105,6 +99,12 @@ Rational to_rational(const numeric& number) {
 
 ex to_ex(const Rational& value) {
   return numeric(value.get_num().get_str().c_str()) / numeric(value.get_den().get_str().c_str());
+}
+
+std::string plain(const ex& e) {
+  std::ostringstream out;
+  out << e;
+  return out.str();
 }
 
 GiNaC::exset symbols_of(const ex& expression) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 
 #include "core/ball.hpp"
 #include "symbolic/scalar.hpp"
@@ -18,6 +19,9 @@ using BallValues = std::map<GiNaC::ex, Ball, GiNaC::ex_is_less>;  // symbol -> v
 // The exact rational value of a GiNaC rational number, and back.
 [[nodiscard]] Rational to_rational(const GiNaC::numeric& number);
 [[nodiscard]] GiNaC::ex to_ex(const Rational& value);
+
+// As GiNaC prints it, for messages.
+[[nodiscard]] std::string plain(const GiNaC::ex& expression);
 
 // All symbols that occur in the expression.
 [[nodiscard]] GiNaC::exset symbols_of(const GiNaC::ex& expression);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "symbolic/evaluate.hpp"
@@ -17,12 +16,6 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
-
-std::string plain(const ex& e) {
-  std::ostringstream out;
-  out << e;
-  return out.str();
-}
 
 bool is_function(const ex& e, const char* name) {
   return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == name;

@@ -66,7 +66,7 @@ bool differs_at_a_root(const ex& expression, const ex& factor) {
     BallValues values;
     int next = 0;
     for (const ex& other : symbols_of(GiNaC::lst{expression, factor})) {
-      values[other] = Ball(Rational(7 + 2 * next++, 10));
+      values[other] = Ball(7 + 2 * next++) / Ball(10);
     }
     values[symbol] = evaluate(-factor.coeff(symbol, 0) / factor.coeff(symbol, 1), values);
     if (evaluate(expression, values).is_nonzero()) {

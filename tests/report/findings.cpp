@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "report/examples.hpp"
 #include "report/graph.hpp"
 #include "tests/report/sample.hpp"
 
@@ -71,7 +70,7 @@ TEST_CASE("the graph leaves out an arrow that others imply") {
 
 TEST_CASE("the orbit of a figure is the one with the printed numbers") {
   for (const Example& example : printed_examples()) {
-    const ExampleOrbits orbits{example, list_orbits(question_of(example))};
+    const ExampleOrbits& orbits = orbits_of(example);
     const std::optional<std::size_t> shown = printed_orbit(orbits);
     REQUIRE(shown);
     for (const NamedBall& value : orbits.list.orbits[*shown].values) {
@@ -86,5 +85,5 @@ TEST_CASE("the orbit of a figure is the one with the printed numbers") {
       }
     }
   }
-  CHECK_FALSE(printed_orbit({printed_examples().front(), {}}));
+  CHECK_FALSE(printed_orbit(ExampleOrbits{printed_examples().front(), {}}));
 }
