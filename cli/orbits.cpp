@@ -1,6 +1,7 @@
 // stickslip orbits: all periodic orbits of a family.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
+#include "core/interruption.hpp"
 #include "report/files.hpp"
 #include "report/json.hpp"
 #include "report/orbits.hpp"
@@ -45,7 +47,8 @@ constexpr const char* details =
     "nonsticking   phi is a result; without --ur the largest admissible one is, ur_max,\n"
     "              and \"admissible\" speaks of all other conditions.\n\n"
     "Exit code: 0 the list is complete and everything in it is decided, also if no orbit\n"
-    "is admissible; 2 something is undecided or unresolved.";
+    "is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, which ends\n"
+    "the search: what it has found is still printed and written, marked as interrupted.";
 
 int digits_of(const std::string& text) {
   int value = default_digits;
@@ -58,6 +61,7 @@ int digits_of(const std::string& text) {
 }
 
 OrbitList search(const OrbitQuestion& question) {
+  const Interruptible scope;
   const Progress progress("searching for orbits ...");
   return list_orbits(question);
 }
@@ -99,6 +103,9 @@ ExitCode run(const Options& options) {
                      : report::terminal_report(list, terminal_style()));
   if (options.with_out) {
     tell(report_line(options.out, "orbits", made));
+  }
+  if (std::count(list.remarks.begin(), list.remarks.end(), Remark::interrupted) > 0) {
+    return exit_interrupted;
   }
   return all_decided(list) ? exit_decided : exit_undecided;
 }

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/decimal.hpp"
+#include "core/interruption.hpp"
 #include "numeric/dynamics/record.hpp"
 #include "numeric/example_orbits.hpp"
 #include "report/files.hpp"
@@ -37,29 +37,6 @@ constexpr const char* details =
     "--example S, O or P where the paper's orbit begins, proved, plus --perturb. A state is\n"
     "four numbers x1,x2,x1',x2'.\n\n"
     "Ctrl-C ends the simulation; what was computed is still written, with exit code 130.";
-
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void interrupt(int /*signal*/) {
-  interrupted = 1;
-}
-
-// While an object of this type lives, an interruption is only noted; a second one ends the program.
-class Interruptible {
- public:
-  Interruptible() {
-    struct sigaction action = {};
-    action.sa_handler = interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigaction(SIGINT, &action, &previous_);
-  }
-  ~Interruptible() { ::sigaction(SIGINT, &previous_, nullptr); }
-  Interruptible(const Interruptible&) = delete;
-  Interruptible& operator=(const Interruptible&) = delete;
-
- private:
-  struct sigaction previous_ = {};
-};
 
 // A bar on a terminal's standard error.
 class Bar {
@@ -217,7 +194,7 @@ Record simulate(const Start& start, const RecordPlan& plan) {
   Bar bar;
   return record_motion(start, plan, [&bar](double share) {
     bar.show(share);
-    return interrupted == 0;
+    return !interrupted();
   });
 }
 

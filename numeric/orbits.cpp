@@ -5,6 +5,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "numeric/nonsticking.hpp"
 #include "numeric/overshooting.hpp"
 #include "numeric/parameter_box.hpp"
@@ -244,9 +245,13 @@ OrbitList list_orbits(const OrbitQuestion& question) {
   require_domain(question);
   int digits = std::max(question.digits, fewest_digits);
   OrbitList list = listed(question, digits);
-  for (int attempt = 0; attempt < more_attempts && list.complete() && !all_decided(list); ++attempt) {
+  for (int attempt = 0; attempt < more_attempts && list.complete() && !all_decided(list) && !interrupted();
+       ++attempt) {
     digits *= 4;
     list = listed(question, digits);
+  }
+  if (interrupted() && !list.unresolved.empty()) {
+    list.remarks.push_back(Remark::interrupted);
   }
   return list;
 }

@@ -55,6 +55,7 @@ struct UnresolvedPart {
 enum class Remark {
   load_absent,           // p = 0: the load's phase means nothing
   closes_without_stick,  // omega_j = k omega, k > 1: at T = 0 a motion closes that never sticks; not listed
+  interrupted,           // the search was told to stop: the list is what it had found
   searched_at_middle,    // a box: other orbits were searched for at the middle of the parameters only
 };
 

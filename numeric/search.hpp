@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/interruption.hpp"
 #include "numeric/krawczyk.hpp"
 
 namespace stickslip {
@@ -166,7 +167,8 @@ void leave_open(SearchResult<N>& result, const Box<N>& box, const std::string& r
 
 }  // namespace detail
 
-// Every zero in the domain. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> Decision<N>. A zero of
+// Every zero in the domain; after an interruption (core/interruption.hpp) the cells that are still open are
+// left unresolved. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> Decision<N>. A zero of
 // the result may lie just outside the domain, where its enclosure reaches across the boundary: the caller
 // refines it and looks.
 template <int N, class Contract, class Decide>
@@ -181,8 +183,11 @@ template <int N, class Contract, class Decide>
   while (!open.empty()) {
     const Cell<N> whole = open.front();
     open.pop_front();
-    if (++result.cells > limits.cells) {
-      detail::leave_open<N>(result, to_box<N>(whole), "the search was stopped at its limit of cells");
+    const bool over = ++result.cells > limits.cells;
+    if (over || interrupted()) {
+      detail::leave_open<N>(
+          result, to_box<N>(whole),
+          over ? "the search was stopped at its limit of cells" : "the search was interrupted");
       continue;
     }
     if (is_known(to_box<N>(whole))) {

@@ -69,6 +69,8 @@ std::string describe(Remark remark) {
     case Remark::closes_without_stick:
       return "A natural frequency is a multiple of omega: there are also closed motions that slip all the "
              "time, which are not in this list.";
+    case Remark::interrupted:
+      return "The search was interrupted: orbits may be missing, and the unresolved boxes are where.";
     case Remark::searched_at_middle:
       return "The orbits were searched for at the middle of the parameters; each is then proved for the "
              "whole "

@@ -60,10 +60,10 @@ TEST_CASE("double zeros stay unresolved, covered and with a reason") {
   }));
 }
 
-TEST_CASE("the limit of cells loses nothing") {
-  SearchLimits limits;
-  limits.cells = 3;
-  const SearchResult<1> result = search_all<1>(Wave{}, {{0}, {2}}, limits);
+namespace {
+
+// Whether each zero of Wave in [0, 2] lies in a proved box or in an unresolved one.
+void check_that_nothing_is_lost(const SearchResult<1>& result) {
   for (int k = 0; k < 7; ++k) {
     const Ball exact = Ball(k) * Ball::pi() / Ball(10);
     const bool found = std::any_of(result.zeros.begin(), result.zeros.end(),
@@ -72,4 +72,35 @@ TEST_CASE("the limit of cells loses nothing") {
                                   [&](const UnresolvedBox<1>& u) { return u.box(0).overlaps(exact); });
     CHECK((found || open));
   }
+}
+
+}  // namespace
+
+TEST_CASE("the limit of cells loses nothing") {
+  SearchLimits limits;
+  limits.cells = 3;
+  check_that_nothing_is_lost(search_all<1>(Wave{}, {{0}, {2}}, limits));
+}
+
+TEST_CASE("an interrupted search stops and loses nothing") {
+  const SearchResult<1> whole = search_all<1>(Wave{}, {{0}, {2}});
+  SearchResult<1> part;
+  {
+    const Interruptible scope;
+    int asked = 0;
+    const KrawczykContractor<1, Wave> contractor{};
+    const auto interrupted_contractor = [&](const Box<1>& X) {
+      if (++asked == 4) {
+        std::raise(SIGINT);
+      }
+      return contractor(X);
+    };
+    part = search<1>({{0}, {2}}, interrupted_contractor, KrawczykDecider<1, Wave>{});
+    CHECK(asked == 4);
+  }
+  CHECK_FALSE(interrupted());
+  CHECK_FALSE(part.complete());
+  CHECK(part.zeros.size() < whole.zeros.size());
+  CHECK(part.unresolved.front().reason == "the search was interrupted");
+  check_that_nothing_is_lost(part);
 }
