@@ -91,6 +91,9 @@ Ball evaluate(const ex& e, const BallValues& values) {
 }
 
 Rational to_rational(const numeric& number) {
+  if (number.is_integer() && abs(number) < 1000000) {
+    return Rational(number.to_long());
+  }
   const auto integer = [](const numeric& n) { return mpz_class(plain(n), 10); };
   Rational result(integer(number.numer()), integer(number.denom()));
   result.canonicalize();

@@ -69,15 +69,6 @@ bool cannot_vanish(const ex& factor) {
   return true;
 }
 
-std::vector<ex> factors_of(const ex& polynomial) {
-  const ex factored = GiNaC::factor(polynomial);
-  std::vector<ex> result;
-  for (const ex& part : is_a<GiNaC::mul>(factored) ? factored : ex(GiNaC::lst{factored})) {
-    result.push_back(is_a<GiNaC::power>(part) ? part.op(0) : part);
-  }
-  return result;
-}
-
 std::vector<ex> sorted(const GiNaC::exset& factors) {
   std::map<std::string, ex>
       by_text;  // one of f and -f; the order of a set of expressions is not the same every run
@@ -97,12 +88,12 @@ std::vector<ex> sorted(const GiNaC::exset& factors) {
 void collect_vanishing(const ex& expression, GiNaC::exset& found) {
   const ex parametrised = in_frequencies(expression);
   const TrigField field({parametrised});
-  const ex numerator = field.reduce(field.to_generators(parametrised).numer());
+  const Polynomial numerator = field.fraction(parametrised).numerator;
   if (numerator.is_zero()) {
-    throw OutsideField("the expression divides by something that is identically zero");
+    throw OutsideField(divides_by_zero);
   }
-  for (const ex& generated : factors_of(numerator)) {
-    const ex factor = field.from_generators(generated);
+  for (const Factor& generated : factored(numerator).factors) {
+    const ex factor = field.expression(generated.base);
     if (!cannot_vanish(factor)) {
       found.insert(factor);
     }

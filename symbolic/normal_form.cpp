@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "symbolic/evaluate.hpp"
+#include "symbolic/fraction.hpp"
 
 namespace stickslip::symbolic {
 namespace {
@@ -129,75 +129,6 @@ const ex& pi_generator() {
   return generator;
 }
 
-// The degree of an expression in a symbol as it stands, without expanding: at least the true one. Nothing if
-// the symbol stands in a function or below a fraction bar.
-std::optional<int> written_degree(const ex& e, const ex& symbol) {
-  if (e.is_equal(symbol)) {
-    return 1;
-  }
-  if (!e.has(symbol)) {
-    return 0;
-  }
-  if (is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::posint)) {
-    const auto base = written_degree(e.op(0), symbol);
-    return base ? std::optional(*base * ex_to<numeric>(e.op(1)).to_int()) : std::nullopt;
-  }
-  const bool product = is_a<GiNaC::mul>(e);
-  if (!product && !is_a<GiNaC::add>(e)) {
-    return std::nullopt;
-  }
-  int degree = 0;
-  for (const ex& operand : e) {
-    const auto part = written_degree(operand, symbol);
-    if (!part) {
-      return std::nullopt;
-    }
-    degree = product ? degree + *part : std::max(degree, *part);
-  }
-  return degree;
-}
-
-// e = constant + slope * symbol, for a written degree of at most 1.
-struct Linear {
-  ex constant;
-  ex slope;
-};
-
-Linear linear_parts(const ex& e, const ex& symbol) {
-  if (e.is_equal(symbol)) {
-    return {0, 1};
-  }
-  if (!e.has(symbol)) {
-    return {e, 0};
-  }
-  Linear result{is_a<GiNaC::mul>(e) ? 1 : 0, 0};
-  if (is_a<GiNaC::add>(e)) {
-    for (const ex& operand : e) {
-      const Linear part = linear_parts(operand, symbol);
-      result.constant += part.constant;
-      result.slope += part.slope;
-    }
-    return result;
-  }
-  for (const ex& operand : e) {
-    const Linear part = linear_parts(operand, symbol);
-    // One factor alone has a slope.
-    result.slope = part.slope * result.constant + part.constant * result.slope;
-    result.constant *= part.constant;
-  }
-  return result;
-}
-
-// A symbol in which the expression is linear as it stands.
-std::optional<ex> linear_symbol(const ex& e) {
-  for (const ex& symbol : symbols_of(e)) {
-    if (written_degree(e, symbol) == 1) {
-      return symbol;
-    }
-  }
-  return std::nullopt;
-}
-
 class ToGenerators : public GiNaC::map_function {
  public:
   explicit ToGenerators(const std::vector<Circle>& circles) : circles_(circles) {}
@@ -260,7 +191,29 @@ class ToGenerators : public GiNaC::map_function {
   const std::vector<Circle>& circles_;
 };
 
+// Every s before its c, which makes the relations a Gröbner basis; then the symbols by name, and π.
+std::vector<ex> generators(const std::vector<Circle>& circles, const std::vector<ex>& expressions) {
+  std::vector<ex> result;
+  for (const Circle& circle : circles) {
+    result.push_back(circle.s);
+    result.push_back(circle.c);
+  }
+  std::map<std::string, ex> symbols;
+  for (const ex& expression : expressions) {
+    for (const ex& symbol : symbols_of(expression)) {
+      symbols.emplace(plain(symbol), symbol);
+    }
+  }
+  for (const auto& entry : symbols) {
+    result.push_back(entry.second);
+  }
+  result.push_back(pi_generator());
+  return result;
+}
+
 }  // namespace
+
+const char* const divides_by_zero = "the expression divides by something that is identically zero";
 
 TrigField::TrigField(const std::vector<ex>& expressions) {
   std::map<ex, numeric, GiNaC::ex_is_less>
@@ -280,44 +233,38 @@ TrigField::TrigField(const std::vector<ex>& expressions) {
     const std::string number = std::to_string(circles_.size());
     circles_.push_back({monomial / denominator, GiNaC::symbol("c" + number), GiNaC::symbol("s" + number)});
   }
-}
-
-ex TrigField::to_generators(const ex& expression) const {
-  ToGenerators map(circles_);
-  return map(expression);
-}
-
-ex TrigField::reduce(const ex& polynomial) const {
-  ex result = polynomial.expand();
+  ring_ = std::make_unique<PolynomialRing>(generators(circles_, expressions));
   for (const Circle& circle : circles_) {
-    result = reduce_square(result, circle.c, circle.s);
+    Polynomial relation = pow(ring_->generator(circle.c), 2);
+    relation += pow(ring_->generator(circle.s), 2);
+    relation += ring_->constant(-1);
+    relations_.push_back(std::move(relation));
   }
-  return result;
 }
 
 bool TrigField::is_zero(const ex& expression) const {
-  if (expression.is_zero()) {
-    return true;
-  }
-  if (const auto symbol = linear_symbol(expression)) {
-    // Many small identities for a large one.
-    const Linear parts = linear_parts(expression, *symbol);
-    return is_zero(parts.slope) && is_zero(parts.constant);
-  }
-  const ex fraction = to_generators(expression).numer_denom();
-  if (reduce(fraction.op(1)).is_zero()) {
-    throw OutsideField("the expression divides by something that is identically zero");
-  }
-  return reduce(fraction.op(0)).is_zero();
+  return fraction(expression).numerator.is_zero();
 }
 
-ex TrigField::from_generators(const ex& expression) const {
+Fraction TrigField::fraction(const ex& expression) const {
+  try {
+    return over_one_denominator(ToGenerators(circles_)(expression), *ring_, relations_);
+  } catch (const GiNaC::pole_error&) {  // terms cancelled already when they were put into generators
+    throw OutsideField(divides_by_zero);
+  }
+}
+
+Polynomial TrigField::reduced(const Polynomial& polynomial) const {
+  return remainder(polynomial, relations_);
+}
+
+ex TrigField::expression(const Polynomial& polynomial) const {
   GiNaC::exmap back{{pi_generator(), GiNaC::Pi}};
   for (const Circle& circle : circles_) {
     back[circle.c] = GiNaC::cos(circle.angle);
     back[circle.s] = GiNaC::sin(circle.angle);
   }
-  return expression.subs(back, GiNaC::subs_options::no_pattern);
+  return ring_->expression(polynomial).subs(back, GiNaC::subs_options::no_pattern);
 }
 
 }  // namespace stickslip::symbolic

@@ -9,11 +9,11 @@
 // identically zero exactly if its normal form is.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "symbolic/scalar.hpp"
+#include "symbolic/fraction.hpp"
 
 namespace stickslip::symbolic {
 
@@ -24,34 +24,35 @@ struct Circle {
   GiNaC::ex s;
 };
 
-// The generators that a set of expressions needs. Throws OutsideField if one of them is not of the form
-// above.
+// The field that a set of expressions needs. Throws OutsideField if one of them is not of the form above.
 class TrigField {
  public:
   explicit TrigField(const std::vector<GiNaC::ex>& expressions);
 
-  // The expression as a rational function of symbols and generators, π being one of them; not normalised.
-  [[nodiscard]] GiNaC::ex to_generators(const GiNaC::ex& expression) const;
-
-  // A polynomial in the generators with every s² replaced by 1 - c², expanded: zero exactly if it vanishes on
-  // all circles.
-  [[nodiscard]] GiNaC::ex reduce(const GiNaC::ex& polynomial) const;
-
-  // Whether the expression is identically zero. Throws OutsideField if it divides by zero.
+  // Whether the expression is identically zero. Here and below: it has no phases and symbols but those of the
+  // expressions that the field was made for. Throws OutsideField if it divides by zero.
   [[nodiscard]] bool is_zero(const GiNaC::ex& expression) const;
 
-  // Back from generators to cos, sin and π.
-  [[nodiscard]] GiNaC::ex from_generators(const GiNaC::ex& expression) const;
+  // The expression as a fraction of polynomials in the symbols, π and the generators, in lowest terms and
+  // with every s² replaced by 1 - c². Throws OutsideField if it divides by zero.
+  [[nodiscard]] Fraction fraction(const GiNaC::ex& expression) const;
 
-  [[nodiscard]] const std::vector<Circle>& circles() const { return circles_; }
+  // A polynomial with every s² replaced by 1 - c²: zero exactly if it vanishes on all circles.
+  [[nodiscard]] Polynomial reduced(const Polynomial& polynomial) const;
+
+  // Back from generators to cos, sin and π.
+  [[nodiscard]] GiNaC::ex expression(const Polynomial& polynomial) const;
 
  private:
   std::vector<Circle> circles_;
+  std::unique_ptr<PolynomialRing> ring_;
+  std::vector<Polynomial> relations_;  // c² + s² - 1 of every circle
 };
 
 // An expression is not in the field: what stands in the way.
 struct OutsideField : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+extern const char* const divides_by_zero;
 
 }  // namespace stickslip::symbolic

@@ -12,23 +12,6 @@ namespace stickslip::symbolic {
 namespace {
 
 using GiNaC::ex;
-using GiNaC::is_a;
-
-struct Factor {
-  ex base;
-  int exponent = 1;
-};
-
-std::vector<Factor> factors_of(const ex& polynomial) {
-  const ex factored = GiNaC::factor(polynomial);
-  std::vector<Factor> result;
-  for (const ex& part : is_a<GiNaC::mul>(factored) ? factored : ex(GiNaC::lst{factored})) {
-    const bool power = is_a<GiNaC::power>(part);
-    result.push_back(
-        {power ? part.op(0) : part, power ? GiNaC::ex_to<GiNaC::numeric>(part.op(1)).to_int() : 1});
-  }
-  return result;
-}
 
 // At omega1 = 1/2, omega2 = 2 and 1 for everything else.
 Ball sample(const ex& expression) {
@@ -86,20 +69,9 @@ bool shows_that_it_vanishes(const ex& expression, const ex& factor) {
   const ex a = in_frequencies(expression);
   const ex b = in_frequencies(factor);
   const TrigField field({a, b});
-  // Pi is transcendental: as good as a symbol.
-  static const GiNaC::symbol transcendental;
-  const auto polynomial = [&](const ex& e) {
-    return field.reduce(field.to_generators(e).numer()).subs(GiNaC::Pi == transcendental);
-  };
-  const ex multiple = polynomial(a);
-  const ex divisor = polynomial(b);
-  if (!multiple.info(GiNaC::info_flags::rational_polynomial) ||
-      !divisor.info(GiNaC::info_flags::rational_polynomial)) {
-    return false;
-  }
-  ex quotient;
-  return GiNaC::divide(multiple, divisor, quotient) ||
-         GiNaC::divide(field.reduce(multiple * multiple), divisor, quotient);
+  const Polynomial multiple = field.fraction(a).numerator;
+  const Polynomial divisor = field.fraction(b).numerator;
+  return divides(divisor, multiple) || divides(divisor, field.reduced(pow(multiple, 2)));
 }
 
 }  // namespace
@@ -122,12 +94,14 @@ bool vanishes_with(const ex& expression, const ex& factor) {
 std::optional<std::vector<ex>> positive_unless_zero(const ex& expression) {
   const ex parametrised = in_frequencies(expression);
   const TrigField field({parametrised});
-  const ex fraction = field.to_generators(parametrised).numer_denom();
+  const Fraction fraction = field.fraction(parametrised);
   std::vector<ex> nonzero;
   int sign = 1;
-  for (const ex& side : fraction) {
-    for (const Factor& factor : factors_of(field.reduce(side))) {
-      const ex base = field.from_generators(factor.base);
+  for (const Polynomial& side : {fraction.numerator, fraction.denominator}) {
+    const Factors product = factored(side);
+    sign *= sgn(product.constant);
+    for (const Factor& factor : product.factors) {
+      const ex base = field.expression(factor.base);
       const std::vector<ex> zeros = vanishing_factors(base);
       if (factor.exponent % 2 == 0) {
         nonzero.insert(nonzero.end(), zeros.begin(), zeros.end());
