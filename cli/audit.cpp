@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "numeric/example_orbits.hpp"
 #include "proofs/paper.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 struct Options {
   std::string out;
+  std::string jobs;
   bool with_out = false;
   bool json = false;
 };
@@ -32,6 +34,7 @@ std::vector<ExampleOrbits> example_orbits() {
 }
 
 ExitCode run(const Options& options) {
+  const Jobs limit = jobs(options.jobs);
   if (options.with_out) {
     report::require_writable(options.out);
     report::require_page_tools(true);
@@ -67,6 +70,7 @@ void add_audit(CLI::App& program, Action& action) {
                                          "with index.html, audit.pdf where there is TeX, audit.tex and\n"
                                          "audit.json. DIR is created if only its last part is missing");
   out->type_name("DIR");
+  add_jobs(*command, options->jobs);
   command->add_flag("--json", options->json, "Print the results as JSON instead of the table");
   command->callback([options, out, &action] {
     options->with_out = out->count() > 0;

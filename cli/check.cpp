@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "proofs/paper.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> words;
+  std::string jobs;
   bool list = false;
   bool explain = false;
   bool json = false;
@@ -70,6 +72,7 @@ std::string command_line(const Options& options) {
 }
 
 ExitCode run(const Options& options) {
+  const Jobs limit = jobs(options.jobs);
   const std::vector<proofs::Claim> claims = proofs::paper();
   const Wanted wanted = wanted_by(claims, options.words);
   if (options.list && !wanted.statuses.empty()) {
@@ -115,6 +118,7 @@ void add_check(CLI::App& program, Action& action) {
   command->add_flag(
       "--explain", options->explain,
       "Say all about each: formula, assumptions, proof, hypotheses,\nwhat it uses and what uses it");
+  add_jobs(*command, options->jobs);
   CLI::Option* json = command->add_flag("--json", options->json, "Print the results as JSON");
   list->excludes(json);
   command->callback([options, &action] { action = [options] { return run(*options); }; });

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/interruption.hpp"
@@ -29,6 +29,7 @@ struct Options {
   std::string file;
   std::string example;
   std::string digits;
+  std::string jobs;
   std::string plot;
   bool with_plot = false;
   std::string out;
@@ -50,16 +51,6 @@ constexpr const char* details =
     "is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, which ends\n"
     "the search: what it has found is still printed and written, marked as interrupted.";
 
-int digits_of(const std::string& text) {
-  int value = default_digits;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (!text.empty() && (error != std::errc() || rest != end || value < 1 || value > most_digits)) {
-    throw UsageError(fmt::format("digits: '{}' is not a whole number from 1 to {}", text, most_digits));
-  }
-  return value;
-}
-
 OrbitList search(const OrbitQuestion& question) {
   const Interruptible scope;
   const Progress progress("searching for orbits ...");
@@ -79,8 +70,10 @@ ExitCode run(const Options& options) {
   if (options.family.empty()) {
     throw UsageError("a family of orbits is missing: symmetric, overshooting or nonsticking");
   }
-  const OrbitQuestion asked = question(family_named(options.family), options.parameters, options.file,
-                                       options.example, digits_of(options.digits));
+  const OrbitQuestion asked =
+      question(family_named(options.family), options.parameters, options.file, options.example,
+               whole_number("digits", options.digits, most_digits, default_digits));
+  const Jobs limit = jobs(options.jobs);
   if (options.with_plot) {
     (void)report::plot_format(options.plot);
     report::require_plot(options.plot);
@@ -129,6 +122,7 @@ void add_orbits(CLI::App& program, Action& action) {
                    fmt::format("Significant digits of each value: {} by default, {} at most", default_digits,
                                most_digits))
       ->type_name("N");
+  add_jobs(*command, options->jobs);
   command->add_flag("--json", options->json, "Print the list as JSON");
   CLI::Option* plot = command->add_option("--plot", options->plot,
                                           "Draw the admissible orbits, or all if none is, into FILE.svg or\n"

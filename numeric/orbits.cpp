@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/parallel.hpp"
 #include "numeric/nonsticking.hpp"
 #include "numeric/overshooting.hpp"
 #include "numeric/parameter_box.hpp"
@@ -82,37 +84,49 @@ DecidedOrbit decided_orbit(const OrbitQuestion& q, const Motion& motion, const B
   return orbit;
 }
 
+// What became of an orbit that the search found.
+using Entry = std::variant<DecidedOrbit, UnresolvedPart>;
+
 // The orbit that the middle of the box has, over the whole box.
-void add_over_box(OrbitList& list, const BoxOrbit& box, const std::vector<NamedBall>& at_middle) {
+Entry over_box(const OrbitQuestion& q, const BoxOrbit& box, const std::vector<NamedBall>& at_middle) {
   if (box.existence.truth != Truth::proved) {
-    list.unresolved.push_back(
-        {at_middle, "the orbit at the middle of the parameters is not proved for all of them: " +
-                        box.existence.reason + ", first " + box.split});
-    return;
+    return UnresolvedPart{at_middle,
+                          "the orbit at the middle of the parameters is not proved for all of them: " +
+                              box.existence.reason + ", first " + box.split};
   }
-  const std::optional<Ball> given = ball(list.question.ur);
-  DecidedOrbit orbit = decided_orbit(list.question, box.motion, given.value_or(box.ur), box.conditions);
+  DecidedOrbit orbit = decided_orbit(q, box.motion, ball(q.ur).value_or(box.ur), box.conditions);
   orbit.split = orbit.admissible.truth == Truth::undecided ? box.split : "";
-  list.orbits.push_back(orbit);
+  return orbit;
+}
+
+// Adds entry(orbit) of each.
+template <class Orbit, class MakeEntry>
+void add(OrbitList& list, const std::vector<Orbit>& orbits, const MakeEntry& entry) {
+  for (const Entry& made : parallel_map(orbits.size(), [&](std::size_t i) { return entry(orbits[i]); })) {
+    if (const auto* orbit = std::get_if<DecidedOrbit>(&made)) {
+      list.orbits.push_back(*orbit);
+    } else {
+      list.unresolved.push_back(std::get<UnresolvedPart>(made));
+    }
+  }
 }
 
 void list_symmetric_orbits(OrbitList& list, int digits) {
   const OrbitQuestion& q = list.question;
   const ExactParameters a = middle(q.parameters);
   const SymmetricList found = list_symmetric(a, digits);
-  for (const SymmetricOrbit& orbit : found.orbits) {
+  add(list, found.orbits, [&](const SymmetricOrbit& orbit) -> Entry {
     const SymmetricState<Ball>& s = orbit.state;
     if (asks_for_box(q)) {
       const Guess guess{s.tau.approximate(), s.C.approximate()};
       const int sigma = orbit.phase == LoadPhase::first ? 1 : -1;
-      add_over_box(list, prove_symmetric_over(balls(q.parameters), sigma, guess),
-                   {{"tau", s.tau}, {"phi", s.phi}});
-      continue;
+      return over_box(q, prove_symmetric_over(balls(q.parameters), sigma, guess),
+                      {{"tau", s.tau}, {"phi", s.phi}});
     }
     const WorkingPrecision scope(orbit.bits);
     const Motion motion = motion_of(a, orbit);
-    list.orbits.push_back(decided_orbit(q, motion, s.ur, decide_conditions(Family::symmetric, motion, s.ur)));
-  }
+    return decided_orbit(q, motion, s.ur, decide_conditions(Family::symmetric, motion, s.ur));
+  });
   for (const UnresolvedTau& open : found.unresolved) {
     const model::SymmetricData<Ball> data = symmetric_data<Ball>(a, open.phase);
     const Ball phi = model::symmetric_phase<Ball>(data, Ball::pi(), open.tau);
@@ -141,17 +155,15 @@ void list_overshooting_orbits(OrbitList& list, int digits) {
   const ExactParameters a = middle(q.parameters);
   const OvershootingList found = q.phi ? list_overshooting_at_phase(a, q.phi->middle, digits)
                                        : list_overshooting_at_friction(a, q.ur->middle, digits);
-  for (const OvershootingOrbit& orbit : found.orbits) {
+  add(list, found.orbits, [&](const OvershootingOrbit& orbit) -> Entry {
     const OvershootingState<Ball>& s = orbit.state;
     if (asks_for_box(q)) {
-      add_over_box(list, overshooting_over_box(q, s), {{"tau", s.tau}, {"tau1", s.tau1}});
-      continue;
+      return over_box(q, overshooting_over_box(q, s), {{"tau", s.tau}, {"tau1", s.tau1}});
     }
     const WorkingPrecision scope(orbit.bits);
     const Motion motion = motion_of(a, orbit);
-    list.orbits.push_back(
-        decided_orbit(q, motion, s.ur, decide_conditions(Family::overshooting, motion, s.ur)));
-  }
+    return decided_orbit(q, motion, s.ur, decide_conditions(Family::overshooting, motion, s.ur));
+  });
   for (const UnresolvedTimes& open : found.unresolved) {
     list.unresolved.push_back({{{"tau", open.tau}, {"tau1", open.tau1}}, open.reason});
   }
@@ -162,16 +174,14 @@ void list_nonsticking_orbits(OrbitList& list, int digits) {
   const NonstickingList found = list_nonsticking(middle(q.parameters), digits);
   const WorkingPrecision scope(asks_for_box(q) ? WorkingPrecision::bits() : bits_for(digits) + 64);
   const std::optional<Ball> ur = ball(q.ur);
-  for (const NonstickingOrbit& orbit : found.orbits) {
+  add(list, found.orbits, [&](const NonstickingOrbit& orbit) -> Entry {
     if (asks_for_box(q)) {
       const Guess guess{orbit.box(0).approximate(), orbit.box(1).approximate()};
-      add_over_box(list, prove_nonsticking_over(balls(q.parameters), ur, guess),
-                   {{"tau", orbit.tau}, {"phi", orbit.phi}});
-      continue;
+      return over_box(q, prove_nonsticking_over(balls(q.parameters), ur, guess),
+                      {{"tau", orbit.tau}, {"phi", orbit.phi}});
     }
-    list.orbits.push_back(
-        decided_orbit(q, orbit.motion, ur.value_or(orbit.ur_max), nonsticking_conditions(orbit, ur)));
-  }
+    return decided_orbit(q, orbit.motion, ur.value_or(orbit.ur_max), nonsticking_conditions(orbit, ur));
+  });
   for (const UnresolvedNonsticking& open : found.unresolved) {
     const Ball phi = open.mu - Ball(q.parameters.omega.middle) * open.tau / Ball(2);
     list.unresolved.push_back({{{"tau", open.tau}, {"phi", phi}}, open.reason});

@@ -180,8 +180,9 @@ OvershootingList list_all(const ExactParameters& a, const Recipe& recipe, int di
   list.cells = result.cells;
   std::sort(result.zeros.begin(), result.zeros.end(),
             [](const auto& x, const auto& y) { return x.zero(0).approximate() < y.zero(0).approximate(); });
-  for (const FoundZero<2>& found : result.zeros) {
-    const Concluded zero = conclude(a, recipe, found, digits);
+  for (const Concluded& zero : parallel_map(result.zeros.size(), [&](std::size_t i) {
+         return conclude(a, recipe, result.zeros[i], digits);
+       })) {
     if (zero.orbit) {
       list.orbits.push_back(*zero.orbit);
     } else if (!zero.outside) {

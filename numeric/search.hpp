@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/interruption.hpp"
+#include "core/parallel.hpp"
 #include "numeric/krawczyk.hpp"
 
 namespace stickslip {
@@ -135,6 +136,17 @@ template <int N>
   return longest;
 }
 
+// What came of a cell: nothing if it holds no zero that is not known.
+template <int N>
+struct Examined {
+  std::optional<Cell<N>> rest;  // the part that may hold zeros
+  Decision<N> decision;         // about it
+  bool interrupted = false;     // before anything was done
+};
+
+// Cells that are examined at the same time.
+inline constexpr long batch = 32;
+
 // Adds a zero unless it is one that is known. Two proofs are of the same zero when the enclosure of one lies
 // where the other is unique; they are of different zeros when their enclosures are disjoint.
 template <int N>
@@ -168,56 +180,76 @@ void leave_open(SearchResult<N>& result, const Box<N>& box, const std::string& r
 }  // namespace detail
 
 // Every zero in the domain; after an interruption (core/interruption.hpp) the cells that are still open are
-// left unresolved. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> Decision<N>. A zero of
-// the result may lie just outside the domain, where its enclosure reaches across the boundary: the caller
-// refines it and looks.
+// left unresolved. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> Decision<N>; both are called from
+// several threads at once. A zero of the result may lie just outside the domain, where its enclosure reaches
+// across the boundary: the caller refines it and looks.
 template <int N, class Contract, class Decide>
 [[nodiscard]] SearchResult<N> search(const Cell<N>& domain, const Contract& contract, const Decide& decide,
                                      const SearchLimits& limits = {}) {
   SearchResult<N> result;
-  std::deque<Cell<N>> open{domain};
-  const auto is_known = [&](const Box<N>& box) {
+  const auto is_known = [&](const Cell<N>& cell) {
     return std::any_of(result.zeros.begin(), result.zeros.end(),
-                       [&](const FoundZero<N>& known) { return contains<N>(known.unique, box); });
+                       [&](const FoundZero<N>& known) { return contains<N>(known.unique, to_box<N>(cell)); });
   };
-  while (!open.empty()) {
-    const Cell<N> whole = open.front();
-    open.pop_front();
-    const bool over = ++result.cells > limits.cells;
-    if (over || interrupted()) {
-      detail::leave_open<N>(
-          result, to_box<N>(whole),
-          over ? "the search was stopped at its limit of cells" : "the search was interrupted");
-      continue;
+  const auto examine = [&](const Cell<N>& whole) -> detail::Examined<N> {
+    if (interrupted()) {
+      return {whole, {}, true};
     }
-    if (is_known(to_box<N>(whole))) {
-      continue;
+    if (is_known(whole)) {
+      return {};
     }
     const std::optional<Box<N>> contracted = contract(to_box<N>(whole));
     const std::optional<Cell<N>> cell = contracted ? clip<N>(whole, *contracted) : std::nullopt;
-    if (!cell || is_known(to_box<N>(*cell))) {
-      continue;
+    if (!cell || is_known(*cell)) {
+      return {};
     }
-    const Decision<N> decision =
-        detail::shrunk<N>(*cell, whole) ? decide(to_box<N>(*cell)) : Decision<N>{{}, false, no_progress};
+    return {cell,
+            detail::shrunk<N>(*cell, whole) ? decide(to_box<N>(*cell)) : Decision<N>{{}, false, no_progress}};
+  };
+  std::deque<Cell<N>> open{domain};
+  const auto settle = [&](const detail::Examined<N>& examined) {
+    if (!examined.rest || is_known(*examined.rest)) {
+      return;
+    }
+    const Cell<N>& cell = *examined.rest;
+    const Decision<N>& decision = examined.decision;
+    if (examined.interrupted) {
+      detail::leave_open<N>(result, to_box<N>(cell), "the search was interrupted");
+      return;
+    }
     if (decision.found) {
       detail::record<N>(result, *decision.found);
     }
     if (decision.found || decision.empty) {
-      continue;
+      return;
     }
-    const std::size_t i = detail::longest_side<N>(*cell);
-    if (cell->upper[i] - cell->lower[i] < limits.smallest) {
-      detail::leave_open<N>(result, to_box<N>(*cell), decision.reason);
-      continue;
+    const std::size_t i = detail::longest_side<N>(cell);
+    if (cell.upper[i] - cell.lower[i] < limits.smallest) {
+      detail::leave_open<N>(result, to_box<N>(cell), decision.reason);
+      return;
     }
-    const double middle = cell->lower[i] + (cell->upper[i] - cell->lower[i]) / 2;
-    Cell<N> right = *cell;
-    Cell<N> left = *cell;
+    const double middle = cell.lower[i] + (cell.upper[i] - cell.lower[i]) / 2;
+    Cell<N> right = cell;
+    Cell<N> left = cell;
     left.upper[i] = middle;
     right.lower[i] = middle;
     open.push_back(right);
     open.push_back(left);
+  };
+  while (!open.empty() && result.cells < limits.cells) {
+    // A batch's cells know the zeros of earlier batches only, however many threads examine them.
+    const auto size =
+        std::min<long>({detail::batch, static_cast<long>(open.size()), limits.cells - result.cells});
+    const std::vector<Cell<N>> batch(open.begin(), open.begin() + size);
+    open.erase(open.begin(), open.begin() + size);
+    result.cells += size;
+    for (const auto& examined :
+         parallel_map(batch.size(), [&](std::size_t i) { return examine(batch[i]); })) {
+      settle(examined);
+    }
+  }
+  for (const Cell<N>& cell : open) {
+    detail::leave_open<N>(result, to_box<N>(cell), "the search was stopped at its limit of cells");
   }
   return result;
 }

@@ -20,16 +20,35 @@ Run orbits(std::vector<std::string> arguments) {
   return stickslip_program(arguments);
 }
 
+using Words = std::vector<std::string>;
+
+Words with(Words arguments, const Words& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 struct Refusal {
-  std::vector<std::string> arguments;
+  Words arguments;
   int code;
   std::string named;
 };
 
+// Each is refused in one sentence that says what is wrong, and nothing is printed.
+void check_refused(const std::vector<Refusal>& refusals) {
+  for (const Refusal& refusal : refusals) {
+    const Run result = orbits(refusal.arguments);
+    CAPTURE(refusal.named);
+    CAPTURE(result.err);
+    CHECK(result.code == refusal.code);
+    CHECK(is_one_sentence(result.err, refusal.named));
+    CHECK(result.out.empty());
+  }
+}
+
 }  // namespace
 
 TEST_CASE("what is missing, misplaced or no number is a usage error that names it") {
-  const std::vector<Refusal> refusals = {
+  check_refused({
       {{}, exit_usage, "family"},
       {{"frob"}, exit_usage, "frob"},
       {{"symmetric"}, exit_usage, "--chi"},
@@ -46,40 +65,26 @@ TEST_CASE("what is missing, misplaced or no number is a usage error that names i
       {{"symmetric", "--example", "S", "--digits", "0"}, exit_usage, "digits"},
       {{"symmetric", "--example", "S", "--digits", "ten"}, exit_usage, "digits"},
       {{"symmetric", "--example", "S", "--plot", "a.png"}, exit_usage, "a.png"},
+      {{"symmetric", "--example", "S", "--jobs", "0"}, exit_usage, "jobs: '0'"},
+      {{"symmetric", "--example", "S", "--jobs", "2x"}, exit_usage, "jobs: '2x'"},
+      {{"symmetric", "--example", "S", "--jobs", "100000"}, exit_usage, "from 1 to 1024"},
       {{"symmetric", "--example", "S", "--frob"}, exit_usage, "--frob"},
-  };
-  for (const Refusal& refusal : refusals) {
-    const Run result = orbits(refusal.arguments);
-    CAPTURE(refusal.named);
-    CAPTURE(result.err);
-    CHECK(result.code == refusal.code);
-    CHECK(is_one_sentence(result.err, refusal.named));
-    CHECK(result.out.empty());
-  }
+  });
 }
 
 TEST_CASE("parameters outside the domain are named with value and allowed range") {
-  const std::vector<Refusal> refusals = {
-      {{"--chi", "1.5"}, exit_domain, "chi = 1.5 is outside the allowed range: 0 < chi < 1"},
-      {{"--chi", "0"}, exit_domain, "chi = 0"},
-      {{"--chi", "0.5+-0.5"}, exit_domain, "chi = 0"},
-      {{"--eta", "-1"}, exit_domain, "eta = -1"},
-      {{"--us", "0"}, exit_domain, "us = 0"},
-      {{"--V", "-1"}, exit_domain, "V = -1"},
-      {{"--omega", "0"}, exit_domain, "omega = 0"},
-      {{"--p", "-0.1"}, exit_domain, "p = -0.1"},
-  };
-  for (const Refusal& refusal : refusals) {
-    std::vector<std::string> arguments{"symmetric", "--example", "S"};
-    arguments.insert(arguments.end(), refusal.arguments.begin(), refusal.arguments.end());
-    const Run result = orbits(arguments);
-    CAPTURE(result.err);
-    CHECK(result.code == refusal.code);
-    CHECK(is_one_sentence(result.err, refusal.named));
-  }
-  const Run friction = orbits({"nonsticking", "--example", "P", "--ur", "0.05"});
-  CHECK(friction.code == exit_domain);
-  CHECK(is_one_sentence(friction.err, "ur = 0.05"));
+  const Words S{"symmetric", "--example", "S"};
+  check_refused({
+      {with(S, {"--chi", "1.5"}), exit_domain, "chi = 1.5 is outside the allowed range: 0 < chi < 1"},
+      {with(S, {"--chi", "0"}), exit_domain, "chi = 0"},
+      {with(S, {"--chi", "0.5+-0.5"}), exit_domain, "chi = 0"},
+      {with(S, {"--eta", "-1"}), exit_domain, "eta = -1"},
+      {with(S, {"--us", "0"}), exit_domain, "us = 0"},
+      {with(S, {"--V", "-1"}), exit_domain, "V = -1"},
+      {with(S, {"--omega", "0"}), exit_domain, "omega = 0"},
+      {with(S, {"--p", "-0.1"}), exit_domain, "p = -0.1"},
+      {{"nonsticking", "--example", "P", "--ur", "0.05"}, exit_domain, "ur = 0.05"},
+  });
 }
 
 TEST_CASE("the examples are complete and decided, and JSON is all that is printed") {
@@ -102,6 +107,16 @@ TEST_CASE("the examples are complete and decided, and JSON is all that is printe
   }
 }
 
+TEST_CASE("the list is the same for any number of threads") {
+  for (const char* letter : {"O", "S"}) {
+    const Words question{letter[0] == 'O' ? "overshooting" : "symmetric", "--example", letter, "--json"};
+    const Run alone = orbits(with(question, {"--jobs", "1"}));
+    CHECK(alone.code == exit_decided);
+    CHECK(orbits(question).out == alone.out);
+    CHECK(orbits(with(question, {"--jobs", "1000"})).out == alone.out);
+  }
+}
+
 TEST_CASE("an undecided orbit is exit code 2") {
   const Run result = orbits({"nonsticking", "--example", "P", "--p", "1+-1e-2"});
   CHECK(result.code == exit_undecided);
@@ -118,16 +133,12 @@ TEST_CASE(
 }
 
 TEST_CASE("degenerate data: a precise answer or a precise refusal, for each family") {
-  const std::vector<std::string> O{"overshooting", "--example", "O"};
-  const std::vector<std::string> S{"symmetric", "--example", "S"};
-  const std::vector<std::string> P{"nonsticking", "--example", "P"};
+  const Words O{"overshooting", "--example", "O"};
+  const Words S{"symmetric", "--example", "S"};
+  const Words P{"nonsticking", "--example", "P"};
   // omega1 = 1/2, omega2 = 2.
-  const std::vector<std::string> half{"--chi", "9/13", "--eta", "169/36", "--omega", "1/2"};
-  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  };
-  const std::vector<Refusal> refusals = {
+  const Words half{"--chi", "9/13", "--eta", "169/36", "--omega", "1/2"};
+  check_refused({
       {with(S, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},
       {with(O, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},
       {with(P, half), exit_domain, "1 omega is a natural frequency"},
@@ -141,15 +152,7 @@ TEST_CASE("degenerate data: a precise answer or a precise refusal, for each fami
       {with(O, {"--chi", "1"}), exit_domain, "chi = 1"},
       {with(P, {"--chi", "0"}), exit_domain, "chi = 0"},
       {with(O, {"--phi", "east"}), exit_usage, "phi: 'east'"},
-  };
-  for (const Refusal& refusal : refusals) {
-    const Run result = orbits(refusal.arguments);
-    CAPTURE(refusal.named);
-    CAPTURE(result.err);
-    CHECK(result.code == refusal.code);
-    CHECK(is_one_sentence(result.err, refusal.named));
-    CHECK(result.out.empty());
-  }
+  });
   struct Answer {
     std::vector<std::string> arguments;
     int code;

@@ -36,7 +36,8 @@ TEST_CASE("fractions come in lowest terms") {
 }
 
 TEST_CASE("numbers of any size are exact") {
-  const ex big = GiNaC::numeric("123456789012345678901234567890") / GiNaC::numeric("98765432109876543210987654321");
+  const ex big =
+      GiNaC::numeric("123456789012345678901234567890") / GiNaC::numeric("98765432109876543210987654321");
   CHECK(lowest_terms(big * a).is_equal(big * a));
   CHECK(lowest_terms(big - big * (1 - a)).is_equal(big * a));
 }
