@@ -10,7 +10,7 @@
 
 #include "core/verdict.hpp"
 #include "proofs/term.hpp"
-#include "symbolic/scalar.hpp"
+#include "symbolic/decide.hpp"
 
 namespace stickslip::proofs {
 
@@ -43,6 +43,23 @@ struct Comparison {
   Verdict verdict;     // proved: the printed value is the correctly rounded one
 };
 
+// An equation that a proof had decided by normal form, with what the claim assumes to be "symbol = value" put
+// in: in terms, or two matrices that it derived.
+struct Decided {
+  std::optional<Statement> statement;
+  symbolic::Matrix left, right;
+  Truth truth = Truth::undecided;
+};
+
+// How two further engines looked at a verdict (cross_check.hpp).
+struct CrossCheck {
+  int formulas = 0;            // that were evaluated
+  int exact_points = 0;        // rational points at which each of them agrees exactly
+  int ball_points = 0;         // real points at which each of them agrees in balls
+  std::string unchecked = {};  // why there is nothing to evaluate
+  bool identity = false;       // what is printed holds for all values of the symbols that have no value given
+};
+
 // What a proof found out.
 struct Outcome {
   Verdict verdict = {};
@@ -56,6 +73,9 @@ struct Outcome {
   // For premises that were used with symbols replaced or under assumptions of the claim's own: their
   // hypotheses as they read here, by id of the premise.
   std::map<std::string, std::vector<Hypothesis>> inherited = {};
+  std::vector<Decided> decided = {};  // in the order in which the proof asked
+  bool introduces_names = false;      // the printed left sides are names without another meaning
+  CrossCheck cross_check = {};        // filled in by the Prover
 };
 
 class Prover;

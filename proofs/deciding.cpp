@@ -276,6 +276,7 @@ void decide(Outcome& outcome, const Claim& claim, const symbolic::Matrix& left,
   record_free(outcome, left);
   record_free(outcome, right);
   outcome.verdict = decision.verdict;
+  outcome.decided.push_back({{}, left, right, decision.verdict.truth});
 }
 
 void decide(Outcome& outcome, const Claim& claim, const Statement& statement) {
@@ -289,6 +290,7 @@ void decide(Outcome& outcome, const Claim& claim, const Statement& statement) {
   }
   decide(outcome, claim, evaluate_beside(statement.left, statement.right, given.lookup()),
          evaluate_beside(statement.right, statement.left, given.lookup()));
+  outcome.decided.back().statement = statement;
 }
 
 }  // namespace stickslip::proofs

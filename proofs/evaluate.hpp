@@ -228,22 +228,16 @@ Value<S> evaluate_product(const Term& term, const Lookup<S>& scalar) {
   return product;
 }
 
+// Without that row and column.
 template <class S>
-Value<S> evaluate_power(const Term& term, const Lookup<S>& scalar) {
-  Value<S> base = evaluate<S>(term.arguments().front(), scalar);
-  const long exponent = term.number().get_num().get_si();
-  if (exponent < 0) {
-    if (base.rows() > 2) {
-      throw InternalError(fmt::format("the inverse in {} is larger than 2x2", text(term)));
+Value<S> minor_of(const Value<S>& m, Eigen::Index row, Eigen::Index column) {
+  Value<S> result(m.rows() - 1, m.cols() - 1);
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    for (Eigen::Index j = 0; j < result.cols(); ++j) {
+      result(i, j) = m(i < row ? i : i + 1, j < column ? j : j + 1);
     }
-    base = base.size() == 1 ? scalar_value<S>(S(S(1) / base(0, 0)))
-                            : Value<S>(model::inverse<S>(model::Matrix2<S>(base)));
   }
-  Value<S> product = Value<S>::Identity(base.rows(), base.cols());
-  for (long i = 0; i < std::abs(exponent); ++i) {
-    product = Value<S>(product.lazyProduct(base));
-  }
-  return product;
+  return result;
 }
 
 // By the first row; no pivoting, which would need an order.
@@ -254,13 +248,43 @@ S determinant(const Value<S>& m) {
   }
   S sum(0);
   for (Eigen::Index column = 0; column < m.cols(); ++column) {
-    Value<S> minor(m.rows() - 1, m.cols() - 1);
-    minor.leftCols(column) = m.bottomLeftCorner(m.rows() - 1, column);
-    minor.rightCols(m.cols() - 1 - column) = m.bottomRightCorner(m.rows() - 1, m.cols() - 1 - column);
-    const S part = m(0, column) * determinant<S>(minor);
+    const S part = m(0, column) * determinant<S>(minor_of<S>(m, 0, column));
     sum = column % 2 == 0 ? S(sum + part) : S(sum - part);
   }
   return sum;
+}
+
+// By cofactors.
+template <class S>
+Value<S> inverse(const Value<S>& m) {
+  if (m.rows() == 1) {
+    return scalar_value<S>(S(S(1) / m(0, 0)));
+  }
+  if (m.rows() == 2) {
+    return model::inverse<S>(model::Matrix2<S>(m));
+  }
+  const S det = determinant<S>(m);
+  Value<S> result(m.rows(), m.cols());
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
+      result(i, j) = S((i + j) % 2 == 0 ? 1 : -1) * determinant<S>(minor_of<S>(m, j, i)) / det;
+    }
+  }
+  return result;
+}
+
+template <class S>
+Value<S> evaluate_power(const Term& term, const Lookup<S>& scalar) {
+  Value<S> base = evaluate<S>(term.arguments().front(), scalar);
+  const long exponent = term.number().get_num().get_si();
+  if (exponent < 0) {
+    base = inverse<S>(base);
+  }
+  Value<S> product = Value<S>::Identity(base.rows(), base.cols());
+  for (long i = 0; i < std::abs(exponent); ++i) {
+    product = Value<S>(product.lazyProduct(base));
+  }
+  return product;
 }
 
 template <class S>

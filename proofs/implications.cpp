@@ -373,6 +373,7 @@ Proof by_definition() {
     }
     Outcome outcome;
     outcome.verdict = Verdict::proved();
+    outcome.introduces_names = true;
     outcome.route = "a definition: it introduces the names on the left";
     return outcome;
   };

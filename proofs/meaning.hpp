@@ -7,6 +7,7 @@
 
 #include "core/ball.hpp"
 #include "model/linear.hpp"
+#include "numeric/exact.hpp"
 #include "proofs/term.hpp"
 #include "symbolic/scalar.hpp"
 #include "symbolic/symbols.hpp"
@@ -26,12 +27,13 @@ using Lookup = std::function<S(const std::string&)>;
 }
 
 // The value of a term; 1×1 for a scalar. H, Gamma, F, … are those of model/; d/dt is exact. Throws
-// InternalError for a name without meaning in the model (a motion Z(t) has none by itself). For GiNaC::ex and
-// Ball.
+// InternalError for a name without meaning in the model (a motion Z(t) has none by itself). For GiNaC::ex,
+// Ball and Exact.
 template <class S>
 [[nodiscard]] Value<S> evaluate(const Term& term, const Lookup<S>& scalar);
 extern template Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);
 extern template Value<Ball> evaluate(const Term&, const Lookup<Ball>&);
+extern template Value<Exact> evaluate(const Term&, const Lookup<Exact>&);
 
 // Whether it is an element of the field in which identities are decided: every name has a meaning in the
 // model, and there is no absolute value.

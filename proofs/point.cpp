@@ -1,49 +1,12 @@
 #include "proofs/point.hpp"
 
-#include <optional>
-
 #include "core/error.hpp"
-#include "model/nonsticking.hpp"
-#include "model/nonsticking_closed_form.hpp"
+#include "proofs/derived.hpp"
 
 namespace stickslip::proofs {
 namespace {
 
 using Values = std::map<std::string, Rational>;
-
-Ball value_of(const Values& given, const std::string& name);
-
-// chi and eta; from the frequencies where those are given.
-Ball stiffness_of(const Values& given, const std::string& name) {
-  const Ball omega1 = value_of(given, "omega1");
-  const Ball omega2 = value_of(given, "omega2");
-  return name == "chi" ? model::chi_from_frequencies<Ball>(omega1, omega2)
-                       : model::eta_from_frequencies<Ball>(omega1, omega2);
-}
-
-model::Modes<Ball> modes_at(const Values& given) {
-  if (given.contains("omega1") && given.contains("omega2")) {
-    return model::modes_of<Ball>(value_of(given, "chi"), value_of(given, "omega1"),
-                                 value_of(given, "omega2"));
-  }
-  return model::modes<Ball>(value_of(given, "chi"), value_of(given, "eta"));
-}
-
-// (34), (35).
-std::optional<Ball> half_period_value(const Values& given, const std::string& name) {
-  using HalfPeriod = model::HalfPeriod<Ball>;
-  static const std::map<std::string, Ball HalfPeriod::*> members{
-      {"phi1", &HalfPeriod::phi1}, {"phi2", &HalfPeriod::phi2}, {"d", &HalfPeriod::d},
-      {"a1", &HalfPeriod::a1},     {"a2", &HalfPeriod::a2},     {"b1", &HalfPeriod::b1},
-      {"b2", &HalfPeriod::b2}};
-  const auto member = members.find(name);
-  if (member == members.end()) {
-    return std::nullopt;
-  }
-  const HalfPeriod h = model::half_period<Ball>(value_of(given, "chi"), modes_at(given), {Ball(0), Ball(0)},
-                                                value_of(given, "omega"), Ball::pi());
-  return h.*member->second;
-}
 
 Ball value_of(const Values& given, const std::string& name) {
   if (const auto found = given.find(name); found != given.end()) {
@@ -52,31 +15,15 @@ Ball value_of(const Values& given, const std::string& name) {
   if (name == "pi") {
     return Ball::pi();
   }
+  const Lookup<Ball> lookup = [&given](const std::string& other) { return value_of(given, other); };
   const bool has_frequencies = given.contains("omega1") && given.contains("omega2");
-  if ((name == "chi" || name == "eta") && has_frequencies) {
-    return stiffness_of(given, name);
+  if (!has_frequencies && (name == "omega1" || name == "omega2")) {
+    const model::Modes<Ball> m = model::modes<Ball>(lookup("chi"), lookup("eta"));
+    return name == "omega1" ? m.omega1 : m.omega2;
   }
-  if (name == "omega1" || name == "omega2" || name == "lambda1" || name == "lambda2") {
-    const model::Modes<Ball> m = modes_at(given);
-    return name == "omega1"    ? m.omega1
-           : name == "omega2"  ? m.omega2
-           : name == "lambda1" ? m.lambda1
-                               : m.lambda2;
-  }
-  if (name == "d01" || name == "d02") {
-    return model::d0<Ball>(value_of(given, "chi"), value_of(given, "us"))(name == "d01" ? 0 : 1);
-  }
-  if (name == "q1" || name == "q2") {
-    const model::Parameters<Ball> a{
-        value_of(given, "chi"), Ball(0), Ball(0), Ball(0), value_of(given, "omega"), value_of(given, "p")};
-    return model::Q<Ball>(a, modes_at(given))(name == "q1" ? 0 : 1);
-  }
-  if (const auto half = half_period_value(given, name)) {
-    return *half;
-  }
-  if (name == "rho1" || name == "rho2") {
-    return model::rho<Ball>(value_of(given, name == "rho1" ? "omega1" : "omega2"), value_of(given, "tau"),
-                            value_of(given, "tau1"));
+  const bool follows = has_frequencies || (name != "chi" && name != "eta");
+  if (const auto value = follows ? derived<Ball>(name, lookup) : std::nullopt) {
+    return *value;
   }
   throw InternalError("the symbol " + name + " has no value at this point");
 }

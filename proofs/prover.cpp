@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "proofs/cross_check.hpp"
 #include "proofs/deciding.hpp"
 #include "proofs/point.hpp"
 #include "proofs/progress.hpp"
@@ -157,9 +158,31 @@ const Record& Prover::prove(const std::string& id) {
   }
   const bool premises_stand = inherit(record.corrected ? *record.corrected : record.outcome, record.claim) &&
                               (!record.converse || inherit(*record.converse, record.claim));
+  confirm(record.outcome, record.claim, record.claim.printed);
+  if (record.corrected) {
+    confirm(*record.corrected, record.claim, record.claim.corrected);
+  }
+  if (record.converse) {
+    confirm(*record.converse, record.claim, {});
+  }
   record.status = status_of(record, premises_stand);
   under_way_.pop_back();
   return records_.emplace(id, std::move(record)).first->second;
+}
+
+void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Statement>& form) {
+  const Truth truth = outcome.verdict.truth;
+  if (truth != Truth::proved && truth != Truth::refuted) {
+    outcome.cross_check.unchecked = "it is neither proved nor refuted";
+    return;
+  }
+  const bool identities = std::all_of(outcome.uses.begin(), outcome.uses.end(), [&](const std::string& used) {
+    const Record& premise = prove(used);
+    return (premise.corrected ? *premise.corrected : premise.outcome).cross_check.identity;
+  });
+  Claim reading = claim;
+  reading.printed = form;
+  outcome.cross_check = cross_check(reading, outcome, identities);
 }
 
 bool Prover::inherit(Outcome& outcome, const Claim& claim) {

@@ -24,6 +24,8 @@ class Prover {
   // Adds the hypotheses of all that the outcome uses, takes away those that the claim states; whether all
   // that it uses stands.
   bool inherit(Outcome& outcome, const Claim& claim);
+  // Has the verdict looked at by two further engines. Throws InternalError if one disagrees.
+  void confirm(Outcome& outcome, const Claim& claim, const std::vector<Statement>& form);
 
   std::map<std::string, const Claim*> claims_;
   std::map<std::string, Record> records_;

@@ -80,6 +80,14 @@ Json comparison(const proofs::Comparison& c) {
           {"reason", c.verdict.reason}};
 }
 
+Json cross_check(const proofs::CrossCheck& c) {
+  return {{"formulas", c.formulas},
+          {"exact_points", c.exact_points},
+          {"ball_points", c.ball_points},
+          {"unchecked", c.unchecked},
+          {"line", cross_check_line(c)}};
+}
+
 Json outcome(const Outcome& o) {
   return {{"verdict", to_string(o.verdict.truth)},
           {"reason", o.verdict.reason},
@@ -89,7 +97,8 @@ Json outcome(const Outcome& o) {
           {"uses", list_of(o.uses, plain)},
           {"free", list_of(o.free, symbol)},
           {"at", list_of(o.at, coordinate)},
-          {"comparisons", list_of(o.comparisons, comparison)}};
+          {"comparisons", list_of(o.comparisons, comparison)},
+          {"cross_check", cross_check(o.cross_check)}};
 }
 
 bool needs_assumption(const Record& record, const std::string& id) {

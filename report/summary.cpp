@@ -85,6 +85,23 @@ bool any_refuted(const Audit& audit) {
   });
 }
 
+std::string cross_check_line(const proofs::CrossCheck& check) {
+  if (check.formulas == 0) {
+    return check.unchecked.empty() ? "" : "by no further engine: " + check.unchecked;
+  }
+  const auto counted = [](int count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  const std::string exactly =
+      check.exact_points > 0
+          ? fmt::format("exactly at {} and ", counted(check.exact_points, "rational point"))
+          : "";
+  const std::string what =
+      check.formulas == 1 ? "1 formula agrees " : counted(check.formulas, "formula") + " agree ";
+  return what + exactly + fmt::format("in balls at {}", counted(check.ball_points, "real point")) +
+         (check.unchecked.empty() ? "" : "; " + check.unchecked);
+}
+
 std::string spaced(std::string word) {
   std::ranges::replace(word, '_', ' ');
   return word;

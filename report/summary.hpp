@@ -32,6 +32,10 @@ struct StatusCount {
 // Whether some statement is refuted (printed digits included) without a corrected form that is proved.
 [[nodiscard]] bool any_refuted(const proofs::Audit& audit);
 
+// How two further engines looked at a verdict: "3 formulas agree exactly at 2 rational points and in balls at
+// 2 real points", or why they did not.
+[[nodiscard]] std::string cross_check_line(const proofs::CrossCheck& check);
+
 // A word of the program without its underscores: "as printed" for to_string(Status::as_printed).
 [[nodiscard]] std::string spaced(std::string word);
 

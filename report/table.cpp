@@ -77,6 +77,7 @@ class Details {
                            ? spaced(to_string(verdict.truth))
                            : fmt::format("{}: {}", spaced(to_string(verdict.truth)), verdict.reason));
     add(route_label, outcome.route);
+    add("evaluated", cross_check_line(outcome.cross_check));
     add("where", outcome.hypotheses);
     add("for all", joined(outcome.free));
     add("uses", joined(outcome.uses));

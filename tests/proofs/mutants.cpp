@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "proofs/cross_check.hpp"
 #include "proofs/edits.hpp"
 #include "proofs/methods.hpp"
 #include "proofs/paper.hpp"
-#include "proofs/point.hpp"
 #include "proofs/prover.hpp"
 #include "proofs/vocabulary.hpp"
 
@@ -17,33 +17,18 @@ using namespace stickslip::proofs::vocabulary;
 
 namespace {
 
+Claim claiming(const Statement& statement) {
+  return {.id = "mutant", .place = "test", .printed = {statement}, .prove = by_normal_form()};
+}
+
 Outcome decide(const Statement& statement) {
-  const Claim claim{.id = "mutant", .place = "test", .printed = {statement}, .prove = by_normal_form()};
+  const Claim claim = claiming(statement);
   Prover nothing_else({});
   return claim.prove(nothing_else, claim);
 }
 
-// Both sides at the witness's point by the model's templates over balls; symbols it does not name get any
-// value.
 bool confirmed(const Statement& statement, const Witness& witness) {
-  std::vector<Coordinate> point = witness.point;
-  for (const Coordinate& other :
-       std::vector<Coordinate>{{"omega1", Rational(1, 2)}, {"omega2", Rational(2)}}) {
-    if (std::none_of(point.begin(), point.end(), [&](const Coordinate& c) { return c.name == other.name; })) {
-      point.push_back(other);
-    }
-  }
-  const WorkingPrecision precision(256);
-  const Value<Ball> left = evaluate<Ball>(statement.left, at_point(point));
-  const Value<Ball> right = statement.right.is_zero()
-                                ? Value<Ball>(Value<Ball>::Zero(left.rows(), left.cols()))
-                                : evaluate<Ball>(statement.right, at_point(point));
-  for (Eigen::Index i = 0; i < left.size(); ++i) {
-    if (!left(i).overlaps(right(i))) {
-      return true;
-    }
-  }
-  return false;
+  return fails_at(claiming(statement), statement, witness);
 }
 
 void check_refuted(const Statement& mutant) {

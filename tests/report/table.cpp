@@ -86,3 +86,13 @@ TEST_CASE("what an audit comes to") {
   CHECK(summary_line({}) == "0 statements.");
   CHECK(by_place(sample_audit()).size() == 4);
 }
+
+TEST_CASE("a line says how many engines agree, or why none was asked") {
+  CHECK(cross_check_line({.formulas = 3, .exact_points = 2, .ball_points = 1}) ==
+        "3 formulas agree exactly at 2 rational points and in balls at 1 real point");
+  CHECK(cross_check_line({.formulas = 1, .ball_points = 2, .unchecked = "an odd angle"}) ==
+        "1 formula agrees in balls at 2 real points; an odd angle");
+  CHECK(cross_check_line({.unchecked = "it introduces names"}) ==
+        "by no further engine: it introduces names");
+  CHECK(cross_check_line({}) == "");
+}

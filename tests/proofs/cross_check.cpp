@@ -1,0 +1,107 @@
+// Verdicts that lie are caught, by each engine alone.
+#include "proofs/cross_check.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/methods.hpp"
+#include "proofs/paper.hpp"
+#include "proofs/prover.hpp"
+#include "proofs/vocabulary.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+using namespace stickslip::proofs::vocabulary;
+
+namespace {
+
+Proof saying(const Verdict& verdict) {
+  return [verdict](Prover&, const Claim&) { return Outcome{.verdict = verdict}; };
+}
+
+// A proof that had the printed equation decided, and was told something wrong.
+Proof misled(const Verdict& verdict) {
+  return [verdict](Prover&, const Claim& claim) {
+    Outcome outcome{.verdict = verdict};
+    outcome.decided = {{claim.printed.front(), {}, {}, verdict.truth}};
+    return outcome;
+  };
+}
+
+Record record(const Statement& printed, const Proof& prove, std::vector<Assumption> assumptions = {}) {
+  const std::vector<Claim> claims{
+      {.id = "lie", .place = "test", .printed = {printed}, .assumptions = std::move(assumptions), .prove = prove}};
+  return audit(claims, {"lie"}).records.front();
+}
+
+Verdict refuted_at(const std::vector<Coordinate>& point) {
+  return Verdict::refuted(Witness{point, {}, Ball(0), Ball(1)});
+}
+
+const Statement flipped = equation(power(H1(t), 2) - I2 + H2(t) * H3(t), 0);
+const Statement right = equation(power(H1(t), 2) - I2 - H2(t) * H3(t), 0);
+
+}  // namespace
+
+TEST_CASE("a wrong equation that is called proved is an internal error that names the claim") {
+  for (const Proof& lie : {saying(Verdict::proved()), misled(Verdict::proved())}) {
+    CHECK_THROWS_WITH_AS((void)record(flipped, lie), doctest::Contains("claim lie"), InternalError);
+  }
+  const CrossCheck honest = record(right, saying(Verdict::proved())).outcome.cross_check;
+  CHECK(honest.formulas == 1);
+  CHECK(honest.exact_points > 0);
+  CHECK(honest.ball_points > 0);
+}
+
+TEST_CASE("the rational points see what is too small for balls") {
+  const Term tiny = power(Term(Rational(1, 10)), 60);
+  CHECK_THROWS_WITH_AS((void)record(equation(sin(tau) + tiny, sin(tau)), saying(Verdict::proved())),
+                       doctest::Contains("rational point"), InternalError);
+}
+
+TEST_CASE("the balls see what has no exact value") {
+  CHECK_THROWS_WITH_AS((void)record(equation(sin(tau / 3), cos(tau / 3)), saying(Verdict::proved())),
+                       doctest::Contains("in balls"), InternalError);
+  const CrossCheck check =
+      record(equation(sin(tau / 3), 3 * sin(tau / 9) - 4 * power(sin(tau / 9), 3)), saying(Verdict::proved()))
+          .outcome.cross_check;
+  CHECK(check.exact_points == 0);
+  CHECK(check.ball_points > 0);
+  CHECK(check.unchecked.size() > 0);
+}
+
+TEST_CASE("a true equation that is called refuted, and a witness that is none, are internal errors") {
+  const std::vector<Coordinate> anywhere{{"omega1", Rational(1, 2)}, {"omega2", 2}, {"t", 1}};
+  CHECK_THROWS_WITH_AS((void)record(right, misled(refuted_at(anywhere))), doctest::Contains("rational point"),
+                       InternalError);
+  const Statement at_zero = equation(H2(t) * H3(t), H2(t));  // both are zero at t = 0
+  CHECK_THROWS_WITH_AS((void)record(at_zero, misled(refuted_at({{"t", 0}}))), doctest::Contains("witness"),
+                       InternalError);
+  CHECK(record(at_zero, misled(refuted_at(anywhere))).status == Status::refuted);
+}
+
+TEST_CASE("values that are assumed are put in, conditions are not evaluated away") {
+  const Statement lag = equation(R(tau - t), R(t));
+  CHECK_THROWS_AS((void)record(lag, saying(Verdict::proved())), InternalError);
+  CHECK(record(lag, saying(Verdict::proved()), {{"lag", equation(phi, -omega * tau / 2)}})
+            .outcome.cross_check.exact_points > 0);
+  const Proof needs_it = [](Prover&, const Claim&) {
+    return Outcome{.verdict = Verdict::proved(), .assumed = {"circle"}};
+  };
+  const Record conditional = record(equation(z10 * z10, 1 - z20 * z20), needs_it,
+                                    {{"circle", equation(power(z10, 2) + power(z20, 2), 1)}});
+  CHECK(conditional.outcome.cross_check.formulas == 0);
+  CHECK(conditional.outcome.cross_check.unchecked.find("circle") != std::string::npos);
+}
+
+TEST_CASE("every identity of Appendices 1 and 3 is looked at by both engines") {
+  const std::vector<Claim> claims = paper();
+  std::set<std::string> ids = ids_named(claims, "A1");
+  ids.merge(ids_named(claims, "A3"));
+  for (const Record& one : audit(claims, ids).records) {
+    CAPTURE(one.claim.id);
+    CHECK(one.outcome.cross_check.exact_points > 0);
+    CHECK(one.outcome.cross_check.ball_points > 0);
+    CHECK(one.outcome.cross_check.unchecked == "");
+  }
+}
