@@ -22,9 +22,8 @@ constexpr unsigned draws = 40;  // of each point, until no denominator vanishes 
 
 // Numbers of points for the claim, no others than before on any run.
 unsigned seed_of(const Claim& claim) {
-  return std::accumulate(claim.id.begin(), claim.id.end(), 7U, [](unsigned seed, char c) {
-    return 31 * seed + static_cast<unsigned char>(c);
-  });
+  return std::accumulate(claim.id.begin(), claim.id.end(), 7U,
+                         [](unsigned seed, char c) { return 31 * seed + static_cast<unsigned char>(c); });
 }
 
 // Both sides at a point; a plain 0 takes the shape of the other side.
@@ -188,7 +187,8 @@ int confirmed_in_balls(const Claim& claim, const std::vector<Decided>& all) {
 
 // The refuted formulas at the witness, where those of one must be disjoint.
 int confirmed_at_witness(const Claim& claim, const std::vector<Decided>& all, const Witness& witness) {
-  if (std::none_of(all.begin(), all.end(), [&](const Decided& one) { return fails_at(claim, one, witness); })) {
+  if (std::none_of(all.begin(), all.end(),
+                   [&](const Decided& one) { return fails_at(claim, one, witness); })) {
     Disagreement{claim}("the balls of both sides are not disjoint at the witness");
   }
   return 1;
@@ -258,17 +258,17 @@ CrossCheck cross_check(const Claim& claim, const Outcome& outcome, bool identiti
   const std::string assumed = conditions(claim, outcome);
   const bool evaluable = std::all_of(claim.printed.begin(), claim.printed.end(), can_be_evaluated);
   const bool unconditional = identities && assumed.empty() && !outcome.introduces_names;
-  result.identity = unconditional && evaluable && !claim.printed.empty() &&
-                    outcome.verdict.truth == Truth::proved;
+  result.identity =
+      unconditional && evaluable && !claim.printed.empty() && outcome.verdict.truth == Truth::proved;
   const std::vector<Decided> all = formulas(claim, outcome, unconditional);
   result.formulas = static_cast<int>(all.size());
   if (all.empty()) {
     result.unchecked = outcome.verdict.truth == Truth::refuted ? "the witness itself was found in balls"
-                       : outcome.introduces_names ? "it introduces names"
-                       : claim.printed.empty()  ? "there is no formula to evaluate"
-                       : !evaluable             ? "it speaks of what has no value by itself"
-                       : assumed.empty()        ? "its premises are no identities"
-                                                : "it holds only under " + assumed;
+                       : outcome.introduces_names              ? "it introduces names"
+                       : claim.printed.empty()                 ? "there is no formula to evaluate"
+                       : !evaluable                            ? "it speaks of what has no value by itself"
+                       : assumed.empty()                       ? "its premises are no identities"
+                                                               : "it holds only under " + assumed;
     return result;
   }
   try {

@@ -14,10 +14,10 @@
 namespace stickslip::proofs {
 
 // Evaluates all that the outcome's proof decided, and what the claim prints, where that holds for all values
-// of its symbols: nothing but "symbol = value" is assumed, and the premises hold like that too (`identities`).
-// Printed inequalities are evaluated in balls where the inequalities that they assume hold. Points are the
-// same on every run, and drawn again where a denominator vanishes. The outcome must be proved or refuted.
-// Throws InternalError, naming the claim, if an engine disagrees with the verdict.
+// of its symbols: nothing but "symbol = value" is assumed, and the premises hold like that too
+// (`identities`). Printed inequalities are evaluated in balls where the inequalities that they assume hold.
+// Points are the same on every run, and drawn again where a denominator vanishes. The outcome must be proved
+// or refuted. Throws InternalError, naming the claim, if an engine disagrees with the verdict.
 [[nodiscard]] CrossCheck cross_check(const Claim& claim, const Outcome& outcome, bool identities);
 
 // Whether the two sides, with what the claim assumes to be "symbol = value" put in, are disjoint balls at the

@@ -29,8 +29,11 @@ Proof misled(const Verdict& verdict) {
 }
 
 Record record(const Statement& printed, const Proof& prove, std::vector<Assumption> assumptions = {}) {
-  const std::vector<Claim> claims{
-      {.id = "lie", .place = "test", .printed = {printed}, .assumptions = std::move(assumptions), .prove = prove}};
+  const std::vector<Claim> claims{{.id = "lie",
+                                   .place = "test",
+                                   .printed = {printed},
+                                   .assumptions = std::move(assumptions),
+                                   .prove = prove}};
   return audit(claims, {"lie"}).records.front();
 }
 

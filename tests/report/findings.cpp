@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "numeric/example_orbits.hpp"
 #include "report/graph.hpp"
 #include "tests/report/sample.hpp"
 
