@@ -1,0 +1,76 @@
+// Claims of the paper proved from nothing: each identity with everything that its proof uses, all symbolic
+// claims, all claims. What is proved once is remembered for the life of the process, so each of these runs
+// once; a figure is worth something when it is the only one of its process, as script/bench has it.
+#include <benchmark/benchmark.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/paper.hpp"
+
+namespace stickslip::bench {
+namespace {
+
+using proofs::Claim;
+using proofs::Status;
+using Ids = std::set<std::string>;
+
+bool is_decided(Status status) {
+  return status != Status::undecided && status != Status::rests_on_unproved;
+}
+
+void prove(benchmark::State& state, const std::vector<Claim>& claims, const Ids& ids) {
+  for (auto _ : state) {
+    for (const proofs::Record& record : proofs::audit(claims, ids).records) {
+      if (!is_decided(record.status)) {
+        state.SkipWithError(("not decided: " + record.claim.id).c_str());
+      }
+    }
+  }
+}
+
+void identity(benchmark::State& state, const Ids& ids) {
+  prove(state, proofs::paper(), ids);
+}
+
+// Without the claims about the examples' numbers and about the families that rest on them.
+void symbolic(benchmark::State& state) {
+  const std::vector<Claim> claims = proofs::paper();
+  Ids ids;
+  for (const Claim& claim : claims) {
+    const bool of_example = std::string("SOP").find(claim.id.front()) != std::string::npos;
+    if (!of_example && claim.place != "sec7") {
+      ids.insert(claim.id);
+    }
+  }
+  prove(state, claims, ids);
+}
+
+void everything(benchmark::State& state) {
+  prove(state, proofs::paper(), {});
+}
+
+template <class Function>
+void once(const std::string& name, const Function& function) {
+  benchmark::RegisterBenchmark(name.c_str(), function)
+      ->Iterations(1)
+      ->MeasureProcessCPUTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const char* id :
+       {"40", "38.reversal", "38.group", "42", "41.reversal", "41.group", "59", "34.H", "35", "70"}) {
+    once(std::string("identity/") + id, [id](benchmark::State& state) { identity(state, {id}); });
+  }
+  once("identity/A3.d", [](benchmark::State& state) {
+    identity(state, {"47.d", "48.d", "49.d", "50.d", "51.d"});
+  });
+  once("audit/symbolic", symbolic);
+  once("audit/all", everything);
+  return true;
+}();
+
+}  // namespace
+}  // namespace stickslip::bench

@@ -1,0 +1,38 @@
+// Floquet multipliers of one proved orbit, enclosed, and what they decide.
+#include "numeric/dynamics/stability.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include "bench/examples.hpp"
+
+namespace stickslip::bench {
+namespace {
+
+constexpr int digits = 30;
+
+void decide(benchmark::State& state, const Motion& motion) {
+  for (auto _ : state) {
+    const Stability stability = decide_stability(motion);
+    if (stability.kind == StabilityKind::undecided) {
+      state.SkipWithError(stability.reason.c_str());
+      break;
+    }
+  }
+}
+
+void multipliers_S(benchmark::State& state) {
+  decide(state, motion_of(data("S"), orbit_S(guess_S(), digits)));
+}
+void multipliers_O(benchmark::State& state) {
+  decide(state, motion_of(data("O"), orbit_O(guess_O(), digits)));
+}
+void multipliers_P(benchmark::State& state) {
+  decide(state, orbit_P(guess_P(), digits).motion);
+}
+
+BENCHMARK(multipliers_S)->Unit(benchmark::kMicrosecond);
+BENCHMARK(multipliers_O)->Unit(benchmark::kMicrosecond);
+BENCHMARK(multipliers_P)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace stickslip::bench

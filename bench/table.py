@@ -1,0 +1,192 @@
+#!/usr/bin/python3
+"""Results of measure.py as Markdown: table.py results.json"""
+import json
+import math
+import sys
+from pathlib import Path
+
+NAMES = {
+    "40": "(40) H₁² − I = H₂H₃", "38.reversal": "H(−t)E = EH(t)", "38.group": "H(t + s) = H(t)H(s)",
+    "42": "(42) Γ₁² − I = Γ₂Γ₃", "41.reversal": "Γ(−t)E = EΓ(t)", "41.group": "Γ(t + s) = Γ(t)Γ(s)",
+    "59": "(59) (H(t)E − I)(H(t) + E) = 0", "A3.d": "(47)–(51) d₁ … d₅", "34.H": "b₁, b₂ of (35)",
+    "35": "(35) from (28), whole", "70": "(70) P = ΛP̃Λ⁻¹",
+}
+EXAMPLES = ["S", "O", "P"]
+# Why a target is missed, where it is known.
+WHY_FILE = Path(__file__).resolve().parent / "why.json"
+
+
+def duration(seconds):
+    if seconds is None:
+        return "–"
+    for unit, size in (("s", 1), ("ms", 1e-3), ("µs", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"
+
+
+def rows(header, lines):
+    cells = [header, ["---"] * len(header), *lines]
+    return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in cells) + "\n"
+
+
+def best_route(row):
+    """SymPy's fastest route and its seconds; where none gets through, the longer one's."""
+    tried = {route: row[route] for route in ("circle", "simplify") if route in row}
+    got_through = {route: x["seconds"] for route, x in tried.items() if x["proved"]}
+    if got_through:
+        return min(got_through.items(), key=lambda item: item[1])
+    return "none", max((x["seconds"] for x in tried.values()), default=None)
+
+
+def route_shown(row, route):
+    if route not in row:
+        return ""
+    return duration(row[route]["seconds"]) if row[route]["proved"] else f"not proved in {duration(row[route]['seconds'])}"
+
+
+def exponent(points):
+    """The slope of log(seconds) over log(size), by least squares."""
+    x, y = [math.log(a) for a, _ in points], [math.log(b) for _, b in points]
+    mx, my = sum(x) / len(x), sum(y) / len(y)
+    return sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx) ** 2 for a in x)
+
+
+def simulations(r):
+    """Seconds per period by way and example."""
+    b = r["benchmarks"]
+    ways = {way: {e: b[f"simulate_{way}/{i}"]["per_period"] for i, e in enumerate(EXAMPLES)}
+            for way in ("closed_form", "odeint", "cvode")}
+    ways["scipy"] = {e: x["seconds"] for e, x in r["scipy"].items()}
+    return ways
+
+
+def targets(r):
+    """(key, what, value, limit, at least?, shown)"""
+    b, sim = r["benchmarks"], simulations(r)
+    ids = r["identities"]
+    ours = [row["stickslip"] for row in ids.values()]
+    def at_most(key, what, value, limit, show=duration):
+        return key, what, value, limit, False, show
+    def at_least(key, what, value, limit, show=lambda x: f"{x:.3g} ×"):
+        return key, what, value, limit, True, show
+    per_second = lambda x: f"{x:.0f}/s"
+    out = [at_most("symbolic", "all symbolic claims", b["audit/symbolic"]["seconds"], 3)]
+    ratios = [best_route(row)[1] / row["stickslip"] for row in ids.values() if best_route(row)[1]]
+    if ratios:
+        out += [at_least("each", "each of the ten identities, SymPy's best route", min(ratios), 20),
+                at_least("mean", "the ten identities, geometric mean", math.exp(sum(map(math.log, ratios)) / len(ratios)), 40)]
+    out.append(at_most("slowest", "the slowest of the ten identities", max(ours), 0.5))
+    for way, limit in (("odeint", 25), ("cvode", 250)):
+        worst = min(sim[way][e] / sim["closed_form"][e] for e in EXAMPLES)
+        out.append(at_least(way, f"simulation, {way} (worst of S, O, P)", worst, limit))
+    for e in EXAMPLES:
+        mine = b[f"enclose_{e}/digits:300"]["seconds"]
+        if r["mpmath"]:
+            out.append(at_least(f"mpmath.{e}", f"300 digits of {e}, mpmath", r["mpmath"][e] / mine, 200))
+        out.append(at_most(f"digits.{e}", f"300 digits of {e}", mine, 2e-3))
+        out.append(at_most(f"conditions.{e}", f"all conditions of {e}", b[f"conditions_{e}"]["seconds"], 2e-4))
+    out += [at_most("list.S", "complete list, symmetric", b["list_symmetric_S"]["seconds"], 5e-3),
+            at_most("list.O", "complete list, overshooting, φ given", b["list_overshooting_O_at_phi"]["seconds"], 0.2),
+            at_most("list.O.ur", "complete list, overshooting, u_r given", b["list_overshooting_O_at_ur"]["seconds"], 0.2)]
+    for key, what, name, limit in (("boxes.S", "boxes of parameters, symmetric", "box_S", 1000),
+                                   ("boxes.O", "boxes of parameters, overshooting, φ given", "box_O_at_phi", 200),
+                                   ("boxes.O.ur", "boxes of parameters, overshooting, u_r given", "box_O_at_ur", 200)):
+        seconds = next(x["seconds"] for n, x in b.items() if n.startswith(name + ","))
+        out.append(at_least(key, what, 1 / seconds, limit, per_second))
+    out += [at_most("wall", f"script/audit, wall, {r['audit']['cores']} cores", r["audit"]["wall"], 10),
+            at_most("memory", "script/audit, peak memory of a process", r["audit"]["megabytes"], 500, lambda x: f"{x:.0f} MB")]
+    return out
+
+
+def target_rows(r):
+    why = json.loads(WHY_FILE.read_text()) if WHY_FILE.exists() else {}
+    lines = []
+    for key, what, value, limit, at_least, show in targets(r):
+        met = value >= limit if at_least else value <= limit
+        off = limit / value if at_least else value / limit
+        verdict = "met" if met else f"missed by a factor {off:.3g}"
+        lines.append([what, ("≥ " if at_least else "≤ ") + show(limit), show(value), verdict, "" if met else why.get(key, "")])
+    return rows(["what", "target", "measured", "", "why"], lines)
+
+
+def identity_rows(r):
+    lines = []
+    for name, row in r["identities"].items():
+        route, best = best_route(row)
+        lines.append([NAMES[name], duration(row["stickslip"]), route_shown(row, "circle"), route_shown(row, "simplify"),
+                      f"{best / row['stickslip']:.3g} × ({route})" if best else ""])
+    return rows(["identity", "stickslip", "SymPy, circle", "SymPy, simplify", "best route / stickslip"], lines)
+
+
+def simulation_rows(r):
+    sim = simulations(r)
+    lines = []
+    for e in EXAMPLES:
+        own = sim["closed_form"][e]
+        line = [e, duration(own)]
+        for way in ("odeint", "cvode", "scipy"):
+            x = sim[way].get(e)
+            line.append(f"{duration(x)} ({x / own:.3g} ×)" if x else "not installed")
+        lines.append(line)
+    return rows(["orbit", "stickslip", "Boost.Odeint", "CVODE", "SciPy solve_ivp"], lines)
+
+
+def orbit_rows(r):
+    lines = []
+    for e in EXAMPLES:
+        own, other = r["benchmarks"][f"enclose_{e}/digits:300"]["seconds"], r["mpmath"].get(e)
+        lines.append([e, duration(own), f"{duration(other)} ({other / own:.3g} ×)" if other else "not installed"])
+    return rows(["orbit, 300 digits", "stickslip, proved", "mpmath findroot, not proved"], lines)
+
+
+def growth_rows(r):
+    b = r["benchmarks"]
+    def series(prefix):
+        return sorted((int(n.rsplit("/", 1)[1].split(":")[-1]), x["seconds"]) for n, x in b.items() if n.startswith(prefix + "/"))
+    lines = []
+    for what, prefix in (("digits of S", "enclose_S"), ("digits of O", "enclose_O"), ("digits of P", "enclose_P"),
+                         ("boxes that an interval is cut into", "growth_boxes"),
+                         ("parameters that are intervals", "growth_parameters"), ("periods simulated", "growth_periods")):
+        points = series(prefix)
+        tail = points[1:] if prefix.startswith("enclose") else points
+        told = ", ".join(f"{n}: {duration(s)}" for n, s in points)
+        lines.append([what, told, f"{exponent(tail):.2f}", f"{tail[0][0]}–{tail[-1][0]}"])
+    return rows(["with the number of", "time", "exponent", "fitted over"], lines)
+
+
+def all_rows(r):
+    return rows(["benchmark", "CPU time", "cells"], [[n, duration(x["seconds"]), f"{x['cells']:.0f}" if "cells" in x else ""]
+                                                     for n, x in r["benchmarks"].items()])
+
+
+def markdown(r):
+    m = r["machine"]
+    profiles = Path(__file__).resolve().parent / "profiles.md"
+    mode = " A quick run: figures are rough." if r["quick"] else ""
+    parts = [
+        "# How fast it is\n\nMade by `script/bench`; the raw figures are in `results.json`. CPU time on one core unless called "
+        f"wall; all rows are of one run.{mode}\n\n"
+        f"Machine: {m['cpu']}, {m['cores']} cores, load {m['load']:.1f} at the start. Commit {m['commit']}.\n\n"
+        "Versions: " + ", ".join(f"{k} {v}" for k, v in m["versions"].items()) + ".",
+        "## Targets\n\n" + target_rows(r),
+        "## Identities\n\nA whole claim in a fresh process, with every claim that its proof uses and the hypotheses that it "
+        "needs, beside SymPy on the bare equation in its most general form; for (35) SymPy has only the row of H₂⁻¹(H₁ − I) "
+        "that it rests on. `circle` puts a pair (c, s) with c² + s² = 1 for each phase, as stickslip does.\n\n" + identity_rows(r),
+        "## Simulation, time per period of the load\n\nThe raw law (2), (4), tolerance 1e-10; Odeint with dopri5 and dense "
+        "output, CVODE with Adams and root finding, SciPy with DOP853 and events.\n\n" + simulation_rows(r),
+        "## Orbits to 300 digits\n\nBoth start from a guess in double. stickslip proves existence, uniqueness and a ball for "
+        "every value of the orbit; mpmath (with gmpy2) finds the zero of the same reduced equations. P in closed form, by "
+        f"(35): {duration(r['mpmath'].get('P.closed'))} in mpmath.\n\n" + orbit_rows(r),
+        "## Growth\n\n" + growth_rows(r),
+        f"## `script/audit` on a built tree\n\n{r['audit']['wall']:.1f} s wall on {r['audit']['cores']} cores, "
+        f"{r['audit']['seconds']:.1f} s CPU, {r['audit']['megabytes']:.0f} MB in its largest process.",
+        "## All benchmarks\n\n" + all_rows(r),
+    ]
+    if profiles.exists():
+        parts.append(profiles.read_text())
+    return "\n\n".join(part.strip() for part in parts) + "\n"
+
+
+if __name__ == "__main__":
+    print(markdown(json.loads(Path(sys.argv[1]).read_text())), end="")
