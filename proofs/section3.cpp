@@ -72,6 +72,16 @@ std::vector<Claim> section3() {
                  {forced_amplitudes(), Q},
                  {forced_amplitudes(), column({first, first * (1 - power(omega, 2)) / chi})}};
            })},
+      {.id = "7.resonance",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(block(1, {eta, lambda1}) * (K - power(omega1, 2) * I2), zero(1, 2)),
+                   equation(block(1, {eta, lambda1}) * column({0, p}), lambda1 * p),
+                   equation(block(1, {eta, lambda2}) * (K - power(omega2, 2) * I2), zero(1, 2)),
+                   equation(block(1, {eta, lambda2}) * column({0, p}), lambda2 * p)},
+       .words = "where omega = omega_j there is no Q unless p = 0: this row, multiplied from the left, makes "
+                "(K - omega^2 I) Q = (0, p) say 0 = lambda_j p",
+       .prove = by_normal_form()},
       {.id = "8.L",
        .place = sec,
        .kind = Kind::definition,

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "core/decimal.hpp"
+#include "proofs/judgement.hpp"
 #include "report/findings.hpp"
 #include "report/numbers.hpp"
 #include "report/prose.hpp"
@@ -161,6 +162,19 @@ bool compares(const Json& claim) {
   return !claim.at("outcome").at("comparisons").empty();
 }
 
+// What is known about the hypotheses that this claim brings in.
+Json judgements_of(const std::string& origin) {
+  Json json = Json::array();
+  for (const proofs::Judgement& judgement : proofs::judgements()) {
+    if (judgement.origin == origin) {
+      json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
+                      {"words", judgement.words},
+                      {"shown_by", judgement.shown_by}});
+    }
+  }
+  return json;
+}
+
 Json hypothesis_group(const HypothesisGroup& g) {
   Json json = {{"hypotheses", Json::array()},
                {"origins", Json::array()},
@@ -170,7 +184,9 @@ Json hypothesis_group(const HypothesisGroup& g) {
     json["hypotheses"].push_back({{"latex", hypothesis.latex}});
   }
   for (const proofs::Record* origin : g.origins) {
-    json["origins"].push_back({{"id", origin->claim.id}, {"words", origin->claim.words}});
+    json["origins"].push_back({{"id", origin->claim.id},
+                               {"words", origin->claim.words},
+                               {"judgements", judgements_of(origin->claim.id)}});
   }
   return json;
 }

@@ -10,7 +10,7 @@
 #include "model/flows.hpp"
 #include "symbolic/derive.hpp"
 #include "symbolic/latex.hpp"
-#include "symbolic/symbols.hpp"
+#include "symbolic/object_lines.hpp"
 
 namespace stickslip::symbolic {
 namespace {
@@ -20,40 +20,12 @@ using Blocks = model::Blocks<ex>;
 using Modes = model::Modes<ex>;
 using Vector2 = model::Vector2<ex>;
 using Vector4 = model::Vector4<ex>;
-using Lines = std::vector<Line>;
 
-ex chi() {
-  return symbol("chi");
-}
-ex eta() {
-  return symbol("eta");
-}
-ex omega() {
-  return symbol("omega");
-}
-ex phi() {
-  return symbol("phi");
-}
 ex t() {
   return symbol("t");
 }
-Modes modes() {
-  return {symbol("omega1"), symbol("omega2"), symbol("lambda1"), symbol("lambda2")};
-}
-// As abbreviations: "Q" says what they are.
-Vector2 Q_symbols() {
-  return {symbol("q1"), symbol("q2")};
-}
-Vector2 d0_symbols() {
-  return {symbol("d01"), symbol("d02")};
-}
-
 ex written_in(const ex& value, Unknowns unknowns) {
   return unknowns == Unknowns::omega ? in_frequencies(value) : value;
-}
-
-Line scalar(const std::string& left, const ex& value, Unknowns unknowns) {
-  return {left, latex(written_in(value, unknowns))};
 }
 
 template <class Derived>
@@ -163,10 +135,6 @@ Lines lambdas(Unknowns unknowns) {
   return {scalar("\\lambda_1", m.lambda1, unknowns), scalar("\\lambda_2", m.lambda2, unknowns)};
 }
 
-model::Parameters<ex> parameters() {
-  return {chi(), eta(), symbol("us"), symbol("V"), omega(), symbol("p")};
-}
-
 Vector4 response() {
   return model::F<ex>(Q_symbols(), omega(), omega() * t() + phi());
 }
@@ -238,7 +206,7 @@ Lines eta_lines(Unknowns) {
   return {{"\\eta", latex(model::eta_from_frequencies<ex>(modes().omega1, modes().omega2))}};
 }
 
-std::vector<Object> make_objects() {
+std::vector<Object> flow_objects() {
   return {
       {"K", "(39)", "stiffness matrix",
        [](Unknowns u) { return Lines{matrix("K", model::stiffness<ex>(chi(), eta()), u)}; }},
@@ -289,7 +257,12 @@ std::vector<Object> make_objects() {
 }  // namespace
 
 const std::vector<Object>& objects() {
-  static const std::vector<Object> all = make_objects();
+  static const std::vector<Object> all = [] {
+    std::vector<Object> both = flow_objects();
+    const std::vector<Object> orbits = orbit_objects();
+    both.insert(both.end(), orbits.begin(), orbits.end());
+    return both;
+  }();
   return all;
 }
 
@@ -303,19 +276,32 @@ const Object& object_named(const std::string& name) {
 }
 
 std::string displayed(const Object& object, Unknowns unknowns) {
+  constexpr std::ptrdiff_t page = 18;  // lines of one display, which does not break
   const Lines lines = object.lines(unknowns);
-  const bool single = lines.size() == 1;
-  std::string result = single ? "\\[\n" : "\\begin{gather*}\n";
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    result += fmt::format("{} = {}{}\n", lines[i].left, lines[i].right, i + 1 < lines.size() ? " \\\\" : "");
+  if (lines.size() == 1 && lines.front().right.find("\\\\\n{}") == std::string::npos) {
+    return fmt::format("\\[\n{} = {}\n\\]\n", lines.front().left, lines.front().right);
   }
-  return result + (single ? "\\]\n" : "\\end{gather*}\n");
+  std::string result;
+  std::string display;
+  const auto end_display = [&] {
+    result += display.empty() ? "" : "\\begin{gather*}\n" + display + "\n\\end{gather*}\n";
+    display.clear();
+  };
+  for (const Line& line : lines) {
+    const std::string next = line.left + " = " + line.right;
+    if (std::ranges::count(display + next, '\n') >= page) {
+      end_display();
+    }
+    display += (display.empty() ? "" : " \\\\\n") + next;
+  }
+  end_display();
+  return result;
 }
 
 std::string list_of_objects() {
   std::string result;
   for (const Object& object : objects()) {
-    result += fmt::format("{:<9}  {:<4}  {}\n", object.name, object.number, object.title);
+    result += fmt::format("{:<11}  {:<4}  {}\n", object.name, object.number, object.title);
   }
   return result;
 }

@@ -31,8 +31,8 @@ struct Object {
 // Throws UsageError naming the name and where the names are listed.
 [[nodiscard]] const Object& object_named(const std::string& name);
 
-// Its displayed equation, \[ ... \] or, if it has several lines, gather*, for a document with amsmath: the
-// same characters on every run, ending with a line feed.
+// Its displayed equation, \[ ... \] or, if it has several lines, one gather* or more, for a document with
+// amsmath: the same characters on every run, ending with a line feed.
 [[nodiscard]] std::string displayed(const Object& object, Unknowns unknowns);
 
 // Name, equation and title of all objects, one line each.

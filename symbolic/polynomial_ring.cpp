@@ -109,48 +109,48 @@ bool Polynomial::is_zero() const {
 }
 
 bool operator==(const Polynomial& a, const Polynomial& b) {
-  return fmpq_mpoly_equal(a.raw_, b.raw_, a.ring_->context()) != 0;
+  return fmpq_mpoly_equal(a.raw(), b.raw(), a.ring().context()) != 0;
 }
 
 Polynomial pow(const Polynomial& base, unsigned long exponent) {
-  Polynomial result(*base.ring_);
-  if (fmpq_mpoly_pow_ui(result.raw_, base.raw_, exponent, base.ring_->context()) == 0) {
+  Polynomial result(base.ring());
+  if (fmpq_mpoly_pow_ui(result.raw(), base.raw(), exponent, base.ring().context()) == 0) {
     throw InternalError("a power of a polynomial does not fit into memory");
   }
   return result;
 }
 
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
-  Polynomial result(*a.ring_);
-  if (fmpq_mpoly_gcd(result.raw_, a.raw_, b.raw_, a.ring_->context()) == 0) {
+  Polynomial result(a.ring());
+  if (fmpq_mpoly_gcd(result.raw(), a.raw(), b.raw(), a.ring().context()) == 0) {
     throw InternalError("the greatest common divisor of two polynomials was not found");
   }
   return result;
 }
 
 Polynomial quotient(const Polynomial& a, const Polynomial& b) {
-  Polynomial result(*a.ring_);
-  if (fmpq_mpoly_divides(result.raw_, a.raw_, b.raw_, a.ring_->context()) == 0) {
+  Polynomial result(a.ring());
+  if (fmpq_mpoly_divides(result.raw(), a.raw(), b.raw(), a.ring().context()) == 0) {
     throw InternalError("a polynomial is not divisible by another");
   }
   return result;
 }
 
 bool divides(const Polynomial& divisor, const Polynomial& multiple) {
-  Polynomial result(*divisor.ring_);
-  return fmpq_mpoly_divides(result.raw_, multiple.raw_, divisor.raw_, divisor.ring_->context()) != 0;
+  Polynomial result(divisor.ring());
+  return fmpq_mpoly_divides(result.raw(), multiple.raw(), divisor.raw(), divisor.ring().context()) != 0;
 }
 
 Polynomial remainder(const Polynomial& a, const std::vector<Polynomial>& divisors) {
-  std::vector<Polynomial> quotients(divisors.size(), Polynomial(*a.ring_));
+  std::vector<Polynomial> quotients(divisors.size(), Polynomial(a.ring()));
   std::vector<fmpq_mpoly_struct*> into, by;
   for (std::size_t i = 0; i < divisors.size(); ++i) {
-    into.push_back(quotients[i].raw_);
-    by.push_back(const_cast<fmpq_mpoly_struct*>(divisors[i].raw_));  // FLINT reads it only
+    into.push_back(quotients[i].raw());
+    by.push_back(const_cast<fmpq_mpoly_struct*>(divisors[i].raw()));  // FLINT reads it only
   }
-  Polynomial result(*a.ring_);
-  fmpq_mpoly_divrem_ideal(into.data(), result.raw_, a.raw_, by.data(), static_cast<slong>(by.size()),
-                          a.ring_->context());
+  Polynomial result(a.ring());
+  fmpq_mpoly_divrem_ideal(into.data(), result.raw(), a.raw(), by.data(), static_cast<slong>(by.size()),
+                          a.ring().context());
   return result;
 }
 

@@ -48,16 +48,6 @@ class Polynomial {
   Polynomial& operator*=(const Polynomial& other);
 
   [[nodiscard]] bool is_zero() const;
-  [[nodiscard]] friend bool operator==(const Polynomial& a, const Polynomial& b);
-
-  [[nodiscard]] friend Polynomial pow(const Polynomial& base, unsigned long exponent);
-  [[nodiscard]] friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
-  // a/b. Throws InternalError if b does not divide a.
-  [[nodiscard]] friend Polynomial quotient(const Polynomial& a, const Polynomial& b);
-  [[nodiscard]] friend bool divides(const Polynomial& divisor, const Polynomial& multiple);
-  // The remainder by a set of polynomials.
-  [[nodiscard]] friend Polynomial remainder(const Polynomial& a, const std::vector<Polynomial>& divisors);
-
   [[nodiscard]] const PolynomialRing& ring() const { return *ring_; }
   [[nodiscard]] fmpq_mpoly_struct* raw() { return raw_; }
   [[nodiscard]] const fmpq_mpoly_struct* raw() const { return raw_; }
@@ -66,6 +56,16 @@ class Polynomial {
   const PolynomialRing* ring_;
   fmpq_mpoly_t raw_;
 };
+
+// All operands are of one ring.
+[[nodiscard]] bool operator==(const Polynomial& a, const Polynomial& b);
+[[nodiscard]] Polynomial pow(const Polynomial& base, unsigned long exponent);
+[[nodiscard]] Polynomial gcd(const Polynomial& a, const Polynomial& b);
+[[nodiscard]] bool divides(const Polynomial& divisor, const Polynomial& multiple);
+// a/b. Throws InternalError if b does not divide a.
+[[nodiscard]] Polynomial quotient(const Polynomial& a, const Polynomial& b);
+// The remainder by a set of polynomials.
+[[nodiscard]] Polynomial remainder(const Polynomial& a, const std::vector<Polynomial>& divisors);
 
 // An irreducible polynomial with integer coefficients, and how often it stands in a product.
 struct Factor {

@@ -20,10 +20,9 @@ namespace {
 using Json = nlohmann::json;
 
 // A search of several seconds: omega is a quarter of a natural frequency.
-const std::vector<std::string> long_search{"orbits", "overshooting", "--chi", "9/13",    "--eta",
-                                           "169/36", "--us",         "0.02",  "--V",     "1",
-                                           "--p",    "0.05",         "--ur",  "0.1",     "--omega",
-                                           "0.25"};
+const std::vector<std::string> long_search{"orbits", "overshooting", "--chi",   "9/13", "--eta", "169/36",
+                                           "--us",   "0.02",         "--V",     "1",    "--p",   "0.05",
+                                           "--ur",   "0.1",          "--omega", "0.25"};
 
 }  // namespace
 

@@ -23,9 +23,7 @@ TEST_CASE("the results come in order, at the caller's precision, whatever the nu
 }
 
 TEST_CASE("a piece of work that fails is heard of") {
-  CHECK_THROWS_AS((void)parallel_map(100,
-                                     [](std::size_t i) {
-                                       return i == 57 ? throw std::out_of_range("57") : i;
-                                     }),
-                  std::out_of_range);
+  CHECK_THROWS_AS(
+      (void)parallel_map(100, [](std::size_t i) { return i == 57 ? throw std::out_of_range("57") : i; }),
+      std::out_of_range);
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
+#include "proofs/judgement.hpp"
 #include "proofs/prover.hpp"
 
 using namespace stickslip;
@@ -43,6 +44,30 @@ TEST_CASE("nothing is left open, and what is proved says how") {
     if (r.outcome.verdict.truth != Truth::proved) {
       CHECK(r.outcome.verdict.reason.size() > 0);
     }
+  }
+}
+
+TEST_CASE("every hypothesis that a proof brings in is judged, by claims that stand") {
+  std::set<std::string> judged;
+  for (const Judgement& judgement : judgements()) {
+    CHECK(judged.insert(judgement.origin).second);
+    CHECK_FALSE(judgement.shown_by.empty());
+    for (const std::string& id : judgement.shown_by) {
+      CAPTURE(id);
+      CHECK(record(id).outcome.verdict.truth == Truth::proved);
+    }
+  }
+  std::set<std::string> origins;
+  for (const Record& r : whole().records) {
+    const Outcome& last = r.corrected ? *r.corrected : r.outcome;
+    for (const Hypothesis& hypothesis : last.hypotheses) {
+      origins.insert(hypothesis.origin);
+    }
+  }
+  CHECK(origins == judged);
+  // Where something else proves the same, that proof does not divide by it.
+  for (const Hypothesis& hypothesis : record("A5.symmetry").outcome.hypotheses) {
+    CHECK(hypothesis.origin == "7");
   }
 }
 

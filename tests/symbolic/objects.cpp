@@ -18,8 +18,8 @@ TEST_CASE("every object has a name of its own, an equation number and a title") 
     CHECK_FALSE(object.title.empty());
     CHECK(&object_named(object.name) == &object);
   }
-  for (const char* name :
-       {"H", "H1", "H2", "H3", "L", "Gamma", "Q", "F", "d0", "slip", "overshoot", "stick"}) {
+  for (const char* name : {"H", "H1", "H2", "H3", "L", "Gamma", "Q", "F", "d0", "slip", "overshoot", "stick",
+                           "symmetric", "closing", "nonsticking", "phase", "load", "P", "rho"}) {
     CHECK_MESSAGE(names.contains(name), name);
   }
 }
@@ -57,5 +57,13 @@ TEST_CASE("formulas of the paper, as a reader would write them") {
   const std::string H = displayed(object_named("H"), Unknowns::chi);
   CHECK(H.find("H(t) = \\begin{pmatrix}\nH_1(t) & H_2(t) \\\\\nH_3(t) & H_1(t)\n\\end{pmatrix}") !=
         std::string::npos);
+  // Gamma_13 = sin T, with + where the paper prints -.
+  const std::string closing = displayed(object_named("closing"), Unknowns::chi);
+  const std::size_t c1 = closing.find("\nc_1 = ");
+  REQUIRE(c1 != std::string::npos);
+  CHECK(closing.substr(c1, closing.find('\n', c1 + 1) - c1).find("+\\sin T") != std::string::npos);
+  CHECK(displayed(object_named("rho"), Unknowns::chi)
+            .find("\\rho_1 = \\frac{\\omega_1\\sin(\\omega_1(\\tau+\\tau_1)/2)}"
+                  "{\\sin(\\omega_1\\tau/2)\\sin(\\omega_1\\tau_1/2)}") != std::string::npos);
   CHECK(H.find("\\lambda_2 c_1-\\lambda_1 c_2 & c_2-c_1") != std::string::npos);
 }
