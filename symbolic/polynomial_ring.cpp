@@ -130,13 +130,16 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
 
 Polynomial quotient(const Polynomial& a, const Polynomial& b) {
   Polynomial result(a.ring());
-  if (fmpq_mpoly_divides(result.raw(), a.raw(), b.raw(), a.ring().context()) == 0) {
+  if (b.is_zero() || fmpq_mpoly_divides(result.raw(), a.raw(), b.raw(), a.ring().context()) == 0) {
     throw InternalError("a polynomial is not divisible by another");
   }
   return result;
 }
 
 bool divides(const Polynomial& divisor, const Polynomial& multiple) {
+  if (divisor.is_zero()) {
+    return multiple.is_zero();  // FLINT would abort
+  }
   Polynomial result(divisor.ring());
   return fmpq_mpoly_divides(result.raw(), multiple.raw(), divisor.raw(), divisor.ring().context()) != 0;
 }

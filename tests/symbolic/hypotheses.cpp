@@ -4,6 +4,7 @@
 
 #include "symbolic/latex.hpp"
 #include "symbolic/normal_form.hpp"
+#include "symbolic/signs.hpp"
 #include "symbolic/symbols.hpp"
 
 using namespace stickslip::symbolic;
@@ -57,4 +58,11 @@ TEST_CASE("division by zero is not a hypothesis") {
 
 TEST_CASE("pi is a positive number beside which polynomials still factor") {
   CHECK(texts(vanishing_factors((GiNaC::Pi - t) * (GiNaC::Pi + w) * V)) == Texts{"V", "pi - t"});
+}
+
+TEST_CASE("where nothing is left that could vanish, zero vanishes and nothing else does") {
+  const GiNaC::ex a = symbol("omega");
+  CHECK(vanishes_with(a - a, a - a));
+  CHECK_FALSE(vanishes_with(a, a - a));
+  CHECK(vanishes_with(a - a, a));
 }
