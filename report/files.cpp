@@ -42,6 +42,18 @@ fs::path parent_of(const fs::path& directory) {
   return directory.has_parent_path() ? directory.parent_path() : fs::path(".");
 }
 
+// A device or a pipe would be replaced by a file, not written to.
+void require_replaceable(const fs::path& place) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(place, ignored);
+  if (fs::is_directory(there)) {
+    fail("write", place, EISDIR);
+  }
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    throw InputOutputError(fmt::format("cannot write {}: it is not an ordinary file", place.string()));
+  }
+}
+
 // Signals that would end the program are held back while an object of this type lives.
 class Uninterrupted {
  public:
@@ -66,9 +78,7 @@ class PendingFile {
  public:
   PendingFile(const fs::path& directory, const File& file)
       : place_(directory / file.name), path_(directory / fmt::format(".{}.{}.tmp", file.name, ::getpid())) {
-    if (names_directory(place_)) {
-      fail("write", place_, EISDIR);
-    }
+    require_replaceable(place_);
     ::unlink(path_.c_str());
     const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) {
@@ -149,6 +159,16 @@ void require_writable(const fs::path& given) {
   if (::access((there ? directory : parent).c_str(), W_OK | X_OK) != 0) {
     fail(there ? "write to" : "create", directory, errno);
   }
+}
+
+void require_writable_file(const fs::path& file) {
+  const fs::path directory = parent_of(file);
+  if (!names_directory(directory)) {
+    throw InputOutputError(
+        fmt::format("cannot write {}: {} is not an existing directory", file.string(), directory.string()));
+  }
+  require_replaceable(file);
+  require_writable(directory);
 }
 
 void write_files(const fs::path& given, const std::vector<File>& files) {

@@ -16,6 +16,10 @@ struct File {
 // or can be created in an existing one. Creates nothing. Called before long work whose result goes there.
 void require_writable(const std::filesystem::path& directory);
 
+// Throws InputOutputError, naming the path, unless a file can be written there, in an existing directory;
+// what stands there may only be an ordinary file: a device or a pipe would be replaced, not written to.
+void require_writable_file(const std::filesystem::path& file);
+
 // Writes the files into the directory, which is created if only its last component is missing. Each is first
 // written in full under a temporary name; only when all are complete do they take their places. Throws
 // InputOutputError naming the path; then no file is incomplete and no temporary one is left, also after an

@@ -1,5 +1,6 @@
 #include "report/katex.hpp"
 
+#include "core/error.hpp"
 #include "report/json.hpp"
 #include "report/process.hpp"
 #include "report/templates.hpp"
@@ -17,7 +18,11 @@ std::string script() {
 }
 
 Json set(const Json& pages) {
-  return Json::parse(run(typesetter(), {script()}, Json{{"pages", pages}}.dump()));
+  const std::string answer = run(typesetter(), {script()}, Json{{"pages", pages}}.dump());
+  if (!Json::accept(answer)) {
+    throw InputOutputError("cannot set formulas: the answer of node is not whole");
+  }
+  return Json::parse(answer);
 }
 
 }  // namespace

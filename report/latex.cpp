@@ -20,9 +20,10 @@ const Tool& compiler() {
 class Workshop {
  public:
   Workshop() {
-    std::string name = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw InputOutputError("cannot create a temporary directory");
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "stickslip-XXXXXX").string();
+    if (error || ::mkdtemp(name.data()) == nullptr) {
+      throw InputOutputError("cannot compile LaTeX: there is no temporary directory to do it in");
     }
     path_ = name;
   }
@@ -45,9 +46,9 @@ Compiled compile(const std::vector<File>& files, const std::string& name) {
   if (!is_there(compiler())) {
     return {{}, fmt::format("{} is not there (Debian has it in {})", compiler().program, compiler().package)};
   }
-  const Workshop workshop;
-  write_files(workshop.path(), files);
   try {
+    const Workshop workshop;
+    write_files(workshop.path(), files);
     (void)run(compiler(),
               {"-pdf", "-halt-on-error", "-interaction=nonstopmode", "-no-shell-escape", name + ".tex"}, {},
               workshop.path());

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "report/files.hpp"
@@ -35,15 +35,7 @@ PlotFormat plot_format(const fs::path& file) {
 }
 
 void require_plot(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_directory(directory_of(file), ignored)) {
-    throw InputOutputError(fmt::format("cannot write {}: {} is not an existing directory", file.string(),
-                                       directory_of(file).string()));
-  }
-  if (fs::is_directory(file, ignored)) {
-    throw InputOutputError(fmt::format("cannot write {}: it is a directory", file.string()));
-  }
-  require_writable(directory_of(file));
+  require_writable_file(file);
   require_gnuplot();
 }
 
@@ -56,15 +48,18 @@ std::string gnuplot_version() {
 }
 
 std::string gnuplot(const std::string& script) {
-  return run(plotter(), {}, script);
+  const std::string picture = run(plotter(), {}, script);
+  // gnuplot does not say when it could not write all of it.
+  const std::size_t last = picture.find_last_not_of('\n');
+  const std::string_view text = std::string_view(picture).substr(0, last == std::string::npos ? 0 : last + 1);
+  if (!text.ends_with("</svg>") && !text.ends_with("%%EOF")) {
+    throw InputOutputError("cannot draw a plot: what gnuplot drew is not whole");
+  }
+  return picture;
 }
 
 void write_plot(const fs::path& file, const std::string& script) {
-  const std::string picture = gnuplot(script);
-  if (picture.empty()) {
-    throw InputOutputError(fmt::format("cannot write {}: gnuplot drew nothing", file.string()));
-  }
-  write_files(directory_of(file), {{file.filename().string(), picture}});
+  write_files(directory_of(file), {{file.filename().string(), gnuplot(script)}});
 }
 
 }  // namespace stickslip::report

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -24,11 +26,12 @@ namespace fs = std::filesystem;
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-// A file without a name, gone when closed: the other program can read and write without waiting for this one.
+// A file in memory, gone when closed: the other program can read and write without waiting for this one.
 using Scratch = std::unique_ptr<std::FILE, Close>;
 
 Scratch scratch() {
-  Scratch file(std::tmpfile());
+  const int descriptor = ::memfd_create("stickslip", MFD_CLOEXEC);
+  Scratch file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+"));
   if (!file) {
     throw InputOutputError(
         fmt::format("cannot create a temporary file: {}", std::generic_category().message(errno)));
@@ -70,6 +73,30 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
+// The program starts with the signals that this one ignores or holds back as the system has them: a full disk
+// ends it, and so does an interruption.
+class Attributes {
+ public:
+  Attributes() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigmask(&attributes_, &signals);
+    sigaddset(&signals, SIGPIPE);
+    sigaddset(&signals, SIGXFSZ);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  ~Attributes() { posix_spawnattr_destroy(&attributes_); }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+
+  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
 // Its status as waitpid gives it, or the error that kept it from starting.
 struct End {
   int error = 0;
@@ -87,9 +114,11 @@ End run_to_end(const Tool& tool, const std::vector<std::string>& arguments, cons
     argv.push_back(word.data());
   }
   argv.push_back(nullptr);
+  const Attributes attributes;
   pid_t process = 0;
   End end;
-  end.error = ::posix_spawnp(&process, tool.program.c_str(), actions.get(), nullptr, argv.data(), environ);
+  end.error =
+      ::posix_spawnp(&process, tool.program.c_str(), actions.get(), attributes.get(), argv.data(), environ);
   while (end.error == 0 && ::waitpid(process, &end.status, 0) < 0 && errno == EINTR) {
   }
   return end;
@@ -129,7 +158,10 @@ std::string run(const Tool& tool, const std::vector<std::string>& arguments, con
   const Scratch in = scratch();
   const Scratch out = scratch();
   const Scratch complaints = scratch();
-  std::fwrite(input.data(), 1, input.size(), in.get());
+  if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() || std::fflush(in.get()) != 0) {
+    throw InputOutputError(
+        fmt::format("cannot {}: {}", tool.purpose, std::generic_category().message(errno)));
+  }
   std::rewind(in.get());
   FileActions actions;
   actions.redirect(in.get(), STDIN_FILENO);
