@@ -1,7 +1,6 @@
 // stickslip audit: every statement of the paper.
 #include <fmt/format.h>
 
-#include <memory>
 #include <string>
 
 #include "cli/commands.hpp"
@@ -18,13 +17,6 @@
 namespace stickslip::cli {
 namespace {
 
-struct Options {
-  std::string out;
-  std::string jobs;
-  bool with_out = false;
-  bool json = false;
-};
-
 std::vector<ExampleOrbits> example_orbits() {
   std::vector<ExampleOrbits> all;
   for (const Example& example : printed_examples()) {
@@ -33,7 +25,9 @@ std::vector<ExampleOrbits> example_orbits() {
   return all;
 }
 
-ExitCode run(const Options& options) {
+}  // namespace
+
+ExitCode run(const AuditOptions& options) {
   const Jobs limit = jobs(options.jobs);
   if (options.with_out) {
     report::require_writable(options.out);
@@ -53,29 +47,6 @@ ExitCode run(const Options& options) {
     tell(report_line(options.out, "audit", made));
   }
   return report::all_decided(audit) ? exit_decided : exit_undecided;
-}
-
-}  // namespace
-
-void add_audit(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("audit", "Examine every statement of the paper and report");
-  command->footer(
-      "Prints a table of all statements with their status, then the findings with their\n"
-      "reasons, then the printed numbers beside the proved ones.\n\n"
-      "Exit code: 0 everything is decided, also if the paper has misprints;\n"
-      "2 something is undecided.");
-  CLI::Option* out = command->add_option("--out", options->out,
-                                         "Also write the report into DIR: pages for a browser that begin\n"
-                                         "with index.html, audit.pdf where there is TeX, audit.tex and\n"
-                                         "audit.json. DIR is created if only its last part is missing");
-  out->type_name("DIR");
-  add_jobs(*command, options->jobs);
-  command->add_flag("--json", options->json, "Print the results as JSON instead of the table");
-  command->callback([options, out, &action] {
-    options->with_out = out->count() > 0;
-    action = [options] { return run(*options); };
-  });
 }
 
 }  // namespace stickslip::cli

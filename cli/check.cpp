@@ -1,5 +1,4 @@
 // stickslip check: single statements, equations, sections.
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,14 +13,6 @@
 
 namespace stickslip::cli {
 namespace {
-
-struct Options {
-  std::vector<std::string> words;
-  std::string jobs;
-  bool list = false;
-  bool explain = false;
-  bool json = false;
-};
 
 // What the words name: statements, and statuses, which are known only when everything is proved.
 struct Wanted {
@@ -63,7 +54,7 @@ ExitCode list(const std::vector<proofs::Claim>& claims, const std::set<std::stri
   return exit_decided;
 }
 
-std::string command_line(const Options& options) {
+std::string command_line(const CheckOptions& options) {
   std::string command = "stickslip check";
   for (const std::string& word : options.words) {
     command += " " + word;
@@ -71,7 +62,9 @@ std::string command_line(const Options& options) {
   return command;
 }
 
-ExitCode run(const Options& options) {
+}  // namespace
+
+ExitCode run(const CheckOptions& options) {
   const Jobs limit = jobs(options.jobs);
   const std::vector<proofs::Claim> claims = proofs::paper();
   const Wanted wanted = wanted_by(claims, options.words);
@@ -94,34 +87,6 @@ ExitCode run(const Options& options) {
     return exit_refuted;
   }
   return report::all_decided(audit) ? exit_decided : exit_undecided;
-}
-
-}  // namespace
-
-void add_check(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("check", "Prove single statements, equations or sections");
-  command->footer(
-      "Exit code: 0 every statement asked for holds, possibly corrected or under the hypotheses\n"
-      "listed;\n"
-      "1 one of them is refuted;\n"
-      "2 none is refuted, one is undecided.");
-  command
-      ->add_option(
-          "ID", options->words,
-          "What to check: a statement (44.H), an equation with all its\nparts (44), a section or an "
-          "appendix (sec3, A2), a kind (theorem,\ncondition, ...), a status (refuted, digits_off, ...); "
-          "everything\nif none is given")
-      ->type_name("");
-  CLI::Option* list =
-      command->add_flag("--list", options->list, "Only list the statements, without proving them");
-  command->add_flag(
-      "--explain", options->explain,
-      "Say all about each: formula, assumptions, proof, hypotheses,\nwhat it uses and what uses it");
-  add_jobs(*command, options->jobs);
-  CLI::Option* json = command->add_flag("--json", options->json, "Print the results as JSON");
-  list->excludes(json);
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace stickslip::cli

@@ -1,21 +1,15 @@
-// The commands of the program: each describes its arguments to the parser and says what to run.
+// The commands of the program. Each throws Error.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
-
+#include "cli/arguments.hpp"
 #include "core/error.hpp"
 
 namespace stickslip::cli {
 
-// What the chosen command does; empty until one is chosen.
-using Action = std::function<ExitCode()>;
-
-// Each adds one command to the program. Parsing sets the action, nothing else; the action throws Error.
-void add_audit(CLI::App& program, Action& action);
-void add_check(CLI::App& program, Action& action);
-void add_latex(CLI::App& program, Action& action);
-void add_orbits(CLI::App& program, Action& action);
-void add_simulate(CLI::App& program, Action& action);
+[[nodiscard]] ExitCode run(const AuditOptions& options);
+[[nodiscard]] ExitCode run(const CheckOptions& options);
+[[nodiscard]] ExitCode run(const LatexOptions& options);
+[[nodiscard]] ExitCode run(const OrbitsOptions& options);
+[[nodiscard]] ExitCode run(const SimulateOptions& options);
 
 }  // namespace stickslip::cli

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/Version.hpp>
 #include <csignal>
 #include <exception>
+#include <new>
 #include <string>
 
 #include "cli/commands.hpp"
@@ -13,17 +15,6 @@
 namespace stickslip::cli {
 namespace {
 
-constexpr const char* about =
-    "Decides, statement by statement, what is true in M. Pascal, New limit cycles of dry\n"
-    "friction oscillators under harmonic load, Nonlinear Dynamics 70 (2012). Identities are\n"
-    "proved for all parameters; printed numbers are compared with rigorous enclosures.";
-
-constexpr const char* exit_codes =
-    "stickslip COMMAND --help says more about a command.\n\n"
-    "Exit codes: 0 asked and decided, 1 check met a refuted statement, 2 something is\n"
-    "undecided, 64 the command line is not understood, 65 parameters outside the domain,\n"
-    "70 fault of the program, 74 input or output failed, 130 interrupted.";
-
 std::string versions() {
   std::string text = fmt::format("stickslip {}\n", report::program_version());
   for (const report::Component& library : report::libraries()) {
@@ -32,45 +23,17 @@ std::string versions() {
   return text + fmt::format("  CLI11 {}\n", CLI11_VERSION);
 }
 
-// The arguments that the program, as opposed to its commands, was given beyond its own.
-void require_command(const CLI::App& program, const Action& action) {
-  const std::vector<std::string> strangers = program.remaining();
-  const std::string known = "the commands are audit, check, latex, orbits and simulate; see stickslip --help";
-  if (!strangers.empty()) {
-    const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
-    throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
-  }
-  if (!action) {
-    throw UsageError("a command is missing: " + known);
-  }
+ExitCode run(const HelpWanted& help) {
+  print(help.text);
+  return exit_decided;
+}
+ExitCode run(const VersionsWanted& /*versions*/) {
+  print(versions());
+  return exit_decided;
 }
 
-ExitCode run(int argc, const char* const* argv) {
-  Action action;
-  CLI::App program(about, "stickslip");
-  program.footer(exit_codes);
-  program.set_version_flag("--version", versions, "Print the versions of the program and of its libraries");
-  program.require_subcommand(0, 1);
-  program.get_formatter()->column_width(16);
-  add_audit(program, action);
-  add_check(program, action);
-  add_latex(program, action);
-  add_orbits(program, action);
-  add_simulate(program, action);
-  program.allow_extras();
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::CallForVersion&) {
-    print(versions());
-    return exit_decided;
-  } catch (const CLI::Success&) {
-    print(program.help());
-    return exit_decided;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(fmt::format("{}; see stickslip --help", error.what()));
-  }
-  require_command(program, action);
-  return action();
+ExitCode answer(const Request& request) {
+  return std::visit([](const auto& asked) { return run(asked); }, request);
 }
 
 // Ends with a full stop, as a sentence does.
@@ -90,10 +53,12 @@ extern "C" void leave(int /*signal*/) {
 
 int main(int argc, char** argv) {
   using namespace stickslip;
-  std::signal(SIGPIPE, SIG_IGN);  // a failed write is reported by print()
+  // A failed write is reported where it is made.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGINT, cli::leave);
   try {
-    return cli::run(argc, argv);
+    return cli::answer(cli::parse(argc, argv));
   } catch (const cli::ReaderGone& error) {
     return error.code();
   } catch (const Error& error) {

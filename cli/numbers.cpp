@@ -25,13 +25,6 @@ int whole_number(const std::string& name, const std::string& text, int most, int
   return value;
 }
 
-void add_jobs(CLI::App& command, std::string& text) {
-  command
-      .add_option("--jobs", text,
-                  "Search and prove with at most N threads, all cores by default;\nthe results are the same")
-      ->type_name("N");
-}
-
 Jobs jobs(const std::string& text) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   return Jobs(static_cast<std::size_t>(whole_number("jobs", text, most_jobs, cores)));

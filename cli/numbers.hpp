@@ -1,7 +1,6 @@
 // Whole numbers on the command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "core/parallel.hpp"
@@ -11,9 +10,8 @@ namespace stickslip::cli {
 // The number that was typed, from 1 to `most`; `otherwise` if nothing was. Throws UsageError naming `name`.
 [[nodiscard]] int whole_number(const std::string& name, const std::string& text, int most, int otherwise);
 
-// --jobs: how many threads may search for orbits and prove them.
-void add_jobs(CLI::App& command, std::string& text);
-// All cores if nothing was typed. Throws UsageError.
+// --jobs: how many threads may search for orbits and prove them; all cores if nothing was typed. Throws
+// UsageError.
 [[nodiscard]] Jobs jobs(const std::string& text);
 
 }  // namespace stickslip::cli

@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <array>
-#include <sstream>
-
-#include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/examples.hpp"
 #include "report/files.hpp"
@@ -14,22 +9,6 @@
 
 namespace stickslip::cli {
 namespace {
-
-constexpr std::array<const char*, 6> required{"chi", "eta", "us", "V", "omega", "p"};
-constexpr std::array<const char*, 2> optional{"phi", "ur"};
-
-bool is_parameter(const std::string& name) {
-  return std::find(required.begin(), required.end(), name) != required.end() ||
-         std::find(optional.begin(), optional.end(), name) != optional.end();
-}
-
-Rational parse_named(const std::string& name, const std::string& text) {
-  try {
-    return parse_rational(text);
-  } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{}: {}", name, error.what()));
-  }
-}
 
 void set(TypedParameters& parameters, const char* name, const std::optional<Rational>& value) {
   if (value) {
@@ -78,41 +57,7 @@ std::optional<Range> optional_range(const TypedParameters& parameters, const std
   return found == parameters.end() ? std::nullopt : std::optional(parse_range(name, found->second));
 }
 
-void add_parameter(CLI::App& command, TypedParameters& parameters, const std::string& name,
-                   const std::string& description) {
-  command
-      .add_option_function<std::string>(
-          "--" + name, [&parameters, name](const std::string& text) { parameters[name] = text; }, description)
-      ->type_name("NUMBER");
-}
-
 }  // namespace
-
-void add_parameters(CLI::App& command, TypedParameters& parameters) {
-  add_parameter(command, parameters, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
-  add_parameter(command, parameters, "eta", "Mass ratio m1/m2 > 0");
-  add_parameter(command, parameters, "us", "Slipping friction force > 0");
-  add_parameter(command, parameters, "V", "Belt velocity; > 0 for orbits with a stick phase");
-  add_parameter(command, parameters, "omega", "Frequency of the load > 0");
-  add_parameter(command, parameters, "p", "Amplitude of the load >= 0");
-  add_parameter(command, parameters, "phi", "Phase of the load");
-  add_parameter(command, parameters, "ur", "Friction force at rest > us");
-}
-
-Range parse_range(const std::string& name, const std::string& text) {
-  for (const std::string separator : {"+-", "±"}) {
-    const std::size_t place = text.find(separator);
-    if (place != std::string::npos) {
-      const Range range{parse_named(name, text.substr(0, place)),
-                        parse_named(name, text.substr(place + separator.size()))};
-      if (range.radius < 0) {
-        throw UsageError(fmt::format("{}: '{}' has a negative half width", name, text));
-      }
-      return range;
-    }
-  }
-  return {parse_named(name, text)};
-}
 
 Family family_named(const std::string& name) {
   for (const Family family : {Family::symmetric, Family::overshooting, Family::nonsticking}) {
@@ -125,23 +70,7 @@ Family family_named(const std::string& name) {
 }
 
 TypedParameters read_parameters(const std::string& file) {
-  std::istringstream stream(report::read_file(file));
-  TypedParameters parameters;
-  for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(stream)) {
-    if (!item.parents.empty()) {
-      throw UsageError(fmt::format("{}: '{}' stands in a section, but parameters stand in none", file,
-                                   fmt::join(item.parents, ".")));
-    }
-    if (!is_parameter(item.name)) {
-      throw UsageError(fmt::format("{}: '{}' is not a parameter: these are {} and {}", file, item.name,
-                                   fmt::join(required, ", "), fmt::join(optional, ", ")));
-    }
-    if (item.inputs.size() != 1 || parameters.contains(item.name)) {
-      throw UsageError(fmt::format("{}: {} needs exactly one value", file, item.name));
-    }
-    parameters[item.name] = item.inputs.front();
-  }
-  return parameters;
+  return parse_parameters(report::read_file(file), file);
 }
 
 OrbitQuestion question(Family family, const TypedParameters& typed, const std::string& file,

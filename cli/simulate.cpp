@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,22 +20,6 @@
 
 namespace stickslip::cli {
 namespace {
-
-constexpr double default_periods = 100;
-constexpr double samples_in_period = 200;
-
-struct Options {
-  TypedParameters parameters;
-  std::string file, example, state, perturb, periods, every, csv, plot;
-};
-
-constexpr const char* details =
-    "Follows x1, x2 under (2) and the friction law (4) in closed form, in double; events are\n"
-    "found with certainty, not by signs at the ends of steps. A simulation proves nothing.\n\n"
-    "It starts at --state at t = 0, with all parameters, --phi and --ur given; or with\n"
-    "--example S, O or P where the paper's orbit begins, proved, plus --perturb. A state is\n"
-    "four numbers x1,x2,x1',x2'.\n\n"
-    "Ctrl-C ends the simulation; what was computed is still written, with exit code 130.";
 
 // A bar on a terminal's standard error.
 class Bar {
@@ -121,7 +104,7 @@ void replace(double& value, const TypedParameters& typed, const char* name) {
   }
 }
 
-Start start_of(const Options& options) {
+Start start_of(const SimulateOptions& options) {
   if (options.example.empty() && options.state.empty()) {
     throw UsageError("a start is missing: give --state x1,x2,x1',x2' or --example");
   }
@@ -158,27 +141,18 @@ Start start_of(const Options& options) {
   return start;
 }
 
-RecordPlan plan_of(const Options& options, const Start& start) {
+RecordPlan plan_of(const SimulateOptions& options, const Start& start) {
   const double period = 2 * std::acos(-1.0) / start.data.omega;
-  const double periods = options.periods.empty() ? default_periods : positive("periods", options.periods);
+  const double periods =
+      options.periods.empty() ? SimulateOptions::default_periods : positive("periods", options.periods);
   const bool keep = !options.csv.empty() || !options.plot.empty();
-  return {periods * period,
-          options.every.empty() ? period / samples_in_period : positive("every", options.every), keep};
+  return {
+      periods * period,
+      options.every.empty() ? period / SimulateOptions::samples_in_period : positive("every", options.every),
+      keep};
 }
 
-void require_file(const std::filesystem::path& file) {
-  const std::filesystem::path directory = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(directory, ignored) || std::filesystem::is_directory(file, ignored)) {
-    throw InputOutputError(fmt::format("cannot write {}: {}", file.string(),
-                                       std::filesystem::is_directory(file, ignored)
-                                           ? "it is a directory"
-                                           : directory.string() + " is not an existing directory"));
-  }
-  report::require_writable(directory);
-}
-
-void write(const Record& record, const Options& options) {
+void write(const Record& record, const SimulateOptions& options) {
   if (!options.csv.empty()) {
     const std::filesystem::path file = options.csv;
     report::write_files(file.has_parent_path() ? file.parent_path() : ".",
@@ -198,9 +172,11 @@ Record simulate(const Start& start, const RecordPlan& plan) {
   });
 }
 
-ExitCode run(const Options& options) {
+}  // namespace
+
+ExitCode run(const SimulateOptions& options) {
   if (!options.csv.empty()) {
-    require_file(options.csv);
+    report::require_writable_file(options.csv);
   }
   if (!options.plot.empty()) {
     (void)report::plot_format(options.plot);
@@ -211,28 +187,6 @@ ExitCode run(const Options& options) {
   write(record, options);
   print(report::terminal_report(record, terminal_style()));
   return record.interrupted ? exit_interrupted : exit_decided;
-}
-
-}  // namespace
-
-void add_simulate(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("simulate", "Follow the motion under the friction law");
-  command->footer(details);
-  add_parameters(*command, options->parameters);
-  const auto add = [&](const char* name, std::string& value, const char* type, const std::string& words) {
-    command->add_option(name, value, words)->type_name(type);
-  };
-  add("--example", options->example, "NAME", "Start where the orbit of the paper's example S, O or P begins");
-  add("--params", options->file, "FILE", "Take parameters from a TOML file with lines chi = 0.5");
-  add("--state", options->state, "X", "Start at x1,x2,x1',x2'");
-  add("--perturb", options->perturb, "X", "Add these four numbers to the start");
-  add("--periods", options->periods, "N", fmt::format("Periods of the load: {} by default", default_periods));
-  add("--every", options->every, "TIME",
-      fmt::format("Time between two samples: by default {} in a period", samples_in_period));
-  add("--csv", options->csv, "FILE", "Write the samples, with r, u and the energy");
-  add("--plot", options->plot, "FILE", "Draw phase portraits, speed and energy into FILE.svg or FILE.pdf");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace stickslip::cli

@@ -19,6 +19,12 @@ struct Decimal {
   [[nodiscard]] Rational upper() const { return value + unit / 2; }
 };
 
+// The closed interval [middle - radius, middle + radius]; radius >= 0.
+struct Range {
+  Rational middle;
+  Rational radius = 0;
+};
+
 // Reads [+-]digits[.digits][e[+-]digits]. A Unicode minus sign counts as '-'.
 // Throws UsageError naming the text when it is not such a number or its exponent exceeds 10000 in size.
 [[nodiscard]] Decimal parse_decimal(std::string_view text);

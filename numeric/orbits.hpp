@@ -6,17 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/decimal.hpp"
 #include "numeric/conditions.hpp"
 #include "numeric/domain.hpp"
 #include "numeric/dynamics/stability.hpp"
 
 namespace stickslip {
-
-// The closed interval [middle - radius, middle + radius]; radius >= 0.
-struct Range {
-  Rational middle;
-  Rational radius = 0;
-};
 
 // What is asked for: one set of parameters, or a whole box of them when some radius is not zero.
 struct OrbitQuestion {

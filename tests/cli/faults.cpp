@@ -1,10 +1,12 @@
 // What the program does when the world around it fails.
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -23,6 +25,18 @@ using Json = nlohmann::json;
 const std::vector<std::string> long_search{"orbits", "overshooting", "--chi",   "9/13", "--eta", "169/36",
                                            "--us",   "0.02",         "--V",     "1",    "--p",   "0.05",
                                            "--ur",   "0.1",          "--omega", "0.25"};
+
+// Runs the program where the shell has prepared the ground.
+Run in_shell(const std::string& before, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{"-c", before + "; exec \"$@\"", "sh", STICKSLIP_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run("/bin/sh", words);
+}
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
 
 }  // namespace
 
@@ -43,3 +57,131 @@ TEST_CASE("an interrupted search tells what it has found, and that it is not all
   CHECK(list.at("remarks").dump().find("interrupted") != std::string::npos);
   CHECK(list.at("unresolved").dump().find("the search was interrupted") != std::string::npos);
 }
+
+TEST_CASE("a device or a pipe is not replaced by a file") {
+  const TemporaryDirectory temporary;
+  for (const char* option : {"--csv", "--plot"}) {
+    const std::string pipe = temporary.path() / (std::string(option) + ".svg");
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const Run result = stickslip_program({"simulate", "--example", "O", option, pipe});
+    CHECK(result.code == exit_io);
+    CHECK(is_one_sentence(result.err, pipe));
+    CHECK(std::filesystem::is_fifo(pipe));
+  }
+  CHECK(temporary.count() == 2);
+}
+
+TEST_CASE("a disk that is full leaves nothing that could be taken for a result") {
+  const TemporaryDirectory temporary;
+  const std::string csv = temporary.path() / "a.csv";
+  const std::string svg = temporary.path() / "a.svg";
+  const std::string out = temporary.path() / "out";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"simulate", "--example", "O", "--csv", csv},
+        {"simulate", "--example", "O", "--plot", svg},
+        {"orbits", "symmetric", "--example", "S", "--plot", svg},
+        {"orbits", "symmetric", "--example", "S", "--out", out}}) {
+    // Files, those of other programs that this one starts too, stop at eight blocks of 512 bytes.
+    const Run result = in_shell("ulimit -f 8", arguments);
+    CAPTURE(result.err);
+    CHECK(result.code == exit_io);
+    CHECK(is_one_sentence(result.err, "cannot"));
+    CHECK(result.out.empty());
+    CHECK(temporary.count() == 0);
+  }
+}
+
+TEST_CASE("a directory that vanishes while the program works is an error") {
+  const TemporaryDirectory temporary;
+  const auto directory = temporary.path() / "results" / "today";
+  std::filesystem::create_directories(directory);
+  const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const int process = start(
+      {"simulate", "--example", "O", "--periods", "1e8", "--every", "1e4", "--csv", directory / "a.csv"},
+      output);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  std::filesystem::remove_all(directory.parent_path());
+  ::kill(process, SIGINT);
+  CHECK(wait_for(process) == exit_io);
+  ::close(output);
+  CHECK(temporary.count() == 0);
+}
+
+TEST_CASE("an interrupted audit writes no report") {
+  const TemporaryDirectory temporary;
+  const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const int process = start({"audit", "--out", temporary.path() / "out"}, output);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  ::kill(process, SIGINT);
+  CHECK(wait_for(process) == exit_interrupted);
+  ::close(output);
+  CHECK(temporary.count() == 0);
+}
+
+TEST_CASE("whatever the command, a reader that has gone is no reason for noise") {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"check", "40"},
+                                                    {"check", "40", "--json"},
+                                                    {"orbits", "symmetric", "--example", "S"},
+                                                    {"simulate", "--example", "O", "--periods", "2"},
+                                                    {"--help"}}) {
+    int ends[2];
+    REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
+    ::close(ends[0]);
+    const int process = start(arguments, ends[1]);
+    ::close(ends[1]);
+    CHECK(wait_for(process) == exit_io);
+  }
+}
+
+TEST_CASE("neither the locale nor the home directory changes a result") {
+  const TemporaryDirectory temporary;
+  const std::string svg = temporary.path() / "a.svg";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"orbits", "symmetric", "--example", "S", "--plot", svg},
+        {"simulate", "--example", "O", "--periods", "3"},
+        {"latex", "Q"},
+        {"check", "40", "--explain"}}) {
+    const Run usual = stickslip_program(arguments);
+    CHECK(usual.code == exit_decided);
+    const std::string picture = content(svg);
+    for (const char* surroundings :
+         {"export LC_ALL=C", "export LC_ALL=de_DE.UTF-8", "export LC_ALL=no_such.locale",
+          "unset LC_ALL LC_CTYPE LC_NUMERIC LANG LANGUAGE", "export HOME=/nonexistent", "export HOME=/proc",
+          "unset HOME"}) {
+      CAPTURE(std::string(surroundings));
+      const Run result = in_shell(surroundings, arguments);
+      CHECK(result.code == usual.code);
+      CHECK(result.out == usual.out);
+      CHECK(result.err == usual.err);
+      CHECK(content(svg) == picture);
+    }
+  }
+}
+
+TEST_CASE("without a home or a temporary directory a report is made all the same") {
+  const TemporaryDirectory temporary;
+  const auto out = temporary.path() / "out";
+  const std::vector<std::string> arguments{"orbits", "symmetric", "--example", "S", "--out", out};
+  const Run homeless = in_shell("export HOME=/proc; unset XDG_CACHE_HOME", arguments);
+  CHECK(homeless.code == exit_decided);
+  CHECK(std::filesystem::exists(out / "orbits.pdf") == !std::string(STICKSLIP_PDFLATEX).empty());
+  const Run elsewhere = in_shell("export TMPDIR=/nonexistent", arguments);
+  CHECK(elsewhere.code == exit_decided);
+  CHECK(content(out / "index.html").ends_with("</html>\n"));
+  if (!std::string(STICKSLIP_PDFLATEX).empty()) {
+    CHECK(elsewhere.err.find("no temporary directory") != std::string::npos);
+  }
+}
+
+#ifndef __SANITIZE_ADDRESS__
+TEST_CASE("a limit of memory is met with a sentence") {
+  const TemporaryDirectory temporary;
+  const std::string csv = temporary.path() / "a.csv";
+  const Run result =
+      in_shell("ulimit -v 500000", {"simulate", "--example", "O", "--periods", "1e6", "--csv", csv});
+  CHECK(result.code == exit_internal);
+  CHECK(is_one_sentence(result.err, "out of memory"));
+  CHECK(result.out.empty());
+  CHECK(temporary.count() == 0);
+}
+#endif

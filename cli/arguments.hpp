@@ -1,0 +1,71 @@
+// The arguments of the program, command by command, as they are typed.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/typed_parameters.hpp"
+
+namespace stickslip::cli {
+
+struct AuditOptions {
+  std::string out;
+  std::string jobs;
+  bool with_out = false;
+  bool json = false;
+};
+
+struct CheckOptions {
+  std::vector<std::string> words;
+  std::string jobs;
+  bool list = false;
+  bool explain = false;
+  bool json = false;
+};
+
+struct LatexOptions {
+  std::vector<std::string> names;
+  bool in_frequencies = false;  // else with chi, eta and abbreviations
+  bool list = false;
+  bool errata = false;
+};
+
+struct OrbitsOptions {
+  std::string family;
+  TypedParameters parameters;
+  std::string file;
+  std::string example;
+  std::string digits;
+  std::string plot;
+  std::string jobs;
+  bool with_plot = false;
+  std::string out;
+  bool with_out = false;
+  bool json = false;
+
+  static constexpr int default_digits = 20;
+  static constexpr int most_digits = 2000;
+};
+
+struct SimulateOptions {
+  TypedParameters parameters;
+  std::string file, example, state, perturb, periods, every, csv, plot;
+
+  static constexpr double default_periods = 100;
+  static constexpr double samples_in_period = 200;
+};
+
+struct HelpWanted {
+  std::string text;
+};
+struct VersionsWanted {};
+
+using Request = std::variant<AuditOptions, CheckOptions, LatexOptions, OrbitsOptions, SimulateOptions,
+                             HelpWanted, VersionsWanted>;
+
+// What the arguments ask for; argv[0] is the program's name. Runs nothing, prints nothing and touches no
+// file. Throws UsageError.
+[[nodiscard]] Request parse(int argc, const char* const* argv);
+
+}  // namespace stickslip::cli

@@ -1,0 +1,63 @@
+#include "cli/typed_parameters.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+constexpr std::array<const char*, 8> names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
+
+Rational parse_named(const std::string& name, const std::string& text) {
+  try {
+    return parse_rational(text);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace
+
+Range parse_range(const std::string& name, const std::string& text) {
+  for (const std::string separator : {"+-", "±"}) {
+    const std::size_t place = text.find(separator);
+    if (place != std::string::npos) {
+      const Range range{parse_named(name, text.substr(0, place)),
+                        parse_named(name, text.substr(place + separator.size()))};
+      if (range.radius < 0) {
+        throw UsageError(fmt::format("{}: '{}' has a negative half width", name, text));
+      }
+      return range;
+    }
+  }
+  return {parse_named(name, text)};
+}
+
+TypedParameters parse_parameters(const std::string& text, const std::string& file) {
+  std::istringstream stream(text);
+  TypedParameters parameters;
+  for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(stream)) {
+    if (!item.parents.empty()) {
+      throw UsageError(fmt::format("{}: '{}' stands in a section, but parameters stand in none", file,
+                                   fmt::join(item.parents, ".")));
+    }
+    if (std::find(names.begin(), names.end(), item.name) == names.end()) {
+      throw UsageError(
+          fmt::format("{}: '{}' is not a parameter: these are {}", file, item.name, fmt::join(names, ", ")));
+    }
+    if (item.inputs.size() != 1 || parameters.contains(item.name)) {
+      throw UsageError(fmt::format("{}: {} needs exactly one value", file, item.name));
+    }
+    parameters[item.name] = item.inputs.front();
+  }
+  return parameters;
+}
+
+}  // namespace stickslip::cli
