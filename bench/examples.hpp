@@ -34,11 +34,12 @@ inline void require_proved(benchmark::State& state, const Verdict& verdict) {
 
 // (tau, C) of Fig. 2, (tau, tau1) of Fig. 3, (delta, mu) of Fig. 4: to the accuracy of a double.
 [[nodiscard]] inline Guess guess_S() {
-  const SymmetricState<Ball> s = list_symmetric(data("S"), 20).orbits.at(1).state;
+  static const SymmetricState<Ball> s = list_symmetric(data("S"), 20).orbits.at(1).state;
   return {s.tau.approximate(), s.C.approximate()};
 }
 [[nodiscard]] inline Guess guess_O() {
-  for (const OvershootingOrbit& orbit : list_overshooting_at_phase(data("O"), 0, 20).orbits) {
+  static const OvershootingList list = list_overshooting_at_phase(data("O"), 0, 20);
+  for (const OvershootingOrbit& orbit : list.orbits) {
     if ((orbit.state.tau - Ball(4.9)).is_positive() && (orbit.state.tau - Ball(5)).is_negative()) {
       return {orbit.state.tau.approximate(), orbit.state.tau1.approximate()};
     }
@@ -46,7 +47,7 @@ inline void require_proved(benchmark::State& state, const Verdict& verdict) {
   throw std::logic_error("example O is not in its list");
 }
 [[nodiscard]] inline Guess guess_P() {
-  const NonstickingOrbit orbit = list_nonsticking(data("P"), 20).orbits.at(0);
+  static const NonstickingOrbit orbit = list_nonsticking(data("P"), 20).orbits.at(0);
   return {orbit.box(0).approximate(), orbit.box(1).approximate()};
 }
 
