@@ -1,15 +1,25 @@
 #include "core/interruption.hpp"
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 
 namespace stickslip {
 namespace {
 
+constexpr std::array<int, 3> ending{SIGINT, SIGTERM, SIGHUP};
+
 std::atomic<bool> noted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
+std::atomic<int> held = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "a signal handler may touch nothing else");
 
 extern "C" void note(int /*signal*/) {
   noted = true;
+}
+
+extern "C" void hold(int signal) {
+  held = signal;
 }
 
 }  // namespace
@@ -25,6 +35,24 @@ Interruptible::Interruptible() {
 Interruptible::~Interruptible() {
   ::sigaction(SIGINT, &previous_, nullptr);
   noted = false;
+}
+
+Uninterrupted::Uninterrupted() {
+  struct sigaction action = {};
+  action.sa_handler = hold;
+  action.sa_flags = static_cast<int>(SA_RESTART);
+  for (std::size_t i = 0; i < ending.size(); ++i) {
+    ::sigaction(ending[i], &action, &previous_[i]);
+  }
+}
+
+Uninterrupted::~Uninterrupted() {
+  for (std::size_t i = 0; i < ending.size(); ++i) {
+    ::sigaction(ending[i], &previous_[i], nullptr);
+  }
+  if (const int signal = held.exchange(0); signal != 0) {
+    ::raise(signal);
+  }
 }
 
 bool interrupted() noexcept {

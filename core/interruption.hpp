@@ -2,6 +2,7 @@
 // returns what it has and says what is missing.
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace stickslip {
@@ -19,7 +20,22 @@ class Interruptible {
   struct sigaction previous_ = {};
 };
 
-// Whether one was noted since the living Interruptible was made; false when none lives. From any thread.
+// While an object of this type lives, signals that would end the program are held back, in all of its
+// threads; the last of them takes effect when it goes. Programs that are started meanwhile do not inherit
+// that. May be nested.
+class Uninterrupted {
+ public:
+  Uninterrupted();
+  ~Uninterrupted();
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  std::array<struct sigaction, 3> previous_ = {};
+};
+
+// Whether an interruption was noted since the living Interruptible was made; false when none lives. From any
+// thread.
 [[nodiscard]] bool interrupted() noexcept;
 
 }  // namespace stickslip

@@ -6,12 +6,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 
 namespace stickslip::report {
 namespace {
@@ -53,25 +53,6 @@ void require_replaceable(const fs::path& place) {
     throw InputOutputError(fmt::format("cannot write {}: it is not an ordinary file", place.string()));
   }
 }
-
-// Signals that would end the program are held back while an object of this type lives.
-class Uninterrupted {
- public:
-  Uninterrupted() {
-    sigset_t ending;
-    sigemptyset(&ending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-      sigaddset(&ending, signal);
-    }
-    pthread_sigmask(SIG_BLOCK, &ending, &previous_);
-  }
-  ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
-  Uninterrupted(const Uninterrupted&) = delete;
-  Uninterrupted& operator=(const Uninterrupted&) = delete;
-
- private:
-  sigset_t previous_{};
-};
 
 // A complete file under a temporary name beside its place; gone at the end unless it took that place.
 class PendingFile {

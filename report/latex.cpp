@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "report/process.hpp"
 
 namespace stickslip::report {
@@ -47,6 +48,7 @@ Compiled compile(const std::vector<File>& files, const std::string& name) {
     return {{}, fmt::format("{} is not there (Debian has it in {})", compiler().program, compiler().package)};
   }
   try {
+    const Uninterrupted until_it_is_cleaned_up;
     const Workshop workshop;
     write_files(workshop.path(), files);
     (void)run(compiler(),

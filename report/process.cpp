@@ -73,19 +73,17 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-// The program starts with the signals that this one ignores or holds back as the system has them: a full disk
-// ends it, and so does an interruption.
+// The program starts with the signals that this one ignores as the system has them: a full disk ends it.
 class Attributes {
  public:
   Attributes() {
     sigset_t signals;
     sigemptyset(&signals);
     posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setsigmask(&attributes_, &signals);
     sigaddset(&signals, SIGPIPE);
     sigaddset(&signals, SIGXFSZ);
     posix_spawnattr_setsigdefault(&attributes_, &signals);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
   }
   ~Attributes() { posix_spawnattr_destroy(&attributes_); }
   Attributes(const Attributes&) = delete;
