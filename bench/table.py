@@ -9,7 +9,7 @@ NAMES = {
     "40": "(40) H₁² − I = H₂H₃", "38.reversal": "H(−t)E = EH(t)", "38.group": "H(t + s) = H(t)H(s)",
     "42": "(42) Γ₁² − I = Γ₂Γ₃", "41.reversal": "Γ(−t)E = EΓ(t)", "41.group": "Γ(t + s) = Γ(t)Γ(s)",
     "59": "(59) (H(t)E − I)(H(t) + E) = 0", "A3.d": "(47)–(51) d₁ … d₅", "34.H": "b₁, b₂ of (35)",
-    "35": "(35) from (28), whole", "70": "(70) P = ΛP̃Λ⁻¹",
+    "35": "(35) from nothing", "70": "(70) P = ΛP̃Λ⁻¹",
 }
 EXAMPLES = ["S", "O", "P"]
 # Why a target is missed, where it is known.
@@ -170,8 +170,8 @@ def markdown(r):
         f"Machine: {m['cpu']}, {m['cores']} cores, load {m['load']:.1f} at the start. Commit {m['commit']}.\n\n"
         "Versions: " + ", ".join(f"{k} {v}" for k, v in m["versions"].items()) + ".",
         "## Targets\n\n" + target_rows(r),
-        "## Identities\n\nA whole claim in a fresh process, with every claim that its proof uses and the hypotheses that it "
-        "needs, beside SymPy on the bare equation in its most general form; for (35) SymPy has only the row of H₂⁻¹(H₁ − I) "
+        "## Identities\n\nA claim in a fresh process, with every claim that its proof uses but the definitions, its hypotheses "
+        "and the two cross-checks of its verdict, beside SymPy on the bare equation in its most general form; for (35) SymPy has only the row of H₂⁻¹(H₁ − I) "
         "that it rests on. `circle` puts a pair (c, s) with c² + s² = 1 for each phase, as stickslip does.\n\n" + identity_rows(r),
         "## Simulation, time per period of the load\n\nThe raw law (2), (4), tolerance 1e-10; Odeint with dopri5 and dense "
         "output, CVODE with Adams and root finding, SciPy with DOP853 and events.\n\n" + simulation_rows(r),
