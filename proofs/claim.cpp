@@ -18,6 +18,8 @@ std::string to_string(Kind kind) {
       return "condition";
     case Kind::numbers:
       return "numbers";
+    case Kind::check:
+      return "check";
   }
   return {};
 }
@@ -42,12 +44,14 @@ std::string to_string(Status status) {
       return "rests_on_unproved";
     case Status::model:
       return "model";
+    case Status::checked:
+      return "checked";
   }
   return {};
 }
 
 bool is_status(const std::string& word) {
-  for (int i = 0; i <= static_cast<int>(Status::model); ++i) {
+  for (int i = 0; i <= static_cast<int>(Status::checked); ++i) {
     if (to_string(static_cast<Status>(i)) == word) {
       return true;
     }
@@ -75,6 +79,8 @@ std::string describe(Status status) {
       return "proved, but something that it uses is not";
     case Status::model:
       return "part of the model, taken as given";
+    case Status::checked:
+      return "agrees with a computation in floating point, which proves nothing";
   }
   return {};
 }

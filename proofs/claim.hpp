@@ -14,8 +14,8 @@
 
 namespace stickslip::proofs {
 
-// The paper's kinds of statement.
-enum class Kind { definition, model, identity, step, theorem, condition, numbers };
+// The paper's kinds of statement; and a check in floating point, which proves nothing.
+enum class Kind { definition, model, identity, step, theorem, condition, numbers, check };
 
 [[nodiscard]] std::string to_string(Kind kind);
 
@@ -111,6 +111,7 @@ enum class Status {
   undecided,
   rests_on_unproved,  // proved, but something that it uses is not
   model,              // an equation of the model: taken as given
+  checked,            // a check in floating point that agrees
 };
 
 [[nodiscard]] std::string to_string(Status status);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -100,6 +101,7 @@ Proof by_counterexample(Counterexample example) {
             fmt::format("claim {}: {} does not hold at the counterexample", claim.id, text(statement)));
       }
     }
+    std::vector<std::string> failed;
     for (const Statement& failing : example.false_there) {
       const Sides sides = sides_of(failing, here);
       if (sides.decided != -1) {
@@ -108,7 +110,9 @@ Proof by_counterexample(Counterexample example) {
         return outcome;
       }
       outcome.verdict = Verdict::refuted(Witness{example.point, {}, sides.left, sides.right});
+      failed.push_back(text(failing));
     }
+    outcome.route += fmt::format("; what fails there: {}", fmt::join(failed, "; "));
     return outcome;
   };
 }

@@ -45,8 +45,9 @@ Status status_of(const Record& record, bool premises_stand) {
         return Status::digits_off;
       }
       return repaired && premises_stand ? Status::misprint_corrected : Status::refuted;
-    case Truth::undecided:
     case Truth::out_of_domain:
+      return record.claim.kind == Kind::check ? Status::checked : Status::undecided;
+    case Truth::undecided:
       break;
   }
   return Status::undecided;

@@ -31,6 +31,8 @@ Phrase phrase_of(Status status) {
     case Status::needs_hypotheses:
       return {"is proved under hypotheses that the paper does not state",
               "are proved under hypotheses that the paper does not state"};
+    case Status::checked:
+      return {"is a check in floating point that agrees", "are checks in floating point that agree"};
     case Status::digits_off:
       return {"gives printed digits that are not the correctly rounded ones",
               "give printed digits that are not the correctly rounded ones"};

@@ -17,6 +17,7 @@ using proofs::Status;
 constexpr std::array best_to_worst = {
     Status::as_printed,
     Status::model,
+    Status::checked,
     Status::needs_hypotheses,
     Status::digits_off,
     Status::misprint_corrected,
@@ -55,7 +56,8 @@ bool is_finding(const Record& record) {
       return hypothesis.origin == record.claim.id;
     });
   }
-  return record.status != Status::as_printed && record.status != Status::model;
+  return record.status != Status::as_printed && record.status != Status::model &&
+         record.status != Status::checked;
 }
 
 std::set<std::string> inheriting(const Audit& audit, const Record& record) {

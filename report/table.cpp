@@ -20,7 +20,7 @@ using proofs::Status;
 constexpr std::size_t unlimited = 1U << 20U;
 
 std::string colour_of(Status status, const Style& style) {
-  if (!style.colour || status == Status::model) {
+  if (!style.colour || status == Status::model || status == Status::checked) {
     return {};
   }
   switch (status) {

@@ -28,10 +28,12 @@ std::size_t width(std::string_view text) {
     if (text.substr(i).starts_with("\\frac{")) {
       const std::size_t over = group(i + 5);
       const std::size_t under = group(over + 1);
-      result += std::max(width(text.substr(i + 6, over - i - 6)), width(text.substr(over + 2, under - over - 2)));
+      result +=
+          std::max(width(text.substr(i + 6, over - i - 6)), width(text.substr(over + 2, under - over - 2)));
       i = under;
     } else if (text[i] == '\\') {
-      const std::size_t end = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", i + 1), text.size());
+      const std::size_t end = std::min(
+          text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", i + 1), text.size());
       result += text.substr(i, end - i) == "\\cos" || text.substr(i, end - i) == "\\sin" ? 3 : 1;
       i = end - 1;
     } else if (text[i] != '{' && text[i] != '}' && text[i] != '_' && text[i] != '^') {

@@ -23,9 +23,9 @@ ex tau1() {
 }
 
 Lines symmetric(Unknowns unknowns) {
-  const Vector4 residual = model::symmetric_residual<ex>(
-      chi(), modes(), Q_symbols(), omega(), symbol("Theta"), tau(), {symbol("z10"), symbol("z20")},
-      {symbol("zdot10"), symbol("V")});
+  const Vector4 residual =
+      model::symmetric_residual<ex>(chi(), modes(), Q_symbols(), omega(), symbol("Theta"), tau(),
+                                    {symbol("z10"), symbol("z20")}, {symbol("zdot10"), symbol("V")});
   Lines lines;
   for (const ex& equation : residual) {
     lines.push_back(sum("0", terms_of(equation)));
@@ -83,7 +83,7 @@ model::HalfPeriod<ex> half_period_letters() {
   const Vector2 d0 = d0_symbols();
   const ex b1 = symbol("b1");
   const ex b2 = symbol("b2");
-  return {symbol("phi1"), symbol("phi2"), symbol("d"), symbol("a1"), symbol("a2"), b1, b2,
+  return {symbol("phi1"),         symbol("phi2"), symbol("d"), symbol("a1"), symbol("a2"), b1, b2,
           b1 * d0(0) + b2 * d0(1)};
 }
 
@@ -107,19 +107,17 @@ Lines nonsticking_states(Unknowns unknowns) {
 
 Lines nonsticking_phase(Unknowns unknowns) {
   const model::HalfPeriod<ex> h = half_period();
-  Lines lines{
-      scalar("\\sin\\varphi", -half_period_letters().friction_speed / (symbol("q2") * omega()), Unknowns::chi),
-      sum("b_1", terms_of(h.b1)), sum("b_2", terms_of(h.b2))};
+  Lines lines{scalar("\\sin\\varphi", -half_period_letters().friction_speed / (symbol("q2") * omega()),
+                     Unknowns::chi),
+              sum("b_1", terms_of(h.b1)), sum("b_2", terms_of(h.b2))};
   append_meanings(lines, unknowns);
   return lines;
 }
 
 Lines least_load(Unknowns unknowns) {
   const model::HalfPeriod<ex> h = half_period();
-  const ex square =
-      model::least_load_squared<ex>(parameters(), modes(), half_period_letters(), symbol("ur"));
-  Lines lines{scalar("p^2", square, Unknowns::chi), sum("b_1", terms_of(h.b1)),
-              sum("b_2", terms_of(h.b2))};
+  const ex square = model::least_load_squared<ex>(parameters(), modes(), half_period_letters(), symbol("ur"));
+  Lines lines{scalar("p^2", square, Unknowns::chi), sum("b_1", terms_of(h.b1)), sum("b_2", terms_of(h.b2))};
   lines.front().left = "p^2 > p_{\\min}^2";
   append_meanings(lines, unknowns);
   return lines;
@@ -131,7 +129,7 @@ Lines symmetry_matrix(Unknowns unknowns) {
   const ex rho2 = symbol("rho2");
   const model::Matrix2<ex> Lambda = model::Lambda<ex>(modes());
   lines.push_back({"P", latex(model::Matrix2<ex>(Lambda * model::matrix<ex>(rho1, 0, 0, rho2) *
-                                                           model::inverse<ex>(Lambda)))});
+                                                 model::inverse<ex>(Lambda)))});
   lines.push_back(scalar("\\rho_1", model::rho<ex>(modes().omega1, tau(), tau1()), Unknowns::chi));
   lines.push_back(scalar("\\rho_2", model::rho<ex>(modes().omega2, tau(), tau1()), Unknowns::chi));
   append_meanings(lines, unknowns);
@@ -155,8 +153,7 @@ std::vector<Object> orbit_objects() {
       {"nonsticking", "(34)", "states of the non-sticking orbit, (31), (33), (34)", nonsticking_states},
       {"phase", "(35)", "phase of the load at a non-sticking orbit", nonsticking_phase},
       {"load", "(37)", "sharp bound for the load of a non-sticking orbit", least_load},
-      {"P", "(64)", "matrix that decides whether a non-sticking orbit is symmetric",
-       symmetry_matrix},
+      {"P", "(64)", "matrix that decides whether a non-sticking orbit is symmetric", symmetry_matrix},
       {"rho", "(70)", "eigenvalues of P", eigenvalues},
   };
 }

@@ -110,14 +110,10 @@ TEST_CASE("transcendental functions contain their values at every member") {
   INFO("STICKSLIP_SEED=", random.seed());
   using Function = std::function<Ball(const Ball&)>;
   const std::array<Function, 8> functions{
-      [](const Ball& x) { return sin(x); },
-      [](const Ball& x) { return cos(x); },
-      [](const Ball& x) { return tan(x); },
-      [](const Ball& x) { return sqrt(x * x + Ball(1)); },
-      [](const Ball& x) { return sinc(x); },
-      [](const Ball& x) { return sinc_slope(x); },
-      [](const Ball& x) { return sin_cos(x).first; },
-      [](const Ball& x) { return sin_cos(x).second; },
+      [](const Ball& x) { return sin(x); },           [](const Ball& x) { return cos(x); },
+      [](const Ball& x) { return tan(x); },           [](const Ball& x) { return sqrt(x * x + Ball(1)); },
+      [](const Ball& x) { return sinc(x); },          [](const Ball& x) { return sinc_slope(x); },
+      [](const Ball& x) { return sin_cos(x).first; }, [](const Ball& x) { return sin_cos(x).second; },
   };
   for (int i = 0; i < rounds; ++i) {
     const Nest a = nest(random);

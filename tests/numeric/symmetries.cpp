@@ -103,8 +103,7 @@ TEST_CASE("group law: a flow for t and then for s is the flow for t + s") {
   at_random_data([](const Draw& d) {
     const Ball later = d.psi + d.o.data.omega * d.t;
     check_same(slip(d, slip(d, d.Z, d.psi, d.t), later, d.s), slip(d, d.Z, d.psi, d.t + d.s));
-    check_same(overshoot(d, overshoot(d, d.Z, d.psi, d.t), later, d.s),
-               overshoot(d, d.Z, d.psi, d.t + d.s));
+    check_same(overshoot(d, overshoot(d, d.Z, d.psi, d.t), later, d.s), overshoot(d, d.Z, d.psi, d.t + d.s));
     check_same(stick(d, stick(d, d.Z, d.t), d.s), stick(d, d.Z, d.t + d.s));
   });
 }
@@ -169,9 +168,10 @@ TEST_CASE("Newton's equations hold in any units, through (3)") {
     const auto any = [&] { return Ball(random.between(0.01, 900)); };
     const Ball m1 = any(), m2 = any(), k1 = any(), k2 = any(), force = any(), load = any();
     const Ball frequency = Ball(random.between(0.2, 3)), psi = Ball(random.between(-3, 3));
-    const Ball Omega = sqrt((k1 + k2) / m1), eta = m1 / m2, omega = frequency;  // frequency of the load: Omega omega
-    const model::Parameters<Ball> a{k2 / (k1 + k2), eta,   force / (k1 + k2), Ball(0),
-                                    omega,          eta * load / (k1 + k2)};
+    const Ball Omega = sqrt((k1 + k2) / m1), eta = m1 / m2,
+               omega = frequency;  // frequency of the load: Omega omega
+    const model::Parameters<Ball> a{k2 / (k1 + k2), eta,   force / (k1 + k2),
+                                    Ball(0),        omega, eta * load / (k1 + k2)};
     const Oscillator o = model::oscillator<Ball>(a);
     const Ball clock = Ball(random.between(0, 5)) / Omega;  // in seconds
     const Second t = Second::variable(First::variable(clock, 0), 0) * Second(First(Omega));

@@ -6,6 +6,7 @@
 #include "proofs/paper.hpp"
 #include "proofs/prover.hpp"
 #include "proofs/vocabulary.hpp"
+#include "tests/proofs/decided.hpp"
 #include "tests/proofs/wrong.hpp"
 
 using namespace stickslip;
@@ -13,20 +14,6 @@ using namespace stickslip::proofs;
 using namespace stickslip::proofs::vocabulary;
 
 namespace {
-
-const Record& record(const std::string& id) {
-  static const std::vector<Claim> claims = paper();
-  static Prover prover(claims);
-  return prover.prove(id);
-}
-
-std::set<std::string> hypotheses(const std::string& id) {
-  std::set<std::string> texts;
-  for (const Hypothesis& hypothesis : record(id).outcome.hypotheses) {
-    texts.insert(hypothesis.text);
-  }
-  return texts;
-}
 
 const std::set<std::string> off_load_resonance{"omega - omega1 != 0", "omega - omega2 != 0"};
 
@@ -87,7 +74,7 @@ TEST_CASE("det(H_1 - I) != 0 is stated for (69), and omega != 1 is an unstated h
 TEST_CASE("every claim of these places is decided") {
   for (const Claim& claim : paper()) {
     const bool here = claim.place == "sec6" || claim.place == "A4" || claim.place == "A5";
-    if (here && claim.kind != Kind::numbers) {
+    if (here && claim.kind != Kind::numbers && claim.kind != Kind::check) {
       CAPTURE(claim.id);
       CHECK(record(claim.id).outcome.verdict.truth == Truth::proved);
       CHECK(record(claim.id).status != Status::rests_on_unproved);

@@ -6,6 +6,7 @@
 #include "proofs/overshooting.hpp"
 #include "proofs/paper.hpp"
 #include "proofs/prover.hpp"
+#include "tests/proofs/decided.hpp"
 #include "tests/proofs/wrong.hpp"
 
 using namespace stickslip;
@@ -13,20 +14,6 @@ using namespace stickslip::proofs;
 using namespace stickslip::proofs::overshooting;
 
 namespace {
-
-const Record& record(const std::string& id) {
-  static const std::vector<Claim> claims = paper();
-  static Prover prover(claims);
-  return prover.prove(id);
-}
-
-std::set<std::string> hypotheses(const std::string& id) {
-  std::set<std::string> texts;
-  for (const Hypothesis& hypothesis : record(id).outcome.hypotheses) {
-    texts.insert(hypothesis.text);
-  }
-  return texts;
-}
 
 std::vector<std::string> coefficient_ids() {
   std::vector<std::string> ids;

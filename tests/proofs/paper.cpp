@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "proofs/judgement.hpp"
 #include "proofs/prover.hpp"
+#include "tests/proofs/decided.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs;
@@ -14,15 +15,6 @@ namespace {
 const Audit& whole() {
   static const Audit result = audit(paper());
   return result;
-}
-
-const Record& record(const std::string& id) {
-  for (const Record& candidate : whole().records) {
-    if (candidate.claim.id == id) {
-      return candidate;
-    }
-  }
-  throw InternalError("no record " + id);
 }
 
 }  // namespace
@@ -36,6 +28,7 @@ TEST_CASE("nothing is left open, and what is proved says how") {
     CAPTURE(r.outcome.verdict.reason);
     CHECK(r.status != Status::undecided);
     CHECK(r.status != Status::rests_on_unproved);
+    CHECK((r.status == Status::checked) == r.claim.id.ends_with(".raw"));
     CHECK((r.status == Status::refuted) == refuted.contains(r.claim.id));
     CHECK(r.claim.words.size() > 0);
     if (r.status != Status::model) {

@@ -11,9 +11,7 @@ namespace {
 const double half_turn = std::acos(-1.0);
 
 PhaseKind mirrored(PhaseKind kind) {
-  return kind == PhaseKind::stick  ? kind
-         : kind == PhaseKind::slip ? PhaseKind::overshoot
-                                   : PhaseKind::slip;
+  return kind == PhaseKind::stick ? kind : kind == PhaseKind::slip ? PhaseKind::overshoot : PhaseKind::slip;
 }
 
 // Data at random, or at a corner: a belt that hardly moves, chi near its ends, a load near resonance.

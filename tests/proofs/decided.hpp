@@ -1,0 +1,17 @@
+// Claims of the paper as they are decided.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "proofs/claim.hpp"
+
+namespace stickslip::proofs {
+
+// The record of that claim, proved when it is first asked for.
+[[nodiscard]] const Record& record(const std::string& id);
+
+// Its hypotheses, as text.
+[[nodiscard]] std::set<std::string> hypotheses(const std::string& id);
+
+}  // namespace stickslip::proofs
