@@ -164,10 +164,12 @@ def markdown(r):
     m = r["machine"]
     profiles = Path(__file__).resolve().parent / "profiles.md"
     mode = " A quick run: figures are rough." if r["quick"] else ""
+    loaded = m["load"] > 0.5
+    caution = " Other work was on the cores: wall times are too long, CPU times somewhat." if loaded else ""
     parts = [
         "# How fast it is\n\nMade by `script/bench`; the raw figures are in `results.json`. CPU time on one core unless called "
         f"wall; all rows are of one run.{mode}\n\n"
-        f"Machine: {m['cpu']}, {m['cores']} cores, load {m['load']:.1f} at the start. Commit {m['commit']}.\n\n"
+        f"Machine: {m['cpu']}, {m['cores']} cores, load {m['load']:.1f} at the start.{caution} Commit {m['commit']}.\n\n"
         "Versions: " + ", ".join(f"{k} {v}" for k, v in m["versions"].items()) + ".",
         "## Targets\n\n" + target_rows(r),
         "## Identities\n\nA claim in a fresh process, with every claim that its proof uses but the definitions, its hypotheses "
