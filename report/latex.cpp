@@ -43,8 +43,12 @@ class Workshop {
 
 }  // namespace
 
+bool can_compile() {
+  return is_there(compiler());
+}
+
 Compiled compile(const std::vector<File>& files, const std::string& name) {
-  if (!is_there(compiler())) {
+  if (!can_compile()) {
     return {{}, fmt::format("{} is not there (Debian has it in {})", compiler().program, compiler().package)};
   }
   try {

@@ -8,6 +8,9 @@
 
 namespace stickslip::report {
 
+// Whether there is TeX.
+[[nodiscard]] bool can_compile();
+
 // NAME.pdf from NAME.tex, which is among the files, with the pictures that it includes: without a date and
 // the same for the same files. `problem` says in half a sentence why there is none: TeX is not there, or
 // complains.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/parallel.hpp"
 #include "report/graph.hpp"
 #include "report/json.hpp"
 #include "report/katex.hpp"
@@ -39,12 +40,28 @@ Json list_data(const OrbitList& list, const std::string& anchor, const std::stri
   return data;
 }
 
-// NAME.tex, and NAME.pdf where there is TeX.
-void add_paper(Report& report, const std::string& name, const std::string& tex_template, Json& data) {
-  report.files.push_back({name + ".tex", render_file(tex_template, data, tex_format)});
-  Compiled compiled = compile(report.files, name);
-  data["pdf"] = !compiled.pdf.empty();
+// NAME.tex, NAME.pdf where there is TeX, and what `pages` makes of the data, which then say whether there is
+// NAME.pdf: made at the same time, and once more should the compilation fail.
+template <class Pages>
+void add_paper_and_pages(Report& report, const std::string& name, Json data, const Pages& pages) {
+  report.files.push_back({name + ".tex", render_file(name + ".tex", data, tex_format)});
+  data["pdf"] = can_compile();
+  Compiled compiled;
+  std::vector<File> made;
+  (void)parallel_map(2, [&](std::size_t i) {
+    if (i == 0) {
+      compiled = compile(report.files, name);
+    } else {
+      made = pages(data);
+    }
+    return i;
+  });
+  if (data.at("pdf") != !compiled.pdf.empty()) {
+    data["pdf"] = !compiled.pdf.empty();
+    made = pages(data);
+  }
   append(report.files, std::move(compiled.pdf));
+  append(report.files, std::move(made));
   if (!compiled.problem.empty()) {
     report.note = fmt::format("{}.pdf is not made: {}.", name, compiled.problem);
   }
@@ -62,19 +79,36 @@ std::string digits_in_words(int digits) {
       digits);
 }
 
-// The list of an example, its picture, and the orbit of the figure with a picture of its own.
-Json example_data(const ExampleOrbits& e, std::vector<File>& files) {
-  const std::string stem = "orbits-" + e.example.name;
-  std::vector<File> all = pictures(e.list, stem);
-  Json data = list_data(e.list, e.example.name, e.example.figure, stem, !all.empty());
-  append(files, std::move(all));
+std::string picture_of_list(const ExampleOrbits& e) {
+  return "orbits-" + e.example.name;
+}
+std::string picture_of_figure(const ExampleOrbits& e) {
+  return "figure-" + e.example.name;
+}
+
+// The list of an example, and the orbit of the figure, with the pictures of both.
+Json example_data(const ExampleOrbits& e) {
+  Json data = list_data(e.list, e.example.name, e.example.figure, picture_of_list(e), !e.list.orbits.empty());
   data["figure"] = nullptr;
   if (const std::optional<std::size_t> shown = printed_orbit(e)) {
-    const std::string figure = "figure-" + e.example.name;
-    data["figure"] = {{"picture", figure}, {"orbit", data.at("orbits").at(*shown)}};
-    append(files, pictures(e.list, figure, shown));
+    data["figure"] = {{"picture", picture_of_figure(e)}, {"orbit", data.at("orbits").at(*shown)}};
   }
   return data;
+}
+
+// These pictures; two at a time for each example.
+std::vector<File> example_pictures(const std::vector<ExampleOrbits>& examples) {
+  std::vector<File> files;
+  for (std::vector<File>& some : parallel_map(2 * examples.size(), [&](std::size_t i) {
+         const ExampleOrbits& e = examples[i / 2];
+         const std::optional<std::size_t> shown = printed_orbit(e);
+         return i % 2 == 0 ? pictures(e.list, picture_of_list(e))
+                : shown    ? pictures(e.list, picture_of_figure(e), shown)
+                           : std::vector<File>{};
+       })) {
+    append(files, std::move(some));
+  }
+  return files;
 }
 
 }  // namespace
@@ -88,15 +122,17 @@ Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examp
   data["meaning_of_margin"] = meaning_of_margin();
   data["examples"] = Json::array();
   for (const ExampleOrbits& e : examples) {
-    data["examples"].push_back(example_data(e, report.files));
+    data["examples"].push_back(example_data(e));
   }
-  add_paper(report, "audit", "audit.tex", data);
+  append(report.files, example_pictures(examples));
   data["graph"] = graph_svg(audit);
   data["page_title"] = "The orbits of the paper’s figures";
   data["lists"] = data.at("examples");
-  append(report.files, with_formulas({{"index.html", render_file("index.html", data, html_format)},
-                                      {"statements.html", render_file("statements.html", data, html_format)},
-                                      {"orbits.html", render_file("orbits.html", data, html_format)}}));
+  add_paper_and_pages(report, "audit", std::move(data), [](const Json& complete) {
+    return with_formulas({{"index.html", render_file("index.html", complete, html_format)},
+                          {"statements.html", render_file("statements.html", complete, html_format)},
+                          {"orbits.html", render_file("orbits.html", complete, html_format)}});
+  });
   add_style(report.files);
   return report;
 }
@@ -119,8 +155,9 @@ Report pages(const OrbitList& list) {
   data["page_title"] = fmt::format("Orbits: {}", name_of(list.question.family));
   data["paper"] = nullptr;
   data["meaning_of_margin"] = meaning_of_margin();
-  add_paper(report, "orbits", "orbits.tex", data);
-  append(report.files, with_formulas({{"index.html", render_file("orbits.html", data, html_format)}}));
+  add_paper_and_pages(report, "orbits", std::move(data), [](const Json& complete) {
+    return with_formulas({{"index.html", render_file("orbits.html", complete, html_format)}});
+  });
   add_style(report.files);
   return report;
 }
