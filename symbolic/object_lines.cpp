@@ -46,25 +46,32 @@ std::size_t width(std::string_view text) {
 // How wide a line may be.
 constexpr std::size_t page = 52;
 
+// The factor of a product that is a sum of most terms, of equals the last by its text; 0 if there is none.
+ex longest_sum(const ex& product) {
+  std::map<std::pair<std::size_t, std::string>, ex> sums;
+  for (const ex& factor : GiNaC::is_a<GiNaC::mul>(product) ? product : ex(GiNaC::lst{product})) {
+    if (GiNaC::is_a<GiNaC::add>(factor)) {
+      sums.emplace(std::pair(factor.nops(), text(factor)), factor);
+    }
+  }
+  return sums.empty() ? ex(0) : sums.rbegin()->second;
+}
+
 // The terms, those too wide for a line multiplied out by their longest sum.
 std::vector<ex> narrow(const std::vector<ex>& terms) {
   std::vector<ex> result;
   for (const ex& term : terms) {
-    ex longest = 0;
-    for (const ex& factor : GiNaC::is_a<GiNaC::mul>(term) ? term : ex(GiNaC::lst{term})) {
-      if (GiNaC::is_a<GiNaC::add>(factor) && factor.nops() > std::max<std::size_t>(longest.nops(), 1)) {
-        longest = factor;
-      }
-    }
+    const ex longest = longest_sum(term);
     if (width(latex(term)) <= page || longest.is_zero()) {
       result.push_back(term);
       continue;
     }
-    std::vector<ex> parts = terms_of(longest);
-    for (ex& part : parts) {
-      part *= term / longest;
+    // GiNaC keeps a product of a sum with either sign: the order is that of the terms when multiplied out.
+    ex product = 0;
+    for (const ex& part : terms_of(longest)) {
+      product += part * (term / longest);
     }
-    parts = narrow(parts);
+    const std::vector<ex> parts = narrow(terms_of(product));
     result.insert(result.end(), parts.begin(), parts.end());
   }
   return result;
