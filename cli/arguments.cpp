@@ -83,6 +83,7 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
       "Prints a table of all statements with their status, then the findings with their\n"
       "reasons, then the printed numbers beside the proved ones.\n\n"
       "Exit code: 0 everything is decided, also if the paper has misprints;\n"
+      "1 with --mutants: a wrong statement is proved;\n"
       "2 something is undecided.");
   CLI::Option* out = command->add_option("--out", options.out,
                                          "Also write the report into DIR: pages for a browser that begin\n"
@@ -91,6 +92,14 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
   out->type_name("DIR");
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the results as JSON instead of the table");
+  CLI::Option* mutants = command->add_flag("--mutants", options.mutants,
+                                           "Also put wrong statements to the proofs, made by single edits\n"
+                                           "of all formulas, and say what became of them: takes minutes");
+  command->add_option("--one-in", options.one_in, "Take a random sample of them, one in N")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->needs(mutants);
+  command->add_option("--seed", options.seed, "The seed of that sample")->type_name("N")->needs(mutants);
   command->callback([&options, &request, out] {
     options.with_out = out->count() > 0;
     request = options;

@@ -14,6 +14,9 @@ struct AuditOptions {
   std::string jobs;
   bool with_out = false;
   bool json = false;
+  bool mutants = false;
+  unsigned one_in = 1;  // of the mutants
+  unsigned seed = 0;    // of that sample
 };
 
 struct CheckOptions {

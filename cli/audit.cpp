@@ -1,15 +1,19 @@
 // stickslip audit: every statement of the paper.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "cli/commands.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "numeric/example_orbits.hpp"
+#include "proofs/mutants.hpp"
 #include "proofs/paper.hpp"
 #include "report/files.hpp"
 #include "report/json.hpp"
+#include "report/mutants.hpp"
 #include "report/pages.hpp"
 #include "report/pictures.hpp"
 #include "report/summary.hpp"
@@ -25,6 +29,24 @@ std::vector<ExampleOrbits> example_orbits() {
   return all;
 }
 
+std::optional<proofs::Gate> gate_of(const AuditOptions& options) {
+  if (!options.mutants) {
+    return std::nullopt;
+  }
+  Progress line("making wrong statements ...");
+  return proofs::mutant_gate(proofs::paper(), {}, {options.seed, options.one_in},
+                             [&line](const std::string& id, std::size_t done, std::size_t all) {
+                               line.show(fmt::format("wrong statements of {} ({} of {})", id, done, all));
+                             });
+}
+
+// A wrong statement that is proved, and nobody knows why.
+bool any_unexplained(const std::optional<proofs::Gate>& gate) {
+  return gate && std::ranges::any_of(gate->mutants, [](const proofs::Mutant& mutant) {
+           return mutant.fate == proofs::Fate::survived && explanation(mutant).empty();
+         });
+}
+
 }  // namespace
 
 ExitCode run(const AuditOptions& options) {
@@ -35,16 +57,22 @@ ExitCode run(const AuditOptions& options) {
   }
   const proofs::Audit audit = prove(proofs::paper(), {});
   const std::vector<ExampleOrbits> examples = example_orbits();
+  const std::optional<proofs::Gate> gate = gate_of(options);
   report::Report made;
   if (options.with_out) {
     const Progress progress("making the pages ...");
-    made = report::pages(audit, examples);
+    made = report::pages(audit, examples, gate);
     report::write_files(options.out, made.files);
   }
-  print(options.json ? report::to_text(report::to_json(audit, "stickslip audit", examples))
-                     : report::terminal_report(audit, terminal_style()));
+  const std::string command = options.mutants ? "stickslip audit --mutants" : "stickslip audit";
+  print(options.json ? report::to_text(report::to_json(audit, command, examples, gate))
+                     : report::terminal_report(audit, terminal_style()) +
+                           (gate ? "\n" + report::terminal_mutants(*gate, terminal_style()) : ""));
   if (options.with_out) {
     tell(report_line(options.out, "audit", made));
+  }
+  if (any_unexplained(gate)) {
+    return exit_refuted;
   }
   return report::all_decided(audit) ? exit_decided : exit_undecided;
 }

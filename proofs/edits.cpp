@@ -69,9 +69,23 @@ void factor_edits(const Term& term, TermEdits& found) {
   }
 }
 
+using Families = std::vector<std::vector<std::string>>;
+
+// The other names of the family to which the name belongs.
+std::vector<std::string> others_in(const Families& families, const std::string& name) {
+  for (const auto& family : families) {
+    if (std::find(family.begin(), family.end(), name) != family.end()) {
+      std::vector<std::string> others = family;
+      std::erase(others, name);
+      return others;
+    }
+  }
+  return {};
+}
+
 // Names that differ only in their index.
 std::vector<std::string> siblings(const std::string& name) {
-  static const std::vector<std::vector<std::string>> families{
+  static const Families families{
       {"H1", "H2", "H3"},
       {"B1", "B2", "B3"},
       {"Gamma1", "Gamma2", "Gamma3"},
@@ -100,12 +114,35 @@ std::vector<std::string> siblings(const std::string& name) {
       {"Delta", "Delta1", "Delta2", "Delta3"},
       {"phiB", "phiC"},
   };
-  for (const auto& family : families) {
-    if (std::find(family.begin(), family.end(), name) != family.end()) {
-      return family;
-    }
-  }
-  return entry_siblings(name);
+  const std::vector<std::string> others = others_in(families, name);
+  return others.empty() ? entry_siblings(name) : others;
+}
+
+// Names of other things of the same shape.
+std::vector<std::string> other_letters(const std::string& name) {
+  static const Families families{{"H", "Gamma"},     {"H1", "Gamma1"},
+                                 {"H2", "Gamma2"},   {"H3", "Gamma3"},
+                                 {"F0", "FB"},       {"z0", "zB"},
+                                 {"Z0", "ZB", "ZC"}, {"zdot0", "zdotB"},
+                                 {"Zbar0", "ZbarB"}, {"zbar0", "zbarB"},
+                                 {"Q", "d0"},        {"X0", "XB"},
+                                 {"x0", "xB"},       {"zdot20", "zdot2B", "zdot2C"},
+                                 {"B1", "gamma1"},   {"B2", "gamma2"},
+                                 {"B3", "gamma3"},   {"cos", "tan"}};
+  return others_in(families, name);
+}
+
+// The quantity whose rate of change it is.
+std::optional<std::string> without_prime(const std::string& name) {
+  static const std::vector<std::string> known{"zdot0",  "zdotB",  "zdot10", "zdot20",
+                                              "zdot1B", "zdot2B", "zdot1C", "zdot2C"};
+  return std::find(known.begin(), known.end(), name) == known.end()
+             ? std::nullopt
+             : std::optional("z" + name.substr(std::string("zdot").size()));
+}
+
+bool is_duration(const std::string& name) {
+  return name == "T" || name == "Theta" || name == "tau" || name == "tau1";
 }
 
 void name_edits(const Term& term, TermEdits& found) {
@@ -117,9 +154,16 @@ void name_edits(const Term& term, TermEdits& found) {
                      Term(Term::Node{term.op(), term.shape(), name, term.number(), term.arguments()})});
   };
   for (const std::string& name : siblings(term.name())) {
-    if (name != term.name()) {
-      rename(EditKind::index, name);
-    }
+    rename(EditKind::index, name);
+  }
+  for (const std::string& name : other_letters(term.name())) {
+    rename(EditKind::letter, name);
+  }
+  if (const auto name = without_prime(term.name())) {
+    rename(EditKind::prime, *name);
+  }
+  if (is_duration(term.name())) {
+    found.push_back({EditKind::period, fmt::format("half of {}", term.name()), term / 2});
   }
   if (term.op() == Op::function && (term.name() == "cos" || term.name() == "sin")) {
     rename(EditKind::function, term.name() == "cos" ? "sin" : "cos");
@@ -146,7 +190,8 @@ void exchange_edits(const Term& term, TermEdits& found) {
   }
 }
 
-TermEdits edits_of(const Term& term) {
+// Every edit of the term itself.
+TermEdits edits_here(const Term& term) {
   TermEdits found;
   sign_edits(term, found);
   factor_edits(term, found);
@@ -155,8 +200,64 @@ TermEdits edits_of(const Term& term) {
   if (term.op() == Op::power) {
     found.push_back({EditKind::exponent, "without the exponent of " + text(term), term.arguments().front()});
   }
+  if (term.op() == Op::derivative) {
+    found.push_back({EditKind::prime, "without the derivative of " + text(term.arguments().front()),
+                     term.arguments().front()});
+  }
+  return found;
+}
+
+// The term of a name, to be written beside another of its shape.
+Term named(const Term& term, const std::string& name) {
+  return Term(Term::Node{term.op(), term.shape(), name, term.number(), term.arguments()});
+}
+
+void other_name(const Term& term, EditKind kind, const std::vector<std::string>& names, TermEdits& found) {
+  if (!names.empty()) {
+    const Term other = named(term, names.front());
+    found.push_back({kind, text(other) + " added and taken away", other + (term - other)});
+  }
+}
+
+// One other way to write the term itself for each kind of edit that it allows.
+TermEdits rewritings_here(const Term& term) {
+  TermEdits found;
+  if (term.op() == Op::sum || term.op() == Op::negate) {
+    found.push_back({EditKind::sign, "two signs more", -(-term)});
+  }
+  if (term.op() == Op::product || term.op() == Op::quotient) {
+    found.push_back({EditKind::factor, "doubled and halved", (2 * term) / 2});
+  }
+  if (term.op() == Op::symbol || (term.op() == Op::function && !term.shape().is_scalar())) {
+    other_name(term, EditKind::index, siblings(term.name()), found);
+    other_name(term, EditKind::letter, other_letters(term.name()), found);
+  }
+  if (term.op() == Op::symbol && is_duration(term.name())) {
+    found.push_back({EditKind::period, "as two halves", term / 2 + term / 2});
+  }
+  if (term.op() == Op::function && (term.name() == "cos" || term.name() == "sin")) {
+    const Term rest = pi() / 2 - term.arguments().front();
+    found.push_back({EditKind::function, "of the complement", term.name() == "cos" ? sin(rest) : cos(rest)});
+  }
+  if (term.op() == Op::power && term.number() == 2) {
+    found.push_back(
+        {EditKind::exponent, "as a product", term.arguments().front() * term.arguments().front()});
+  }
+  if (term.op() == Op::block) {
+    found.push_back(
+        {EditKind::exchange, "a zero matrix added", term + zero(term.shape().rows, term.shape().columns)});
+  }
+  if (term.op() == Op::derivative) {
+    found.push_back({EditKind::prime, "of the double, halved", derivative(2 * term.arguments().front()) / 2});
+  }
+  return found;
+}
+
+// What `here` gives at every place of the term.
+TermEdits everywhere(const Term& term, TermEdits (*here)(const Term&)) {
+  TermEdits found = here(term);
   for (std::size_t i = 0; i < term.arguments().size(); ++i) {
-    for (const TermEdit& edit : edits_of(term.arguments()[i])) {
+    for (const TermEdit& edit : everywhere(term.arguments()[i], here)) {
       Terms arguments = term.arguments();
       arguments[i] = edit.term;
       if (const auto changed = rebuilt(term, arguments)) {
@@ -165,6 +266,17 @@ TermEdits edits_of(const Term& term) {
     }
   }
   return found;
+}
+
+std::vector<Edit> everywhere(const Statement& statement, TermEdits (*here)(const Term&)) {
+  std::vector<Edit> result;
+  for (const TermEdit& edit : everywhere(statement.left, here)) {
+    result.push_back({edit.kind, edit.what, {edit.term, statement.right, statement.relation}});
+  }
+  for (const TermEdit& edit : everywhere(statement.right, here)) {
+    result.push_back({edit.kind, edit.what, {statement.left, edit.term, statement.relation}});
+  }
+  return result;
 }
 
 }  // namespace
@@ -183,19 +295,29 @@ std::string to_string(EditKind kind) {
       return "function";
     case EditKind::exponent:
       return "exponent";
+    case EditKind::letter:
+      return "letter";
+    case EditKind::prime:
+      return "prime";
+    case EditKind::period:
+      return "period";
   }
   return {};
 }
 
+const std::vector<EditKind>& edit_kinds() {
+  static const std::vector<EditKind> all{EditKind::sign,     EditKind::factor,   EditKind::index,
+                                         EditKind::exchange, EditKind::function, EditKind::exponent,
+                                         EditKind::letter,   EditKind::prime,    EditKind::period};
+  return all;
+}
+
 std::vector<Edit> edits(const Statement& statement) {
-  std::vector<Edit> result;
-  for (const TermEdit& edit : edits_of(statement.left)) {
-    result.push_back({edit.kind, edit.what, {edit.term, statement.right, statement.relation}});
-  }
-  for (const TermEdit& edit : edits_of(statement.right)) {
-    result.push_back({edit.kind, edit.what, {statement.left, edit.term, statement.relation}});
-  }
-  return result;
+  return everywhere(statement, edits_here);
+}
+
+std::vector<Edit> rewritings(const Statement& statement) {
+  return everywhere(statement, rewritings_here);
 }
 
 }  // namespace stickslip::proofs

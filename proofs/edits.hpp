@@ -15,7 +15,12 @@ enum class EditKind {
   exchange,  // two entries of a block matrix exchanged
   function,  // cos for sin, sin for cos
   exponent,  // one exponent left out
+  letter,    // one letter for another of its kind: H for Gamma, Z_B for Z_0, Q for d_0
+  prime,     // one derivative left out: H_2 for H_2', z_10 for z_10'
+  period,    // one duration halved: T/2 for T
 };
+
+[[nodiscard]] const std::vector<EditKind>& edit_kinds();
 
 [[nodiscard]] std::string to_string(EditKind kind);
 
@@ -28,5 +33,9 @@ struct Edit {
 // Every single edit that leaves a formula with meaning (shapes fit), in the order in which the statement is
 // read.
 [[nodiscard]] std::vector<Edit> edits(const Statement& statement);
+
+// For each kind of edit and each place where it can be made, the statement written another way that says the
+// same: the other way to write a sign, a factor, …
+[[nodiscard]] std::vector<Edit> rewritings(const Statement& statement);
 
 }  // namespace stickslip::proofs

@@ -323,8 +323,15 @@ Proof by_rate_of_change(const Term& quantity, std::vector<Statement> motion) {
               evaluate<ex>(equation.right, given.lookup())(0, 0);
     }
     require_count(claim, 1);
+    const Term& changing = claim.printed.front().left;
+    if (changing.op() != Op::derivative) {
+      throw InternalError(text(changing) + " is no rate of change");
+    }
+    decide(outcome, claim, equation(changing.arguments().front(), quantity));
+    const Verdict is_quantity = outcome.verdict;
     decide(outcome, claim, symbolic::Matrix::Constant(1, 1, rate),
            evaluate<ex>(claim.printed.front().right, given.lookup()));
+    outcome.verdict = all_of({is_quantity, outcome.verdict});
     outcome.route = "the chain rule along the equations of motion";
     return outcome;
   };

@@ -14,16 +14,28 @@ namespace {
 
 using GiNaC::ex;
 
-Outcome conjunction(const std::string& route, const Claim& claim, const std::vector<Statement>& equations) {
-  Outcome outcome;
-  std::vector<Verdict> verdicts;
+void decide_all(Outcome& outcome, const Claim& claim, const std::vector<Statement>& equations,
+                std::vector<Verdict>& verdicts) {
   for (const Statement& equation : equations) {
     decide(outcome, claim, equation);
     verdicts.push_back(outcome.verdict);
   }
+}
+
+Outcome conjunction(const std::string& route, const Claim& claim, const std::vector<Statement>& equations) {
+  Outcome outcome;
+  std::vector<Verdict> verdicts;
+  decide_all(outcome, claim, equations, verdicts);
   outcome.verdict = all_of(verdicts);
   outcome.route = route;
   return outcome;
+}
+
+// The printed statements that speak of nothing but what has a value.
+std::vector<Statement> with_values(std::vector<Statement> printed) {
+  std::erase_if(printed,
+                [](const Statement& one) { return !is_in_field(one.left) || !is_in_field(one.right); });
+  return printed;
 }
 
 const char* const normal_form_route = "both sides have the same normal form, for all values of the symbols";
@@ -36,7 +48,9 @@ Proof by_normal_form() {
 
 Proof by_normal_form(std::vector<Statement> equations) {
   return [equations = std::move(equations)](Prover&, const Claim& claim) {
-    return conjunction(normal_form_route, claim, equations);
+    std::vector<Statement> all = with_values(claim.printed);
+    all.insert(all.end(), equations.begin(), equations.end());
+    return conjunction(normal_form_route, claim, all);
   };
 }
 
@@ -49,6 +63,7 @@ Proof by_derivation(const std::string& route, std::function<std::vector<Derived>
       decide(outcome, claim, derived.value, evaluate<ex>(derived.stated, symbolically()));
       verdicts.push_back(outcome.verdict);
     }
+    decide_all(outcome, claim, claim.printed, verdicts);
     outcome.verdict = all_of(verdicts);
     outcome.route = route;
     return outcome;

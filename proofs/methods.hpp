@@ -17,10 +17,12 @@ namespace stickslip::proofs {
 // by normal form. Assumptions whose left side is a scalar symbol (phi = (pi - omega*tau)/2) are put in first.
 [[nodiscard]] Proof by_normal_form();
 
-// The same for equations other than the printed ones, which say what the printed words mean.
+// The same for those of the printed equations that have a value, and for others which say what the rest of
+// them, or the printed words, mean.
 [[nodiscard]] Proof by_normal_form(std::vector<Statement> equations);
 
-// The same where one side comes from a derivation that shares no formula with the model.
+// The printed equations hold identically, and what they speak of comes out of a derivation that shares no
+// formula with the model.
 struct Derived {
   symbolic::Matrix value;
   Term stated;

@@ -1,6 +1,7 @@
 #include "report/json.hpp"
 
 #include "core/decimal.hpp"
+#include "report/mutants.hpp"
 #include "report/orbits.hpp"
 #include "report/summary.hpp"
 #include "report/versions.hpp"
@@ -176,7 +177,8 @@ Json provenance(const std::string& command) {
           {"command", command}};
 }
 
-Json to_json(const Audit& audit, const std::string& command, const std::vector<ExampleOrbits>& examples) {
+Json to_json(const Audit& audit, const std::string& command, const std::vector<ExampleOrbits>& examples,
+             const std::optional<proofs::Gate>& gate) {
   Json json = provenance(command);
   json["paper"] = {{"author", "M. Pascal"},
                    {"title", "New limit cycles of dry friction oscillators under harmonic load"},
@@ -185,6 +187,7 @@ Json to_json(const Audit& audit, const std::string& command, const std::vector<E
   json["summary"] = summary(audit);
   json["places"] = list_of(by_place(audit), place);
   json["examples"] = list_of(examples, example);
+  json["mutants"] = gate ? to_json(*gate) : Json(nullptr);
   return json;
 }
 

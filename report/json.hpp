@@ -7,6 +7,7 @@
 
 #include "numeric/example_orbits.hpp"
 #include "proofs/claim.hpp"
+#include "proofs/mutants.hpp"
 
 namespace stickslip::report {
 
@@ -22,9 +23,10 @@ inline constexpr const char* schema_version = "1.2";
 
 // As report/schema/audit.schema.json says. Every key is always there; numbers are decimal strings or balls
 // {"mid", "rad"} rounded outwards, except for counts. The same audit gives the same text, always. The
-// examples are empty unless they were asked for.
+// examples are empty, and the mutants null, unless they were asked for.
 [[nodiscard]] Json to_json(const proofs::Audit& audit, const std::string& command = "stickslip audit",
-                           const std::vector<ExampleOrbits>& examples = {});
+                           const std::vector<ExampleOrbits>& examples = {},
+                           const std::optional<proofs::Gate>& gate = {});
 
 // As it stands in audit.json: indented, ending with a line feed.
 [[nodiscard]] std::string to_text(const Json& json);

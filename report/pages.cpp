@@ -113,8 +113,9 @@ std::vector<File> example_pictures(const std::vector<ExampleOrbits>& examples) {
 
 }  // namespace
 
-Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examples) {
-  const Json json = to_json(audit, "stickslip audit", examples);
+Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examples,
+             const std::optional<proofs::Gate>& gate) {
+  const Json json = to_json(audit, gate ? "stickslip audit --mutants" : "stickslip audit", examples, gate);
   Report report{{{"audit.json", to_text(json)}}, {}};
   Json data = page_data(audit, json);
   add_provenance(data, true);

@@ -1,11 +1,13 @@
 // The reports: pages for the browser, a paper for print, data.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "numeric/example_orbits.hpp"
 #include "proofs/claim.hpp"
+#include "proofs/mutants.hpp"
 #include "report/files.hpp"
 
 namespace stickslip::report {
@@ -19,7 +21,8 @@ struct Report {
 // index.html, statements.html, orbits.html with style.css and katex.css; audit.json; audit.tex and, where
 // there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be read or a program
 // that draws is missing or fails.
-[[nodiscard]] Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examples);
+[[nodiscard]] Report pages(const proofs::Audit& audit, const std::vector<ExampleOrbits>& examples,
+                           const std::optional<proofs::Gate>& gate = {});
 
 // The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
 // if the template cannot be read.
