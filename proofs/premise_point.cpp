@@ -255,9 +255,9 @@ std::optional<PremisePoint> PremisePoint::find(Prover& prover, const Record& rec
   const PremisePoint result(point);
   const auto fails = [&](const Statement& statement) { return point->fails(statement); };
   try {
-    const bool stands = point->premises.consistent && point->solve() &&
-                        std::none_of(point->premises.inequalities.begin(),
-                                     point->premises.inequalities.end(), fails);
+    const bool stands =
+        point->premises.consistent && point->solve() &&
+        std::none_of(point->premises.inequalities.begin(), point->premises.inequalities.end(), fails);
     const std::vector<Statement>& printed = proved_form(record);
     if (!stands || std::any_of(printed.begin(), printed.end(), fails) ||
         !std::all_of(printed.begin(), printed.end(),

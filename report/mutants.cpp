@@ -87,9 +87,9 @@ std::vector<const Mutant*> survivors(const Gate& gate) {
 }
 
 std::string sampling_line(const Gate& gate) {
-  return gate.sampling.one_in <= 1 ? "all of them"
-                                   : fmt::format("a sample, one in {}, seed {}", gate.sampling.one_in,
-                                                 gate.sampling.seed);
+  return gate.sampling.one_in <= 1
+             ? "all of them"
+             : fmt::format("a sample, one in {}, seed {}", gate.sampling.one_in, gate.sampling.seed);
 }
 
 Row cells(const GateRow& row) {
@@ -151,7 +151,8 @@ std::string terminal_mutants(const Gate& gate, const Style& style) {
   for (const std::vector<GateRow>& part : {rows_by_kind(gate), rows_by_place(gate), {row_of_all(gate)}}) {
     std::ranges::transform(part, std::back_inserter(rows), cells);
   }
-  std::string result = "Wrong statements on purpose: " + sampling_line(gate) + "\n" + columns_of(rows, style.width);
+  std::string result =
+      "Wrong statements on purpose: " + sampling_line(gate) + "\n" + columns_of(rows, style.width);
   for (const Mutant* mutant : survivors(gate)) {
     const std::string why = explanation(*mutant);
     result += fmt::format("survived  {}: {}\n          {}\n", mutant->claim, mutant->statement,

@@ -24,8 +24,8 @@ Gate gate_of(const Claim& claim, const Sampling& sampling = {}) {
 }
 
 std::size_t count(const Gate& gate, Fate fate) {
-  return static_cast<std::size_t>(
-      std::count_if(gate.mutants.begin(), gate.mutants.end(), [&](const Mutant& m) { return m.fate == fate; }));
+  return static_cast<std::size_t>(std::count_if(gate.mutants.begin(), gate.mutants.end(),
+                                                [&](const Mutant& m) { return m.fate == fate; }));
 }
 
 Claim reversal(const Proof& prove) {
@@ -80,7 +80,8 @@ TEST_CASE("every edit of an identity is refuted or true, every twin proved") {
 }
 
 TEST_CASE("every single edit of Appendix 1 is refuted, or says something that is true") {
-  const Gate gate = mutant_gate(paper(), ids_named(paper(), "A1"), {}, [](const std::string&, std::size_t, std::size_t) {});
+  const Gate gate =
+      mutant_gate(paper(), ids_named(paper(), "A1"), {}, [](const std::string&, std::size_t, std::size_t) {});
   CHECK(count(gate, Fate::refuted) > 400);
   CHECK(count(gate, Fate::refuted) + count(gate, Fate::true_too) + count(gate, Fate::meaningless) +
             count(gate, Fate::unproved) ==
@@ -89,18 +90,21 @@ TEST_CASE("every single edit of Appendix 1 is refuted, or says something that is
 }
 
 TEST_CASE("a proof that does not look at the statement lets its mutants live, and that is seen") {
-  const Gate gate = gate_of(reversal([](Prover&, const Claim&) { return Outcome{.verdict = Verdict::proved()}; }));
+  const Gate gate =
+      gate_of(reversal([](Prover&, const Claim&) { return Outcome{.verdict = Verdict::proved()}; }));
   CHECK(count(gate, Fate::survived) == gate.mutants.size());
   CHECK(explanation(gate.mutants.front()) == "");
 }
 
 TEST_CASE("an edit that divides by zero or changes nothing is no wrong statement") {
-  const Gate void_gate =
-      gate_of({.id = "void", .place = "test", .printed = {equation(1 / (tau + tau), 1 / (2 * tau))}, .prove = by_normal_form()});
+  const Gate void_gate = gate_of({.id = "void",
+                                  .place = "test",
+                                  .printed = {equation(1 / (tau + tau), 1 / (2 * tau))},
+                                  .prove = by_normal_form()});
   CHECK(count(void_gate, Fate::meaningless) > 0);
   CHECK(count(void_gate, Fate::survived) == 0);
-  const Gate true_gate =
-      gate_of({.id = "true", .place = "test", .printed = {equation(H2(0), zero(2, 2))}, .prove = by_normal_form()});
+  const Gate true_gate = gate_of(
+      {.id = "true", .place = "test", .printed = {equation(H2(0), zero(2, 2))}, .prove = by_normal_form()});
   CHECK(count(true_gate, Fate::true_too) > 0);
   CHECK(count(true_gate, Fate::survived) == 0);
 }
