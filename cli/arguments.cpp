@@ -139,7 +139,9 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request) {
       "same characters.");
   CLI::Option* names =
       command
-          ->add_option("NAME", options.names, "What to print (H, Gamma, Q, ...); everything if none is given")
+          ->add_option("NAME", options.names,
+                       "What to print: a derived expression (H, Gamma, Q, ...) or a\nstatement as it is "
+                       "proved (31, 44.H, ...); all derived\nexpressions if none is given")
           ->type_name("");
   CLI::Option* list = command->add_flag("--list", options.list, "List the names, with equation numbers");
   command

@@ -254,30 +254,8 @@ std::vector<Object> flow_objects() {
   };
 }
 
-}  // namespace
-
-const std::vector<Object>& objects() {
-  static const std::vector<Object> all = [] {
-    std::vector<Object> both = flow_objects();
-    const std::vector<Object> orbits = orbit_objects();
-    both.insert(both.end(), orbits.begin(), orbits.end());
-    return both;
-  }();
-  return all;
-}
-
-const Object& object_named(const std::string& name) {
-  const auto object = std::ranges::find(objects(), name, &Object::name);
-  if (object == objects().end()) {
-    throw UsageError(
-        fmt::format("there is no derived expression {}: stickslip latex --list names them", name));
-  }
-  return *object;
-}
-
-std::string displayed(const Object& object, Unknowns unknowns) {
+std::string displayed(const Lines& lines) {
   constexpr std::ptrdiff_t page = 18;  // lines of one display, which does not break
-  const Lines lines = object.lines(unknowns);
   if (lines.size() == 1 && lines.front().right.find("\\\\\n{}") == std::string::npos) {
     return fmt::format("\\[\n{} = {}\n\\]\n", lines.front().left, lines.front().right);
   }
@@ -296,6 +274,33 @@ std::string displayed(const Object& object, Unknowns unknowns) {
   }
   end_display();
   return result;
+}
+
+}  // namespace
+
+const std::vector<Object>& objects() {
+  static const std::vector<Object> all = [] {
+    std::vector<Object> both = flow_objects();
+    const std::vector<Object> orbits = orbit_objects();
+    both.insert(both.end(), orbits.begin(), orbits.end());
+    return both;
+  }();
+  return all;
+}
+
+const Object* find_object(const std::string& name) {
+  const auto object = std::ranges::find(objects(), name, &Object::name);
+  return object == objects().end() ? nullptr : &*object;
+}
+
+std::string displayed(const Object& object, Unknowns unknowns) {
+  return displayed(object.lines(unknowns));
+}
+
+std::string meanings(Unknowns unknowns) {
+  Lines lines;
+  append_meanings(lines, unknowns);
+  return displayed(lines);
 }
 
 std::string list_of_objects() {

@@ -28,12 +28,15 @@ struct Object {
 // In the paper's order.
 [[nodiscard]] const std::vector<Object>& objects();
 
-// Throws UsageError naming the name and where the names are listed.
-[[nodiscard]] const Object& object_named(const std::string& name);
+// The object of that name, or nullptr.
+[[nodiscard]] const Object* find_object(const std::string& name);
 
 // Its displayed equation, \[ ... \] or, if it has several lines, one gather* or more, for a document with
 // amsmath: the same characters on every run, ending with a line feed.
 [[nodiscard]] std::string displayed(const Object& object, Unknowns unknowns);
+
+// What chi, eta and lambda_j are in the frequencies, displayed; nothing where they are what is written in.
+[[nodiscard]] std::string meanings(Unknowns unknowns);
 
 // Name, equation and title of all objects, one line each.
 [[nodiscard]] std::string list_of_objects();

@@ -55,6 +55,20 @@ TEST_CASE("names are printed in the order asked for") {
   CHECK(text.find("\nQ = ") != std::string::npos);
 }
 
+TEST_CASE("a statement is printed in the form that is proved, and what is refuted is not") {
+  const Run both = stickslip_program({"latex", "47.c", "rho", "--in", "omega"});
+  CHECK(both.code == exit_decided);
+  CHECK(both.out.starts_with("% (47.c) misprint"));
+  CHECK(both.out.find("\\tilde H_{13} + \\Gamma_{13}") != std::string::npos);
+  CHECK(both.out.find("\\rho_1 = ") != std::string::npos);
+  CHECK(both.out.find("\\lambda_1 = ") != std::string::npos);
+  CHECK(stickslip_program({"latex", "7.only"}).out == "% (7.only) refuted\n");
+  const Run unknown = stickslip_program({"latex", "H", "frob"});
+  CHECK(unknown.code == exit_usage);
+  CHECK(is_one_sentence(unknown.err, "frob"));
+  CHECK(unknown.out.empty());
+}
+
 TEST_CASE("every derived expression compiles without edits and fits the page" * doctest::timeout(300)) {
   if (!can_compile()) {
     return;
