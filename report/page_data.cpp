@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -162,11 +163,18 @@ bool compares(const Json& claim) {
   return !claim.at("outcome").at("comparisons").empty();
 }
 
-// What is known about the hypotheses that this claim brings in.
-Json judgements_of(const std::string& origin) {
+// What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
+Json judgements_of(const proofs::Audit& audit, const std::string& origin) {
+  const auto is_shown = [&](const proofs::Judgement& judgement) {
+    return std::ranges::all_of(judgement.shown_by, [&](const std::string& id) {
+      return std::ranges::any_of(audit.records, [&](const proofs::Record& record) {
+        return record.claim.id == id && record.outcome.verdict.truth == Truth::proved;
+      });
+    });
+  };
   Json json = Json::array();
   for (const proofs::Judgement& judgement : proofs::judgements()) {
-    if (judgement.origin == origin) {
+    if (judgement.origin == origin && is_shown(judgement)) {
       json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
                       {"words", judgement.words},
                       {"shown_by", judgement.shown_by}});
@@ -175,7 +183,7 @@ Json judgements_of(const std::string& origin) {
   return json;
 }
 
-Json hypothesis_group(const HypothesisGroup& g) {
+Json hypothesis_group(const proofs::Audit& audit, const HypothesisGroup& g) {
   Json json = {{"hypotheses", Json::array()},
                {"origins", Json::array()},
                {"heirs", g.heirs},
@@ -186,7 +194,7 @@ Json hypothesis_group(const HypothesisGroup& g) {
   for (const proofs::Record* origin : g.origins) {
     json["origins"].push_back({{"id", origin->claim.id},
                                {"words", origin->claim.words},
-                               {"judgements", judgements_of(origin->claim.id)}});
+                               {"judgements", judgements_of(audit, origin->claim.id)}});
   }
   return json;
 }
@@ -197,7 +205,7 @@ Json hypotheses_finding(const proofs::Audit& audit) {
             "The proofs divide by these; where one of them vanishes, the statements behind it are not "
             "claimed. Each is shown once, with all statements that inherit it.");
   for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-    json["hypotheses_groups"].push_back(hypothesis_group(g));
+    json["hypotheses_groups"].push_back(hypothesis_group(audit, g));
   }
   return json;
 }
