@@ -15,11 +15,22 @@ using namespace overshooting;
 
 const Entries H_{"H"}, h_{"h"}, Ht{"Htilde"}, G{"Gamma"};
 
+// Which unknown a_i, b_i, c_i stand beside, and d_i beside none, in equation i.
+std::optional<Coefficient> coefficient_named(const Term& name) {
+  static const std::map<char, Term> in_front_of{{'a', z10}, {'b', z20}, {'c', zdot10}, {'d', 1}};
+  for (int i = 1; i <= 5; ++i) {
+    for (const auto& [letter, unknown] : in_front_of) {
+      if (equal(name, coefficient(letter, i))) {
+        return Coefficient{closing_gap(i), unknown};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 // One coefficient of equation i, "47.a": printed as `value`.
 Claim printed_coefficient(char letter, int equation_number, const Term& value,
                           const std::string& illegible = {}) {
-  const std::vector<Term> unknowns{z10, z20, zdot10};
-  const std::map<char, Term> in_front_of{{'a', z10}, {'b', z20}, {'c', zdot10}, {'d', 1}};
   const std::map<char, std::string> names{
       {'a', "z_1(0)"}, {'b', "z_2(0)"}, {'c', "z_1'(0)"}, {'d', "no unknown"}};
   static const std::array<const char*, 5> said{
@@ -34,8 +45,7 @@ Claim printed_coefficient(char letter, int equation_number, const Term& value,
           .words = fmt::format("what stands beside {} in {}", names.at(letter),
                                said.at(static_cast<std::size_t>(equation_number - 1))),
           .assumptions = {starts_with_belt},
-          .prove = by_coefficient(coefficient(letter, equation_number), closing_gap(equation_number),
-                                  unknowns, in_front_of.at(letter)),
+          .prove = by_coefficient(coefficient_named, {z10, z20, zdot10}),
           .illegible = illegible};
 }
 

@@ -53,9 +53,10 @@ struct Decided {
 
 // How two further engines looked at a verdict (cross_check.hpp).
 struct CrossCheck {
-  int formulas = 0;            // that were evaluated
-  int exact_points = 0;        // rational points at which each of them agrees exactly
-  int ball_points = 0;         // real points at which each of them agrees in balls
+  int formulas = 0;        // that were evaluated
+  int exact_points = 0;    // rational points at which each of them agrees exactly
+  int ball_points = 0;     // real points at which each of them agrees in balls
+  int premise_points = 0;  // real points where what the claim rests on holds, and what it prints, in balls
   std::string unchecked = {};  // why there is nothing to evaluate
   bool identity = false;       // what is printed holds for all values of the symbols that have no value given
 };

@@ -9,6 +9,7 @@
 #include "proofs/abbreviations.hpp"
 #include "proofs/deciding.hpp"
 #include "proofs/evaluate_exact.hpp"
+#include "proofs/premise_point.hpp"
 #include "proofs/sample.hpp"
 #include "symbolic/evaluate.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 using GiNaC::ex;
 
 constexpr int exact_points = 2, ball_points = 1;
+constexpr std::size_t premise_points = 2;
 constexpr unsigned draws = 40;  // of each point, until no denominator vanishes and all that is assumed holds
 
 // Numbers of points for the claim, no others than before on any run.
@@ -247,28 +249,64 @@ std::vector<Decided> formulas(const Claim& claim, const Outcome& outcome, bool w
   return result;
 }
 
+bool all_identities(Prover& prover, const std::set<std::string>& claims) {
+  return std::all_of(claims.begin(), claims.end(), [&](const std::string& id) {
+    const Record& premise = prover.prove(id);
+    return (premise.corrected ? *premise.corrected : premise.outcome).cross_check.identity;
+  });
+}
+
+// At that many points where what the claim rests on holds, what it prints holds, too. Where some of that
+// could not be evaluated, what is printed may fail.
+int confirmed_at_premises(Prover& prover, const Claim& claim, const Outcome& outcome) {
+  const Premises premises(prover, claim, outcome);
+  int confirmed = 0;
+  for (const PremisePoint& point : premises.points(premise_points)) {
+    bool all_hold = true;
+    for (const Statement& printed : claim.printed) {
+      try {
+        if (premises.all_evaluated() && point.contradicts(printed)) {
+          Disagreement{claim}(text(printed) + " is called proved and fails where all that it rests on holds");
+        }
+        all_hold = all_hold && point.confirms(printed);
+      } catch (const NoValue&) {
+        all_hold = false;
+      }
+    }
+    confirmed += all_hold ? 1 : 0;
+  }
+  return confirmed;
+}
+
 }  // namespace
 
 bool fails_at(const Claim& claim, const Statement& statement, const Witness& witness) {
   return fails_at(claim, {statement, {}, {}, Truth::refuted}, witness);
 }
 
-CrossCheck cross_check(const Claim& claim, const Outcome& outcome, bool identities) {
+CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcome) {
   CrossCheck result;
+  const bool proved = outcome.verdict.truth == Truth::proved;
   const std::string assumed = conditions(claim, outcome);
   const bool evaluable = std::all_of(claim.printed.begin(), claim.printed.end(), can_be_evaluated);
-  const bool unconditional = identities && assumed.empty() && !outcome.introduces_names;
-  result.identity =
-      unconditional && evaluable && !claim.printed.empty() && outcome.verdict.truth == Truth::proved;
+  const bool unconditional =
+      assumed.empty() && !outcome.introduces_names && all_identities(prover, outcome.uses);
+  result.identity = unconditional && evaluable && !claim.printed.empty() && proved;
   const std::vector<Decided> all = formulas(claim, outcome, unconditional);
   result.formulas = static_cast<int>(all.size());
   if (all.empty()) {
-    result.unchecked = outcome.verdict.truth == Truth::refuted ? "the witness itself was found in balls"
-                       : outcome.introduces_names              ? "it introduces names"
-                       : claim.printed.empty()                 ? "there is no formula to evaluate"
-                       : !evaluable                            ? "it speaks of what has no value by itself"
-                       : assumed.empty()                       ? "its premises are no identities"
-                                                               : "it holds only under " + assumed;
+    if (proved && !outcome.introduces_names && !claim.printed.empty()) {
+      result.premise_points = confirmed_at_premises(prover, claim, outcome);
+    }
+    if (result.premise_points > 0) {
+      result.formulas = static_cast<int>(claim.printed.size());
+    } else {
+      result.unchecked = !proved                    ? "the witness itself was found in balls"
+                         : outcome.introduces_names ? "it introduces names"
+                         : claim.printed.empty()    ? "there is no formula to evaluate"
+                         : assumed.empty()          ? "no point is known where its premises hold"
+                                           : "no point is known where its premises hold, and " + assumed;
+    }
     return result;
   }
   try {
@@ -276,9 +314,8 @@ CrossCheck cross_check(const Claim& claim, const Outcome& outcome, bool identiti
   } catch (const NoExactValue& reason) {
     result.unchecked = reason.what();
   }
-  result.ball_points = outcome.verdict.truth == Truth::proved
-                           ? confirmed_in_balls(claim, all)
-                           : confirmed_at_witness(claim, all, outcome.verdict.witness.value());
+  result.ball_points = proved ? confirmed_in_balls(claim, all)
+                              : confirmed_at_witness(claim, all, outcome.verdict.witness.value());
   return result;
 }
 

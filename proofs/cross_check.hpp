@@ -4,21 +4,20 @@
 //    is refuted must not be.
 // 2. In balls, at random real parameters and times, by the model's templates: what is proved must contain
 //    zero in balls that are small; the two sides of what is refuted must be disjoint at the witness.
+// What holds only under equations is evaluated at points where these hold, in balls (premise_point.hpp).
 // Formulas are evaluated as terms, not through GiNaC, except those that GiNaC derived.
 #pragma once
 
-#include <string>
-
-#include "proofs/claim.hpp"
+#include "proofs/prover.hpp"
 
 namespace stickslip::proofs {
 
-// Evaluates all that the outcome's proof decided, and what the claim prints, where that holds for all values
-// of its symbols: nothing but "symbol = value" is assumed, and the premises hold like that too
-// (`identities`). Printed inequalities are evaluated in balls where the inequalities that they assume hold.
-// Points are the same on every run, and drawn again where a denominator vanishes. The outcome must be proved
-// or refuted. Throws InternalError, naming the claim, if an engine disagrees with the verdict.
-[[nodiscard]] CrossCheck cross_check(const Claim& claim, const Outcome& outcome, bool identities);
+// Evaluates all that the outcome's proof decided, and what the claim prints: where nothing but "symbol =
+// value" is assumed and the premises are identities, for all values of its symbols; else where what it rests
+// on holds. Points are the same on every run, and drawn again where a denominator vanishes. The outcome must
+// be proved or refuted, with the premises' hypotheses. Throws InternalError, naming the claim, if an engine
+// disagrees with the verdict.
+[[nodiscard]] CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcome);
 
 // Whether the two sides, with what the claim assumes to be "symbol = value" put in, are disjoint balls at the
 // witness, by the model's templates. Symbols that the witness does not name take any value.

@@ -136,7 +136,7 @@ S absolute_value(const S& value) {
   if constexpr (requires { S(abs(value)); }) {
     return S(abs(value));
   } else {
-    throw InternalError("an absolute value cannot be differentiated");
+    throw NoValue("an absolute value cannot be differentiated");
   }
 }
 
@@ -186,7 +186,7 @@ Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
   }
   const auto found = symbols<S>().find(term.name());
   if (found == symbols<S>().end()) {
-    throw InternalError(fmt::format("the symbol {} has no meaning in the model", term.name()));
+    throw NoValue(fmt::format("the symbol {} has no meaning in the model", term.name()));
   }
   return found->second(scalar);
 }
@@ -195,7 +195,7 @@ template <class S>
 Value<S> evaluate_function(const Term& term, const Lookup<S>& scalar) {
   const auto found = functions<S>().find(term.name());
   if (found == functions<S>().end()) {
-    throw InternalError(fmt::format("the function {} has no meaning in the model", term.name()));
+    throw NoValue(fmt::format("the function {} has no meaning in the model", term.name()));
   }
   return found->second(scalar, evaluate<S>(term.arguments().front(), scalar)(0, 0));
 }
@@ -333,7 +333,7 @@ Value<S> evaluate_derivative(const Term& term, const Lookup<S>& scalar) {
     }
     return slopes;
   } else {
-    throw InternalError(fmt::format("{} differentiates more than twice", text(term)));
+    throw NoValue(fmt::format("{} differentiates more than twice", text(term)));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "proofs/deciding.hpp"
 
@@ -28,33 +30,41 @@ ex coefficient_of(const ex& expression, const std::vector<Term>& unknowns, const
   return part;
 }
 
-// "name = value" has the normal form of the value derived.
-Verdict has_value(Outcome& outcome, const Claim& claim, const Statement& printed, const Named& derived) {
-  if (printed.relation != Relation::equal || !equal(printed.left, derived.name)) {
-    return Verdict::undecided(fmt::format("{} does not say what {} is", text(printed), text(derived.name)));
-  }
+Verdict unknown_name(const Statement& printed) {
+  return Verdict::undecided(text(printed) + " gives no value to a name that is known here");
+}
+
+// The printed right side has the normal form of the value derived.
+Verdict has_value(Outcome& outcome, const Claim& claim, const Statement& printed, const ex& derived) {
   const Given given(claim);
   record_definitions(outcome, claim, printed.right);
   record_assumptions(outcome, claim, printed.right);
-  decide(outcome, claim, symbolic::Matrix::Constant(1, 1, derived.value),
+  decide(outcome, claim, symbolic::Matrix::Constant(1, 1, derived),
          evaluate<ex>(printed.right, given.lookup()));
   return outcome.verdict;
 }
 
 }  // namespace
 
-Proof by_coefficient(const Term& name, const Term& expression, std::vector<Term> unknowns,
-                     const Term& unknown) {
-  return [=, unknowns = std::move(unknowns)](Prover&, const Claim& claim) {
-    if (claim.printed.size() != 1) {
-      throw InternalError(fmt::format("claim {} prints more than one coefficient", claim.id));
-    }
+Proof by_coefficient(std::function<std::optional<Coefficient>(const Term& name)> named,
+                     std::vector<Term> unknowns) {
+  return [named = std::move(named), unknowns = std::move(unknowns)](Prover&, const Claim& claim) {
     const Given given(claim);
     Outcome outcome;
-    record_definitions(outcome, claim, expression);
-    record_assumptions(outcome, claim, expression);
-    const ex derived = coefficient_of(evaluate<ex>(expression, given.lookup())(0, 0), unknowns, unknown);
-    outcome.verdict = has_value(outcome, claim, claim.printed.front(), {name, derived});
+    std::vector<Verdict> verdicts;
+    for (const Statement& printed : claim.printed) {
+      const auto which = printed.relation == Relation::equal ? named(printed.left) : std::nullopt;
+      if (!which) {
+        verdicts.push_back(unknown_name(printed));
+        continue;
+      }
+      record_definitions(outcome, claim, which->expression);
+      record_assumptions(outcome, claim, which->expression);
+      const ex expression = evaluate<ex>(which->expression, given.lookup())(0, 0);
+      verdicts.push_back(
+          has_value(outcome, claim, printed, coefficient_of(expression, unknowns, which->unknown)));
+    }
+    outcome.verdict = all_of(verdicts);
     outcome.route = "the coefficient derived from the flows and the printed one have the same normal form";
     return outcome;
   };
@@ -69,8 +79,11 @@ Proof by_formulas(std::function<std::vector<Named>()> values) {
     }
     Outcome outcome;
     std::vector<Verdict> verdicts;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      verdicts.push_back(has_value(outcome, claim, claim.printed[i], expected[i]));
+    for (const Statement& printed : claim.printed) {
+      const auto named = std::find_if(expected.begin(), expected.end(),
+                                      [&](const Named& one) { return equal(one.name, printed.left); });
+      const bool known = printed.relation == Relation::equal && named != expected.end();
+      verdicts.push_back(known ? has_value(outcome, claim, printed, named->value) : unknown_name(printed));
     }
     outcome.verdict = all_of(verdicts);
     outcome.route =

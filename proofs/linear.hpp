@@ -1,25 +1,32 @@
 // Methods of proof for coefficients of linear equations.
 #pragma once
 
-#include <string>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "proofs/methods.hpp"
 
 namespace stickslip::proofs {
 
-// The printed equation "name = value": value is what stands in front of `unknown` in the expression, a scalar
-// that is linear in the unknowns; with unknown = 1, what is left when all of them are zero.
-[[nodiscard]] Proof by_coefficient(const Term& name, const Term& expression, std::vector<Term> unknowns,
-                                   const Term& unknown);
+// What stands in front of an unknown in an expression, a scalar that is linear in the unknowns; with unknown
+// = 1, what is left when all of them are zero.
+struct Coefficient {
+  Term expression;
+  Term unknown;
+};
+
+// The printed equations are "name = value": value is the coefficient that `named` knows by this name.
+[[nodiscard]] Proof by_coefficient(std::function<std::optional<Coefficient>(const Term& name)> named,
+                                   std::vector<Term> unknowns);
 
 struct Named {
   Term name;
   GiNaC::ex value;
 };
 
-// The printed equations are "name = value", in this order, with the values that the model's own formulas
-// give.
+// The printed equations are "name = value", one for each of these, with the values that the model's own
+// formulas give.
 [[nodiscard]] Proof by_formulas(std::function<std::vector<Named>()> values);
 
 }  // namespace stickslip::proofs

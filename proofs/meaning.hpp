@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/ball.hpp"
+#include "core/error.hpp"
 #include "model/linear.hpp"
 #include "numeric/exact.hpp"
 #include "proofs/term.hpp"
@@ -26,9 +27,13 @@ using Lookup = std::function<S(const std::string&)>;
   return [](const std::string& name) { return name == "pi" ? GiNaC::ex(GiNaC::Pi) : symbolic::symbol(name); };
 }
 
-// The value of a term; 1×1 for a scalar. H, Gamma, F, … are those of model/; d/dt is exact. Throws
-// InternalError for a name without meaning in the model (a motion Z(t) has none by itself). For GiNaC::ex,
-// Ball and Exact.
+// A name has no meaning in the model, as a motion Z(t) has none by itself; or a derivative is out of reach.
+struct NoValue : InternalError {
+  using InternalError::InternalError;
+};
+
+// The value of a term; 1×1 for a scalar. H, Gamma, F, … are those of model/; d/dt is exact. Throws NoValue.
+// For GiNaC::ex, Ball and Exact.
 template <class S>
 [[nodiscard]] Value<S> evaluate(const Term& term, const Lookup<S>& scalar);
 extern template Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);

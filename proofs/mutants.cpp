@@ -12,7 +12,8 @@
 namespace stickslip::proofs {
 namespace {
 
-constexpr unsigned points_wanted = 2, points_tried = 12;
+// A wrong inequality may still hold at most points.
+constexpr std::size_t points_for_equations = 2, points_for_inequalities = 40;
 
 // A claim that is proved, and what it takes to put another statement to its proof.
 struct Subject {
@@ -50,6 +51,17 @@ struct Subject {
   }
 };
 
+// Whether all that is printed has values there, and comes out.
+bool shows(const PremisePoint& point, const std::vector<Statement>& printed) {
+  try {
+    return std::all_of(printed.begin(), printed.end(), [&](const Statement& statement) {
+      return point.confirms(statement) && point.evaluates(statement);
+    });
+  } catch (const NoValue&) {
+    return false;
+  }
+}
+
 std::optional<Subject> subject(Prover& prover, const Claim& claim) {
   const bool formula = claim.kind != Kind::model && claim.kind != Kind::numbers && !claim.printed.empty();
   if (!formula) {
@@ -60,12 +72,14 @@ std::optional<Subject> subject(Prover& prover, const Claim& claim) {
   if (outcome.verdict.truth != Truth::proved || outcome.introduces_names) {
     return std::nullopt;
   }
-  Subject result{prover, record};
-  for (unsigned seed = 1; seed <= points_tried && result.points.size() < points_wanted; ++seed) {
-    if (auto point = PremisePoint::find(prover, record, seed)) {
-      result.points.push_back(*std::move(point));
-    }
-  }
+  const std::vector<Statement>& form = proved_form(record);
+  const bool equations = std::all_of(form.begin(), form.end(), [](const Statement& statement) {
+    return statement.relation == Relation::equal;
+  });
+  Subject result{prover, record,
+                 Premises(prover, record.claim, outcome)
+                     .points(equations ? points_for_equations : points_for_inequalities)};
+  std::erase_if(result.points, [&](const PremisePoint& point) { return !shows(point, result.form()); });
   return result;
 }
 
@@ -118,7 +132,7 @@ Judgement judge(const Subject& subject, std::size_t which, const Statement& stat
     if (!wrong && subject.has_no_value(statement)) {
       return {Fate::meaningless, "it has no value where all that the claim rests on holds"};
     }
-  } catch (const InternalError& error) {
+  } catch (const NoValue& error) {
     return {Fate::meaningless, error.what()};
   }
   try {

@@ -1,17 +1,18 @@
 #include "proofs/premise_point.hpp"
 
 #include <algorithm>
+#include <optional>
 
-#include "core/error.hpp"
 #include "proofs/abbreviations.hpp"
 #include "proofs/deciding.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace stickslip::proofs {
 namespace {
 
 constexpr long bits = 256;
 
-// The states first: they are solved for before belt speed and friction.
+// The states first: they are solved for before what the friction does.
 const std::vector<std::string>& unknowns() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;
@@ -20,7 +21,10 @@ const std::vector<std::string>& unknowns() {
         result.push_back(std::string(what) + where);
       }
     }
-    result.insert(result.end(), {"V", "ur", "us"});
+    for (int i = 1; i <= 5; ++i) {
+      result.push_back(coefficient('d', i).name());
+    }
+    result.insert(result.end(), {"xddot1", "xddot2", "V", "ur", "us", "u"});
     return result;
   }();
   return names;
@@ -47,11 +51,30 @@ bool in_terms_of_Z(const Term& term) {
           std::all_of(term.arguments().begin(), term.arguments().end(), in_terms_of_Z));
 }
 
+// What makes the load fit a motion that closes, where equations in the states alone cannot: it closes after
+// Theta (28), lags behind a slip of length tau (16), turns half way in each of two equal phases (67); or load
+// and modes make whole turns in tau.
+const std::vector<Replacements>& ways_to_close() {
+  static const std::vector<Replacements> all = [] {
+    const Term omega = scalar("omega"), tau = scalar("tau"), Theta = scalar("Theta");
+    return std::vector<Replacements>{
+        {},
+        {{"omega", 2 * pi() / Theta}},
+        {{"phi", (pi() - omega * tau) / 2}},
+        {{"omega", pi() / tau}, {"tau1", tau}},
+        {{"omega1", 2 * pi() / tau}, {"omega", 4 * pi() / tau}, {"omega2", 6 * pi() / tau}}};
+  }();
+  return all;
+}
+
+}  // namespace
+
 // What the premises say, sorted by what it is good for.
-struct Premises {
+struct Premises::Parts {
   std::map<std::string, Term> motions;  // the value at t of Z, X, …
   Replacements values;
-  std::vector<Statement> equations, inequalities;
+  std::vector<Statement> equations, inequalities, left_out;
+  std::vector<Hypothesis> hypotheses;
   bool consistent = true;
 
   // The term with the motions put in.
@@ -70,6 +93,13 @@ struct Premises {
     return {with_motions(statement.left), with_motions(statement.right), statement.relation};
   }
 
+  void add_value(const Statement& statement) {
+    const auto [known, fresh] = values.emplace(statement.left.name(), statement.right);
+    if (!fresh && !equal(known->second, statement.right)) {
+      equations.push_back(statement);
+    }
+  }
+
   void add(const Statement& statement) {
     const Term& left = statement.left;
     const bool equation = statement.relation == Relation::equal;
@@ -80,42 +110,74 @@ struct Premises {
       const auto [known, fresh] = motions.emplace(left.name(), statement.right);
       consistent = consistent && (fresh || equal(known->second, statement.right));
     } else if (equation && is_name(left)) {
-      values.emplace(left.name(), statement.right);
+      add_value(statement);
     } else {
       (equation ? equations : inequalities).push_back(statement);
     }
   }
-};
 
-Premises premises_of(Prover& prover, const Record& record) {
-  Premises result;
-  for (const Assumption& assumption : record.claim.assumptions) {
-    const bool is_value = is_substitution(assumption) && !is_unknown(assumption.statement.left.name());
-    if (is_value) {
-      result.values.emplace(assumption.statement.left.name(), assumption.statement.right);
-    } else {
-      result.add(assumption.statement);
+  // Puts the motions in, and sorts out what has no value.
+  void finish() {
+    const auto evaluable = [](const Term& term) { return is_in_field(term) || term.name() == "abs"; };
+    for (std::vector<Statement>* statements : {&equations, &inequalities}) {
+      for (Statement& statement : *statements) {
+        statement = with_motions(statement);
+        if (!evaluable(statement.left) || !evaluable(statement.right)) {
+          left_out.push_back(statement);
+        }
+      }
+      std::erase_if(*statements,
+                    [&](const Statement& s) { return !evaluable(s.left) || !evaluable(s.right); });
     }
   }
-  const Outcome& outcome = record.corrected ? *record.corrected : record.outcome;
+
+  // Whether the value of the term, with all values put in, changes with the symbol.
+  [[nodiscard]] bool reaches(const Term& term, const std::string& name) const {
+    return depends_on(term, name) || std::any_of(values.begin(), values.end(), [&](const auto& value) {
+             return depends_on(term, value.first) && reaches(value.second, name);
+           });
+  }
+  // The same with further values; nothing where a name has one already, or would be given by itself.
+  [[nodiscard]] std::optional<Parts> with(const Replacements& further) const {
+    Parts result = *this;
+    for (const auto& [name, value] : further) {
+      if (values.contains(name) || reaches(value, name)) {
+        return std::nullopt;
+      }
+      result.values.emplace(name, value);
+    }
+    return result;
+  }
+};
+
+Premises::Premises(Prover& prover, const Claim& claim, const Outcome& outcome) {
+  Parts parts;
+  for (const Assumption& assumption : claim.assumptions) {
+    if (is_substitution(assumption) && !is_unknown(assumption.statement.left.name())) {
+      parts.add_value(assumption.statement);
+    } else {
+      parts.add(assumption.statement);
+    }
+  }
   for (const std::string& used : outcome.uses) {
     const Record& premise = prover.prove(used);
     const Outcome& proved = premise.corrected ? *premise.corrected : premise.outcome;
     if (!proved.cross_check.identity) {
       for (const Statement& statement : proved_form(premise)) {
-        result.add(statement);
+        parts.add(statement);
       }
     }
   }
-  const auto evaluable = [](const Term& term) { return is_in_field(term) || term.name() == "abs"; };
-  for (std::vector<Statement>* statements : {&result.equations, &result.inequalities}) {
-    for (Statement& statement : *statements) {
-      statement = result.with_motions(statement);
-    }
-    std::erase_if(*statements, [&](const Statement& s) { return !evaluable(s.left) || !evaluable(s.right); });
-  }
-  return result;
+  parts.finish();
+  parts.hypotheses = outcome.hypotheses;
+  parts_ = std::make_shared<const Parts>(std::move(parts));
 }
+
+bool Premises::all_evaluated() const {
+  return parts_->left_out.empty();
+}
+
+namespace {
 
 using Column = std::vector<Ball>;
 
@@ -174,11 +236,11 @@ bool is_small(const Ball& x) {
 }  // namespace
 
 struct PremisePoint::Point {
-  Premises premises;
+  Premises::Parts premises;
   ExactPoint numbers;
   std::map<std::string, Ball> solved;
 
-  Point(Premises all, unsigned seed) : premises(std::move(all)), numbers(seed) {}
+  Point(Premises::Parts all, unsigned seed) : premises(std::move(all)), numbers(seed) {}
 
   [[nodiscard]] Ball free(const std::string& name) const {
     const auto found = solved.find(name);
@@ -193,8 +255,15 @@ struct PremisePoint::Point {
     Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
     return evaluate<Ball>(side, at.lookup());
   }
-  [[nodiscard]] Value<Ball> difference(const Statement& statement) const {
-    return value(statement.left, statement.right) - value(statement.right, statement.left);
+  // For a state of either sign, the others positive.
+  [[nodiscard]] Rational any_sign(const std::string& name) const {
+    const Rational value = numbers.symbol(name).value();
+    return name.starts_with("z") ? Rational(value - numbers.symbol(name + " less").value()) : value;
+  }
+  // Left less right, entry by entry.
+  [[nodiscard]] Column difference(const Statement& statement) const {
+    const Value<Ball> d = value(statement.left, statement.right) - value(statement.right, statement.left);
+    return {d.data(), d.data() + d.size()};
   }
   [[nodiscard]] Column residuals(const Column& u) {
     for (std::size_t i = 0; i < u.size(); ++i) {
@@ -202,8 +271,8 @@ struct PremisePoint::Point {
     }
     Column all;
     for (const Statement& statement : premises.equations) {
-      const Value<Ball> d = difference(statement);
-      all.insert(all.end(), d.data(), d.data() + d.size());
+      const Column d = difference(statement);
+      all.insert(all.end(), d.begin(), d.end());
     }
     return all;
   }
@@ -222,16 +291,40 @@ struct PremisePoint::Point {
       }
     }
     for (std::size_t i = 0; i < open.size(); ++i) {
-      open[i] = Ball(numbers.symbol(unknowns()[i]).value());
+      open[i] = Ball(any_sign(unknowns()[i]));
     }
     const Column left = residuals(solution(A, constant, open));
     return std::all_of(left.begin(), left.end(),
                        [](const Ball& x) { return x.contains_zero() && is_small(x); });
   }
 
+  [[nodiscard]] bool holds(const Statement& statement) const {
+    const Column d = difference(premises.with_motions(statement));
+    return std::all_of(d.begin(), d.end(), [&](const Ball& x) {
+      switch (statement.relation) {
+        case Relation::equal:
+          return x.contains_zero() && is_small(x);
+        case Relation::not_equal:
+          return x.is_nonzero();
+        case Relation::less:
+          return x.is_negative();
+        case Relation::less_or_equal:
+          return !x.is_positive() && is_small(x);
+        case Relation::greater:
+          return x.is_positive();
+        case Relation::greater_or_equal:
+          return !x.is_negative() && is_small(x);
+      }
+      return false;
+    });
+  }
   [[nodiscard]] bool fails(const Statement& statement) const {
-    const Value<Ball> d = difference(premises.with_motions(statement));
-    return std::any_of(d.data(), d.data() + d.size(), [&](const Ball& x) {
+    const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
+    if (strict && equal(statement.left, statement.right)) {
+      return true;
+    }
+    const Column d = difference(premises.with_motions(statement));
+    return std::any_of(d.begin(), d.end(), [&](const Ball& x) {
       switch (statement.relation) {
         case Relation::equal:
           return x.is_nonzero();
@@ -247,27 +340,64 @@ struct PremisePoint::Point {
       return false;
     });
   }
+  [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
+    Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
+    symbolic::BallValues values;
+    for (const GiNaC::ex& symbol : symbolic::symbols_of(hypothesis.nonzero)) {
+      values[symbol] = at(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
+    }
+    return symbolic::evaluate(hypothesis.nonzero, values).is_nonzero();
+  }
 };
 
-std::optional<PremisePoint> PremisePoint::find(Prover& prover, const Record& record, unsigned seed) {
+namespace {
+
+enum class Found { point, no_solution, excluded };
+
+}  // namespace
+
+std::vector<PremisePoint> Premises::points(std::size_t wanted) const {
   const WorkingPrecision precision(bits);
-  auto point = std::make_shared<Point>(premises_of(prover, record), seed);
-  const PremisePoint result(point);
-  const auto fails = [&](const Statement& statement) { return point->fails(statement); };
-  try {
-    const bool stands =
-        point->premises.consistent && point->solve() &&
-        std::none_of(point->premises.inequalities.begin(), point->premises.inequalities.end(), fails);
-    const std::vector<Statement>& printed = proved_form(record);
-    if (!stands || std::any_of(printed.begin(), printed.end(), fails) ||
-        !std::all_of(printed.begin(), printed.end(),
-                     [&](const Statement& statement) { return result.evaluates(statement); })) {
-      return std::nullopt;
+  std::vector<PremisePoint> found;
+  for (const Replacements& way : ways_to_close()) {
+    const auto closed = parts_->with(way);
+    if (!closed || !closed->consistent) {
+      continue;
     }
-  } catch (const InternalError&) {  // something has no value
-    return std::nullopt;
+    const auto attempt = [&](unsigned seed) {
+      const auto point = std::make_shared<PremisePoint::Point>(*closed, seed);
+      const auto holds = [&](const Statement& statement) { return point->holds(statement); };
+      const auto nonzero = [&](const Hypothesis& hypothesis) { return point->is_nonzero(hypothesis); };
+      try {
+        if (!point->solve()) {
+          return Found::no_solution;
+        }
+        if (!std::all_of(closed->inequalities.begin(), closed->inequalities.end(), holds) ||
+            !std::all_of(closed->hypotheses.begin(), closed->hypotheses.end(), nonzero)) {
+          return Found::excluded;
+        }
+      } catch (const NoValue&) {
+        return Found::no_solution;
+      }
+      found.push_back(PremisePoint(point));
+      return Found::point;
+    };
+    const std::size_t enough = found.size() + wanted;
+    const auto draws = static_cast<unsigned>(50 * wanted);
+    unsigned unsolved = 0;
+    for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < 3; ++seed) {
+      unsolved += attempt(seed) == Found::no_solution ? 1 : 0;
+    }
+    if (way.empty() && !found.empty()) {
+      break;
+    }
   }
-  return result;
+  return found;
+}
+
+bool PremisePoint::confirms(const Statement& statement) const {
+  const WorkingPrecision precision(bits);
+  return point_->holds(statement);
 }
 
 bool PremisePoint::contradicts(const Statement& statement) const {
@@ -277,8 +407,8 @@ bool PremisePoint::contradicts(const Statement& statement) const {
 
 bool PremisePoint::evaluates(const Statement& statement) const {
   const WorkingPrecision precision(bits);
-  const Value<Ball> d = point_->difference(point_->premises.with_motions(statement));
-  return std::all_of(d.data(), d.data() + d.size(), is_small);
+  const Column d = point_->difference(point_->premises.with_motions(statement));
+  return std::all_of(d.begin(), d.end(), is_small);
 }
 
 }  // namespace stickslip::proofs

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "proofs/prover.hpp"
@@ -11,25 +10,43 @@
 
 namespace stickslip::proofs {
 
-// Random parameters and times, and states, belt speed and friction such that the equations hold which the
-// claim assumes or uses as premises, in balls. All of these are linear in the states; a premise "Z(t) = …"
-// gives Z its meaning, one such as "a_1 = …" a value to the name.
 class PremisePoint {
  public:
-  // The point with this number. Nothing where the equations are not linear in the unknowns, a premise gives
-  // the same motion two meanings, a denominator vanishes, an inequality that is assumed fails, or what the
-  // claim prints does not come out there: then the premises cannot all be evaluated.
-  [[nodiscard]] static std::optional<PremisePoint> find(Prover& prover, const Record& record, unsigned seed);
-
-  // Whether the statement certainly fails here. Throws InternalError for what has no value.
+  // Whether the statement certainly holds here: an equation by two sides that overlap in small balls. Whether
+  // it certainly fails. All three throw NoValue.
+  [[nodiscard]] bool confirms(const Statement& statement) const;
   [[nodiscard]] bool contradicts(const Statement& statement) const;
   // Whether both sides have values here, as small balls.
   [[nodiscard]] bool evaluates(const Statement& statement) const;
 
  private:
+  friend class Premises;
   struct Point;
-  explicit PremisePoint(std::shared_ptr<Point> point) : point_(std::move(point)) {}
-  std::shared_ptr<Point> point_;
+  explicit PremisePoint(std::shared_ptr<const Point> point) : point_(std::move(point)) {}
+  std::shared_ptr<const Point> point_;
+};
+
+// What the outcome's proof took for granted: what the claim assumes, and what the premises say that are no
+// identities. A premise "Z(t) = ..." gives Z its meaning, one such as "a_1 = ..." a value to the name.
+class Premises {
+ public:
+  Premises(Prover& prover, const Claim& claim, const Outcome& outcome);
+
+  // Points, the same on every run, up to `wanted` of each kind: random parameters and times, and states, belt
+  // speed and friction such that the premises hold in balls. Their equations must be linear in these; where
+  // they ask more of the load, its frequency or phase is what lets a motion close (28), (16), (67), one kind
+  // for each. No points where that does not solve them, a premise gives the same motion two meanings, or a
+  // denominator vanishes; and none of the hypotheses may vanish there.
+  [[nodiscard]] std::vector<PremisePoint> points(std::size_t wanted) const;
+
+  // Whether a point satisfies all of them: none had to be left out because it has no value by itself, such as
+  // "Z(tau) = Z_B".
+  [[nodiscard]] bool all_evaluated() const;
+
+  struct Parts;
+
+ private:
+  std::shared_ptr<const Parts> parts_;
 };
 
 }  // namespace stickslip::proofs

@@ -177,13 +177,9 @@ void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Sta
     outcome.cross_check.unchecked = "it is neither proved nor refuted";
     return;
   }
-  const bool identities = std::all_of(outcome.uses.begin(), outcome.uses.end(), [&](const std::string& used) {
-    const Record& premise = prove(used);
-    return (premise.corrected ? *premise.corrected : premise.outcome).cross_check.identity;
-  });
   Claim reading = claim;
   reading.printed = form;
-  outcome.cross_check = cross_check(reading, outcome, identities);
+  outcome.cross_check = cross_check(*this, reading, outcome);
 }
 
 bool Prover::inherit(Outcome& outcome, const Claim& claim) {

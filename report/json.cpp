@@ -82,11 +82,9 @@ Json comparison(const proofs::Comparison& c) {
 }
 
 Json cross_check(const proofs::CrossCheck& c) {
-  return {{"formulas", c.formulas},
-          {"exact_points", c.exact_points},
-          {"ball_points", c.ball_points},
-          {"unchecked", c.unchecked},
-          {"line", cross_check_line(c)}};
+  return {{"formulas", c.formulas},       {"exact_points", c.exact_points},
+          {"ball_points", c.ball_points}, {"premise_points", c.premise_points},
+          {"unchecked", c.unchecked},     {"line", cross_check_line(c)}};
 }
 
 Json outcome(const Outcome& o) {

@@ -92,6 +92,8 @@ TEST_CASE("a line says how many engines agree, or why none was asked") {
         "3 formulas agree exactly at 2 rational points and in balls at 1 real point");
   CHECK(cross_check_line({.formulas = 1, .ball_points = 2, .unchecked = "an odd angle"}) ==
         "1 formula agrees in balls at 2 real points; an odd angle");
+  CHECK(cross_check_line({.formulas = 1, .premise_points = 2}) ==
+        "1 formula agrees in balls at 2 real points where all that the claim rests on holds");
   CHECK(cross_check_line({.unchecked = "it introduces names"}) ==
         "by no further engine: it introduces names");
   CHECK(cross_check_line({}) == "");
