@@ -1,11 +1,12 @@
-// The routines that proofs of orbits rest on, over balls: what they say holds for every member. As inclusion.cpp.
+// The routines that proofs of orbits rest on, over balls: what they say holds for every member. As
+// inclusion.cpp.
 #include <doctest/doctest.h>
 
 #include "model/energy.hpp"
 #include "model/response.hpp"
 #include "model/saltation.hpp"
-#include "numeric/inflation.hpp"
 #include "numeric/infimum.hpp"
+#include "numeric/inflation.hpp"
 #include "numeric/sinc.hpp"
 #include "tests/numeric/nest.hpp"
 
@@ -98,8 +99,12 @@ TEST_CASE("events, friction and energy") {
       const model::Vector4<Ball> Z(v[6], v[7], v[2], v[3]);
       const model::Matrix4<Ball> crossing = model::crossing<Ball>(v[6], v[7]);
       const model::Matrix4<Ball> away = model::break_away<Ball>(v[0], v[6], v[7]);
-      return std::vector<Ball>{model::energy<Ball>(v[0], v[1], Z), model::friction_at<Ball>(a, Z, v[5]),
-                               model::friction_rate<Ball>(a, Z, v[5]), crossing(3, 3), away(3, 0), away(3, 1)};
+      return std::vector<Ball>{model::energy<Ball>(v[0], v[1], Z),
+                               model::friction_at<Ball>(a, Z, v[5]),
+                               model::friction_rate<Ball>(a, Z, v[5]),
+                               crossing(3, 3),
+                               away(3, 0),
+                               away(3, 1)};
     });
   }
 }

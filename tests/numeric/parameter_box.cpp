@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <random>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "numeric/nonsticking.hpp"
@@ -182,6 +184,108 @@ TEST_CASE("boxes that are too wide are undecided and name the parameter to split
   a = parameters_as<Ball>(S());
   a.omega = around(a.omega, "0.5");  // holds a natural frequency
   CHECK(prove_symmetric_over(a, 1, guess_S()).existence.truth == Truth::undecided);
+}
+
+namespace {
+
+using Data = model::Parameters<Ball>;
+
+struct Subject {
+  const char* name;
+  Data data;
+  std::vector<double> guess;
+  std::function<BoxOrbit(const Data&, const std::vector<double>&)> prove;
+};
+
+std::vector<Subject> examples_over_boxes() {
+  return {
+      {"S", parameters_as<Ball>(S()), guess_S(),
+       [](const Data& a, const std::vector<double>& guess) { return prove_symmetric_over(a, 1, guess); }},
+      {"O", parameters_as<Ball>(O()), guess_O(),
+       [](const Data& a, const std::vector<double>& guess) {
+         return prove_overshooting_over(a, Ball(0), guess);
+       }},
+      {"P", parameters_as<Ball>(P("0.1")), guess_P(), [](const Data& a, const std::vector<double>& guess) {
+         return prove_nonsticking_over(a, Ball(parse_rational("0.2")), guess);
+       }}};
+}
+
+const std::vector<std::pair<const char*, Ball Data::*>>& parameters() {
+  static const std::vector<std::pair<const char*, Ball Data::*>> all{
+      {"chi", &Data::chi}, {"eta", &Data::eta},     {"us", &Data::us},
+      {"V", &Data::V},     {"omega", &Data::omega}, {"p", &Data::p}};
+  return all;
+}
+
+bool is_proved(const Verdict& verdict) {
+  return verdict.truth == Truth::proved;
+}
+
+// That the orbit of the member is the one that the wide proof speaks of, and that all holds there that was
+// proved over the whole box.
+void check_member(const Subject& example, const BoxOrbit& wide, const Data& member) {
+  std::vector<double> guess;
+  for (const Ball& unknown : wide.zero) {
+    guess.push_back(unknown.approximate());
+  }
+  const BoxOrbit narrow = example.prove(member, guess);
+  REQUIRE(is_proved(narrow.existence));
+  for (std::size_t i = 0; i < wide.zero.size(); ++i) {
+    CHECK(wide.zero[i].contains(narrow.zero[i]));
+  }
+  CHECK(wide.ur.contains(narrow.ur));
+  REQUIRE(narrow.conditions.size() == wide.conditions.size());
+  for (std::size_t i = 0; i < wide.conditions.size(); ++i) {
+    CAPTURE(wide.conditions[i].id);
+    const Truth over_all = wide.conditions[i].verdict.truth;
+    const bool decided = over_all == Truth::proved || over_all == Truth::refuted;
+    CHECK((!decided || narrow.conditions[i].verdict.truth == over_all));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("parameters widened until the proof gives up: what is proved holds at both ends") {
+  for (const Subject& example : examples_over_boxes()) {
+    CAPTURE(std::string(example.name));
+    for (const auto& [name, parameter] : parameters()) {
+      CAPTURE(std::string(name));
+      int proved = 0;
+      for (const char* width : {"1e-8", "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "0.1"}) {
+        CAPTURE(std::string(width));
+        Data wide = example.data;
+        wide.*parameter = around(example.data.*parameter, width);
+        const BoxOrbit orbit = example.prove(wide, example.guess);
+        if (!is_proved(orbit.existence)) {
+          break;
+        }
+        ++proved;
+        for (const Ball& end : {(wide.*parameter).lower(), (wide.*parameter).upper()}) {
+          Data member = example.data;
+          member.*parameter = end;
+          check_member(example, orbit, member);
+        }
+      }
+      CHECK(proved >= 2);
+    }
+  }
+}
+
+TEST_CASE("parameters widened over a resonance or beyond the domain: nothing is proved") {
+  for (const Subject& example : examples_over_boxes()) {
+    CAPTURE(std::string(example.name));
+    const model::Modes<Ball> modes = model::modes<Ball>(example.data.chi, example.data.eta);
+    const std::vector<std::tuple<const char*, Ball Data::*, Ball>> beyond{
+        {"omega1", &Data::omega, modes.omega1}, {"omega2", &Data::omega, modes.omega2},
+        {"chi = 0", &Data::chi, Ball(0)},       {"chi = 1", &Data::chi, Ball(1)},
+        {"eta = 0", &Data::eta, Ball(0)},       {"omega = 0", &Data::omega, Ball(0)}};
+    for (const auto& [name, parameter, end] : beyond) {
+      CAPTURE(std::string(name));
+      Data wide = example.data;
+      wide.*parameter = Ball::hull(example.data.*parameter, end);
+      CHECK_FALSE(is_proved(example.prove(wide, example.guess).existence));
+    }
+  }
 }
 
 TEST_CASE("a wrong number of unknowns is the caller's error") {
