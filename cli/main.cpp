@@ -7,8 +7,10 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
 #include "report/versions.hpp"
 
@@ -57,6 +59,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGINT, cli::leave);
+  cli::end_in_words_without_memory();
   try {
     return cli::answer(cli::parse(argc, argv));
   } catch (const cli::ReaderGone& error) {
@@ -65,7 +68,11 @@ int main(int argc, char** argv) {
     cli::tell("stickslip: " + cli::sentence(error.what()));
     return error.code();
   } catch (const std::bad_alloc&) {
-    cli::tell("stickslip: out of memory.");
+    cli::tell(cli::out_of_memory);
+  } catch (const std::system_error& error) {
+    const bool threads = error.code() == std::errc::resource_unavailable_try_again;
+    cli::tell(threads ? std::string(cli::out_of_memory) + " No thread can be started."
+                      : "stickslip: internal error: " + cli::sentence(error.what()));
   } catch (const std::exception& error) {
     cli::tell("stickslip: internal error: " + cli::sentence(error.what()));
   } catch (...) {

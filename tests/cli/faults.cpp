@@ -1,6 +1,7 @@
 // What the program does when the world around it fails.
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -205,5 +206,24 @@ TEST_CASE("a limit of memory is met with a sentence") {
   CHECK(is_one_sentence(result.err, "out of memory"));
   CHECK(result.out.empty());
   CHECK(temporary.count() == 0);
+}
+
+TEST_CASE("at any limit of memory there is an answer or a sentence, from the libraries in C too") {
+  constexpr int not_loaded = 127, plenty = 4000000;
+  int sentences = 0;
+  for (const int kilobytes : {50000, 55000, 60000, 65000, 70000, 75000, 80000, 90000, 100000, plenty}) {
+    CAPTURE(kilobytes);
+    const Run result = in_shell(fmt::format("ulimit -v {}", kilobytes),
+                                {"orbits", "symmetric", "--example", "S", "--digits", "1000"});
+    if (result.code == exit_internal) {
+      ++sentences;
+      CHECK(result.err.find("out of memory") != std::string::npos);
+      CHECK(result.out.empty());
+    } else {
+      CHECK((result.code == exit_decided || result.code == not_loaded));
+    }
+    CHECK((kilobytes < plenty || result.code == exit_decided));
+  }
+  CHECK(sentences > 0);
 }
 #endif
