@@ -1,7 +1,6 @@
 #include "proofs/mutants.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "core/error.hpp"
@@ -216,14 +215,6 @@ std::string to_string(Fate fate) {
       return "survived";
   }
   return {};
-}
-
-std::string explanation(const Mutant& survivor) {
-  static const std::map<std::string, std::string> known{
-      {"64: P*X2 = 0", "X_1 = X_2 stands beside it"},
-  };
-  const auto found = known.find(survivor.claim + ": " + survivor.statement);
-  return found == known.end() ? std::string() : found->second;
 }
 
 Gate mutant_gate(const std::vector<Claim>& claims, const std::set<std::string>& ids, const Sampling& sampling,

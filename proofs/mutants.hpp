@@ -55,7 +55,4 @@ struct Gate {
 [[nodiscard]] Gate mutant_gate(const std::vector<Claim>& claims, const std::set<std::string>& ids,
                                const Sampling& sampling, const Progress& progress);
 
-// Why a mutant that survived is no error: a sentence; empty if nobody knows.
-[[nodiscard]] std::string explanation(const Mutant& survivor);
-
 }  // namespace stickslip::proofs

@@ -76,10 +76,11 @@ Json rows_json(const std::vector<GateRow>& rows) {
   return list;
 }
 
-std::vector<const Mutant*> survivors(const Gate& gate) {
+// Those that are true, with why, and those that should not be.
+std::vector<const Mutant*> proved(const Gate& gate) {
   std::vector<const Mutant*> result;
   for (const Mutant& mutant : gate.mutants) {
-    if (mutant.fate == Fate::survived) {
+    if (mutant.fate == Fate::survived || mutant.fate == Fate::true_too) {
       result.push_back(&mutant);
     }
   }
@@ -122,12 +123,12 @@ GateRow row_of_all(const Gate& gate) {
 }
 
 Json to_json(const Gate& gate) {
-  Json left = Json::array();
-  for (const Mutant* mutant : survivors(gate)) {
-    left.push_back({{"claim", mutant->claim},
-                    {"statement", mutant->statement},
-                    {"reason", mutant->reason},
-                    {"explanation", explanation(*mutant)}});
+  Json all_proved = Json::array();
+  for (const Mutant* mutant : proved(gate)) {
+    all_proved.push_back({{"claim", mutant->claim},
+                          {"statement", mutant->statement},
+                          {"fate", to_string(mutant->fate)},
+                          {"reason", mutant->reason}});
   }
   return {{"seed", gate.sampling.seed},
           {"one_in", gate.sampling.one_in},
@@ -135,7 +136,8 @@ Json to_json(const Gate& gate) {
           {"all", row_json(row_of_all(gate))},
           {"kinds", rows_json(rows_by_kind(gate))},
           {"places", rows_json(rows_by_place(gate))},
-          {"survivors", left}};
+          {"has_proved", !all_proved.empty()},
+          {"proved", all_proved}};
 }
 
 std::string terminal_mutants(const Gate& gate, const Style& style) {
@@ -153,10 +155,11 @@ std::string terminal_mutants(const Gate& gate, const Style& style) {
   }
   std::string result =
       "Wrong statements on purpose: " + sampling_line(gate) + "\n" + columns_of(rows, style.width);
-  for (const Mutant* mutant : survivors(gate)) {
-    const std::string why = explanation(*mutant);
-    result += fmt::format("survived  {}: {}\n          {}\n", mutant->claim, mutant->statement,
-                          why.empty() ? mutant->reason : why);
+  for (const Mutant* mutant : proved(gate)) {
+    if (mutant->fate == Fate::survived) {
+      result +=
+          fmt::format("survived  {}: {}\n          {}\n", mutant->claim, mutant->statement, mutant->reason);
+    }
   }
   return result;
 }

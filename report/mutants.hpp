@@ -30,7 +30,7 @@ struct GateRow {
 // As "mutants" in report/schema/audit.schema.json.
 [[nodiscard]] Json to_json(const proofs::Gate& gate);
 
-// The tables, the survivors with their explanations, and how the sample was drawn.
+// The tables, the survivors, and how the sample was drawn.
 [[nodiscard]] std::string terminal_mutants(const proofs::Gate& gate, const Style& style);
 
 }  // namespace stickslip::report

@@ -42,12 +42,14 @@ TEST_CASE("rows by kind and by place add up to all") {
   CHECK(rows_by_place(sample()).front().kill_rate() == "100 %");
 }
 
-TEST_CASE("a survivor is shown with its explanation, or the lack of one") {
+TEST_CASE("what is proved is shown with its reason, on the terminal only what should not be") {
   const std::string text = terminal_mutants(sample(), {});
   CHECK(text.find("one in 20, seed 7") != std::string::npos);
-  CHECK(text.find("X_1 = X_2 stands beside it") != std::string::npos);
+  CHECK(text.find("P*X2 = 0") != std::string::npos);
+  CHECK(text.find("X = X") == std::string::npos);
   const Json json = to_json(sample());
-  CHECK(json.at("survivors").size() == 2);
-  CHECK(json.at("survivors")[1].at("explanation") == "");
+  REQUIRE(json.at("proved").size() == 3);
+  CHECK(json.at("proved")[0].at("fate") == "survived");
+  CHECK(json.at("proved")[2].at("reason") == "true");
   CHECK(json.at("all").at("survived") == 2);
 }
