@@ -19,7 +19,7 @@ namespace {
 using GiNaC::ex;
 
 constexpr int exact_points = 2, ball_points = 1;
-constexpr std::size_t premise_points = 2;
+constexpr std::size_t points_at_premises = 2;
 constexpr unsigned draws = 40;  // of each point, until no denominator vanishes and all that is assumed holds
 
 // Numbers of points for the claim, no others than before on any run.
@@ -259,13 +259,13 @@ bool all_identities(Prover& prover, const std::set<std::string>& claims) {
 // At that many points where what the claim rests on holds, what it prints holds, too. Where some of that
 // could not be evaluated, what is printed may fail.
 int confirmed_at_premises(Prover& prover, const Claim& claim, const Outcome& outcome) {
-  const Premises premises(prover, claim, outcome);
+  const Premises premises = premises_of(prover, claim, outcome);
   int confirmed = 0;
-  for (const PremisePoint& point : premises.points(premise_points)) {
+  for (const PremisePoint& point : premise_points(premises, points_at_premises)) {
     bool all_hold = true;
     for (const Statement& printed : claim.printed) {
       try {
-        if (premises.all_evaluated() && point.contradicts(printed)) {
+        if (premises.left_out.empty() && point.contradicts(printed)) {
           Disagreement{claim}(text(printed) + " is called proved and fails where all that it rests on holds");
         }
         all_hold = all_hold && point.confirms(printed);

@@ -76,8 +76,8 @@ std::optional<Subject> subject(Prover& prover, const Claim& claim) {
     return statement.relation == Relation::equal;
   });
   Subject result{prover, record,
-                 Premises(prover, record.claim, outcome)
-                     .points(equations ? points_for_equations : points_for_inequalities)};
+                 premise_points(premises_of(prover, record.claim, outcome),
+                                equations ? points_for_equations : points_for_inequalities)};
   std::erase_if(result.points, [&](const PremisePoint& point) { return !shows(point, result.form()); });
   return result;
 }

@@ -3,53 +3,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "proofs/abbreviations.hpp"
-#include "proofs/deciding.hpp"
+#include "proofs/sample.hpp"
 #include "symbolic/evaluate.hpp"
 
 namespace stickslip::proofs {
 namespace {
 
 constexpr long bits = 256;
-
-// The states first: they are solved for before what the friction does.
-const std::vector<std::string>& unknowns() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const char* where : {"C", "B", "0"}) {
-      for (const char* what : {"z1", "z2", "zdot1", "zdot2"}) {
-        result.push_back(std::string(what) + where);
-      }
-    }
-    for (int i = 1; i <= 5; ++i) {
-      result.push_back(coefficient('d', i).name());
-    }
-    result.insert(result.end(), {"xddot1", "xddot2", "V", "ur", "us", "u"});
-    return result;
-  }();
-  return names;
-}
-
-bool is_unknown(const std::string& name) {
-  return std::find(unknowns().begin(), unknowns().end(), name) != unknowns().end();
-}
-
-// A name whose value may be put in: no unknown, nothing that the model's formulas are made of or give.
-bool is_name(const Term& term) {
-  static const std::vector<std::string> parameters{"omega", "omega1", "omega2", "p"};
-  const std::string& name = term.name();
-  const Lookup<Ball> one = [](const std::string&) { return Ball(1); };
-  return term.op() == Op::symbol && term.shape().is_scalar() && !is_unknown(name) && !abbreviated(name) &&
-         std::find(parameters.begin(), parameters.end(), name) == parameters.end() &&
-         !derived<Ball>(name, one);
-}
-
-// Whether it is made of what has a value and of the motion Z.
-bool in_terms_of_Z(const Term& term) {
-  return (term.op() == Op::function && term.name() == "Z") || is_in_field(term) ||
-         (!term.arguments().empty() && term.op() != Op::function &&
-          std::all_of(term.arguments().begin(), term.arguments().end(), in_terms_of_Z));
-}
 
 // What makes the load fit a motion that closes, where equations in the states alone cannot: it closes after
 // Theta (28), lags behind a slip of length tau (16), turns half way in each of two equal phases (67); or load
@@ -66,118 +26,6 @@ const std::vector<Replacements>& ways_to_close() {
   }();
   return all;
 }
-
-}  // namespace
-
-// What the premises say, sorted by what it is good for.
-struct Premises::Parts {
-  std::map<std::string, Term> motions;  // the value at t of Z, X, …
-  Replacements values;
-  std::vector<Statement> equations, inequalities, left_out;
-  std::vector<Hypothesis> hypotheses;
-  bool consistent = true;
-
-  // The term with the motions put in.
-  [[nodiscard]] Term with_motions(const Term& term) const {
-    std::vector<Term> arguments;
-    for (const Term& argument : term.arguments()) {
-      arguments.push_back(with_motions(argument));
-    }
-    const auto motion = term.op() == Op::function ? motions.find(term.name()) : motions.end();
-    if (motion != motions.end()) {
-      return substitute(with_motions(motion->second), {{"t", arguments.front()}});
-    }
-    return arguments.empty() ? term : term.with_arguments(std::move(arguments));
-  }
-  [[nodiscard]] Statement with_motions(const Statement& statement) const {
-    return {with_motions(statement.left), with_motions(statement.right), statement.relation};
-  }
-
-  void add_value(const Statement& statement) {
-    const auto [known, fresh] = values.emplace(statement.left.name(), statement.right);
-    if (!fresh && !equal(known->second, statement.right)) {
-      equations.push_back(statement);
-    }
-  }
-
-  void add(const Statement& statement) {
-    const Term& left = statement.left;
-    const bool equation = statement.relation == Relation::equal;
-    const bool of_time = left.op() == Op::function && left.arguments().front().op() == Op::symbol &&
-                         left.arguments().front().name() == "t" && !is_in_field(left) &&
-                         (left.name() == "Z" ? is_in_field(statement.right) : in_terms_of_Z(statement.right));
-    if (equation && of_time) {
-      const auto [known, fresh] = motions.emplace(left.name(), statement.right);
-      consistent = consistent && (fresh || equal(known->second, statement.right));
-    } else if (equation && is_name(left)) {
-      add_value(statement);
-    } else {
-      (equation ? equations : inequalities).push_back(statement);
-    }
-  }
-
-  // Puts the motions in, and sorts out what has no value.
-  void finish() {
-    const auto evaluable = [](const Term& term) { return is_in_field(term) || term.name() == "abs"; };
-    for (std::vector<Statement>* statements : {&equations, &inequalities}) {
-      for (Statement& statement : *statements) {
-        statement = with_motions(statement);
-        if (!evaluable(statement.left) || !evaluable(statement.right)) {
-          left_out.push_back(statement);
-        }
-      }
-      std::erase_if(*statements,
-                    [&](const Statement& s) { return !evaluable(s.left) || !evaluable(s.right); });
-    }
-  }
-
-  // Whether the value of the term, with all values put in, changes with the symbol.
-  [[nodiscard]] bool reaches(const Term& term, const std::string& name) const {
-    return depends_on(term, name) || std::any_of(values.begin(), values.end(), [&](const auto& value) {
-             return depends_on(term, value.first) && reaches(value.second, name);
-           });
-  }
-  // The same with further values; nothing where a name has one already, or would be given by itself.
-  [[nodiscard]] std::optional<Parts> with(const Replacements& further) const {
-    Parts result = *this;
-    for (const auto& [name, value] : further) {
-      if (values.contains(name) || reaches(value, name)) {
-        return std::nullopt;
-      }
-      result.values.emplace(name, value);
-    }
-    return result;
-  }
-};
-
-Premises::Premises(Prover& prover, const Claim& claim, const Outcome& outcome) {
-  Parts parts;
-  for (const Assumption& assumption : claim.assumptions) {
-    if (is_substitution(assumption) && !is_unknown(assumption.statement.left.name())) {
-      parts.add_value(assumption.statement);
-    } else {
-      parts.add(assumption.statement);
-    }
-  }
-  for (const std::string& used : outcome.uses) {
-    const Record& premise = prover.prove(used);
-    const Outcome& proved = premise.corrected ? *premise.corrected : premise.outcome;
-    if (!proved.cross_check.identity) {
-      for (const Statement& statement : proved_form(premise)) {
-        parts.add(statement);
-      }
-    }
-  }
-  parts.finish();
-  parts.hypotheses = outcome.hypotheses;
-  parts_ = std::make_shared<const Parts>(std::move(parts));
-}
-
-bool Premises::all_evaluated() const {
-  return parts_->left_out.empty();
-}
-
-namespace {
 
 using Column = std::vector<Ball>;
 
@@ -236,11 +84,11 @@ bool is_small(const Ball& x) {
 }  // namespace
 
 struct PremisePoint::Point {
-  Premises::Parts premises;
+  Premises premises;
   ExactPoint numbers;
   std::map<std::string, Ball> solved;
 
-  Point(Premises::Parts all, unsigned seed) : premises(std::move(all)), numbers(seed) {}
+  Point(Premises all, unsigned seed) : premises(std::move(all)), numbers(seed) {}
 
   [[nodiscard]] Ball free(const std::string& name) const {
     const auto found = solved.find(name);
@@ -267,7 +115,7 @@ struct PremisePoint::Point {
   }
   [[nodiscard]] Column residuals(const Column& u) {
     for (std::size_t i = 0; i < u.size(); ++i) {
-      solved.insert_or_assign(unknowns()[i], u[i]);
+      solved.insert_or_assign(solved_for()[i], u[i]);
     }
     Column all;
     for (const Statement& statement : premises.equations) {
@@ -279,7 +127,7 @@ struct PremisePoint::Point {
 
   // Solves the equations; whether that came out.
   [[nodiscard]] bool solve() {
-    Column open(unknowns().size(), Ball(0));
+    Column open(solved_for().size(), Ball(0));
     const Column constant = residuals(open);
     std::vector<Column> A(constant.size(), open);
     for (std::size_t i = 0; i < open.size(); ++i) {
@@ -291,7 +139,7 @@ struct PremisePoint::Point {
       }
     }
     for (std::size_t i = 0; i < open.size(); ++i) {
-      open[i] = Ball(any_sign(unknowns()[i]));
+      open[i] = Ball(any_sign(solved_for()[i]));
     }
     const Column left = residuals(solution(A, constant, open));
     return std::all_of(left.begin(), left.end(),
@@ -348,45 +196,35 @@ struct PremisePoint::Point {
     }
     return symbolic::evaluate(hypothesis.nonzero, values).is_nonzero();
   }
+  // Whether the inequalities hold, and no hypothesis vanishes.
+  [[nodiscard]] bool is_admissible() const {
+    return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
+                       [this](const Statement& statement) { return holds(statement); }) &&
+           std::all_of(premises.hypotheses.begin(), premises.hypotheses.end(),
+                       [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });
+  }
 };
 
-namespace {
-
-enum class Found { point, no_solution, excluded };
-
-}  // namespace
-
-std::vector<PremisePoint> Premises::points(std::size_t wanted) const {
+std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t wanted) {
+  const auto draws = static_cast<unsigned>(50 * wanted);
+  constexpr unsigned draws_without_solution = 3;
   const WorkingPrecision precision(bits);
   std::vector<PremisePoint> found;
   for (const Replacements& way : ways_to_close()) {
-    const auto closed = parts_->with(way);
+    const auto closed = premises.with(way);
     if (!closed || !closed->consistent) {
       continue;
     }
-    const auto attempt = [&](unsigned seed) {
-      const auto point = std::make_shared<PremisePoint::Point>(*closed, seed);
-      const auto holds = [&](const Statement& statement) { return point->holds(statement); };
-      const auto nonzero = [&](const Hypothesis& hypothesis) { return point->is_nonzero(hypothesis); };
-      try {
-        if (!point->solve()) {
-          return Found::no_solution;
-        }
-        if (!std::all_of(closed->inequalities.begin(), closed->inequalities.end(), holds) ||
-            !std::all_of(closed->hypotheses.begin(), closed->hypotheses.end(), nonzero)) {
-          return Found::excluded;
-        }
-      } catch (const NoValue&) {
-        return Found::no_solution;
-      }
-      found.push_back(PremisePoint(point));
-      return Found::point;
-    };
     const std::size_t enough = found.size() + wanted;
-    const auto draws = static_cast<unsigned>(50 * wanted);
     unsigned unsolved = 0;
-    for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < 3; ++seed) {
-      unsolved += attempt(seed) == Found::no_solution ? 1 : 0;
+    for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < draws_without_solution;
+         ++seed) {
+      const auto point = std::make_shared<PremisePoint::Point>(*closed, seed);
+      if (!point->solve()) {
+        ++unsolved;
+      } else if (point->is_admissible()) {
+        found.push_back(PremisePoint(point));
+      }
     }
     if (way.empty() && !found.empty()) {
       break;
