@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -136,21 +137,27 @@ template <int N>
 }
 
 // Tests boxes of growing size around a guess: the first that is proved gives the enclosure, the largest that
-// is still proved gives the uniqueness. The working precision must exceed the guess's accuracy.
+// halving finds still proved gives the uniqueness. The working precision must exceed the guess's accuracy.
 template <int N, class F>
 [[nodiscard]] ZeroProof<N> prove_zero_near(const F& f, const Box<N>& guess) {
-  ZeroProof<N> best{Verdict::undecided("no box around the guess passed Krawczyk's test"), guess, guess};
-  for (double radius = 1e-13; radius < 1; radius *= 16) {
-    const ZeroProof<N> proof = krawczyk_test<N>(f, box_around<N>(guess, radius));
-    const bool proved = proof.verdict.truth == Truth::proved;
-    if (proved && best.verdict.truth == Truth::proved) {
+  constexpr int largest_first = 7, too_large = 11;  // radii 1e-13 16^size: below 1e-4 to begin with, below 1
+  const auto test = [&](int size) {
+    return krawczyk_test<N>(f, box_around<N>(guess, std::ldexp(1e-13, 4 * size)));
+  };
+  int size = 0;
+  ZeroProof<N> best = test(size);
+  while (best.verdict.truth != Truth::proved && size < largest_first) {
+    best = test(++size);
+  }
+  int beyond = best.verdict.truth == Truth::proved ? too_large : size;
+  while (beyond - size > 1) {
+    const int middle = (size + beyond) / 2;
+    const ZeroProof<N> proof = test(middle);
+    if (proof.verdict.truth == Truth::proved) {
       best.unique = proof.unique;
-    } else if (proved) {
-      best = proof;
-    } else if (best.verdict.truth == Truth::proved) {
-      return best;
-    } else if (radius > 1e-5) {
-      return proof;
+      size = middle;
+    } else {
+      beyond = middle;
     }
   }
   return best;

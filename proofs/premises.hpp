@@ -12,10 +12,10 @@ namespace stickslip::proofs {
 
 // What the claim assumes, and what the premises of the outcome's proof say that are no identities.
 struct Premises {
-  std::map<std::string, Term> motions;  // "Z(t) = ...": the value at t of Z, X, ...
-  Replacements values;                  // "a_1 = ...", of a name that has no other meaning
+  std::map<std::string, Term> motions;             // "Z(t) = ...": the value at t of Z, X, ...
+  Replacements values;                             // "a_1 = ...", of a name that has no other meaning
   std::vector<Statement> equations, inequalities;  // in what has values, the motions put in
-  std::vector<Statement> left_out;  // what has none, such as "Z(tau) = Z_B"
+  std::vector<Statement> left_out;                 // what has none, such as "Z(tau) = Z_B"
   std::vector<Hypothesis> hypotheses;
   bool consistent = true;  // no motion has two meanings
 
