@@ -17,6 +17,7 @@ namespace {
   ::_exit(exit_internal);
 }
 
+// NOLINTBEGIN(cppcoreguidelines-owning-memory): what malloc and free are called by
 extern "C" {
 
 void* allocate(std::size_t size) {
@@ -42,6 +43,7 @@ void release_known(void* block, std::size_t /*size*/) {
 }
 
 }  // extern "C"
+// NOLINTEND(cppcoreguidelines-owning-memory)
 
 }  // namespace
 
