@@ -67,13 +67,14 @@ template <int N, class F>
     p(i) = P(i).is_exact() ? T(P(i)) : T::variable(P(i), N + i);
   }
   const Eigen::Matrix<T, N, 1> value = f.template closing<T>(x, p);
+  constexpr std::size_t first_parameter = N;
   Slopes<N> result;
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j < N; ++j) {
       result.by_x(i, j) = value(i).partials[static_cast<std::size_t>(j)];
     }
     for (int j = 0; j < parameter_count; ++j) {
-      result.by_p(i, j) = value(i).partials[static_cast<std::size_t>(N + j)];
+      result.by_p(i, j) = value(i).partials[first_parameter + static_cast<std::size_t>(j)];
     }
   }
   return result;
