@@ -252,7 +252,7 @@ std::vector<Decided> formulas(const Claim& claim, const Outcome& outcome, bool w
 bool all_identities(Prover& prover, const std::set<std::string>& claims) {
   return std::all_of(claims.begin(), claims.end(), [&](const std::string& id) {
     const Record& premise = prover.prove(id);
-    return (premise.corrected ? *premise.corrected : premise.outcome).cross_check.identity;
+    return final_outcome(premise).cross_check.identity;
   });
 }
 

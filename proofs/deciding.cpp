@@ -223,14 +223,14 @@ void record_premise(Outcome& outcome, Prover& prover, const Claim& claim, const 
   }
   outcome.uses.insert(premise.id);
   const Record& record = prover.prove(premise.id);
-  for (const std::string& id : (record.corrected ? *record.corrected : record.outcome).assumed) {
+  for (const std::string& id : final_outcome(record).assumed) {
     if (!premise.supplied.contains(id)) {
       outcome.assumed.insert(id);
     }
   }
   const Given given(claim);
   std::vector<Hypothesis>& here = outcome.inherited[premise.id];
-  for (const Hypothesis& general : (record.corrected ? *record.corrected : record.outcome).hypotheses) {
+  for (const Hypothesis& general : final_outcome(record).hypotheses) {
     for (const ex& factor : instantiated(general.nonzero, premise, given)) {
       here = joined(here, {hypothesis(factor, general.origin)});
     }

@@ -67,7 +67,7 @@ std::optional<Subject> subject(Prover& prover, const Claim& claim) {
     return std::nullopt;
   }
   const Record& record = prover.prove(claim.id);
-  const Outcome& outcome = record.corrected ? *record.corrected : record.outcome;
+  const Outcome& outcome = final_outcome(record);
   if (outcome.verdict.truth != Truth::proved || outcome.introduces_names) {
     return std::nullopt;
   }
@@ -121,7 +121,7 @@ Judgement judge_proved(const Subject& subject, std::size_t which, const Statemen
   if (subject.points.empty()) {
     return {Fate::survived, "proved, and there is no point where it could be evaluated"};
   }
-  return {Fate::true_too, "proved, and it holds where all that the claim rests on holds"};
+  return {Fate::true_too, "proved, and it holds at the points tried where all that the claim rests on holds"};
 }
 
 Judgement judge(const Subject& subject, std::size_t which, const Statement& statement) {

@@ -15,7 +15,7 @@ enum class Fate {
   refuted,      // it fails where all that the claim rests on holds, in balls
   unproved,     // the proof does not go through, with the reason; no such point was found
   meaningless,  // it does not evaluate: it divides by zero, or has no value in the model
-  true_too,     // proved, and it holds where the claim holds: no mutant but another truth
+  true_too,     // proved, and a normal form or the points tried agree: no mutant but another truth
   survived,     // proved, and nothing says that it is true
 };
 [[nodiscard]] const std::vector<Fate>& fates();

@@ -132,7 +132,7 @@ Premises premises_of(Prover& prover, const Claim& claim, const Outcome& outcome)
   }
   for (const std::string& used : outcome.uses) {
     const Record& premise = prover.prove(used);
-    const Outcome& proved = premise.corrected ? *premise.corrected : premise.outcome;
+    const Outcome& proved = final_outcome(premise);
     if (!proved.cross_check.identity) {
       for (const Statement& statement : proved_form(premise)) {
         add(result, statement);

@@ -187,7 +187,7 @@ bool Prover::inherit(Outcome& outcome, const Claim& claim) {
   for (const std::string& used : outcome.uses) {
     const Record& premise = prove(used);
     all_stand = all_stand && stands(premise.status);
-    const Outcome& from = premise.corrected ? *premise.corrected : premise.outcome;
+    const Outcome& from = final_outcome(premise);
     const auto here = outcome.inherited.find(used);
     outcome.hypotheses =
         joined(open_at(here == outcome.inherited.end() ? from.hypotheses : here->second, outcome.at),
@@ -200,6 +200,10 @@ bool Prover::inherit(Outcome& outcome, const Claim& claim) {
 
 const std::vector<Statement>& proved_form(const Record& record) {
   return record.corrected ? record.claim.corrected : record.claim.printed;
+}
+
+const Outcome& final_outcome(const Record& record) {
+  return record.corrected ? *record.corrected : record.outcome;
 }
 
 Hypothesis hypothesis(const GiNaC::ex& nonzero, const std::string& origin) {

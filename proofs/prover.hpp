@@ -35,6 +35,8 @@ class Prover {
 // What a claim offers as a premise: the form that was proved, as printed or corrected. The caller records the
 // id.
 [[nodiscard]] const std::vector<Statement>& proved_form(const Record& record);
+// Of the corrected form where there is one, else of the printed.
+[[nodiscard]] const Outcome& final_outcome(const Record& record);
 
 // Hypotheses joined without repetition, in order of their text; of equal ones the first stays.
 [[nodiscard]] std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b);

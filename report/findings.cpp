@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "proofs/prover.hpp"
 #include "report/summary.hpp"
 
 namespace stickslip::report {
@@ -72,10 +73,6 @@ std::size_t weight(const HypothesisGroup& group) {
 }
 
 }  // namespace
-
-const Outcome& final_outcome(const Record& record) {
-  return record.corrected ? *record.corrected : record.outcome;
-}
 
 std::string verdict_lead(const Audit& audit) {
   if (any(audit, {Status::undecided, Status::rests_on_unproved})) {

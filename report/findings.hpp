@@ -26,7 +26,4 @@ struct HypothesisGroup {
 // audit.
 [[nodiscard]] std::vector<HypothesisGroup> hypothesis_groups(const proofs::Audit& audit);
 
-// Of the form that is proved: the corrected one where there is one.
-[[nodiscard]] const proofs::Outcome& final_outcome(const proofs::Record& record);
-
 }  // namespace stickslip::report

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "proofs/paper.hpp"
+#include "proofs/prover.hpp"
 
 namespace stickslip::report {
 namespace {
@@ -63,7 +64,7 @@ bool is_finding(const Record& record) {
 std::set<std::string> inheriting(const Audit& audit, const Record& record) {
   std::set<std::string> ids;
   for (const Record& other : audit.records) {
-    const proofs::Outcome& outcome = other.corrected ? *other.corrected : other.outcome;
+    const proofs::Outcome& outcome = final_outcome(other);
     for (const proofs::Hypothesis& hypothesis : outcome.hypotheses) {
       if (hypothesis.origin == record.claim.id && other.claim.id != record.claim.id) {
         ids.insert(other.claim.id);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "proofs/prover.hpp"
 #include "report/layout.hpp"
 #include "report/numbers.hpp"
 #include "report/summary.hpp"
@@ -123,7 +124,7 @@ std::string findings(const Audit& audit, const Style& style) {
     details.add("lost", record.claim.illegible);
     details.add("why not", record.outcome.verdict.reason);
     details.add("converse", record.converse ? record.converse->verdict.reason : std::string());
-    details.add("needs", (record.corrected ? *record.corrected : record.outcome).hypotheses);
+    details.add("needs", final_outcome(record).hypotheses);
     details.add("so do", joined(inheriting(audit, record)));
     details.add("corrected", record.claim.corrected);
     result += head(record, style) + details.text();

@@ -120,7 +120,7 @@ TEST_CASE("what holds only under equations is evaluated where they hold") {
 TEST_CASE("but for seven, all proved formulas of the paper are evaluated") {
   std::set<std::string> none;
   for (const Record& one : audit(paper(), {}).records) {
-    const Outcome& outcome = one.corrected ? *one.corrected : one.outcome;
+    const Outcome& outcome = final_outcome(one);
     const bool formula =
         outcome.verdict.truth == Truth::proved && !one.claim.printed.empty() && !outcome.introduces_names;
     if (formula && outcome.cross_check.formulas == 0) {

@@ -132,8 +132,7 @@ TEST_CASE("a broken claim takes down those that use it, and no others") {
           return std::any_of(outcome.uses.begin(), outcome.uses.end(),
                              [&](const std::string& one) { return users.contains(one); });
         };
-        if (used(record.corrected ? *record.corrected : record.outcome) ||
-            (record.converse && used(*record.converse))) {
+        if (used(final_outcome(record)) || (record.converse && used(*record.converse))) {
           users.insert(id);
         }
       }

@@ -57,7 +57,7 @@ TEST_CASE("every hypothesis that a proof brings in is judged, by claims that sta
   CHECK(record("16").converse->verdict.truth == Truth::refuted);  // what 16.back's judgement says
   std::set<std::string> origins;
   for (const Record& r : whole().records) {
-    const Outcome& last = r.corrected ? *r.corrected : r.outcome;
+    const Outcome& last = final_outcome(r);
     for (const Hypothesis& hypothesis : last.hypotheses) {
       origins.insert(hypothesis.origin);
     }
