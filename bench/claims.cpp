@@ -8,14 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "proofs/paper.hpp"
-#include "proofs/prover.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
 
 namespace stickslip::bench {
+
+using namespace proofs::methods;
+using namespace proofs::symbols;
+
 namespace {
 
-using proofs::Claim;
-using proofs::Status;
+using proofs::methods::Claim;
+using proofs::methods::Status;
 using Ids = std::set<std::string>;
 
 bool is_decided(Status status) {
@@ -24,7 +28,7 @@ bool is_decided(Status status) {
 
 void prove(benchmark::State& state, const std::vector<Claim>& claims, const Ids& ids) {
   for (auto _ : state) {
-    for (const proofs::Record& record : proofs::audit(claims, ids).records) {
+    for (const proofs::methods::Record& record : proofs::methods::audit(claims, ids).records) {
       if (!is_decided(record.status)) {
         state.SkipWithError(("not decided: " + record.claim.id).c_str());
       }
@@ -33,10 +37,10 @@ void prove(benchmark::State& state, const std::vector<Claim>& claims, const Ids&
 }
 
 void identity(benchmark::State& state, const Ids& ids) {
-  const std::vector<Claim> claims = proofs::paper();
-  proofs::Prover prover(claims);
+  const std::vector<Claim> claims = proofs::pascal2012::paper();
+  proofs::methods::Prover prover(claims);
   for (const Claim& claim : claims) {
-    if (claim.kind == proofs::Kind::definition) {
+    if (claim.kind == proofs::methods::Kind::definition) {
       (void)prover.prove(claim.id);
     }
   }
@@ -50,12 +54,12 @@ void identity(benchmark::State& state, const Ids& ids) {
 }
 
 void phase_of_35(benchmark::State& state) {
-  prove(state, proofs::paper(), {"35"});
+  prove(state, proofs::pascal2012::paper(), {"35"});
 }
 
 // Without the claims about the examples' numbers and about the families that rest on them.
 void symbolic(benchmark::State& state) {
-  const std::vector<Claim> claims = proofs::paper();
+  const std::vector<Claim> claims = proofs::pascal2012::paper();
   Ids ids;
   for (const Claim& claim : claims) {
     const bool of_example = std::string("SOP").find(claim.id.front()) != std::string::npos;
@@ -67,7 +71,7 @@ void symbolic(benchmark::State& state) {
 }
 
 void everything(benchmark::State& state) {
-  prove(state, proofs::paper(), {});
+  prove(state, proofs::pascal2012::paper(), {});
 }
 
 template <class Function>
@@ -79,7 +83,7 @@ void once(const std::string& name, const Function& function) {
 }
 
 [[maybe_unused]] const bool registered = [] {
-  for (const char* id :
+  for (const char * id :
        {"40", "38.reversal", "38.group", "42", "41.reversal", "41.group", "59", "34.H", "70"}) {
     once(std::string("identity/") + id, [id](benchmark::State& state) { identity(state, {id}); });
   }

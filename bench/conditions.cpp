@@ -1,11 +1,16 @@
 // All conditions along one proved orbit, for all times.
-#include "numeric/conditions.hpp"
+#include "numeric/motion/conditions.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "bench/examples.hpp"
 
 namespace stickslip::bench {
+
+using namespace numeric::families;
+using namespace numeric::motion;
+using namespace proofs::pascal2012;
+
 namespace {
 
 constexpr int digits = 30;

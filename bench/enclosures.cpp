@@ -27,7 +27,7 @@ void enclose_P(benchmark::State& state) {
   }
 }
 
-void digits(benchmark::internal::Benchmark* b) {
+void digits(benchmark::internal::Benchmark * b) {
   b->ArgName("digits")->Arg(30)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMillisecond);
 }
 

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "numeric/examples.hpp"
-#include "numeric/nonsticking.hpp"
-#include "numeric/overshooting.hpp"
-#include "numeric/symmetric_list.hpp"
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/symmetric_list.hpp"
+#include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::bench {
 
@@ -28,18 +28,20 @@ inline void require_proved(benchmark::State& state, const Verdict& verdict) {
   }
 }
 
-[[nodiscard]] inline const ExactParameters& data(const char* example) {
-  return example_named(example).data;
+[[nodiscard]] inline const numeric::motion::ExactParameters& data(const char * example) {
+  return proofs::pascal2012::example_named(example).data;
 }
 
 // (tau, C) of Fig. 2, (tau, tau1) of Fig. 3, (delta, mu) of Fig. 4: to the accuracy of a double.
 [[nodiscard]] inline Guess guess_S() {
-  static const SymmetricState<Ball> s = list_symmetric(data("S"), 20).orbits.at(1).state;
+  static const numeric::families::SymmetricState<Ball> s =
+      numeric::families::list_symmetric(data("S"), 20).orbits.at(1).state;
   return {s.tau.approximate(), s.C.approximate()};
 }
 [[nodiscard]] inline Guess guess_O() {
-  static const OvershootingList list = list_overshooting_at_phase(data("O"), 0, 20);
-  for (const OvershootingOrbit& orbit : list.orbits) {
+  static const numeric::families::OvershootingList list =
+      numeric::families::list_overshooting_at_phase(data("O"), 0, 20);
+  for (const numeric::families::OvershootingOrbit& orbit : list.orbits) {
     if ((orbit.state.tau - Ball(4.9)).is_positive() && (orbit.state.tau - Ball(5)).is_negative()) {
       return {orbit.state.tau.approximate(), orbit.state.tau1.approximate()};
     }
@@ -47,23 +49,27 @@ inline void require_proved(benchmark::State& state, const Verdict& verdict) {
   throw std::logic_error("example O is not in its list");
 }
 [[nodiscard]] inline Guess guess_P() {
-  static const NonstickingOrbit orbit = list_nonsticking(data("P"), 20).orbits.at(0);
+  static const numeric::families::NonstickingOrbit orbit =
+      numeric::families::list_nonsticking(data("P"), 20).orbits.at(0);
   return {orbit.box(0).approximate(), orbit.box(1).approximate()};
 }
 
 // The three orbits, proved.
-[[nodiscard]] inline SymmetricOrbit orbit_S(const Guess& guess, int digits) {
-  const SymmetricProof proof = prove_symmetric(data("S"), LoadPhase::first, guess, digits);
+[[nodiscard]] inline numeric::families::SymmetricOrbit orbit_S(const Guess& guess, int digits) {
+  const numeric::families::SymmetricProof proof =
+      numeric::families::prove_symmetric(data("S"), numeric::families::LoadPhase::first, guess, digits);
   require_proved(proof.existence);
   return proof.orbit;
 }
-[[nodiscard]] inline OvershootingOrbit orbit_O(const Guess& guess, int digits) {
-  const OvershootingProof proof = prove_overshooting_at_phase(data("O"), 0, guess, digits);
+[[nodiscard]] inline numeric::families::OvershootingOrbit orbit_O(const Guess& guess, int digits) {
+  const numeric::families::OvershootingProof proof =
+      numeric::families::prove_overshooting_at_phase(data("O"), 0, guess, digits);
   require_proved(proof.existence);
   return proof.orbit;
 }
-[[nodiscard]] inline NonstickingOrbit orbit_P(const Guess& guess, int digits) {
-  const NonstickingProof proof = prove_nonsticking(data("P"), guess, digits);
+[[nodiscard]] inline numeric::families::NonstickingOrbit orbit_P(const Guess& guess, int digits) {
+  const numeric::families::NonstickingProof proof =
+      numeric::families::prove_nonsticking(data("P"), guess, digits);
   require_proved(proof.existence);
   return proof.orbit;
 }

@@ -5,12 +5,18 @@
 #include <array>
 
 #include "bench/examples.hpp"
-#include "numeric/dynamics/agreement.hpp"
-#include "numeric/dynamics/simulation.hpp"
-#include "numeric/example_orbits.hpp"
-#include "numeric/parameter_box.hpp"
+#include "numeric/families/parameter_box.hpp"
+#include "numeric/simulation/agreement.hpp"
+#include "numeric/simulation/simulation.hpp"
+#include "proofs/pascal2012/example_orbits.hpp"
 
 namespace stickslip::bench {
+
+using namespace numeric::families;
+using namespace numeric::motion;
+using namespace numeric::simulation;
+using namespace proofs::pascal2012;
+
 namespace {
 
 constexpr double half_width = 1e-5;
@@ -41,7 +47,7 @@ void growth_boxes(benchmark::State& state) {
 void growth_parameters(benchmark::State& state) {
   const Guess guess = guess_S();
   model::Parameters<Ball> a = parameters_as<Ball>(data("S"));
-  const std::array<Ball*, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
+  const std::array<Ball *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
   for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i) {
     *all[i] += Ball::hull(Ball(-half_width), Ball(half_width));
   }

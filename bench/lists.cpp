@@ -4,6 +4,9 @@
 #include "bench/examples.hpp"
 
 namespace stickslip::bench {
+
+using namespace numeric::families;
+
 namespace {
 
 constexpr int digits = 20;

@@ -6,7 +6,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 
-#include "numeric/dynamics/run.hpp"
+#include "numeric/simulation/run.hpp"
 
 namespace stickslip::bench {
 
@@ -14,14 +14,15 @@ class OdeintPeer {
  public:
   using State = std::array<double, 4>;
 
-  OdeintPeer(const Start& start, double tolerance) : start_(start), tolerance_(tolerance) {}
+  OdeintPeer(const numeric::simulation::Start& start, double tolerance)
+      : start_(start), tolerance_(tolerance) {}
 
   // The number of events in the duration; the state at its end is end().
   int run(double duration) {
     namespace odeint = boost::numeric::odeint;
     auto stepper = odeint::make_dense_output(tolerance_, tolerance_, odeint::runge_kutta_dopri5<State>());
     State x{start_.X(0), start_.X(1), start_.X(2), start_.X(3)};
-    phase_ = x[3] < start_.data.V ? PhaseKind::slip : PhaseKind::overshoot;
+    phase_ = x[3] < start_.data.V ? numeric::motion::PhaseKind::slip : numeric::motion::PhaseKind::overshoot;
     int events = 0;
     stepper.initialize(x, 0, first_step);
     const auto law = [this](const State& y, State& d, double t) { rate(y, d, t); };
@@ -57,16 +58,18 @@ class OdeintPeer {
     const model::Parameters<double>& a = start_.data;
     const double q = load(t);
     const double at_rest = a.chi * (x[1] - x[0]) - q / a.eta;
-    const double u = phase_ == PhaseKind::stick ? at_rest : (phase_ == PhaseKind::slip ? a.us : -a.us);
+    const double u = phase_ == numeric::motion::PhaseKind::stick
+                         ? at_rest
+                         : (phase_ == numeric::motion::PhaseKind::slip ? a.us : -a.us);
     d = {x[2], x[3], a.chi * x[1] - x[0], a.eta * (u - at_rest)};
   }
   [[nodiscard]] double distance(const State& x, double t) const {
     switch (phase_) {
-      case PhaseKind::slip:
+      case numeric::motion::PhaseKind::slip:
         return start_.data.V - x[3];
-      case PhaseKind::overshoot:
+      case numeric::motion::PhaseKind::overshoot:
         return x[3] - start_.data.V;
-      case PhaseKind::stick:
+      case numeric::motion::PhaseKind::stick:
         return start_.ur - std::abs(r(x, t));
     }
     return 0;
@@ -83,14 +86,16 @@ class OdeintPeer {
   }
   void pass(State& x, double t) {
     const double at_rest = r(x, t);
-    const bool sticks = phase_ != PhaseKind::stick && std::abs(at_rest) < start_.ur;
+    const bool sticks = phase_ != numeric::motion::PhaseKind::stick && std::abs(at_rest) < start_.ur;
     x[3] = start_.data.V;
-    phase_ = sticks ? PhaseKind::stick : (at_rest > 0 ? PhaseKind::slip : PhaseKind::overshoot);
+    phase_ = sticks
+                 ? numeric::motion::PhaseKind::stick
+                 : (at_rest > 0 ? numeric::motion::PhaseKind::slip : numeric::motion::PhaseKind::overshoot);
   }
 
-  Start start_;
+  numeric::simulation::Start start_;
   double tolerance_;
-  PhaseKind phase_ = PhaseKind::slip;
+  numeric::motion::PhaseKind phase_ = numeric::motion::PhaseKind::slip;
   State end_{};
 };
 

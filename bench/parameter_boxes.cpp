@@ -1,19 +1,23 @@
 // Existence and every condition over one box of parameters, in which each of them has the half width that the
 // name tells; items are boxes.
-#include "numeric/parameter_box.hpp"
+#include "numeric/families/parameter_box.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "bench/examples.hpp"
 
 namespace stickslip::bench {
+
+using namespace numeric::families;
+using namespace numeric::motion;
+
 namespace {
 
 Ball widened(const Ball& middle, double r) {
   return middle + Ball::hull(Ball(-r), Ball(r));
 }
 
-model::Parameters<Ball> box(const char* example, double r) {
+model::Parameters<Ball> box(const char * example, double r) {
   const model::Parameters<Ball> a = parameters_as<Ball>(data(example));
   return {widened(a.chi, r), widened(a.eta, r),   widened(a.us, r),
           widened(a.V, r),   widened(a.omega, r), widened(a.p, r)};

@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "bench/odeint_peer.hpp"
-#include "numeric/dynamics/agreement.hpp"
-#include "numeric/example_orbits.hpp"
+#include "numeric/simulation/agreement.hpp"
+#include "proofs/pascal2012/example_orbits.hpp"
 
 namespace stickslip::bench {
+
+using namespace numeric::simulation;
+using namespace proofs::pascal2012;
+
 namespace {
 
 constexpr int periods = 10;

@@ -1,11 +1,15 @@
 // Floquet multipliers of one proved orbit, enclosed, and what they decide.
-#include "numeric/dynamics/stability.hpp"
+#include "numeric/motion/stability.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "bench/examples.hpp"
 
 namespace stickslip::bench {
+
+using namespace numeric::families;
+using namespace numeric::motion;
+
 namespace {
 
 constexpr int digits = 30;

@@ -9,18 +9,18 @@
 namespace stickslip::cli {
 namespace {
 
-constexpr const char* about =
+constexpr const char * about =
     "Decides, statement by statement, what is true in M. Pascal, New limit cycles of dry\n"
     "friction oscillators under harmonic load, Nonlinear Dynamics 70 (2012). Identities are\n"
     "proved for all parameters; printed numbers are compared with rigorous enclosures.";
 
-constexpr const char* exit_codes =
+constexpr const char * exit_codes =
     "stickslip COMMAND --help says more about a command.\n\n"
     "Exit codes: 0 asked and decided, 1 check met a refuted statement, 2 something is\n"
     "undecided, 64 the command line is not understood, 65 parameters outside the domain,\n"
     "70 fault of the program or out of memory, 74 input or output failed, 130 interrupted.";
 
-constexpr const char* orbits_details =
+constexpr const char * orbits_details =
     "Searches the whole closed domain of the family and lists every orbit, each proved to\n"
     "exist, with every condition decided along the whole motion; what could not be decided\n"
     "is listed too.\n\n"
@@ -34,7 +34,7 @@ constexpr const char* orbits_details =
     "is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, which ends\n"
     "the search: what it has found is still printed and written, marked as interrupted.";
 
-constexpr const char* simulate_details =
+constexpr const char * simulate_details =
     "Follows x1, x2 under (2) and the friction law (4) in closed form, in double; events are\n"
     "found with certainty, not by signs at the ends of steps. A simulation proves nothing.\n\n"
     "It starts at --state at t = 0, with all parameters, --phi and --ur given; or with\n"
@@ -78,23 +78,23 @@ bool is_omega(const std::string& word) {
 
 // Each adds one command: parsing it fills its options and makes them the request.
 void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
-  CLI::App* command = program.add_subcommand("audit", "Examine every statement of the paper and report");
+  CLI::App * command = program.add_subcommand("audit", "Examine every statement of the paper and report");
   command->footer(
       "Prints a table of all statements with their status, then the findings with their\n"
       "reasons, then the printed numbers beside the proved ones.\n\n"
       "Exit code: 0 everything is decided, also if the paper has misprints;\n"
       "1 with --mutants: a wrong statement is proved;\n"
       "2 something is undecided.");
-  CLI::Option* out = command->add_option("--out", options.out,
-                                         "Also write the report into DIR: pages for a browser that begin\n"
-                                         "with index.html, audit.pdf where there is TeX, audit.tex and\n"
-                                         "audit.json. DIR is created if only its last part is missing");
+  CLI::Option * out = command->add_option("--out", options.out,
+                                          "Also write the report into DIR: pages for a browser that begin\n"
+                                          "with index.html, audit.pdf where there is TeX, audit.tex and\n"
+                                          "audit.json. DIR is created if only its last part is missing");
   out->type_name("DIR");
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the results as JSON instead of the table");
-  CLI::Option* mutants = command->add_flag("--mutants", options.mutants,
-                                           "Also put wrong statements to the proofs, made by single edits\n"
-                                           "of all formulas, and say what became of them: takes minutes");
+  CLI::Option * mutants = command->add_flag("--mutants", options.mutants,
+                                            "Also put wrong statements to the proofs, made by single edits\n"
+                                            "of all formulas, and say what became of them: takes minutes");
   command->add_option("--one-in", options.one_in, "Take a random sample of them, one in N")
       ->type_name("N")
       ->check(CLI::PositiveNumber)
@@ -107,7 +107,7 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
 }
 
 void add_check(CLI::App& program, CheckOptions& options, Request& request) {
-  CLI::App* command = program.add_subcommand("check", "Prove single statements, equations or sections");
+  CLI::App * command = program.add_subcommand("check", "Prove single statements, equations or sections");
   command->footer(
       "Exit code: 0 every statement asked for holds, possibly corrected or under the hypotheses\n"
       "listed;\n"
@@ -120,30 +120,30 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request) {
           "appendix (sec3, A2), a kind (theorem,\ncondition, ...), a status (refuted, digits_off, ...); "
           "everything\nif none is given")
       ->type_name("");
-  CLI::Option* list =
+  CLI::Option * list =
       command->add_flag("--list", options.list, "Only list the statements, without proving them");
   command->add_flag(
       "--explain", options.explain,
       "Say all about each: formula, assumptions, proof, hypotheses,\nwhat it uses and what uses it");
   add_jobs(*command, options.jobs);
-  CLI::Option* json = command->add_flag("--json", options.json, "Print the results as JSON");
+  CLI::Option * json = command->add_flag("--json", options.json, "Print the results as JSON");
   list->excludes(json);
   command->callback([&options, &request] { request = options; });
 }
 
 void add_latex(CLI::App& program, LatexOptions& options, Request& request) {
-  CLI::App* command = program.add_subcommand("latex", "Print derived expressions as LaTeX");
+  CLI::App * command = program.add_subcommand("latex", "Print derived expressions as LaTeX");
   command->footer(
       "Displayed equations for a document with the amsmath package: stickslip latex H > H.tex\n"
       "Every formula is printed from the one that the proofs are about; two runs print the\n"
       "same characters.");
-  CLI::Option* names =
+  CLI::Option * names =
       command
           ->add_option("NAME", options.names,
                        "What to print: a derived expression (H, Gamma, Q, ...) or a\nstatement as it is "
                        "proved (31, 44.H, ...); all derived\nexpressions if none is given")
           ->type_name("");
-  CLI::Option* list = command->add_flag("--list", options.list, "List the names, with equation numbers");
+  CLI::Option * list = command->add_flag("--list", options.list, "List the names, with equation numbers");
   command
       ->add_flag(
           "--errata", options.errata,
@@ -161,7 +161,7 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request) {
 }
 
 void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request) {
-  CLI::App* command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
+  CLI::App * command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
   command->footer(orbits_details);
   command->add_option("FAMILY", options.family, "symmetric, overshooting or nonsticking")->type_name("");
   add_parameters(*command, options.parameters);
@@ -178,11 +178,11 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request) {
       ->type_name("N");
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the list as JSON");
-  CLI::Option* plot = command->add_option("--plot", options.plot,
-                                          "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
-                                          "FILE.pdf: phase portraits and time histories");
+  CLI::Option * plot = command->add_option("--plot", options.plot,
+                                           "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
+                                           "FILE.pdf: phase portraits and time histories");
   plot->type_name("FILE");
-  CLI::Option* out =
+  CLI::Option * out =
       command->add_option("--out", options.out,
                           "Also write a report into DIR: index.html, orbits.pdf where there is\n"
                           "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
@@ -196,10 +196,10 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request) {
 }
 
 void add_simulate(CLI::App& program, SimulateOptions& options, Request& request) {
-  CLI::App* command = program.add_subcommand("simulate", "Follow the motion under the friction law");
+  CLI::App * command = program.add_subcommand("simulate", "Follow the motion under the friction law");
   command->footer(simulate_details);
   add_parameters(*command, options.parameters);
-  const auto add = [&](const char* name, std::string& value, const char* type, const std::string& words) {
+  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
     command->add_option(name, value, words)->type_name(type);
   };
   add("--example", options.example, "NAME", "Start where the orbit of the paper's example S, O or P begins");
@@ -230,7 +230,7 @@ void require_command(const CLI::App& program) {
 
 }  // namespace
 
-Request parse(int argc, const char* const* argv) {
+Request parse(int argc, const char * const * argv) {
   AuditOptions audit;
   CheckOptions check;
   LatexOptions latex;

@@ -69,6 +69,6 @@ using Request = std::variant<AuditOptions, CheckOptions, LatexOptions, OrbitsOpt
 
 // What the arguments ask for; argv[0] is the program's name. Runs nothing, prints nothing and touches no
 // file. Throws UsageError.
-[[nodiscard]] Request parse(int argc, const char* const* argv);
+[[nodiscard]] Request parse(int argc, const char * const * argv);
 
 }  // namespace stickslip::cli

@@ -8,17 +8,20 @@
 #include "cli/commands.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "numeric/example_orbits.hpp"
-#include "proofs/mutants.hpp"
-#include "proofs/paper.hpp"
-#include "report/files.hpp"
-#include "report/json.hpp"
-#include "report/mutants.hpp"
-#include "report/pages.hpp"
-#include "report/pictures.hpp"
-#include "report/summary.hpp"
+#include "proofs/checks/mutants.hpp"
+#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "report/audit/json.hpp"
+#include "report/audit/mutants.hpp"
+#include "report/audit/pages.hpp"
+#include "report/audit/summary.hpp"
+#include "report/orbits/pictures.hpp"
+#include "report/tools/files.hpp"
 
 namespace stickslip::cli {
+
+using namespace proofs::pascal2012;
+
 namespace {
 
 std::vector<ExampleOrbits> example_orbits() {
@@ -29,21 +32,22 @@ std::vector<ExampleOrbits> example_orbits() {
   return all;
 }
 
-std::optional<proofs::Gate> gate_of(const AuditOptions& options) {
+std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options) {
   if (!options.mutants) {
     return std::nullopt;
   }
   Progress line("making wrong statements ...");
-  return proofs::mutant_gate(proofs::paper(), {}, {options.seed, options.one_in},
-                             [&line](const std::string& id, std::size_t done, std::size_t all) {
-                               line.show(fmt::format("wrong statements of {} ({} of {})", id, done, all));
-                             });
+  return proofs::checks::mutant_gate(
+      proofs::pascal2012::paper(), {}, {options.seed, options.one_in},
+      [&line](const std::string& id, std::size_t done, std::size_t all) {
+        line.show(fmt::format("wrong statements of {} ({} of {})", id, done, all));
+      });
 }
 
 // A wrong statement is proved.
-bool any_survived(const std::optional<proofs::Gate>& gate) {
-  return gate && std::ranges::any_of(gate->mutants, [](const proofs::Mutant& mutant) {
-           return mutant.fate == proofs::Fate::survived;
+bool any_survived(const std::optional<proofs::checks::Gate>& gate) {
+  return gate && std::ranges::any_of(gate->mutants, [](const proofs::checks::Mutant& mutant) {
+           return mutant.fate == proofs::checks::Fate::survived;
          });
 }
 
@@ -52,29 +56,29 @@ bool any_survived(const std::optional<proofs::Gate>& gate) {
 ExitCode run(const AuditOptions& options) {
   const Jobs limit = jobs(options.jobs);
   if (options.with_out) {
-    report::require_writable(options.out);
-    report::require_page_tools(true);
+    report::tools::require_writable(options.out);
+    report::orbits::require_page_tools(true);
   }
-  const proofs::Audit audit = prove(proofs::paper(), {});
+  const proofs::methods::Audit audit = prove(proofs::pascal2012::paper(), {});
   const std::vector<ExampleOrbits> examples = example_orbits();
-  const std::optional<proofs::Gate> gate = gate_of(options);
-  report::Report made;
+  const std::optional<proofs::checks::Gate> gate = gate_of(options);
+  report::audit::Report made;
   if (options.with_out) {
     const Progress progress("making the pages ...");
-    made = report::pages(audit, examples, gate);
-    report::write_files(options.out, made.files);
+    made = report::audit::pages(audit, examples, gate);
+    report::tools::write_files(options.out, made.files);
   }
   const std::string command = options.mutants ? "stickslip audit --mutants" : "stickslip audit";
-  print(options.json ? report::to_text(report::to_json(audit, command, examples, gate))
-                     : report::terminal_report(audit, terminal_style()) +
-                           (gate ? "\n" + report::terminal_mutants(*gate, terminal_style()) : ""));
+  print(options.json ? report::tools::to_text(report::audit::to_json(audit, command, examples, gate))
+                     : report::audit::terminal_report(audit, terminal_style()) +
+                           (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
   if (options.with_out) {
     tell(report_line(options.out, "audit", made));
   }
   if (any_survived(gate)) {
     return exit_refuted;
   }
-  return report::all_decided(audit) ? exit_decided : exit_undecided;
+  return report::audit::all_decided(audit) ? exit_decided : exit_undecided;
 }
 
 }  // namespace stickslip::cli

@@ -9,18 +9,18 @@
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
-#include "proofs/paper.hpp"
-#include "proofs/prover.hpp"
-#include "report/pages.hpp"
-#include "symbolic/objects.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "report/audit/pages.hpp"
+#include "symbolic/objects/objects.hpp"
 
 namespace stickslip::cli {
 namespace {
 
 // The ids that a name stands for. Throws UsageError.
-std::set<std::string> named(const std::vector<proofs::Claim>& claims, const std::string& name) {
+std::set<std::string> named(const std::vector<proofs::methods::Claim>& claims, const std::string& name) {
   try {
-    return proofs::ids_named(claims, name);
+    return proofs::pascal2012::ids_named(claims, name);
   } catch (const UsageError&) {
     throw UsageError(fmt::format(
         "there is no derived expression or statement {}: stickslip latex --list names the former, "
@@ -31,16 +31,16 @@ std::set<std::string> named(const std::vector<proofs::Claim>& claims, const std:
 
 // The statements with these ids in the form that is proved, each after a comment that says what is known of
 // it; a refuted one is only spoken of.
-std::string statements(const std::vector<proofs::Claim>& claims, const std::set<std::string>& ids) {
+std::string statements(const std::vector<proofs::methods::Claim>& claims, const std::set<std::string>& ids) {
   std::string result;
-  for (const proofs::Record& record : prove(claims, ids).records) {
-    result += fmt::format("% ({}) {}\n", record.claim.id, proofs::describe(record.status));
-    if (record.status == proofs::Status::refuted) {
+  for (const proofs::methods::Record& record : prove(claims, ids).records) {
+    result += fmt::format("% ({}) {}\n", record.claim.id, proofs::methods::describe(record.status));
+    if (record.status == proofs::methods::Status::refuted) {
       continue;
     }
     std::vector<std::string> lines;
-    for (const proofs::Statement& statement : proofs::proved_form(record)) {
-      lines.push_back(proofs::latex(statement));
+    for (const proofs::symbols::Statement& statement : proofs::methods::proved_form(record)) {
+      lines.push_back(proofs::symbols::latex(statement));
     }
     if (!lines.empty()) {
       result += fmt::format("\\begin{{gather*}}\n{}\n\\end{{gather*}}\n", fmt::join(lines, " \\\\\n"));
@@ -51,36 +51,36 @@ std::string statements(const std::vector<proofs::Claim>& claims, const std::set<
 
 // What the names ask for, or all objects. They are looked up first, so that an unknown one prints nothing.
 std::string formulas(const LatexOptions& options) {
-  const symbolic::Unknowns unknowns =
-      options.in_frequencies ? symbolic::Unknowns::omega : symbolic::Unknowns::chi;
-  const std::vector<proofs::Claim> claims = proofs::paper();
+  const symbolic::objects::Unknowns unknowns =
+      options.in_frequencies ? symbolic::objects::Unknowns::omega : symbolic::objects::Unknowns::chi;
+  const std::vector<proofs::methods::Claim> claims = proofs::pascal2012::paper();
   std::vector<std::function<std::string()>> parts;
   bool any_statement = false;
   for (const std::string& name : options.names) {
-    if (const symbolic::Object* object = symbolic::find_object(name)) {
-      parts.emplace_back([=] { return symbolic::displayed(*object, unknowns); });
+    if (const symbolic::objects::Object * object = symbolic::objects::find_object(name)) {
+      parts.emplace_back([=] { return symbolic::objects::displayed(*object, unknowns); });
     } else {
       parts.emplace_back([&claims, ids = named(claims, name)] { return statements(claims, ids); });
       any_statement = true;
     }
   }
   if (parts.empty()) {
-    for (const symbolic::Object& object : symbolic::objects()) {
-      parts.emplace_back([&object, unknowns] { return symbolic::displayed(object, unknowns); });
+    for (const symbolic::objects::Object& object : symbolic::objects::objects()) {
+      parts.emplace_back([&object, unknowns] { return symbolic::objects::displayed(object, unknowns); });
     }
   }
   std::string result;
   for (const auto& part : parts) {
     result += (result.empty() ? "" : "\n") + part();
   }
-  return result + (any_statement ? symbolic::meanings(unknowns) : "");
+  return result + (any_statement ? symbolic::objects::meanings(unknowns) : "");
 }
 
 }  // namespace
 
 ExitCode run(const LatexOptions& options) {
-  print(options.errata ? report::errata(prove(proofs::paper(), {}))
-        : options.list ? symbolic::list_of_objects()
+  print(options.errata ? report::audit::errata(prove(proofs::pascal2012::paper(), {}))
+        : options.list ? symbolic::objects::list_of_objects()
                        : formulas(options));
   return exit_decided;
 }

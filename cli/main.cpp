@@ -12,14 +12,14 @@
 #include "cli/commands.hpp"
 #include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
-#include "report/versions.hpp"
+#include "report/tools/versions.hpp"
 
 namespace stickslip::cli {
 namespace {
 
 std::string versions() {
-  std::string text = fmt::format("stickslip {}\n", report::program_version());
-  for (const report::Component& library : report::libraries()) {
+  std::string text = fmt::format("stickslip {}\n", report::tools::program_version());
+  for (const report::tools::Component& library : report::tools::libraries()) {
     text += fmt::format("  {} {}\n", library.name, library.version);
   }
   return text + fmt::format("  CLI11 {}\n", CLI11_VERSION);
@@ -53,7 +53,7 @@ extern "C" void leave(int /*signal*/) {
 }  // namespace
 }  // namespace stickslip::cli
 
-int main(int argc, char** argv) {
+int main(int argc, char ** argv) {
   using namespace stickslip;
   // A failed write is reported where it is made.
   std::signal(SIGPIPE, SIG_IGN);

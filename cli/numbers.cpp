@@ -17,7 +17,7 @@ constexpr int most_jobs = 1024;
 
 int whole_number(const std::string& name, const std::string& text, int most, int otherwise) {
   int value = otherwise;
-  const char* const end = text.data() + text.size();
+  const char * const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (!text.empty() && (error != std::errc() || rest != end || value < 1 || value > most)) {
     throw UsageError(fmt::format("{}: '{}' is not a whole number from 1 to {}", name, text, most));

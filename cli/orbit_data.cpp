@@ -3,14 +3,19 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "numeric/examples.hpp"
-#include "report/files.hpp"
-#include "report/orbit_words.hpp"
+#include "proofs/pascal2012/examples.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/tools/files.hpp"
 
 namespace stickslip::cli {
+
+using namespace numeric;
+using namespace numeric::motion;
+using namespace proofs::pascal2012;
+
 namespace {
 
-void set(TypedParameters& parameters, const char* name, const std::optional<Rational>& value) {
+void set(TypedParameters& parameters, const char * name, const std::optional<Rational>& value) {
   if (value) {
     parameters[name] = to_string(*value);
   }
@@ -61,7 +66,7 @@ std::optional<Range> optional_range(const TypedParameters& parameters, const std
 
 Family family_named(const std::string& name) {
   for (const Family family : {Family::symmetric, Family::overshooting, Family::nonsticking}) {
-    if (name == report::name_of(family)) {
+    if (name == report::orbits::name_of(family)) {
       return family;
     }
   }
@@ -70,7 +75,7 @@ Family family_named(const std::string& name) {
 }
 
 TypedParameters read_parameters(const std::string& file) {
-  return parse_parameters(report::read_file(file), file);
+  return parse_parameters(report::tools::read_file(file), file);
 }
 
 OrbitQuestion question(Family family, const TypedParameters& typed, const std::string& file,

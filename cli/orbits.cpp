@@ -9,14 +9,17 @@
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/interruption.hpp"
-#include "report/files.hpp"
-#include "report/json.hpp"
-#include "report/orbits.hpp"
-#include "report/orbits_plot.hpp"
-#include "report/pages.hpp"
-#include "report/pictures.hpp"
+#include "report/audit/pages.hpp"
+#include "report/orbits/orbits.hpp"
+#include "report/orbits/orbits_plot.hpp"
+#include "report/orbits/pictures.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/json.hpp"
 
 namespace stickslip::cli {
+
+using namespace numeric;
+
 namespace {
 
 OrbitList search(const OrbitQuestion& question) {
@@ -26,12 +29,12 @@ OrbitList search(const OrbitQuestion& question) {
 }
 
 void draw(const OrbitList& list, const std::string& file) {
-  const std::string script = report::plot_script(list, report::plot_format(file));
+  const std::string script = report::orbits::plot_script(list, report::tools::plot_format(file));
   if (script.empty()) {
     tell(fmt::format("There is no orbit to draw: {} is not written.", file));
     return;
   }
-  report::write_plot(file, script);
+  report::tools::write_plot(file, script);
 }
 
 }  // namespace
@@ -45,25 +48,25 @@ ExitCode run(const OrbitsOptions& options) {
       whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits));
   const Jobs limit = jobs(options.jobs);
   if (options.with_plot) {
-    (void)report::plot_format(options.plot);
-    report::require_plot(options.plot);
+    (void)report::tools::plot_format(options.plot);
+    report::tools::require_plot(options.plot);
   }
   if (options.with_out) {
-    report::require_writable(options.out);
-    report::require_page_tools(false);
+    report::tools::require_writable(options.out);
+    report::orbits::require_page_tools(false);
   }
   const OrbitList list = search(asked);
   if (options.with_plot) {
     draw(list, options.plot);
   }
-  report::Report made;
+  report::audit::Report made;
   if (options.with_out) {
     const Progress progress("making the pages ...");
-    made = report::pages(list);
-    report::write_files(options.out, made.files);
+    made = report::audit::pages(list);
+    report::tools::write_files(options.out, made.files);
   }
-  print(options.json ? report::to_text(report::to_json(list))
-                     : report::terminal_report(list, terminal_style()));
+  print(options.json ? report::tools::to_text(report::orbits::to_json(list))
+                     : report::orbits::terminal_report(list, terminal_style()));
   if (options.with_out) {
     tell(report_line(options.out, "orbits", made));
   }

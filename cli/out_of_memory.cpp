@@ -20,25 +20,25 @@ namespace {
 // NOLINTBEGIN(cppcoreguidelines-owning-memory): what malloc and free are called by
 extern "C" {
 
-void* allocate(std::size_t size) {
-  void* block = std::malloc(size);
+void * allocate(std::size_t size) {
+  void * block = std::malloc(size);
   return block != nullptr || size == 0 ? block : (end(), nullptr);
 }
-void* allocate_zeros(std::size_t count, std::size_t size) {
-  void* block = std::calloc(count, size);
+void * allocate_zeros(std::size_t count, std::size_t size) {
+  void * block = std::calloc(count, size);
   return block != nullptr || count == 0 || size == 0 ? block : (end(), nullptr);
 }
-void* reallocate(void* block, std::size_t size) {
-  void* larger = std::realloc(block, size);
+void * reallocate(void * block, std::size_t size) {
+  void * larger = std::realloc(block, size);
   return larger != nullptr || size == 0 ? larger : (end(), nullptr);
 }
-void* reallocate_known(void* block, std::size_t /*old_size*/, std::size_t size) {
+void * reallocate_known(void * block, std::size_t /*old_size*/, std::size_t size) {
   return reallocate(block, size);
 }
-void release(void* block) {
+void release(void * block) {
   std::free(block);
 }
-void release_known(void* block, std::size_t /*size*/) {
+void release_known(void * block, std::size_t /*size*/) {
   std::free(block);
 }
 

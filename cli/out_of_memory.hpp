@@ -3,7 +3,7 @@
 
 namespace stickslip::cli {
 
-inline constexpr const char* out_of_memory = "stickslip: out of memory.";
+inline constexpr const char * out_of_memory = "stickslip: out of memory.";
 
 // From now on GMP and FLINT, with Arb and CLN on top of GMP, end the program with a sentence and
 // exit_internal when there is no memory left. To be called before any number is made.

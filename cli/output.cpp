@@ -9,13 +9,13 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "proofs/progress.hpp"
+#include "proofs/methods/progress.hpp"
 
 namespace stickslip::cli {
 namespace {
 
-std::string_view variable(const char* name) {
-  const char* value = std::getenv(name);
+std::string_view variable(const char * name) {
+  const char * value = std::getenv(name);
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
 
@@ -75,21 +75,24 @@ void Progress::show(const std::string& line) {
   line_ = line;
 }
 
-proofs::Audit prove(const std::vector<proofs::Claim>& claims, const std::set<std::string>& ids) {
+proofs::methods::Audit prove(const std::vector<proofs::methods::Claim>& claims,
+                             const std::set<std::string>& ids) {
   Progress progress("proving ...");
-  return proofs::audit(claims, ids, [&progress](const std::string& id, std::size_t done, std::size_t all) {
-    progress.show(fmt::format("proving {} of {}: {}", done + 1, all, id));
-  });
+  return proofs::methods::audit(claims, ids,
+                                [&progress](const std::string& id, std::size_t done, std::size_t all) {
+                                  progress.show(fmt::format("proving {} of {}: {}", done + 1, all, id));
+                                });
 }
 
-std::string report_line(const std::string& directory, const std::string& name, const report::Report& report) {
+std::string report_line(const std::string& directory, const std::string& name,
+                        const report::audit::Report& report) {
   const std::string pdf = report.note.empty() ? fmt::format(" {}.pdf,", name) : "";
   return fmt::format("The report is in {0}: index.html,{1} {2}.tex and {2}.json.{3}", directory, pdf, name,
                      report.note.empty() ? "" : " " + report.note);
 }
 
-report::Style terminal_style() {
-  report::Style style;
+report::tools::Style terminal_style() {
+  report::tools::Style style;
   style.colour = ::isatty(STDOUT_FILENO) != 0 && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
   return style;
 }

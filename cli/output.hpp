@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "core/error.hpp"
-#include "report/pages.hpp"
-#include "report/table.hpp"
+#include "report/audit/pages.hpp"
+#include "report/audit/table.hpp"
 
 namespace stickslip::cli {
 
@@ -48,13 +48,14 @@ class Progress {
 };
 
 // The audit of these claims, with its progress.
-[[nodiscard]] proofs::Audit prove(const std::vector<proofs::Claim>& claims, const std::set<std::string>& ids);
+[[nodiscard]] proofs::methods::Audit prove(const std::vector<proofs::methods::Claim>& claims,
+                                           const std::set<std::string>& ids);
 
 // "The report is in DIR: index.html, NAME.tex, ..." and what could not be made.
 [[nodiscard]] std::string report_line(const std::string& directory, const std::string& name,
-                                      const report::Report& report);
+                                      const report::audit::Report& report);
 
 // Eighty columns; coloured on a terminal, unless NO_COLOR is set to something or the terminal is dumb.
-[[nodiscard]] report::Style terminal_style();
+[[nodiscard]] report::tools::Style terminal_style();
 
 }  // namespace stickslip::cli

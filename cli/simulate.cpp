@@ -13,12 +13,18 @@
 #include "cli/output.hpp"
 #include "core/decimal.hpp"
 #include "core/interruption.hpp"
-#include "numeric/dynamics/record.hpp"
-#include "numeric/example_orbits.hpp"
-#include "report/files.hpp"
-#include "report/simulation.hpp"
+#include "numeric/simulation/record.hpp"
+#include "proofs/pascal2012/example_orbits.hpp"
+#include "report/orbits/simulation.hpp"
+#include "report/tools/files.hpp"
 
 namespace stickslip::cli {
+
+using namespace numeric;
+using namespace numeric::motion;
+using namespace numeric::simulation;
+using namespace proofs::pascal2012;
+
 namespace {
 
 // A bar on a terminal's standard error.
@@ -58,7 +64,7 @@ double number(const std::string& name, const std::string& text) {
   if (range.radius != 0) {
     throw UsageError(fmt::format("{}: '{}' is an interval, but a simulation needs a number", name, text));
   }
-  return scalar<double>(range.middle);
+  return scalars::scalar<double>(range.middle);
 }
 
 double positive(const std::string& name, const std::string& text) {
@@ -98,7 +104,7 @@ Start start_of_example(const std::string& name) {
   return start;
 }
 
-void replace(double& value, const TypedParameters& typed, const char* name) {
+void replace(double& value, const TypedParameters& typed, const char * name) {
   if (const auto found = typed.find(name); found != typed.end()) {
     value = number(name, found->second);
   }
@@ -116,7 +122,7 @@ Start start_of(const SimulateOptions& options) {
   if (!options.example.empty()) {
     start = start_of_example(options.example);
   } else {
-    for (const char* name : {"chi", "eta", "us", "V", "omega", "p", "phi", "ur"}) {
+    for (const char * name : {"chi", "eta", "us", "V", "omega", "p", "phi", "ur"}) {
       if (!typed.contains(name)) {
         throw UsageError(
             fmt::format("the parameter {0} is missing: give --{0}, or all by --params or --example", name));
@@ -155,11 +161,12 @@ RecordPlan plan_of(const SimulateOptions& options, const Start& start) {
 void write(const Record& record, const SimulateOptions& options) {
   if (!options.csv.empty()) {
     const std::filesystem::path file = options.csv;
-    report::write_files(file.has_parent_path() ? file.parent_path() : ".",
-                        {{file.filename().string(), report::to_csv(record)}});
+    report::tools::write_files(file.has_parent_path() ? file.parent_path() : ".",
+                               {{file.filename().string(), report::orbits::to_csv(record)}});
   }
   if (!options.plot.empty()) {
-    report::write_plot(options.plot, report::plot_script(record, report::plot_format(options.plot)));
+    report::tools::write_plot(options.plot,
+                              report::orbits::plot_script(record, report::tools::plot_format(options.plot)));
   }
 }
 
@@ -176,16 +183,16 @@ Record simulate(const Start& start, const RecordPlan& plan) {
 
 ExitCode run(const SimulateOptions& options) {
   if (!options.csv.empty()) {
-    report::require_writable_file(options.csv);
+    report::tools::require_writable_file(options.csv);
   }
   if (!options.plot.empty()) {
-    (void)report::plot_format(options.plot);
-    report::require_plot(options.plot);
+    (void)report::tools::plot_format(options.plot);
+    report::tools::require_plot(options.plot);
   }
   const Start start = start_of(options);
   const Record record = simulate(start, plan_of(options, start));
   write(record, options);
-  print(report::terminal_report(record, terminal_style()));
+  print(report::orbits::terminal_report(record, terminal_style()));
   return record.interrupted ? exit_interrupted : exit_decided;
 }
 

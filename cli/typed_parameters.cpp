@@ -13,7 +13,7 @@
 namespace stickslip::cli {
 namespace {
 
-constexpr std::array<const char*, 8> names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
+constexpr std::array<const char *, 8> names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
 
 Rational parse_named(const std::string& name, const std::string& text) {
   try {

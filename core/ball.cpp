@@ -21,7 +21,7 @@ class Fmpq {
   Fmpq(const Fmpq&) = delete;
   Fmpq& operator=(const Fmpq&) = delete;
   ~Fmpq() { fmpq_clear(value_); }
-  [[nodiscard]] const fmpq* raw() const { return value_; }
+  [[nodiscard]] const fmpq * raw() const { return value_; }
 
  private:
   fmpq_t value_;
@@ -29,7 +29,7 @@ class Fmpq {
 
 std::string decimal_digits(const Ball& ball, int digits) {
   struct Free {
-    void operator()(char* text) const { flint_free(text); }
+    void operator()(char * text) const { flint_free(text); }
   };
   const std::unique_ptr<char, Free> text(arb_get_str(ball.raw(), digits, ARB_STR_NO_RADIUS | ARB_STR_MORE));
   return text.get();

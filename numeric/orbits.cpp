@@ -8,12 +8,17 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
-#include "numeric/nonsticking.hpp"
-#include "numeric/overshooting.hpp"
-#include "numeric/parameter_box.hpp"
-#include "numeric/symmetric_list.hpp"
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/parameter_box.hpp"
+#include "numeric/families/symmetric_list.hpp"
 
-namespace stickslip {
+namespace stickslip::numeric {
+
+using namespace families;
+using namespace motion;
+using namespace scalars;
+
 namespace {
 
 // Enough for the conditions of an orbit that is not next to violating one.
@@ -103,7 +108,7 @@ Entry over_box(const OrbitQuestion& q, const BoxOrbit& box, const std::vector<Na
 template <class Orbit, class MakeEntry>
 void add(OrbitList& list, const std::vector<Orbit>& orbits, const MakeEntry& entry) {
   for (const Entry& made : parallel_map(orbits.size(), [&](std::size_t i) { return entry(orbits[i]); })) {
-    if (const auto* orbit = std::get_if<DecidedOrbit>(&made)) {
+    if (const auto * orbit = std::get_if<DecidedOrbit>(&made)) {
       list.orbits.push_back(*orbit);
     } else {
       list.unresolved.push_back(std::get<UnresolvedPart>(made));
@@ -208,7 +213,8 @@ void require_domain(const OrbitQuestion& q) {
   require_model_domain(each_parameter(q.parameters, lower));
   require_model_domain(each_parameter(q.parameters, upper));
   if (q.ur && lower(*q.ur) <= upper(q.parameters.us)) {
-    throw DomainError("ur", to_string(lower(*q.ur)), "ur > us = " + to_string(upper(q.parameters.us)));
+    throw DomainError("ur", stickslip::to_string(lower(*q.ur)),
+                      "ur > us = " + stickslip::to_string(upper(q.parameters.us)));
   }
 }
 
@@ -235,8 +241,8 @@ OrbitList listed(const OrbitQuestion& question, int digits) {
 
 bool asks_for_box(const OrbitQuestion& q) {
   const model::Parameters<Range>& a = q.parameters;
-  const std::array<const Range*, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
-  return std::any_of(all.begin(), all.end(), [](const Range* range) { return range->radius != 0; }) ||
+  const std::array<const Range *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
+  return std::any_of(all.begin(), all.end(), [](const Range * range) { return range->radius != 0; }) ||
          (q.phi && q.phi->radius != 0) || (q.ur && q.ur->radius != 0);
 }
 
@@ -266,4 +272,4 @@ OrbitList list_orbits(const OrbitQuestion& question) {
   return list;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::numeric

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "core/decimal.hpp"
-#include "numeric/conditions.hpp"
-#include "numeric/domain.hpp"
-#include "numeric/dynamics/stability.hpp"
+#include "numeric/motion/conditions.hpp"
+#include "numeric/motion/domain.hpp"
+#include "numeric/motion/stability.hpp"
 
-namespace stickslip {
+namespace stickslip::numeric {
 
 // What is asked for: one set of parameters, or a whole box of them when some radius is not zero.
 struct OrbitQuestion {
-  Family family = Family::symmetric;
+  motion::Family family = motion::Family::symmetric;
   model::Parameters<Range> parameters;
   std::optional<Range> phi;  // overshooting: exactly one of phi and ur
   std::optional<Range> ur;   // non-sticking: optional
@@ -33,11 +33,11 @@ struct NamedBall {
 
 struct DecidedOrbit {
   std::vector<NamedBall> values;  // those that the family has, in the order above
-  Motion motion;
-  std::vector<Condition> conditions;
-  Verdict admissible;                  // of "all conditions hold"
-  std::optional<Stability> stability;  // of an admissible orbit
-  std::string split;                   // for a box, when something is undecided: the parameter to split first
+  motion::Motion motion;
+  std::vector<motion::Condition> conditions;
+  Verdict admissible;                          // of "all conditions hold"
+  std::optional<motion::Stability> stability;  // of an admissible orbit
+  std::string split;  // for a box, when something is undecided: the parameter to split first
 };
 
 // A part of the search's domain that it could not decide.
@@ -73,4 +73,4 @@ struct OrbitList {
 // family, among them ur <= us, and UsageError for a phi or ur that the family does not take.
 [[nodiscard]] OrbitList list_orbits(const OrbitQuestion& question);
 
-}  // namespace stickslip
+}  // namespace stickslip::numeric

@@ -61,7 +61,7 @@ TEST_CASE("an interrupted search tells what it has found, and that it is not all
 
 TEST_CASE("a device or a pipe is not replaced by a file") {
   const TemporaryDirectory temporary;
-  for (const char* option : {"--csv", "--plot"}) {
+  for (const char * option : {"--csv", "--plot"}) {
     const std::string pipe = temporary.path() / (std::string(option) + ".svg");
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
     const Run result = stickslip_program({"simulate", "--example", "O", option, pipe});
@@ -167,7 +167,7 @@ TEST_CASE("neither the locale nor the home directory changes a result") {
     const Run usual = stickslip_program(arguments);
     CHECK(usual.code == exit_decided);
     const std::string picture = content(svg);
-    for (const char* surroundings :
+    for (const char * surroundings :
          {"export LC_ALL=C", "export LC_ALL=de_DE.UTF-8", "export LC_ALL=no_such.locale",
           "unset LC_ALL LC_CTYPE LC_NUMERIC LANG LANGUAGE", "export HOME=/nonexistent", "export HOME=/proc",
           "unset HOME"}) {

@@ -73,7 +73,7 @@ TEST_CASE("every derived expression compiles without edits and fits the page" * 
   if (!can_compile()) {
     return;
   }
-  for (const char* form : {"chi", "omega"}) {
+  for (const char * form : {"chi", "omega"}) {
     const TemporaryDirectory temporary;
     std::ofstream(temporary.path() / "all.tex")
         << "\\documentclass[a4paper]{article}\n\\usepackage{amsmath}\n\\begin{document}\n"

@@ -108,7 +108,7 @@ TEST_CASE("the examples are complete and decided, and JSON is all that is printe
 }
 
 TEST_CASE("the list is the same for any number of threads") {
-  for (const char* letter : {"O", "S"}) {
+  for (const char * letter : {"O", "S"}) {
     const Words question{letter[0] == 'O' ? "overshooting" : "symmetric", "--example", letter, "--json"};
     const Run alone = orbits(with(question, {"--jobs", "1"}));
     CHECK(alone.code == exit_decided);

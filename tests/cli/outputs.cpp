@@ -105,7 +105,7 @@ TEST_CASE("the audit writes its report, and says what it could not make") {
   CHECK(result.code == (json.at("summary").at("decided").get<bool>() ? exit_decided : exit_undecided));
   CHECK(result.err.find(out.string()) != std::string::npos);
   CHECK(content(out / "audit.json") == result.out);
-  for (const char* name : {"index.html", "statements.html", "orbits.html"}) {
+  for (const char * name : {"index.html", "statements.html", "orbits.html"}) {
     CHECK(content(out / name).ends_with("</html>\n"));
   }
   CHECK(content(out / "audit.tex").ends_with("\\end{document}\n"));

@@ -24,9 +24,9 @@ int open_for_writing(const std::string& path) {
 
 // A negative descriptor closes the stream.
 int spawn(const std::string& program, const std::vector<std::string>& arguments, int output, int error) {
-  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
+  std::vector<char *> argv = {const_cast<char *>(program.c_str())};
   for (const std::string& argument : arguments) {
-    argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(const_cast<char *>(argument.c_str()));
   }
   argv.push_back(nullptr);
   const pid_t process = ::fork();

@@ -82,7 +82,7 @@ TEST_CASE("an example's orbit returns to where it began, and the CSV tells so") 
     CHECK(std::abs(std::stod(rows[1][column]) - std::stod(rows[401][column])) < 1e-10);
     CHECK(std::abs(std::stod(rows[1][column]) - std::stod(rows[201][column])) < 1e-10);
   }
-  for (const char* part : {"2 periods", "shares", "overshoot 28.", "stick 22.", "energy", "event at t"}) {
+  for (const char * part : {"2 periods", "shares", "overshoot 28.", "stick 22.", "energy", "event at t"}) {
     CAPTURE(part);
     CHECK(result.out.find(part) != std::string::npos);
   }

@@ -27,8 +27,8 @@ TEST_CASE("fractions are read exactly") {
 }
 
 TEST_CASE("anything else is refused, and the text is named") {
-  for (const char* text : {"", "-", ".", "1,5", "0x10", "nan", "inf", "1e", "1e99999999", "1.2.3", "5 ", " 5",
-                           "1/0", "1/", "/2", "1/-2", "--1", "e5", "1/2/3"}) {
+  for (const char * text : {"", "-", ".", "1,5", "0x10", "nan", "inf", "1e", "1e99999999", "1.2.3", "5 ",
+                            " 5", "1/0", "1/", "/2", "1/-2", "--1", "e5", "1/2/3"}) {
     CAPTURE(text);
     CHECK_THROWS_AS((void)parse_rational(text), UsageError);
     CHECK_THROWS_WITH((void)parse_rational(text), doctest::Contains(text));
@@ -42,7 +42,7 @@ TEST_CASE("rationals are written exactly and shortly") {
   CHECK(to_string(Rational(1250)) == "1250");
   CHECK(to_string(Rational(0)) == "0");
   CHECK(to_string(parse_rational("1e-50")) == "1/1" + std::string(50, '0'));
-  for (const char* text : {"0.1607", "-12.5", "3", "0.0001"}) {
+  for (const char * text : {"0.1607", "-12.5", "3", "0.0001"}) {
     CHECK(to_string(parse_rational(text)) == text);
   }
 }

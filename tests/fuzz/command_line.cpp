@@ -10,13 +10,13 @@
 
 using namespace stickslip;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::istringstream lines(std::string(reinterpret_cast<const char*>(data), size));
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size) {
+  std::istringstream lines(std::string(reinterpret_cast<const char *>(data), size));
   std::vector<std::string> arguments{"stickslip"};
   for (std::string line; std::getline(lines, line);) {
     arguments.push_back(line.c_str());  // up to a null character, as the system hands it over
   }
-  std::vector<const char*> argv;
+  std::vector<const char *> argv;
   for (const std::string& argument : arguments) {
     argv.push_back(argument.c_str());
   }

@@ -10,9 +10,9 @@
 
 using namespace stickslip;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(reinterpret_cast<const char*>(data), size);
-  const auto require = [](bool holds, const char* what) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char *>(data), size);
+  const auto require = [](bool holds, const char * what) {
     if (!holds) {
       throw std::logic_error(what);
     }

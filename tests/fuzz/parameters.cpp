@@ -7,8 +7,8 @@
 
 using namespace stickslip;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(reinterpret_cast<const char*>(data), size);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char *>(data), size);
   try {
     for (const auto& [name, value] : cli::parse_parameters(text, "FILE")) {
       (void)cli::parse_range(name, value);

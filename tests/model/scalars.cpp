@@ -3,9 +3,10 @@
 
 #include "core/decimal.hpp"
 #include "model/flows.hpp"
-#include "numeric/scalars.hpp"
+#include "numeric/scalars/scalars.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric::scalars;
 using namespace stickslip::model;
 
 namespace {
@@ -24,7 +25,7 @@ Vector4<S> a_motion(const Parameters<S>& a, const S& phi, const S& t) {
 
 template <class S, class Convert>
 Vector4<S> the_motion(Convert convert) {
-  const auto c = [&](const char* text) { return convert(parse_rational(text)); };
+  const auto c = [&](const char * text) { return convert(parse_rational(text)); };
   return a_motion<S>({c("0.5"), c("3.8"), c("0.02"), c("1"), c("0.6"), c("0.05")}, c("0.7"), c("1.3"));
 }
 

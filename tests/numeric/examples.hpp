@@ -2,10 +2,13 @@
 #pragma once
 
 #include "core/decimal.hpp"
-#include "numeric/examples.hpp"
-#include "numeric/krawczyk.hpp"
+#include "numeric/zeros/krawczyk.hpp"
+#include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::examples {
+
+using namespace numeric::motion;
+using namespace proofs::pascal2012;
 
 // The data of Figs. 2, 3 and 4.
 [[nodiscard]] inline ExactParameters S() {
@@ -14,14 +17,14 @@ namespace stickslip::examples {
 [[nodiscard]] inline ExactParameters O() {
   return example_named("O").data;
 }
-[[nodiscard]] inline ExactParameters P(const char* V = "0") {
+[[nodiscard]] inline ExactParameters P(const char * V = "0") {
   ExactParameters a = example_named("P").data;
   a.V = parse_rational(V);
   return a;
 }
 
 // Every member of the ball is closer than `distance` to `value`.
-[[nodiscard]] inline bool near(const Ball& ball, const char* value, const char* distance) {
+[[nodiscard]] inline bool near(const Ball& ball, const char * value, const char * distance) {
   return (abs(ball - Ball(parse_rational(value))) - Ball(parse_rational(distance))).is_negative();
 }
 

@@ -1,0 +1,254 @@
+#include "numeric/families/overshooting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "numeric/families/overshooting_exclusion.hpp"
+
+namespace stickslip::numeric::families {
+
+using namespace motion;
+using namespace scalars;
+using namespace zeros;
+
+namespace {
+
+constexpr long search_bits = 64;
+constexpr SearchLimits limits{.smallest = 0x1p-20, .cells = 30000};
+
+using AtPhase = OvershootingAtPhase;
+using AtFriction = OvershootingAtFriction;
+
+// The functions with their rows combined as fits the middle of the box; nothing when they look dependent
+// there.
+template <class Family>
+std::optional<Eliminated<Family>> eliminated_near(const Family& f, const Box<2>& X) {
+  const auto combinations =
+      row_combinations<Family::rows, Family::unknowns + 1>(all_rows<Ball>(f, midpoint<2>(X)));
+  return combinations ? std::optional(Eliminated<Family>{f, *combinations}) : std::nullopt;
+}
+
+// Exactly one orbit in a box that contains X, or none in X.
+template <class Family>
+Decision<2> decide(const Family& f, const Box<2>& X) {
+  const auto eliminated = eliminated_near(f, X);
+  if (!eliminated || !is_invertible<Family::rows>(eliminated->combinations)) {
+    return {std::nullopt, false,
+            "the amplitudes cannot be eliminated: the equations for them may be dependent"};
+  }
+  return KrawczykDecider<2, Eliminated<Family>>{*eliminated}(X);
+}
+
+// The part of X that may hold an orbit: by the odd rows, then by all of them.
+template <class Family>
+std::optional<Box<2>> contract(const Family& f, const Box<2>& X) {
+  constexpr int R = Family::rows;
+  constexpr int C = Family::unknowns + 1;
+  const Box<2> m = midpoint<2>(X);
+  const model::OvershootingData<BoxJet> lifted = model::lift<BoxJet>(f.data);
+  const Times<BoxJet> t = times<BoxJet>(lifted.Theta, variables<Ball, 2>(X));
+  const Times<Ball> t_m = times<Ball>(f.data.Theta, m);
+  const OddRows<Family> odd{f.template odd<BoxJet>(lifted, t), f.template odd<Ball>(f.data, t_m)};
+  std::optional<Box<2>> rest = contract_by_odd_rows(odd, m, X);
+  if (!rest) {
+    return rest;
+  }
+  RowsOf<BoxJet, Family> over;
+  RowsOf<Ball, Family> at_m;
+  over.template topRows<2>() = odd.over;
+  at_m.template topRows<2>() = odd.at_m;
+  over.template bottomRows<R - 2>() = f.template others<BoxJet>(lifted, t);
+  at_m.template bottomRows<R - 2>() = f.template others<Ball>(f.data, t_m);
+  const auto combinations = row_combinations<R, C>(at_m);
+  if (!combinations) {
+    return rest;
+  }
+  over = combined_rows<BoxJet, R, C>(*combinations, over);
+  at_m = combined_rows<Ball, R, C>(*combinations, at_m);
+  sharpen<R, C, 2>(over, at_m, X - m);
+  if (!eliminate<BoxJet, R, C>(over, 0, 3)) {
+    return rest;
+  }
+  if constexpr (std::is_same_v<Family, OvershootingAtFriction>) {
+    if (!is_possible(over)) {
+      return std::nullopt;
+    }
+  }
+  if (!eliminate<BoxJet, R, C>(over, 3, C - 1) || !eliminate<Ball, R, C>(at_m, 0, C - 1)) {
+    return rest;
+  }
+  const Eigen::Matrix<BoxJet, 2, 1> jets = f.template functions<BoxJet>(over);
+  const Box<2> g = f.template functions<Ball>(at_m);
+  const BallMatrix<2> slope = jacobian<Ball, 2, 2>(jets);
+  for (int i = 0; i < 2 && rest; ++i) {
+    rest = jets(i).value.is_nonzero() ? std::nullopt : contract_by<2>(g(i), slope.row(i), m, *rest);
+  }
+  const std::optional<Box<2>> K = rest ? krawczyk_image<2>(m, g, slope, X) : std::nullopt;
+  return K ? intersection<2>(*K, *rest) : rest;
+}
+
+Ball angle(const Ball& sine, const Ball& cosine) {
+  Ball result;
+  arb_atan2(result.raw(), sine.raw(), cosine.raw(), WorkingPrecision::bits());
+  return result;
+}
+
+Ball phase_of(const AtPhase& f, const Box<3>& /*u*/, const Times<Ball>& /*t*/) {
+  return f.phi;
+}
+Ball phase_of(const AtFriction& f, const Box<5>& u, const Times<Ball>& t) {
+  const Ball phi = angle(u(4), u(3)) - f.data.omega * (t.tau + t.tau1) / Ball(2);
+  const Ball turn = Ball(2) * Ball::pi();
+  return phi - turn * Ball(std::floor((phi / turn).approximate() + 0.5));
+}
+
+// A proved zero of the two functions, refined and looked at.
+struct Concluded {
+  bool outside = false;  // of the triangle
+  Times<Ball> times;
+  std::string reason;  // why it is no proved orbit
+  std::optional<OvershootingOrbit> orbit;
+};
+
+// recipe(): the family at the working precision.
+template <class Recipe>
+Concluded conclude(const ExactParameters& a, const Recipe& recipe, const FoundZero<2>& found, int digits) {
+  using Function = Eliminated<std::invoke_result_t<Recipe>>;
+  const Function near = *eliminated_near(recipe(), found.zero);
+  const auto here = [&] { return Function{recipe(), near.combinations}; };
+  const Box<2> sw = refine<2>(here, found.zero, bits_for(digits));
+  const WorkingPrecision scope(bits_for(digits) + 64);
+  const Function f = here();
+  Concluded result;
+  result.times = times<Ball>(f.family.data.Theta, sw);
+  bool inside = true;
+  for (int i = 0; i < 2; ++i) {
+    const Ball beyond = sw(i) - Ball(1);
+    result.outside = result.outside || sw(i).is_negative() || beyond.is_positive();
+    inside = inside && sw(i).is_positive() && beyond.is_negative();
+  }
+  if (!inside) {
+    result.reason = "an orbit one of whose phases may last no time at all";
+    return result;
+  }
+  auto rows = f.template rows<Ball>(sw);
+  if (!eliminate<Ball, Function::R, Function::C>(rows, 0, Function::C - 1)) {
+    result.reason = "the amplitudes cannot be eliminated: the equations for them may be dependent";
+    return result;
+  }
+  const auto u = back_substituted<Ball, Function::R, Function::C>(rows);
+  const Times<Ball>& t = result.times;
+  const StickAmplitudes amplitudes{u(0), u(1), u(2), phase_of(f.family, u, t)};
+  result.orbit = describe_overshooting(a, t.tau, t.tau1, amplitudes);
+  result.orbit->unique = found.unique;
+  return result;
+}
+
+// omega_j = k omega, k > 1: why boxes that reach T = 0 stay open. There the odd row of mode j is -2 eta
+// us/omega_j sin(mu_j) sin(nu_j) with mu_j + nu_j = k pi, to third order in T: it has double zeros where tau
+// is a multiple of Theta/k.
+std::string reason_at_end(const ExactParameters& a) {
+  const Resonances found = resonances(a);
+  const long k = found.first > 1 ? found.first : found.second;
+  return k > 1 ? "at T = 0, tau a multiple of Theta/" + std::to_string(k) +
+                     ", the equations have multiple zeros, for " + std::to_string(k) +
+                     " omega is a natural frequency"
+               : "";
+}
+
+template <class Recipe>
+OvershootingList list_all(const ExactParameters& a, const Recipe& recipe, int digits) {
+  OvershootingList list;
+  SearchResult<2> result;
+  {
+    const WorkingPrecision scope(search_bits);
+    const auto f = recipe();
+    const bool vanishes_at_origin = a.omega.get_num() == 1;
+    const auto contractor = [&](const Box<2>& X) -> std::optional<Box<2>> {
+      if (vanishes_at_origin && X(0).contains_zero() && excluded_at_origin(f, X)) {
+        return std::nullopt;
+      }
+      return contract(f, X);
+    };
+    result = search<2>(
+        {{0, 0}, {1, 1}}, contractor, [&](const Box<2>& X) { return decide(f, X); }, limits);
+    const std::string at_end = reason_at_end(a);
+    for (const UnresolvedBox<2>& open : result.unresolved) {
+      const Times<Ball> t = times<Ball>(f.data.Theta, open.box);
+      const bool reaches_end = !at_end.empty() && !(open.box(0) - Ball(1)).is_negative();
+      list.unresolved.push_back({t.tau, t.tau1, reaches_end ? at_end : open.reason});
+    }
+  }
+  list.cells = result.cells;
+  std::sort(result.zeros.begin(), result.zeros.end(),
+            [](const auto& x, const auto& y) { return x.zero(0).approximate() < y.zero(0).approximate(); });
+  for (const Concluded& zero : parallel_map(result.zeros.size(), [&](std::size_t i) {
+         return conclude(a, recipe, result.zeros[i], digits);
+       })) {
+    if (zero.orbit) {
+      list.orbits.push_back(*zero.orbit);
+    } else if (!zero.outside) {
+      list.unresolved.push_back({zero.times.tau, zero.times.tau1, zero.reason});
+    }
+  }
+  return list;
+}
+
+auto at_phase(const ExactParameters& a, const Rational& phi) {
+  return [&a, &phi] { return AtPhase{overshooting_data<Ball>(a), Ball(phi)}; };
+}
+
+}  // namespace
+
+OvershootingList list_overshooting_at_phase(const ExactParameters& a, const Rational& phi, int digits) {
+  require_stick_slip_domain(a);
+  return list_all(a, at_phase(a, phi), digits);
+}
+
+OvershootingProof prove_overshooting_at_phase(const ExactParameters& a, const Rational& phi,
+                                              const model::Vector2<double>& guess, int digits) {
+  require_stick_slip_domain(a);
+  const Verdict dependent =
+      Verdict::undecided("the equations for the amplitudes may be dependent at the guess");
+  ZeroProof<2> zero{dependent, {}, {}};
+  {
+    const WorkingPrecision scope(128);
+    const AtPhase f = at_phase(a, phi)();
+    const Ball total = Ball(guess(0)) + Ball(guess(1));
+    const Box<2> sw(total / f.data.Theta, Ball(guess(1)) / total);
+    const auto eliminated = eliminated_near(f, sw);
+    if (eliminated && is_invertible<AtPhase::rows>(eliminated->combinations)) {
+      zero = prove_zero_near<2>(*eliminated, sw);
+    }
+  }
+  if (zero.verdict.truth != Truth::proved) {
+    return {zero.verdict, {}};
+  }
+  const Concluded concluded = conclude(a, at_phase(a, phi), {zero.box, zero.unique}, digits);
+  if (!concluded.orbit) {
+    return {Verdict::undecided(concluded.reason), {}};
+  }
+  return {zero.verdict, *concluded.orbit};
+}
+
+OvershootingList list_overshooting_at_friction(const ExactParameters& a, const Rational& ur, int digits) {
+  require_stick_slip_domain(a);
+  if (a.p == 0) {
+    throw DomainError("p", stickslip::to_string(a.p),
+                      "p > 0 when ur is given and the load's phase is unknown");
+  }
+  if (ur <= 0) {
+    throw DomainError("ur", stickslip::to_string(ur), "ur > 0");
+  }
+  return list_all(
+      a,
+      [&] {
+        return AtFriction{overshooting_data<Ball>(a), Ball(ur)};
+      },
+      digits);
+}
+
+}  // namespace stickslip::numeric::families

@@ -1,0 +1,52 @@
+// The inequalities that a closed motion must obey to be an orbit of the friction law (2), (4), decided for
+// all times of each phase, ends included.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/verdict.hpp"
+#include "numeric/motion/requirements.hpp"
+
+namespace stickslip::numeric::motion {
+
+struct Condition {
+  std::string id;
+  std::string statement;
+  Verdict verdict;
+  // The smallest signed distance. Along a phase it is the weighted infimum of infimum.hpp: the infimum of the
+  // distance divided by min(1, time to the touched ends); at a point or for a number, the distance itself.
+  std::optional<Ball> margin;
+  std::optional<Ball> at;  // a time at which it has that margin, from the beginning of the motion
+  // When refuted along a phase or at a point; its time counts from the beginning of the motion.
+  std::optional<Violation> violation;
+};
+
+// Decides one requirement. Proved and refuted hold for all members of the balls in `motion` and `ur`, under
+// the premise that they contain an orbit that closes with z2' = V between its phases and, for (12), r = ur:
+// that is what an existence proof says. A premise that a ball excludes makes the verdict refuted. Undecided:
+// the margin contains zero, or a touched end is left with a speed whose ball contains zero. Throws
+// InternalError when the requirement needs ur and none is given.
+[[nodiscard]] Condition decide(const Motion& motion, const std::optional<Ball>& ur,
+                               const Requirement& requirement);
+
+// Decides all requirements of the family. When the phases are not those of the family, or a gap between them
+// excludes zero, every condition is refuted with that reason. ur may be missing for the non-sticking family
+// only (InternalError).
+[[nodiscard]] std::vector<Condition> decide_conditions(Family family, const Motion& motion,
+                                                       const std::optional<Ball>& ur);
+
+// The same with the waves of all phases known, perhaps better than from the states of the motion.
+[[nodiscard]] std::vector<Condition> decide_conditions(Family family, const Motion& motion,
+                                                       const std::vector<model::PhaseWaves<Ball>>& known,
+                                                       const std::optional<Ball>& ur);
+
+// "All of them hold": proved is what `admissible` means.
+[[nodiscard]] Verdict admissible(const std::vector<Condition>& conditions);
+
+// Whether the motion can be of the family: undecided unless a gap or the order of phases refutes it, for
+// balls cannot prove that it closes.
+[[nodiscard]] Verdict closes(Family family, const Motion& motion);
+
+}  // namespace stickslip::numeric::motion

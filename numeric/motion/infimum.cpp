@@ -1,0 +1,266 @@
+#include "numeric/motion/infimum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "numeric/motion/piece.hpp"
+
+namespace stickslip::numeric::motion {
+
+using model::Wave;
+using pieces::Piece;
+using pieces::Side;
+using pieces::Taylor;
+
+namespace {
+
+double upper_double(const Ball& x) {
+  return arf_get_d(arb_midref(x.upper().raw()), ARF_RND_CEIL);
+}
+double lower_double(const Ball& x) {
+  return arf_get_d(arb_midref(x.lower().raw()), ARF_RND_FLOOR);
+}
+
+class Search {
+ public:
+  Search(const Ball& T, double last) : T_(T), last_(last) {}
+
+  // A value that g/w takes, so the infimum is at most its upper end. A time past the end of a phase of
+  // uncertain length is replaced by the last one that is certain.
+  void offer(const Piece& piece, double s, const Ball& value, const Ball& around) {
+    if (s > last_) {
+      return offer(piece, last_, piece.at(last_).value, Ball(last_));
+    }
+    if (!value.is_finite() || (found_ && (value.upper() - best_.upper()).is_positive())) {
+      return;
+    }
+    found_ = true;
+    best_ = value;
+    target_ = value.lower();
+    time_ = piece.side->from_end ? T_ - around : around;
+  }
+
+  // Where the infimum is likely to be.
+  void propose(const Piece& piece, double s) {
+    proposal_ = {&piece, s};
+    offer(piece, s, piece.at(s).value, Ball(s));
+  }
+
+  void cover(const Piece& piece) {
+    leaves_.clear();
+    const int n = 1 + static_cast<int>(piece.b - piece.a);
+    for (int i = 0; i < n; ++i) {
+      const double step = (piece.b - piece.a) / n;
+      leaves_.emplace_back(piece.a + i * step, i + 1 == n ? piece.b : piece.a + (i + 1) * step);
+    }
+    while (!leaves_.empty()) {
+      const auto [a, b] = leaves_.back();
+      leaves_.pop_back();
+      ++examined_;
+      if (!settle(piece, a, b)) {
+        const double middle = a + (b - a) / 2;
+        leaves_.emplace_back(a, middle);
+        leaves_.emplace_back(middle, b);
+      }
+    }
+  }
+
+  [[nodiscard]] Infimum result() const {
+    if (!found_ || !floor_ || !floor_->is_finite()) {
+      Ball everything;
+      arb_zero_pm_inf(everything.raw());
+      return {everything, T_, {}, {}};
+    }
+    return {Ball::hull(*floor_, best_.upper()), time_, {}, {}};
+  }
+
+ private:
+  void accept(const Ball& lower) {
+    if (!floor_ || !lower.is_finite() || (*floor_ - lower).is_positive()) {
+      floor_ = lower;
+    }
+  }
+
+  // Takes g/w at s, where the least value of [a, b] is known to be, as that least value.
+  bool accept_end(const Piece& piece, double s) {
+    const Ball k = piece.at(s).value;
+    offer(piece, s, k, Ball(s));
+    accept(k.lower());
+    return true;
+  }
+
+  bool settle(const Piece& piece, double a, double b);
+  bool settle_convex(const Piece& piece, double a, double b, const Ball& curvature);
+
+  Ball T_;
+  double last_;
+  bool found_ = false;
+  Ball best_, target_, time_;
+  std::optional<Ball> floor_;
+  std::pair<const Piece *, double> proposal_{nullptr, 0};
+  std::vector<std::pair<double, double>> leaves_;
+  int examined_ = 0;
+};
+
+// Bounds g/w on [a, b] from below well enough; false: split it.
+bool Search::settle(const Piece& piece, double a, double b) {
+  const bool one_sided = piece.weighted && a == 0;
+  const double c = one_sided ? 0 : a + (b - a) / 2;
+  const Ball h = one_sided ? Ball(b) : Ball(std::nextafter((b - a) / 2, b));
+  const Taylor<Ball> k = piece.at(c);
+  const Ball spread = piece.third * h * h * h / Ball(6);
+  const Ball lowest_slope = one_sided ? k.slope.lower() : -abs(k.slope).upper();
+  Ball lower = k.value - spread;
+  if (!lowest_slope.is_positive()) {
+    lower += lowest_slope * h;
+  }
+  if (!k.curvature.is_positive()) {
+    lower += k.curvature.lower() * h * h / Ball(2);
+  } else {
+    const Ball vertex = k.value - k.slope * k.slope / (Ball(2) * k.curvature) - spread;
+    lower = (vertex.lower() - lower.lower()).is_positive() ? vertex : lower;
+  }
+  lower = lower.lower();
+  if (found_ && !(lower - target_).is_negative()) {
+    accept(lower);
+    return true;
+  }
+  // Splitting gains nothing any more once the width of the data dominates, or lower is not finite at all.
+  const bool spent = b - a < 1e-9 || examined_ > 4000 || !lower.is_finite();
+  if (spent || !(k.value.lower() - lower - k.value.radius()).is_positive()) {
+    offer(piece, c, k.value, Ball(c));
+    accept(lower);
+    return true;
+  }
+  const Ball sway = piece.third * h;
+  const Ball curvature_low = (k.curvature - sway).lower();
+  if (curvature_low.is_positive()) {
+    return settle_convex(piece, a, b, Ball::hull(curvature_low, (k.curvature + sway).upper()));
+  }
+  const Ball slope_change = (abs(k.curvature) + sway / Ball(2)) * h;
+  if ((k.slope - slope_change).is_positive()) {
+    return accept_end(piece, a);
+  }
+  if ((k.slope + slope_change).is_negative()) {
+    return accept_end(piece, b);
+  }
+  if ((k.curvature + sway).is_negative()) {
+    return accept_end(piece, a) && accept_end(piece, b);
+  }
+  return false;
+}
+
+// g/w on [a, b], whose second derivative stays in the positive ball `curvature`: with k at s,
+// g/w >= k + k' (x - s) + c (x - s)²/2 >= k - k'²/(2c), and its minimiser in the interior is s - k'/c.
+bool Search::settle_convex(const Piece& piece, double a, double b, const Ball& curvature) {
+  const bool proposed = proposal_.first == &piece && a <= proposal_.second && proposal_.second <= b;
+  const double s = proposed ? proposal_.second : piece.descend(a + (b - a) / 2, a, b);
+  const Taylor<Ball> k = piece.at(s);
+  Ball lower = k.value - k.slope * k.slope / (Ball(2) * curvature);
+  const bool at_a = s == a && !k.slope.is_negative() && !k.slope.contains_zero();
+  const bool at_b = s == b && k.slope.is_negative();
+  Ball around(s);
+  if (at_a || at_b) {
+    lower = k.value;
+  } else {
+    // The whole leaf when Newton's image leaves it: then the minimiser may be at an end of it.
+    const Ball newton = Ball(s) - k.slope / curvature;
+    const bool inside =
+        !(newton.lower() - Ball(a)).is_negative() && !(Ball(b) - newton.upper()).is_negative();
+    around = inside ? newton : Ball(s);
+  }
+  offer(piece, s, k.value, around);
+  accept(lower.lower());
+  return true;
+}
+
+// g(0).
+Ball initial_value(const Wave<Ball>& g) {
+  Ball sum = g.constant;
+  for (int k = 0; k < g.count; ++k) {
+    sum += g.harmonics[static_cast<unsigned>(k)].a;
+  }
+  return sum;
+}
+
+void add_pieces(std::vector<Piece>& pieces, const Side& side, const pieces::Bounds& bounds, bool touched,
+                double length) {
+  if (!touched) {
+    pieces.push_back({&side, false, 0, length, bounds.third});
+    return;
+  }
+  const double collar = std::min(1.0, length);
+  pieces.push_back({&side, true, 0, collar, bounds.fourth / Ball(4)});
+  if (length > collar) {
+    pieces.push_back({&side, false, collar, length, bounds.third});
+  }
+}
+
+}  // namespace
+
+Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
+  const double last = lower_double(T);
+  const double half = std::nextafter(upper_double(T) / 2, std::numeric_limits<double>::infinity());
+  Search search(T, last);
+  const Wave<Ball> back = reversed(g, T);
+  const auto finish = [&] {
+    Infimum found = search.result();
+    found.start = initial_value(g);
+    found.end = initial_value(back);
+    return found;
+  };
+  if (!(last > 0) || !(half < last)) {
+    return finish();
+  }
+  // Each end is looked at from itself, for a phase of uncertain length is best known there; a single touched
+  // end sees the whole phase, so that w is the distance to it wherever that is below 1.
+  const Side start = pieces::side_of(g, false);
+  const Side end = pieces::side_of(back, true);
+  const pieces::Bounds bounds = pieces::derivative_bounds(g);
+  std::vector<Piece> all;
+  if (touches.start == touches.end) {
+    add_pieces(all, start, bounds, touches.start, half);
+    add_pieces(all, end, bounds, touches.end, half);
+  } else {
+    add_pieces(all, touches.start ? start : end, bounds, true, upper_double(T));
+  }
+  const Piece * best = nullptr;
+  pieces::Guess lowest{};
+  for (const Piece& piece : all) {
+    const pieces::Guess guess = pieces::sampled_minimum(piece);
+    if (best == nullptr || guess.value < lowest.value) {
+      best = &piece;
+      lowest = guess;
+    }
+  }
+  if (std::isfinite(lowest.s)) {
+    search.propose(*best, lowest.s);
+  }
+  for (const Piece& piece : all) {
+    search.cover(piece);
+  }
+  return finish();
+}
+
+std::optional<Violation> violation(const Wave<Ball>& g, const Ball& T, const Ball& near) {
+  const double last = lower_double(T);
+  double t = near.approximate();
+  const bool at_start = !(t > 0);
+  const bool at_end = !(t < last);
+  for (double step = 0.25 * last; step > 1e-12 * last; step /= 2) {
+    const double inside = at_start ? step : (at_end ? last - step : t);
+    const Ball value = model::value(g, Ball(inside));
+    if (value.is_negative()) {
+      return Violation{Ball(inside), value};
+    }
+    if (!at_start && !at_end) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip::numeric::motion

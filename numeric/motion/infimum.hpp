@@ -1,0 +1,48 @@
+// The infimum over a whole closed phase of a wave g, and of g divided by the distance to those ends where g
+// vanishes by construction.
+//
+// With w(t) = min(1, t if g(0) = 0, T - t if g(T) = 0), 0 <= t <= T, the weighted infimum is
+//   inf over 0 < t < T of g(t)/w(t),
+// the largest m with g >= m w on the phase. At an end that g touches the quotient tends to the one-sided
+// derivative there, so m > 0 means: g > 0 on the phase without the touched ends, and g leaves zero there with
+// nonzero speed. Without touched ends m is the infimum of g on the closed phase. Time is dimensionless, hence
+// m has the unit of g.
+#pragma once
+
+#include <optional>
+
+#include "core/sinc.hpp"
+#include "model/waves.hpp"
+#include "numeric/scalars/scalars.hpp"
+
+namespace stickslip::numeric::motion {
+
+// At which ends of [0, T] g is known to be exactly zero, as a premise.
+struct Touches {
+  bool start = false;
+  bool end = false;
+};
+
+struct Infimum {
+  Ball value;  // contains the weighted infimum, for all members of the wave and of T
+  Ball time;   // contains a time in [0, T] at which the quotient (its limit at a touched end) lies in `value`
+  Ball start;  // g(0) and g(T), as far as the wave tells: a touched end whose ball excludes zero is none
+  Ball end;
+};
+
+// Assumes T > 0 for all members, and g zero at the touched ends. Returns an unbounded value when T or the
+// wave is not finite or T is too wide a ball to be halved.
+//
+// Not sampled: the phase is covered by subintervals, on each a second-order Taylor form with a bound of the
+// third derivative bounds g/w from below, and the places that come near the infimum are narrowed down until
+// they are convex, concave or monotone, where the infimum is known.
+[[nodiscard]] Infimum weighted_infimum(const model::Wave<Ball>& g, const Ball& T, Touches touches);
+
+// A time strictly inside (0, T) and the negative ball g(time); nothing when none was found near `near`.
+struct Violation {
+  Ball time;   // exact
+  Ball value;  // negative
+};
+[[nodiscard]] std::optional<Violation> violation(const model::Wave<Ball>& g, const Ball& T, const Ball& near);
+
+}  // namespace stickslip::numeric::motion

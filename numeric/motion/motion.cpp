@@ -1,0 +1,122 @@
+#include "numeric/motion/motion.hpp"
+
+#include <optional>
+
+#include "core/error.hpp"
+
+namespace stickslip::numeric::motion {
+
+using model::Vector4;
+
+std::string to_string(PhaseKind kind) {
+  switch (kind) {
+    case PhaseKind::slip:
+      return "slip";
+    case PhaseKind::overshoot:
+      return "overshoot";
+    case PhaseKind::stick:
+      return "stick";
+  }
+  throw InternalError("a phase of no known kind");
+}
+
+namespace {
+
+const Phase& phase(const Motion& motion, std::size_t k) {
+  if (k >= motion.phases.size()) {
+    throw InternalError("phase " + std::to_string(k) + " of a motion with " +
+                        std::to_string(motion.phases.size()));
+  }
+  return motion.phases[k];
+}
+
+}  // namespace
+
+Vector4<Ball> state(const Motion& motion, std::size_t k, const Ball& t) {
+  const Phase& f = phase(motion, k);
+  return flow<Ball>(motion.oscillator, f.kind, f.load, f.Z, t);
+}
+
+Ball friction(const Motion& motion, std::size_t k, const Ball& t) {
+  const Ball psi = phase(motion, k).load + motion.oscillator.data.omega * t;
+  return model::friction_at<Ball>(motion.oscillator.data, state(motion, k, t), psi);
+}
+
+model::PhaseWaves<Ball> waves(const Motion& motion, std::size_t k) {
+  return waves_of<Ball>(motion.oscillator, phase(motion, k));
+}
+
+Ball period(const Motion& motion) {
+  Ball sum(0);
+  for (const Phase& f : motion.phases) {
+    sum += f.duration;
+  }
+  return sum;
+}
+
+Vector4<Ball> state_at(const Motion& motion, const Ball& t) {
+  std::optional<Vector4<Ball>> hull;
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    const Phase& f = motion.phases[k];
+    const Ball local = t - f.start;
+    const bool before = k > 0 && local.is_negative();
+    const bool after = k + 1 < motion.phases.size() && (local - f.duration).is_positive();
+    if (before || after) {
+      continue;
+    }
+    const Vector4<Ball> Z = state(motion, k, local);
+    if (!hull) {
+      hull = Z;
+    } else {
+      for (int i = 0; i < 4; ++i) {
+        (*hull)(i) = Ball::hull((*hull)(i), Z(i));
+      }
+    }
+  }
+  if (!hull) {
+    throw InternalError("a motion without phases has no state");
+  }
+  return *hull;
+}
+
+MotionOf<double> in_double(const Motion& motion) {
+  const model::Parameters<Ball>& a = motion.oscillator.data;
+  MotionOf<double> result{
+      model::oscillator<double>({a.chi.approximate(), a.eta.approximate(), a.us.approximate(),
+                                 a.V.approximate(), a.omega.approximate(), a.p.approximate()}),
+      {}};
+  for (const Phase& phase : motion.phases) {
+    result.phases.push_back({phase.kind, phase.start.approximate(), phase.duration.approximate(),
+                             phase.load.approximate(),
+                             phase.Z.unaryExpr([](const Ball& b) { return b.approximate(); })});
+  }
+  return result;
+}
+
+std::vector<model::PhaseWaves<Ball>> all_waves(const Motion& motion) {
+  std::vector<model::PhaseWaves<Ball>> result;
+  result.reserve(motion.phases.size());
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    result.push_back(waves(motion, k));
+  }
+  return result;
+}
+
+std::vector<Vector4<Ball>> gaps(const Motion& motion, const std::vector<model::PhaseWaves<Ball>>& all_waves) {
+  std::vector<Vector4<Ball>> result;
+  result.reserve(motion.phases.size());
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    const Ball& T = motion.phases[k].duration;
+    const auto [z1, zdot1] = model::value_and_slope(all_waves[k].z1, T);
+    const auto [z2, zdot2] = model::value_and_slope(all_waves[k].z2, T);
+    const Vector4<Ball>& next = motion.phases[(k + 1) % motion.phases.size()].Z;
+    result.emplace_back(Vector4<Ball>(z1, z2, zdot1, zdot2) - next);
+  }
+  return result;
+}
+
+std::vector<Vector4<Ball>> gaps(const Motion& motion) {
+  return gaps(motion, all_waves(motion));
+}
+
+}  // namespace stickslip::numeric::motion

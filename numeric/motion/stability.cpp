@@ -1,0 +1,102 @@
+#include "numeric/motion/stability.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "numeric/motion/monodromy.hpp"
+
+namespace stickslip::numeric::motion {
+namespace {
+
+constexpr std::size_t states = 4;
+
+// The first phase that sticks, or the number of phases.
+std::size_t first_stick(const Motion& motion) {
+  const auto sticks = [](const Phase& phase) { return phase.kind == PhaseKind::stick; };
+  return static_cast<std::size_t>(std::find_if(motion.phases.begin(), motion.phases.end(), sticks) -
+                                  motion.phases.begin());
+}
+
+// With a stick, the map seen where the stick begins: there z2' = V, so z1, z2, z1' are all that can deviate.
+SquareMatrix reduced_monodromy(const Motion& motion) {
+  const std::size_t stick = first_stick(motion);
+  if (stick == motion.phases.size()) {
+    return monodromy<Ball>(motion);
+  }
+  const model::Matrix4<Ball> M = monodromy<Ball>(motion, stick);
+  return M.topLeftCorner<3, 3>();
+}
+
+// mu = 1 is a multiplier: make the one enclosure that can hold it exact. False when several can.
+bool set_neutral(std::vector<ComplexBall>& multipliers) {
+  const auto may_be_one = [](const ComplexBall& mu) {
+    return mu.re.overlaps(Ball(1)) && mu.im.contains_zero();
+  };
+  if (std::count_if(multipliers.begin(), multipliers.end(), may_be_one) != 1) {
+    return false;
+  }
+  *std::find_if(multipliers.begin(), multipliers.end(), may_be_one) = {Ball(1), Ball(0)};
+  return true;
+}
+
+bool is_exactly_one(const ComplexBall& mu) {
+  return (mu.re - Ball(1)).is_exact() && (mu.re - Ball(1)).contains_zero() && mu.im.is_exact() &&
+         mu.im.contains_zero();
+}
+
+// Also for enclosures of no order.
+void classify(Stability& s, bool neutral) {
+  const auto outside = [](const ComplexBall& mu) { return (mu.squared_modulus() - Ball(1)).is_positive(); };
+  const auto inside = [&](const ComplexBall& mu) {
+    return (mu.squared_modulus() - Ball(1)).is_negative() || (neutral && is_exactly_one(mu));
+  };
+  if (std::any_of(s.multipliers.begin(), s.multipliers.end(), outside)) {
+    s.kind = StabilityKind::unstable;
+  } else if (!std::all_of(s.multipliers.begin(), s.multipliers.end(), inside)) {
+    s.reason = "the enclosure of a multiplier meets the unit circle";
+  } else if (neutral) {
+    s.kind = StabilityKind::marginal;
+    s.reason = "without load each shift in time of the orbit is an orbit, so 1 is a multiplier";
+  } else {
+    s.kind = StabilityKind::stable;
+  }
+}
+
+}  // namespace
+
+std::string to_string(StabilityKind kind) {
+  switch (kind) {
+    case StabilityKind::stable:
+      return "stable";
+    case StabilityKind::unstable:
+      return "unstable";
+    case StabilityKind::marginal:
+      return "marginal";
+    case StabilityKind::undecided:
+      return "undecided";
+  }
+  throw InternalError("a stability of no known kind");
+}
+
+Stability decide_stability(const Motion& motion) {
+  Stability s;
+  const SquareMatrix M = reduced_monodromy(motion);
+  if (!std::all_of(M.data(), M.data() + M.size(), [](const Ball& entry) { return entry.is_finite(); })) {
+    s.reason = "an event may not be transversal: the derivative of the map is unbounded";
+    return s;
+  }
+  const auto found = eigenvalues(M);
+  if (!found) {
+    s.reason = "the multipliers could not be enclosed";
+    return s;
+  }
+  s.multipliers = *found;
+  const Ball& p = motion.oscillator.data.p;
+  const bool without_load = p.is_exact() && p.contains_zero();
+  const bool neutral = without_load && set_neutral(s.multipliers);
+  s.multipliers.resize(states, {Ball(0), Ball(0)});
+  classify(s, neutral);
+  return s;
+}
+
+}  // namespace stickslip::numeric::motion

@@ -1,0 +1,36 @@
+// The stability of a periodic orbit by its Floquet multipliers: the eigenvalues of the derivative of the map
+// over one period of the load.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/motion/eigenvalues.hpp"
+#include "numeric/motion/motion.hpp"
+
+namespace stickslip::numeric::motion {
+
+enum class StabilityKind {
+  stable,     // asymptotically: |mu| < 1 for each multiplier, proved
+  unstable,   // |mu| > 1 for some multiplier, proved
+  marginal,   // mu = 1 exactly, |mu| < 1 for all others, proved: the linear part decides nothing
+  undecided,  // with the reason
+};
+
+[[nodiscard]] std::string to_string(StabilityKind kind);
+
+struct Stability {
+  StabilityKind kind = StabilityKind::undecided;
+  std::string reason;                    // one sentence; empty for stable and unstable
+  std::vector<ComplexBall> multipliers;  // all four, largest first; empty when they could not be enclosed
+};
+
+// For every member of the balls in `motion`, under the premise that they contain an orbit that closes and
+// obeys the friction law: that is what `admissible` says. A motion that sticks has the multiplier 0 exactly:
+// landing on the belt collapses a direction. Without load (p exactly 0) it has the multiplier 1 exactly, for
+// each shift in time is an orbit too. Undecided when an event may not be transversal, when the multipliers
+// cannot be enclosed, and when one of them may lie on the unit circle for no such reason.
+[[nodiscard]] Stability decide_stability(const Motion& motion);
+
+}  // namespace stickslip::numeric::motion

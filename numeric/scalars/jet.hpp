@@ -1,0 +1,205 @@
+// Forward-mode first derivatives: a value with its N partial derivatives. A Jet is a scalar of the model, so
+// every formula of model/ gives its own derivatives, over double, CLN floats and balls alike. Over balls the
+// value and each partial contain the exact ones for every member of the arguments.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/sinc.hpp"
+#include "numeric/scalars/scalars.hpp"
+
+namespace stickslip::numeric::scalars {
+
+// Whether a number is exactly zero: then products with it need not be computed.
+[[nodiscard]] inline bool is_zero(double x) {
+  return x == 0;
+}
+[[nodiscard]] inline bool is_zero(const cln::cl_R& x) {
+  return cln::zerop(x);
+}
+
+template <class S, int N>
+struct Jet {
+  S value = S(0);
+  std::array<S, N> partials = zeros();
+
+  Jet() = default;
+  Jet(int constant) : value(constant) {}           // NOLINT: scalars convert from int
+  Jet(S constant) : value(std::move(constant)) {}  // NOLINT: a constant has no derivative
+
+  // The i-th argument of a function, at `at`.
+  [[nodiscard]] static Jet variable(const S& at, int i) {
+    Jet x(at);
+    x.partials[static_cast<std::size_t>(i)] = S(1);
+    return x;
+  }
+
+  // The chain rule for g(this): value g, derivative slope.
+  [[nodiscard]] Jet chain(S g, const S& slope) const {
+    Jet result(std::move(g));
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(partials[i])) {
+        result.partials[i] = slope * partials[i];
+      }
+    }
+    return result;
+  }
+
+  Jet& operator+=(const Jet& b) {
+    value += b.value;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(b.partials[i])) {
+        partials[i] += b.partials[i];
+      }
+    }
+    return *this;
+  }
+  Jet& operator-=(const Jet& b) {
+    value -= b.value;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(b.partials[i])) {
+        partials[i] -= b.partials[i];
+      }
+    }
+    return *this;
+  }
+  Jet& operator*=(const Jet& b) {
+    if (this == &b) {
+      return *this *= Jet(b);
+    }
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(partials[i])) {
+        partials[i] *= b.value;
+      }
+      if (!is_zero(b.partials[i])) {
+        partials[i] += value * b.partials[i];
+      }
+    }
+    value *= b.value;
+    return *this;
+  }
+  Jet& operator/=(const Jet& b) {
+    if (this == &b) {
+      return *this /= Jet(b);
+    }
+    value /= b.value;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(b.partials[i])) {
+        partials[i] -= value * b.partials[i];
+      }
+      if (!is_zero(partials[i])) {
+        partials[i] /= b.value;
+      }
+    }
+    return *this;
+  }
+
+  friend Jet operator+(Jet a, const Jet& b) { return std::move(a += b); }
+  friend Jet operator-(Jet a, const Jet& b) { return std::move(a -= b); }
+  friend Jet operator*(Jet a, const Jet& b) { return std::move(a *= b); }
+  friend Jet operator/(Jet a, const Jet& b) { return std::move(a /= b); }
+  friend Jet operator-(const Jet& a) { return a.chain(S(-a.value), S(-1)); }
+  friend Jet operator+(const Jet& a) { return a; }
+
+  friend std::pair<Jet, Jet> sin_cos(const Jet& a) {
+    const std::pair<S, S> both = sin_cos(a.value);
+    return {a.chain(both.first, both.second), a.chain(both.second, S(-both.first))};
+  }
+  // Exactly zero with all its derivatives, so that what it multiplies can be skipped.
+  friend bool is_zero(const Jet& a) {
+    return is_zero(a.value) &&
+           std::all_of(a.partials.begin(), a.partials.end(), [](const S& x) { return is_zero(x); });
+  }
+
+  friend bool is_nonzero(const Jet& a) { return is_nonzero(a.value); }
+  // sum += factor b, the factor a constant.
+  friend void add_product(Jet& sum, const S& factor, const Jet& b) {
+    add_product(sum.value, factor, b.value);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!is_zero(b.partials[i])) {
+        add_product(sum.partials[i], factor, b.partials[i]);
+      }
+    }
+  }
+
+  friend Jet sin(const Jet& a) {
+    const std::pair<S, S> both = sin_cos(a.value);
+    return a.chain(both.first, both.second);
+  }
+  friend Jet cos(const Jet& a) {
+    const std::pair<S, S> both = sin_cos(a.value);
+    return a.chain(both.second, S(-both.first));
+  }
+  friend Jet sqrt(const Jet& a) {
+    using std::sqrt;
+    const S root = S(sqrt(a.value));
+    return a.chain(root, S(S(1) / (S(2) * root)));
+  }
+  friend Jet sinc(const Jet& a) { return a.chain(S(sinc(a.value)), S(sinc_slope(a.value))); }
+
+ private:
+  [[nodiscard]] static std::array<S, N> zeros() {
+    std::array<S, N> z;
+    z.fill(S(0));
+    return z;
+  }
+};
+
+// The arguments of a function of N variables at x, ready for differentiation.
+template <class S, int N>
+[[nodiscard]] Eigen::Matrix<Jet<S, N>, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
+  Eigen::Matrix<Jet<S, N>, N, 1> jets;
+  for (int i = 0; i < N; ++i) {
+    jets(i) = Jet<S, N>::variable(x(i), i);
+  }
+  return jets;
+}
+
+template <class S, int M, int N>
+[[nodiscard]] Eigen::Matrix<S, M, 1> values(const Eigen::Matrix<Jet<S, N>, M, 1>& f) {
+  Eigen::Matrix<S, M, 1> result;
+  for (int i = 0; i < M; ++i) {
+    result(i) = f(i).value;
+  }
+  return result;
+}
+
+// Row i holds the partial derivatives of f(i).
+template <class S, int M, int N>
+[[nodiscard]] Eigen::Matrix<S, M, N> jacobian(const Eigen::Matrix<Jet<S, N>, M, 1>& f) {
+  Eigen::Matrix<S, M, N> result;
+  for (int i = 0; i < M; ++i) {
+    for (int j = 0; j < N; ++j) {
+      result(i, j) = f(i).partials[static_cast<std::size_t>(j)];
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip::numeric::scalars
+
+namespace Eigen {
+
+template <class S, int N>
+struct NumTraits<stickslip::numeric::scalars::Jet<S, N>>
+    : GenericNumTraits<stickslip::numeric::scalars::Jet<S, N>> {
+  using Real = stickslip::numeric::scalars::Jet<S, N>;
+  using NonInteger = stickslip::numeric::scalars::Jet<S, N>;
+  using Nested = stickslip::numeric::scalars::Jet<S, N>;
+  using Literal = stickslip::numeric::scalars::Jet<S, N>;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 4,
+    AddCost = 100,
+    MulCost = 200
+  };
+};
+
+}  // namespace Eigen

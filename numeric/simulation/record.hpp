@@ -1,0 +1,47 @@
+// A simulated motion as a record for readers: samples, events, shares, energy.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "numeric/simulation/simulation.hpp"
+
+namespace stickslip::numeric::simulation {
+
+struct Sample {
+  double time;
+  motion::PhaseKind phase;
+  model::Vector4<double> X;  // (x1, x2, x1', x2')
+  double r, u;               // friction at rest (4), friction force
+  double energy;             // of model/energy.hpp
+};
+
+struct RecordPlan {
+  double duration = 0;       // > 0
+  double every = 0;          // time between samples, > 0
+  bool keep_samples = true;  // else they only feed the extremes of the energy
+};
+
+struct Record {
+  Start start;
+  double period = 0;  // of the load
+  double done = 0;    // the time simulated: less than planned after an interruption
+  bool interrupted = false;
+  std::vector<Sample> samples;                        // at 0, every, 2 every, … and at the end
+  std::vector<Transition> first_events, last_events;  // at most `shown` each, without overlap
+  long events = 0;
+  std::array<double, 3> time_in{};  // by PhaseKind
+  double least_energy = 0, greatest_energy = 0;
+  Sample end{};
+
+  static constexpr std::size_t shown = 12;
+};
+
+// Simulates until the duration is over or `go_on`, asked with the share that is done about once in a
+// thousand samples or periods, says no. Throws DomainError as Simulation does, and for a plan that is not
+// positive or has more than 10⁹ samples.
+[[nodiscard]] Record record_motion(const Start& start, const RecordPlan& plan,
+                                   const std::function<bool(double)>& go_on);
+
+}  // namespace stickslip::numeric::simulation

@@ -1,0 +1,116 @@
+// Linear unknowns eliminated from more equations than unknowns: each row of an R × (U + 1) matrix, U < R,
+// says row · (u, 1) = 0.
+//
+// The rows are first combined so that their midpoints become the unit matrix above zeros; then elimination
+// needs no pivoting and loses little. What remains are R - U equations without u.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+
+#include "numeric/scalars/jet.hpp"
+#include "numeric/zeros/krawczyk.hpp"
+
+namespace stickslip::numeric::zeros {
+
+// The combinations of rows that do so for these entries, nearly: a proposal in double, by Gauss and Jordan
+// with row pivoting. Nothing when the first U columns are dependent or not finite.
+template <int R, int C>
+[[nodiscard]] std::optional<Eigen::Matrix<Ball, R, R>> row_combinations(
+    const Eigen::Matrix<Ball, R, C>& rows) {
+  constexpr int U = C - 1;
+  Eigen::Matrix<double, R, C> m = rows.unaryExpr([](const Ball& x) { return x.approximate(); });
+  Eigen::Matrix<double, R, R> combined = Eigen::Matrix<double, R, R>::Identity();
+  for (int k = 0; k < U; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < R; ++i) {
+      pivot = std::abs(m(i, k)) > std::abs(m(pivot, k)) ? i : pivot;
+    }
+    const double size = std::abs(m(pivot, k));
+    if (!(size > 0) || !std::isfinite(size)) {
+      return std::nullopt;
+    }
+    m.row(k).swap(m.row(pivot));
+    combined.row(k).swap(combined.row(pivot));
+    combined.row(k) /= m(k, k);
+    m.row(k) /= m(k, k);
+    for (int i = 0; i < R; ++i) {
+      if (i != k) {
+        combined.row(i) -= m(i, k) * combined.row(k);
+        m.row(i) -= m(i, k) * m.row(k);
+      }
+    }
+  }
+  return combined.template cast<Ball>();
+}
+
+// combinations · rows, over balls or jets over balls.
+template <class T, int R, int C>
+[[nodiscard]] Eigen::Matrix<T, R, C> combined_rows(const Eigen::Matrix<Ball, R, R>& combinations,
+                                                   const Eigen::Matrix<T, R, C>& rows) {
+  Eigen::Matrix<T, R, C> result;
+  for (int i = 0; i < R; ++i) {
+    for (int j = 0; j < C; ++j) {
+      for (int k = 0; k < R; ++k) {
+        if (!is_zero(rows(k, j))) {
+          add_product(result(i, j), combinations(i, k), rows(k, j));
+        }
+      }
+    }
+  }
+  return result;
+}
+
+// Eliminates the unknowns from, …, to - 1 from the rows below their own, without pivoting. False when a pivot
+// may vanish; then the rows are meaningless.
+template <class T, int R, int C>
+[[nodiscard]] bool eliminate(Eigen::Matrix<T, R, C>& m, int from, int to) {
+  for (int k = from; k < to; ++k) {
+    if (!is_nonzero(m(k, k))) {
+      return false;
+    }
+    const T reciprocal = T(1) / m(k, k);
+    for (int i = k + 1; i < R; ++i) {
+      if (is_zero(m(i, k))) {
+        continue;
+      }
+      const T factor = m(i, k) * reciprocal;
+      for (int j = k + 1; j < C; ++j) {
+        m(i, j) -= factor * m(k, j);
+      }
+    }
+  }
+  return true;
+}
+
+// u, once all unknowns are eliminated.
+template <class T, int R, int C>
+[[nodiscard]] Eigen::Matrix<T, C - 1, 1> back_substituted(const Eigen::Matrix<T, R, C>& m) {
+  Eigen::Matrix<T, C - 1, 1> u;
+  for (int k = C - 2; k >= 0; --k) {
+    T sum = m(k, C - 1);
+    for (int j = k + 1; j < C - 1; ++j) {
+      sum += m(k, j) * u(j);
+    }
+    u(k) = -sum / m(k, k);
+  }
+  return u;
+}
+
+// The jets' values replaced by their mean value forms about m, where those are narrower.
+template <int R, int C, int N>
+void sharpen(Eigen::Matrix<scalars::Jet<Ball, N>, R, C>& jets, const Eigen::Matrix<Ball, R, C>& at_m,
+             const Box<N>& spread) {
+  for (int i = 0; i < R; ++i) {
+    for (int j = 0; j < C; ++j) {
+      Ball form = at_m(i, j);
+      for (int k = 0; k < N; ++k) {
+        add_product(form, jets(i, j).partials[static_cast<std::size_t>(k)], spread(k));
+      }
+      jets(i, j).value = intersection(form, jets(i, j).value).value_or(form);
+    }
+  }
+}
+
+}  // namespace stickslip::numeric::zeros

@@ -1,0 +1,313 @@
+// Branch and prune: all zeros in a box, with nothing lost. Nothing here knows what the function is.
+//
+// Three things, each small. A contractor takes a box and returns a smaller one that still holds every zero of
+// it, or nothing when there is none. A decider says whether a box, slightly enlarged, holds exactly one zero.
+// The search splits what neither settles. The union of the excluded cells, the unique boxes of the zeros and
+// the unresolved cells covers the whole closed domain.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "core/interruption.hpp"
+#include "core/parallel.hpp"
+#include "numeric/zeros/krawczyk.hpp"
+
+namespace stickslip::numeric::zeros {
+
+// A closed box whose ends are exactly these doubles: cells share their faces and leave no gap.
+template <int N>
+struct Cell {
+  std::array<double, N> lower;
+  std::array<double, N> upper;
+};
+
+// A box of balls that contains the cell.
+template <int N>
+[[nodiscard]] Box<N> to_box(const Cell<N>& cell) {
+  Box<N> box;
+  for (std::size_t i = 0; i < N; ++i) {
+    box(static_cast<int>(i)) = Ball::hull(Ball(cell.lower[i]), Ball(cell.upper[i]));
+  }
+  return box;
+}
+
+// The part of `cell` that can meet `box`, rounded outwards; nothing when they are disjoint.
+template <int N>
+[[nodiscard]] std::optional<Cell<N>> clip(const Cell<N>& cell, const Box<N>& box) {
+  Cell<N> result = cell;
+  for (std::size_t i = 0; i < N; ++i) {
+    const Ball& side = box(static_cast<int>(i));
+    if (!side.is_finite()) {
+      continue;
+    }
+    const double low = arf_get_d(arb_midref(side.lower().raw()), ARF_RND_FLOOR);
+    const double high = arf_get_d(arb_midref(side.upper().raw()), ARF_RND_CEIL);
+    result.lower[i] = std::max(cell.lower[i], low);
+    result.upper[i] = std::min(cell.upper[i], high);
+    if (result.lower[i] > result.upper[i]) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+template <int N>
+[[nodiscard]] bool contains(const Box<N>& outer, const Box<N>& inner) {
+  for (int i = 0; i < N; ++i) {
+    if (!outer(i).contains(inner(i))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A zero in `zero`, the only one in `unique`.
+template <int N>
+struct FoundZero {
+  Box<N> zero;
+  Box<N> unique;
+};
+
+template <int N>
+struct UnresolvedBox {
+  Box<N> box;
+  std::string reason;
+};
+
+// What a decider says of a box.
+template <int N>
+struct Decision {
+  std::optional<FoundZero<N>> found;  // exactly one zero in a box that contains the one asked about
+  bool empty = false;                 // no zero in the box asked about
+  std::string reason;                 // why neither
+};
+
+struct SearchLimits {
+  double smallest = 0x1p-24;  // cells whose sides are all below this are left unresolved
+  long cells = 4000;          // and so is what remains after this many
+};
+
+template <int N>
+struct SearchResult {
+  std::vector<FoundZero<N>> zeros;           // pairwise different
+  std::vector<UnresolvedBox<N>> unresolved;  // neighbours with the same reason joined
+  long cells = 0;                            // examined
+
+  [[nodiscard]] bool complete() const { return unresolved.empty(); }
+};
+
+inline constexpr const char * no_progress = "the zero cannot be told from a multiple one";
+
+namespace detail {
+
+// Whether a contractor got so far that a proof of uniqueness is worth trying.
+template <int N>
+[[nodiscard]] bool shrunk(const Cell<N>& part, const Cell<N>& whole) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (part.upper[i] - part.lower[i] > 0.9 * (whole.upper[i] - whole.lower[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <int N>
+[[nodiscard]] std::size_t longest_side(const Cell<N>& cell) {
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < N; ++i) {
+    if (cell.upper[i] - cell.lower[i] > cell.upper[longest] - cell.lower[longest]) {
+      longest = i;
+    }
+  }
+  return longest;
+}
+
+// What came of a cell: nothing if it holds no zero that is not known.
+template <int N>
+struct Examined {
+  std::optional<Cell<N>> rest;  // the part that may hold zeros
+  Decision<N> decision;         // about it
+  bool interrupted = false;     // before anything was done
+};
+
+// Cells that are examined at the same time.
+inline constexpr long batch = 32;
+
+// Adds a zero unless it is one that is known. Two proofs are of the same zero when the enclosure of one lies
+// where the other is unique; they are of different zeros when their enclosures are disjoint.
+template <int N>
+void record(SearchResult<N>& result, const FoundZero<N>& found) {
+  for (const FoundZero<N>& known : result.zeros) {
+    if (contains<N>(known.unique, found.zero) || contains<N>(found.unique, known.zero)) {
+      return;
+    }
+    if (intersection<N>(known.zero, found.zero)) {
+      result.unresolved.push_back({found.zero, "two proved zeros could not be told apart"});
+      return;
+    }
+  }
+  result.zeros.push_back(found);
+}
+
+// Joins an unresolved cell to a neighbour that it touches and that has the same reason.
+template <int N>
+void leave_open(SearchResult<N>& result, const Box<N>& box, const std::string& reason) {
+  for (UnresolvedBox<N>& known : result.unresolved) {
+    if (known.reason == reason && intersection<N>(known.box, box)) {
+      for (int i = 0; i < N; ++i) {
+        known.box(i) = Ball::hull(known.box(i), box(i));
+      }
+      return;
+    }
+  }
+  result.unresolved.push_back({box, reason});
+}
+
+}  // namespace detail
+
+// Every zero in the domain; after an interruption (core/interruption.hpp) the cells that are still open are
+// left unresolved. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> Decision<N>; both are called from
+// several threads at once. A zero of the result may lie just outside the domain, where its enclosure reaches
+// across the boundary: the caller refines it and looks.
+template <int N, class Contract, class Decide>
+[[nodiscard]] SearchResult<N> search(const Cell<N>& domain, const Contract& contract, const Decide& decide,
+                                     const SearchLimits& limits = {}) {
+  SearchResult<N> result;
+  const auto is_known = [&](const Cell<N>& cell) {
+    return std::any_of(result.zeros.begin(), result.zeros.end(),
+                       [&](const FoundZero<N>& known) { return contains<N>(known.unique, to_box<N>(cell)); });
+  };
+  const auto examine = [&](const Cell<N>& whole) -> detail::Examined<N> {
+    if (interrupted()) {
+      return {whole, {}, true};
+    }
+    if (is_known(whole)) {
+      return {};
+    }
+    const std::optional<Box<N>> contracted = contract(to_box<N>(whole));
+    const std::optional<Cell<N>> cell = contracted ? clip<N>(whole, *contracted) : std::nullopt;
+    if (!cell || is_known(*cell)) {
+      return {};
+    }
+    return {cell,
+            detail::shrunk<N>(*cell, whole) ? decide(to_box<N>(*cell)) : Decision<N>{{}, false, no_progress}};
+  };
+  std::deque<Cell<N>> open{domain};
+  const auto settle = [&](const detail::Examined<N>& examined) {
+    if (!examined.rest || is_known(*examined.rest)) {
+      return;
+    }
+    const Cell<N>& cell = *examined.rest;
+    const Decision<N>& decision = examined.decision;
+    if (examined.interrupted) {
+      detail::leave_open<N>(result, to_box<N>(cell), "the search was interrupted");
+      return;
+    }
+    if (decision.found) {
+      detail::record<N>(result, *decision.found);
+    }
+    if (decision.found || decision.empty) {
+      return;
+    }
+    const std::size_t i = detail::longest_side<N>(cell);
+    if (cell.upper[i] - cell.lower[i] < limits.smallest) {
+      detail::leave_open<N>(result, to_box<N>(cell), decision.reason);
+      return;
+    }
+    const double middle = cell.lower[i] + (cell.upper[i] - cell.lower[i]) / 2;
+    Cell<N> right = cell;
+    Cell<N> left = cell;
+    left.upper[i] = middle;
+    right.lower[i] = middle;
+    open.push_back(right);
+    open.push_back(left);
+  };
+  while (!open.empty() && result.cells < limits.cells) {
+    // A batch's cells know the zeros of earlier batches only, however many threads examine them.
+    const auto size =
+        std::min<long>({detail::batch, static_cast<long>(open.size()), limits.cells - result.cells});
+    const std::vector<Cell<N>> batch(open.begin(), open.begin() + size);
+    open.erase(open.begin(), open.begin() + size);
+    result.cells += size;
+    for (const auto& examined :
+         parallel_map(batch.size(), [&](std::size_t i) { return examine(batch[i]); })) {
+      settle(examined);
+    }
+  }
+  for (const Cell<N>& cell : open) {
+    detail::leave_open<N>(result, to_box<N>(cell), "the search was stopped at its limit of cells");
+  }
+  return result;
+}
+
+// The part of X that a single equation g = 0 leaves, from its mean value form g(m) + slope (X - m): solved
+// for each coordinate in turn. Nothing when g has no zero in X.
+template <int N>
+[[nodiscard]] std::optional<Box<N>> contract_by(const Ball& at_m, const Eigen::Matrix<Ball, 1, N>& slope,
+                                                const Box<N>& m, Box<N> X) {
+  Box<N> share;
+  Ball sum = at_m;
+  for (int i = 0; i < N; ++i) {
+    share(i) = slope(i) * (X(i) - m(i));
+    sum += share(i);
+  }
+  if (sum.is_nonzero()) {
+    return std::nullopt;
+  }
+  for (int i = 0; i < N; ++i) {
+    if (!slope(i).is_nonzero()) {
+      continue;
+    }
+    Ball others = at_m;
+    for (int j = 0; j < N; ++j) {
+      others += j == i ? Ball(0) : share(j);
+    }
+    const std::optional<Ball> side = intersection(X(i), m(i) - others / slope(i));
+    if (!side) {
+      return std::nullopt;
+    }
+    X(i) = *side;
+    share(i) = slope(i) * (X(i) - m(i));
+  }
+  return X;
+}
+
+// The contractor and the decider that Krawczyk's operator gives for f (see krawczyk.hpp).
+template <int N, class F>
+struct KrawczykContractor {
+  F f;
+
+  // By the sign of f, by each equation's mean value form, and by Krawczyk's operator.
+  [[nodiscard]] std::optional<Box<N>> operator()(const Box<N>& X) const {
+    const auto [value, slope] = linearise<Ball, N>(f, X);
+    const Box<N> m = midpoint<N>(X);
+    const Box<N> at_m = f(m);
+    std::optional<Box<N>> rest = X;
+    for (int i = 0; i < N && rest; ++i) {
+      rest = value(i).is_nonzero() ? std::nullopt : contract_by<N>(at_m(i), slope.row(i), m, *rest);
+    }
+    if (!rest) {
+      return std::nullopt;
+    }
+    const std::optional<Box<N>> K = krawczyk_image<N>(m, at_m, slope, X);
+    return K ? intersection<N>(*K, *rest) : rest;
+  }
+};
+
+template <int N, class F>
+struct KrawczykDecider {
+  F f;
+
+  [[nodiscard]] Decision<N> operator()(const Box<N>& X) const {
+    const ZeroProof<N> proof = krawczyk_test<N>(f, inflate<N>(X, 1.25));
+    if (proof.verdict.truth == Truth::proved) {
+      return {FoundZero<N>{proof.box, proof.unique}, false, {}};
+    }
+    return {std::nullopt, proof.verdict.truth == Truth::refuted, proof.verdict.reason};
+  }
+};
+
+}  // namespace stickslip::numeric::zeros

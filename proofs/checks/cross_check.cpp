@@ -1,0 +1,327 @@
+#include "proofs/checks/cross_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "proofs/checks/premise_point.hpp"
+#include "proofs/methods/deciding.hpp"
+#include "proofs/symbols/abbreviations.hpp"
+#include "proofs/symbols/evaluate_exact.hpp"
+#include "proofs/symbols/sample.hpp"
+#include "symbolic/algebra/evaluate.hpp"
+
+namespace stickslip::proofs::checks {
+
+using namespace numeric::scalars;
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+using GiNaC::ex;
+
+constexpr int exact_points = 2, ball_points = 1;
+constexpr std::size_t points_at_premises = 2;
+constexpr unsigned draws = 40;  // of each point, until no denominator vanishes and all that is assumed holds
+
+// Numbers of points for the claim, no others than before on any run.
+unsigned seed_of(const Claim& claim) {
+  return std::accumulate(claim.id.begin(), claim.id.end(), 7U,
+                         [](unsigned seed, char c) { return 31 * seed + static_cast<unsigned char>(c); });
+}
+
+// Both sides at a point; a plain 0 takes the shape of the other side.
+template <class S>
+struct Sides {
+  Value<S> left, right;
+};
+
+template <class S>
+Sides<S> sides(const Statement& statement, Sample<S>& at) {
+  const auto beside = [&](const Term& side, const Term& other) {
+    return side.is_zero() ? Value<S>(Value<S>::Constant(other.shape().rows, other.shape().columns, S(0)))
+                          : evaluate<S>(side, at.lookup());
+  };
+  return {beside(statement.left, statement.right), beside(statement.right, statement.left)};
+}
+
+// The claim's formulas at one point, exactly.
+struct ExactSides {
+  ExactPoint point;
+  Sample<Exact> at;
+  ExactValues derived_at;
+
+  ExactSides(const Replacements& given, unsigned seed)
+      : point(seed),
+        at(given, [this](const std::string& name) { return point.symbol(name); }),
+        derived_at(at.lookup()) {}
+
+  // Whether they are equal.
+  [[nodiscard]] bool operator()(const Decided& decided) {
+    if (decided.statement) {
+      const Sides<Exact> here = sides(*decided.statement, at);
+      return std::equal(here.left.data(), here.left.data() + here.left.size(), here.right.data(),
+                        [](const Exact& a, const Exact& b) { return a.value() == b.value(); });
+    }
+    return std::equal(decided.left.data(), decided.left.data() + decided.left.size(), decided.right.data(),
+                      [this](const ex& a, const ex& b) { return derived_at(a) == derived_at(b); });
+  }
+};
+
+// The same parameters and times as balls, but for those that are fixed; pi is pi.
+Lookup<Ball> real_values(const ExactPoint& point, std::vector<Coordinate> fixed = {}) {
+  return [&point, fixed = std::move(fixed)](const std::string& name) {
+    for (const Coordinate& coordinate : fixed) {
+      if (coordinate.name == name) {
+        return Ball(coordinate.value);
+      }
+    }
+    return name == "pi" ? Ball::pi() : Ball(point.symbol(name).value());
+  };
+}
+
+// The claim's formulas at one point, in balls.
+struct BallSides {
+  ExactPoint point;
+  Sample<Ball> at;
+  symbolic::algebra::BallValues values;
+
+  BallSides(const Replacements& given, unsigned seed, const std::vector<Coordinate>& fixed = {})
+      : point(seed), at(given, real_values(point, fixed)) {}
+
+  [[nodiscard]] Sides<Ball> operator()(const Decided& decided) {
+    if (decided.statement) {
+      return sides(*decided.statement, at);
+    }
+    const auto value = [this](const ex& e) {
+      for (const ex& symbol : symbolic::algebra::symbols_of(e)) {
+        if (!values.contains(symbol)) {
+          values[symbol] = at(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
+        }
+      }
+      return symbolic::algebra::evaluate(e, values);
+    };
+    return {decided.left.unaryExpr(value), decided.right.unaryExpr(value)};
+  }
+};
+
+bool disjoint(const Sides<Ball>& at) {
+  for (Eigen::Index i = 0; i < at.left.size(); ++i) {
+    if (!at.left(i).overlaps(at.right(i))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether the balls of both sides are small beside their values: not the two sides of anything overlap then.
+bool tell_much(const Sides<Ball>& at) {
+  const Ball bound = Ball(1) / Ball(1L << 40);
+  for (Eigen::Index i = 0; i < at.left.size(); ++i) {
+    const Ball size = Ball(1) + abs(at.left(i)) + abs(at.right(i));
+    if (!(at.left(i) - at.right(i)).is_finite() ||
+        !((at.left(i) - at.right(i)).radius() - bound * size).is_negative()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool fails_at(const Claim& claim, const Decided& decided, const Witness& witness) {
+  const WorkingPrecision precision(256);
+  const Given given(claim);
+  BallSides at(given.values, seed_of(claim), witness.point);
+  return disjoint(at(decided));
+}
+
+struct Disagreement {
+  const Claim& claim;
+  [[noreturn]] void operator()(const std::string& what) const {
+    throw InternalError(fmt::format("claim {}: the two engines disagree: {}", claim.id, what));
+  }
+};
+
+std::string name_of(const Decided& decided) {
+  return decided.statement ? text(*decided.statement) : "an equation that the proof derived";
+}
+
+// How many rational points agree with the verdict on all formulas.
+int confirmed_exactly(const Claim& claim, const std::vector<Decided>& all) {
+  const Given given(claim);
+  const bool proved = all.front().truth == Truth::proved;
+  int confirmed = 0;
+  for (unsigned draw = 0; draw < draws && confirmed < exact_points; ++draw) {
+    ExactSides at(given.values, seed_of(claim) + draw);
+    try {
+      const auto agrees = [&](const Decided& one) {
+        if (proved && !at(one)) {
+          Disagreement{claim}(name_of(one) + " is called proved and fails at a rational point");
+        }
+        return proved || !at(one);
+      };
+      confirmed += std::all_of(all.begin(), all.end(), agrees) ? 1 : 0;
+    } catch (const ZeroDivision&) {
+      continue;
+    }
+  }
+  if (!proved && confirmed == 0) {
+    Disagreement{claim}("what is called refuted holds at all rational points tried");
+  }
+  return confirmed;
+}
+
+// At that many points the balls of both sides overlap and are small.
+int confirmed_in_balls(const Claim& claim, const std::vector<Decided>& all) {
+  const Given given(claim);
+  int confirmed = 0;
+  for (unsigned draw = 0; draw < draws && confirmed < ball_points; ++draw) {
+    BallSides at(given.values, seed_of(claim) + draw);
+    bool all_tell = true;
+    for (const Decided& one : all) {
+      const Sides<Ball> here = at(one);
+      if (disjoint(here)) {
+        Disagreement{claim}(name_of(one) + " is called proved and fails in balls");
+      }
+      all_tell = all_tell && tell_much(here);
+    }
+    confirmed += all_tell ? 1 : 0;
+  }
+  return confirmed;
+}
+
+// The refuted formulas at the witness, where those of one must be disjoint.
+int confirmed_at_witness(const Claim& claim, const std::vector<Decided>& all, const Witness& witness) {
+  if (std::none_of(all.begin(), all.end(),
+                   [&](const Decided& one) { return fails_at(claim, one, witness); })) {
+    Disagreement{claim}("the balls of both sides are not disjoint at the witness");
+  }
+  return 1;
+}
+
+bool is_condition(const Assumption& assumption) {
+  return assumption.statement.relation == Relation::equal && !is_substitution(assumption);
+}
+
+// A scalar that no formula gives a value: what is said to be equal to it is its name.
+bool introduces_name(const Statement& statement) {
+  const Term& left = statement.left;
+  if (left.op() != Op::symbol || !left.shape().is_scalar() || abbreviated(left.name())) {
+    return false;
+  }
+  const Lookup<Ball> zero = [](const std::string&) { return Ball(0); };
+  return !derived<Ball>(left.name(), zero);
+}
+
+// Whether it differentiates symbols that stand for a motion.
+bool differentiates_motion(const Term& term) {
+  return (term.op() == Op::derivative && !depends_on(term, "t")) ||
+         std::any_of(term.arguments().begin(), term.arguments().end(), differentiates_motion);
+}
+
+bool can_be_evaluated(const Statement& statement) {
+  const auto has_value = [](const Term& side) { return is_in_field(side) && !differentiates_motion(side); };
+  return has_value(statement.left) && has_value(statement.right) && !introduces_name(statement);
+}
+
+// Which equations that the claim assumes keep its statements from being identities.
+std::string conditions(const Claim& claim, const Outcome& outcome) {
+  std::string ids;
+  for (const Assumption& assumption : claim.assumptions) {
+    if (outcome.assumed.contains(assumption.id) && is_condition(assumption)) {
+      ids += (ids.empty() ? "" : ", ") + assumption.id;
+    }
+  }
+  return ids;
+}
+
+std::vector<Decided> formulas(const Claim& claim, const Outcome& outcome, bool with_printed) {
+  std::vector<Decided> result;
+  std::copy_if(outcome.decided.begin(), outcome.decided.end(), std::back_inserter(result),
+               [&](const Decided& one) { return one.truth == outcome.verdict.truth; });
+  if (with_printed && outcome.verdict.truth == Truth::proved) {
+    for (const Statement& printed : claim.printed) {
+      const bool done = std::any_of(result.begin(), result.end(), [&](const Decided& one) {
+        return one.statement && equal(*one.statement, printed);
+      });
+      if (!done && printed.relation == Relation::equal && can_be_evaluated(printed)) {
+        result.push_back({printed, {}, {}, Truth::proved});
+      }
+    }
+  }
+  return result;
+}
+
+bool all_identities(Prover& prover, const std::set<std::string>& claims) {
+  return std::all_of(claims.begin(), claims.end(), [&](const std::string& id) {
+    const Record& premise = prover.prove(id);
+    return final_outcome(premise).cross_check.identity;
+  });
+}
+
+// At that many points where what the claim rests on holds, what it prints holds, too. Where some of that
+// could not be evaluated, what is printed may fail.
+int confirmed_at_premises(Prover& prover, const Claim& claim, const Outcome& outcome) {
+  const Premises premises = premises_of(prover, claim, outcome);
+  int confirmed = 0;
+  for (const PremisePoint& point : premise_points(premises, points_at_premises)) {
+    bool all_hold = true;
+    for (const Statement& printed : claim.printed) {
+      try {
+        if (premises.left_out.empty() && point.contradicts(printed)) {
+          Disagreement{claim}(text(printed) + " is called proved and fails where all that it rests on holds");
+        }
+        all_hold = all_hold && point.confirms(printed);
+      } catch (const NoValue&) {
+        all_hold = false;
+      }
+    }
+    confirmed += all_hold ? 1 : 0;
+  }
+  return confirmed;
+}
+
+}  // namespace
+
+bool fails_at(const Claim& claim, const Statement& statement, const Witness& witness) {
+  return fails_at(claim, {statement, {}, {}, Truth::refuted}, witness);
+}
+
+CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcome) {
+  CrossCheck result;
+  const bool proved = outcome.verdict.truth == Truth::proved;
+  const std::string assumed = conditions(claim, outcome);
+  const bool evaluable = std::all_of(claim.printed.begin(), claim.printed.end(), can_be_evaluated);
+  const bool unconditional =
+      assumed.empty() && !outcome.introduces_names && all_identities(prover, outcome.uses);
+  result.identity = unconditional && evaluable && !claim.printed.empty() && proved;
+  const std::vector<Decided> all = formulas(claim, outcome, unconditional);
+  result.formulas = static_cast<int>(all.size());
+  if (all.empty()) {
+    if (proved && !outcome.introduces_names && !claim.printed.empty()) {
+      result.premise_points = confirmed_at_premises(prover, claim, outcome);
+    }
+    if (result.premise_points > 0) {
+      result.formulas = static_cast<int>(claim.printed.size());
+    } else {
+      result.unchecked = !proved                    ? "the witness itself was found in balls"
+                         : outcome.introduces_names ? "it introduces names"
+                         : claim.printed.empty()    ? "there is no formula to evaluate"
+                         : assumed.empty()          ? "no point is known where its premises hold"
+                                           : "no point is known where its premises hold, and " + assumed;
+    }
+    return result;
+  }
+  try {
+    result.exact_points = confirmed_exactly(claim, all);
+  } catch (const NoExactValue& reason) {
+    result.unchecked = reason.what();
+  }
+  result.ball_points = proved ? confirmed_in_balls(claim, all)
+                              : confirmed_at_witness(claim, all, outcome.verdict.witness.value());
+  return result;
+}
+
+}  // namespace stickslip::proofs::checks

@@ -1,0 +1,241 @@
+#include "proofs/checks/mutants.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/error.hpp"
+#include "proofs/checks/premise_point.hpp"
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/prover.hpp"
+
+namespace stickslip::proofs::checks {
+
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+// A wrong inequality may still hold at most points.
+constexpr std::size_t points_for_equations = 2, points_for_inequalities = 40;
+
+// A claim that is proved, and what it takes to put another statement to its proof.
+struct Subject {
+  Prover& prover;
+  const Record& record;
+  std::vector<PremisePoint> points = {};
+
+  [[nodiscard]] const std::vector<Statement>& form() const { return proved_form(record); }
+
+  // Throws what the proof throws.
+  [[nodiscard]] Verdict verdict_on(std::size_t which, const Statement& statement) const {
+    Claim changed = record.claim;
+    changed.printed = form();
+    changed.printed[which] = statement;
+    const bool corrected = record.corrected && changed.prove_corrected;
+    return (corrected ? changed.prove_corrected : changed.prove)(prover, changed).verdict;
+  }
+
+  [[nodiscard]] bool contradicted(const Statement& statement) const {
+    for (const PremisePoint& point : points) {
+      if (point.contradicts(statement)) {
+        return true;
+      }
+    }
+    return false;
+  }
+  // At no point it has a value.
+  [[nodiscard]] bool has_no_value(const Statement& statement) const {
+    for (const PremisePoint& point : points) {
+      if (point.evaluates(statement)) {
+        return false;
+      }
+    }
+    return !points.empty();
+  }
+};
+
+// Whether all that is printed has values there, and comes out.
+bool shows(const PremisePoint& point, const std::vector<Statement>& printed) {
+  try {
+    return std::all_of(printed.begin(), printed.end(), [&](const Statement& statement) {
+      return point.confirms(statement) && point.evaluates(statement);
+    });
+  } catch (const NoValue&) {
+    return false;
+  }
+}
+
+std::optional<Subject> subject(Prover& prover, const Claim& claim) {
+  const bool formula = claim.kind != Kind::model && claim.kind != Kind::numbers && !claim.printed.empty();
+  if (!formula) {
+    return std::nullopt;
+  }
+  const Record& record = prover.prove(claim.id);
+  const Outcome& outcome = final_outcome(record);
+  if (outcome.verdict.truth != Truth::proved || outcome.introduces_names) {
+    return std::nullopt;
+  }
+  const std::vector<Statement>& form = proved_form(record);
+  const bool equations = std::all_of(form.begin(), form.end(), [](const Statement& statement) {
+    return statement.relation == Relation::equal;
+  });
+  Subject result{prover, record,
+                 premise_points(premises_of(prover, record.claim, outcome),
+                                equations ? points_for_equations : points_for_inequalities)};
+  std::erase_if(result.points, [&](const PremisePoint& point) { return !shows(point, result.form()); });
+  return result;
+}
+
+struct Judgement {
+  Fate fate = Fate::survived;
+  std::string reason;
+};
+
+const char * const fails_there = "it fails where all that the claim rests on holds";
+
+// Whether both sides are those of the statement as it is printed, by normal form, or each other.
+bool says_the_same(const Subject& subject, std::size_t which, const Statement& statement) {
+  const auto same = [&](const Term& a, const Term& b) {
+    Outcome outcome;
+    if (!equal(a, b) && is_in_field(a) && is_in_field(b) && a.shape() == b.shape()) {
+      decide(outcome, subject.record.claim, equation(a, b));
+    }
+    return equal(a, b) || outcome.verdict.truth == Truth::proved;
+  };
+  const Statement& printed = subject.form()[which];
+  return equal(statement.left, statement.right) ||
+         (same(statement.left, printed.left) && same(statement.right, printed.right));
+}
+
+bool is_printed_too(const Subject& subject, const Statement& statement) {
+  return std::any_of(subject.form().begin(), subject.form().end(),
+                     [&](const Statement& printed) { return equal(printed, statement); });
+}
+
+Judgement judge_proved(const Subject& subject, std::size_t which, const Statement& statement) {
+  if (subject.contradicted(statement)) {
+    return {Fate::survived, "proved, although " + std::string(fails_there)};
+  }
+  if (is_printed_too(subject, statement)) {
+    return {Fate::true_too, "the claim prints it, too"};
+  }
+  if (says_the_same(subject, which, statement)) {
+    return {Fate::true_too, "its sides have the normal forms of those printed, or are equal"};
+  }
+  if (subject.points.empty()) {
+    return {Fate::survived, "proved, and there is no point where it could be evaluated"};
+  }
+  return {Fate::true_too, "proved, and it holds at the points tried where all that the claim rests on holds"};
+}
+
+Judgement judge(const Subject& subject, std::size_t which, const Statement& statement) {
+  bool wrong = false;
+  try {
+    wrong = subject.contradicted(statement);
+    if (!wrong && subject.has_no_value(statement)) {
+      return {Fate::meaningless, "it has no value where all that the claim rests on holds"};
+    }
+  } catch (const NoValue& error) {
+    return {Fate::meaningless, error.what()};
+  }
+  try {
+    const Verdict verdict = subject.verdict_on(which, statement);
+    if (verdict.truth == Truth::proved) {
+      return judge_proved(subject, which, statement);
+    }
+    const bool refuted = wrong || verdict.truth == Truth::refuted;
+    return {refuted ? Fate::refuted : Fate::unproved, wrong ? fails_there : verdict.reason};
+  } catch (const GiNaC::pole_error& error) {
+    return {Fate::meaningless, error.what()};
+  } catch (const InternalError& error) {  // the proof does not take such a statement
+    return {wrong ? Fate::refuted : Fate::unproved, error.what()};
+  }
+}
+
+// Whether the statement is drawn.
+bool is_drawn(const Sampling& sampling, const std::string& id, const Statement& statement) {
+  if (sampling.one_in <= 1) {
+    return true;
+  }
+  unsigned hash = 2166136261U ^ sampling.seed;
+  for (const char c : id + text(statement)) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  }
+  return (hash >> 8U) % sampling.one_in == 0;
+}
+
+// Calls `look` for every statement drawn that `edited` makes from what the claim prints.
+void for_each(const Subject& subject, const Sampling& sampling, std::vector<Edit> (*edited)(const Statement&),
+              const std::function<void(std::size_t, const Edit&)>& look) {
+  for (std::size_t i = 0; i < subject.form().size(); ++i) {
+    for (const Edit& edit : edited(subject.form()[i])) {
+      if (is_drawn(sampling, subject.record.claim.id, edit.statement)) {
+        look(i, edit);
+      }
+    }
+  }
+}
+
+Verdict verdict_on_twin(const Subject& subject, std::size_t which, const Statement& statement) {
+  try {
+    return subject.verdict_on(which, statement);
+  } catch (const InternalError& error) {
+    return Verdict::undecided(error.what());
+  }
+}
+
+void add_subject(Gate& gate, const Subject& subject) {
+  const Claim& claim = subject.record.claim;
+  for_each(subject, gate.sampling, edits, [&](std::size_t which, const Edit& edit) {
+    const Judgement found = judge(subject, which, edit.statement);
+    gate.mutants.push_back(
+        {claim.id, claim.place, edit.kind, text(edit.statement), found.fate, found.reason});
+  });
+  for_each(subject, gate.sampling, rewritings, [&](std::size_t which, const Edit& edit) {
+    gate.twins.push_back({claim.id, claim.place, edit.kind, text(edit.statement),
+                          verdict_on_twin(subject, which, edit.statement)});
+  });
+}
+
+}  // namespace
+
+const std::vector<Fate>& fates() {
+  static const std::vector<Fate> all{Fate::refuted, Fate::unproved, Fate::meaningless, Fate::true_too,
+                                     Fate::survived};
+  return all;
+}
+
+std::string to_string(Fate fate) {
+  switch (fate) {
+    case Fate::refuted:
+      return "refuted";
+    case Fate::unproved:
+      return "unproved";
+    case Fate::meaningless:
+      return "meaningless";
+    case Fate::true_too:
+      return "true_too";
+    case Fate::survived:
+      return "survived";
+  }
+  return {};
+}
+
+Gate mutant_gate(const std::vector<Claim>& claims, const std::set<std::string>& ids, const Sampling& sampling,
+                 const Progress& progress) {
+  Gate gate{sampling, {}, {}};
+  Prover prover(claims);
+  std::size_t done = 0;
+  for (const Claim& claim : claims) {
+    progress(claim.id, done++, claims.size());
+    if (!ids.empty() && !ids.contains(claim.id)) {
+      continue;
+    }
+    if (const auto one = subject(prover, claim)) {
+      add_subject(gate, *one);
+    }
+  }
+  return gate;
+}
+
+}  // namespace stickslip::proofs::checks

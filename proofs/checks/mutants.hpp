@@ -1,0 +1,58 @@
+// Wrong statements on purpose: every single edit of every statement that is proved, put to the claim's own
+// proof. None may come out as proved, unless it is true.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/checks/edits.hpp"
+#include "proofs/methods/claim.hpp"
+#include "proofs/methods/progress.hpp"
+
+namespace stickslip::proofs::checks {
+
+enum class Fate {
+  refuted,      // it fails where all that the claim rests on holds, in balls
+  unproved,     // the proof does not go through, with the reason; no such point was found
+  meaningless,  // it does not evaluate: it divides by zero, or has no value in the model
+  true_too,     // proved, and a normal form or the points tried agree: no mutant but another truth
+  survived,     // proved, and nothing says that it is true
+};
+[[nodiscard]] const std::vector<Fate>& fates();
+[[nodiscard]] std::string to_string(Fate fate);
+
+struct Mutant {
+  std::string claim, place;
+  EditKind kind = EditKind::sign;
+  std::string statement;  // as plain text, with the edit made
+  Fate fate = Fate::survived;
+  std::string reason;
+};
+
+// A statement written another way, at the place and for the kind of an edit: x^2 as x x, T as T/2 + T/2.
+struct Twin {
+  std::string claim, place;
+  EditKind kind = EditKind::sign;
+  std::string statement;
+  Verdict verdict;  // of the claim's own proof: proved, unless that takes a statement word for word
+};
+
+struct Sampling {
+  unsigned seed = 0;
+  unsigned one_in = 1;  // of so many statements one is drawn; 1 takes all
+};
+
+// The mutants and twins that were drawn, in the paper's order.
+struct Gate {
+  Sampling sampling;
+  std::vector<Mutant> mutants;
+  std::vector<Twin> twins;
+};
+
+// Of the claims with these ids (all if there are none). Claims that are not proved, are no formulas or
+// introduce names have neither mutants nor twins. Each mutant is put to the claim's own proof, the other
+// claims being as they are, and evaluated where all holds that the claim rests on (premise_point.hpp).
+[[nodiscard]] Gate mutant_gate(const std::vector<methods::Claim>& claims, const std::set<std::string>& ids,
+                               const Sampling& sampling, const methods::Progress& progress);
+
+}  // namespace stickslip::proofs::checks

@@ -1,0 +1,257 @@
+#include "proofs/checks/premise_point.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "proofs/symbols/sample.hpp"
+#include "symbolic/algebra/evaluate.hpp"
+
+namespace stickslip::proofs::checks {
+
+using namespace numeric::scalars;
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+constexpr long bits = 256;
+
+// What makes the load fit a motion that closes, where equations in the states alone cannot: it closes after
+// Theta (28), lags behind a slip of length tau (16), turns half way in each of two equal phases (67); or load
+// and modes make whole turns in tau.
+const std::vector<Replacements>& ways_to_close() {
+  static const std::vector<Replacements> all = [] {
+    const Term omega = scalar("omega"), tau = scalar("tau"), Theta = scalar("Theta");
+    return std::vector<Replacements>{
+        {},
+        {{"omega", 2 * pi() / Theta}},
+        {{"phi", (pi() - omega * tau) / 2}},
+        {{"omega", pi() / tau}, {"tau1", tau}},
+        {{"omega1", 2 * pi() / tau}, {"omega", 4 * pi() / tau}, {"omega2", 6 * pi() / tau}}};
+  }();
+  return all;
+}
+
+using Column = std::vector<Ball>;
+
+Ball size_of(const Ball& x) {
+  return abs(x.midpoint());
+}
+
+// A solution of A u + constant = 0 by elimination, the unknowns that it leaves open from `open`.
+Column solution(std::vector<Column> A, Column constant, const Column& open) {
+  const std::size_t rows = constant.size(), columns = open.size();
+  std::vector<std::size_t> pivot_of(columns, rows);
+  std::size_t next = 0;
+  for (std::size_t column = 0; column < columns && next < rows; ++column) {
+    std::size_t best = next;
+    for (std::size_t row = next; row < rows; ++row) {
+      best = (size_of(A[row][column]) - size_of(A[best][column])).is_positive() ? row : best;
+    }
+    if (!A[best][column].is_nonzero()) {
+      continue;
+    }
+    std::swap(A[best], A[next]);
+    std::swap(constant[best], constant[next]);
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (row == next) {
+        continue;
+      }
+      const Ball factor = A[row][column] / A[next][column];
+      for (std::size_t k = 0; k < columns; ++k) {
+        A[row][k] -= factor * A[next][k];
+      }
+      A[row][column] = Ball(0);
+      constant[row] -= factor * constant[next];
+    }
+    pivot_of[column] = next++;
+  }
+  Column u = open;
+  for (std::size_t column = 0; column < columns; ++column) {
+    if (pivot_of[column] == rows) {
+      continue;
+    }
+    Ball value = constant[pivot_of[column]];
+    for (std::size_t k = 0; k < columns; ++k) {
+      if (pivot_of[k] == rows) {
+        value += A[pivot_of[column]][k] * open[k];
+      }
+    }
+    u[column] = -value / A[pivot_of[column]][column];
+  }
+  return u;
+}
+
+bool is_small(const Ball& x) {
+  return x.is_finite() && (x.radius() * Ball(1L << 40) - Ball(1) - abs(x)).is_negative();
+}
+
+}  // namespace
+
+struct PremisePoint::Point {
+  Premises premises;
+  ExactPoint numbers;
+  std::map<std::string, Ball> solved;
+
+  Point(Premises all, unsigned seed) : premises(std::move(all)), numbers(seed) {}
+
+  [[nodiscard]] Ball free(const std::string& name) const {
+    const auto found = solved.find(name);
+    return found != solved.end() ? found->second
+           : name == "pi"        ? Ball::pi()
+                                 : Ball(numbers.symbol(name).value());
+  }
+  [[nodiscard]] Value<Ball> value(const Term& side, const Term& other) const {
+    if (side.is_zero()) {
+      return Value<Ball>::Constant(other.shape().rows, other.shape().columns, Ball(0));
+    }
+    Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
+    return evaluate<Ball>(side, at.lookup());
+  }
+  // For a state of either sign, the others positive.
+  [[nodiscard]] Rational any_sign(const std::string& name) const {
+    const Rational value = numbers.symbol(name).value();
+    return name.starts_with("z") ? Rational(value - numbers.symbol(name + " less").value()) : value;
+  }
+  // Left less right, entry by entry.
+  [[nodiscard]] Column difference(const Statement& statement) const {
+    const Value<Ball> d = value(statement.left, statement.right) - value(statement.right, statement.left);
+    return {d.data(), d.data() + d.size()};
+  }
+  [[nodiscard]] Column residuals(const Column& u) {
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      solved.insert_or_assign(solved_for()[i], u[i]);
+    }
+    Column all;
+    for (const Statement& statement : premises.equations) {
+      const Column d = difference(statement);
+      all.insert(all.end(), d.begin(), d.end());
+    }
+    return all;
+  }
+
+  // Solves the equations; whether that came out.
+  [[nodiscard]] bool solve() {
+    Column open(solved_for().size(), Ball(0));
+    const Column constant = residuals(open);
+    std::vector<Column> A(constant.size(), open);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Column unit(open.size(), Ball(0));
+      unit[i] = Ball(1);
+      const Column value = residuals(unit);
+      for (std::size_t row = 0; row < constant.size(); ++row) {
+        A[row][i] = value[row] - constant[row];
+      }
+    }
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      open[i] = Ball(any_sign(solved_for()[i]));
+    }
+    const Column left = residuals(solution(A, constant, open));
+    return std::all_of(left.begin(), left.end(),
+                       [](const Ball& x) { return x.contains_zero() && is_small(x); });
+  }
+
+  [[nodiscard]] bool holds(const Statement& statement) const {
+    const Column d = difference(premises.with_motions(statement));
+    return std::all_of(d.begin(), d.end(), [&](const Ball& x) {
+      switch (statement.relation) {
+        case Relation::equal:
+          return x.contains_zero() && is_small(x);
+        case Relation::not_equal:
+          return x.is_nonzero();
+        case Relation::less:
+          return x.is_negative();
+        case Relation::less_or_equal:
+          return !x.is_positive() && is_small(x);
+        case Relation::greater:
+          return x.is_positive();
+        case Relation::greater_or_equal:
+          return !x.is_negative() && is_small(x);
+      }
+      return false;
+    });
+  }
+  [[nodiscard]] bool fails(const Statement& statement) const {
+    const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
+    if (strict && equal(statement.left, statement.right)) {
+      return true;
+    }
+    const Column d = difference(premises.with_motions(statement));
+    return std::any_of(d.begin(), d.end(), [&](const Ball& x) {
+      switch (statement.relation) {
+        case Relation::equal:
+          return x.is_nonzero();
+        case Relation::not_equal:
+          return x.is_exact() && !x.is_nonzero();
+        case Relation::less:
+        case Relation::less_or_equal:
+          return x.is_positive();
+        case Relation::greater:
+        case Relation::greater_or_equal:
+          return x.is_negative();
+      }
+      return false;
+    });
+  }
+  [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
+    Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
+    symbolic::algebra::BallValues values;
+    for (const GiNaC::ex& symbol : symbolic::algebra::symbols_of(hypothesis.nonzero)) {
+      values[symbol] = at(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
+    }
+    return symbolic::algebra::evaluate(hypothesis.nonzero, values).is_nonzero();
+  }
+  // Whether the inequalities hold, and no hypothesis vanishes.
+  [[nodiscard]] bool is_admissible() const {
+    return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
+                       [this](const Statement& statement) { return holds(statement); }) &&
+           std::all_of(premises.hypotheses.begin(), premises.hypotheses.end(),
+                       [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });
+  }
+};
+
+std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t wanted) {
+  const auto draws = static_cast<unsigned>(50 * wanted);
+  constexpr unsigned draws_without_solution = 3;
+  const WorkingPrecision precision(bits);
+  std::vector<PremisePoint> found;
+  for (const Replacements& way : ways_to_close()) {
+    const auto closed = premises.with(way);
+    if (!closed || !closed->consistent) {
+      continue;
+    }
+    const std::size_t enough = found.size() + wanted;
+    unsigned unsolved = 0;
+    for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < draws_without_solution;
+         ++seed) {
+      const auto point = std::make_shared<PremisePoint::Point>(*closed, seed);
+      if (!point->solve()) {
+        ++unsolved;
+      } else if (point->is_admissible()) {
+        found.push_back(PremisePoint(point));
+      }
+    }
+    if (way.empty() && !found.empty()) {
+      break;
+    }
+  }
+  return found;
+}
+
+bool PremisePoint::confirms(const Statement& statement) const {
+  const WorkingPrecision precision(bits);
+  return point_->holds(statement);
+}
+
+bool PremisePoint::contradicts(const Statement& statement) const {
+  const WorkingPrecision precision(bits);
+  return point_->fails(statement);
+}
+
+bool PremisePoint::evaluates(const Statement& statement) const {
+  const WorkingPrecision precision(bits);
+  const Column d = point_->difference(point_->premises.with_motions(statement));
+  return std::all_of(d.begin(), d.end(), is_small);
+}
+
+}  // namespace stickslip::proofs::checks

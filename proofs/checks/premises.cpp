@@ -1,0 +1,151 @@
+#include "proofs/checks/premises.hpp"
+
+#include <algorithm>
+
+#include "proofs/methods/deciding.hpp"
+#include "proofs/symbols/abbreviations.hpp"
+#include "proofs/symbols/derived.hpp"
+
+namespace stickslip::proofs::checks {
+
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+bool is_solved_for(const std::string& name) {
+  return std::find(solved_for().begin(), solved_for().end(), name) != solved_for().end();
+}
+
+// A name whose value may be put in: no unknown, nothing that the model's formulas are made of or give.
+bool is_name(const Term& term) {
+  static const std::vector<std::string> parameters{"omega", "omega1", "omega2", "p"};
+  const std::string& name = term.name();
+  const Lookup<Ball> one = [](const std::string&) { return Ball(1); };
+  return term.op() == Op::symbol && term.shape().is_scalar() && !is_solved_for(name) && !abbreviated(name) &&
+         std::find(parameters.begin(), parameters.end(), name) == parameters.end() &&
+         !derived<Ball>(name, one);
+}
+
+// Whether it is made of what has a value and of the motion Z.
+bool in_terms_of_Z(const Term& term) {
+  return (term.op() == Op::function && term.name() == "Z") || is_in_field(term) ||
+         (!term.arguments().empty() && term.op() != Op::function &&
+          std::all_of(term.arguments().begin(), term.arguments().end(), in_terms_of_Z));
+}
+
+// The term with the motions put in.
+Term with_motions(const Premises& premises, const Term& term) {
+  std::vector<Term> arguments;
+  for (const Term& argument : term.arguments()) {
+    arguments.push_back(with_motions(premises, argument));
+  }
+  const auto& motions = premises.motions;
+  const auto motion = term.op() == Op::function ? motions.find(term.name()) : motions.end();
+  if (motion != motions.end()) {
+    return substitute(with_motions(premises, motion->second), {{"t", arguments.front()}});
+  }
+  return arguments.empty() ? term : term.with_arguments(std::move(arguments));
+}
+
+void add_value(Premises& premises, const Statement& statement) {
+  const auto [known, fresh] = premises.values.emplace(statement.left.name(), statement.right);
+  if (!fresh && !equal(known->second, statement.right)) {
+    premises.equations.push_back(statement);
+  }
+}
+
+void add(Premises& premises, const Statement& statement) {
+  const Term& left = statement.left;
+  const bool equation = statement.relation == Relation::equal;
+  const bool of_time = left.op() == Op::function && left.arguments().front().op() == Op::symbol &&
+                       left.arguments().front().name() == "t" && !is_in_field(left) &&
+                       (left.name() == "Z" ? is_in_field(statement.right) : in_terms_of_Z(statement.right));
+  if (equation && of_time) {
+    const auto [known, fresh] = premises.motions.emplace(left.name(), statement.right);
+    premises.consistent = premises.consistent && (fresh || equal(known->second, statement.right));
+  } else if (equation && is_name(left)) {
+    add_value(premises, statement);
+  } else {
+    (equation ? premises.equations : premises.inequalities).push_back(statement);
+  }
+}
+
+// Puts the motions in, and sorts out what has no value.
+void finish(Premises& premises, std::vector<Statement>& statements) {
+  const auto evaluable = [](const Term& term) {
+    return is_in_field(term.name() == "abs" ? term.arguments().front() : term);
+  };
+  std::vector<Statement> kept;
+  for (const Statement& statement : statements) {
+    const Statement meant = premises.with_motions(statement);
+    (evaluable(meant.left) && evaluable(meant.right) ? kept : premises.left_out).push_back(meant);
+  }
+  statements = std::move(kept);
+}
+
+// Whether the value of the term, with all values put in, changes with the symbol.
+bool reaches(const Replacements& values, const Term& term, const std::string& name) {
+  return depends_on(term, name) || std::any_of(values.begin(), values.end(), [&](const auto& value) {
+           return depends_on(term, value.first) && reaches(values, value.second, name);
+         });
+}
+
+}  // namespace
+
+// The states first: they are solved for before what the friction does.
+const std::vector<std::string>& solved_for() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const char * where : {"C", "B", "0"}) {
+      for (const char * what : {"z1", "z2", "zdot1", "zdot2"}) {
+        result.push_back(std::string(what) + where);
+      }
+    }
+    for (int i = 1; i <= 5; ++i) {
+      result.push_back(coefficient('d', i).name());
+    }
+    result.insert(result.end(), {"xddot1", "xddot2", "V", "ur", "us", "u"});
+    return result;
+  }();
+  return names;
+}
+
+Statement Premises::with_motions(const Statement& statement) const {
+  return {checks::with_motions(*this, statement.left), checks::with_motions(*this, statement.right),
+          statement.relation};
+}
+
+std::optional<Premises> Premises::with(const Replacements& further) const {
+  Premises result = *this;
+  for (const auto& [name, value] : further) {
+    if (values.contains(name) || reaches(values, value, name)) {
+      return std::nullopt;
+    }
+    result.values.emplace(name, value);
+  }
+  return result;
+}
+
+Premises premises_of(Prover& prover, const Claim& claim, const Outcome& outcome) {
+  Premises result;
+  result.hypotheses = outcome.hypotheses;
+  for (const Assumption& assumption : claim.assumptions) {
+    const bool is_value = is_substitution(assumption) && !is_solved_for(assumption.statement.left.name());
+    is_value ? add_value(result, assumption.statement) : add(result, assumption.statement);
+  }
+  for (const std::string& used : outcome.uses) {
+    const Record& premise = prover.prove(used);
+    const Outcome& proved = final_outcome(premise);
+    if (!proved.cross_check.identity) {
+      for (const Statement& statement : proved_form(premise)) {
+        add(result, statement);
+      }
+    }
+  }
+  finish(result, result.equations);
+  finish(result, result.inequalities);
+  return result;
+}
+
+}  // namespace stickslip::proofs::checks

@@ -1,0 +1,148 @@
+// Claims are data; verdicts are computed by their proofs, statuses from verdicts.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/verdict.hpp"
+#include "proofs/symbols/term.hpp"
+#include "symbolic/algebra/decide.hpp"
+
+namespace stickslip::proofs::methods {
+
+// The paper's kinds of statement; and a check in floating point, which proves nothing.
+enum class Kind { definition, model, identity, step, theorem, condition, numbers, check };
+
+[[nodiscard]] std::string to_string(Kind kind);
+
+// Something that is taken for granted by the statement itself: "(13)" and its equation.
+struct Assumption {
+  std::string id;
+  symbols::Statement statement;
+};
+
+// Something that a proof divided by: it holds where this is not zero.
+struct Hypothesis {
+  GiNaC::ex nonzero;   // what must not vanish
+  std::string text;    // "omega - omega1 != 0"
+  std::string latex;   // the same
+  std::string origin;  // the id of the claim whose proof divided by it
+};
+
+// One printed value against the proved one.
+struct Comparison {
+  std::string name;     // "tau"
+  std::string latex;    // its LaTeX name
+  std::string printed;  // as printed
+  BallText proved;
+  BallText units_off;  // (proved - printed) in units of the last place
+  Verdict verdict;     // proved: the printed value is the correctly rounded one
+};
+
+// An equation that a proof had decided by normal form, with what the claim assumes to be "symbol = value" put
+// in: in terms, or two matrices that it derived.
+struct Decided {
+  std::optional<symbols::Statement> statement;
+  symbolic::algebra::Matrix left, right;
+  Truth truth = Truth::undecided;
+};
+
+// How two further engines looked at a verdict (cross_check.hpp).
+struct CrossCheck {
+  int formulas = 0;        // that were evaluated
+  int exact_points = 0;    // rational points at which each of them agrees exactly
+  int ball_points = 0;     // real points at which each of them agrees in balls
+  int premise_points = 0;  // real points where what the claim rests on holds, and what it prints, in balls
+  std::string unchecked = {};  // why there is nothing to evaluate
+  bool identity = false;       // what is printed holds for all values of the symbols that have no value given
+};
+
+// What a proof found out.
+struct Outcome {
+  Verdict verdict = {};
+  std::string route = {};                   // how, in one sentence
+  std::vector<Hypothesis> hypotheses = {};  // beyond those the paper states
+  std::set<std::string> uses = {};          // ids of the claims that the proof took as premises
+  std::set<std::string> assumed = {};       // ids of the claim's own assumptions that the proof needed
+  std::vector<std::string> free = {};       // symbols (plain names) for all of whose values it was proved
+  std::vector<Coordinate> at = {};          // the data at which it was proved; empty: for all
+  std::vector<Comparison> comparisons = {};
+  // For premises that were used with symbols replaced or under assumptions of the claim's own: their
+  // hypotheses as they read here, by id of the premise.
+  std::map<std::string, std::vector<Hypothesis>> inherited = {};
+  std::vector<Decided> decided = {};  // in the order in which the proof asked
+  bool introduces_names = false;      // the printed left sides are names without another meaning
+  CrossCheck cross_check = {};        // filled in by the Prover
+};
+
+class Prover;
+struct Claim;
+using Proof = std::function<Outcome(Prover&, const Claim&)>;
+
+struct Claim {
+  std::string id;     // "44.H": permanent
+  std::string place;  // "sec3", "A1"
+  Kind kind = Kind::step;
+  std::vector<symbols::Statement> printed = {};  // as printed: all of them are claimed
+  std::string words = {};                        // one plain sentence: what it says
+  std::vector<Assumption> assumptions = {};      // "if", as the paper states it
+  Proof prove = {};                              // none for a model equation
+  // The other direction, where the paper presents what it deduces as equivalent: the premises from the
+  // printed.
+  Proof prove_converse = {};
+  // What the source has lost of the printed form, which is then a reading that the proof has to justify.
+  std::string illegible = {};
+  // If the printed form fails: the reading that the derivation supports, and its proof.
+  std::vector<symbols::Statement> corrected = {};
+  Proof prove_corrected = {};
+};
+
+// Computed, never typed.
+enum class Status {
+  as_printed,                // proved as it stands
+  needs_hypotheses,          // proved where something nonzero that the paper does not mention is nonzero
+  misprint_corrected,        // refuted as printed, the corrected form proved
+  digits_off,                // a printed number is not the correctly rounded one
+  necessary_not_sufficient,  // follows, but does not give back what it was deduced from
+  refuted,
+  undecided,
+  rests_on_unproved,  // proved, but something that it uses is not
+  model,              // an equation of the model: taken as given
+  checked,            // a check in floating point that agrees
+};
+
+[[nodiscard]] std::string to_string(Status status);
+// Whether the word is what to_string gives for some status.
+[[nodiscard]] bool is_status(const std::string& word);
+[[nodiscard]] std::string describe(Status status);
+
+// An edit of a refuted statement that makes it a theorem.
+struct Repair {
+  std::string what;  // "sign of H2(t)*H3(t)"
+  symbols::Statement statement;
+};
+
+struct Record {
+  Claim claim;                       // where no corrected form was given, the one found
+  Outcome outcome;                   // of the statement as printed
+  std::optional<Outcome> corrected;  // of the corrected form, where there is one and it was needed
+  Status status = Status::undecided;
+  std::set<std::string> used_by;
+  std::optional<Outcome> converse = {};
+  std::vector<Repair> repairs = {};  // all single edits that are proved
+};
+
+// Records in the paper's order.
+struct Audit {
+  std::vector<Record> records;
+};
+
+// Proves the claims with these ids (all of them if `ids` is empty) and whatever they use; the records are of
+// the ids asked for, in the paper's order. Throws InternalError if a proof uses itself or an unknown id.
+[[nodiscard]] Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids = {});
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,51 @@
+// What the methods of proof share: statements evaluated under a claim's assumptions, decided by normal form,
+// and everything that took recorded in an outcome.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "proofs/methods/claim.hpp"
+#include "proofs/methods/methods.hpp"
+#include "proofs/symbols/meaning.hpp"
+#include "symbolic/algebra/decide.hpp"
+
+namespace stickslip::proofs::methods {
+
+// An assumption of the form "scalar = value", which is put in wherever the scalar stands.
+[[nodiscard]] bool is_substitution(const Assumption& assumption);
+
+// Whether the term changes with the symbol. F0 and R mention the load's phase without showing it.
+[[nodiscard]] bool depends_on(const symbols::Term& term, const std::string& name);
+
+// What the claim's assumptions give to scalars.
+struct Given {
+  std::map<std::string, symbols::Term> values;
+
+  explicit Given(const Claim& claim);
+  // Refers to this object, which has to outlive it.
+  [[nodiscard]] symbols::Lookup<GiNaC::ex> lookup() const;
+};
+
+// What a premise offers to the claim: the form that was proved, with symbols replaced. Throws InternalError
+// where the premise assumes something that the claim does not.
+[[nodiscard]] std::vector<symbols::Statement> statements_of(Prover& prover, const Claim& claim,
+                                                            const Premise& premise);
+
+// Adds a premise that was needed, and its hypotheses as they read with the premise's replacements and under
+// the claim's assumptions.
+void record_premise(Outcome& outcome, Prover& prover, const Claim& claim, const Premise& premise);
+
+// Adds the claim's substitutions that the term depends on, and the claims that define what it speaks of.
+void record_assumptions(Outcome& outcome, const Claim& claim, const symbols::Term& term);
+void record_definitions(Outcome& outcome, const Claim& claim, const symbols::Term& term);
+
+// Adds the hypothesis that the factor does not vanish, in terms of the parameters.
+void record_nonzero(Outcome& outcome, const Claim& claim, const GiNaC::ex& factor);
+
+// Sets the verdict on left = right and adds what that took to the outcome.
+void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matrix& left,
+            const symbolic::algebra::Matrix& right);
+void decide(Outcome& outcome, const Claim& claim, const symbols::Statement& statement);
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,80 @@
+// Methods of proof for statements that follow from others: equations as combinations of equations,
+// inequalities as positive combinations of inequalities, chains of claims.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/methods/methods.hpp"
+
+namespace stickslip::proofs::methods {
+
+// left * (difference of the sides of a premise's statement) * right; `statement` counts its statements from
+// 0.
+struct Multiple {
+  Premise premise;
+  std::size_t statement = 0;
+  symbols::Term left = 1;
+  symbols::Term right = 1;
+};
+
+// The difference of the sides of each printed equation is the given sum of multiples of premises,
+// identically. What the multiples divide by are hypotheses. One list per printed equation.
+[[nodiscard]] Proof by_combination(std::vector<std::vector<Multiple>> combinations);
+
+// A product that is positive: of a coefficient, and of the differences (larger minus smaller side) of
+// premises that are inequalities.
+struct Positive {
+  symbols::Term coefficient = 1;
+  std::vector<Multiple> factors = {};  // `left` and `right` are not used
+};
+
+// Why an inequality follows: the sum of `divisors`, times the difference of its sides, is the sum of
+// `positive` and of multiples of equations. Every sum is of at least one term; without divisors they are 1.
+struct Certificate {
+  std::vector<Positive> positive;
+  std::vector<Multiple> equations = {};
+  std::vector<Positive> divisors = {};
+};
+
+// Each printed inequality follows by its certificate, checked by normal form. Coefficients must be certain to
+// be positive on the domain, up to squares, whose zeros become hypotheses. An absolute value that is one side
+// of a strict inequality is done away with by squares; the other side must then be positive, as the premise
+// `positive_side` says.
+[[nodiscard]] Proof by_positive_combination(std::vector<Certificate> certificates,
+                                            std::optional<Premise> positive_side = {});
+
+// The printed equations hold identically once the premises, each of the form "symbol = value" (a vector gives
+// its components), are put in.
+[[nodiscard]] Proof by_putting_in(std::vector<Premise> premises);
+
+// The printed equations say "inverse(A) = B": A B = I and B A = I follow by rewriting.
+[[nodiscard]] Proof by_inverse(std::vector<Premise> premises);
+
+// The printed right side is the rate of change of the quantity (a function of the symbols on the left sides
+// of `motion`, whose rates of change stand on their right sides).
+[[nodiscard]] Proof by_rate_of_change(const symbols::Term& quantity, std::vector<symbols::Statement> motion);
+
+// The printed equation "variable = value" follows from cos(angle) = 0, which the assumption says, and lower <
+// variable < upper: the angle is linear in the variable, runs through whole or half turns at the ends, and
+// between them there is one zero of the cosine.
+[[nodiscard]] Proof by_zero_of_cosine(const symbols::Term& angle, const std::string& assumption,
+                                      const symbols::Term& lower, const symbols::Term& upper);
+
+// The printed left sides are names that have no other meaning, introduced here.
+[[nodiscard]] Proof by_definition();
+
+// At the point, where the symbols of `values` take the values given (in terms of one another and of the
+// point), every statement of `true_there` holds and none of `false_there` does, in balls; those of
+// `true_identically` hold by normal form for every point. A refutation of what says that the former imply one
+// of the latter.
+struct Counterexample {
+  std::vector<Coordinate> point;
+  std::vector<symbols::Statement> values = {};  // "symbol = value"
+  std::vector<symbols::Statement> true_identically = {};
+  std::vector<symbols::Statement> true_there = {};
+  std::vector<symbols::Statement> false_there;
+};
+[[nodiscard]] Proof by_counterexample(Counterexample example);
+
+}  // namespace stickslip::proofs::methods

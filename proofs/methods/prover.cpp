@@ -1,0 +1,269 @@
+#include "proofs/methods/prover.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "proofs/checks/cross_check.hpp"
+#include "proofs/checks/repair.hpp"
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/progress.hpp"
+#include "proofs/symbols/point.hpp"
+#include "symbolic/algebra/evaluate.hpp"
+#include "symbolic/algebra/hypotheses.hpp"
+#include "symbolic/algebra/signs.hpp"
+#include "symbolic/typeset/latex.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace checks;
+using namespace symbols;
+
+namespace {
+
+bool stands(Status status) {
+  return status == Status::as_printed || status == Status::needs_hypotheses ||
+         status == Status::misprint_corrected || status == Status::necessary_not_sufficient ||
+         status == Status::model;
+}
+
+Status status_of(const Record& record, bool premises_stand) {
+  if (record.claim.kind == Kind::model) {
+    return Status::model;
+  }
+  const bool repaired = record.corrected && record.corrected->verdict.truth == Truth::proved;
+  switch (record.outcome.verdict.truth) {
+    case Truth::proved:
+      if (!premises_stand) {
+        return Status::rests_on_unproved;
+      }
+      if (record.converse && record.converse->verdict.truth != Truth::proved) {
+        return record.converse->verdict.truth == Truth::refuted ? Status::necessary_not_sufficient
+                                                                : Status::undecided;
+      }
+      return record.outcome.hypotheses.empty() ? Status::as_printed : Status::needs_hypotheses;
+    case Truth::refuted:
+      if (record.claim.kind == Kind::numbers) {
+        return Status::digits_off;
+      }
+      return repaired && premises_stand ? Status::misprint_corrected : Status::refuted;
+    case Truth::out_of_domain:
+      return record.claim.kind == Kind::check ? Status::checked : Status::undecided;
+    case Truth::undecided:
+      break;
+  }
+  return Status::undecided;
+}
+
+Outcome taken_as_given() {
+  Outcome outcome;
+  outcome.verdict = Verdict::out_of_domain("an equation of the model, taken as given");
+  return outcome;
+}
+
+// The hypotheses that are not met at the data; all of them where the proof is for all data.
+std::vector<Hypothesis> open_at(std::vector<Hypothesis> hypotheses, const std::vector<Coordinate>& data) {
+  if (!data.empty()) {
+    std::erase_if(hypotheses, [&](const Hypothesis& hypothesis) {
+      return symbolic::algebra::evaluate(hypothesis.nonzero,
+                                         values_at(data, symbolic::algebra::symbols_of(hypothesis.nonzero)))
+          .is_nonzero();
+    });
+  }
+  return hypotheses;
+}
+
+// Whether the relation excludes that both sides are equal.
+bool keeps_apart(Relation relation) {
+  return relation == Relation::not_equal || relation == Relation::less || relation == Relation::greater;
+}
+
+// What a claim assumes not to be zero, with all that it assumes put in, and with each of its "symbol = value"
+// alone (Theta may be given both as tau + tau_1 and as 2 pi/omega).
+std::vector<GiNaC::ex> readings(const Claim& claim, const Term& nonzero) {
+  std::vector<GiNaC::ex> result{evaluate<GiNaC::ex>(nonzero, Given(claim).lookup())(0, 0)};
+  for (const Assumption& assumption : claim.assumptions) {
+    if (is_substitution(assumption)) {
+      const Replacements alone{{assumption.statement.left.name(), assumption.statement.right}};
+      result.push_back(evaluate<GiNaC::ex>(substitute(nonzero, alone), symbolically())(0, 0));
+    }
+  }
+  return result;
+}
+
+// Takes away the hypotheses that the claim itself states: where one fails, something is zero that the claim
+// assumes is not.
+void discharge_stated(Outcome& outcome, const Claim& claim) {
+  for (const Assumption& assumption : claim.assumptions) {
+    const Term nonzero = assumption.statement.left - assumption.statement.right;
+    if (outcome.hypotheses.empty() || !keeps_apart(assumption.statement.relation) || !is_in_field(nonzero)) {
+      continue;
+    }
+    const std::vector<GiNaC::ex> stated = readings(claim, nonzero);
+    const auto discharged = std::erase_if(outcome.hypotheses, [&](const Hypothesis& hypothesis) {
+      return std::any_of(stated.begin(), stated.end(), [&](const GiNaC::ex& one) {
+        return symbolic::algebra::vanishes_with(one, hypothesis.nonzero);
+      });
+    });
+    if (discharged > 0) {
+      outcome.assumed.insert(assumption.id);
+    }
+  }
+}
+
+// Takes away the hypotheses that another one contains, as sin(2x) != 0 contains sin(x) != 0.
+void keep_strongest(std::vector<Hypothesis>& hypotheses) {
+  const std::vector<Hypothesis> all = hypotheses;
+  std::erase_if(hypotheses, [&](const Hypothesis& weak) {
+    return std::any_of(all.begin(), all.end(), [&](const Hypothesis& strong) {
+      return strong.text != weak.text && symbolic::algebra::vanishes_with(strong.nonzero, weak.nonzero) &&
+             !symbolic::algebra::vanishes_with(weak.nonzero, strong.nonzero);
+    });
+  });
+}
+
+}  // namespace
+
+Prover::Prover(const std::vector<Claim>& claims) {
+  for (const Claim& claim : claims) {
+    if (!claims_.emplace(claim.id, &claim).second) {
+      throw InternalError("two claims have the id " + claim.id);
+    }
+  }
+}
+
+const Claim& Prover::claim(const std::string& id) const {
+  const auto found = claims_.find(id);
+  if (found == claims_.end()) {
+    throw InternalError("there is no claim " + id);
+  }
+  return *found->second;
+}
+
+const Record& Prover::prove(const std::string& id) {
+  if (const auto known = records_.find(id); known != records_.end()) {
+    return known->second;
+  }
+  if (std::find(under_way_.begin(), under_way_.end(), id) != under_way_.end()) {
+    throw InternalError(fmt::format("the proof of {} uses itself: {}", id, fmt::join(under_way_, " -> ")));
+  }
+  under_way_.push_back(id);
+  Record record{claim(id), {}, {}, {}, {}};
+  record.outcome = record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given();
+  if (record.outcome.verdict.truth == Truth::refuted && record.claim.prove_corrected) {
+    Claim reading = record.claim;
+    reading.printed = reading.corrected;
+    record.corrected = reading.prove_corrected(*this, reading);
+  } else if (record.outcome.verdict.truth == Truth::refuted && !record.claim.printed.empty()) {
+    repair(*this, record);
+  }
+  if (record.claim.prove_converse) {
+    record.converse = record.claim.prove_converse(*this, record.claim);
+  }
+  const bool premises_stand = inherit(record.corrected ? *record.corrected : record.outcome, record.claim) &&
+                              (!record.converse || inherit(*record.converse, record.claim));
+  confirm(record.outcome, record.claim, record.claim.printed);
+  if (record.corrected) {
+    confirm(*record.corrected, record.claim, record.claim.corrected);
+  }
+  if (record.converse) {
+    confirm(*record.converse, record.claim, {});
+  }
+  record.status = status_of(record, premises_stand);
+  under_way_.pop_back();
+  return records_.emplace(id, std::move(record)).first->second;
+}
+
+void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Statement>& form) {
+  const Truth truth = outcome.verdict.truth;
+  if (truth != Truth::proved && truth != Truth::refuted) {
+    outcome.cross_check.unchecked = "it is neither proved nor refuted";
+    return;
+  }
+  Claim reading = claim;
+  reading.printed = form;
+  outcome.cross_check = cross_check(*this, reading, outcome);
+}
+
+bool Prover::inherit(Outcome& outcome, const Claim& claim) {
+  bool all_stand = true;
+  for (const std::string& used : outcome.uses) {
+    const Record& premise = prove(used);
+    all_stand = all_stand && stands(premise.status);
+    const Outcome& from = final_outcome(premise);
+    const auto here = outcome.inherited.find(used);
+    outcome.hypotheses =
+        joined(open_at(here == outcome.inherited.end() ? from.hypotheses : here->second, outcome.at),
+               outcome.hypotheses);
+  }
+  discharge_stated(outcome, claim);
+  keep_strongest(outcome.hypotheses);
+  return all_stand;
+}
+
+const std::vector<Statement>& proved_form(const Record& record) {
+  return record.corrected ? record.claim.corrected : record.claim.printed;
+}
+
+const Outcome& final_outcome(const Record& record) {
+  return record.corrected ? *record.corrected : record.outcome;
+}
+
+Hypothesis hypothesis(const GiNaC::ex& nonzero, const std::string& origin) {
+  return {nonzero, symbolic::typeset::text(nonzero) + " != 0", symbolic::typeset::latex(nonzero) + " \\neq 0",
+          origin};
+}
+
+std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::stable_sort(a.begin(), a.end(),
+                   [](const Hypothesis& x, const Hypothesis& y) { return x.text < y.text; });
+  a.erase(std::unique(a.begin(), a.end(),
+                      [](const Hypothesis& x, const Hypothesis& y) { return x.text == y.text; }),
+          a.end());
+  return a;
+}
+
+namespace {
+
+Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progress& progress) {
+  Audit result;
+  for (const std::string& id : ids) {
+    progress(id, result.records.size(), ids.size());
+    result.records.push_back(prover.prove(id));
+  }
+  for (Record& record : result.records) {
+    for (const Record& other : result.records) {
+      if (other.outcome.uses.contains(record.claim.id) ||
+          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
+          (other.converse && other.converse->uses.contains(record.claim.id))) {
+        record.used_by.insert(other.claim.id);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids, const Progress& progress) {
+  Prover prover(claims);
+  for (const std::string& id : ids) {
+    (void)prover.claim(id);
+  }
+  std::vector<std::string> asked;
+  for (const Claim& claim : claims) {
+    if (ids.empty() || ids.contains(claim.id)) {
+      asked.push_back(claim.id);
+    }
+  }
+  return prove_all(prover, asked, progress);
+}
+
+Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {
+  return audit(claims, ids, [](const std::string&, std::size_t, std::size_t) {});
+}
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,45 @@
+// Proves claims in the order in which they need each other.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/methods/claim.hpp"
+
+namespace stickslip::proofs::methods {
+
+class Prover {
+ public:
+  explicit Prover(const std::vector<Claim>& claims);
+
+  // The record of a claim, proved now unless it was before. Throws InternalError for an unknown id and for a
+  // proof that comes back to its own claim.
+  const Record& prove(const std::string& id);
+
+  [[nodiscard]] const Claim& claim(const std::string& id) const;
+
+ private:
+  // Adds the hypotheses of all that the outcome uses, takes away those that the claim states; whether all
+  // that it uses stands.
+  bool inherit(Outcome& outcome, const Claim& claim);
+  // Has the verdict looked at by two further engines. Throws InternalError if one disagrees.
+  void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form);
+
+  std::map<std::string, const Claim *> claims_;
+  std::map<std::string, Record> records_;
+  std::vector<std::string> under_way_;
+};
+
+// What a claim offers as a premise: the form that was proved, as printed or corrected. The caller records the
+// id.
+[[nodiscard]] const std::vector<symbols::Statement>& proved_form(const Record& record);
+// Of the corrected form where there is one, else of the printed.
+[[nodiscard]] const Outcome& final_outcome(const Record& record);
+
+// Hypotheses joined without repetition, in order of their text; of equal ones the first stays.
+[[nodiscard]] std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b);
+[[nodiscard]] Hypothesis hypothesis(const GiNaC::ex& nonzero, const std::string& origin);
+
+}  // namespace stickslip::proofs::methods

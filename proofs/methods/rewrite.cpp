@@ -1,0 +1,183 @@
+#include "proofs/methods/rewrite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/error.hpp"
+#include "proofs/symbols/meaning.hpp"
+#include "symbolic/typeset/latex.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace symbols;
+
+namespace {
+
+using GiNaC::ex;
+
+void add(Polynomial& sum, const Word& word, const ex& coefficient) {
+  const ex total = (sum[word] + coefficient).normal();
+  if (total.is_zero()) {
+    sum.erase(word);
+  } else {
+    sum[word] = total;
+  }
+}
+
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  for (const auto& [left, x] : a) {
+    for (const auto& [right, y] : b) {
+      Word word = left;
+      word.insert(word.end(), right.begin(), right.end());
+      add(result, word, x * y);
+    }
+  }
+  return result;
+}
+
+Polynomial scaled(const Polynomial& a, const ex& factor) {
+  return product({{{}, factor}}, a);
+}
+
+Polynomial sum(const Polynomial& a, const Polynomial& b) {
+  Polynomial result = a;
+  for (const auto& [word, coefficient] : b) {
+    add(result, word, coefficient);
+  }
+  return result;
+}
+
+using Scalars = Lookup<ex>;
+
+ex scalar_of(const Term& term, const Scalars& scalars) {
+  return evaluate<ex>(term, scalars)(0, 0);
+}
+
+std::string letter(const Term& term, const Scalars& scalars) {
+  if (term.op() == Op::function) {
+    return fmt::format("{}({})", term.name(),
+                       symbolic::typeset::text(scalar_of(term.arguments().front(), scalars)));
+  }
+  return text(term);
+}
+
+Polynomial power_of(const Term& term, const Scalars& scalars) {
+  const long exponent = term.number().get_num().get_si();
+  if (exponent < 0) {
+    return {{{letter(term, scalars)}, 1}};
+  }
+  Polynomial result{{{}, 1}};
+  for (long i = 0; i < exponent; ++i) {
+    result = product(result, polynomial(term.arguments().front(), scalars));
+  }
+  return result;
+}
+
+// Where `lead` stands inside `word`, if it does.
+std::optional<std::size_t> find(const Word& word, const Word& lead) {
+  const auto found = std::search(word.begin(), word.end(), lead.begin(), lead.end());
+  return found == word.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - word.begin()));
+}
+
+// One replacement in one word.
+Polynomial replaced(const Word& word, const ex& coefficient, std::size_t place, const Rule& rule) {
+  const Word before(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(place));
+  const Word after(word.begin() + static_cast<std::ptrdiff_t>(place + rule.lead.size()), word.end());
+  return product(product({{before, coefficient}}, rule.replacement), {{after, 1}});
+}
+
+// Applies the first rule that fits somewhere; false if none does.
+bool step(Polynomial& polynomial, const std::vector<Rule>& rules, std::set<std::string>& sources) {
+  for (const Rule& rule : rules) {
+    for (const auto& [word, coefficient] : polynomial) {
+      if (const auto place = find(word, rule.lead)) {
+        const Polynomial change = replaced(word, coefficient, *place, rule);
+        polynomial.erase(Word(word));
+        polynomial = sum(polynomial, change);
+        sources.insert(rule.sources.begin(), rule.sources.end());
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Polynomial polynomial(const Term& term, const Scalars& scalars) {
+  if (term.is_zero()) {
+    return {};
+  }
+  if (term.shape().is_scalar()) {
+    return {{{}, scalar_of(term, scalars)}};
+  }
+  Polynomial result;
+  switch (term.op()) {
+    case Op::sum:
+      for (const Term& argument : term.arguments()) {
+        result = sum(result, polynomial(argument, scalars));
+      }
+      return result;
+    case Op::product:
+      result = {{{}, 1}};
+      for (const Term& argument : term.arguments()) {
+        result = product(result, polynomial(argument, scalars));
+      }
+      return result;
+    case Op::negate:
+      return scaled(polynomial(term.arguments().front(), scalars), -1);
+    case Op::quotient:
+      return scaled(polynomial(term.arguments()[0], scalars), 1 / scalar_of(term.arguments()[1], scalars));
+    case Op::power:
+      return power_of(term, scalars);
+    default:
+      return term.op() == Op::symbol && term.name() == "I" ? Polynomial{{{}, 1}}
+                                                           : Polynomial{{{letter(term, scalars)}, 1}};
+  }
+}
+
+Polynomial residual(const Statement& statement, const Scalars& scalars) {
+  return sum(polynomial(statement.left, scalars), scaled(polynomial(statement.right, scalars), -1));
+}
+
+std::string text(const Polynomial& polynomial) {
+  std::string result;
+  for (const auto& [word, coefficient] : polynomial) {
+    result += fmt::format("{}({}){}{}", result.empty() ? "" : " + ", symbolic::typeset::text(coefficient),
+                          word.empty() ? "" : " ", fmt::join(word, " "));
+  }
+  return result.empty() ? "0" : result;
+}
+
+Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules) {
+  constexpr int most_steps = 10000;
+  Rewritten result{std::move(polynomial), {}};
+  for (int i = 0; i < most_steps; ++i) {
+    if (!step(result.rest, rules, result.sources)) {
+      return result;
+    }
+  }
+  throw InternalError(fmt::format("rewriting does not end after {} steps", most_steps));
+}
+
+std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead, const std::string& source,
+                          const std::vector<Rule>& rules) {
+  Rewritten simplified = rewrite(premise, rules);
+  if (lead.size() != 1) {
+    throw InternalError(fmt::format("{} is not a product of letters", text(lead)));
+  }
+  const Word& word = lead.begin()->first;
+  const auto found = simplified.rest.find(word);
+  if (found == simplified.rest.end() || !found->second.info(GiNaC::info_flags::rational)) {
+    return std::nullopt;
+  }
+  const ex coefficient = found->second;
+  simplified.rest.erase(found);
+  simplified.sources.insert(source);
+  return Rule{word, scaled(simplified.rest, -1 / coefficient), std::move(simplified.sources)};
+}
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,49 @@
+// Matrix identities as noncommutative polynomials, and proofs by rewriting with premises.
+//
+// H(tau), H(-t), E, Z0, … are letters that do not commute; scalars are coefficients. Replacing the left side
+// of a premise by its right side adds a multiple (from the left and from the right) of the premise, so that
+// whatever rewrites to zero follows from the premises used, over any matrices.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/symbols/meaning.hpp"
+#include "proofs/symbols/term.hpp"
+
+namespace stickslip::proofs::methods {
+
+using Word = std::vector<std::string>;         // letters from left to right
+using Polynomial = std::map<Word, GiNaC::ex>;  // without zero coefficients
+
+// Letters are named by symbol or function and the canonical text of the argument: "H(tau - t)". I is the
+// empty word. `scalars` gives the values of scalar symbols.
+[[nodiscard]] Polynomial polynomial(const symbols::Term& term, const symbols::Lookup<GiNaC::ex>& scalars);
+// left - right.
+[[nodiscard]] Polynomial residual(const symbols::Statement& statement,
+                                  const symbols::Lookup<GiNaC::ex>& scalars);
+[[nodiscard]] std::string text(const Polynomial& polynomial);
+
+struct Rule {
+  Word lead;
+  Polynomial replacement;
+  std::set<std::string> sources;  // where it comes from: the premise, and those that simplified it
+};
+
+// What is left of the polynomial when no rule applies, and the sources of the rules that were applied. Throws
+// InternalError after 10000 steps: the rules do not terminate.
+struct Rewritten {
+  Polynomial rest;
+  std::set<std::string> sources;
+};
+[[nodiscard]] Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules);
+
+// The premise (its residual), simplified by the rules so far, solved for the word of `lead`. Nothing if that
+// word does not occur with a nonzero rational coefficient.
+[[nodiscard]] std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead,
+                                        const std::string& source, const std::vector<Rule>& rules);
+
+}  // namespace stickslip::proofs::methods

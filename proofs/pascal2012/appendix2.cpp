@@ -1,0 +1,122 @@
+// Appendix 2: the symmetry (17) of the orbits of Section 4, by (43)-(46). Where the paper writes Z(t_1) with
+// t_1 = t - tau, the argument here is the time t = tau + t_1 itself.
+#include "proofs/methods/methods.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/pascal2012/symmetric.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+using namespace symmetric;
+
+const std::string A2 = "A2";
+
+// (15) solved for z0: the states at the end of every stick that closes.
+Assumption closing_state(const Term& z, const Term& row) {
+  return {"15", equation(z, row * inverse(Gamma1(T) + I2) * Gamma2(T) * column({zdot10, zdot20}))};
+}
+
+std::vector<Claim> slip_part() {
+  return {
+      {.id = "43",
+       .place = A2,
+       .kind = Kind::step,
+       .printed = {equation(Z(tau - t), H(tau - t) * (Z0 - F0) + F(tau - t))},
+       .words = "(5) at the time tau - t",
+       .prove = by_rewriting({from("5").at("t", tau - t)})},
+      {.id = "44.F",
+       .place = A2,
+       .kind = Kind::identity,
+       .printed = {equation(F(tau - t), E * F(t))},
+       .words = "time reversal of the forced response, with the time lag of Section 4",
+       .assumptions = {time_lag},
+       .prove = by_normal_form()},
+      {.id = "44.F0",
+       .place = A2,
+       .kind = Kind::identity,
+       .printed = {equation(F(tau), E * F0)},
+       .words = "the same at t = 0",
+       .assumptions = {time_lag},
+       .prove = by_normal_form()},
+      {.id = "44.H",
+       .place = A2,
+       .kind = Kind::identity,
+       .printed = {equation(H(tau - t), H(tau) * H(-t))},
+       .words = "group law of the slip flow",
+       .prove = by_rewriting({from("38.group").at("t", tau).at("s", -t)})},
+      {.id = "44.E",
+       .place = A2,
+       .kind = Kind::identity,
+       .printed = {equation(H(-t) * E, E * H(t))},
+       .words = "time reversal of the slip flow",
+       .prove = by_rewriting({from("38.reversal")})},
+      {.id = "17.slip",
+       .place = A2,
+       .kind = Kind::theorem,
+       .printed = {equation(Z(t), E * Z(tau - t))},
+       .words = "the slip is symmetric in time; the proof needs no range for t",
+       .assumptions = {time_lag, slip_ends},
+       .prove = by_rewriting({from("5"), from("43"), from("44.F"), from("44.F0"), from("44.H"),
+                              from("38.commute").at("t", tau).at("s", -t).solved_for(H(tau) * H(-t)),
+                              from("5").at("t", tau), assuming("13").solved_for(H(tau) * Z0), from("44.E"),
+                              from("13.E")})},
+  };
+}
+
+std::vector<Claim> stick_part() {
+  return {
+      {.id = "45",
+       .place = A2,
+       .kind = Kind::step,
+       .printed = {equation(Z(tau + t1), Gamma(T - t1) * E * Z0)},
+       .words = "the stick solution at the time T - t_1; printed with Z(t) on the left, t = tau + t_1",
+       .assumptions = {slip_ends, closing_state(z10, block(1, {1, 0})), closing_state(z20, block(1, {0, 1}))},
+       .prove = by_normal_form({equation(Gamma(t1) * E * Z0, Gamma(T - t1) * E * Z0)}),
+       .corrected = {equation(Z(tau + T - t1), Gamma(T - t1) * E * Z0)},
+       .prove_corrected = by_rewriting({from("4.stick").at("t", tau + T - t1)})},
+      {.id = "46.group",
+       .place = A2,
+       .kind = Kind::identity,
+       .printed = {equation(Gamma(T - t1), Gamma(T) * Gamma(-t1))},
+       .words = "group law of the stick flow",
+       .prove = by_rewriting({from("41.group").at("t", T).at("s", -t1)})},
+      {.id = "46.E",
+       .place = A2,
+       .kind = Kind::identity,
+       .printed = {equation(E * Gamma(t1), Gamma(-t1) * E)},
+       .words = "time reversal of the stick flow",
+       .prove = by_rewriting({from("41.reversal").at("t", t1)})},
+      {.id = "46.period",
+       .place = A2,
+       .kind = Kind::step,
+       .printed = {equation(Z(Theta), Gamma(T) * E * Z0), equation(Gamma(T) * E * Z0, Z0)},
+       .words = "the stick ends where the slip began",
+       .assumptions = {stick_lasts, slip_ends, stick_ends},
+       .prove = by_rewriting({from("4.stick").at("t", Theta), assuming("15")})},
+      {.id = "17.stick",
+       .place = A2,
+       .kind = Kind::theorem,
+       .printed = {equation(Z(tau + t1), E * Z(tau + T - t1))},
+       .words = "the stick is symmetric in time; the proof needs no range for t_1",
+       .assumptions = {slip_ends, stick_ends},
+       .prove = by_rewriting({from("4.stick").at("t", tau + t1), from("45"), from("46.group"),
+                              from("41.commute").at("t", T).at("s", -t1).solved_for(Gamma(T) * Gamma(-t1)),
+                              assuming("15"), from("46.E").at("t1", -t1).solved_for(Gamma(t1) * E)})},
+  };
+}
+
+}  // namespace
+
+std::vector<Claim> appendix2() {
+  std::vector<Claim> claims = slip_part();
+  for (Claim& claim : stick_part()) {
+    claims.push_back(std::move(claim));
+  }
+  return claims;
+}
+
+}  // namespace stickslip::proofs::pascal2012

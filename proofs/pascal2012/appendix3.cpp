@@ -1,0 +1,165 @@
+// Appendix 3: the twenty coefficients (47)-(51), each against the one that the flows give.
+#include "model/appendix3.hpp"
+
+#include <fmt/format.h>
+
+#include "proofs/methods/linear.hpp"
+#include "proofs/pascal2012/overshooting.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/meaning.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+using namespace overshooting;
+
+const Entries H_{"H"}, h_{"h"}, Ht{"Htilde"}, G{"Gamma"};
+
+// Which unknown a_i, b_i, c_i stand beside, and d_i beside none, in equation i.
+std::optional<Coefficient> coefficient_named(const Term& name) {
+  static const std::map<char, Term> in_front_of{{'a', z10}, {'b', z20}, {'c', zdot10}, {'d', 1}};
+  for (int i = 1; i <= 5; ++i) {
+    for (const auto& [letter, unknown] : in_front_of) {
+      if (equal(name, coefficient(letter, i))) {
+        return Coefficient{closing_gap(i), unknown};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// One coefficient of equation i, "47.a": printed as `value`.
+Claim printed_coefficient(char letter, int equation_number, const Term& value,
+                          const std::string& illegible = {}) {
+  const std::map<char, std::string> names{
+      {'a', "z_1(0)"}, {'b', "z_2(0)"}, {'c', "z_1'(0)"}, {'d', "no unknown"}};
+  static const std::array<const char *, 5> said{
+      "z_1 at tau + tau_1 of slip and overshoot less that of the stick",
+      "z_2 at tau + tau_1 of slip and overshoot less that of the stick",
+      "z_1' at tau + tau_1 of slip and overshoot less that of the stick", "z_2'(tau) - V",
+      "z_2'(tau + tau_1) - V"};
+  return {.id = fmt::format("{}.{}", 46 + equation_number, letter),
+          .place = "A3",
+          .kind = Kind::step,
+          .printed = {equation(coefficient(letter, equation_number), value)},
+          .words = fmt::format("what stands beside {} in {}", names.at(letter),
+                               said.at(static_cast<std::size_t>(equation_number - 1))),
+          .assumptions = {starts_with_belt},
+          .prove = by_coefficient(coefficient_named, {z10, z20, zdot10}),
+          .illegible = illegible};
+}
+
+// What -F_0 contributes: -(x1 q1 + x2 q2) cos(phi), and (x3 q1 + x4 q2) sin(phi) with omega before or behind.
+Term place_part(const Term& x1, const Term& x2) {
+  return -((x1 * q1 + x2 * q2) * cos(phi));
+}
+Term before(const Term& x3, const Term& x4) {
+  return omega * (x3 * q1 + x4 * q2) * sin(phi);
+}
+Term behind(const Term& x3, const Term& x4) {
+  return (x3 * q1 + x4 * q2) * omega * sin(phi);
+}
+
+std::vector<Claim> components() {
+  const char * const minus = "a minus sign";
+  return {
+      printed_coefficient('a', 1, Ht(1, 1) - G(1, 1), minus),
+      printed_coefficient('b', 1, Ht(1, 2) - G(1, 2), minus),
+      printed_coefficient('c', 1, Ht(1, 3) - G(1, 3)),
+      printed_coefficient('d', 1,
+                          place_part(Ht(1, 1), Ht(1, 2)) + before(Ht(1, 3), Ht(1, 4)) + q1 * cos(phiC) +
+                              2 * (h_(1, 1) - 1) * d01 + 2 * h_(1, 2) * d02 + (Ht(1, 4) + G(1, 4)) * V,
+                          "brackets"),
+      printed_coefficient('a', 2, Ht(2, 1)),
+      printed_coefficient('b', 2, Ht(2, 2) - 1),
+      printed_coefficient('c', 2, Ht(2, 3)),
+      printed_coefficient('d', 2,
+                          place_part(Ht(2, 1), Ht(2, 2)) + before(Ht(2, 3), Ht(2, 4)) + q2 * cos(phiC) +
+                              2 * h_(2, 1) * d01 + 2 * (h_(2, 2) - 1) * d02 + (Ht(2, 4) + T) * V,
+                          "brackets"),
+      printed_coefficient('a', 3, Ht(3, 1) + G(3, 1)),
+      printed_coefficient('b', 3, Ht(3, 2) + G(3, 2)),
+      printed_coefficient('c', 3, Ht(1, 1) - G(1, 1)),
+      printed_coefficient('d', 3,
+                          place_part(Ht(3, 1), Ht(3, 2)) + before(Ht(1, 1), Ht(1, 2)) -
+                              omega * q1 * sin(phiC) + 2 * h_(3, 1) * d01 + 2 * h_(3, 2) * d02 +
+                              (Ht(1, 2) - G(1, 2)) * V,
+                          "brackets, omega with the minus sign in front of q_1 sin(phi_C), and the minus "
+                          "sign in front of Gamma_12"),
+  };
+}
+
+std::vector<Claim> speeds() {
+  return {
+      printed_coefficient('a', 4, H_(4, 1)),
+      printed_coefficient('b', 4, H_(4, 2)),
+      printed_coefficient('c', 4, H_(2, 1)),
+      printed_coefficient('d', 4,
+                          (H_(2, 2) - 1) * V - q2 * omega * sin(phiB) + place_part(H_(4, 1), H_(4, 2)) +
+                              behind(H_(2, 1), H_(2, 2)),
+                          "the minus sign in front of the bracket with H_41, and omega with a bracket in "
+                          "front of sin(phi)"),
+      printed_coefficient('a', 5, Ht(4, 1)),
+      printed_coefficient('b', 5, Ht(4, 2)),
+      printed_coefficient('c', 5, Ht(2, 1)),
+      printed_coefficient('d', 5,
+                          (Ht(2, 2) - 1) * V - q2 * omega * sin(phiC) + place_part(Ht(4, 1), Ht(4, 2)) +
+                              behind(Ht(2, 1), Ht(2, 2)) + 2 * (h_(4, 1) * d01 + h_(4, 2) * d02),
+                          "brackets, the minus signs in front of q_2 omega and of the bracket with H_41"),
+  };
+}
+
+// model/appendix3.hpp says the same as the twenty claims.
+Claim formulas() {
+  std::vector<Statement> all;
+  for (const std::vector<Claim>& claims : {components(), speeds()}) {
+    for (const Claim& claim : claims) {
+      all.push_back(claim.printed.front());
+    }
+  }
+  const auto values = [] {
+    const Lookup<GiNaC::ex> s = symbolically();
+    const auto letters = model::appendix3_letters<GiNaC::ex>(
+        s("chi"), {s("omega1"), s("omega2"), s("lambda1"), s("lambda2")}, {s("q1"), s("q2")},
+        {s("d01"), s("d02")}, s("omega"), s("V"), s("phi"), s("tau"), s("tau1"), s("T"));
+    const auto k = model::appendix3<GiNaC::ex>(letters, model::Reading::printed);
+    std::vector<Named> result;
+    for (int i = 1; i <= 5; ++i) {
+      const auto at = static_cast<std::size_t>(i - 1);
+      result.push_back({coefficient('a', i), k.a[at]});
+      result.push_back({coefficient('b', i), k.b[at]});
+      result.push_back({coefficient('c', i), k.c[at]});
+      result.push_back({coefficient('d', i), k.d[at]});
+    }
+    return result;
+  };
+  return {.id = "51.formulas",
+          .place = "A3",
+          .kind = Kind::identity,
+          .printed = all,
+          .words = "the program computes with the printed coefficients, but for the sign in c_1",
+          .prove = by_formulas(values)};
+}
+
+}  // namespace
+
+std::vector<Claim> appendix3() {
+  std::vector<Claim> claims = components();
+  for (Claim& claim : speeds()) {
+    claims.push_back(std::move(claim));
+  }
+  claims.push_back({.id = "51.phi",
+                    .place = "A3",
+                    .kind = Kind::definition,
+                    .printed = {equation(phiB, omega * tau + phi), equation(phiC, phiB + omega * tau1)},
+                    .words = "the load's phase at tau and at tau + tau_1",
+                    .prove = by_normal_form()});
+  claims.push_back(formulas());
+  return claims;
+}
+
+}  // namespace stickslip::proofs::pascal2012

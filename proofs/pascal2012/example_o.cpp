@@ -1,0 +1,268 @@
+// Section 5, example O: the orbit of Fig. 3, the numbers that are printed for it, and a zero of (23) that is
+// no orbit.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/appendix3.hpp"
+#include "model/symmetric.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/overshooting_rows.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/overshooting.hpp"
+#include "proofs/symbols/meaning.hpp"
+#include "proofs/symbols/point.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace numeric;
+using namespace numeric::families;
+using namespace numeric::motion;
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+const Example& printed() {
+  return example_named("O");
+}
+
+PrintedPlace where() {
+  return {printed(), "sec5", "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
+}
+
+Claim number(const std::string& id, const std::string& words, Proof prove) {
+  return {.id = id, .place = where().place, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
+}
+
+Claim closes() {
+  return number("O.orbit",
+                "an orbit with the data of Fig. 3 exists: it closes in all components of (20), with z2' = V "
+                "at tau (18) "
+                "and tau + tau_1 (19)",
+                [](Prover&, const Claim&) {
+                  Outcome outcome = at_the_data(printed(), where().route);
+                  outcome.uses = {"5", "27", "10", "20.reduced", "20.stick", "18.reduced"};
+                  const Motion& motion = printed_orbit(printed()).motion;
+                  const model::Vector4<Ball> gap = gaps(motion).back();
+                  const auto excess = [&](std::size_t phase) {
+                    return std::vector<Ball>{motion.phases.at(phase).Z(3) - motion.oscillator.data.V};
+                  };
+                  outcome.verdict = all_of({vanishes({gap(0), gap(1), gap(2), gap(3)}, "Z(Theta) - Z_0 (20)"),
+                                            vanishes(excess(1), "z2'(tau) - V (18)"),
+                                            vanishes(excess(2), "z2'(tau + tau_1) - V (19)")});
+                  return outcome;
+                });
+}
+
+Claim orbit_value(const std::string& name) {
+  return printed_value(where(), name, [name] { return value_of(printed_orbit(printed()), name); });
+}
+
+// --- (21)-(24) at the printed values ---
+
+model::ClosingCoefficients<Ball> coefficients(const Ball& tau, const Ball& tau1, model::Reading reading) {
+  const model::Oscillator<Ball>& o = printed_orbit(printed()).motion.oscillator;
+  const Ball rest = Ball(2) * Ball::pi() / o.data.omega - tau - tau1;
+  return model::appendix3<Ball>(
+      model::appendix3_letters<Ball>(o.data.chi, o.modes, o.Q, o.d0, o.data.omega, o.data.V,
+                                     Ball(*printed().phi), tau, tau1, rest),
+      reading);
+}
+
+Decimal decimal(const std::string& name) {
+  return printed().result(name).value;
+}
+Ball exactly(const std::string& name) {
+  return printed_decimal(printed(), name);
+}
+
+Claim printed_times() {
+  return number(
+      "O.23", "the printed tau and tau_1, each within half a unit of its last place, solve (23)",
+      [](Prover&, const Claim&) {
+        Outcome outcome = at_the_data(
+            printed(),
+            "Delta over the printed intervals in balls: where it is not zero, a zero of (23) is one of the "
+            "complete list");
+        outcome.uses = {"O.list", "22.back", "23.back"};
+        const OrbitList& list = orbits_of(printed()).list;
+        const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
+        const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const DecidedOrbit& one) {
+          return value_of(one, "tau").overlaps(tau) && value_of(one, "tau1").overlaps(tau1);
+        });
+        const bool regular =
+            model::cramer<Ball>(coefficients(tau, tau1, model::Reading::derived)).Delta.is_nonzero();
+        const auto F = model::compatibility<Ball>(
+            coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
+        outcome.verdict = regular && list.complete() && !listed
+                              ? Verdict::refuted(
+                                    "no orbit lies in the printed intervals; at the printed "
+                                    "decimals F_1 and F_2 are " +
+                                    residuals({F[0], F[1]}))
+                              : Verdict::undecided("the printed intervals may hold a zero");
+        return outcome;
+      });
+}
+
+Decimal signed_decimal(const std::string& name) {
+  return as_printed(printed().result(name), value_of(printed_orbit(printed()), name));
+}
+
+Claim printed_state_closes() {
+  return number(
+      "O.21",
+      "the printed tau, tau_1, z_1(0), z_2(0), z_1'(0), each within half a unit of its last place, close the "
+      "motion",
+      [](Prover&, const Claim&) {
+        Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
+        const PrintedClosing closing =
+            printed_closing_overshooting(printed().data, *printed().phi,
+                                         {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
+                                          signed_decimal("z20"), decimal("zdot10")});
+        outcome.verdict = closing.verdict;
+        if (outcome.verdict.truth != Truth::proved) {
+          outcome.verdict.reason += "; at the printed decimals z2'(tau) - V and Z(Theta) - Z_0 are " +
+                                    residuals({closing.at_points.begin(), closing.at_points.end()});
+        }
+        return outcome;
+      });
+}
+
+// (22) at the printed tau and tau_1.
+Ball by_22(Ball model::CramerDeterminants<Ball>::*member) {
+  const auto c = model::cramer<Ball>(coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
+  return c.*member / c.Delta;
+}
+
+// Which printed number was computed from which.
+std::vector<Claim> origins() {
+  using Determinants = model::CramerDeterminants<Ball>;
+  const std::string formula22 = "(22) with T = Theta - tau - tau_1";
+  return {
+      computed_from(where(), "z10", formula22, [] { return by_22(&Determinants::Delta1); }),
+      computed_from(where(), "z20", formula22, [] { return by_22(&Determinants::Delta2); }),
+      computed_from(where(), "zdot10", formula22, [] { return by_22(&Determinants::Delta3); }),
+      computed_from(
+          where(), "ur", "(24)",
+          [] {
+            const model::Parameters<Ball>& a = printed_orbit(printed()).motion.oscillator.data;
+            return model::friction_at_rest<Ball>(a, {exactly("z10"), exactly("z20")}, Ball(*printed().phi));
+          }),
+      computed_from(where(), "T", "Theta - tau - tau_1",
+                    [] { return exactly("Theta") - exactly("tau") - exactly("tau1"); }),
+      number(
+          "O.c1",
+          "the printed tau and tau_1 were not computed with the printed c_1: over their intervals it takes "
+          "F_1 farther from zero than the derived one",
+          [](Prover&, const Claim&) {
+            const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
+            const auto F_1 = [&](model::Reading reading) {
+              return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);
+            };
+            Outcome outcome = at_the_data(printed(), "(23) in balls over the printed intervals");
+            const Ball more = F_1(model::Reading::printed) - F_1(model::Reading::derived);
+            outcome.verdict = more.is_positive()   ? Verdict::proved()
+                              : more.is_negative() ? Verdict::refuted("it is nearer")
+                                                   : Verdict::undecided("the balls overlap");
+            return outcome;
+          }),
+  };
+}
+
+// --- A zero of (23) that is no orbit ---
+
+// A ball around a zero of f between the ends, which have opposite signs there; nothing otherwise.
+std::optional<Ball> zero_between(const std::function<Ball(const Ball&)>& f, Rational lower, Rational upper) {
+  const auto sign = [&](const Rational& at) {
+    const Ball value = f(Ball(at));
+    return value.is_positive() ? 1 : value.is_negative() ? -1 : 0;
+  };
+  const int left = sign(lower);
+  if (left == 0 || sign(upper) != -left) {
+    return std::nullopt;
+  }
+  for (int step = 0; step < 40; ++step) {
+    const Rational middle = (lower + upper) / 2;
+    const int here = sign(middle);
+    if (here == 0) {
+      break;
+    }
+    (here == left ? lower : upper) = middle;
+  }
+  return Ball::from_interval(lower, upper);
+}
+
+// The terms of overshooting.hpp at tau + tau1 = s.
+Ball on_the_line(const Term& term, const Ball& s) {
+  const ExactParameters& a = printed().data;
+  const Lookup<Ball> known = at_point({{"chi", a.chi}, {"eta", a.eta}});
+  return evaluate<Ball>(term, [&](const std::string& name) {
+    return name == "tau"    ? s
+           : name == "tau1" ? Ball(0)
+           : name == "T"    ? Ball(2) * Ball::pi() / Ball(a.omega) - s
+                            : known(name);
+  })(0, 0);
+}
+
+// Equations 1, 2, 4, 5 of (21) have no solution: the determinant of (a, b, c, d) is not zero.
+Ball unsolvable(const model::ClosingCoefficients<Ball>& k) {
+  Eigen::Matrix<Ball, 4, 4> m;
+  const std::array<std::size_t, 4> rows{0, 1, 3, 4};
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t row = rows.at(static_cast<std::size_t>(i));
+    m(i, 0) = k.a[row];
+    m(i, 1) = k.b[row];
+    m(i, 2) = k.c[row];
+    m(i, 3) = k.d[row];
+  }
+  return det4<Ball>(m);
+}
+
+Claim spurious() {
+  return number(
+      "23.spurious",
+      "at the data of Fig. 3 a solution of (23) with tau, tau_1, T > 0 exists at which (21) has none: Delta "
+      "= 0 "
+      "there",
+      [](Prover&, const Claim&) {
+        Outcome outcome = at_the_data(printed(), {});
+        outcome.uses = {"22.square", "22.null"};
+        const auto total =
+            zero_between([](const Ball& s) { return on_the_line(overshooting::even_determinant, s); }, 8,
+                         Rational(81, 10));
+        const auto F_1 = [&](const Ball& tau) {
+          return model::compatibility<Ball>(coefficients(tau, *total - tau, model::Reading::derived))[0];
+        };
+        const auto tau = total ? zero_between(F_1, 3, Rational(33, 10)) : std::nullopt;
+        if (!tau || !on_the_line(overshooting::even_place, *total).is_nonzero()) {
+          outcome.verdict = Verdict::undecided("no change of sign is certain");
+          return outcome;
+        }
+        outcome.route = fmt::format(
+            "the square in Delta and, on the line where it is zero, F_1 change sign; F_2 is zero on that "
+            "line; "
+            "the determinant of (a, b, c, d) in equations 1, 2, 4, 5 is not zero: tau = {}, tau_1 = {}",
+            to_string(*tau), to_string(*total - *tau));
+        outcome.verdict = unsolvable(coefficients(*tau, *total - *tau, model::Reading::derived)).is_nonzero()
+                              ? Verdict::proved()
+                              : Verdict::undecided("the determinant of equations 1, 2, 4, 5 may be zero");
+        return outcome;
+      });
+}
+
+}  // namespace
+
+std::vector<Claim> example_O() {
+  std::vector<Claim> claims{closes()};
+  for (const char * name : {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}) {
+    claims.push_back(orbit_value(name));
+  }
+  for (std::vector<Claim> more :
+       {orbit_claims(where()), {printed_times(), printed_state_closes()}, origins(), {spurious()}}) {
+    claims.insert(claims.end(), more.begin(), more.end());
+  }
+  return claims;
+}
+
+}  // namespace stickslip::proofs::pascal2012

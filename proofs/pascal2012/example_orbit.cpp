@@ -1,0 +1,179 @@
+#include "proofs/pascal2012/example_orbit.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/printed.hpp"
+#include "numeric/simulation/agreement.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace numeric;
+using namespace numeric::motion;
+using namespace numeric::simulation;
+using namespace methods;
+
+namespace {
+
+Claim list_claim(const PrintedPlace& where) {
+  return {
+      .id = where.example.name + ".list",
+      .place = where.place,
+      .kind = Kind::numbers,
+      .words =
+          fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
+      .prove = [where](Prover&, const Claim&) {
+        const OrbitList& list = orbits_of(where.example).list;
+        const auto good =
+            std::count_if(list.orbits.begin(), list.orbits.end(),
+                          [](const DecidedOrbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+        Outcome outcome = at_the_data(
+            where.example,
+            fmt::format("exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
+                        list.orbits.size(), good, list.unresolved.size()));
+        outcome.verdict =
+            list.complete()
+                ? Verdict::proved()
+                : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
+        return outcome;
+      }};
+}
+
+Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
+  return {.id = fmt::format("{}.if.{}", where.example.name, requirement.id),
+          .place = where.place,
+          .kind = Kind::condition,
+          .words = fmt::format("{}, at the data of {}", requirement.statement, where.example.figure),
+          .prove = [where, id = requirement.id](Prover&, const Claim&) {
+            const std::vector<Condition>& conditions = printed_orbit(where.example).conditions;
+            const auto found = std::find_if(conditions.begin(), conditions.end(),
+                                            [&](const Condition& condition) { return condition.id == id; });
+            if (found == conditions.end()) {
+              throw InternalError("the orbit has no condition " + id);
+            }
+            std::string route = "decided in balls for all times of the phase, ends included";
+            if (found->margin) {
+              route += "; smallest margin " + shown(*found->margin);
+            }
+            if (found->at) {
+              route += " at t = " + shown(*found->at);
+            }
+            Outcome outcome = at_the_data(where.example, route);
+            outcome.uses = {where.orbit};
+            outcome.verdict = found->verdict;
+            return outcome;
+          }};
+}
+
+std::string shown_complex(const ComplexBall& number) {
+  const bool real = number.im.is_exact() && number.im.contains_zero();
+  return real ? shown(number.re) : fmt::format("({}) + ({}) i", shown(number.re), shown(number.im));
+}
+
+Claim stability_claim(const PrintedPlace& where) {
+  return {.id = where.example.name + ".stability",
+          .place = where.place,
+          .kind = Kind::numbers,
+          .words = fmt::format("whether the orbit of {} is stable, which the paper leaves open",
+                               where.example.figure),
+          .prove = [where](Prover&, const Claim&) {
+            const std::optional<Stability>& stability = printed_orbit(where.example).stability;
+            Outcome outcome = at_the_data(where.example, "Floquet multipliers, enclosed in balls");
+            outcome.uses = {where.orbit};
+            if (!stability || stability->kind == StabilityKind::undecided) {
+              outcome.verdict =
+                  Verdict::undecided(stability ? stability->reason : "the orbit is not admissible");
+              return outcome;
+            }
+            std::vector<std::string> multipliers;
+            for (const ComplexBall& multiplier : stability->multipliers) {
+              multipliers.push_back(shown_complex(multiplier));
+            }
+            outcome.route +=
+                fmt::format(": {}, with {}", to_string(stability->kind), fmt::join(multipliers, ", "));
+            outcome.verdict = Verdict::proved();
+            return outcome;
+          }};
+}
+
+// The bound is far above the integrator's tolerance of 1e-12 and far below any printed digit.
+constexpr double raw_bound = 1e-8;
+
+Claim raw_law_claim(const PrintedPlace& where) {
+  return {.id = where.example.name + ".raw",
+          .place = where.place,
+          .kind = Kind::check,
+          .words = fmt::format(
+              "the equations of motion (2) with the friction law (4), integrated over one period without any "
+              "closed form from the orbit of {}, give its phases, their times and the same state to 1e-8",
+              where.example.figure),
+          .prove = [where](Prover&, const Claim&) {
+            const Agreement found = agreement(
+                printed_orbit(where.example),
+                [](const Start& start, double duration) { return follow_raw_law(start, duration); });
+            Outcome outcome = at_the_data(where.example,
+                                          "integration in floating point by CVODE at the tolerance 1e-12: a "
+                                          "check of the closed forms by another route, not a proof in balls");
+            outcome.uses = {where.orbit};
+            outcome.verdict =
+                !found.difference.empty() ? Verdict::undecided("the motions differ: " + found.difference)
+                : found.time_error <= raw_bound && found.closure <= raw_bound
+                    ? Verdict::out_of_domain(fmt::format("times agree to {:.1e}, states to {:.1e}",
+                                                         found.time_error, found.closure))
+                    : Verdict::undecided(fmt::format("times differ by {:.1e}, the state by {:.1e}",
+                                                     found.time_error, found.closure));
+            return outcome;
+          }};
+}
+
+}  // namespace
+
+std::string shown(const Ball& ball) {
+  const BallText text = to_text(ball, 6);
+  return fmt::format("{} ± {}", text.mid, text.rad);
+}
+
+const Ball& value_of(const DecidedOrbit& orbit, const std::string& name) {
+  const auto found = std::find_if(orbit.values.begin(), orbit.values.end(),
+                                  [&](const NamedBall& value) { return value.name == name; });
+  if (found == orbit.values.end()) {
+    throw InternalError("the orbit has no value " + name);
+  }
+  return found->value;
+}
+
+std::vector<Claim> orbit_claims(const PrintedPlace& where) {
+  std::vector<Claim> claims{list_claim(where)};
+  const bool ur_known = where.example.family != Family::nonsticking || where.example.ur.has_value();
+  for (const Requirement& requirement : requirements(where.example.family, ur_known)) {
+    claims.push_back(condition_claim(where, requirement));
+  }
+  claims.push_back(stability_claim(where));
+  claims.push_back(raw_law_claim(where));
+  return claims;
+}
+
+Ball printed_decimal(const Example& example, const std::string& name) {
+  return Ball(as_printed(example.result(name), value_of(printed_orbit(example), name)).value);
+}
+
+Claim computed_from(const PrintedPlace& where, const std::string& name, const std::string& formula,
+                    std::function<Ball()> value) {
+  return {
+      .id = fmt::format("{}.from.{}", where.example.name, name),
+      .place = where.place,
+      .kind = Kind::numbers,
+      .words = fmt::format("the printed {} is {} of the other printed values, rounded", name, formula),
+      .prove = [=, value = std::move(value)](Prover&, const Claim&) {
+        const Ball computed = value();
+        Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");
+        outcome.comparisons = {compared(name, as_printed(where.example.result(name), computed), computed)};
+        outcome.verdict = outcome.comparisons.front().verdict;
+        return outcome;
+      }};
+}
+
+}  // namespace stickslip::proofs::pascal2012

@@ -1,0 +1,55 @@
+// What Section 6 and Appendix 4 assume: two slips of half a period each, which close.
+#pragma once
+
+#include "proofs/methods/claim.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+namespace stickslip::proofs::pascal2012::half_period {
+
+using namespace symbols::vocabulary;
+
+inline const methods::Assumption half{"26.half", symbols::equation(tau, symbols::pi() / omega)};
+inline const methods::Assumption period{"28.period", symbols::equation(Theta, 2 * symbols::pi() / omega)};
+inline const methods::Assumption closes{"28.closes", symbols::equation(Z(Theta), Z0)};
+inline const methods::Assumption named_B{"28.ZB", symbols::equation(Z(tau), ZB)};
+inline const methods::Assumption regular{"31.regular",
+                                         {symbols::determinant(H3(tau)), 0, symbols::Relation::not_equal}};
+inline const methods::Assumption starts_with_belt{"25.V", symbols::equation(zdot20, V)};
+inline const methods::Assumption meets_belt{"26.V", symbols::equation(symbols::scalar("zdot2B"), V)};
+
+// (4): r = chi (x2 - x1) - (p/eta) cos(omega t + phi), with x = z + d_0.
+[[nodiscard]] inline symbols::Term friction_at_rest(const symbols::Term& z1, const symbols::Term& z2,
+                                                    const symbols::Term& load_phase) {
+  return chi * (z2 + d02 - z1 - d01) - p / eta * cos(load_phase);
+}
+
+inline const symbols::Statement inequality25{chi * eta * (z20 - z10), p * cos(phi) + eta *(ur - us),
+                                             symbols::Relation::greater};
+inline const symbols::Statement inequality26{
+    chi * eta * (z2B - z1B), p * cos(omega * tau + phi) - eta *(ur + us), symbols::Relation::less};
+inline const symbols::Statement inequality36{chi * eta * (q2 - q1) * cos(phi) - p * cos(phi) - eta * ur, 0,
+                                             symbols::Relation::greater};
+
+inline const symbols::Term first_row = symbols::block(1, {1, 0}), second_row = symbols::block(1, {0, 1});
+inline const symbols::Term H2_inverse = symbols::inverse(H2(tau));
+
+// The two terms of the first of (30) in modal coordinates.
+inline const symbols::Term modal_speed = symbols::inverse(Lambda) * (zdotB - Q * omega * sin(phi));
+inline const symbols::Term modal_rest = symbols::inverse(Lambda) * d0;
+
+// z_0' of (33), with Lambda diag(-phi_j) Lambda^{-1} for H_2^{-1}(H_1 - I).
+inline const symbols::Term speed_continued =
+    -Q * omega * sin(phi) - Lambda * symbols::block(2, {phi1, 0, 0, phi2}) * symbols::inverse(Lambda) * d0;
+
+// A component of the state that (33) gives.
+[[nodiscard]] inline methods::Assumption continued(const symbols::Term& component,
+                                                   const symbols::Term& value) {
+  return {"33", symbols::equation(component, value)};
+}
+
+// (36), (37): which loads keep the mass from sticking.
+[[nodiscard]] std::vector<methods::Claim> section6_load();
+// The orbit of Fig. 4.
+[[nodiscard]] std::vector<methods::Claim> example_P();
+
+}  // namespace stickslip::proofs::pascal2012::half_period

@@ -1,0 +1,74 @@
+// What Section 5 and Appendix 3 assume: slip on (0, tau), overshoot on (tau, tau + tau1), stick on (tau +
+// tau1, Theta).
+#pragma once
+
+#include "proofs/methods/claim.hpp"
+#include "proofs/symbols/abbreviations.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+namespace stickslip::proofs::pascal2012::overshooting {
+
+using namespace symbols::vocabulary;
+
+// The load's phase at tau and at tau + tau1.
+inline const symbols::Term phiB = symbols::scalar("phiB"), phiC = symbols::scalar("phiC");
+
+inline const methods::Assumption named_B{"28.ZB", symbols::equation(Z(tau), ZB)};
+inline const methods::Assumption named_C{"19.ZC", symbols::equation(Z(tau + tau1), ZC)};
+inline const methods::Assumption closes{"20", symbols::equation(Z(Theta), Z0)};
+inline const methods::Assumption period{"20.T", symbols::equation(Theta, tau + tau1 + T)};
+// z2' = V at 0, tau and tau + tau1.
+inline const methods::Assumption starts_with_belt{"12.V", symbols::equation(zdot20, V)};
+inline const methods::Assumption meets_belt{"18.V", symbols::equation(zdot2B, V)};
+inline const methods::Assumption lands_on_belt{"19.V", symbols::equation(symbols::scalar("zdot2C"), V)};
+
+// Row i of a vector of four.
+[[nodiscard]] inline symbols::Term row(int i) {
+  std::vector<symbols::Term> entries(4, symbols::Term(0));
+  entries[static_cast<std::size_t>(i - 1)] = 1;
+  return symbols::block(1, std::move(entries));
+}
+// The vector with 1 in place i.
+[[nodiscard]] inline symbols::Term place(int i) {
+  std::vector<symbols::Term> entries(4, symbols::Term(0));
+  entries[static_cast<std::size_t>(i - 1)] = 1;
+  return symbols::column(std::move(entries));
+}
+
+// The state after the slip (5), and after slip and overshoot, (5) and (8).
+inline const symbols::Term after_slip = H(tau) * (Z0 - F0) + F(tau);
+inline const symbols::Term after_both = H(tau + tau1) * (Z0 - F0) + 2 * L(tau1) * d0 + F(tau + tau1);
+
+// What equation i of (21) says is zero: the components z1, z2, z1' of Z_C - Gamma(-T) Z_0, then z2' - V at
+// tau and at tau + tau1.
+[[nodiscard]] inline symbols::Term closing_gap(int i) {
+  return i <= 3 ? row(i) * (after_both - Gamma(-T) * Z0) : row(4) * (i == 4 ? after_slip : after_both) - V;
+}
+
+// a_i z10 + b_i z20 + c_i z1'(0) + d_i.
+[[nodiscard]] inline symbols::Term closing_form(int i) {
+  return symbols::coefficient('a', i) * z10 + symbols::coefficient('b', i) * z20 +
+         symbols::coefficient('c', i) * zdot10 + symbols::coefficient('d', i);
+}
+
+// A state without z2' that is even about the middle of the stick, from the even rows of
+// model/overshooting_closing.hpp: a = lambda_2 P'_1, D = omega_2^2 omega_1 sin(alpha_1), C = V = 0 solve
+// even_1, and leave -omega_1 omega_2 times this determinant of even_2; alpha_j = omega_j (tau + tau_1)/2.
+inline const symbols::Term alpha1 = omega1 * (tau + tau1) / 2, alpha2 = omega2 * (tau + tau1) / 2;
+inline const symbols::Term even_determinant = (lambda2 - lambda1) * cos(T / 2) * sin(alpha1) * sin(alpha2) +
+                                              sin(T / 2) * (lambda2 * omega1 * cos(alpha1) * sin(alpha2) -
+                                                            lambda1 * omega2 * cos(alpha2) * sin(alpha1));
+inline const symbols::Term even_place =
+    lambda2 * (omega1 * sin(alpha1) * cos(T / 2) + cos(alpha1) * sin(T / 2));
+inline const symbols::Term even_swing = symbols::power(omega2, 2) * omega1 * sin(alpha1);
+inline const symbols::Term even_state =
+    symbols::column({chi * even_place + even_swing * cos(T / 2), even_place, -even_swing * sin(T / 2), 0});
+
+}  // namespace stickslip::proofs::pascal2012::overshooting
+
+namespace stickslip::proofs::pascal2012 {
+
+[[nodiscard]] std::vector<methods::Claim> section5_linear();  // (21)-(23)
+[[nodiscard]] std::vector<methods::Claim> example_O();        // the orbit of Fig. 3
+
+}  // namespace stickslip::proofs::pascal2012

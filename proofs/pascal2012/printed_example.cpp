@@ -1,0 +1,86 @@
+#include "proofs/pascal2012/printed_example.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/printed.hpp"
+#include "symbolic/typeset/names.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace numeric::motion;
+using namespace methods;
+
+Decimal as_printed(const PrintedResult& result, const Ball& value) {
+  Decimal decimal = result.value;
+  if (result.sign_lost && value.is_negative()) {
+    decimal.value = -decimal.value;
+    decimal.text = "-" + decimal.text;
+  }
+  return decimal;
+}
+
+Comparison compared(const std::string& name, const Decimal& printed, const Ball& value) {
+  const PrintedComparison comparison = compare_printed(name, printed, value);
+  return {name,
+          symbolic::typeset::latex_name(name),
+          printed.text,
+          to_text(comparison.value, 20),
+          to_text(comparison.units, 4),
+          comparison.verdict};
+}
+
+Outcome at_the_data(const Example& example, const std::string& route) {
+  const ExactParameters& a = example.data;
+  Outcome outcome;
+  outcome.route = route;
+  outcome.at = {{"chi", a.chi}, {"eta", a.eta}, {"us", a.us}, {"V", a.V}, {"omega", a.omega}, {"p", a.p}};
+  if (example.phi) {
+    outcome.at.push_back({"phi", *example.phi});
+  }
+  if (example.ur) {
+    outcome.at.push_back({"ur", *example.ur});
+  }
+  return outcome;
+}
+
+Claim printed_value(const PrintedPlace& where, const std::string& name, std::function<Ball()> value) {
+  const PrintedResult& result = where.example.result(name);
+  return {.id = where.example.name + "." + name,
+          .place = where.place,
+          .kind = Kind::numbers,
+          .words = fmt::format("{} = {}{}", name, result.value.text,
+                               result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
+          .prove = [=, value = std::move(value)](Prover&, const Claim&) {
+            const Ball proved = value();
+            Outcome outcome = at_the_data(where.example, where.route);
+            outcome.uses = {where.orbit};
+            outcome.comparisons = {compared(name, as_printed(result, proved), proved)};
+            outcome.verdict = outcome.comparisons.front().verdict;
+            return outcome;
+          }};
+}
+
+Verdict vanishes(const std::vector<Ball>& residual, const std::string& what) {
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    const std::string component =
+        residual.size() == 1 ? what : fmt::format("component {} of {}", i + 1, what);
+    if (!residual[i].contains_zero()) {
+      return Verdict::refuted(fmt::format("{} is {}", component, to_string(residual[i])));
+    }
+    if (!(residual[i].radius() - Ball(parse_rational("1e-20"))).is_negative()) {
+      return Verdict::undecided(fmt::format("{} is only known as {}", component, to_string(residual[i])));
+    }
+  }
+  return Verdict::proved();
+}
+
+std::string residuals(const std::vector<Ball>& values) {
+  std::vector<std::string> shown;
+  for (const Ball& value : values) {
+    shown.push_back(to_text(value, 3).mid);
+  }
+  return fmt::format("{}", fmt::join(shown, ", "));
+}
+
+}  // namespace stickslip::proofs::pascal2012

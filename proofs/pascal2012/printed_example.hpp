@@ -1,0 +1,41 @@
+// Claims about the numbers that the paper prints for an example: each against the value that is proved.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "proofs/methods/claim.hpp"
+#include "proofs/pascal2012/examples.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+// The printed value; where its sign is lost, with the one that the proved value has.
+[[nodiscard]] Decimal as_printed(const PrintedResult& result, const Ball& value);
+
+// A printed value beside the proved one.
+[[nodiscard]] methods::Comparison compared(const std::string& name, const Decimal& printed,
+                                           const Ball& value);
+
+// An outcome at the example's data: its parameters, and phi and u_r where they are given.
+[[nodiscard]] methods::Outcome at_the_data(const Example& example, const std::string& route);
+
+// What the claims about an example share.
+struct PrintedPlace {
+  const Example& example;
+  std::string place;  // "sec4"
+  std::string orbit;  // the id of the claim that the orbit exists
+  std::string route;  // how its values were found
+};
+
+// "S.tau": the printed result of that name, against value(). The value is asked for when the claim is proved.
+[[nodiscard]] methods::Claim printed_value(const PrintedPlace& where, const std::string& name,
+                                           std::function<Ball()> value);
+
+// Every component contains zero, and is small enough (1e-20) for that to mean something.
+[[nodiscard]] Verdict vanishes(const std::vector<Ball>& residual, const std::string& what);
+
+// "-0.0016, 0.0021, …": midpoints of balls that are far smaller than their last digit.
+[[nodiscard]] std::string residuals(const std::vector<Ball>& values);
+
+}  // namespace stickslip::proofs::pascal2012

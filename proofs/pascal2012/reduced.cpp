@@ -1,0 +1,36 @@
+// The equations that the proofs of orbits solve in place of the paper's, and that they say the same:
+// "residual of the paper's closing condition = M · residual of the reduced equation" and back. Where a
+// difference quotient such as sin(x)/x stands in a formula, x ≠ 0 appears among the hypotheses; both sides
+// being continuous, the identity holds at x = 0 too.
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/pascal2012/reduction.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace methods;
+using namespace symbolic::algebra;
+
+namespace {
+
+using namespace reduction;
+
+std::vector<Equal> modal_forms(Flows& flows) {
+  const model::Parameters<ex> a{symbol("chi"), symbol("eta"),   symbol("us"),
+                                symbol("V"),   symbol("omega"), symbol("p")};
+  flows.used.merge(std::set<std::string>{"6.d0", "7"});
+  return {{model::Q<ex>(a, modes()), load()}, {model::d0<ex>(a.chi, a.us), rest()}};
+}
+
+}  // namespace
+
+std::vector<Claim> reduced() {
+  std::vector<Claim> result{
+      reduced("7.modal", "Q and d_0 by their modes", modal_forms, off_load_resonance()),
+  };
+  for (const std::vector<Claim>& family : {symmetric_claims(), overshooting_claims(), nonsticking_claims()}) {
+    result.insert(result.end(), family.begin(), family.end());
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs::pascal2012

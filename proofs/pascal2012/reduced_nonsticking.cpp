@@ -1,0 +1,64 @@
+// (28) for any tau and V against the two reduced equations.
+#include "model/nonsticking.hpp"
+#include "proofs/pascal2012/reduction.hpp"
+#include "proofs/symbols/evaluate.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+namespace stickslip::proofs::pascal2012::reduction {
+
+using namespace methods;
+using namespace symbols;
+using namespace symbolic::algebra;
+
+namespace {
+
+namespace v = symbols::vocabulary;
+
+std::vector<Equal> two_slips_close(Flows& flows) {
+  const ex omega = symbol("omega");
+  const ex delta = symbol("delta");
+  const ex mu = symbol("mu");
+  const ex V = symbol("V");
+  const Vector2 c = model::modal_rest<ex>(modes(), rest());
+  const model::Parameters<ex> a{symbol("chi"), symbol("eta"), symbol("us"), V, omega, symbol("p")};
+  const Vector2 rows = model::two_slips<ex>(a, modes(), load()(1), c, GiNaC::Pi, delta, mu);
+  const auto states = model::two_slips_states<ex>(V, modes(), load(), c, omega, GiNaC::Pi, delta, mu);
+  // The response's own speeds z2' at 0 and tau, less V, are combinations of the rows.
+  Vector4 Z0 = states.Z0;
+  Vector4 ZB = states.ZB;
+  Z0(3) += sin(delta) * rows(1) - rows(0);
+  ZB(3) += -sin(delta) * rows(1) - rows(0);
+  const ex tau = 2 * delta / omega;
+  return {{flows.slip(Z0, mu - delta, tau), ZB}, {flows.overshoot(ZB, mu + delta, period() - tau), Z0}};
+}
+
+// det(H(Theta) - I) = (2 - 2 cos(omega_1 Theta))(2 - 2 cos(omega_2 Theta)).
+std::vector<Equal> one_response(Flows&) {
+  const ex Theta = period();
+  const ex product = (2 - 2 * cos(symbol("omega1") * Theta)) * (2 - 2 * cos(symbol("omega2") * Theta));
+  const Term stated = determinant(vocabulary::H(2 * pi() / vocabulary::omega) - vocabulary::I4);
+  return {{evaluate<ex>(stated, symbolically()), symbolic::algebra::Matrix::Constant(1, 1, product)}};
+}
+
+std::vector<Assumption> two_slips_apart() {
+  const Term delta = scalar("delta");
+  std::vector<Assumption> result = durations({delta, delta - pi(), sin(delta)});
+  for (const Term& omega_j : {v::omega1, v::omega2}) {
+    result.push_back(nonzero("resonance", sin(pi() * omega_j / v::omega)));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> nonsticking_claims() {
+  return {
+      reduced("28.reduced",
+              "where the two reduced equations hold the motion closes as in (28), with z2' = V at 0 and tau",
+              two_slips_close, two_slips_apart()),
+      reduced("28.unique", "off resonance there is one response of period Theta: det(H(Theta) - I) is not 0",
+              one_response),
+  };
+}
+
+}  // namespace stickslip::proofs::pascal2012::reduction

@@ -1,0 +1,139 @@
+#include "proofs/pascal2012/reduction.hpp"
+
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+namespace stickslip::proofs::pascal2012::reduction {
+
+using namespace methods;
+using namespace symbols;
+using namespace symbolic::algebra;
+
+namespace {
+
+namespace v = symbols::vocabulary;
+
+// Q and d0 by their modes: what (0, p) and (0, eta us) contribute to each.
+Vector2 by_modes(const ex& force, const ex& shift) {
+  const model::Modes<ex> m = modes();
+  const ex share = force / (m.lambda2 - m.lambda1);
+  const Vector2 y{ex(-share / (m.omega1 * m.omega1 - shift)), ex(share / (m.omega2 * m.omega2 - shift))};
+  return model::Lambda<ex>(m) * y;
+}
+
+// left = right, as: equal where all amplitudes and forces are zero, and equal derivatives with respect to
+// each. Everything here is linear in them, which makes many small identities of a large one.
+std::vector<Equal> split(const Equal& equal) {
+  std::vector<ex> sources;
+  for (const char * name : {"a", "C", "D", "V", "us", "p", "z10", "z20", "zdot10"}) {
+    sources.push_back(symbol(name));
+  }
+  const auto both = [&](const auto& f) { return Equal{equal.left.unaryExpr(f), equal.right.unaryExpr(f)}; };
+  GiNaC::exmap none;
+  for (const ex& source : sources) {
+    none[source] = 0;
+  }
+  std::vector<Equal> result{both([&](const ex& e) { return ex(e.subs(none)); })};
+  for (const ex& source : sources) {
+    result.push_back(both([&](const ex& e) { return ex(e.diff(GiNaC::ex_to<GiNaC::symbol>(source))); }));
+  }
+  return result;
+}
+
+// Every pair that `compare` builds from the model's own formulas is equal.
+Proof by_comparison(Compare compare) {
+  return [compare](Prover&, const Claim& claim) {
+    Outcome outcome;
+    Flows flows;
+    std::vector<Verdict> verdicts;
+    for (const Equal& equal : compare(flows)) {
+      for (const Equal& part : split(equal)) {
+        decide(outcome, claim, part.left, part.right);
+        verdicts.push_back(outcome.verdict);
+      }
+    }
+    outcome.uses.merge(flows.used);
+    outcome.verdict = all_of(verdicts);
+    outcome.route = "the model's own formulas compared by normal form, for all values of the symbols";
+    return outcome;
+  };
+}
+
+}  // namespace
+
+model::Modes<ex> modes() {
+  return {symbol("omega1"), symbol("omega2"), symbol("lambda1"), symbol("lambda2")};
+}
+Vector2 load() {
+  return by_modes(symbol("p"), symbol("omega") * symbol("omega"));
+}
+Vector2 rest() {
+  return by_modes(symbol("eta") * symbol("us"), 0);
+}
+ex period() {
+  return 2 * GiNaC::Pi / symbol("omega");
+}
+
+Vector4 Flows::slip(const Vector4& Z0, const ex& psi0, const ex& t) {
+  used.merge(std::set<std::string>{"5", "7.modal"});
+  return model::slip_flow<ex>(modes(), load(), symbol("omega"), psi0, Z0, t);
+}
+
+Vector4 Flows::overshoot(const Vector4& Z0, const ex& psi0, const ex& t) {
+  used.merge(std::set<std::string>{"8", "7.modal"});
+  return model::overshoot_flow<ex>(modes(), load(), rest(), symbol("omega"), psi0, Z0, t);
+}
+
+Vector4 Flows::stick(const Vector4& Z0, const ex& t) {
+  used.insert("10");
+  return model::stick_flow<ex>(symbol("chi"), Z0, t);
+}
+
+Vector4 from_modes(const Vector2& y, const Vector2& ydot) {
+  const model::Matrix2<ex> Lambda = model::Lambda<ex>(modes());
+  return model::stack<ex>(Vector2(Lambda * y), Vector2(Lambda * ydot));
+}
+Vector2 to_modes(const Vector2& z) {
+  return model::inverse<ex>(model::Lambda<ex>(modes())) * z;
+}
+
+Vector2 row_scale() {
+  const ex scale = modes().lambda2 - modes().lambda1;
+  return {scale, -scale};
+}
+
+Vector2 half_angles(const ex& duration) {
+  return {symbol("omega1") * duration / 2, symbol("omega2") * duration / 2};
+}
+Vector2 frequencies() {
+  return {symbol("omega1"), symbol("omega2")};
+}
+
+Assumption nonzero(const std::string& id, const Term& term) {
+  return {id, {term, 0, Relation::not_equal}};
+}
+
+std::vector<Assumption> off_load_resonance() {
+  return {nonzero("resonance", v::omega - v::omega1), nonzero("resonance", v::omega - v::omega2)};
+}
+
+std::vector<Assumption> durations(const std::vector<Term>& terms) {
+  std::vector<Assumption> result = off_load_resonance();
+  for (const Term& term : terms) {
+    result.push_back(nonzero("duration", term));
+  }
+  return result;
+}
+
+Claim reduced(const std::string& id, const std::string& words, Compare compare,
+              const std::vector<Assumption>& assumptions) {
+  return {.id = id,
+          .place = "red",
+          .kind = Kind::step,
+          .words = words,
+          .assumptions = assumptions,
+          .prove = by_comparison(compare)};
+}
+
+}  // namespace stickslip::proofs::pascal2012::reduction

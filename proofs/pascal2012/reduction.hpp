@@ -1,0 +1,71 @@
+// What the claims about reduced equations share: the flows with the record of what they rest on, and the
+// comparison of formulas of the model with each other.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/flows.hpp"
+#include "proofs/methods/claim.hpp"
+#include "proofs/symbols/term.hpp"
+#include "symbolic/algebra/decide.hpp"
+#include "symbolic/algebra/symbols.hpp"
+
+namespace stickslip::proofs::pascal2012::reduction {
+
+using GiNaC::cos;
+using GiNaC::ex;
+using GiNaC::sin;
+using symbolic::algebra::symbol;
+using Vector2 = model::Vector2<ex>;
+using Vector4 = model::Vector4<ex>;
+
+[[nodiscard]] model::Modes<ex> modes();
+// Q and d_0 by their modes.
+[[nodiscard]] Vector2 load();
+[[nodiscard]] Vector2 rest();
+// Theta = 2 pi/omega.
+[[nodiscard]] ex period();
+
+// The flows (5), (8), (10); the ids of the claims behind those that were used.
+struct Flows {
+  std::set<std::string> used{"39.derived"};
+
+  Vector4 slip(const Vector4& Z0, const ex& psi0, const ex& t);
+  Vector4 overshoot(const Vector4& Z0, const ex& psi0, const ex& t);
+  Vector4 stick(const Vector4& Z0, const ex& t);
+};
+
+struct Equal {
+  symbolic::algebra::Matrix left, right;
+};
+using Compare = std::vector<Equal> (*)(Flows&);
+
+// z = Lambda y, z' = Lambda y', and back.
+[[nodiscard]] Vector4 from_modes(const Vector2& y, const Vector2& ydot);
+[[nodiscard]] Vector2 to_modes(const Vector2& z);
+
+// lambda_2 - lambda_1 with the sign that it has in row j of the reduced equations.
+[[nodiscard]] Vector2 row_scale();
+// omega_j, and omega_j duration/2.
+[[nodiscard]] Vector2 frequencies();
+[[nodiscard]] Vector2 half_angles(const ex& duration);
+
+// A claim that every pair that `compare` builds from the model's own formulas is equal.
+[[nodiscard]] methods::Claim reduced(const std::string& id, const std::string& words, Compare compare,
+                                     const std::vector<methods::Assumption>& assumptions = {});
+
+// "term is not 0"; that the load is not at resonance, where (7) has no Q; that, and that no term is 0. Both
+// sides are continuous where a duration is zero (the numeric code computes sin(x)/x there as 1): the identity
+// extends to it.
+[[nodiscard]] methods::Assumption nonzero(const std::string& id, const symbols::Term& term);
+[[nodiscard]] std::vector<methods::Assumption> off_load_resonance();
+[[nodiscard]] std::vector<methods::Assumption> durations(const std::vector<symbols::Term>& terms);
+
+// The claims of Sections 4, 5 and 6.
+[[nodiscard]] std::vector<methods::Claim> symmetric_claims();
+[[nodiscard]] std::vector<methods::Claim> overshooting_claims();
+[[nodiscard]] std::vector<methods::Claim> nonsticking_claims();
+
+}  // namespace stickslip::proofs::pascal2012::reduction

@@ -1,0 +1,208 @@
+// Section 6, (36) and (37): which loads keep the mass from sticking.
+#include "proofs/methods/implications.hpp"
+#include "proofs/pascal2012/half_period.hpp"
+
+namespace stickslip::proofs::pascal2012::half_period {
+
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+const std::string sec = "sec6";
+
+const Assumption at_start{"25", inequality25}, at_end{"26", inequality26}, both{"36", inequality36};
+const Assumption load_acts{"1.p", {p, 0, Relation::greater}};
+
+// b_1 d_01 + b_2 d_02, which is -q_2 omega sin(phi) by (35).
+const Term B = b1 * d01 + b2 * d02;
+const Term D = (power(omega, 2) - power(omega1, 2)) * (power(omega, 2) - power(omega2, 2));
+// By (7) q_2 omega = p/bound.
+const Term bound = D / (omega * (1 - power(omega, 2)));
+const Term in_37 = D * B / ((1 - power(omega, 2)) * omega);
+
+const Statement sharp{power(p, 2), power(bound, 2) * (power(B, 2) + power(eta * ur / omega, 2)),
+                      Relation::greater};
+const Statement pushes{q2 * cos(phi), 0, Relation::greater};
+
+std::vector<Assumption> closed_motion(std::vector<Assumption> more) {
+  std::vector<Assumption> all{half, period, closes, named_B, regular};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+std::vector<Assumption> moving_motion(std::vector<Assumption> more) {
+  more.insert(more.begin(), {starts_with_belt, meets_belt});
+  return closed_motion(more);
+}
+
+const Term push = power(omega, 2) * q2 * cos(phi);
+
+// (q_2 omega sin(phi))^2 - B^2, times a coefficient, is a multiple of (35).
+Multiple from_35(const Term& coefficient) {
+  return {from("35"), 0, coefficient * power(q2 * omega, 2) * (sin(phi) - B / (q2 * omega))};
+}
+
+// p^2 - (bound q_2 omega)^2, times a coefficient, is a multiple of the difference of p and bound q_2 omega.
+Multiple from_load(const Term& coefficient) {
+  return {from("37.p"), 0, coefficient * (p + bound * q2 * omega)};
+}
+
+// A point where (37) holds and (36) fails: the load is given by (35), u_r is large.
+Counterexample weak_load() {
+  const Term load = -bound * B / sin(phi);
+  const Term second = load * (1 - power(omega, 2)) / D;
+  return {.point = {{"omega1", Rational(1, 2)},
+                    {"omega2", Rational(2)},
+                    {"omega", Rational(3, 5)},
+                    {"phi", Rational(29, 10)},
+                    {"us", Rational(1, 10)},
+                    {"ur", Rational(5)}},
+          .values = {equation(p, load), equation(q1, chi * load / D), equation(q2, second)},
+          .true_there = {load_acts.statement,
+                         {p, abs(in_37), Relation::greater},
+                         pushes,
+                         {ur, us, Relation::greater}},
+          .false_there = {inequality36}};
+}
+
+std::vector<Claim> condition36() {
+  const Term lever = chi * eta * block(1, {-1, 1});
+  return {
+      {.id = "36",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {inequality36},
+       .words = "(25) in closed form",
+       .assumptions = closed_motion({at_start}),
+       .prove = by_positive_combination(
+           {{.positive = {{1, {{assuming("25")}}}},
+             .equations = {{from("34"), 0, chi * eta}, {from("34"), 1, -chi * eta}}}})},
+      {.id = "36.26",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {inequality36},
+       .words = "(26) in closed form is the same condition",
+       .assumptions = closed_motion({at_end}),
+       .prove = by_positive_combination(
+           {{.positive = {{1, {{assuming("26")}}}}, .equations = {{from("31"), 0, lever}}}})},
+      {.id = "36.back",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {inequality25, inequality26},
+       .words = "conversely (36) gives (25) and (26): the three are equivalent for a motion that closes",
+       .assumptions = closed_motion({both}),
+       .prove = by_positive_combination(
+           {{.positive = {{1, {{assuming("36")}}}},
+             .equations = {{from("34"), 0, -chi * eta}, {from("34"), 1, chi * eta}}},
+            {.positive = {{1, {{assuming("36")}}}}, .equations = {{from("31"), 0, -lever}}}})},
+      {.id = "36.q2",
+       .place = sec,
+       .kind = Kind::identity,
+       .printed = {equation(chi * eta * (q2 - q1) - p, power(omega, 2) * q2)},
+       .words = "the second row of (K - omega^2 I) Q = (0, p): (36) is omega^2 q_2 cos(phi) > eta u_r",
+       .prove = by_normal_form()},
+      {.id = "36.load",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {pushes},
+       .words =
+           "(36) holds only if q_2 is not zero: neither p = 0 nor omega = 1, where (35) would not determine "
+           "phi, allows a motion that never sticks",
+       .assumptions = {both},
+       .prove = by_positive_combination(
+           {{.positive = {{1 / power(omega, 2), {{assuming("36")}}}, {eta * ur / power(omega, 2)}},
+             .equations = {{from("36.q2"), 0, -cos(phi) / power(omega, 2)}}}})},
+      {.id = "36.square",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {{power(push, 2), power(eta * ur, 2), Relation::greater}},
+       .words = "the square of (36)",
+       .assumptions = {both},
+       .prove = by_positive_combination(
+           {{.positive = {{1, {{assuming("36")}, {assuming("36")}}}, {2 * eta * ur, {{assuming("36")}}}},
+             .equations = {{from("36.q2"), 0,
+                            -cos(phi) * (push + chi * eta * (q2 - q1) * cos(phi) - p * cos(phi))}}}})},
+      {.id = "35.bound",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {{abs(B / (q2 * omega)), 1, Relation::less}},
+       .words = "a phase phi exists; the case of equality is excluded by (36)",
+       .assumptions = moving_motion({both}),
+       .prove = by_positive_combination(
+           {{.positive = {{1 / power(omega, 2), {{from("36.square")}}}, {power(eta * ur / omega, 2)}},
+             .equations = {from_35(1)},
+             .divisors = {{power(q2 * omega, 2)}}}}),
+       .illegible = "the bars of the absolute value"},
+  };
+}
+
+std::vector<Claim> condition37() {
+  const Term square = power(bound, 2);
+  const Term rest = power(eta * ur / omega, 2);
+  return {
+      {.id = "37.p",
+       .place = sec,
+       .kind = Kind::identity,
+       .printed = {equation(p, bound * q2 * omega)},
+       .words = "(7) solved for the load amplitude",
+       .prove = by_normal_form()},
+      {.id = "37",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {{p, abs(in_37), Relation::greater}},
+       .words =
+           "a load amplitude that (36) needs; it says that phi exists, |sin(phi)| < 1, and leaves u_r out",
+       .assumptions = moving_motion({load_acts, both}),
+       .prove = by_positive_combination({{.positive = {{1, {{from("37.sharp")}}}, {square * rest}}}},
+                                        assuming("1.p")),
+       .prove_converse = by_counterexample(weak_load()),
+       .illegible = "the bars of the absolute value, the fraction bar and a factor omega below it"},
+      {.id = "37.sharp",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {sharp},
+       .words = "what (36) and (35) say about the load amplitude",
+       .assumptions = moving_motion({both}),
+       .prove = by_positive_combination({{.positive = {{square / power(omega, 2), {{from("36.square")}}}},
+                                          .equations = {from_35(square), from_load(1)}}})},
+      {.id = "37.sharp.back",
+       .place = sec,
+       .kind = Kind::condition,
+       .printed = {inequality36},
+       .words = "conversely that amplitude gives (36), for the one of the two phases phi allowed by (35) for "
+                "which "
+                "q_2 cos(phi) is positive",
+       .assumptions = moving_motion({{"37.sharp", sharp}, {"36.load", pushes}}),
+       .prove =
+           by_positive_combination({{.positive = {{power(omega, 2) / square, {{assuming("37.sharp")}}}},
+                                     .equations = {from_35(-power(omega, 2)),
+                                                   from_load(-power(omega, 2) / square),
+                                                   {from("36.q2"), 0, cos(phi) * (push + eta * ur)}},
+                                     .divisors = {{power(omega, 2), {{assuming("36.load")}}}, {eta * ur}}}})},
+      {.id = "37.speed",
+       .place = sec,
+       .kind = Kind::step,
+       .printed = {equation(block(1, {0, 0, 0, 1}) * (H(t) * (Z0 - F0) + F(t)),
+                            -q2 * omega * cos(phi) * sin(omega * t) + B * cos(omega * t) -
+                                second_row * (H3(t) * d0 - H1(t) * H2_inverse * (H1(tau) - I2) * d0))},
+       .words = "the speed of the second mass on the first slip: x2' < 0 there exactly if q_2 omega cos(phi) "
+                "exceeds, for all 0 < t < pi/omega, what the other terms give divided by sin(omega t)",
+       .assumptions = moving_motion({}),
+       .prove = by_combination({{{from("33"), 0, second_row * H3(t)},
+                                 {from("33"), 1, second_row * H1(t)},
+                                 {from("35"), 0, -q2 * omega * cos(omega * t)}}})},
+  };
+}
+
+}  // namespace
+
+std::vector<Claim> section6_load() {
+  std::vector<Claim> claims = condition36();
+  for (Claim& claim : condition37()) {
+    claims.push_back(std::move(claim));
+  }
+  return claims;
+}
+
+}  // namespace stickslip::proofs::pascal2012::half_period

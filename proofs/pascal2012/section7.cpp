@@ -1,0 +1,105 @@
+// What the abstract, Section 6 and the conclusion assert about the three families.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "numeric/orbits.hpp"
+#include "proofs/methods/methods.hpp"
+#include "proofs/pascal2012/appendix5.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/paper.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace numeric;
+using namespace numeric::motion;
+using namespace methods;
+using namespace symbols;
+
+namespace {
+
+const std::string sec = "sec7";
+
+// "Such orbits exist": the example of the paper is one.
+Claim exists(const std::string& id, const std::string& example, const std::string& words,
+             const std::set<std::string>& uses) {
+  return {.id = id, .place = sec, .kind = Kind::theorem, .words = words, .prove = [=](Prover&, const Claim&) {
+            Outcome outcome =
+                at_the_data(example_named(example),
+                            "the orbit of the example, with every condition along the motion, in balls");
+            outcome.uses = uses;
+            outcome.verdict = printed_orbit(example_named(example)).admissible;
+            return outcome;
+          }};
+}
+
+// A belt that moves, and a motion that never sticks.
+OrbitQuestion moving_belt() {
+  OrbitQuestion question;
+  question.family = Family::nonsticking;
+  question.parameters = {{Rational(3, 10)}, {Rational(4)},    {Rational(1, 10)},
+                         {Rational(1, 10)}, {Rational(3, 5)}, {Rational(1)}};
+  question.ur = Range{Rational(1, 5)};
+  question.digits = 30;
+  return question;
+}
+
+Outcome only_at_rest() {
+  const OrbitQuestion question = moving_belt();
+  const OrbitList list = list_orbits(question);
+  const auto found = std::find_if(list.orbits.begin(), list.orbits.end(), [](const DecidedOrbit& orbit) {
+    return orbit.admissible.truth == Truth::proved;
+  });
+  Outcome outcome;
+  outcome.uses = {"28.reduced"};
+  if (found == list.orbits.end()) {
+    outcome.verdict = Verdict::undecided("no orbit on a moving belt is proved at the data");
+    return outcome;
+  }
+  outcome.route = fmt::format(
+      "a counterexample proved in balls, with every condition along the motion: tau = {}, Theta = {}, phi = "
+      "{}",
+      shown(value_of(*found, "tau")), shown(value_of(*found, "Theta")), shown(value_of(*found, "phi")));
+  const model::Parameters<Range>& a = question.parameters;
+  outcome.verdict = Verdict::refuted(Witness{{{"chi", a.chi.middle},
+                                              {"eta", a.eta.middle},
+                                              {"us", a.us.middle},
+                                              {"ur", question.ur->middle},
+                                              {"V", a.V.middle},
+                                              {"omega", a.omega.middle},
+                                              {"p", a.p.middle}},
+                                             {},
+                                             Ball(a.V.middle),
+                                             Ball(0)});
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Claim> section7() {
+  return {
+      exists("7.overshoot", "O",
+             "abstract: periodic orbits exist on which the mass overtakes the belt for a time", {"O.orbit"}),
+      exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest", {"P.orbit"}),
+      {.id = "7.only",
+       .place = sec,
+       .kind = Kind::theorem,
+       .words = "Section 6: orbits that never stick are obtained only for V = 0; true for tau = Theta/2 off "
+                "resonance (33.V), "
+                "which the paper assumes, and false without: for V > 0 they have tau > Theta/2 (A5.turn)",
+       .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
+      {.id = "7.symmetric",
+       .place = sec,
+       .kind = Kind::theorem,
+       .printed = {equation(vocabulary::X(vocabulary::t), -vocabulary::X(vocabulary::t + vocabulary::tau)),
+                   two_slips::half.statement},
+       .words = "abstract and conclusion: this kind of solution, with two transitions per period, is "
+                "symmetric in space and "
+                "time for almost all omega; the exceptions are omega_j = k omega, a countable set",
+       .assumptions = two_slips::two_slips_at_rest(),
+       .prove = by_premises({from("A5.theorem")})},
+  };
+}
+
+}  // namespace stickslip::proofs::pascal2012

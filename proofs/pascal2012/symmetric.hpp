@@ -1,0 +1,28 @@
+// What Section 4 and Appendix 2 assume: a slip that ends in the state E Z_0, and a stick that leads back.
+#pragma once
+
+#include "proofs/methods/claim.hpp"
+#include "proofs/pascal2012/half_period.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+namespace stickslip::proofs::pascal2012::symmetric {
+
+using namespace symbols::vocabulary;
+using half_period::closes;
+using half_period::friction_at_rest;
+using half_period::period;
+using half_period::starts_with_belt;
+
+inline const methods::Assumption time_lag{"4.lag", symbols::equation(phi, (symbols::pi() - omega * tau) / 2)};
+inline const methods::Assumption slip_ends{"13", symbols::equation(Z(tau), E * Z0)};
+inline const methods::Assumption stick_ends{"15", symbols::equation(Gamma(T) * E * Z0, Z0)};
+inline const methods::Assumption stick_lasts{"4.T", symbols::equation(T, Theta - tau)};
+
+}  // namespace stickslip::proofs::pascal2012::symmetric
+
+namespace stickslip::proofs::pascal2012 {
+
+// The orbit of Fig. 2.
+[[nodiscard]] std::vector<methods::Claim> example_S();
+
+}  // namespace stickslip::proofs::pascal2012

@@ -1,0 +1,53 @@
+// What the paper's symbols mean: terms evaluated with the formulas of model/.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include "core/ball.hpp"
+#include "core/error.hpp"
+#include "model/linear.hpp"
+#include "numeric/scalars/exact.hpp"
+#include "proofs/symbols/term.hpp"
+#include "symbolic/algebra/scalar.hpp"
+#include "symbolic/algebra/symbols.hpp"
+
+namespace stickslip::proofs::symbols {
+
+template <class S>
+using Value = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
+// The value of a scalar symbol: chi, eta, omega1, lambda1, q1, d01, t, z10, pi, …
+template <class S>
+using Lookup = std::function<S(const std::string&)>;
+
+// Every scalar stands for itself.
+[[nodiscard]] inline Lookup<GiNaC::ex> symbolically() {
+  return [](const std::string& name) {
+    return name == "pi" ? GiNaC::ex(GiNaC::Pi) : symbolic::algebra::symbol(name);
+  };
+}
+
+// A name has no meaning in the model, as a motion Z(t) has none by itself; or a derivative is out of reach.
+struct NoValue : InternalError {
+  using InternalError::InternalError;
+};
+
+// The value of a term; 1×1 for a scalar. H, Gamma, F, … are those of model/; d/dt is exact. Throws NoValue.
+// For GiNaC::ex, Ball and Exact.
+template <class S>
+[[nodiscard]] Value<S> evaluate(const Term& term, const Lookup<S>& scalar);
+extern template Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);
+extern template Value<Ball> evaluate(const Term&, const Lookup<Ball>&);
+extern template Value<numeric::scalars::Exact> evaluate(const Term&, const Lookup<numeric::scalars::Exact>&);
+
+// Whether it is an element of the field in which identities are decided: every name has a meaning in the
+// model, and there is no absolute value.
+[[nodiscard]] bool is_in_field(const Term& term);
+
+// The claims that define what a term speaks of: 38 for H_1, 41 for Gamma_2, … (cos, t and the parameters need
+// none).
+[[nodiscard]] std::set<std::string> definitions_in(const Term& term);
+
+}  // namespace stickslip::proofs::symbols

@@ -1,0 +1,50 @@
+#include "proofs/symbols/point.hpp"
+
+#include "core/error.hpp"
+#include "proofs/symbols/derived.hpp"
+
+namespace stickslip::proofs::symbols {
+namespace {
+
+using Values = std::map<std::string, Rational>;
+
+Ball value_of(const Values& given, const std::string& name) {
+  if (const auto found = given.find(name); found != given.end()) {
+    return Ball(found->second);
+  }
+  if (name == "pi") {
+    return Ball::pi();
+  }
+  const Lookup<Ball> lookup = [&given](const std::string& other) { return value_of(given, other); };
+  const bool has_frequencies = given.contains("omega1") && given.contains("omega2");
+  if (!has_frequencies && (name == "omega1" || name == "omega2")) {
+    const model::Modes<Ball> m = model::modes<Ball>(lookup("chi"), lookup("eta"));
+    return name == "omega1" ? m.omega1 : m.omega2;
+  }
+  const bool follows = has_frequencies || (name != "chi" && name != "eta");
+  if (const auto value = follows ? derived<Ball>(name, lookup) : std::nullopt) {
+    return *value;
+  }
+  throw InternalError("the symbol " + name + " has no value at this point");
+}
+
+}  // namespace
+
+Lookup<Ball> at_point(const std::vector<Coordinate>& point) {
+  Values given;
+  for (const Coordinate& coordinate : point) {
+    given[coordinate.name] = coordinate.value;
+  }
+  return [given = std::move(given)](const std::string& name) { return value_of(given, name); };
+}
+
+symbolic::algebra::BallValues values_at(const std::vector<Coordinate>& point, const GiNaC::exset& symbols) {
+  const Lookup<Ball> lookup = at_point(point);
+  symbolic::algebra::BallValues values;
+  for (const GiNaC::ex& symbol : symbols) {
+    values[symbol] = lookup(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
+  }
+  return values;
+}
+
+}  // namespace stickslip::proofs::symbols

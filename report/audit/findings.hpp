@@ -1,0 +1,29 @@
+// What an audit found, in words and in the order in which a reader wants it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/methods/claim.hpp"
+
+namespace stickslip::report::audit {
+
+// "The paper holds, with corrections.": what the worst status comes to.
+[[nodiscard]] std::string verdict_lead(const proofs::methods::Audit& audit);
+
+// One sentence with the number of statements of each status; empty for an empty audit.
+[[nodiscard]] std::string verdict_sentence(const proofs::methods::Audit& audit);
+
+// The same things that must not vanish, brought in by the proofs of some claims and inherited by others.
+struct HypothesisGroup {
+  std::vector<proofs::methods::Hypothesis> hypotheses;
+  std::vector<const proofs::methods::Record *> origins;
+  std::set<std::string> heirs;  // ids
+};
+
+// All hypotheses beyond the paper's, each once, those with most statements behind them first. Points into the
+// audit.
+[[nodiscard]] std::vector<HypothesisGroup> hypothesis_groups(const proofs::methods::Audit& audit);
+
+}  // namespace stickslip::report::audit

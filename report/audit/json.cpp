@@ -1,0 +1,176 @@
+#include "report/audit/json.hpp"
+
+#include "core/decimal.hpp"
+#include "report/audit/mutants.hpp"
+#include "report/audit/summary.hpp"
+#include "report/orbits/orbits.hpp"
+#include "symbolic/typeset/names.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace proofs::methods;
+using namespace proofs::pascal2012;
+using namespace proofs::symbols;
+using namespace tools;
+using namespace symbolic::algebra;
+
+namespace {
+
+using proofs::methods::Audit;
+using proofs::methods::Claim;
+using proofs::methods::Outcome;
+using proofs::methods::Record;
+
+Json plain(const std::string& text) {
+  return text;
+}
+
+Json ball(const BallText& text) {
+  return {{"mid", text.mid}, {"rad", text.rad}};
+}
+
+Json formula(const proofs::symbols::Statement& statement) {
+  return {{"latex", proofs::symbols::latex(statement)}, {"text", proofs::symbols::text(statement)}};
+}
+
+Json repair(const proofs::methods::Repair& r) {
+  Json json = {{"what", r.what}};
+  json.update(formula(r.statement));
+  return json;
+}
+
+Json hypothesis(const proofs::methods::Hypothesis& h) {
+  return {{"latex", h.latex}, {"text", h.text}, {"origin", h.origin}};
+}
+
+Json symbol(const std::string& name) {
+  return {{"name", name}, {"latex", symbolic::typeset::latex_name(name)}};
+}
+
+Json coordinate(const Coordinate& c) {
+  Json json = symbol(c.name);
+  json["value"] = to_string(c.value);
+  return json;
+}
+
+// Enough to tell the sides apart. The digits beyond depend on the order of GiNaC's sums, which no two runs
+// share.
+constexpr int witness_digits = 10;
+
+Json witness(const std::optional<Witness>& w) {
+  if (!w) {
+    return nullptr;
+  }
+  return {{"point", list_of(w->point, coordinate)},
+          {"component", w->component},
+          {"left", ball(to_text(w->left, witness_digits))},
+          {"right", ball(to_text(w->right, witness_digits))}};
+}
+
+Json comparison(const proofs::methods::Comparison& c) {
+  return {{"name", c.name},
+          {"latex", c.latex},
+          {"printed", c.printed},
+          {"proved", ball(c.proved)},
+          {"units_off", ball(c.units_off)},
+          {"verdict", to_string(c.verdict.truth)},
+          {"reason", c.verdict.reason}};
+}
+
+Json cross_check(const proofs::methods::CrossCheck& c) {
+  return {{"formulas", c.formulas},       {"exact_points", c.exact_points},
+          {"ball_points", c.ball_points}, {"premise_points", c.premise_points},
+          {"unchecked", c.unchecked},     {"line", cross_check_line(c)}};
+}
+
+Json outcome(const Outcome& o) {
+  return {{"verdict", to_string(o.verdict.truth)},
+          {"reason", o.verdict.reason},
+          {"witness", witness(o.verdict.witness)},
+          {"route", o.route},
+          {"hypotheses", list_of(o.hypotheses, hypothesis)},
+          {"uses", list_of(o.uses, plain)},
+          {"free", list_of(o.free, symbol)},
+          {"at", list_of(o.at, coordinate)},
+          {"comparisons", list_of(o.comparisons, comparison)},
+          {"cross_check", cross_check(o.cross_check)}};
+}
+
+bool needs_assumption(const Record& record, const std::string& id) {
+  return record.outcome.assumed.contains(id) || (record.corrected && record.corrected->assumed.contains(id));
+}
+
+Json assumptions(const Record& record) {
+  return list_of(record.claim.assumptions, [&record](const proofs::methods::Assumption& assumption) {
+    Json json = {{"id", assumption.id}};
+    json.update(formula(assumption.statement));
+    json["needed"] = needs_assumption(record, assumption.id);
+    return json;
+  });
+}
+
+Json claim(const Record& record) {
+  const Claim& c = record.claim;
+  return {{"id", c.id},
+          {"place", c.place},
+          {"kind", proofs::methods::to_string(c.kind)},
+          {"words", c.words},
+          {"status", proofs::methods::to_string(record.status)},
+          {"meaning", proofs::methods::describe(record.status)},
+          {"finding", is_finding(record)},
+          {"printed", list_of(c.printed, formula)},
+          {"corrected", list_of(c.corrected, formula)},
+          {"assumptions", assumptions(record)},
+          {"outcome", outcome(record.outcome)},
+          {"corrected_outcome", record.corrected ? outcome(*record.corrected) : Json(nullptr)},
+          {"converse", record.converse ? outcome(*record.converse) : Json(nullptr)},
+          {"repairs", list_of(record.repairs, repair)},
+          {"illegible", c.illegible},
+          {"used_by", list_of(record.used_by, plain)}};
+}
+
+Json summary(const Audit& audit) {
+  const auto status = [](const StatusCount& entry) -> Json {
+    return {{"status", proofs::methods::to_string(entry.status)},
+            {"meaning", proofs::methods::describe(entry.status)},
+            {"count", entry.count}};
+  };
+  return {{"statements", audit.records.size()},
+          {"decided", all_decided(audit)},
+          {"line", summary_line(audit)},
+          {"statuses", list_of(count_statuses(audit), status)}};
+}
+
+Json place(const PlaceRecords& p) {
+  return {{"id", p.id},
+          {"title", p.title},
+          {"claims", list_of(p.records, [](const Record * record) { return claim(*record); })}};
+}
+
+Json example(const ExampleOrbits& e) {
+  const auto printed = [](const PrintedResult& result) -> Json {
+    return {{"name", result.name}, {"value", result.value.text}, {"sign_lost", result.sign_lost}};
+  };
+  return {{"name", e.example.name},
+          {"figure", e.example.figure},
+          {"printed", list_of(e.example.results, printed)},
+          {"orbits", orbits::to_json(e.list)}};
+}
+
+}  // namespace
+
+Json to_json(const Audit& audit, const std::string& command, const std::vector<ExampleOrbits>& examples,
+             const std::optional<proofs::checks::Gate>& gate) {
+  Json json = provenance(command);
+  json["paper"] = {{"author", "M. Pascal"},
+                   {"title", "New limit cycles of dry friction oscillators under harmonic load"},
+                   {"journal", "Nonlinear Dynamics 70 (2012) 1435–1443"},
+                   {"doi", "10.1007/s11071-012-0545-5"}};
+  json["summary"] = summary(audit);
+  json["places"] = list_of(by_place(audit), place);
+  json["examples"] = list_of(examples, example);
+  json["mutants"] = gate ? to_json(*gate) : Json(nullptr);
+  return json;
+}
+
+}  // namespace stickslip::report::audit

@@ -1,0 +1,171 @@
+#include "report/audit/mutants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/audit/summary.hpp"
+#include "report/tools/layout.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace proofs::checks;
+using namespace tools;
+
+namespace {
+
+using proofs::checks::Fate;
+using proofs::checks::Gate;
+using proofs::checks::Mutant;
+using proofs::checks::Twin;
+
+void count(GateRow& row, const Mutant& mutant) {
+  switch (mutant.fate) {
+    case Fate::refuted:
+      ++row.refuted;
+      return;
+    case Fate::unproved:
+      ++row.unproved;
+      return;
+    case Fate::meaningless:
+      ++row.meaningless;
+      return;
+    case Fate::true_too:
+      ++row.true_too;
+      return;
+    case Fate::survived:
+      ++row.survived;
+      return;
+  }
+}
+
+void count(GateRow& row, const Twin& twin) {
+  ++row.twins;
+  row.twins_proved += twin.verdict.truth == Truth::proved ? 1 : 0;
+}
+
+// Rows in the order in which their names first occur.
+template <class Name>
+std::vector<GateRow> rows_by(const Gate& gate, const Name& name) {
+  std::vector<GateRow> rows;
+  const auto add = [&](const auto& one) {
+    auto row = std::ranges::find(rows, name(one), &GateRow::name);
+    if (row == rows.end()) {
+      rows.push_back({.name = name(one)});
+      row = std::prev(rows.end());
+    }
+    count(*row, one);
+  };
+  std::ranges::for_each(gate.mutants, add);
+  std::ranges::for_each(gate.twins, add);
+  return rows;
+}
+
+Json row_json(const GateRow& row) {
+  return {{"name", row.name},
+          {"mutants", row.mutants()},
+          {"refuted", row.refuted},
+          {"unproved", row.unproved},
+          {"meaningless", row.meaningless},
+          {"true_too", row.true_too},
+          {"survived", row.survived},
+          {"kill_rate", row.kill_rate()},
+          {"twins", row.twins},
+          {"twins_proved", row.twins_proved}};
+}
+
+Json rows_json(const std::vector<GateRow>& rows) {
+  Json list = Json::array();
+  std::ranges::transform(rows, std::back_inserter(list), row_json);
+  return list;
+}
+
+// Those that are true, with why, and those that should not be.
+std::vector<const Mutant *> proved(const Gate& gate) {
+  std::vector<const Mutant *> result;
+  for (const Mutant& mutant : gate.mutants) {
+    if (mutant.fate == Fate::survived || mutant.fate == Fate::true_too) {
+      result.push_back(&mutant);
+    }
+  }
+  return result;
+}
+
+std::string sampling_line(const Gate& gate) {
+  return gate.sampling.one_in <= 1
+             ? "all of them"
+             : fmt::format("a sample, one in {}, seed {}", gate.sampling.one_in, gate.sampling.seed);
+}
+
+Row cells(const GateRow& row) {
+  return {{row.name},
+          {std::to_string(row.mutants())},
+          {std::to_string(row.refuted)},
+          {std::to_string(row.unproved)},
+          {std::to_string(row.meaningless)},
+          {std::to_string(row.true_too)},
+          {std::to_string(row.survived)},
+          {row.kill_rate()},
+          {fmt::format("{}/{}", row.twins_proved, row.twins)}};
+}
+
+}  // namespace
+
+std::string GateRow::kill_rate() const {
+  return wrong() == 0 ? "-" : fmt::format("{} %", 100 * (refuted + unproved) / wrong());
+}
+
+std::vector<GateRow> rows_by_kind(const Gate& gate) {
+  return rows_by(gate, [](const auto& one) { return to_string(one.kind); });
+}
+std::vector<GateRow> rows_by_place(const Gate& gate) {
+  return rows_by(gate, [](const auto& one) { return one.place; });
+}
+GateRow row_of_all(const Gate& gate) {
+  const std::vector<GateRow> rows = rows_by(gate, [](const auto&) { return std::string("all"); });
+  return rows.empty() ? GateRow{.name = "all"} : rows.front();
+}
+
+Json to_json(const Gate& gate) {
+  Json all_proved = Json::array();
+  for (const Mutant * mutant : proved(gate)) {
+    all_proved.push_back({{"claim", mutant->claim},
+                          {"statement", mutant->statement},
+                          {"fate", to_string(mutant->fate)},
+                          {"reason", mutant->reason}});
+  }
+  return {{"seed", gate.sampling.seed},
+          {"one_in", gate.sampling.one_in},
+          {"drawn", sampling_line(gate)},
+          {"all", row_json(row_of_all(gate))},
+          {"kinds", rows_json(rows_by_kind(gate))},
+          {"places", rows_json(rows_by_place(gate))},
+          {"has_proved", !all_proved.empty()},
+          {"proved", all_proved}};
+}
+
+std::string terminal_mutants(const Gate& gate, const Style& style) {
+  std::vector<Row> rows{{{"edit"},
+                         {"mutants"},
+                         {"refuted"},
+                         {"unproved"},
+                         {"void"},
+                         {"true"},
+                         {"survived"},
+                         {"killed"},
+                         {"twins proved"}}};
+  for (const std::vector<GateRow>& part : {rows_by_kind(gate), rows_by_place(gate), {row_of_all(gate)}}) {
+    std::ranges::transform(part, std::back_inserter(rows), cells);
+  }
+  std::string result =
+      "Wrong statements on purpose: " + sampling_line(gate) + "\n" + columns_of(rows, style.width);
+  for (const Mutant * mutant : proved(gate)) {
+    if (mutant->fate == Fate::survived) {
+      result +=
+          fmt::format("survived  {}: {}\n          {}\n", mutant->claim, mutant->statement, mutant->reason);
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip::report::audit

@@ -1,0 +1,21 @@
+// What the templates of an audit see.
+#pragma once
+
+#include <vector>
+
+#include "proofs/methods/claim.hpp"
+#include "report/tools/json.hpp"
+
+namespace stickslip::report::audit {
+
+// The JSON of the audit (json.hpp) and beside it: next to every "status" and "verdict" also "status_words"
+// and "verdict_words"; in every claim "examined", "place_title", "words_sentence" and "needs", the hypotheses
+// of the form that is proved, each hypothesis with "foreign" unless it is the claim's own; shortened balls;
+// in every comparison "rounded", the proved value with as many digits as are printed; "verdict_lead" and
+// "verdict_sentence"; "numbers", the claims that compare printed numbers; "errata", the misprints and the
+// digits to correct; and "findings", the groups in which a reader meets them, most important first: {"title",
+// "explanation", "count", "claims", "numbers", "hypotheses_groups": [{"hypotheses", "origins": [{"id",
+// "words"}], "heirs", "heirs_count"}]}.
+[[nodiscard]] tools::Json page_data(const proofs::methods::Audit& audit, const tools::Json& json);
+
+}  // namespace stickslip::report::audit

@@ -1,0 +1,172 @@
+#include "report/audit/pages.hpp"
+
+#include <fmt/format.h>
+
+#include "core/parallel.hpp"
+#include "report/audit/graph.hpp"
+#include "report/audit/json.hpp"
+#include "report/audit/page_data.hpp"
+#include "report/orbits/orbit_data.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/orbits/orbits.hpp"
+#include "report/orbits/pictures.hpp"
+#include "report/tools/katex.hpp"
+#include "report/tools/latex.hpp"
+#include "report/tools/templates.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace numeric;
+using namespace proofs::pascal2012;
+using namespace orbits;
+using namespace tools;
+
+namespace {
+
+void append(std::vector<File>& files, std::vector<File> more) {
+  for (File& file : more) {
+    files.push_back(std::move(file));
+  }
+}
+
+void add_provenance(Json& data, bool with_graph) {
+  data["drawn_by"] = Json::array();
+  for (const Component& component : drawn_by(with_graph)) {
+    data["drawn_by"].push_back({{"name", component.name}, {"version", component.version}});
+  }
+}
+
+// What the partial orbit_list sees.
+Json list_data(const OrbitList& list, const std::string& anchor, const std::string& heading,
+               const std::string& stem, bool drawn) {
+  Json data = orbit_data(list);
+  data["anchor"] = anchor;
+  data["heading"] = heading;
+  data["picture"] = drawn ? Json(stem) : Json(nullptr);
+  return data;
+}
+
+// NAME.tex, NAME.pdf where there is TeX, and what `pages` makes of the data, which then say whether there is
+// NAME.pdf: made at the same time, and once more should the compilation fail.
+template <class Pages>
+void add_paper_and_pages(Report& report, const std::string& name, Json data, const Pages& pages) {
+  report.files.push_back({name + ".tex", render_file(name + ".tex", data, tex_format)});
+  data["pdf"] = can_compile();
+  Compiled compiled;
+  std::vector<File> made;
+  (void)parallel_map(2, [&](std::size_t i) {
+    if (i == 0) {
+      compiled = compile(report.files, name);
+    } else {
+      made = pages(data);
+    }
+    return i;
+  });
+  if (data.at("pdf") != !compiled.pdf.empty()) {
+    data["pdf"] = !compiled.pdf.empty();
+    made = pages(data);
+  }
+  append(report.files, std::move(compiled.pdf));
+  append(report.files, std::move(made));
+  if (!compiled.problem.empty()) {
+    report.note = fmt::format("{}.pdf is not made: {}.", name, compiled.problem);
+  }
+}
+
+void add_style(std::vector<File>& files) {
+  files.push_back({"style.css", read_file(template_directory() / "style.css")});
+}
+
+std::string digits_in_words(int digits) {
+  return fmt::format(
+      "identities exactly, in rational arithmetic; values of orbits enclosed to {} significant digits, "
+      "rounded "
+      "outwards, and computed with more bits wherever a verdict needs them",
+      digits);
+}
+
+std::string picture_of_list(const ExampleOrbits& e) {
+  return "orbits-" + e.example.name;
+}
+std::string picture_of_figure(const ExampleOrbits& e) {
+  return "figure-" + e.example.name;
+}
+
+// The list of an example, and the orbit of the figure, with the pictures of both.
+Json example_data(const ExampleOrbits& e) {
+  Json data = list_data(e.list, e.example.name, e.example.figure, picture_of_list(e), !e.list.orbits.empty());
+  data["figure"] = nullptr;
+  if (const std::optional<std::size_t> shown = printed_orbit(e)) {
+    data["figure"] = {{"picture", picture_of_figure(e)}, {"orbit", data.at("orbits").at(*shown)}};
+  }
+  return data;
+}
+
+// These pictures; two at a time for each example.
+std::vector<File> example_pictures(const std::vector<ExampleOrbits>& examples) {
+  std::vector<File> files;
+  for (std::vector<File>& some : parallel_map(2 * examples.size(), [&](std::size_t i) {
+         const ExampleOrbits& e = examples[i / 2];
+         const std::optional<std::size_t> shown = printed_orbit(e);
+         return i % 2 == 0 ? pictures(e.list, picture_of_list(e))
+                : shown    ? pictures(e.list, picture_of_figure(e), shown)
+                           : std::vector<File>{};
+       })) {
+    append(files, std::move(some));
+  }
+  return files;
+}
+
+}  // namespace
+
+Report pages(const proofs::methods::Audit& audit, const std::vector<ExampleOrbits>& examples,
+             const std::optional<proofs::checks::Gate>& gate) {
+  const Json json = to_json(audit, gate ? "stickslip audit --mutants" : "stickslip audit", examples, gate);
+  Report report{{{"audit.json", to_text(json)}}, {}};
+  Json data = page_data(audit, json);
+  add_provenance(data, true);
+  data["precision"] = digits_in_words(OrbitQuestion{}.digits);
+  data["meaning_of_margin"] = meaning_of_margin();
+  data["examples"] = Json::array();
+  for (const ExampleOrbits& e : examples) {
+    data["examples"].push_back(example_data(e));
+  }
+  append(report.files, example_pictures(examples));
+  data["graph"] = graph_svg(audit);
+  data["page_title"] = "The orbits of the paper’s figures";
+  data["lists"] = data.at("examples");
+  add_paper_and_pages(report, "audit", std::move(data), [](const Json& complete) {
+    return with_formulas({{"index.html", render_file("index.html", complete, html_format)},
+                          {"statements.html", render_file("statements.html", complete, html_format)},
+                          {"orbits.html", render_file("orbits.html", complete, html_format)}});
+  });
+  add_style(report.files);
+  return report;
+}
+
+std::string errata(const proofs::methods::Audit& audit) {
+  Json data = page_data(audit, to_json(audit, "stickslip latex --errata", {}));
+  return render_file("errata.tex", data, tex_format);
+}
+
+Report pages(const OrbitList& list) {
+  const Json json = orbits::to_json(list);
+  Report report{{{"orbits.json", to_text(json)}}, {}};
+  Json data = provenance(command_of(list.question));
+  add_provenance(data, false);
+  data["precision"] = digits_in_words(list.question.digits);
+  std::vector<File> drawn = pictures(list, "figure");
+  data["lists"] = Json::array();
+  data["lists"].push_back(list_data(list, "orbits", "Orbits", "figure", !drawn.empty()));
+  append(report.files, std::move(drawn));
+  data["page_title"] = fmt::format("Orbits: {}", name_of(list.question.family));
+  data["paper"] = nullptr;
+  data["meaning_of_margin"] = meaning_of_margin();
+  add_paper_and_pages(report, "orbits", std::move(data), [](const Json& complete) {
+    return with_formulas({{"index.html", render_file("orbits.html", complete, html_format)}});
+  });
+  add_style(report.files);
+  return report;
+}
+
+}  // namespace stickslip::report::audit

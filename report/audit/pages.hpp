@@ -1,0 +1,36 @@
+// The reports: pages for the browser, a paper for print, data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proofs/checks/mutants.hpp"
+#include "proofs/methods/claim.hpp"
+#include "proofs/pascal2012/example_orbits.hpp"
+#include "report/tools/files.hpp"
+
+namespace stickslip::report::audit {
+
+// The files of one directory, and a sentence about what could not be made; empty if everything was.
+struct Report {
+  std::vector<tools::File> files;
+  std::string note;
+};
+
+// index.html, statements.html, orbits.html with style.css and katex.css; audit.json; audit.tex and, where
+// there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be read or a program
+// that draws is missing or fails.
+[[nodiscard]] Report pages(const proofs::methods::Audit& audit,
+                           const std::vector<proofs::pascal2012::ExampleOrbits>& examples,
+                           const std::optional<proofs::checks::Gate>& gate = {});
+
+// The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
+// if the template cannot be read.
+[[nodiscard]] std::string errata(const proofs::methods::Audit& audit);
+
+// The same kind of report on one list of orbits: index.html with its style sheets, orbits.json, orbits.tex
+// and, where there is TeX, orbits.pdf; the figure.
+[[nodiscard]] Report pages(const numeric::OrbitList& list);
+
+}  // namespace stickslip::report::audit

@@ -1,0 +1,143 @@
+#include "report/audit/summary.hpp"
+
+#include "report/tools/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace tools;
+
+using namespace proofs::methods;
+
+namespace {
+
+using proofs::methods::Audit;
+using proofs::methods::Record;
+using proofs::methods::Status;
+
+constexpr std::array best_to_worst = {
+    Status::as_printed,
+    Status::model,
+    Status::checked,
+    Status::needs_hypotheses,
+    Status::digits_off,
+    Status::misprint_corrected,
+    Status::necessary_not_sufficient,
+    Status::refuted,
+    Status::rests_on_unproved,
+    Status::undecided,
+};
+
+std::string title_of(const std::string& place) {
+  for (const proofs::pascal2012::Place& known : proofs::pascal2012::places()) {
+    if (known.id == place) {
+      return known.title;
+    }
+  }
+  return place;
+}
+
+}  // namespace
+
+std::vector<StatusCount> count_statuses(const Audit& audit) {
+  std::vector<StatusCount> counts;
+  for (const Status status : best_to_worst) {
+    const auto count = std::ranges::count_if(
+        audit.records, [status](const Record& record) { return record.status == status; });
+    if (count > 0) {
+      counts.push_back({status, static_cast<std::size_t>(count)});
+    }
+  }
+  return counts;
+}
+
+bool is_finding(const Record& record) {
+  if (record.status == Status::needs_hypotheses) {
+    return std::ranges::any_of(record.outcome.hypotheses, [&](const proofs::methods::Hypothesis& hypothesis) {
+      return hypothesis.origin == record.claim.id;
+    });
+  }
+  return record.status != Status::as_printed && record.status != Status::model &&
+         record.status != Status::checked;
+}
+
+std::set<std::string> inheriting(const Audit& audit, const Record& record) {
+  std::set<std::string> ids;
+  for (const Record& other : audit.records) {
+    const proofs::methods::Outcome& outcome = final_outcome(other);
+    for (const proofs::methods::Hypothesis& hypothesis : outcome.hypotheses) {
+      if (hypothesis.origin == record.claim.id && other.claim.id != record.claim.id) {
+        ids.insert(other.claim.id);
+      }
+    }
+  }
+  return ids;
+}
+
+bool is_decided(Status status) {
+  return status != Status::undecided && status != Status::rests_on_unproved;
+}
+
+bool all_decided(const Audit& audit) {
+  return std::ranges::all_of(audit.records, [](const Record& record) { return is_decided(record.status); });
+}
+
+bool any_refuted(const Audit& audit) {
+  return std::ranges::any_of(audit.records, [](const Record& record) {
+    return record.status == Status::refuted || record.status == Status::digits_off;
+  });
+}
+
+std::string cross_check_line(const proofs::methods::CrossCheck& check) {
+  if (check.formulas == 0) {
+    return check.unchecked.empty() ? "" : "by no further engine: " + check.unchecked;
+  }
+  const auto counted = [](int count, const char * what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  const std::string what =
+      check.formulas == 1 ? "1 formula agrees " : counted(check.formulas, "formula") + " agree ";
+  if (check.premise_points > 0) {
+    return what + fmt::format("in balls at {} where all that the claim rests on holds",
+                              counted(check.premise_points, "real point"));
+  }
+  const std::string exactly =
+      check.exact_points > 0
+          ? fmt::format("exactly at {} and ", counted(check.exact_points, "rational point"))
+          : "";
+  return what + exactly + fmt::format("in balls at {}", counted(check.ball_points, "real point")) +
+         (check.unchecked.empty() ? "" : "; " + check.unchecked);
+}
+
+std::string summary_line(const Audit& audit) {
+  std::string parts;
+  for (const StatusCount& entry : count_statuses(audit)) {
+    parts += fmt::format("{}{} {}", parts.empty() ? ": " : ", ", entry.count,
+                         spaced(proofs::methods::to_string(entry.status)));
+  }
+  const std::size_t total = audit.records.size();
+  return fmt::format("{} statement{}{}.", total, total == 1 ? "" : "s", parts);
+}
+
+std::vector<PlaceRecords> by_place(const Audit& audit) {
+  std::vector<PlaceRecords> places;
+  for (const Record& record : audit.records) {
+    const auto same = [&record](const PlaceRecords& place) { return place.id == record.claim.place; };
+    auto place = std::ranges::find_if(places, same);
+    if (place == places.end()) {
+      places.push_back({record.claim.place, title_of(record.claim.place), {}});
+      place = std::prev(places.end());
+    }
+    place->records.push_back(&record);
+  }
+  return places;
+}
+
+}  // namespace stickslip::report::audit

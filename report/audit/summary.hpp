@@ -1,0 +1,53 @@
+// What an audit comes to: counts, findings, and whether everything is decided.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/methods/claim.hpp"
+
+namespace stickslip::report::audit {
+
+struct StatusCount {
+  proofs::methods::Status status = proofs::methods::Status::undecided;
+  std::size_t count = 0;
+};
+
+// The statuses that occur, from the best to the worst.
+[[nodiscard]] std::vector<StatusCount> count_statuses(const proofs::methods::Audit& audit);
+
+// Worth a reader's attention: everything that is neither proved as it stands nor part of the model. A claim
+// that only inherits another claim's hypothesis is not a finding of its own.
+[[nodiscard]] bool is_finding(const proofs::methods::Record& record);
+
+// The other claims that hold only under a hypothesis which this claim's proof brought in.
+[[nodiscard]] std::set<std::string> inheriting(const proofs::methods::Audit& audit,
+                                               const proofs::methods::Record& record);
+
+// Whether the question about the statement is answered, one way or the other.
+[[nodiscard]] bool is_decided(proofs::methods::Status status);
+[[nodiscard]] bool all_decided(const proofs::methods::Audit& audit);
+
+// Whether some statement is refuted (printed digits included) without a corrected form that is proved.
+[[nodiscard]] bool any_refuted(const proofs::methods::Audit& audit);
+
+// How two further engines looked at a verdict: "3 formulas agree exactly at 2 rational points and in balls at
+// 2 real points", or why they did not.
+[[nodiscard]] std::string cross_check_line(const proofs::methods::CrossCheck& check);
+
+// "64 statements: 57 as printed, 2 model, 5 misprint corrected."
+[[nodiscard]] std::string summary_line(const proofs::methods::Audit& audit);
+
+// The consecutive records of one place.
+struct PlaceRecords {
+  std::string id;
+  std::string title;  // of proofs::places(), else the id
+  std::vector<const proofs::methods::Record *> records;
+};
+
+// The records by place, in the order in which places first occur. Points into the audit.
+[[nodiscard]] std::vector<PlaceRecords> by_place(const proofs::methods::Audit& audit);
+
+}  // namespace stickslip::report::audit

@@ -1,0 +1,215 @@
+#include "report/audit/table.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "proofs/methods/prover.hpp"
+#include "report/audit/summary.hpp"
+#include "report/tools/layout.hpp"
+#include "report/tools/numbers.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace proofs::methods;
+using namespace tools;
+
+namespace {
+
+using proofs::methods::Audit;
+using proofs::methods::Outcome;
+using proofs::methods::Record;
+using proofs::methods::Status;
+
+// Wide enough for a line of a terminal, never reached: one line per statement.
+constexpr std::size_t unlimited = 1U << 20U;
+
+std::string colour_of(Status status, const Style& style) {
+  if (!style.colour || status == Status::model || status == Status::checked) {
+    return {};
+  }
+  switch (status) {
+    case Status::as_printed:
+      return "\x1b[32m";
+    case Status::refuted:
+    case Status::misprint_corrected:
+      return "\x1b[31m";
+    default:
+      return "\x1b[33m";
+  }
+}
+
+Cell status_cell(const Record& record, const Style& style) {
+  return {spaced(proofs::methods::to_string(record.status)), colour_of(record.status, style)};
+}
+
+std::string heading(const std::string& text, const Style& style) {
+  return style.colour ? fmt::format("\x1b[1m{}\x1b[0m\n", text) : text + "\n";
+}
+
+template <class Range>
+std::string joined(const Range& words) {
+  std::string result;
+  for (const std::string& word : words) {
+    result += (result.empty() ? "" : ", ") + word;
+  }
+  return result;
+}
+
+// Labelled lines beneath the head of a statement; what is empty is left out.
+class Details {
+ public:
+  explicit Details(std::size_t width) : width_(width) {}
+
+  void add(const std::string& label, const std::string& text) {
+    if (!text.empty()) {
+      text_ += labelled(4, fmt::format("{:<10}", label), text, width_);
+    }
+  }
+  void add(const std::string& label, const std::vector<proofs::symbols::Statement>& statements) {
+    for (const proofs::symbols::Statement& statement : statements) {
+      add(label, proofs::symbols::text(statement));
+    }
+  }
+  void add(const std::string& label, const std::vector<proofs::methods::Hypothesis>& hypotheses) {
+    for (const proofs::methods::Hypothesis& hypothesis : hypotheses) {
+      add(label, hypothesis.text);
+    }
+  }
+  void add(const std::string& verdict_label, const std::string& route_label, const Outcome& outcome) {
+    const Verdict& verdict = outcome.verdict;
+    add(verdict_label, verdict.reason.empty()
+                           ? spaced(to_string(verdict.truth))
+                           : fmt::format("{}: {}", spaced(to_string(verdict.truth)), verdict.reason));
+    add(route_label, outcome.route);
+    add("evaluated", cross_check_line(outcome.cross_check));
+    add("where", outcome.hypotheses);
+    add("for all", joined(outcome.free));
+    add("uses", joined(outcome.uses));
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::size_t width_;
+  std::string text_;
+};
+
+std::string head(const Record& record, const Style& style) {
+  const std::string colour = colour_of(record.status, style);
+  return columns_of({{{record.claim.id}, {proofs::methods::describe(record.status), colour}}}, style.width);
+}
+
+std::string tables_by_place(const Audit& audit, const Style& style) {
+  std::vector<Row> rows;
+  std::string result;
+  for (const PlaceRecords& place : by_place(audit)) {
+    rows.clear();
+    for (const Record * record : place.records) {
+      rows.push_back({{record->claim.id},
+                      {proofs::methods::to_string(record->claim.kind)},
+                      status_cell(*record, style),
+                      {record->claim.words}});
+    }
+    result += heading(place.title, style) + columns_of(rows, style.width) + "\n";
+  }
+  return result;
+}
+
+std::string findings(const Audit& audit, const Style& style) {
+  std::string result;
+  for (const Record& record : audit.records) {
+    if (!is_finding(record)) {
+      continue;
+    }
+    Details details(style.width);
+    details.add("says", record.claim.words);
+    details.add("printed", record.claim.printed);
+    details.add("lost", record.claim.illegible);
+    details.add("why not", record.outcome.verdict.reason);
+    details.add("converse", record.converse ? record.converse->verdict.reason : std::string());
+    details.add("needs", final_outcome(record).hypotheses);
+    details.add("so do", joined(inheriting(audit, record)));
+    details.add("corrected", record.claim.corrected);
+    result += head(record, style) + details.text();
+  }
+  return result.empty() ? result : heading("Findings", style) + result + "\n";
+}
+
+std::string printed_numbers(const Audit& audit, const Style& style) {
+  std::vector<Row> rows = {{{"statement"}, {"value"}, {"printed"}, {"proved"}, {"units off"}}};
+  for (const Record& record : audit.records) {
+    for (const proofs::methods::Comparison& comparison : record.outcome.comparisons) {
+      rows.push_back({{record.claim.id},
+                      {comparison.name},
+                      {comparison.printed},
+                      {readable(comparison.proved, 10)},
+                      {readable(comparison.units_off, 3)}});
+    }
+  }
+  return rows.size() == 1 ? "" : heading("Printed numbers", style) + columns_of(rows, style.width) + "\n";
+}
+
+std::string summary_paragraph(const Audit& audit, const Style& style) {
+  std::string result;
+  for (const std::string& line : wrapped(summary_line(audit), style.width)) {
+    result += line + "\n";
+  }
+  return result;
+}
+
+std::string explanation(const Record& record, const Style& style) {
+  Details details(style.width);
+  details.add("kind", proofs::methods::to_string(record.claim.kind));
+  details.add("says", record.claim.words);
+  details.add("printed", record.claim.printed);
+  details.add("lost", record.claim.illegible);
+  for (const proofs::methods::Assumption& assumption : record.claim.assumptions) {
+    details.add("if", fmt::format("{}: {}", assumption.id, proofs::symbols::text(assumption.statement)));
+  }
+  if (record.status != Status::model) {
+    details.add("verdict", "proof", record.outcome);
+  }
+  details.add("corrected", record.claim.corrected);
+  if (record.corrected) {
+    details.add("verdict", "proof", *record.corrected);
+  }
+  if (record.converse) {
+    details.add("converse", "proof", *record.converse);
+  }
+  details.add("used by", joined(record.used_by));
+  return head(record, style) + details.text();
+}
+
+}  // namespace
+
+std::string terminal_report(const Audit& audit, const Style& style) {
+  return tables_by_place(audit, style) + findings(audit, style) + printed_numbers(audit, style) +
+         summary_paragraph(audit, style);
+}
+
+std::string terminal_lines(const Audit& audit, const Style& style) {
+  std::vector<Row> rows;
+  for (const Record& record : audit.records) {
+    rows.push_back({{record.claim.id}, status_cell(record, style), {record.claim.words}});
+  }
+  return columns_of(rows, unlimited) + summary_line(audit) + "\n";
+}
+
+std::string terminal_explanations(const Audit& audit, const Style& style) {
+  std::string result;
+  for (const Record& record : audit.records) {
+    result += explanation(record, style) + "\n";
+  }
+  return result + printed_numbers(audit, style) + summary_paragraph(audit, style);
+}
+
+std::string terminal_list(const std::vector<proofs::methods::Claim>& claims) {
+  std::vector<Row> rows;
+  for (const proofs::methods::Claim& claim : claims) {
+    rows.push_back({{claim.id}, {proofs::methods::to_string(claim.kind)}, {claim.words}});
+  }
+  return columns_of(rows, unlimited);
+}
+
+}  // namespace stickslip::report::audit

@@ -1,0 +1,27 @@
+// An audit on a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "proofs/methods/claim.hpp"
+#include "report/tools/layout.hpp"
+
+namespace stickslip::report::audit {
+
+// The table of all statements by place; the findings with their reasons; the printed numbers; the summary
+// line. No line is longer than the width of the style.
+[[nodiscard]] std::string terminal_report(const proofs::methods::Audit& audit, const tools::Style& style);
+
+// One line per statement, however long: id, status, words; then the summary line.
+[[nodiscard]] std::string terminal_lines(const proofs::methods::Audit& audit, const tools::Style& style);
+
+// Every statement with all that is known about it, then the summary line.
+[[nodiscard]] std::string terminal_explanations(const proofs::methods::Audit& audit,
+                                                const tools::Style& style);
+
+// The statements without verdicts: id, kind, words; one line each.
+[[nodiscard]] std::string terminal_list(const std::vector<proofs::methods::Claim>& claims);
+
+}  // namespace stickslip::report::audit

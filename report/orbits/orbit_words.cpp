@@ -1,0 +1,166 @@
+#include "report/orbits/orbit_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "report/tools/numbers.hpp"
+#include "symbolic/typeset/names.hpp"
+
+namespace stickslip::report::orbits {
+
+using namespace numeric;
+using namespace numeric::motion;
+using namespace tools;
+
+namespace {
+
+std::string counted(std::size_t count, const char * one, const char * many) {
+  return fmt::format("{} {}", count == 0 ? "no" : std::to_string(count), count == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string name_of(Family family) {
+  switch (family) {
+    case Family::symmetric:
+      return "symmetric";
+    case Family::overshooting:
+      return "overshooting";
+    case Family::nonsticking:
+      return "nonsticking";
+  }
+  throw InternalError("a family of no known kind");
+}
+
+std::string notation(const Range& range) {
+  const std::string middle = to_string(range.middle);
+  return range.radius == 0 ? middle : middle + "+-" + to_string(range.radius);
+}
+
+std::vector<NamedRange> named_parameters(const OrbitQuestion& question) {
+  const model::Parameters<Range>& a = question.parameters;
+  std::vector<NamedRange> named{{"chi", a.chi}, {"eta", a.eta},     {"us", a.us},
+                                {"V", a.V},     {"omega", a.omega}, {"p", a.p}};
+  if (question.phi) {
+    named.push_back({"phi", *question.phi});
+  }
+  if (question.ur) {
+    named.push_back({"ur", *question.ur});
+  }
+  return named;
+}
+
+std::string colour_of(PhaseKind kind) {
+  switch (kind) {
+    case PhaseKind::slip:
+      return "#1f4e9c";
+    case PhaseKind::overshoot:
+      return "#c0392b";
+    case PhaseKind::stick:
+      return "#404040";
+  }
+  return "#000000";
+}
+
+std::string describe(Remark remark) {
+  switch (remark) {
+    case Remark::load_absent:
+      return "p = 0: the load's phase means nothing, and each orbit is listed for the first of the two "
+             "phases "
+             "only.";
+    case Remark::closes_without_stick:
+      return "A natural frequency is a multiple of omega: there are also closed motions that slip all the "
+             "time, which are not in this list.";
+    case Remark::interrupted:
+      return "The search was interrupted: orbits may be missing, and the unresolved boxes are where.";
+    case Remark::searched_at_middle:
+      return "The orbits were searched for at the middle of the parameters; each is then proved for the "
+             "whole "
+             "box. Other orbits may exist elsewhere in the box.";
+  }
+  throw InternalError("a remark of no known kind");
+}
+
+std::string title_of(Family family) {
+  switch (family) {
+    case Family::symmetric:
+      return "Symmetric orbits: slip on (0, tau), stick on (tau, Theta)";
+    case Family::overshooting:
+      return "Overshooting orbits: slip to tau, overshoot to tau + tau1, stick to Theta";
+    case Family::nonsticking:
+      return "Non-sticking orbits: slip on (0, tau), overshoot on (tau, Theta)";
+  }
+  throw InternalError("a family of no known kind");
+}
+
+std::string searched(const OrbitQuestion& q) {
+  if (asks_for_box(q)) {
+    return "the orbits at the middle of the parameters, each for all members of the box";
+  }
+  switch (q.family) {
+    case Family::symmetric:
+      return "0 <= tau <= Theta at both load phases, phi = (pi - omega tau)/2 and that + pi";
+    case Family::overshooting:
+      return fmt::format("tau >= 0, tau1 >= 0, tau + tau1 <= Theta {}",
+                         q.phi ? "at this phi" : "for every phi that gives this ur");
+    case Family::nonsticking:
+      return "0 <= tau <= Theta, every phi";
+  }
+  throw InternalError("a family of no known kind");
+}
+
+std::string result_of_search(const OrbitList& list) {
+  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const DecidedOrbit& orbit) {
+    return orbit.admissible.truth == Truth::proved;
+  });
+  const std::string orbits = counted(list.orbits.size(), "orbit", "orbits");
+  const std::string admissible = list.orbits.empty() ? "" : fmt::format(", {} admissible", good);
+  const std::string open = counted(list.unresolved.size(), "unresolved box", "unresolved boxes");
+  const char * completeness = asks_for_box(list.question) ? ""
+                              : list.complete()           ? "complete: "
+                                                          : "not complete: ";
+  return fmt::format("{}{}{}, {}", completeness, orbits, admissible, open);
+}
+
+std::string verdict_on(const DecidedOrbit& orbit) {
+  if (orbit.admissible.truth == Truth::proved) {
+    return "admissible";
+  }
+  const bool refuted = orbit.admissible.truth == Truth::refuted;
+  std::string ids;
+  for (const Condition& condition : orbit.conditions) {
+    if (condition.verdict.truth == orbit.admissible.truth) {
+      ids += (ids.empty() ? "" : ", ") + condition.id;
+    }
+  }
+  const std::string split = orbit.split.empty() ? "" : fmt::format("; split {} first", orbit.split);
+  return fmt::format("{}: {}{}", refuted ? "not admissible" : "undecided", ids, split);
+}
+
+std::string complex_text(const ComplexBall& mu, int digits) {
+  const auto part = [digits](const Ball& b) { return to_string(b, known_digits(b, digits)); };
+  const bool real = mu.im.is_exact() && mu.im.contains_zero();
+  return real ? part(mu.re) : fmt::format("({}) + i ({})", part(mu.re), part(mu.im));
+}
+
+std::string meaning_of_margin() {
+  return "the smallest distance from a violation, found at t; where the distance is zero at an end of its "
+         "phase by construction, the smallest quotient of it and min(1, time to that end)";
+}
+
+std::string latex_of_value(const std::string& name) {
+  return name == "ur_max" ? "u_{r,\\max}" : symbolic::typeset::latex_name(name);
+}
+
+std::string command_of(const OrbitQuestion& question) {
+  std::string command = "stickslip orbits " + name_of(question.family);
+  for (const NamedRange& parameter : named_parameters(question)) {
+    command += fmt::format(" --{}={}", parameter.name, notation(parameter.range));
+  }
+  return command + fmt::format(" --digits {}", question.digits);
+}
+
+}  // namespace stickslip::report::orbits

@@ -1,0 +1,55 @@
+// The words that every form of a list of orbits shares.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "numeric/orbits.hpp"
+
+namespace stickslip::report::orbits {
+
+// "symmetric", "overshooting", "nonsticking".
+[[nodiscard]] std::string name_of(numeric::motion::Family family);
+
+// The exact notation of a parameter: "0.5", or "0.5+-0.0001" for an interval.
+[[nodiscard]] std::string notation(const Range& range);
+
+struct NamedRange {
+  std::string name;
+  Range range;
+};
+
+// The six parameters in the paper's order, then phi and ur as far as they are given.
+[[nodiscard]] std::vector<NamedRange> named_parameters(const numeric::OrbitQuestion& question);
+
+// The colour of a kind of phase in pictures: "#1f4e9c".
+[[nodiscard]] std::string colour_of(numeric::motion::PhaseKind kind);
+
+// One sentence.
+[[nodiscard]] std::string describe(numeric::Remark remark);
+
+// "Symmetric orbits: slip on (0, tau), stick on (tau, Theta)".
+[[nodiscard]] std::string title_of(numeric::motion::Family family);
+
+// The domain that was searched.
+[[nodiscard]] std::string searched(const numeric::OrbitQuestion& question);
+
+// "complete: 2 orbits, 1 admissible, no unresolved boxes".
+[[nodiscard]] std::string result_of_search(const numeric::OrbitList& list);
+
+// "admissible", or why it is not known to be: "not admissible: ur, 12".
+[[nodiscard]] std::string verdict_on(const numeric::DecidedOrbit& orbit);
+
+// "(0.1 ± 1e-5) + i (0.2 ± 1e-5)", or the real part alone when the imaginary part is exactly 0.
+[[nodiscard]] std::string complex_text(const numeric::motion::ComplexBall& mu, int digits);
+
+// What the margin of a condition is, in half a sentence.
+[[nodiscard]] std::string meaning_of_margin();
+
+// The LaTeX of the name of an orbit's value: those of symbolic/names.hpp and ur_max.
+[[nodiscard]] std::string latex_of_value(const std::string& name);
+
+// The command that lists the same orbits.
+[[nodiscard]] std::string command_of(const numeric::OrbitQuestion& question);
+
+}  // namespace stickslip::report::orbits

@@ -1,0 +1,106 @@
+#include "core/decimal.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/orbits/orbits.hpp"
+#include "report/tools/numbers.hpp"
+
+namespace stickslip::report::orbits {
+
+using namespace numeric;
+using namespace numeric::motion;
+using namespace tools;
+
+namespace {
+
+// Digits of margins and of their times: as many as a reader may want, however many the orbit has.
+constexpr int margin_digits = 20;
+
+Json ball(const Ball& value, int digits) {
+  const BallText text = to_text(value, known_digits(value, digits));
+  return {{"mid", text.mid}, {"rad", text.rad}};
+}
+
+Json parameters(const OrbitQuestion& question) {
+  Json json = Json::object();
+  for (const NamedRange& parameter : named_parameters(question)) {
+    json[parameter.name] = notation(parameter.range);
+  }
+  return json;
+}
+
+void add_values(Json& json, const std::vector<NamedBall>& values, int digits) {
+  for (const NamedBall& value : values) {
+    json[value.name] = ball(value.value, digits);
+  }
+}
+
+Json condition(const Condition& c) {
+  Json json = {{"id", c.id}, {"statement", c.statement}, {"verdict", to_string(c.verdict.truth)}};
+  if (!c.verdict.reason.empty()) {
+    json["reason"] = c.verdict.reason;
+  }
+  if (c.margin && c.margin->is_finite()) {
+    json["margin"] = ball(*c.margin, margin_digits);
+  }
+  if (c.at && c.at->is_finite()) {
+    json["at"] = ball(*c.at, margin_digits);
+  }
+  return json;
+}
+
+void add_stability(Json& json, const std::optional<Stability>& stability, int digits) {
+  if (!stability) {
+    return;
+  }
+  json["multipliers"] = Json::array();
+  for (const ComplexBall& mu : stability->multipliers) {
+    json["multipliers"].push_back({{"re", ball(mu.re, digits)}, {"im", ball(mu.im, digits)}});
+  }
+  json["stability"] = to_string(stability->kind);
+  if (!stability->reason.empty()) {
+    json["stability_reason"] = stability->reason;
+  }
+}
+
+Json orbit(const DecidedOrbit& o, int digits) {
+  Json json = Json::object();
+  add_values(json, o.values, digits);
+  json["admissible"] = o.admissible.truth == Truth::proved    ? Json(true)
+                       : o.admissible.truth == Truth::refuted ? Json(false)
+                                                              : Json(nullptr);
+  if (!o.split.empty()) {
+    json["split"] = o.split;
+  }
+  add_stability(json, o.stability, digits);
+  json["conditions"] = Json::array();
+  for (const Condition& c : o.conditions) {
+    json["conditions"].push_back(condition(c));
+  }
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const OrbitList& list) {
+  const int digits = list.question.digits;
+  Json json = provenance(command_of(list.question));
+  json["family"] = name_of(list.question.family);
+  json["parameters"] = parameters(list.question);
+  json["complete"] = list.complete();
+  json["unresolved"] = Json::array();
+  for (const UnresolvedPart& part : list.unresolved) {
+    Json where = Json::object();
+    add_values(where, part.where, digits);
+    where["reason"] = part.reason;
+    json["unresolved"].push_back(where);
+  }
+  for (const Remark remark : list.remarks) {
+    json["remarks"].push_back(describe(remark));
+  }
+  json["orbits"] = Json::array();
+  for (const DecidedOrbit& o : list.orbits) {
+    json["orbits"].push_back(orbit(o, digits));
+  }
+  return json;
+}
+
+}  // namespace stickslip::report::orbits

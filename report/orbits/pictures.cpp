@@ -1,0 +1,53 @@
+#include "report/orbits/pictures.hpp"
+
+#include "report/orbits/orbits_plot.hpp"
+#include "report/tools/graphviz.hpp"
+#include "report/tools/katex.hpp"
+#include "report/tools/plot.hpp"
+
+namespace stickslip::report::orbits {
+
+using namespace numeric;
+using namespace tools;
+
+namespace {
+
+// cairo dates every PDF, and no setting of it leaves that out; spaces in its place keep all offsets.
+std::string undated(std::string pdf) {
+  const std::string key = "/CreationDate (";
+  for (std::size_t start = pdf.find(key); start != std::string::npos; start = pdf.find(key, start)) {
+    const std::size_t end = pdf.find(')', start) + 1;
+    pdf.replace(start, end - start, end - start, ' ');
+  }
+  return pdf;
+}
+
+}  // namespace
+
+std::vector<File> pictures(const OrbitList& list, const std::string& stem, std::optional<std::size_t> only) {
+  const std::string wide = plot_script(list, PlotFormat::svg, PlotShape::wide, only);
+  if (wide.empty()) {
+    return {};
+  }
+  return {{stem + ".svg", gnuplot(wide)},
+          {stem + "-narrow.svg", gnuplot(plot_script(list, PlotFormat::svg, PlotShape::narrow, only))},
+          {stem + ".pdf", undated(gnuplot(plot_script(list, PlotFormat::pdf, PlotShape::wide, only)))}};
+}
+
+void require_page_tools(bool with_graph) {
+  require_katex();
+  require_gnuplot();
+  if (with_graph) {
+    require_graphviz();
+  }
+}
+
+std::vector<Component> drawn_by(bool with_graph) {
+  std::vector<Component> programs{{"gnuplot", gnuplot_version()}};
+  if (with_graph) {
+    programs.push_back({"Graphviz", graphviz_version()});
+  }
+  return programs;
+}
+
+}  // namespace stickslip::report::orbits

@@ -1,0 +1,90 @@
+#include "report/orbits/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include "report/tools/layout.hpp"
+
+namespace stickslip::report::orbits {
+
+using namespace numeric::motion;
+using namespace numeric::simulation;
+using namespace tools;
+
+namespace {
+
+std::string data_of(const Start& s) {
+  return fmt::format("chi={}, eta={}, us={}, ur={}, V={}, omega={}, p={}, phi={}", s.data.chi, s.data.eta,
+                     s.data.us, s.ur, s.data.V, s.data.omega, s.data.p, s.phi);
+}
+
+std::string state_of(const model::Vector4<double>& X) {
+  return fmt::format("x1 = {:.9g}, x2 = {:.9g}, x1' = {:.9g}, x2' = {:.9g}", X(0), X(1), X(2), X(3));
+}
+
+std::string shares(const Record& record) {
+  std::string text;
+  for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
+    const double share = record.time_in[static_cast<std::size_t>(kind)] / record.done;
+    text += fmt::format("{}{} {:.3f} %", text.empty() ? "" : ", ", to_string(kind), 100 * share);
+  }
+  return text;
+}
+
+void add_events(std::vector<Row>& rows, const std::vector<Transition>& events) {
+  for (const Transition& e : events) {
+    rows.push_back({{fmt::format("  {:.9g}", e.time)},
+                    {to_string(e.before)},
+                    {to_string(e.after)},
+                    {fmt::format("{:.6f}", e.r)},
+                    {fmt::format("{:.6f}", e.X(0))},
+                    {fmt::format("{:.6f}", e.X(1))},
+                    {fmt::format("{:.6f}", e.X(2))}});
+  }
+}
+
+std::string events(const Record& record, const Style& style) {
+  if (record.events == 0) {
+    return "";
+  }
+  std::vector<Row> rows{{{"  event at t"}, {"from"}, {"to"}, {"r"}, {"x1"}, {"x2"}, {"x1'"}}};
+  add_events(rows, record.first_events);
+  const long left_out = record.events - static_cast<long>(record.first_events.size()) -
+                        static_cast<long>(record.last_events.size());
+  if (left_out > 0) {
+    rows.push_back({{"  ..."}, {fmt::format("{} more", left_out)}, {""}, {""}, {""}, {""}, {""}});
+  }
+  add_events(rows, record.last_events);
+  return "\n" + columns_of(rows, style.width);
+}
+
+}  // namespace
+
+std::string terminal_report(const Record& record, const Style& style) {
+  const double periods = record.done / record.period;
+  const std::vector<Row> rows{
+      {{"data"}, {data_of(record.start)}},
+      {{"start"}, {state_of(record.start.X)}},
+      {{"simulated"},
+       {fmt::format("{:.9g} periods of the load, t = {:.9g}{}", periods, record.done,
+                    record.interrupted ? "; interrupted" : "")}},
+      {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X))}},
+      {{"shares"}, {shares(record)}},
+      {{"energy"},
+       {fmt::format("{:.6g} at the end; between {:.6g} and {:.6g}", record.end.energy, record.least_energy,
+                    record.greatest_energy)}},
+      {{"events"},
+       {fmt::format("{}, {:.4g} in a period", record.events, static_cast<double>(record.events) / periods)}}};
+  return columns_of(rows, style.width) + events(record, style);
+}
+
+std::string to_csv(const Record& record) {
+  std::string text = "t,phase,x1,x2,x1',x2',r,u,E\n";
+  for (const Sample& s : record.samples) {
+    fmt::format_to(std::back_inserter(text),
+                   "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.time,
+                   to_string(s.phase), s.X(0), s.X(1), s.X(2), s.X(3), s.r, s.u, s.energy);
+  }
+  return text;
+}
+
+}  // namespace stickslip::report::orbits

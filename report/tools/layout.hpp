@@ -1,0 +1,39 @@
+// Text in columns and paragraphs of a given width.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace stickslip::report::tools {
+
+// How a terminal wants its text.
+struct Style {
+  bool colour = false;
+  std::size_t width = 80;
+};
+
+// A cell of a table: its text and, for a terminal that has them, the escape sequence of its colour.
+struct Cell {
+  std::string text;
+  std::string colour = {};
+};
+
+using Row = std::vector<Cell>;
+
+// The text broken into lines of at most `width` columns (at least 1), between words where possible. Never
+// empty.
+[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, std::size_t width);
+
+// Rows in columns as wide as their widest cell, two spaces between them; the last column takes what is left
+// of the width, at least 20, and is wrapped. Every line ends with a line feed.
+[[nodiscard]] std::string columns_of(const std::vector<Row>& rows, std::size_t width);
+
+// "label text" wrapped to the width, all lines indented, those after the first as far as the text.
+[[nodiscard]] std::string labelled(std::size_t indent, const std::string& label, const std::string& text,
+                                   std::size_t width);
+
+// A word of the program without its underscores: "as printed" for to_string(Status::as_printed).
+[[nodiscard]] std::string spaced(std::string word);
+
+}  // namespace stickslip::report::tools

@@ -1,0 +1,39 @@
+// Pages from mustache templates and JSON.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "report/tools/json.hpp"
+
+namespace stickslip::report::tools {
+
+// Where the templates are: installed beside the running program, else in the source tree it was built from.
+// Throws InputOutputError naming both places if neither exists.
+[[nodiscard]] std::filesystem::path template_directory();
+
+using Escape = std::string (*)(std::string_view);
+
+// How text gets onto a page: as it stands, and a sentence with formulas in it (prose.hpp).
+struct PageFormat {
+  Escape text;
+  Escape prose;
+};
+
+extern const PageFormat html_format;
+extern const PageFormat tex_format;
+extern const PageFormat plain_format;  // nothing is escaped
+
+// The template filled in. In it, keys of the JSON are names, arrays are lists, null and false are false;
+// has_KEY says whether KEY is neither empty nor null. Values are escaped unless written {{& KEY}} or
+// {{{KEY}}}; {{#prose}}{{&KEY}}{{/prose}} is a sentence; {{>NAME}} is the file _NAME.mustache. Throws
+// InternalError naming the template if it is malformed.
+[[nodiscard]] std::string render(const std::string& name, const std::string& source, const tools::Json& data,
+                                 const PageFormat& format);
+
+// The same for a file of the template directory: NAME.mustache.
+[[nodiscard]] std::string render_file(const std::string& name, const tools::Json& data,
+                                      const PageFormat& format);
+
+}  // namespace stickslip::report::tools

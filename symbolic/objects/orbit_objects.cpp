@@ -1,0 +1,165 @@
+// The equations that orbits are found by, Sections 4-6, and what Appendices 3 and 5 derive from them.
+#include <fmt/format.h>
+
+#include "model/appendix3.hpp"
+#include "model/nonsticking.hpp"
+#include "model/nonsticking_closed_form.hpp"
+#include "model/symmetric.hpp"
+#include "symbolic/objects/object_lines.hpp"
+#include "symbolic/typeset/latex.hpp"
+
+namespace stickslip::symbolic::objects {
+
+using namespace algebra;
+using namespace typeset;
+
+namespace {
+
+using GiNaC::ex;
+using Vector2 = model::Vector2<ex>;
+using Vector4 = model::Vector4<ex>;
+
+ex tau() {
+  return symbol("tau");
+}
+ex tau1() {
+  return symbol("tau1");
+}
+
+Lines symmetric(Unknowns unknowns) {
+  const Vector4 residual =
+      model::symmetric_residual<ex>(chi(), modes(), Q_symbols(), omega(), symbol("Theta"), tau(),
+                                    {symbol("z10"), symbol("z20")}, {symbol("zdot10"), symbol("V")});
+  Lines lines;
+  for (const ex& equation : residual) {
+    lines.push_back(sum("0", terms_of(equation)));
+  }
+  append_meanings(lines, unknowns);
+  return lines;
+}
+
+Lines friction_at_rest(Unknowns unknowns) {
+  const ex ur = model::friction_at_rest<ex>(parameters(), {symbol("z10"), symbol("z20")}, phi());
+  Lines lines{scalar("u_r", ur, Unknowns::chi)};
+  append_meanings(lines, unknowns);
+  return lines;
+}
+
+// a_i, b_i, c_i, d_i, in the paper's order.
+Lines closing_coefficients(Unknowns unknowns) {
+  const auto k = model::appendix3<ex>(model::appendix3_letters<ex>(
+      chi(), modes(), Q_symbols(), d0_symbols(), omega(), symbol("V"), phi(), tau(), tau1(), symbol("T")));
+  Lines lines;
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (const auto& [letter, values] : {std::pair{'a', &k.a}, {'b', &k.b}, {'c', &k.c}, {'d', &k.d}}) {
+      lines.push_back(sum(fmt::format("{}_{}", letter, i + 1), terms_of((*values)[i])));
+    }
+  }
+  append_meanings(lines, unknowns);
+  return lines;
+}
+
+// (22) and (23) in the coefficients, whatever these are written in.
+model::ClosingCoefficients<ex> letters() {
+  model::ClosingCoefficients<ex> k;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const std::string number = std::to_string(i + 1);
+    k.a[i] = symbol("a" + number);
+    k.b[i] = symbol("b" + number);
+    k.c[i] = symbol("c" + number);
+    k.d[i] = symbol("d" + number);
+  }
+  return k;
+}
+
+Lines cramer(Unknowns) {
+  const model::CramerDeterminants<ex> c = model::cramer<ex>(letters());
+  return {sum("\\Delta", terms_of(c.Delta.expand())), sum("\\Delta_1", terms_of(c.Delta1.expand())),
+          sum("\\Delta_2", terms_of(c.Delta2.expand())), sum("\\Delta_3", terms_of(c.Delta3.expand()))};
+}
+
+model::HalfPeriod<ex> half_period() {
+  return model::half_period<ex>(chi(), modes(), d0_symbols(), omega(), GiNaC::Pi);
+}
+
+// With a_i, b_i and phi_i as abbreviations.
+model::HalfPeriod<ex> half_period_letters() {
+  const Vector2 d0 = d0_symbols();
+  const ex b1 = symbol("b1");
+  const ex b2 = symbol("b2");
+  return {symbol("phi1"),         symbol("phi2"), symbol("d"), symbol("a1"), symbol("a2"), b1, b2,
+          b1 * d0(0) + b2 * d0(1)};
+}
+
+// (34) with a_i; x_B = -x_0 and z_B' = -z_0', (33).
+Lines nonsticking_states(Unknowns unknowns) {
+  const Vector4 Z0 = model::half_period_start<ex>(half_period_letters(), Q_symbols(), d0_symbols(), omega(),
+                                                  GiNaC::cos(phi()), GiNaC::sin(phi()));
+  const Vector2 d0 = d0_symbols();
+  const model::HalfPeriod<ex> h = half_period();
+  Lines lines{sum("z_{10}", terms_of(Z0(0))),
+              sum("z_{20}", terms_of(Z0(1))),
+              sum("\\dot z_{10}", terms_of(Z0(2))),
+              sum("z_{1B}", terms_of(-Z0(0).expand() - 2 * d0(0))),
+              sum("z_{2B}", terms_of(-Z0(1).expand() - 2 * d0(1))),
+              sum("\\dot z_{1B}", terms_of(-Z0(2).expand())),
+              sum("a_1", terms_of(h.a1)),
+              sum("a_2", terms_of(h.a2))};
+  append_meanings(lines, unknowns);
+  return lines;
+}
+
+Lines nonsticking_phase(Unknowns unknowns) {
+  const model::HalfPeriod<ex> h = half_period();
+  Lines lines{scalar("\\sin\\varphi", -half_period_letters().friction_speed / (symbol("q2") * omega()),
+                     Unknowns::chi),
+              sum("b_1", terms_of(h.b1)), sum("b_2", terms_of(h.b2))};
+  append_meanings(lines, unknowns);
+  return lines;
+}
+
+Lines least_load(Unknowns unknowns) {
+  const model::HalfPeriod<ex> h = half_period();
+  const ex square = model::least_load_squared<ex>(parameters(), modes(), half_period_letters(), symbol("ur"));
+  Lines lines{scalar("p^2", square, Unknowns::chi), sum("b_1", terms_of(h.b1)), sum("b_2", terms_of(h.b2))};
+  lines.front().left = "p^2 > p_{\\min}^2";
+  append_meanings(lines, unknowns);
+  return lines;
+}
+
+Lines symmetry_matrix(Unknowns unknowns) {
+  Lines lines;
+  const ex rho1 = symbol("rho1");
+  const ex rho2 = symbol("rho2");
+  const model::Matrix2<ex> Lambda = model::Lambda<ex>(modes());
+  lines.push_back({"P", latex(model::Matrix2<ex>(Lambda * model::matrix<ex>(rho1, 0, 0, rho2) *
+                                                 model::inverse<ex>(Lambda)))});
+  lines.push_back(scalar("\\rho_1", model::rho<ex>(modes().omega1, tau(), tau1()), Unknowns::chi));
+  lines.push_back(scalar("\\rho_2", model::rho<ex>(modes().omega2, tau(), tau1()), Unknowns::chi));
+  append_meanings(lines, unknowns);
+  return lines;
+}
+
+Lines eigenvalues(Unknowns) {
+  return {scalar("\\rho_1", model::rho<ex>(modes().omega1, tau(), tau1()), Unknowns::chi),
+          scalar("\\rho_2", model::rho<ex>(modes().omega2, tau(), tau1()), Unknowns::chi)};
+}
+
+}  // namespace
+
+std::vector<Object> orbit_objects() {
+  return {
+      {"symmetric", "(16)", "closing equations of the symmetric orbit", symmetric},
+      {"friction", "(24)", "friction at rest of an orbit", friction_at_rest},
+      {"closing", "(47)", "coefficients (47)-(51) of the closing equations (21), with the right sign in c_1",
+       closing_coefficients},
+      {"cramer", "(22)", "determinants that give the initial state of an overshooting orbit", cramer},
+      {"nonsticking", "(34)", "states of the non-sticking orbit, (31), (33), (34)", nonsticking_states},
+      {"phase", "(35)", "phase of the load at a non-sticking orbit", nonsticking_phase},
+      {"load", "(37)", "sharp bound for the load of a non-sticking orbit", least_load},
+      {"P", "(64)", "matrix that decides whether a non-sticking orbit is symmetric", symmetry_matrix},
+      {"rho", "(70)", "eigenvalues of P", eigenvalues},
+  };
+}
+
+}  // namespace stickslip::symbolic::objects

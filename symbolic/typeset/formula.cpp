@@ -1,0 +1,208 @@
+#include "symbolic/typeset/formula.hpp"
+
+#include <algorithm>
+
+#include "symbolic/typeset/atoms.hpp"
+#include "symbolic/typeset/formula_order.hpp"
+#include "symbolic/typeset/names.hpp"
+#include "symbolic/typeset/polynomial.hpp"
+
+namespace stickslip::symbolic::typeset {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+namespace {
+
+struct Signed {
+  numeric unit;  // rational, of any sign
+  std::vector<Power> powers;
+};
+
+Signed factored(const Polynomial& polynomial, const Alphabet& alphabet);
+
+void append_atoms(const Degrees& degrees, const Alphabet& alphabet, std::vector<Power>& powers) {
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    if (degrees[i] > 0) {
+      powers.push_back({alphabet.atoms[i], {}, degrees[i]});
+    }
+  }
+}
+
+Fraction integer_term(const numeric& coefficient, std::vector<Power> powers) {
+  return {coefficient.is_negative(), {abs(coefficient), std::move(powers)}, {}};
+}
+
+void negate(Sum& sum) {
+  for (Fraction& term : sum) {
+    term.negative = !term.negative;
+  }
+}
+
+void put_positive_first(Sum& sum) {
+  const auto positive = std::find_if(sum.begin(), sum.end(), [](const Fraction& t) { return !t.negative; });
+  if (positive != sum.end()) {
+    std::rotate(sum.begin(), positive, positive + 1);
+  }
+}
+
+bool is_lone_sum(const Product& product) {
+  return product.coefficient.is_equal(1) && product.powers.size() == 1 && !product.powers[0].sum.empty() &&
+         product.powers[0].exponent == 1;
+}
+
+std::vector<Fraction>::difference_type negative_terms(const Sum& sum) {
+  return std::count_if(sum.begin(), sum.end(), [](const Fraction& term) { return term.negative; });
+}
+
+// The number among the terms, if there is one.
+const Fraction * find_number(const Sum& sum) {
+  const auto number =
+      std::find_if(sum.begin(), sum.end(), [](const Fraction& t) { return t.numerator.powers.empty(); });
+  return number == sum.end() ? nullptr : &*number;
+}
+
+bool is_balanced(const Sum& sum) {
+  return 2 * negative_terms(sum) == std::ssize(sum);
+}
+
+// x^n of the one quantity that exceeds 1: omega2² - 1 is positive, but 1 - chi, 1 - omega1².
+bool is_large(const Fraction& term) {
+  const std::vector<Power>& powers = term.numerator.powers;
+  return powers.size() == 1 && powers[0].sum.empty() && exceeds_one(powers[0].atom.name);
+}
+
+bool is_better_negated(const Sum& sum) {
+  if (!is_balanced(sum)) {
+    return 2 * negative_terms(sum) > std::ssize(sum);
+  }
+  const Fraction * number = find_number(sum);
+  if (number == nullptr) {
+    return sum[0].negative;
+  }
+  return number->negative != (sum.size() == 2 && is_large(sum[0]));
+}
+
+// The terms in their order, first term first whatever its sign.
+Sum terms(const Polynomial& polynomial, const Alphabet& alphabet) {
+  Sum result;
+  for (const auto& [degrees, coefficient] : collect_trigonometric(polynomial, alphabet)) {
+    const bool constant = std::all_of(degrees.begin(), degrees.end(), [](int d) { return d == 0; });
+    if (constant && coefficient.size() == polynomial.size()) {  // no cos, sin, tan at all
+      for (const Term& term : polynomial) {
+        std::vector<Power> powers;
+        append_atoms(term.degrees, alphabet, powers);
+        result.push_back(integer_term(term.coefficient, std::move(powers)));
+      }
+      return result;
+    }
+    Signed product = factored(coefficient, alphabet);
+    append_atoms(degrees, alphabet, product.powers);
+    Fraction term = integer_term(product.unit, std::move(product.powers));
+    if (constant && is_lone_sum(term.numerator)) {
+      Sum last = std::move(term.numerator.powers[0].sum);
+      if (term.negative) {
+        negate(last);
+      }
+      result.insert(result.end(), last.begin(), last.end());
+    } else {
+      result.push_back(std::move(term));
+    }
+  }
+  return result;
+}
+
+Signed factored(const Polynomial& polynomial, const Alphabet& alphabet) {
+  const Factors factors = factorise(polynomial, alphabet);
+  Signed result{factors.unit, {}};
+  append_atoms(factors.monomial, alphabet, result.powers);
+  for (const auto& [factor, exponent] : factors.sums) {
+    Sum sum = terms(factor, alphabet);
+    if (is_better_negated(sum)) {
+      negate(sum);
+      result.unit *= exponent % 2 == 0 ? 1 : -1;
+    }
+    put_positive_first(sum);
+    result.powers.push_back({{}, std::move(sum), exponent});
+  }
+  std::sort(result.powers.begin(), result.powers.end(),
+            [](const Power& a, const Power& b) { return std::is_lt(compare_bases(a, b)); });
+  return result;
+}
+
+bool can_turn(const Power& power, bool with_number) {
+  return !power.sum.empty() && power.exponent % 2 != 0 && is_balanced(power.sum) &&
+         (find_number(power.sum) != nullptr) == with_number;
+}
+
+// Turns the last difference of that sort round; false if there is none.
+bool turn_last(Product& product, bool with_number) {
+  const auto found = std::find_if(product.powers.rbegin(), product.powers.rend(),
+                                  [&](const Power& power) { return can_turn(power, with_number); });
+  if (found == product.powers.rend()) {
+    return false;
+  }
+  negate(found->sum);
+  put_positive_first(found->sum);
+  return true;
+}
+
+ex value(const Power& power) {
+  if (power.sum.empty()) {
+    return pow(power.atom.value, power.exponent);
+  }
+  ex sum = 0;
+  for (const Fraction& term : power.sum) {
+    sum += value(term);
+  }
+  return pow(sum, power.exponent);
+}
+
+ex value(const Product& product) {
+  ex result = product.coefficient;
+  for (const Power& power : product.powers) {
+    result *= value(power);
+  }
+  return result;
+}
+
+}  // namespace
+
+Fraction arrange(const ex& expression) {
+  const auto [rational, alphabet] = spell(expression);
+  const ex parts = rational.normal().numer_denom();
+  const Polynomial numerator = to_polynomial(parts.op(0), alphabet);
+  if (numerator.empty()) {
+    return {false, {0, {}}, {}};
+  }
+  Signed above = factored(numerator, alphabet);
+  Signed below = factored(to_polynomial(parts.op(1), alphabet), alphabet);
+  const numeric unit = above.unit / below.unit;
+  return {unit.is_negative(),
+          {abs(unit).numer(), std::move(above.powers)},
+          {abs(unit).denom(), std::move(below.powers)}};
+}
+
+Fraction without_leading_minus(Fraction fraction) {
+  if (!fraction.negative) {
+    return fraction;
+  }
+  Product& above = fraction.numerator;
+  Product& below = fraction.denominator;
+  const bool whole = below.coefficient.is_equal(1) && below.powers.empty();
+  if (turn_last(below, false) || turn_last(above, false) || turn_last(above, true)) {
+    fraction.negative = false;
+  } else if (whole && is_lone_sum(above)) {
+    negate(above.powers[0].sum);
+    put_positive_first(above.powers[0].sum);
+    fraction.negative = false;
+  }
+  return fraction;
+}
+
+ex value(const Fraction& fraction) {
+  const ex size = value(fraction.numerator) / value(fraction.denominator);
+  return fraction.negative ? ex(-size) : size;
+}
+
+}  // namespace stickslip::symbolic::typeset

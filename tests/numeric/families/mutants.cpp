@@ -1,0 +1,170 @@
+// Proofs that are wrong on purpose: a box off the root, phases in another order, a coefficient with the other
+// sign. None may come out as proved at the orbit.
+#include <doctest/doctest.h>
+
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/overshooting_rows.hpp"
+#include "numeric/families/symmetric_list.hpp"
+#include "numeric/zeros/krawczyk.hpp"
+#include "numeric/zeros/search.hpp"
+#include "tests/numeric/families/composed.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric::families;
+using namespace stickslip::numeric::motion;
+using namespace stickslip::numeric::zeros;
+using namespace stickslip::numeric::families;
+using namespace stickslip::numeric::motion;
+using namespace stickslip::numeric::zeros;
+using namespace stickslip::examples;
+
+namespace {
+
+constexpr double radius = 1e-9;
+
+// That Krawczyk's test on f proves the zero in a small box around it, and never in a box that was moved off
+// it or shrunk away from it.
+template <int N, class F>
+void check_boxes(const F& f, const Box<N>& zero) {
+  const Box<N> box = box_around<N>(zero, radius);
+  REQUIRE(krawczyk_test<N>(f, box).verdict.truth == Truth::proved);
+  for (int i = 0; i < N; ++i) {
+    CAPTURE(i);
+    const Ball r = box(i).radius();
+    for (const int side : {-1, 1}) {
+      Box<N> moved = box;
+      moved(i) += Ball(10 * side) * r;
+      CHECK(krawczyk_test<N>(f, moved).verdict.truth != Truth::proved);
+      Box<N> shrunk = box;  // the outer half of one side: its middle is 3/4 of the radius off the root
+      shrunk(i) = box(i).midpoint() + Ball(side) * Ball::hull(r / Ball(2), r);
+      CHECK(krawczyk_test<N>(f, shrunk).verdict.truth != Truth::proved);
+    }
+  }
+}
+
+// A mutant may have zeros of its own, but none here.
+template <int N, class F>
+void check_not_here(const F& mutant, const Box<N>& zero) {
+  CHECK(krawczyk_test<N>(mutant, box_around<N>(zero, radius)).verdict.truth != Truth::proved);
+  CHECK(krawczyk_test<N>(mutant, box_around<N>(zero, 1e-4)).verdict.truth != Truth::proved);
+}
+
+// One coefficient of the reduced rows of Section 4 with the other sign.
+struct FlippedSymmetric {
+  SymmetricClosing<Ball> closing;
+  int row;
+  bool left;
+
+  template <class T>
+  [[nodiscard]] model::Vector2<T> operator()(const model::Vector2<T>& x) const {
+    model::SymmetricRows<T> rows = model::symmetric_rows<T>(closing.lifted<T>(), x(0));
+    T& coefficient = left ? rows.left(row) : rows.right(row);
+    coefficient = -coefficient;
+    return rows.left * x(1) - rows.right;
+  }
+};
+
+// The same of Section 5, of the matrix from which the unknowns are eliminated.
+struct FlippedOvershooting {
+  Eliminated<OvershootingAtPhase> f;
+  int row, column;
+
+  template <class T>
+  [[nodiscard]] Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& sw) const {
+    auto rows = all_rows<T>(f.family, sw);
+    rows(row, column) = -rows(row, column);
+    rows = combined_rows<T, 5, 4>(f.combinations, rows);
+    if (!eliminate<T, 5, 4>(rows, 0, 3)) {
+      return {T(1) / T(0), T(1) / T(0)};
+    }
+    return f.family.functions<T>(rows);
+  }
+};
+
+// The flows of Section 5 with the overshoot before the slip.
+struct SwappedPhases {
+  Composed<Ball> f;
+
+  template <class T>
+  [[nodiscard]] Eigen::Matrix<T, 5, 1> operator()(const Eigen::Matrix<T, 5, 1>& x) const {
+    const model::Oscillator<Ball>& o = f.o;
+    const model::Modes<T> m = model::lift<T>(o.modes);
+    const model::Vector2<T> Q = model::lift<T>(o.Q);
+    const T omega(o.data.omega);
+    const T V(o.data.V);
+    const model::Vector4<T> Z0(x(2), x(3), x(4), V);
+    const model::Vector4<T> ZB =
+        model::overshoot_flow<T>(m, Q, model::lift<T>(o.d0), omega, T(f.phi), Z0, x(0));
+    const model::Vector4<T> ZC = model::slip_flow<T>(m, Q, omega, T(T(f.phi) + omega * x(0)), ZB, x(1));
+    const model::Vector4<T> Z = model::stick_flow<T>(T(o.data.chi), ZC, T(T(f.Theta) - x(0) - x(1)));
+    Eigen::Matrix<T, 5, 1> residual;
+    residual << T(ZB(3) - V), T(ZC(3) - V), T(Z(0) - x(2)), T(Z(1) - x(3)), T(Z(2) - x(4));
+    return residual;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Section 4: boxes off the root, and signs flipped in the reduced equations") {
+  const SymmetricState<Ball> s = list_symmetric(S(), 40).orbits.at(1).state;
+  const SymmetricClosing<Ball> closing{symmetric_data<Ball>(S(), LoadPhase::first)};
+  const Box<2> zero(s.tau, s.C);
+  check_boxes<2>(closing, zero);
+  for (const int row : {0, 1}) {
+    for (const bool left : {true, false}) {
+      check_not_here<2>(FlippedSymmetric{closing, row, left}, zero);
+    }
+  }
+  check_not_here<2>(SymmetricClosing<Ball>{symmetric_data<Ball>(S(), LoadPhase::second)}, zero);
+  const Equations16<Ball> sixteen = equations_16<Ball>(S(), LoadPhase::first);
+  Box<4> state(s.tau, s.z10, s.z20, s.zdot10);
+  check_boxes<4>(sixteen, state);
+  Equations16<Ball> flipped = sixteen;
+  flipped.Q = -flipped.Q;
+  check_not_here<4>(flipped, state);
+}
+
+TEST_CASE("Section 5: boxes off the root, phases swapped, signs flipped in each coefficient") {
+  const ComposedOrbit orbit = orbit_O();
+  REQUIRE(orbit.proof.verdict.truth == Truth::proved);
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(O()));
+  const Composed<Ball> f{o, Ball(0), Ball(2) * Ball::pi() / o.data.omega, true};
+  check_boxes<5>(f, orbit.proof.box);
+  check_not_here<5>(SwappedPhases{f}, orbit.proof.box);
+
+  const OvershootingAtPhase family{overshooting_data<Ball>(O()), Ball(0)};
+  const Ball total = orbit.proof.box(0) + orbit.proof.box(1);
+  const Box<2> sw(total / family.data.Theta, orbit.proof.box(1) / total);
+  const auto rows = all_rows<Ball>(family, midpoint<2>(sw));
+  const auto combinations = row_combinations<5, 4>(rows);
+  REQUIRE(combinations.has_value());
+  REQUIRE(is_invertible<5>(*combinations));
+  const Eliminated<OvershootingAtPhase> reduced{family, *combinations};
+  check_boxes<2>(reduced, sw);
+  for (int row = 0; row < 5; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      CAPTURE(row);
+      CAPTURE(column);
+      if (is_zero(rows(row, column))) {
+        continue;
+      }
+      check_not_here<2>(FlippedOvershooting{reduced, row, column}, sw);
+    }
+  }
+}
+
+TEST_CASE("Section 6: boxes off the root, and the friction's sign flipped") {
+  const NonstickingOrbit orbit = list_nonsticking(P("0.1"), 40).orbits.at(1);
+  const TwoSlips f = two_slips_of(parameters_as<Ball>(P("0.1")));
+  check_boxes<2>(f, orbit.box);
+  TwoSlips flipped = f;
+  flipped.c = -flipped.c;
+  check_not_here<2>(flipped, orbit.box);
+  flipped = f;
+  flipped.o.Q = -flipped.o.Q;
+  check_not_here<2>(flipped, orbit.box);
+  flipped = f;
+  flipped.o.data.V = -flipped.o.data.V;
+  check_not_here<2>(flipped, orbit.box);
+}

@@ -1,0 +1,108 @@
+// The generic search on functions whose zeros are known.
+#include "numeric/zeros/search.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace stickslip;
+using namespace stickslip::numeric::zeros;
+using namespace stickslip::numeric::zeros;
+
+namespace {
+
+// sin(10 x): zeros k pi/10, the first at the very end of [0, 2].
+struct Wave {
+  template <class T>
+  Eigen::Matrix<T, 1, 1> operator()(const Eigen::Matrix<T, 1, 1>& x) const {
+    using std::sin;
+    return Eigen::Matrix<T, 1, 1>(T(sin(T(T(10) * x(0)))));
+  }
+};
+
+// x² + y² = 1 and x = y: two zeros, one in each quadrant; (x - y)² = 0 instead makes both double.
+struct Diagonal {
+  bool doubled = false;
+  template <class T>
+  Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& v) const {
+    const T d = v(0) - v(1);
+    return {T(v(0) * v(0) + v(1) * v(1) - T(1)), doubled ? T(d * d) : d};
+  }
+};
+
+template <int N, class F>
+SearchResult<N> search_all(const F& f, const Cell<N>& domain, const SearchLimits& limits = {}) {
+  return search<N>(domain, KrawczykContractor<N, F>{f}, KrawczykDecider<N, F>{f}, limits);
+}
+
+}  // namespace
+
+TEST_CASE("all zeros on a line, each once, ends included") {
+  const SearchResult<1> result = search_all<1>(Wave{}, {{0}, {2}});
+  CHECK(result.complete());
+  REQUIRE(result.zeros.size() == 7);
+  for (int k = 0; k < 7; ++k) {
+    const Ball exact = Ball(k) * Ball::pi() / Ball(10);
+    CHECK(std::count_if(result.zeros.begin(), result.zeros.end(),
+                        [&](const FoundZero<1>& z) { return z.zero(0).overlaps(exact); }) == 1);
+  }
+}
+
+TEST_CASE("a zero on the face between cells is found once") {
+  const SearchResult<2> result = search_all<2>(Diagonal{}, {{-1, -1}, {1, 1}});
+  CHECK(result.complete());
+  CHECK(result.zeros.size() == 2);
+}
+
+TEST_CASE("double zeros stay unresolved, covered and with a reason") {
+  const SearchResult<2> result = search_all<2>(Diagonal{true}, {{0, 0}, {1, 1}});
+  CHECK(result.zeros.empty());
+  REQUIRE_FALSE(result.complete());
+  const Ball root = sqrt(Ball(2)) / Ball(2);
+  CHECK(std::any_of(result.unresolved.begin(), result.unresolved.end(), [&](const UnresolvedBox<2>& open) {
+    return open.box(0).contains(root) && open.box(1).contains(root) && !open.reason.empty();
+  }));
+}
+
+namespace {
+
+// Whether each zero of Wave in [0, 2] lies in a proved box or in an unresolved one.
+void check_that_nothing_is_lost(const SearchResult<1>& result) {
+  for (int k = 0; k < 7; ++k) {
+    const Ball exact = Ball(k) * Ball::pi() / Ball(10);
+    const bool found = std::any_of(result.zeros.begin(), result.zeros.end(),
+                                   [&](const FoundZero<1>& z) { return z.zero(0).overlaps(exact); });
+    const bool open = std::any_of(result.unresolved.begin(), result.unresolved.end(),
+                                  [&](const UnresolvedBox<1>& u) { return u.box(0).overlaps(exact); });
+    CHECK((found || open));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the limit of cells loses nothing") {
+  SearchLimits limits;
+  limits.cells = 3;
+  check_that_nothing_is_lost(search_all<1>(Wave{}, {{0}, {2}}, limits));
+}
+
+TEST_CASE("an interrupted search stops and loses nothing") {
+  const SearchResult<1> whole = search_all<1>(Wave{}, {{0}, {2}});
+  SearchResult<1> part;
+  {
+    const Interruptible scope;
+    int asked = 0;
+    const KrawczykContractor<1, Wave> contractor{};
+    const auto interrupted_contractor = [&](const Box<1>& X) {
+      if (++asked == 4) {
+        std::raise(SIGINT);
+      }
+      return contractor(X);
+    };
+    part = search<1>({{0}, {2}}, interrupted_contractor, KrawczykDecider<1, Wave>{});
+    CHECK(asked == 4);
+  }
+  CHECK_FALSE(interrupted());
+  CHECK_FALSE(part.complete());
+  CHECK(part.zeros.size() < whole.zeros.size());
+  CHECK(part.unresolved.front().reason == "the search was interrupted");
+  check_that_nothing_is_lost(part);
+}

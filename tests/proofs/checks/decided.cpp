@@ -1,0 +1,25 @@
+#include "tests/proofs/checks/decided.hpp"
+
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
+
+namespace stickslip::proofs {
+
+using namespace proofs::methods;
+using namespace proofs::pascal2012;
+
+const Record& record(const std::string& id) {
+  static const std::vector<Claim> claims = paper();
+  static Prover prover(claims);
+  return prover.prove(id);
+}
+
+std::set<std::string> hypotheses(const std::string& id) {
+  std::set<std::string> texts;
+  for (const Hypothesis& hypothesis : record(id).outcome.hypotheses) {
+    texts.insert(hypothesis.text);
+  }
+  return texts;
+}
+
+}  // namespace stickslip::proofs

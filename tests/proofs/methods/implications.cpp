@@ -1,0 +1,118 @@
+#include "proofs/methods/implications.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/checks/repair.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::symbols;
+using namespace stickslip::proofs::symbols::vocabulary;
+
+namespace {
+
+Record proved(const Claim& claim) {
+  const std::vector<Claim> claims{claim,
+                                  {.id = "39", .place = "test", .kind = Kind::model},
+                                  {.id = "38", .place = "test", .kind = Kind::model}};
+  return audit(claims, {claim.id}).records.front();
+}
+
+const Assumption a_is_one{"a", equation(2 * z10, us)};
+const Assumption positive{"+", {z10, 0, Relation::greater}};
+
+}  // namespace
+
+TEST_CASE("a combination that comes out proves, another one decides nothing") {
+  Claim claim{.id = "c",
+              .place = "test",
+              .printed = {equation(z10, us / 2)},
+              .assumptions = {a_is_one},
+              .prove = by_combination({{{assuming("a"), 0, Term(Rational(1, 2))}}})};
+  CHECK(proved(claim).status == Status::as_printed);
+  CHECK(proved(claim).outcome.assumed == std::set<std::string>{"a"});
+  claim.prove = by_combination({{{assuming("a")}}});
+  CHECK(proved(claim).outcome.verdict.truth == Truth::undecided);
+}
+
+TEST_CASE("an inequality needs positive coefficients and a strict premise") {
+  Claim claim{.id = "c",
+              .place = "test",
+              .printed = {{us * z10, 0, Relation::greater}},
+              .assumptions = {positive},
+              .prove = by_positive_combination({{.positive = {{us, {{assuming("+")}}}}}})};
+  CHECK(proved(claim).status == Status::as_printed);
+  claim.printed = {{-us * z10, 0, Relation::greater}};
+  claim.prove = by_positive_combination({{.positive = {{-us, {{assuming("+")}}}}}});
+  CHECK(proved(claim).outcome.verdict.truth == Truth::undecided);
+  claim.printed = {{z20 * z10, 0, Relation::greater}};
+  claim.prove = by_positive_combination({{.positive = {{z20, {{assuming("+")}}}}}});
+  CHECK(proved(claim).outcome.verdict.truth == Truth::undecided);
+  claim.assumptions = {{"+", {z10, 0, Relation::greater_or_equal}}};
+  claim.printed = {{us * z10, 0, Relation::greater}};
+  claim.prove = by_positive_combination({{.positive = {{us, {{assuming("+")}}}}}});
+  CHECK(proved(claim).outcome.verdict.truth == Truth::undecided);
+}
+
+TEST_CASE("squares are positive where they are not zero, which is recorded") {
+  const Claim claim{.id = "c",
+                    .place = "test",
+                    .printed = {{power(z20, 2) * z10, 0, Relation::greater}},
+                    .assumptions = {positive},
+                    .prove = by_positive_combination({{.positive = {{power(z20, 2), {{assuming("+")}}}}}})};
+  CHECK(proved(claim).status == Status::needs_hypotheses);
+  CHECK(proved(claim).outcome.hypotheses.front().text == "z20 != 0");
+}
+
+TEST_CASE("a hypothesis that the claim states is no finding") {
+  Claim claim{.id = "c",
+              .place = "test",
+              .printed = {equation(sin(2 * tau) / sin(tau), 2 * cos(tau))},
+              .prove = by_normal_form()};
+  CHECK(proved(claim).status == Status::needs_hypotheses);
+  claim.assumptions = {{"s", {sin(2 * tau), 0, Relation::not_equal}}};
+  CHECK(proved(claim).status == Status::as_printed);
+  CHECK(proved(claim).outcome.assumed == std::set<std::string>{"s"});
+  claim.assumptions = {{"s", {cos(tau), 0, Relation::not_equal}}};
+  CHECK(proved(claim).status == Status::needs_hypotheses);
+}
+
+TEST_CASE("a misprint is repaired by the single edits that are proved") {
+  const Claim claim{.id = "c",
+                    .place = "test",
+                    .printed = {equation(power(H1(t), 2) - I2 + H2(t) * H3(t), 0)},
+                    .prove = by_normal_form()};
+  const Record record = proved(claim);
+  CHECK(record.status == Status::misprint_corrected);
+  REQUIRE(record.repairs.size() == 1);
+  CHECK(text(record.repairs.front().statement) == "H1^2(t) - I - H2(t)*H3(t) = 0");
+  CHECK(text(record.claim.corrected.front()) == text(record.repairs.front().statement));
+}
+
+TEST_CASE("a converse that fails makes a condition necessary only") {
+  Claim claim{.id = "c",
+              .place = "test",
+              .printed = {{us * z10, 0, Relation::greater}},
+              .assumptions = {positive},
+              .prove = by_positive_combination({{.positive = {{us, {{assuming("+")}}}}}}),
+              .prove_converse = [](Prover&, const Claim&) {
+                Outcome outcome;
+                outcome.verdict = Verdict::refuted("no");
+                return outcome;
+              }};
+  CHECK(proved(claim).status == Status::necessary_not_sufficient);
+}
+
+TEST_CASE("the only zero of a cosine between two ends") {
+  Claim claim{.id = "c",
+              .place = "test",
+              .printed = {equation(tau, pi() / omega)},
+              .assumptions = {{"0", equation(cos(omega * tau / 2), 0)}},
+              .prove = by_zero_of_cosine(omega * tau / 2, "0", 0, 2 * pi() / omega)};
+  CHECK(proved(claim).status == Status::as_printed);
+  claim.prove = by_zero_of_cosine(omega * tau / 2, "0", 0, 4 * pi() / omega);
+  CHECK(proved(claim).outcome.verdict.truth == Truth::undecided);
+}

@@ -1,0 +1,123 @@
+#include "proofs/methods/prover.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/methods/methods.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::pascal2012;
+using namespace stickslip::proofs::symbols;
+using namespace stickslip::proofs::symbols::vocabulary;
+
+namespace {
+
+Proof verdict(const Verdict& given, const std::set<std::string>& uses = {}) {
+  return [=](Prover&, const Claim&) {
+    Outcome outcome;
+    outcome.verdict = given;
+    outcome.uses = uses;
+    return outcome;
+  };
+}
+
+Claim claim(const std::string& id, const Proof& proof, Kind kind = Kind::step) {
+  return {.id = id, .place = "test", .kind = kind, .prove = proof};
+}
+
+Status status(const std::vector<Claim>& claims, const std::string& id) {
+  return audit(claims, {id}).records.front().status;
+}
+
+}  // namespace
+
+TEST_CASE("a status follows from the verdicts of the claim and of all that it uses") {
+  const std::vector<Claim> claims{claim("good", verdict(Verdict::proved())),
+                                  claim("bad", verdict(Verdict::refuted("no"))),
+                                  claim("open", verdict(Verdict::undecided("perhaps"))),
+                                  claim("number", verdict(Verdict::refuted("off")), Kind::numbers),
+                                  claim("given", {}, Kind::model),
+                                  claim("on good", verdict(Verdict::proved(), {"good", "given"})),
+                                  claim("on bad", verdict(Verdict::proved(), {"good", "bad"})),
+                                  claim("on open", verdict(Verdict::proved(), {"open"})),
+                                  claim("far from open", verdict(Verdict::proved(), {"on open"}))};
+  CHECK(status(claims, "good") == Status::as_printed);
+  CHECK(status(claims, "bad") == Status::refuted);
+  CHECK(status(claims, "open") == Status::undecided);
+  CHECK(status(claims, "number") == Status::digits_off);
+  CHECK(status(claims, "given") == Status::model);
+  CHECK(status(claims, "on good") == Status::as_printed);
+  CHECK(status(claims, "on bad") == Status::rests_on_unproved);
+  CHECK(status(claims, "on open") == Status::rests_on_unproved);
+  CHECK(status(claims, "far from open") == Status::rests_on_unproved);
+  CHECK(audit(claims).records[0].used_by == std::set<std::string>{"on bad", "on good"});
+}
+
+TEST_CASE("a misprint is one only if the corrected form is proved") {
+  Claim misprint = claim("m", verdict(Verdict::refuted("no")));
+  misprint.prove_corrected = verdict(Verdict::proved());
+  CHECK(status({misprint}, "m") == Status::misprint_corrected);
+  misprint.prove_corrected = verdict(Verdict::undecided("perhaps"));
+  CHECK(status({misprint}, "m") == Status::refuted);
+  misprint.prove = verdict(Verdict::proved());
+  CHECK(status({misprint}, "m") == Status::as_printed);
+}
+
+TEST_CASE("circular proofs, unknown and doubled ids are internal errors") {
+  const std::vector<Claim> circle{claim("a", verdict(Verdict::proved(), {"b"})),
+                                  claim("b", verdict(Verdict::proved(), {"a"}))};
+  CHECK_THROWS_WITH_AS((void)audit(circle), doctest::Contains("uses itself"), InternalError);
+  CHECK_THROWS_AS((void)audit({claim("a", verdict(Verdict::proved(), {"c"}))}), InternalError);
+  CHECK_THROWS_AS((void)audit({claim("a", verdict(Verdict::proved()))}, {"z"}), InternalError);
+  CHECK_THROWS_AS((void)audit({circle[0], circle[0]}), InternalError);
+}
+
+TEST_CASE("hypotheses are inherited, but not where the data meet them") {
+  Claim resonant{
+      .id = "r",
+      .place = "test",
+      .printed = {equation((power(omega, 2) - power(omega1, 2)) / (omega - omega1), omega + omega1)},
+      .prove = by_normal_form()};
+  const std::vector<Claim> claims{
+      resonant, claim("user", verdict(Verdict::proved(), {"r"})), claim("at data", [](Prover&, const Claim&) {
+        Outcome outcome;
+        outcome.verdict = Verdict::proved();
+        outcome.uses = {"r"};
+        outcome.at = {{"chi", Rational(1, 2)}, {"eta", 2}, {"omega", Rational(1, 3)}};
+        return outcome;
+      })};
+  CHECK(status(claims, "r") == Status::needs_hypotheses);
+  CHECK(status(claims, "user") == Status::needs_hypotheses);
+  CHECK(audit(claims, {"user"}).records.front().outcome.hypotheses.size() == 1);
+  CHECK(status(claims, "at data") == Status::as_printed);
+}
+
+TEST_CASE("a premise's own assumptions must be assumed, and stay as they were") {
+  const Assumption lag{"lag", equation(phi, -omega * tau / 2)};
+  const Claim reversed{.id = "F",
+                       .place = "test",
+                       .printed = {equation(R(tau - t), R(t))},
+                       .assumptions = {lag},
+                       .prove = by_normal_form()};
+  Claim user{.id = "user",
+             .place = "test",
+             .printed = {equation(R(tau - s), R(s))},
+             .assumptions = {lag},
+             .prove = by_rewriting({from("F").at("t", s)})};
+  const auto with_paper = [&] {
+    std::vector<Claim> claims = paper();
+    claims.push_back(reversed);
+    claims.push_back(user);
+    return claims;
+  };
+  CHECK(status(with_paper(), "F") == Status::as_printed);
+  CHECK(status(with_paper(), "user") == Status::as_printed);
+  user.assumptions.clear();
+  CHECK_THROWS_AS((void)audit(with_paper(), {"user"}), InternalError);
+  user.assumptions = {lag};
+  user.prove = by_rewriting({from("F").at("tau", s)});
+  CHECK_THROWS_AS((void)audit(with_paper(), {"user"}), InternalError);
+}

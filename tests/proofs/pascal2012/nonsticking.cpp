@@ -1,0 +1,120 @@
+// Section 6, Appendices 4 and 5: what is decided, on what it rests, and that wrong statements do not pass.
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/methods/implications.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+#include "tests/proofs/checks/decided.hpp"
+#include "tests/proofs/checks/wrong.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::pascal2012;
+using namespace stickslip::proofs::symbols;
+using namespace stickslip::proofs::symbols::vocabulary;
+
+namespace {
+
+const std::set<std::string> off_load_resonance{"omega - omega1 != 0", "omega - omega2 != 0"};
+
+}  // namespace
+
+TEST_CASE("V = 0 rests on the stated det H_3 != 0 alone, which keeps the load off resonance as well") {
+  CHECK(hypotheses("31").empty());
+  CHECK(record("31").outcome.assumed.contains("31.regular"));
+  CHECK(hypotheses("33.V").empty());
+  CHECK(record("33.V").outcome.uses == std::set<std::string>{"33.symmetry"});
+}
+
+TEST_CASE("the states of (33) close wherever tan(omega_i pi/(2 omega)) is finite") {
+  CHECK(hypotheses("33.back") ==
+        std::set<std::string>{"cos(pi*omega1/(2*omega)) != 0", "cos(pi*omega2/(2*omega)) != 0"});
+}
+
+TEST_CASE("(35) needs a load that acts on the second mass, which (36) implies") {
+  CHECK(hypotheses("35").contains("1 - omega != 0"));
+  CHECK(hypotheses("35").contains("p != 0"));
+  CHECK(hypotheses("36.load") == off_load_resonance);
+}
+
+TEST_CASE("(25), (26) and (36) are the same condition") {
+  for (const char * id : {"36", "36.26", "36.back"}) {
+    CAPTURE(id);
+    CHECK(record(id).outcome.verdict.truth == Truth::proved);
+  }
+}
+
+TEST_CASE("(37) is necessary but not sufficient; with u_r it is both") {
+  CHECK(record("37").status == Status::necessary_not_sufficient);
+  REQUIRE(record("37").converse.has_value());
+  CHECK(record("37").converse->verdict.witness.has_value());
+  CHECK(record("37.sharp").outcome.verdict.truth == Truth::proved);
+  CHECK(record("37.sharp.back").outcome.verdict.truth == Truth::proved);
+}
+
+TEST_CASE("the symmetry of Appendix 4 is a chain from (5) and (27)") {
+  CHECK(record("52").outcome.uses == std::set<std::string>{"27", "5", "52.L", "52.X"});
+  CHECK(record("54").outcome.uses == std::set<std::string>{"52", "53.F", "53.X"});
+}
+
+TEST_CASE("the route through P needs sin(omega_j tau) != 0, the one by half angles only no resonance") {
+  CHECK(hypotheses("65").contains("sin(omega1*tau) != 0"));
+  CHECK(hypotheses("65").contains("sin(omega2*tau1) != 0"));
+  CHECK(record("65").outcome.assumed.contains("65.det"));
+  CHECK(hypotheses("65.sharp") == off_load_resonance);
+  CHECK(record("65.sharp").outcome.assumed.contains("70.resonance"));
+}
+
+TEST_CASE("det(H_1 - I) != 0 is stated for (69), and omega != 1 is an unstated hypothesis of (67) alone") {
+  CHECK(record("69").outcome.verdict.truth == Truth::proved);
+  CHECK(hypotheses("69").empty());
+  CHECK(hypotheses("67.sin").contains("1 - omega != 0"));
+}
+
+TEST_CASE("every claim of these places is decided") {
+  for (const Claim& claim : paper()) {
+    const bool here = claim.place == "sec6" || claim.place == "A4" || claim.place == "A5";
+    if (here && claim.kind != Kind::numbers && claim.kind != Kind::check) {
+      CAPTURE(claim.id);
+      CHECK(record(claim.id).outcome.verdict.truth == Truth::proved);
+      CHECK(record(claim.id).status != Status::rests_on_unproved);
+    }
+  }
+}
+
+TEST_CASE("every single edit of the identities is refuted, or is no change at all") {
+  const Mutants mutants =
+      decide_mutants(paper(), {"26.tau", "28.F", "29.H", "31.det", "31.rest", "35.def", "36.q2", "37.p",
+                               "52.L", "53.F", "61.E", "64.P", "67.cases", "69.det", "70.rho", "70"});
+  CHECK(mutants.refuted > 350);
+  CHECK(mutants.open == std::vector<std::string>{});
+  // cos(omega tau ± phi) agree at omega tau = pi; F repeats itself after two half periods.
+  CHECK(mutants.survivors ==
+        std::vector<std::string>{
+            "26.tau: p*cos(-omega*tau + phi) - eta*(ur + us) = (-p)*cos(phi) - eta*(ur + us)",
+            "26.tau: p*cos(omega*tau - phi) - eta*(ur + us) = (-p)*cos(phi) - eta*(ur + us)",
+            "53.F: F(t - tau) = -F(t)"});
+}
+
+TEST_CASE("no single edit of what is proved by rewriting is proved, except what says the same") {
+  int tried = 0;
+  const std::vector<std::string> survivors = proved_mutants(
+      paper(), {"28", "28.B", "29", "52", "54", "55", "56", "56.B", "57", "58", "59", "60", "61"}, tried);
+  CHECK(tried > 130);
+  // xi_1 = xi_2 makes them interchangeable.
+  CHECK(survivors == std::vector<std::string>{"61: xi2 - xi2 = ZB - ZbarB + E*(Z0 - Zbar0)",
+                                              "61: xi1 - xi1 = ZB - ZbarB + E*(Z0 - Zbar0)",
+                                              "61: xi2 - xi2 = 0", "61: xi1 - xi1 = 0"});
+}
+
+TEST_CASE("every single edit of (35) is refuted with the load that (35) asks for") {
+  const Term D = (power(omega, 2) - power(omega1, 2)) * (power(omega, 2) - power(omega2, 2));
+  const Term load = -D * (b1 * d01 + b2 * d02) / (omega * (1 - power(omega, 2)) * sin(phi));
+  const Mutants mutants = decide_mutants(paper(), "35", by_normal_form(), {{"35.p", equation(p, load)}});
+  CHECK(mutants.refuted == 16);
+  CHECK(mutants.survivors == std::vector<std::string>{});
+  CHECK(mutants.open == std::vector<std::string>{});
+}

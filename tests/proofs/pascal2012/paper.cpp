@@ -1,0 +1,157 @@
+#include "proofs/pascal2012/paper.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/judgement.hpp"
+#include "tests/proofs/checks/decided.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::pascal2012;
+
+namespace {
+
+const Audit& whole() {
+  static const Audit result = audit(paper());
+  return result;
+}
+
+}  // namespace
+
+// What the paper takes for granted, or asserts, and is not so.
+const std::set<std::string> refuted{"4.defined", "4.unique", "7.only"};
+
+TEST_CASE("nothing is left open, and what is proved says how") {
+  for (const Record& r : whole().records) {
+    CAPTURE(r.claim.id);
+    CAPTURE(r.outcome.verdict.reason);
+    CHECK(r.status != Status::undecided);
+    CHECK(r.status != Status::rests_on_unproved);
+    CHECK((r.status == Status::checked) == r.claim.id.ends_with(".raw"));
+    CHECK((r.status == Status::refuted) == refuted.contains(r.claim.id));
+    CHECK(r.claim.words.size() > 0);
+    if (r.status != Status::model) {
+      CHECK(r.outcome.route.size() > 0);
+    }
+    if (r.outcome.verdict.truth != Truth::proved) {
+      CHECK(r.outcome.verdict.reason.size() > 0);
+    }
+  }
+}
+
+TEST_CASE("every hypothesis that a proof brings in is judged, by claims that stand") {
+  std::set<std::string> judged;
+  for (const Judgement& judgement : judgements()) {
+    CHECK(judged.insert(judgement.origin).second);
+    CHECK_FALSE(judgement.shown_by.empty());
+    for (const std::string& id : judgement.shown_by) {
+      CAPTURE(id);
+      CHECK(record(id).outcome.verdict.truth == Truth::proved);
+      // What shows that a hypothesis does not matter does without it.
+      for (const Hypothesis& hypothesis : record(id).outcome.hypotheses) {
+        CHECK((judgement.matters || hypothesis.origin != judgement.origin));
+      }
+    }
+  }
+  CHECK(record("16").converse->verdict.truth == Truth::refuted);  // what 16.back's judgement says
+  std::set<std::string> origins;
+  for (const Record& r : whole().records) {
+    const Outcome& last = final_outcome(r);
+    for (const Hypothesis& hypothesis : last.hypotheses) {
+      origins.insert(hypothesis.origin);
+    }
+  }
+  CHECK(origins == judged);
+}
+
+TEST_CASE("Appendix 1 holds for all parameters, without hypotheses") {
+  for (const Record& r : whole().records) {
+    if (r.claim.place == "A1") {
+      CAPTURE(r.claim.id);
+      CHECK(r.status == Status::as_printed);
+    }
+  }
+}
+
+TEST_CASE("the slip solution needs the load to be off resonance, which the paper does not say") {
+  CHECK(record("7").status == Status::needs_hypotheses);
+  CHECK(record("7").outcome.hypotheses.size() == 2);
+  CHECK(record("17.slip").status == Status::needs_hypotheses);
+  CHECK(record("10").status == Status::as_printed);
+}
+
+TEST_CASE("(17) is proved from Appendix 2, link by link") {
+  CHECK(record("17.slip").outcome.uses ==
+        std::set<std::string>{"13.E", "38.commute", "43", "44.E", "44.F", "44.F0", "44.H", "5"});
+  CHECK(record("17.slip").outcome.assumed.contains("13"));
+  CHECK(record("17.stick").outcome.uses ==
+        std::set<std::string>{"4.stick", "41.commute", "45", "46.E", "46.group"});
+  CHECK(record("17.stick").outcome.assumed == std::set<std::string>{"13", "15"});
+}
+
+TEST_CASE("without one of its premises (17) is not proved") {
+  std::vector<Claim> claims = paper();
+  for (const std::string cut : {"13.E", "44.E", "44.H"}) {
+    CAPTURE(cut);
+    std::vector<Claim> mutilated = claims;
+    for (Claim& claim : mutilated) {
+      if (claim.id == cut) {
+        claim.prove = [](Prover&, const Claim&) { return Outcome{.verdict = Verdict::undecided("cut")}; };
+      }
+    }
+    CHECK(audit(mutilated, {"17.slip"}).records.front().status == Status::rests_on_unproved);
+  }
+}
+
+TEST_CASE("(45) as the source prints it is a misprint") {
+  CHECK(record("45").status == Status::misprint_corrected);
+  REQUIRE(record("45").outcome.verdict.witness.has_value());
+  CHECK_FALSE(
+      record("45").outcome.verdict.witness->left.overlaps(record("45").outcome.verdict.witness->right));
+}
+
+TEST_CASE("example S: the orbit is proved, the period is right, other digits are off") {
+  CHECK(record("S.orbit").status == Status::as_printed);
+  CHECK(record("S.Theta").status == Status::as_printed);
+  for (const char * id : {"S.tau", "S.T", "S.z10", "S.z20", "S.zdot10", "S.ur"}) {
+    CAPTURE(id);
+    CHECK(record(id).status == Status::digits_off);
+    REQUIRE(record(id).outcome.comparisons.size() == 1);
+    CHECK(record(id).outcome.comparisons.front().units_off.rad != "inf");
+  }
+}
+
+TEST_CASE("(16) is necessary for the orbit of Section 4, not sufficient; the time lag is nearly forced") {
+  CHECK(record("16").status == Status::necessary_not_sufficient);
+  CHECK(record("16.back").outcome.verdict.truth == Truth::proved);
+  std::set<std::string> exceptions;
+  for (const Hypothesis& hypothesis : record("16.back").outcome.hypotheses) {
+    exceptions.insert(hypothesis.text);
+  }
+  CHECK(exceptions ==
+        std::set<std::string>{"cos(T/2) != 0", "cos(omega1*tau/2) != 0", "cos(omega2*tau/2) != 0"});
+  CHECK(record("4.lag.needed").outcome.verdict.truth == Truth::proved);
+}
+
+TEST_CASE("examples: the printed orbits obey every condition, and it is told what was computed from what") {
+  for (const char * id : {"S.list", "P.list", "S.if.slip", "S.if.f1", "S.from.T", "S.from.z20", "S.from.ur",
+                          "P.orbit", "P.if.25", "P.if.overshoot", "P.x10", "P.from.ur"}) {
+    CAPTURE(id);
+    CHECK(record(id).status == Status::as_printed);
+  }
+  CHECK(record("P.x20").status == Status::digits_off);
+}
+
+TEST_CASE("words name claims, equations with their parts, and places") {
+  const std::vector<Claim> claims = paper();
+  CHECK(ids_named(claims, "40") == std::set<std::string>{"40"});
+  CHECK(ids_named(claims, "44") == std::set<std::string>{"44.E", "44.F", "44.F0", "44.H"});
+  CHECK(ids_named(claims, "44.H") == std::set<std::string>{"44.H"});
+  CHECK(ids_named(claims, "A2").contains("17.slip"));
+  CHECK_FALSE(ids_named(claims, "4").contains("40"));
+  CHECK_THROWS_AS((void)ids_named(claims, "99"), UsageError);
+  CHECK_THROWS_AS((void)ids_named(claims, ""), UsageError);
+}

@@ -1,0 +1,39 @@
+#include "proofs/symbols/term.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs::symbols;
+using namespace stickslip::proofs::symbols::vocabulary;
+
+TEST_CASE("statements print in the order in which they stand") {
+  const Statement identity = equation(power(H1(t), 2) - I2 - H2(t) * H3(t), 0);
+  CHECK(text(identity) == "H1^2(t) - I - H2(t)*H3(t) = 0");
+  CHECK(latex(identity) == "H_1^{2}(t) - I - H_2(t) H_3(t) = 0");
+  CHECK(text(equation(Z(t), H(t) * (Z0 - F0) + F(t))) == "Z(t) = H(t)*(Z0 - F0) + F(t)");
+  CHECK(text(equation(phi, (pi() - omega * tau) / 2)) == "phi = (pi - omega*tau)/2");
+  CHECK(latex(equation(phi, (pi() - omega * tau) / 2)) == "\\varphi = \\frac{\\pi - \\omega \\tau}{2}");
+  CHECK(text(equation(derivative(derivative(B2(t))), B3(t))) == "B2''(t) = B3(t)");
+  CHECK(text(-(z10 - z20) * chi - (-chi)) == "(-(z10 - z20))*chi - (-chi)");
+  CHECK(text(equation(Sigma, block(2, {1, chi, 0, 1}))) == "Sigma = [1, chi; 0, 1]");
+  CHECK(text(Statement{ur, us, Relation::greater}) == "ur > us");
+  CHECK(latex(determinant(H3(t))) == "\\det\\left(H_3(t)\\right)");
+}
+
+TEST_CASE("formulas without meaning cannot be built") {
+  CHECK_THROWS_AS((void)(H(t) + H1(t)), InternalError);
+  CHECK_THROWS_AS((void)(H(t) * d0), InternalError);
+  CHECK_THROWS_AS((void)(d0 * d0), InternalError);
+  CHECK_THROWS_AS((void)power(d0, 2), InternalError);
+  CHECK_THROWS_AS((void)(chi / d0), InternalError);
+  CHECK_THROWS_AS((void)block(2, {H1(t), d0, d0, H1(t)}), InternalError);
+  CHECK_THROWS_AS((void)substitute(H(t), {{"t", H1(t)}}), InternalError);
+}
+
+TEST_CASE("symbols are replaced all at once") {
+  CHECK(text(substitute(H(t + s), {{"t", s}, {"s", -t}})) == "H(s - t)");
+  CHECK(equal(substitute(H(t) * Z0, {{"tau", t}}), H(t) * Z0));
+}

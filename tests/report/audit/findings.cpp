@@ -1,0 +1,94 @@
+#include "report/audit/findings.hpp"
+
+#include <doctest/doctest.h>
+
+#include "proofs/pascal2012/example_orbits.hpp"
+#include "report/audit/graph.hpp"
+#include "tests/report/audit/sample.hpp"
+
+using namespace stickslip;
+using namespace stickslip::report;
+using namespace stickslip::numeric;
+using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::pascal2012;
+using namespace stickslip::report::audit;
+using proofs::methods::Audit;
+using proofs::methods::Status;
+
+namespace {
+
+Audit with_status(Status status) {
+  Audit audit = sample_audit();
+  audit.records.resize(2);
+  audit.records[1].status = status;
+  return audit;
+}
+
+}  // namespace
+
+TEST_CASE("the verdict is that of the worst statement") {
+  CHECK(verdict_lead(with_status(Status::as_printed)) == "The paper holds as printed.");
+  CHECK(verdict_lead(with_status(Status::needs_hypotheses)).find("hypotheses") != std::string::npos);
+  CHECK(verdict_lead(with_status(Status::misprint_corrected)) == "The paper holds, with corrections.");
+  CHECK(verdict_lead(with_status(Status::digits_off)) == "The paper holds, with corrections.");
+  CHECK(verdict_lead(with_status(Status::refuted)) == "The paper does not hold everywhere.");
+  CHECK(verdict_lead(with_status(Status::rests_on_unproved)) == "Not everything is decided.");
+  CHECK(verdict_lead(sample_audit()) == "Not everything is decided.");
+}
+
+TEST_CASE("the verdict counts every statement") {
+  CHECK(verdict_sentence(with_status(Status::refuted)) ==
+        "Of 2 statements, 1 belongs to the model and is taken as given; 1 is refuted.");
+  CHECK(verdict_sentence({}).empty());
+}
+
+TEST_CASE("a hypothesis is shown once, at its origin, with its heirs") {
+  Audit audit = sample_audit();
+  audit.records[5].outcome.hypotheses = audit.records[2].outcome.hypotheses;
+  const std::vector<HypothesisGroup> groups = hypothesis_groups(audit);
+  REQUIRE(groups.size() == 1);
+  CHECK(groups[0].hypotheses.size() == 1);
+  REQUIRE(groups[0].origins.size() == 1);
+  CHECK(groups[0].origins[0]->claim.id == "5.where");
+  CHECK(groups[0].heirs == std::set<std::string>{"17"});
+}
+
+TEST_CASE("the same hypothesis brought in twice is one group") {
+  Audit audit = sample_audit();
+  audit.records[5].outcome.hypotheses = audit.records[2].outcome.hypotheses;
+  audit.records[5].outcome.hypotheses.back().origin = "17";
+  const std::vector<HypothesisGroup> groups = hypothesis_groups(audit);
+  REQUIRE(groups.size() == 1);
+  CHECK(groups[0].origins.size() == 2);
+  CHECK(groups[0].heirs.empty());
+}
+
+TEST_CASE("the graph leaves out an arrow that others imply") {
+  Audit audit = sample_audit();
+  audit.records[5].outcome.uses = {"2", "5"};  // 5 uses 2 itself
+  const std::string script = graph_script(audit);
+  CHECK(script.find("\"5\" -> \"17\"") != std::string::npos);
+  CHECK(script.find("\"2\" -> \"5\"") != std::string::npos);
+  CHECK(script.find("\"2\" -> \"17\"") == std::string::npos);
+  CHECK(script.find("\"5\" -> \"44\"") != std::string::npos);  // by its corrected form
+}
+
+TEST_CASE("the orbit of a figure is the one with the printed numbers") {
+  for (const Example& example : printed_examples()) {
+    const ExampleOrbits& orbits = orbits_of(example);
+    const std::optional<std::size_t> shown = printed_orbit(orbits);
+    REQUIRE(shown);
+    for (const NamedBall& value : orbits.list.orbits[*shown].values) {
+      if (value.name == "Theta" || value.name == "zdot10" || value.name == "xdot10") {
+        for (const PrintedResult& printed : example.results) {
+          if (printed.name == value.name) {
+            CAPTURE(example.name);
+            CHECK(std::abs(std::abs(value.value.approximate()) - std::abs(printed.value.value.get_d())) <
+                  0.01);
+          }
+        }
+      }
+    }
+  }
+  CHECK_FALSE(printed_orbit(ExampleOrbits{printed_examples().front(), {}}));
+}

@@ -1,0 +1,91 @@
+#include "report/audit/json.hpp"
+
+#include <doctest/doctest.h>
+
+#include "tests/report/audit/sample.hpp"
+
+using namespace stickslip;
+using namespace stickslip::report::tools;
+using namespace stickslip::report;
+using namespace stickslip::report::audit;
+
+namespace {
+
+// The claim of that id in the JSON of the sample.
+Json claim(const Json& audit, const std::string& id) {
+  for (const Json& place : audit.at("places")) {
+    for (const Json& c : place.at("claims")) {
+      if (c.at("id") == id) {
+        return c;
+      }
+    }
+  }
+  return nullptr;
+}
+
+// Whether a number occurs that is neither a count nor a string.
+bool has_floating_number(const Json& json) {
+  if (json.is_structured()) {
+    for (const Json& value : json) {
+      if (has_floating_number(value)) {
+        return true;
+      }
+    }
+  }
+  return json.is_number_float();
+}
+
+}  // namespace
+
+TEST_CASE("an audit survives the way through its text") {
+  const Json json = to_json(sample_audit());
+  CHECK(Json::parse(to_text(json)) == json);
+  CHECK(to_text(json) == to_text(to_json(sample_audit())));
+  CHECK(to_text(json).ends_with("}\n"));
+}
+
+TEST_CASE("numbers are text, exact or balls") {
+  const Json json = to_json(sample_audit());
+  CHECK_FALSE(has_floating_number(json));
+  const Json comparison = claim(json, "S.tau").at("outcome").at("comparisons").at(0);
+  CHECK(comparison.at("printed") == "7.749");
+  CHECK(comparison.at("proved") == Json{{"mid", "7.7503000000000000001"}, {"rad", "2.1e-30"}});
+  const Json witness = claim(json, "44").at("outcome").at("witness");
+  CHECK(witness.at("point").at(1).at("value") == "1/3");
+  CHECK(witness.at("left").at("mid") == "1");
+}
+
+TEST_CASE("a claim says what is known, each key always there") {
+  const Json json = to_json(sample_audit());
+  CHECK(json.at("schema_version") == schema_version);
+  const Json misprint = claim(json, "44");
+  CHECK(misprint.at("status") == "misprint_corrected");
+  CHECK(misprint.at("finding") == true);
+  CHECK(misprint.at("outcome").at("verdict") == "refuted");
+  CHECK(misprint.at("corrected_outcome").at("verdict") == "proved");
+  CHECK(misprint.at("corrected_outcome").at("uses") == Json::array({"5"}));
+  CHECK(misprint.at("assumptions").at(0).at("needed") == true);
+  CHECK(misprint.at("assumptions").at(1).at("needed") == false);
+  const Json proved = claim(json, "5");
+  CHECK(proved.at("finding") == false);
+  CHECK(proved.at("corrected_outcome").is_null());
+  CHECK(proved.at("outcome").at("witness").is_null());
+  CHECK(proved.at("outcome").at("free").at(0).at("latex") == "\\omega_1");
+  CHECK(claim(json, "5.where").at("outcome").at("hypotheses").at(0).at("text") == "omega - omega1 != 0");
+  for (const Json& place : json.at("places")) {
+    for (const Json& c : place.at("claims")) {
+      CHECK(c.size() == proved.size());
+    }
+  }
+}
+
+TEST_CASE("the summary counts every statement once") {
+  const Json summary = to_json(sample_audit()).at("summary");
+  std::size_t total = 0;
+  for (const Json& status : summary.at("statuses")) {
+    total += status.at("count").get<std::size_t>();
+  }
+  CHECK(total == 6);
+  CHECK(summary.at("statements") == 6);
+  CHECK(summary.at("decided") == false);
+}

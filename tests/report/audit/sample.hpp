@@ -1,0 +1,12 @@
+// An audit made by hand: one record of every kind that reports have to show.
+#pragma once
+
+#include "proofs/methods/claim.hpp"
+
+namespace stickslip::report {
+
+// Ids: 2 (model), 5 (as printed), 5.where (needs a hypothesis), 44 (misprint, witness), S.tau (digits off),
+// 17 (undecided). Words and reasons contain characters that HTML and TeX treat specially.
+[[nodiscard]] proofs::methods::Audit sample_audit();
+
+}  // namespace stickslip::report

@@ -1,0 +1,102 @@
+#include "report/audit/table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "report/audit/summary.hpp"
+#include "report/tools/unicode.hpp"
+#include "tests/report/audit/sample.hpp"
+
+using namespace stickslip;
+using namespace stickslip::report;
+using namespace stickslip::report::audit;
+using namespace stickslip::report::tools;
+
+namespace {
+
+std::size_t widest_line(const std::string& text) {
+  std::istringstream stream(text);
+  std::size_t widest = 0;
+  for (std::string line; std::getline(stream, line);) {
+    widest = std::max(widest, columns(line));
+  }
+  return widest;
+}
+
+std::ptrdiff_t lines_of(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the table fits a terminal of eighty columns") {
+  const proofs::methods::Audit audit = sample_audit();
+  CHECK(widest_line(terminal_report(audit, {})) <= 80);
+  CHECK(widest_line(terminal_explanations(audit, {})) <= 80);
+}
+
+TEST_CASE("the report names every statement, every finding and every printed number") {
+  const std::string text = terminal_report(sample_audit(), {});
+  for (const std::string& part : std::vector<std::string>{
+           "2 ", "5.where", "misprint corrected", "entry (2,1): 1 on the left and 2 on the right",
+           "omega - omega1 != 0", "the search ran out of its budget", "7.749", "-1.3", "H(-t)",
+           "6 statements: 1 as printed, 1 model, 1 needs hypotheses, 1 digits off, 1\nmisprint"}) {
+    CAPTURE(part);
+    CHECK(mentions(text, part));
+  }
+}
+
+TEST_CASE("colour only where it is asked for") {
+  const proofs::methods::Audit audit = sample_audit();
+  CHECK_FALSE(mentions(terminal_report(audit, {}), "\x1b"));
+  CHECK_FALSE(mentions(terminal_lines(audit, {}), "\x1b"));
+  CHECK(mentions(terminal_report(audit, {.colour = true}), "\x1b[31mmisprint corrected"));
+}
+
+TEST_CASE("a line for each statement and one for all") {
+  const std::string text = terminal_lines(sample_audit(), {});
+  CHECK(lines_of(text) == 7);
+  CHECK(mentions(text, "undecided"));
+}
+
+TEST_CASE("an explanation shows formula, proof and uses, also of the corrected form") {
+  const std::string text = terminal_explanations(sample_audit(), {});
+  for (const char * part :
+       {"by substitution", "omega1, t", "corrected", "uses        5", "used by     44", "if "}) {
+    CAPTURE(part);
+    CHECK(mentions(text, part));
+  }
+}
+
+TEST_CASE("what an audit comes to") {
+  proofs::methods::Audit audit = sample_audit();
+  CHECK_FALSE(all_decided(audit));
+  CHECK(any_refuted(audit));
+  audit.records.resize(3);
+  CHECK(all_decided(audit));
+  CHECK_FALSE(any_refuted(audit));
+  CHECK(is_finding(audit.records[2]));
+  audit.records[2].outcome.hypotheses.back().origin = "5";  // inherited: said once, at its origin
+  CHECK_FALSE(is_finding(audit.records[2]));
+  CHECK(inheriting(audit, audit.records[1]) == std::set<std::string>{"5.where"});
+  CHECK(summary_line({}) == "0 statements.");
+  CHECK(by_place(sample_audit()).size() == 4);
+}
+
+TEST_CASE("a line says how many engines agree, or why none was asked") {
+  CHECK(cross_check_line({.formulas = 3, .exact_points = 2, .ball_points = 1}) ==
+        "3 formulas agree exactly at 2 rational points and in balls at 1 real point");
+  CHECK(cross_check_line({.formulas = 1, .ball_points = 2, .unchecked = "an odd angle"}) ==
+        "1 formula agrees in balls at 2 real points; an odd angle");
+  CHECK(cross_check_line({.formulas = 1, .premise_points = 2}) ==
+        "1 formula agrees in balls at 2 real points where all that the claim rests on holds");
+  CHECK(cross_check_line({.unchecked = "it introduces names"}) ==
+        "by no further engine: it introduces names");
+  CHECK(cross_check_line({}) == "");
+}
