@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "bench/cvode_peer.hpp"
 #include "bench/odeint_peer.hpp"
 #include "numeric/dynamics/agreement.hpp"
 #include "numeric/example_orbits.hpp"
@@ -72,7 +73,7 @@ void simulate_cvode(benchmark::State& state) {
   const Start& s = start(state.range(0));
   Run run;
   for (auto _ : state) {
-    run = follow_raw_law(s, periods * period_of(s), {tolerance, 0});
+    run = follow_by_cvode(s, periods * period_of(s), tolerance);
   }
   report(state, static_cast<long>(run.transitions.size()), run.end, s);
 }
