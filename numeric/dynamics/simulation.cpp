@@ -87,7 +87,7 @@ double friction_at_rest(const model::Parameters<double>& a, const Vector4<double
 Simulation::Simulation(const model::Parameters<double>& a, double ur, double phi, const Vector4<double>& X)
     : a_((require_domain(a, ur, phi, X), a)),
       ur_(ur),
-      phi_(std::atan2(std::sin(phi), std::cos(phi))),
+      phi_(std::abs(phi) > 4 ? std::atan2(std::sin(phi), std::cos(phi)) : phi),  // omega t is added to it
       Theta_(2 * std::acos(-1.0) / a.omega),
       slip_data_(a),
       slip_step_(slip_data_.step(step_angle / std::max(slip_data_.omega_j[1], a.omega))),

@@ -80,7 +80,7 @@ for target in "${targets[@]}"; do
     stickslip_bench) has bench "$here/configured" || refuse "cmake: unknown target $target"; program bench/$target ;;
     test_*) has test "$here/configured" || refuse "cmake: unknown target $target"; program "tests/$target" ;;
     fuzzers)
-      has fuzz "$STATE/installed" || refuse "cmake: no clang"
+      has fuzz "$STATE/installed" && has test "$here/configured" || refuse "cmake: unknown target $target, or no clang"
       for name in command_line decimal parameters; do program "tests/fuzz/fuzz_$name"; done ;;
     *) refuse "cmake: unknown target $target" ;;
   esac
@@ -127,7 +127,7 @@ others=("build" "mutants" "tidy core" "format --check" "sanitize asan core" "san
 said_last() {
   case $1 in
     "test") grep -qx '100% tests passed, 0 tests failed out of 9 (.*script/test --all.*)' ;;
-    "test --all") grep -qx '100% tests passed, 0 tests failed out of 19 (all tiers)' ;;
+    "test --all" | ../.ci/run) grep -qx '100% tests passed, 0 tests failed out of 19 (all tiers)' ;;
     *) cat >/dev/null ;;
   esac
 }
@@ -156,10 +156,20 @@ run() {
   ((++runs))
 }
 
-mkdir -p "$work/next/tree/tests/core" "$work/next/tree/core"
-cp -r "$root/script" "$work/next/tree/script"
-touch "$work/next/installed" "$work/next/tree/tests/core/CMakeLists.txt" "$work/next/tree/core/CMakeLists.txt"
+mkdir -p "$work/next/tree"
+cp -r "$root/script" "$root/.ci" "$work/next/tree"
+for room in core symbolic numeric proofs report cli; do
+  mkdir -p "$work/next/tree/$room" "$work/next/tree/tests/$room"
+  touch "$work/next/tree/$room/CMakeLists.txt" "$work/next/tree/tests/$room/CMakeLists.txt"
+done
+touch "$work/next/installed"
 take "a fresh machine"
+# What calls the others.
+for script in ../.ci/run nightly; do
+  run "$script" "a fresh machine, $script"
+  rm -rf "$work/next"
+  cp -r "${queue[0]}" "$work/next"
+done
 while ((${#queue[@]})); do
   state=${queue[0]}
   queue=("${queue[@]:1}")
