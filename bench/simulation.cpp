@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "bench/cvode_peer.hpp"
 #include "bench/odeint_peer.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "proofs/pascal2012/example_orbits.hpp"
@@ -76,7 +77,7 @@ void simulate_cvode(benchmark::State& state) {
   const Start& s = start(state.range(0));
   Run run;
   for (auto _ : state) {
-    run = follow_raw_law(s, periods * period_of(s), {tolerance, 0});
+    run = follow_by_cvode(s, periods * period_of(s), tolerance);
   }
   report(state, static_cast<long>(run.transitions.size()), run.end, s);
 }

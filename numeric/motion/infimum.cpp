@@ -109,7 +109,7 @@ class Search {
 bool Search::settle(const Piece& piece, double a, double b) {
   const bool one_sided = piece.weighted && a == 0;
   const double c = one_sided ? 0 : a + (b - a) / 2;
-  const Ball h = one_sided ? Ball(b) : Ball(std::nextafter((b - a) / 2, b));
+  const Ball h(pieces::reach(a, c, b));
   const Taylor<Ball> k = piece.at(c);
   const Ball spread = piece.third * h * h * h / Ball(6);
   const Ball lowest_slope = one_sided ? k.slope.lower() : -abs(k.slope).upper();

@@ -115,6 +115,10 @@ double Piece::descend(double s, double low, double high) const {
   return s;
 }
 
+double reach(double a, double c, double b) {
+  return std::nextafter(std::max(b - c, c - a), std::numeric_limits<double>::infinity());
+}
+
 Guess sampled_minimum(const Piece& piece) {
   const int n = 4 + static_cast<int>(2 * (piece.b - piece.a));
   const double step = (piece.b - piece.a) / n;

@@ -45,6 +45,9 @@ struct Piece {
   [[nodiscard]] double descend(double s, double low, double high) const;
 };
 
+// Not less than the distance of any x in [a, b] from c in [a, b], whatever was rounded in finding c.
+[[nodiscard]] double reach(double a, double c, double b);
+
 // A guess of where the piece is smallest.
 struct Guess {
   double value, s;

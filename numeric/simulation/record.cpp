@@ -15,8 +15,7 @@ using namespace motion;
 namespace {
 
 constexpr double most_samples = 1e9;
-constexpr double samples_between_questions = 1000;
-constexpr double periods_between_questions = 1000;
+constexpr long steps_between_questions = 30000;
 
 Sample sample_of(const Simulation& s) {
   const model::Vector4<double> X = s.state();
@@ -74,20 +73,15 @@ Record record_motion(const Start& start, const RecordPlan& plan, const std::func
   add_sample(record, first, plan.keep_samples);
   std::vector<Transition> events;
   const long count = std::max(1L, std::lround(std::ceil(plan.duration / plan.every * (1 - 1e-12))));
-  double since_question = 0;  // in units of what is done between two
   for (long k = 1; k <= count && !record.interrupted; ++k) {
     const double until = std::min(plan.duration, static_cast<double>(k) * plan.every);
-    while (record.done < until && !record.interrupted) {
-      const double part = std::min(until - record.done, periods_between_questions * record.period);
+    double left = until - record.done;
+    while (left > 0 && !record.interrupted) {
       events.clear();
-      simulation.advance(part, &events);
+      left = simulation.advance(left, &events, steps_between_questions);
       add_events(record, events);
-      record.done = part < until - record.done ? record.done + part : until;
-      since_question += part / (periods_between_questions * record.period) + 1.0 / samples_between_questions;
-      if (since_question >= 1 && record.done < plan.duration) {
-        since_question = 0;
-        record.interrupted = !go_on(record.done / plan.duration);
-      }
+      record.done = until - left;
+      record.interrupted = record.done < plan.duration && !go_on(record.done / plan.duration);
     }
     add_sample(record, sample_of(simulation), plan.keep_samples);
   }

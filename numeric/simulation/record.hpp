@@ -38,9 +38,9 @@ struct Record {
   static constexpr std::size_t shown = 12;
 };
 
-// Simulates until the duration is over or `go_on`, asked with the share that is done about once in a
-// thousand samples or periods, says no. Throws DomainError as Simulation does, and for a plan that is not
-// positive or has more than 10⁹ samples.
+// Simulates until the duration is over or `go_on`, asked with the share that is done after each
+// sample and after some ten thousand steps without one, says no. Throws DomainError as Simulation does, and
+// for a plan that is not positive or has more than 10⁹ samples.
 [[nodiscard]] Record record_motion(const Start& start, const RecordPlan& plan,
                                    const std::function<bool(double)>& go_on);
 

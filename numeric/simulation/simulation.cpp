@@ -22,6 +22,10 @@ constexpr double step_angle = 1.05;
 constexpr double instant = 1e-15;
 // So many transitions in one instant, and the mass is held.
 constexpr int most_at_once = 32;
+// The limits of the data: within them no product that is formed overflows (energies and discriminants
+// square), and a step is far longer than an instant.
+constexpr double greatest_length = 1e100;  // of states, V, us, ur and p
+constexpr double greatest_frequency = 1e10;
 // For how long a mass is held at first that neither slips nor has r turn back.
 constexpr double shortest_hold = 1e-9;
 
@@ -40,16 +44,16 @@ void require(bool holds, const char * name, double value, const char * range) {
 }
 
 void require_domain(const model::Parameters<double>& a, double ur, double phi, const Vector4<double>& X) {
-  require(a.chi > 0 && a.chi < 1, "chi", a.chi, "0 < chi < 1");
-  require(a.eta > 0 && std::isfinite(a.eta), "eta", a.eta, "eta > 0");
-  require(a.us > 0 && std::isfinite(a.us), "us", a.us, "us > 0");
-  require(std::isfinite(a.V), "V", a.V, "a finite number");
-  require(a.omega > 0 && std::isfinite(a.omega), "omega", a.omega, "omega > 0");
-  require(a.p >= 0 && std::isfinite(a.p), "p", a.p, "p >= 0");
-  require(ur >= a.us && std::isfinite(ur), "ur", ur, "ur >= us");
+  require(a.chi >= 1e-100 && a.chi < 1, "chi", a.chi, "1e-100 <= chi < 1");
+  require(a.eta >= 1e-20 && a.eta <= 1e20, "eta", a.eta, "1e-20 <= eta <= 1e20");
+  require(a.us > 0 && a.us <= greatest_length, "us", a.us, "0 < us <= 1e100");
+  require(std::abs(a.V) <= greatest_length, "V", a.V, "-1e100 <= V <= 1e100");
+  require(a.omega >= 1e-100 && a.omega <= greatest_frequency, "omega", a.omega, "1e-100 <= omega <= 1e10");
+  require(a.p >= 0 && a.p <= greatest_length, "p", a.p, "0 <= p <= 1e100");
+  require(ur >= a.us && ur <= greatest_length, "ur", ur, "us <= ur <= 1e100");
   require(std::isfinite(phi), "phi", phi, "a finite number");
   for (int i = 0; i < 4; ++i) {
-    require(std::isfinite(X(i)), "the state", X(i), "finite numbers");
+    require(std::abs(X(i)) <= greatest_length, "the state", X(i), "numbers from -1e100 to 1e100");
   }
 }
 
@@ -84,7 +88,7 @@ double friction_at_rest(const model::Parameters<double>& a, const Vector4<double
 Simulation::Simulation(const model::Parameters<double>& a, double ur, double phi, const Vector4<double>& X)
     : a_((require_domain(a, ur, phi, X), a)),
       ur_(ur),
-      phi_(phi),
+      phi_(std::abs(phi) > 4 ? std::atan2(std::sin(phi), std::cos(phi)) : phi),  // omega t is added to it
       Theta_(2 * std::acos(-1.0) / a.omega),
       slip_data_(a),
       slip_step_(slip_data_.step(step_angle / std::max(slip_data_.omega_j[1], a.omega))),
@@ -128,22 +132,24 @@ void Simulation::normalise() {
 }
 
 void Simulation::passed(double h) {
+  --steps_;
   t_ += h;
   left_ -= h;
   age_ += h;
   spent_[static_cast<std::size_t>(kind_)] += h;
 }
 
-void Simulation::advance(double duration, std::vector<Transition> * log) {
+double Simulation::advance(double duration, std::vector<Transition> * log, long most_steps) {
   if (!(duration >= 0) || !std::isfinite(duration)) {
     throw DomainError("the duration", fmt::format("{}", duration), "a finite number >= 0");
   }
   left_ = duration;
+  steps_ = most_steps;
   normalise();
   const double c = std::cos(phase_of_load());
   const double s = std::sin(phase_of_load());
   kind_ == PhaseKind::stick ? stick_.set_load(c, s) : slip_.set_load(c, s);
-  while (left_ > 0) {
+  for (; goes_on(); --steps_) {
     if (kind_ == PhaseKind::stick) {
       if (stick() == Outcome::contact) {
         break_away(log);
@@ -152,6 +158,7 @@ void Simulation::advance(double duration, std::vector<Transition> * log) {
       contact(log);
     }
   }
+  return left_;
 }
 
 // The order of the zero with which the slip leaves the belt, or 0 when it meets it.
@@ -165,7 +172,7 @@ int Simulation::order_of_zero(Expansion& g) const {
 }
 
 Simulation::Outcome Simulation::slip() {
-  while (left_ > 0) {
+  while (goes_on()) {
     Expansion g = slip_.distance(slip_data_, slip_step_.h);
     int order = 0;
     if (fresh_ || g.derivative[0] <= slip_.rounding(slip_data_)) {
@@ -189,7 +196,7 @@ Simulation::Outcome Simulation::slip() {
 }
 
 Simulation::Outcome Simulation::stick() {
-  while (left_ > 0) {
+  while (goes_on()) {
     double h = std::min(stick_step_.h, left_);
     const Expansion r = stick_.friction(a_);
     if (hold_ > 0) {

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "numeric/simulation/run.hpp"
@@ -25,12 +26,15 @@ namespace stickslip::numeric::simulation {
 
 class Simulation {
  public:
-  // Starts at X = (x1, x2, x1', x2') with the load's phase phi. Throws DomainError unless 0 < chi < 1, eta,
-  // us, omega > 0, p >= 0, ur >= us and everything is finite.
+  // Starts at X = (x1, x2, x1', x2') with the load's phase phi. Throws DomainError unless 1e-100 <= chi < 1,
+  // 1e-20 <= eta <= 1e20, 1e-100 <= omega <= 1e10, 0 < us <= ur <= 1e100, 0 <= p <= 1e100, and V and the
+  // state are within ±1e100.
   Simulation(const model::Parameters<double>& a, double ur, double phi, const model::Vector4<double>& X);
 
-  // Goes on for a time >= 0; transitions are appended to `log` if there is one.
-  void advance(double duration, std::vector<Transition> * log = nullptr);
+  // Goes on for a time >= 0, in at most so many steps and events; transitions are appended to `log` if there
+  // is one. Returns what is left of the time, which goes on where it stopped when that is asked for next.
+  double advance(double duration, std::vector<Transition> * log = nullptr,
+                 long most_steps = std::numeric_limits<long>::max());
 
   [[nodiscard]] double time() const { return static_cast<double>(periods_) * Theta_ + t_; }
   [[nodiscard]] motion::PhaseKind phase() const { return kind_; }
@@ -50,6 +54,7 @@ class Simulation {
   enum class Outcome { reached, contact };
 
   [[nodiscard]] double phase_of_load() const;
+  [[nodiscard]] bool goes_on() const { return left_ > 0 && steps_ > 0; }
   void normalise();
   void passed(double h);
   Outcome slip();
@@ -73,6 +78,7 @@ class Simulation {
   long periods_ = 0;  // the time is periods Theta + t
   double t_ = 0;
   double left_ = 0;         // of the duration asked for
+  long steps_ = 0;          // and of the steps
   double age_ = 0;          // time since the last transition
   bool fresh_ = false;      // the slip has just begun at x2' = V
   double exit_slope_ = 0;   // then, the rate at which it leaves the belt

@@ -114,9 +114,10 @@ Claim raw_law_claim(const PrintedPlace& where) {
             const Agreement found = agreement(
                 printed_orbit(where.example),
                 [](const Start& start, double duration) { return follow_raw_law(start, duration); });
-            Outcome outcome = at_the_data(where.example,
-                                          "integration in floating point by CVODE at the tolerance 1e-12: a "
-                                          "check of the closed forms by another route, not a proof in balls");
+            Outcome outcome =
+                at_the_data(where.example,
+                            "integration in floating point by Boost.Odeint at the tolerance 1e-12: a "
+                            "check of the closed forms by another route, not a proof in balls");
             outcome.uses = {where.orbit};
             outcome.verdict =
                 !found.difference.empty() ? Verdict::undecided("the motions differ: " + found.difference)

@@ -119,10 +119,8 @@ TEST_CASE("an interrupted audit writes no report") {
   CHECK(temporary.count() == 0);
 }
 
-TEST_CASE("an interruption while LaTeX is compiled leaves no temporary directory") {
-  if (std::string(STICKSLIP_PDFLATEX).empty()) {
-    return;
-  }
+TEST_CASE("an interruption while LaTeX is compiled leaves no temporary directory" *
+          doctest::test_suite("full")) {
   const TemporaryDirectory temporary;
   const auto workshops = temporary.path() / "tmp";
   std::filesystem::create_directory(workshops);

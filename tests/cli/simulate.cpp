@@ -69,6 +69,61 @@ TEST_CASE("what is missing or malformed is a usage error that names it") {
   CHECK(simulate({"--example", "S", "--csv", "/no/such/directory/a.csv"}).code == exit_io);
 }
 
+TEST_CASE("data whose squares overflow are refused by name, with the range") {
+  const std::vector<std::vector<std::string>> refusals = {
+      {"--state", "0,0.5,1e155,1", "the state = 1e+155", "from -1e100 to 1e100"},
+      {"--state", "-1e101,0.5,0,1", "the state = -1e+101", "from -1e100 to 1e100"},
+      {"--perturb", "0,0,0,1e200", "the state = 1e+200", "from -1e100 to 1e100"},
+      {"--p", "1e155", "p = 1e+155", "0 <= p <= 1e100"},
+      {"--us", "1e155", "us = 1e+155", "0 < us <= 1e100"},
+      {"--ur", "1e155", "ur = 1e+155", "us <= ur <= 1e100"},
+      {"--V", "-1e155", "V = -1e+155", "-1e100 <= V <= 1e100"},
+      {"--omega", "1e11", "omega = 100000000000", "1e-100 <= omega <= 1e10"},
+      {"--omega", "1e-200", "omega = 1e-200", "1e-100 <= omega <= 1e10"},
+      {"--eta", "1e155", "eta = 1e+155", "1e-20 <= eta <= 1e20"},
+      {"--chi", "1e-155", "chi = 1e-155", "1e-100 <= chi < 1"},
+  };
+  for (const std::vector<std::string>& refusal : refusals) {
+    const Run result = simulate({"--example", "O", refusal[0], refusal[1]});
+    CAPTURE(result.err);
+    CHECK(result.code == exit_domain);
+    CHECK(is_one_sentence(result.err, refusal[2]));
+    CHECK(is_one_sentence(result.err, refusal[3]));
+    CHECK(result.out.empty());
+  }
+}
+
+TEST_CASE("the largest data are simulated, and an interruption is noticed whatever they are") {
+  for (const std::vector<std::string>& data : {std::vector<std::string>{"--state", "1e100,-1e100,1e100,1"},
+                                               {"--p", "1e100"},
+                                               {"--V", "1e100"},
+                                               {"--perturb", "1e-300,0,0,1e99"},
+                                               {"--us", "1e100", "--ur", "1e100"},
+                                               {"--phi", "1e300"}}) {
+    std::vector<std::string> arguments{"--example", "O", "--periods", "3"};
+    arguments.insert(arguments.end(), data.begin(), data.end());
+    CAPTURE(data[1]);
+    CHECK(simulate(arguments).code == exit_decided);
+  }
+  const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  for (const std::vector<std::string>& data :
+       {std::vector<std::string>{"--omega", "1e-100"},
+        {"--eta", "1e18", "--us", "1e-3", "--ur", "1e-3", "--V", "0", "--p", "1e19"},
+        {"--omega", "1e-12", "--p", "1e100"},
+        {"--V", "-1e100", "--us", "1e-300", "--ur", "1e-300", "--periods", "1e6"}}) {
+    std::vector<std::string> arguments{"simulate", "--example", "O"};
+    arguments.insert(arguments.end(), data.begin(), data.end());
+    CAPTURE(data[1]);
+    const int process = start(arguments, output);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ::kill(process, SIGINT);
+    const auto asked = std::chrono::steady_clock::now();
+    CHECK(wait_for(process) == exit_interrupted);
+    CHECK(std::chrono::steady_clock::now() - asked < std::chrono::seconds(10));
+  }
+  ::close(output);
+}
+
 TEST_CASE("an example's orbit returns to where it began, and the CSV tells so") {
   const TemporaryDirectory temporary;
   const std::string file = temporary.path() / "o.csv";

@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <random>
 
 #include "core/decimal.hpp"
+#include "numeric/motion/piece.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
@@ -33,6 +35,26 @@ void check_close(const Ball& a, const Ball& b, const char * tolerance) {
 }
 
 }  // namespace
+
+TEST_CASE("half the length of an interval does not reach both ends from a rounded middle; reach() does") {
+  std::mt19937 random(14);
+  std::uniform_real_distribution<double> uniform(0, 20);
+  int short_of_an_end = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double a = k % 4 == 0 ? 0 : uniform(random);
+    const double b = k % 2 == 0 ? a + uniform(random) : a * (1 + (k % 7 + 1) * 0x1p-52);
+    const double c = a + (b - a) / 2;
+    CAPTURE(a);
+    CAPTURE(b);
+    const auto reaches_both = [&](double h) {  // 128 bits: exact
+      return !(Ball(h) - (Ball(b) - Ball(c))).is_negative() && !(Ball(h) - (Ball(c) - Ball(a))).is_negative();
+    };
+    CHECK(reaches_both(pieces::reach(a, c, b)));
+    CHECK(pieces::reach(a, c, b) <= (b - a) / 2 + 2 * (std::nextafter(b, 2 * b) - b));
+    short_of_an_end += reaches_both(std::nextafter((b - a) / 2, b)) ? 0 : 1;
+  }
+  CHECK(short_of_an_end > 100);
+}
 
 TEST_CASE("an interior minimum is found to the precision of the balls") {
   Wave<Ball> g = wave(Ball(2));

@@ -56,7 +56,7 @@ TEST_CASE("the raw friction law reproduces the proved orbits") {
   for (const Example& example : printed_examples()) {
     CAPTURE(example.name);
     const Agreement a = agreement(printed_orbit(example), [](const Start& start, double duration) {
-      return follow_raw_law(start, duration, {1e-12, 0});
+      return follow_raw_law(start, duration);
     });
     CHECK(a.difference.empty());
     CHECK(a.closure < 1e-8);

@@ -4,8 +4,8 @@
   browser.py DIRECTORY [--screenshots DIRECTORY]
 
 Fails when a link, an anchor or a picture leads nowhere, when anything is fetched that is not a local file, when the
-console has an error, when a formula is left as source, or when a page is wider than a telephone. Exits with 77 when
-Debian's chromium-driver or python3-selenium is not there, unless STICKSLIP_TOOLS is "required".
+console has an error, when a formula is left as source, or when a page is wider than a telephone. Needs Debian's
+chromium-driver and python3-selenium.
 """
 import argparse
 import os
@@ -151,13 +151,6 @@ def main():
     parser.add_argument("directory", type=pathlib.Path)
     parser.add_argument("--screenshots", type=pathlib.Path)
     arguments = parser.parse_args()
-    try:
-        import selenium  # noqa: F401
-        there = bool(shutil.which("chromium") and shutil.which("chromedriver"))
-    except ImportError:
-        there = False
-    if not there:
-        sys.exit(1 if os.environ.get("STICKSLIP_TOOLS") == "required" else 77)
     directory = arguments.directory.resolve()
     with tempfile.TemporaryDirectory() as profile:
         os.environ["HOME"] = profile

@@ -3,12 +3,8 @@
 #
 #   paper.sh DIRECTORY NAME
 #
-# Exits with 77 when Debian's latexmk is not there, unless STICKSLIP_TOOLS is "required".
+# Debian's latexmk makes that possible, with texlive-latex-recommended and lmodern.
 set -eu
-if ! command -v latexmk >/dev/null; then
-  [ "${STICKSLIP_TOOLS-}" = required ] && exit 1
-  exit 77
-fi
 report=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
