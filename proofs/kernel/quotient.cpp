@@ -1,0 +1,232 @@
+#include "proofs/kernel/quotient.hpp"
+
+#include <flint/fmpq_mpoly.h>
+
+#include <algorithm>
+
+namespace stickslip::proofs::kernel {
+namespace {
+
+using symbolic::Polynomial;
+using symbolic::PolynomialRing;
+
+struct FlintRational {
+  fmpq_t raw;
+  FlintRational() : raw{} { fmpq_init(raw); }
+  ~FlintRational() { fmpq_clear(raw); }
+  FlintRational(const FlintRational&) = delete;
+  FlintRational& operator=(const FlintRational&) = delete;
+};
+
+// Labels; which of them is which, only the index says.
+std::vector<GiNaC::ex> labels(std::size_t count) {
+  std::vector<GiNaC::ex> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.emplace_back(GiNaC::symbol());
+  }
+  return result;
+}
+
+Polynomial generator_of(const PolynomialRing& ring, std::size_t index) {
+  Polynomial result(ring);
+  fmpq_mpoly_gen(result.raw(), static_cast<slong>(index), ring.context());
+  return result;
+}
+
+Polynomial times(Polynomial a, const Polynomial& b) {
+  a *= b;
+  return a;
+}
+
+// The leading coefficient, by which the polynomial is divided; it is not zero.
+Rational take_leading(Polynomial& polynomial) {
+  FlintRational leading;
+  fmpq_mpoly_get_term_coeff_fmpq(leading.raw, polynomial.raw(), 0, polynomial.ring().context());
+  fmpq_mpoly_scalar_div_fmpq(polynomial.raw(), polynomial.raw(), leading.raw, polynomial.ring().context());
+  Rational value;
+  fmpq_get_mpq(value.get_mpq_t(), leading.raw);
+  return value;
+}
+
+}  // namespace
+
+// Every s before its c, and both before everything else: then the relations are a Gröbner basis.
+Ring::Ring(std::size_t plain, std::size_t circles)
+    : circles_(circles), polynomials_(labels(2 * circles + plain)) {
+  for (std::size_t i = 0; i < circles; ++i) {
+    Polynomial relation = pow(generator_of(polynomials_, 2 * i), 2);
+    relation += pow(generator_of(polynomials_, 2 * i + 1), 2);
+    relation += constant(-1);
+    relations_.push_back(relation);
+  }
+}
+
+Quotient Ring::generator(std::size_t index) const {
+  return {*this, generator_of(polynomials_, 2 * circles_ + index), constant(1)};
+}
+Quotient Ring::cosine(std::size_t circle) const {
+  return {*this, generator_of(polynomials_, 2 * circle + 1), constant(1)};
+}
+Quotient Ring::sine(std::size_t circle) const {
+  return {*this, generator_of(polynomials_, 2 * circle), constant(1)};
+}
+Quotient Ring::number(const Rational& value) const {
+  return {*this, constant(value), constant(1)};
+}
+
+Polynomial Ring::constant(const Rational& value) const {
+  FlintRational exact;
+  fmpq_set_mpq(exact.raw, value.get_mpq_t());
+  Polynomial result(polynomials_);
+  fmpq_mpoly_set_fmpq(result.raw(), exact.raw, polynomials_.context());
+  return result;
+}
+
+Polynomial Ring::reduced(Polynomial polynomial) const {
+  return relations_.empty() ? polynomial : remainder(polynomial, relations_);
+}
+
+Quotient::Quotient(const Ring& ring, Polynomial numerator, Polynomial denominator)
+    : ring_(&ring), numerator_(ring.reduced(std::move(numerator))), denominator_(std::move(denominator)) {
+  if (numerator_.is_zero()) {
+    denominator_ = ring.constant(1);
+  }
+}
+
+bool Quotient::is_multiple_of_power(std::size_t generator) const {
+  const auto is_power = [&](const Polynomial& p) {
+    const auto* context = p.ring().context();
+    if (fmpq_mpoly_length(p.raw(), context) != 1) {
+      return false;
+    }
+    const std::size_t wanted = 2 * ring_->circles() + generator;
+    for (std::size_t k = 0; k < p.ring().symbols().size(); ++k) {
+      if (k != wanted && fmpq_mpoly_get_term_var_exp_ui(p.raw(), 0, static_cast<slong>(k), context) != 0) {
+        return false;
+      }
+    }
+    return true;
+  };
+  return is_power(numerator_) && is_power(denominator_);
+}
+
+Quotient Quotient::inverted() const {
+  if (is_zero()) {
+    throw KernelError("a term divides by what is zero for all values of its variables");
+  }
+  return {*ring_, denominator_, numerator_};
+}
+
+// Over the least common multiple of the denominators.
+Quotient operator+(const Quotient& a, const Quotient& b) {
+  if (a.is_zero() || b.is_zero()) {
+    return a.is_zero() ? b : a;
+  }
+  if (a.denominator_ == b.denominator_) {
+    Polynomial total = a.numerator_;
+    total += b.numerator_;
+    return {*a.ring_, std::move(total), a.denominator_};
+  }
+  const Polynomial common = gcd(a.denominator_, b.denominator_);
+  const Polynomial missing = quotient(b.denominator_, common);
+  Polynomial total = times(a.numerator_, missing);
+  total += times(quotient(a.denominator_, common), b.numerator_);
+  return {*a.ring_, std::move(total), times(a.denominator_, missing)};
+}
+
+Quotient operator*(const Quotient& a, const Quotient& b) {
+  return {*a.ring_, times(a.numerator_, b.numerator_), times(a.denominator_, b.denominator_)};
+}
+
+bool equal(const Quotient& a, const Quotient& b) {
+  return times(a.numerator_, b.denominator_) == times(b.numerator_, a.denominator_);
+}
+
+std::vector<std::pair<Rational, Quotient>> terms(const Quotient& whole) {
+  std::vector<std::pair<Rational, Quotient>> result;
+  const auto* context = whole.ring_->polynomials().context();
+  const Polynomial shared = gcd(whole.numerator_, whole.denominator_);
+  const Polynomial numerator = quotient(whole.numerator_, shared);
+  const Polynomial denominator = quotient(whole.denominator_, shared);
+  for (slong i = 0; i < fmpq_mpoly_length(numerator.raw(), context); ++i) {
+    Polynomial term(whole.ring_->polynomials());
+    fmpq_mpoly_get_term(term.raw(), numerator.raw(), i, context);
+    const Polynomial common = gcd(term, denominator);
+    Polynomial above = quotient(term, common);
+    Polynomial below = quotient(denominator, common);
+    const Rational coefficient = take_leading(above) / take_leading(below);
+    result.emplace_back(coefficient, Quotient{*whole.ring_, std::move(above), std::move(below)});
+  }
+  return result;
+}
+
+Entries product(const Entries& a, const Type& left, const Entries& b, const Type& right, const Ring& ring) {
+  Entries result;
+  if (left.is_scalar() || right.is_scalar()) {
+    const Entries& many = left.is_scalar() ? b : a;
+    const Quotient& factor = left.is_scalar() ? a[0] : b[0];
+    for (const Quotient& one : many) {
+      result.push_back(factor * one);
+    }
+    return result;
+  }
+  const auto inner = static_cast<std::size_t>(left.columns);
+  const auto columns = static_cast<std::size_t>(right.columns);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(left.rows); ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      Quotient total = ring.number(0);
+      for (std::size_t k = 0; k < inner; ++k) {
+        total = total + a[i * inner + k] * b[k * columns + j];
+      }
+      result.push_back(total);
+    }
+  }
+  return result;
+}
+
+namespace {
+
+// The determinant of what is left without the struck rows and columns.
+Quotient minor(const Entries& a, std::size_t n, std::vector<std::size_t> rows,
+               std::vector<std::size_t> columns, const Ring& ring) {
+  if (rows.empty()) {
+    return ring.number(1);
+  }
+  const std::size_t row = rows.front();
+  rows.erase(rows.begin());
+  Quotient total = ring.number(0);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    std::vector<std::size_t> rest = columns;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
+    total =
+        total + ring.number(k % 2 == 0 ? 1 : -1) * a[row * n + columns[k]] * minor(a, n, rows, rest, ring);
+  }
+  return total;
+}
+
+std::vector<std::size_t> all_but(std::size_t n, std::size_t struck) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i != struck) {
+      result.push_back(i);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Entries inverse_of(const Entries& a, int rows, const Ring& ring) {
+  const auto n = static_cast<std::size_t>(rows);
+  const Quotient reciprocal = minor(a, n, all_but(n, n), all_but(n, n), ring).inverted();
+  Entries result;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const Quotient cofactor = minor(a, n, all_but(n, j), all_but(n, i), ring);
+      result.push_back(ring.number((i + j) % 2 == 0 ? 1 : -1) * cofactor * reciprocal);
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs::kernel
