@@ -107,6 +107,16 @@ Term substitute(const Term& term, const Substitution& substitution) {
   return substituted_at(term, substitution, 0);
 }
 
+Term replaced(const Term& term, const Term& part, const Term& by) {
+  if (!part.is_closed() || !by.is_closed() || part.type() != by.type()) {
+    throw KernelError("a part is replaced by a closed term of its own type");
+  }
+  const auto visit = [&](const auto& self, const Term& inner) -> Term {
+    return inner == part ? by : mapped(inner, 0, [&](const Term& next, long) { return self(self, next); });
+  };
+  return visit(visit, term);
+}
+
 Term opened(const Term& binder, const Term& argument) {
   if (!is_binder(binder.kind()) || !binder.is_closed() || !argument.is_closed()) {
     throw KernelError("only a closed binder is opened, and with a closed term");

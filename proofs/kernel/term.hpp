@@ -177,6 +177,8 @@ using Definitions = std::set<Definition>;
 // Variables replaced at once, everywhere; nothing is captured. Throws KernelError if a value is not of its
 // variable's type (an integer is a number).
 [[nodiscard]] Term substitute(const Term& term, const Substitution& substitution);
+// Every occurrence of a part, which is no binder's variable, replaced by a term of its type.
+[[nodiscard]] Term replaced(const Term& term, const Term& part, const Term& by);
 // The body of a lambda, for_all, exists or finite with the argument for what is bound.
 [[nodiscard]] Term opened(const Term& binder, const Term& argument);
 // A variable whose name is free in none of the terms.
