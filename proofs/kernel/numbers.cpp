@@ -92,8 +92,9 @@ bool holds_all_zeros(const Variable& X, const Term& f, const Box& box, const std
       search<N>(cell<N>(box), KrawczykContractor<N, F>{system}, KrawczykDecider<N, F>{system});
   return found.complete() &&
          std::all_of(found.zeros.begin(), found.zeros.end(), [&](const FoundZero<N>& zero) {
+           const stickslip::Box<N> narrow = refine<N>([&] { return system; }, zero.zero, 60);
            return std::any_of(boxes.begin(), boxes.end(),
-                              [&](const Box& b) { return lies_in<N>(zero.zero, b); });
+                              [&](const Box& one) { return lies_in<N>(narrow, one); });
          });
 }
 

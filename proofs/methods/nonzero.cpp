@@ -1,6 +1,7 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "proofs/methods/tactics.hpp"
@@ -92,6 +93,22 @@ class Letters {
       parts.push_back(!product ? Term(monomial.coefficient) : negative ? -*product : *product);
     }
     return parts.empty() ? Term(0) : parts.size() == 1 ? parts[0] : sum(parts);
+  }
+
+  // Puts the letters into an order that does not depend on where they stood.
+  void sort() {
+    std::vector<std::size_t> order(terms_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return to_string(terms_[a]) < to_string(terms_[b]); });
+    std::vector<Term> terms;
+    std::vector<GiNaC::symbol> symbols;
+    for (const std::size_t i : order) {
+      terms.push_back(terms_[i]);
+      symbols.push_back(symbols_[i]);
+    }
+    terms_ = terms;
+    symbols_ = symbols;
   }
 
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
@@ -241,6 +258,7 @@ Factored factored(const ex& numerator, const Letters& letters) {
 std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain) {
   Letters letters;
   const ex parts = letters.expression(divisor).normal().numer_denom();
+  letters.sort();
   if (parts.op(0).is_zero()) {
     return std::nullopt;
   }
