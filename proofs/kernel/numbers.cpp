@@ -21,6 +21,7 @@ std::vector<Term> flattened(const Box& box) {
 
 void check(const Interval& side) {
   require(side.first <= side.second, "an interval's lower end is above the upper one");
+  require(abs(side.first) < 1000000000 && abs(side.second) < 1000000000, "an interval's ends are below 10^9");
 }
 
 void check(const Box& box, const Variable& X) {

@@ -30,7 +30,7 @@ using Interval = std::pair<Rational, Rational>;  // closed
 using Box = std::vector<Interval>;
 
 // Immutable. There is no Theorem but those that the rules make.
-class Theorem {
+class Theorem final {
  public:
   Theorem(const Theorem&) = default;  // and no moves: there is no Theorem without sequent
   Theorem& operator=(const Theorem&) = default;

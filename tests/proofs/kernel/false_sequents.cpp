@@ -209,6 +209,7 @@ TEST_CASE("class 6: theorems of calculus with their conditions") {
     REFUSES(Theorem::mean_value(smooth(g, a, b), inside(f, a, b, 0), order));
     REFUSES(Theorem::mean_value(smooth(f, a, 0), inside(f, a, b, 0), order));
     REFUSES(Theorem::mean_value(smooth(f, a, b), inside(f, a, 0, 0), order));
+    REFUSES(Theorem::mean_value(smooth(f, a, 0), inside(f, a, b, 0), Theorem::assume(less(a, 0))));
     REFUSES(Theorem::mean_value(inside(f, a, b, 0), inside(f, a, b, 0), order));
   }
   SUBCASE("[0, 0]: its order cannot be had, and would be a contradiction") {
