@@ -81,17 +81,17 @@ Theorem by_positive_combination(const Formula& inequality, const std::vector<Pos
 }
 
 Theorem by_differential_equation(const Motion& motion, const Term& flow, const Term& forced,
+                                 const Variable& t, const std::vector<Multiple>& because,
                                  const Definitions& unfolded, const Domain& domain) {
   const Formula& smooth = motion.continuity.conclusion();
   const Term Z = smooth.parts().at(0), a = smooth.parts().at(1), b = smooth.parts().at(2);
-  const Variable t = fresh(real_number, {smooth, motion.rate.conclusion(), flow, forced});
   const Term G = lambda(t, apply(flow, a - t) * (apply(Z, t) - apply(forced, t)));
   // Inside, G' = 0.
   const Formula inside_open = between(a, t, b);
   const Theorem rate = at(motion.rate, t, Theorem::assume(inside_open));
   const Theorem slope = Theorem::differentiate(G, t, {rate});
   const Term value = slope.conclusion().parts()[2];
-  const Theorem nothing = Theorem::combination(equal(value, zero(value.type())), {}, unfolded);
+  const Theorem nothing = Theorem::combination(equal(value, zero(value.type())), because, unfolded);
   const Theorem flat = nonzero(by_rewriting(slope, nothing), domain);
   // So G(t) = G(a), and flow(t - a) undoes flow(a - t).
   const Theorem continuous_G = nonzero(Theorem::continuity(G, a, b, {motion.continuity}), domain);

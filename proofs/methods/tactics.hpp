@@ -65,10 +65,11 @@ struct Motion {
   Theorem continuity;
   Theorem rate;
 };
-// (5): if the derivative of flow(a - t) (Z(t) - forced(t)) is zero by normal form,
-// ⊢ for all t: a ≤ t ≤ b ⇒ Z(t) = flow(t - a) (Z(a) - forced(a)) + forced(t). flow and forced are functions
-// of time.
+// (5): if the derivative of flow(a - t) (Z(t) - forced(t)) is zero by normal form and these multiples, in
+// which the variable t is the time, ⊢ for all t: a ≤ t ≤ b ⇒ Z(t) = flow(t - a) (Z(a) - forced(a)) +
+// forced(t). flow and forced are functions of time.
 [[nodiscard]] Theorem by_differential_equation(const Motion& motion, const Term& flow, const Term& forced,
+                                               const Variable& t, const std::vector<Multiple>& because,
                                                const Definitions& unfolded, const Domain& domain);
 
 }  // namespace stickslip::proofs::methods
