@@ -177,6 +177,21 @@ Theorem Theorem::constant(const Theorem& continuity, const Theorem& no_derivativ
           for_all(t, implies(within(a, t, b), equal(apply(f, t), apply(f, a))))};
 }
 
+Theorem Theorem::monotone(const Theorem& continuity, const Theorem& few_exceptions) {
+  const Formula& known = continuity.conclusion();
+  require(known.kind() == Kind::continuous, "the first premise is no continuity");
+  const Term &f = known.parts()[0], &a = known.parts()[1], &b = known.parts()[2];
+  require(f.type().rows == 1 && f.type().columns == 1, "only numbers grow");
+  const Variable t = fresh(real_number, {known});
+  const Variable v = fresh(real_number, {known, t});
+  const Formula grows = exists(v, all({kernel::derivative(f, t, v), at_most(0, v)}));
+  require(few_exceptions.conclusion() == kernel::finite(t, all({between(a, t, b), negation(grows)})),
+          "the derivative is not known to be at least 0 but at finitely many times");
+  return {{.rule = "monotone", .premises = {continuity, few_exceptions}},
+          hypotheses_of({continuity, few_exceptions}),
+          implies(at_most(a, b), at_most(apply(f, a), apply(f, b)))};
+}
+
 Theorem Theorem::mean_value(const Theorem& continuity, const Theorem& derivative, const Theorem& order) {
   const Formula& known = continuity.conclusion();
   require(known.kind() == Kind::continuous, "the first premise is no continuity");

@@ -98,6 +98,8 @@ class Theorem final {
   [[nodiscard]] static Theorem sine_is_positive(const Term& x);
   // ⊢ m ≤ n or n + 1 ≤ m, for integers.
   [[nodiscard]] static Theorem integer_gap(const Term& m, const Term& n);
+  // A(0), for all integers k: A(k) ⇒ A(k + 1) and A(k) ⇒ A(k - 1), give for all k: A(k), which is given.
+  [[nodiscard]] static Theorem induction(const Formula& claim, const Theorem& start, const Theorem& step);
 
   // ---- Calculus (calculus.cpp, continuity.cpp). Intervals as in between() and within().
   // ⊢ f has a derivative at the point, and that of the chain, product and quotient rules: the value is
@@ -125,6 +127,9 @@ class Theorem final {
   // continuous(f, a, b) and for all t: a < t < b ⇒ derivative(f, t, 0) give for all t: a ≤ t ≤ b ⇒ f(t) =
   // f(a). Instead of the latter: finite t: a < t < b and not derivative(f, t, 0).
   [[nodiscard]] static Theorem constant(const Theorem& continuity, const Theorem& no_derivative);
+  // continuous(f, a, b) and finite t: a < t < b and not there is v: derivative(f, t, v) and 0 ≤ v, give
+  // a ≤ b ⇒ f(a) ≤ f(b). f is a number.
+  [[nodiscard]] static Theorem monotone(const Theorem& continuity, const Theorem& few_exceptions);
   // continuous(f, a, b), for all t: a < t < b ⇒ derivative(f, t, v(t)), a < b give
   // there is c: a < c < b and f(b) - f(a) = v(c) (b - a). f is a number.
   [[nodiscard]] static Theorem mean_value(const Theorem& continuity, const Theorem& derivative,

@@ -54,4 +54,16 @@ Theorem Theorem::integer_gap(const Term& m, const Term& n) {
   return {{.rule = "integer_gap", .data = {m, n}}, {}, any({at_most(m, n), at_most(n + 1, m)})};
 }
 
+Theorem Theorem::induction(const Formula& claim, const Theorem& start, const Theorem& step) {
+  require(claim.kind() == Kind::for_all && claim.binds() == integer_number, "induction is over the integers");
+  const Variable k = fresh(integer_number, {claim});
+  const Formula here = opened(claim, k);
+  const auto leads_to = [&](const Term& next) { return implies(here, opened(claim, next)); };
+  require(start.conclusion() == opened(claim, 0), "the induction does not start at 0");
+  require(step.conclusion() == for_all(k, all({leads_to(Term(k) + 1), leads_to(Term(k) - 1)})),
+          "the induction does not step up and down");
+  return {
+      {.rule = "induction", .premises = {start, step}, .data = {claim}}, hypotheses_of({start, step}), claim};
+}
+
 }  // namespace stickslip::proofs::kernel

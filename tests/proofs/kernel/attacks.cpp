@@ -375,6 +375,43 @@ TEST_CASE("integers") {
   CHECK(Theorem::integer_gap(n, 0).conclusion() == any({at_most(n, 0), at_most(Term(0) + 1, n)}));
 }
 
+TEST_CASE("induction") {
+  const auto claim = [](const Term& k) { return at_most(0, apply(f, k)); };
+  const Variable k{"k", integer_number};
+  const Formula whole = for_all(k, claim(k));
+  const Theorem start = assume(claim(0));
+  const Formula up = implies(claim(k), claim(Term(k) + 1)), down = implies(claim(k), claim(Term(k) - 1));
+  CHECK(Theorem::induction(whole, start, assume(for_all(k, all({up, down})))).conclusion() == whole);
+  REFUSES(Theorem::induction(whole, start, assume(for_all(k, up))));
+  REFUSES(Theorem::induction(whole, start, assume(for_all(k, all({up, up})))));
+  REFUSES(Theorem::induction(whole, start, assume(all({up, down}))));
+  REFUSES(Theorem::induction(whole, assume(claim(1)), assume(for_all(k, all({up, down})))));
+  REFUSES(Theorem::induction(whole, start, assume(for_all(x, substitute(all({up, down}), {{k, m}})))));
+  // From integers nothing follows for all reals.
+  const Formula reals = for_all(x, claim(x));
+  const Formula real_steps =
+      for_all(x, all({implies(claim(x), claim(Term(x) + 1)), implies(claim(x), claim(Term(x) - 1))}));
+  REFUSES(Theorem::induction(reals, start, assume(real_steps)));
+}
+
+TEST_CASE("growth") {
+  const Variable w{"w"}, F2{"F2", function_of_time(2)};
+  const auto few = [&](const Formula& good) {
+    return assume(finite(t, all({between(a, t, b), negation(exists(w, good))})));
+  };
+  const Formula grows = all({derivative(f, t, w), at_most(0, w)});
+  const Theorem smooth = assume(continuous(f, a, b));
+  CHECK(Theorem::monotone(smooth, few(grows)).conclusion() ==
+        implies(at_most(a, b), at_most(apply(f, a), apply(f, b))));
+  REFUSES(Theorem::monotone(smooth, few(all({derivative(g, t, w), at_most(0, w)}))));
+  REFUSES(Theorem::monotone(smooth, few(all({derivative(f, s, w), at_most(0, w)}))));
+  REFUSES(Theorem::monotone(smooth, few(all({derivative(f, t, w), at_most(w, 0)}))));
+  REFUSES(Theorem::monotone(smooth, few(at_most(0, w))));
+  REFUSES(Theorem::monotone(assume(continuous(f, a, c)), few(grows)));
+  REFUSES(Theorem::monotone(few(grows), few(grows)));
+  REFUSES(Theorem::monotone(assume(continuous(F2, a, b)), few(grows)));
+}
+
 TEST_CASE("differentiation") {
   const auto slope = [](const Term& body, const Term& point) {
     return Theorem::differentiate(lambda(t, body), point);
