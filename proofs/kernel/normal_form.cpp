@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "proofs/kernel/entrywise.hpp"
 #include "proofs/kernel/quotient.hpp"
 
 namespace stickslip::proofs::kernel {
@@ -45,36 +46,60 @@ struct Angle {
   std::vector<std::pair<std::size_t, Rational>> phases;
 };
 
-class Converter {
+// The atoms of a term, and all cos and sin of it as circles.
+class Atoms {
  public:
-  explicit Converter(const Term& term) {
+  explicit Atoms(const Term& term) {
     scan(term);
     std::size_t count = 1;  // π
     for (const Term& atom : atoms_) {
       offsets_.push_back(count);
       count += static_cast<std::size_t>(atom.type().rows * atom.type().columns);
     }
-    if (!arguments_.empty()) {
-      base_ = std::make_unique<Ring>(count, 0);
-      ring_ = base_.get();
-      std::map<Term, Angle> angles;  // none is known yet: the base ring has no circles
-      for (const Term& argument : arguments_) {
-        angles.emplace(argument, angle(entries(argument)[0]));
-      }
-      angles_ = std::move(angles);
-      known_.clear();
+    base_ = std::make_unique<Ring>(count, 0);
+    std::map<Term, Angle> angles;  // none is known yet: the base ring has no circles
+    Entrywise<Polynomials> entries({*this, *base_});
+    for (const Term& argument : arguments_) {
+      angles.emplace(argument, angle(entries(argument)[0]));
     }
+    angles_ = std::move(angles);
     whole_ = std::make_unique<Ring>(count, phases_.size());
-    ring_ = whole_.get();
   }
 
-  // Row by row, over denominators that are products of divisors.
-  Entries entries(const Term& term) {
-    const auto found = known_.find(term);
-    return found != known_.end() ? found->second : known_.emplace(term, computed(term)).first->second;
+  // Row by row, over denominators that are products of divisors. They live as long as this object.
+  [[nodiscard]] std::vector<Quotient> entries(const Term& term) const {
+    return Entrywise<Polynomials>({*this, *whole_})(term);
   }
 
  private:
+  // cos and sin of one angle.
+  struct Pair {
+    Quotient c, s;
+  };
+
+  // Terms in one of the two rings, as Entrywise wants it.
+  struct Polynomials {
+    using Number = Quotient;
+    const Atoms& atoms;
+    const Ring& ring;
+
+    [[nodiscard]] Quotient number(const Rational& value) const { return ring.number(value); }
+    [[nodiscard]] Quotient pi() const { return ring.generator(0); }
+    [[nodiscard]] static Quotient reciprocal(const Quotient& value) { return value.inverted(); }
+    [[nodiscard]] Quotient cosine(const Term& argument, auto&) const {
+      return atoms.circle(argument, ring).c;
+    }
+    [[nodiscard]] Quotient sine(const Term& argument, auto&) const { return atoms.circle(argument, ring).s; }
+    [[nodiscard]] std::vector<Quotient> atom(const Term& term, auto&) const {
+      std::vector<Quotient> result;
+      for (int k = 0; k < term.type().rows * term.type().columns; ++k) {
+        result.push_back(
+            ring.generator(atoms.offsets_[atoms.atom_of_.at(term)] + static_cast<std::size_t>(k)));
+      }
+      return result;
+    }
+  };
+
   void scan(const Term& term) {
     if (!seen_.insert(term).second) {
       return;
@@ -103,7 +128,7 @@ class Converter {
     Angle result;
     for (const auto& [coefficient, monomial] : terms(argument)) {
       const Rational quarters = coefficient * 2;
-      if (equal(monomial, ring_->generator(0)) && quarters.get_den() == 1) {
+      if (equal(monomial, base_->generator(0)) && quarters.get_den() == 1) {
         result.quarters += quarters.get_num();
         continue;
       }
@@ -119,102 +144,41 @@ class Converter {
     return result;
   }
 
-  struct Pair {
-    Quotient c, s;
-  };
-
-  [[nodiscard]] Pair turned(const Pair& a, const Pair& b) const {
-    const Quotient minus = ring_->number(-1);
-    return {a.c * b.c + minus * (a.s * b.s), a.s * b.c + a.c * b.s};
+  [[nodiscard]] static Pair turned(const Pair& a, const Pair& b, const Ring& ring) {
+    return {a.c * b.c + ring.number(-1) * (a.s * b.s), a.s * b.c + a.c * b.s};
   }
 
-  [[nodiscard]] Pair circle(const Angle& angle) const {
-    Pair result{ring_->number(1), ring_->number(0)};
-    const Integer quarters = ((angle.quarters % 4) + 4) % 4;
-    for (Integer i = 0; i < quarters; ++i) {
-      result = turned(result, {ring_->number(0), ring_->number(1)});
+  [[nodiscard]] Pair circle(const Term& argument, const Ring& ring) const {
+    const auto angle = angles_.find(argument);
+    if (angle == angles_.end()) {
+      throw KernelError("a cos or sin stands within the argument of another");
     }
-    for (const auto& [phase, coefficient] : angle.phases) {
+    Pair result{ring.number(1), ring.number(0)};
+    const Integer quarters = ((angle->second.quarters % 4) + 4) % 4;
+    for (Integer i = 0; i < quarters; ++i) {
+      result = turned(result, {ring.number(0), ring.number(1)}, ring);
+    }
+    for (const auto& [phase, coefficient] : angle->second.phases) {
       const Rational multiple = coefficient * phases_[phase].lcm;
       if (multiple.get_den() != 1 || abs(multiple) > largest_multiple) {
         throw KernelError("a phase is taken more than 1000 times");
       }
-      const Quotient sign = ring_->number(sgn(multiple));
-      const Pair once{ring_->cosine(phase), sign * ring_->sine(phase)};
+      const Pair once{ring.cosine(phase), ring.number(sgn(multiple)) * ring.sine(phase)};
       for (long i = std::abs(multiple.get_num().get_si()); i > 0; --i) {
-        result = turned(result, once);
+        result = turned(result, once, ring);
       }
     }
     return result;
-  }
-
-  Entries computed(const Term& term) {
-    const std::vector<Term>& parts = term.parts();
-    switch (term.kind()) {
-      case Kind::number:
-        return {ring_->number(term.value())};
-      case Kind::pi:
-        return {ring_->generator(0)};
-      case Kind::sum: {
-        Entries total = entries(parts[0]);
-        for (std::size_t k = 1; k < parts.size(); ++k) {
-          const Entries next = entries(parts[k]);
-          std::transform(total.begin(), total.end(), next.begin(), total.begin(), std::plus<>());
-        }
-        return total;
-      }
-      case Kind::product:
-        return product(entries(parts[0]), parts[0].type(), entries(parts[1]), parts[1].type(), *ring_);
-      case Kind::power: {
-        Entries result{ring_->number(1)};
-        for (Integer i = 0; i < term.value().get_num(); ++i) {
-          result[0] = result[0] * entries(parts[0])[0];
-        }
-        return result;
-      }
-      case Kind::inverse:
-        return inverse_of(entries(parts[0]), parts[0].type().rows, *ring_);
-      case Kind::cosine:
-      case Kind::sine: {
-        const auto found = angles_.find(parts[0]);
-        if (found == angles_.end()) {
-          throw KernelError("a cos or sin stands within the argument of another");
-        }
-        const Pair pair = circle(found->second);
-        return {term.kind() == Kind::cosine ? pair.c : pair.s};
-      }
-      case Kind::matrix: {
-        Entries result;
-        for (const Term& part : parts) {
-          result.push_back(entries(part)[0]);
-        }
-        return result;
-      }
-      case Kind::entry: {
-        const auto place = static_cast<std::size_t>(term.row() * parts[0].type().columns + term.column());
-        return {entries(parts[0])[place]};
-      }
-      default: {  // an atom
-        Entries result;
-        const auto count = static_cast<std::size_t>(term.type().rows * term.type().columns);
-        for (std::size_t k = 0; k < count; ++k) {
-          result.push_back(ring_->generator(offsets_[atom_of_.at(term)] + k));
-        }
-        return result;
-      }
-    }
   }
 
   std::set<Term> seen_;
   std::set<Term> arguments_;  // of cos and sin
   std::vector<Term> atoms_;
   std::map<Term, std::size_t> atom_of_;
-  std::vector<std::size_t> offsets_;  // of an atom's first generator
-  std::unique_ptr<Ring> base_, whole_;
-  const Ring* ring_ = nullptr;
-  std::vector<Phase> phases_;  // in the base ring
+  std::vector<std::size_t> offsets_;    // of an atom's first generator
+  std::unique_ptr<Ring> base_, whole_;  // without circles, for arguments; and with them
+  std::vector<Phase> phases_;           // in the base ring
   std::map<Term, Angle> angles_;
-  std::map<Term, Entries> known_;
 };
 
 bool is_nonzero_constant(const Term& term) {
@@ -222,7 +186,8 @@ bool is_nonzero_constant(const Term& term) {
     return false;
   }
   try {
-    return Converter(term).entries(term)[0].is_multiple_of_power(0);
+    const Atoms atoms(term);
+    return atoms.entries(term)[0].is_multiple_of_power(0);
   } catch (const KernelError&) {
     return false;  // then it is listed
   }
@@ -247,8 +212,8 @@ void collect(const Term& term, std::set<Term>& seen, std::set<Formula>& found) {
 }  // namespace
 
 bool vanishes(const Term& term) {
-  Converter converter(term);
-  const Entries entries = converter.entries(term);
+  const Atoms atoms(term);
+  const std::vector<Quotient> entries = atoms.entries(term);
   return std::all_of(entries.begin(), entries.end(), [](const Quotient& q) { return q.is_zero(); });
 }
 

@@ -1,10 +1,42 @@
 #include <algorithm>
 
 #include "numeric/search.hpp"
-#include "proofs/kernel/evaluation.hpp"
+#include "proofs/kernel/entrywise.hpp"
 
 namespace stickslip::proofs::kernel {
 namespace {
+
+// Terms in balls, or in jets of balls: the entries contain the exact values (and partial derivatives) for all
+// values of the variables in theirs. A divisor whose ball contains zero gives what is not finite, or
+// KernelError if `strict`.
+template <class T>
+struct Balls {
+  using Number = T;
+  std::map<Variable, std::vector<T>> values;
+  bool strict;
+
+  [[nodiscard]] static T number(const Rational& value) { return T(Ball(value)); }
+  [[nodiscard]] static T pi() { return T(Ball::pi()); }
+  [[nodiscard]] T reciprocal(const T& value) const {
+    require(!strict || is_nonzero(value), "a divisor may be zero");
+    return T(Ball(1)) / value;
+  }
+  [[nodiscard]] static T cosine(const Term& argument, auto& entries) { return cos(entries(argument)[0]); }
+  [[nodiscard]] static T sine(const Term& argument, auto& entries) { return sin(entries(argument)[0]); }
+  [[nodiscard]] std::vector<T> atom(const Term& term, auto& entries) const {
+    if (term.kind() == Kind::defined) {
+      return entries(term.definition().unfolded(term.parts()));
+    }
+    const auto value = values.find({term.name(), term.type()});
+    require(term.kind() == Kind::variable && value != values.end(), to_string(term) + " has no value");
+    return value->second;
+  }
+};
+
+template <class T>
+std::vector<T> evaluated(const Term& term, const std::map<Variable, std::vector<T>>& values, bool strict) {
+  return Entrywise<Balls<T>>({values, strict})(term);
+}
 
 Term number(const Rational& value) {
   return value;
@@ -39,8 +71,7 @@ struct System {
 
   template <class T>
   Eigen::Matrix<T, N, 1> operator()(const Eigen::Matrix<T, N, 1>& x) const {
-    Evaluation<T> evaluation({{X, std::vector<T>(x.begin(), x.end())}}, strict);
-    const std::vector<T> values = evaluation(f);
+    const std::vector<T> values = evaluated<T>(f, {{X, std::vector<T>(x.begin(), x.end())}}, strict);
     Eigen::Matrix<T, N, 1> result;
     std::copy(values.begin(), values.end(), result.begin());
     return result;
@@ -163,7 +194,7 @@ Theorem Theorem::sign(const Formula& relation, const std::map<Variable, Interval
     hypotheses.insert(at_most(variable, number(range.second)));
     step.data.insert(step.data.end(), {variable, number(range.first), number(range.second)});
   }
-  const Ball difference = Evaluation<Ball>(values, true)(compared.parts()[1] - compared.parts()[0])[0];
+  const Ball difference = evaluated<Ball>(compared.parts()[1] - compared.parts()[0], values, true)[0];
   require(differs ? difference.is_nonzero() : difference.is_positive(), "the balls do not decide the sign");
   return {step, hypotheses, relation};
 }
@@ -209,7 +240,7 @@ Theorem Theorem::jury(const Term& coefficients, long bits) {
   const Formula conclusion = inside_unit_circle(coefficients);
   require(bits >= 2 && bits <= 100000, "the precision is 2 to 100000 bits");
   const WorkingPrecision scope(bits);
-  require(passes_jury(Evaluation<Ball>({}, true)(coefficients)), "Jury's test does not prove it");
+  require(passes_jury(evaluated<Ball>(coefficients, {}, true)), "Jury's test does not prove it");
   return {{.rule = "jury", .data = {coefficients, bits}}, {}, conclusion};
 }
 

@@ -35,8 +35,6 @@ class Quotient {
   const Ring* ring_;
   symbolic::Polynomial numerator_, denominator_;
 };
-using Entries = std::vector<Quotient>;  // of a matrix, row by row
-
 // `plain` generators, the 0th of which is π, and `circles` pairs (c, s). Quotients need their ring alive.
 class Ring {
  public:
@@ -55,11 +53,5 @@ class Ring {
   symbolic::PolynomialRing polynomials_;
   std::vector<symbolic::Polynomial> relations_;
 };
-
-// The product of two matrices, or of a number and a matrix.
-[[nodiscard]] Entries product(const Entries& a, const Type& left, const Entries& b, const Type& right,
-                              const Ring& ring);
-// By cofactors. Throws KernelError if the determinant is zero.
-[[nodiscard]] Entries inverse_of(const Entries& a, int rows, const Ring& ring);
 
 }  // namespace stickslip::proofs::kernel
