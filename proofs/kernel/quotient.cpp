@@ -10,6 +10,8 @@ namespace {
 using symbolic::Polynomial;
 using symbolic::PolynomialRing;
 
+constexpr slong largest_product = 10000000;
+
 struct FlintRational {
   fmpq_t raw;
   FlintRational() : raw{} { fmpq_init(raw); }
@@ -33,7 +35,12 @@ Polynomial generator_of(const PolynomialRing& ring, std::size_t index) {
   return result;
 }
 
+// Refuses what would fill the memory.
 Polynomial times(Polynomial a, const Polynomial& b) {
+  const auto* context = a.ring().context();
+  if (fmpq_mpoly_length(a.raw(), context) * fmpq_mpoly_length(b.raw(), context) > largest_product) {
+    throw KernelError("a normal form has too many terms");
+  }
   a *= b;
   return a;
 }
