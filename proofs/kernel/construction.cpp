@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "proofs/kernel/node.hpp"
 
 namespace stickslip::proofs::kernel {
@@ -185,85 +183,6 @@ Formula between(const Term& a, const Term& t, const Term& b) {
 }
 Formula within(const Term& a, const Term& t, const Term& b) {
   return all({at_most(a, t), at_most(t, b)});
-}
-
-namespace {
-
-std::string joined(const Term& term, const std::string& separator) {
-  std::string text;
-  for (const Term& part : term.parts()) {
-    text += (text.empty() ? "" : separator) + to_string(part);
-  }
-  return "(" + text + ")";
-}
-
-std::string of_parts(const std::string& name, const Term& term) {
-  return name + joined(term, ", ");
-}
-
-}  // namespace
-
-std::string to_string(const Term& term) {
-  const std::vector<Term>& parts = term.parts();
-  switch (term.kind()) {
-    case Kind::variable:
-      return term.name();
-    case Kind::bound:
-      return "#" + term.value().get_str();
-    case Kind::number:
-      return term.value().get_str();
-    case Kind::pi:
-      return "pi";
-    case Kind::sum:
-      return joined(term, " + ");
-    case Kind::product:
-      return to_string(parts[0]) + "*" + to_string(parts[1]);
-    case Kind::power:
-      return to_string(parts[0]) + "^" + term.value().get_str();
-    case Kind::inverse:
-      return of_parts("inverse", term);
-    case Kind::cosine:
-      return of_parts("cos", term);
-    case Kind::sine:
-      return of_parts("sin", term);
-    case Kind::matrix:
-      return of_parts("matrix" + std::to_string(term.row()) + "x" + std::to_string(term.column()), term);
-    case Kind::entry:
-      return to_string(parts[0]) + "[" + std::to_string(term.row()) + "," + std::to_string(term.column()) +
-             "]";
-    case Kind::defined:
-      return of_parts(term.definition().name(), term);
-    case Kind::apply:
-      return to_string(parts[0]) + "(" + to_string(parts[1]) + ")";
-    case Kind::equal:
-      return joined(term, " = ");
-    case Kind::less:
-      return joined(term, " < ");
-    case Kind::at_most:
-      return joined(term, " <= ");
-    case Kind::conjunction:
-      return parts.empty() ? "true" : joined(term, " and ");
-    case Kind::disjunction:
-      return parts.empty() ? "false" : joined(term, " or ");
-    case Kind::negation:
-      return "not " + to_string(parts[0]);
-    case Kind::implication:
-      return joined(term, " => ");
-    case Kind::lambda:
-      return of_parts("lambda", term);
-    case Kind::for_all:
-      return of_parts("for all " + term.name() + ": ", term);
-    case Kind::exists:
-      return of_parts("there is " + term.name() + ": ", term);
-    case Kind::finite:
-      return of_parts("finitely many " + term.name() + ": ", term);
-    case Kind::derivative:
-      return of_parts("derivative", term);
-    case Kind::continuous:
-      return of_parts("continuous", term);
-    default:
-      return of_parts("inside_unit_circle", term);
-  }
 }
 
 }  // namespace stickslip::proofs::kernel

@@ -19,14 +19,6 @@ Theorem::Theorem(Step step, Formulas hypotheses, const Formula& conclusion)
   check(conclusion);
 }
 
-std::string to_string(const Sequent& sequent) {
-  std::string text;
-  for (const Formula& hypothesis : sequent.hypotheses) {
-    text += (text.empty() ? "" : ", ") + to_string(hypothesis);
-  }
-  return text + " |- " + to_string(sequent.conclusion);
-}
-
 Formulas hypotheses_of(const std::vector<Theorem>& premises) {
   Formulas all;
   for (const Theorem& premise : premises) {

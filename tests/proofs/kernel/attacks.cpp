@@ -352,6 +352,9 @@ TEST_CASE("order: signs and strictness") {
   REFUSES(Theorem::order(less(0, Term(x) * y), {{{lower, strict}}}));
   REFUSES(Theorem::order(less(0, Term(y) * y - 1), {{{strict, strict}}}));
   REFUSES(Theorem::order(equal(x, x), {}));
+  REFUSES(Theorem::order(equal(0, y), {{{strict}}}));
+  REFUSES(Theorem::order(derivative(f, 0, y), {{{strict}}}));
+  REFUSES(Theorem::order(differ(0, y), {{{strict}}}));
   REFUSES(Theorem::order(at_most(0, entry(v, 0)), {{{}, 1, v}}));
   REFUSES(Theorem::order(less(0, Term(x) + y), {{{strict}}, {{lower}}}));
   REFUSES(Theorem::order(at_most(y, x), {{{assume(negation(less(x, y)))}}}));
