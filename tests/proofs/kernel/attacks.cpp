@@ -519,6 +519,72 @@ TEST_CASE("continuity") {
       assume(for_all(n, implies(within(a, n, b), derivative(f, n, 0))))));
 }
 
+TEST_CASE("a premise is of the kind that the rule needs, not only of its parts") {
+  const Theorem rate = assume(derivative(f, a, b)), smooth = assume(continuous(f, a, b));
+  const Theorem flat = assume(for_all(t, implies(between(a, t, b), derivative(f, t, 0))));
+  const Theorem agree = assume(for_all(t, implies(within(a, t, b), equal(apply(f, t), apply(g, t)))));
+  const Theorem open_agree = assume(for_all(t, implies(between(c, t, x), equal(apply(f, t), apply(g, t)))));
+  const Variable w{"w"};
+  const Theorem few = assume(
+      finite(t, all({between(a, t, b), negation(exists(w, all({derivative(f, t, w), at_most(0, w)})))})));
+  REFUSES(Theorem::constant(rate, flat));
+  REFUSES(Theorem::monotone(rate, few));
+  REFUSES(Theorem::mean_value(rate, flat, assume(less(a, b))));
+  REFUSES(Theorem::continuous_within(rate, assume(at_most(a, c)), assume(at_most(x, b))));
+  REFUSES(Theorem::same_continuity(rate, agree));
+  REFUSES(Theorem::same_derivative(smooth, open_agree, assume(less(c, a)), assume(less(a, x))));
+  REFUSES(Theorem::unique_derivative(smooth, assume(continuous(f, a, c))));
+  REFUSES(Theorem::unique_derivative(rate, assume(continuous(f, a, c))));
+  REFUSES(Theorem::unique_derivative(assume(continuous(f, a, c)), rate));
+  REFUSES(Theorem::mean_value(smooth, assume(for_all(t, implies(between(a, t, b), continuous(f, t, 0)))),
+                              assume(less(a, b))));
+  REFUSES(Theorem::differentiable_is_continuous(
+      assume(for_all(t, implies(within(a, t, b), continuous(f, t, 0))))));
+  REFUSES(Theorem::same_continuity(
+      smooth, assume(exists(t, implies(within(a, t, b), equal(apply(f, t), apply(g, t)))))));
+  REFUSES(Theorem::same_continuity(
+      smooth, assume(for_all(t, all({within(a, t, b), equal(apply(f, t), apply(g, t))})))));
+  REFUSES(Theorem::same_continuity(
+      smooth, assume(for_all(t, implies(within(a, t, b), less(apply(f, t), apply(g, t)))))));
+  REFUSES(Theorem::same_continuity(
+      smooth, assume(for_all(t, implies(within(a, t, b), equal(apply(g, t), apply(f, t)))))));
+  REFUSES(Theorem::finite_part(assume(for_all(t, less(0, t))),
+                               assume(for_all(t, implies(less(1, t), less(0, t))))));
+  REFUSES(Theorem::finite_part(assume(exists(t, less(0, t))),
+                               assume(for_all(t, implies(less(1, t), less(0, t))))));
+  REFUSES(Theorem::finite_part(assume(finite(t, less(0, t))),
+                               assume(exists(t, implies(less(1, t), less(0, t))))));
+  REFUSES(
+      Theorem::finite_part(assume(finite(t, less(0, t))), assume(for_all(t, all({less(1, t), less(0, t)})))));
+  REFUSES(Theorem::finite_union(assume(exists(t, less(0, t))), assume(finite(t, less(1, t)))));
+  REFUSES(Theorem::finite_union(assume(finite(t, less(1, t))), assume(exists(t, less(0, t)))));
+  REFUSES(Theorem::order(less(a, b), {{{assume(equal(a, b))}}}));
+  // finite, exists and for all have a body alike.
+  const Formula positive = less(0, t);
+  REFUSES(Theorem::specialize(assume(finite(t, positive)), 0));
+  REFUSES(Theorem::witness(assume(positive), finite(t, positive), t));
+  REFUSES(Theorem::choose(assume(finite(t, positive)), x, assume(equal(c, 0))));
+  REFUSES(Theorem::mean_value(smooth, assume(exists(t, implies(between(a, t, b), derivative(f, t, 0)))),
+                              assume(less(a, b))));
+  REFUSES(Theorem::mean_value(smooth, assume(finite(t, implies(between(a, t, b), derivative(f, t, 0)))),
+                              assume(less(a, b))));
+  REFUSES(Theorem::differentiable_is_continuous(
+      assume(exists(t, implies(within(a, t, b), derivative(f, t, 0))))));
+  REFUSES(Theorem::same_continuity(
+      smooth, assume(finite(t, implies(within(a, t, b), equal(apply(f, t), apply(g, t)))))));
+  REFUSES(
+      Theorem::finite_part(assume(finite(t, positive)), assume(finite(t, implies(less(1, t), positive)))));
+  // An implication is no "and", whatever its parts.
+  REFUSES(Theorem::mean_value(smooth, assume(for_all(t, all({between(a, t, b), derivative(f, t, 0)}))),
+                              assume(less(a, b))));
+  REFUSES(Theorem::mean_value(smooth, assume(for_all(t, implies(between(a, t, b), derivative(f, a, 0)))),
+                              assume(less(a, b))));
+  REFUSES(Theorem::mean_value(smooth, assume(for_all(t, implies(within(t, a, b), derivative(f, t, 0)))),
+                              assume(less(a, b))));
+  REFUSES(Theorem::zeros_between(assume(equal(apply(f, x), 0)), assume(less(Term(0) * pi(), x)),
+                                 assume(less(x, Term(1) * pi()))));
+}
+
 TEST_CASE("finite sets") {
   const Theorem some = assume(finite(t, less(0, t)));
   REFUSES(Theorem::finite_part(some, assume(for_all(t, implies(less(0, t), less(1, t))))));
