@@ -395,6 +395,7 @@ TEST_CASE("induction") {
   const Formula real_steps =
       for_all(x, all({implies(claim(x), claim(Term(x) + 1)), implies(claim(x), claim(Term(x) - 1))}));
   REFUSES(Theorem::induction(reals, start, assume(real_steps)));
+  REFUSES(Theorem::induction(reals, start, assume(for_all(k, all({up, down})))));
 }
 
 TEST_CASE("growth") {
@@ -559,6 +560,8 @@ TEST_CASE("a premise is of the kind that the rule needs, not only of its parts")
   REFUSES(Theorem::finite_union(assume(exists(t, less(0, t))), assume(finite(t, less(1, t)))));
   REFUSES(Theorem::finite_union(assume(finite(t, less(1, t))), assume(exists(t, less(0, t)))));
   REFUSES(Theorem::order(less(a, b), {{{assume(equal(a, b))}}}));
+  REFUSES(Theorem::differentiable_is_continuous(
+      assume(for_all(t, implies(all({at_most(a, s), at_most(t, b)}), derivative(f, t, 0))))));
   // finite, exists and for all have a body alike.
   const Formula positive = less(0, t);
   REFUSES(Theorem::specialize(assume(finite(t, positive)), 0));
