@@ -1,0 +1,188 @@
+#include "proofs/kernel/node.hpp"
+
+namespace stickslip::proofs::kernel {
+namespace {
+
+Term make(Kind kind, std::vector<Term> parts) {
+  return Node::make({.kind = kind, .parts = std::move(parts)});
+}
+
+Term binder(Kind kind, const Variable& variable, const Term& body) {
+  return Node::make(
+      {.kind = kind, .parts = {abstracted(body, variable)}, .name = variable.name, .binds = variable.type});
+}
+
+Rational canonical(Rational value) {
+  if (value.get_den() == 0) {
+    throw KernelError("a number has no denominator 0");
+  }
+  value.canonicalize();
+  return value;
+}
+
+}  // namespace
+
+Term::Term(const Variable& variable)
+    : Term(Node::make({.kind = Kind::variable, .parts = {}, .name = variable.name, .binds = variable.type})) {
+}
+Term::Term(int value) : Term(static_cast<long>(value)) {}
+Term::Term(long value) : Term(Rational(value)) {}
+Term::Term(const Rational& value)
+    : Term(Node::make({.kind = Kind::number, .parts = {}, .value = canonical(value)})) {}
+
+Type real_matrix(int rows, int columns) {
+  const Type type{Sort::real, rows, columns};
+  static_cast<void>(Term(Variable{"A", type}));  // checks the shape
+  return type;
+}
+
+Type function_of_time(int rows, int columns) {
+  const Type values = real_matrix(rows, columns);
+  return {Sort::function, values.rows, values.columns};
+}
+
+Term pi() {
+  return make(Kind::pi, {});
+}
+Term sum(const std::vector<Term>& parts) {
+  return make(Kind::sum, parts);
+}
+Term operator+(const Term& a, const Term& b) {
+  return sum({a, b});
+}
+Term operator-(const Term& a, const Term& b) {
+  return a + -b;
+}
+Term operator-(const Term& a) {
+  return a.kind() == Kind::number ? Term(Rational(-a.value())) : Term(-1) * a;
+}
+Term operator*(const Term& a, const Term& b) {
+  return make(Kind::product, {a, b});
+}
+Term operator/(const Term& a, const Term& b) {
+  if (!b.type().is_scalar()) {
+    throw KernelError("one divides by numbers only");
+  }
+  return a * inverse(b);
+}
+Term power(const Term& base, long exponent) {
+  return Node::make({.kind = Kind::power, .parts = {base}, .value = exponent});
+}
+Term inverse(const Term& a) {
+  return make(Kind::inverse, {a});
+}
+Term cos(const Term& a) {
+  return make(Kind::cosine, {a});
+}
+Term sin(const Term& a) {
+  return make(Kind::sine, {a});
+}
+Term tan(const Term& a) {
+  return sin(a) / cos(a);
+}
+Term matrix(int rows, int columns, const std::vector<Term>& entries) {
+  return Node::make({.kind = Kind::matrix, .parts = entries, .row = rows, .column = columns});
+}
+Term entry(const Term& a, int row, int column) {
+  return Node::make({.kind = Kind::entry, .parts = {a}, .row = row, .column = column});
+}
+
+Term zero(const Type& type) {
+  if (type.is_scalar()) {
+    return 0;
+  }
+  return matrix(type.rows, type.columns,
+                std::vector<Term>(static_cast<std::size_t>(type.rows * type.columns), 0));
+}
+
+Term identity(int rows) {
+  std::vector<Term> entries;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      entries.emplace_back(i == j ? 1 : 0);
+    }
+  }
+  return matrix(rows, rows, entries);
+}
+
+Term determinant(const Term& a) {
+  const int n = a.type().rows;
+  if (!a.type().is_numeric() || a.type().columns != n) {
+    throw KernelError("only a square matrix has a determinant");
+  }
+  if (n == 1) {
+    return entry(a, 0, 0);
+  }
+  std::vector<Term> parts;
+  for (int k = 0; k < n; ++k) {
+    std::vector<Term> minor;
+    for (int i = 1; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        if (j != k) {
+          minor.push_back(entry(a, i, j));
+        }
+      }
+    }
+    const Term part = entry(a, 0, k) * determinant(matrix(n - 1, n - 1, minor));
+    parts.push_back(k % 2 == 0 ? part : -part);
+  }
+  return sum(parts);
+}
+
+Term lambda(const Variable& variable, const Term& body) {
+  return binder(Kind::lambda, variable, body);
+}
+Term apply(const Term& function, const Term& time) {
+  return make(Kind::apply, {function, time});
+}
+
+Formula equal(const Term& a, const Term& b) {
+  return make(Kind::equal, {a, b});
+}
+Formula differ(const Term& a, const Term& b) {
+  return negation(equal(a, b));
+}
+Formula less(const Term& a, const Term& b) {
+  return make(Kind::less, {a, b});
+}
+Formula at_most(const Term& a, const Term& b) {
+  return make(Kind::at_most, {a, b});
+}
+Formula all(const std::vector<Formula>& parts) {
+  return make(Kind::conjunction, parts);
+}
+Formula any(const std::vector<Formula>& parts) {
+  return make(Kind::disjunction, parts);
+}
+Formula negation(const Formula& a) {
+  return make(Kind::negation, {a});
+}
+Formula implies(const Formula& a, const Formula& b) {
+  return make(Kind::implication, {a, b});
+}
+Formula for_all(const Variable& variable, const Formula& body) {
+  return binder(Kind::for_all, variable, body);
+}
+Formula exists(const Variable& variable, const Formula& body) {
+  return binder(Kind::exists, variable, body);
+}
+Formula derivative(const Term& function, const Term& point, const Term& value) {
+  return make(Kind::derivative, {function, point, value});
+}
+Formula continuous(const Term& function, const Term& a, const Term& b) {
+  return make(Kind::continuous, {function, a, b});
+}
+Formula finite(const Variable& variable, const Formula& body) {
+  return binder(Kind::finite, variable, body);
+}
+Formula inside_unit_circle(const Term& coefficients) {
+  return make(Kind::inside_unit_circle, {coefficients});
+}
+Formula between(const Term& a, const Term& t, const Term& b) {
+  return all({less(a, t), less(t, b)});
+}
+Formula within(const Term& a, const Term& t, const Term& b) {
+  return all({at_most(a, t), at_most(t, b)});
+}
+
+}  // namespace stickslip::proofs::kernel

@@ -1,0 +1,227 @@
+#include "proofs/kernel/normal_form.hpp"
+
+#include <algorithm>
+
+#include "proofs/kernel/entrywise.hpp"
+#include "proofs/kernel/quotient.hpp"
+
+namespace stickslip::proofs::kernel {
+namespace {
+
+constexpr long largest_multiple = 1000;
+
+bool same_value(const Term& a, const Term& b) {
+  if (a == b) {
+    return true;
+  }
+  const bool comparable = a.type().is_numeric() && b.type().is_numeric() && a.type().rows == b.type().rows &&
+                          a.type().columns == b.type().columns;
+  try {
+    return comparable && vanishes(a - b);
+  } catch (const KernelError&) {
+    return false;  // then they are two atoms
+  }
+}
+
+bool same_atom(const Term& a, const Term& b) {
+  if (a == b || a.kind() != b.kind() || a.kind() == Kind::variable) {
+    return a == b;
+  }
+  if (a.kind() == Kind::apply) {
+    return a.parts()[0] == b.parts()[0] && same_value(a.parts()[1], b.parts()[1]);
+  }
+  return a.definition() == b.definition() &&
+         std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), same_value);
+}
+
+// cos and sin of a multiple of one phase, angle = monomial/denominator times 1/lcm.
+struct Phase {
+  Quotient angle;
+  Integer lcm = 1;
+};
+
+// The argument of a cos or sin: quarter turns, and for each phase its rational coefficient.
+struct Angle {
+  Integer quarters = 0;
+  std::vector<std::pair<std::size_t, Rational>> phases;
+};
+
+// The atoms of a term, and all cos and sin of it as circles.
+class Atoms {
+ public:
+  explicit Atoms(const Term& term) {
+    scan(term);
+    std::size_t count = 1;  // π
+    for (const Term& atom : atoms_) {
+      offsets_.push_back(count);
+      count += static_cast<std::size_t>(atom.type().rows * atom.type().columns);
+    }
+    base_ = std::make_unique<Ring>(count, 0);
+    std::map<Term, Angle> angles;  // none is known yet: the base ring has no circles
+    Entrywise<Polynomials> entries({*this, *base_});
+    for (const Term& argument : arguments_) {
+      angles.emplace(argument, angle(entries(argument)[0]));
+    }
+    angles_ = std::move(angles);
+    whole_ = std::make_unique<Ring>(count, phases_.size());
+  }
+
+  // Row by row, over denominators that are products of divisors. They live as long as this object.
+  [[nodiscard]] std::vector<Quotient> entries(const Term& term) const {
+    return Entrywise<Polynomials>({*this, *whole_})(term);
+  }
+
+ private:
+  // cos and sin of one angle.
+  struct Pair {
+    Quotient c, s;
+  };
+
+  // Terms in one of the two rings, as Entrywise wants it.
+  struct Polynomials {
+    using Number = Quotient;
+    const Atoms& atoms;
+    const Ring& ring;
+
+    [[nodiscard]] Quotient number(const Rational& value) const { return ring.number(value); }
+    [[nodiscard]] Quotient pi() const { return ring.generator(0); }
+    [[nodiscard]] static Quotient reciprocal(const Quotient& value) { return value.inverted(); }
+    [[nodiscard]] Quotient cosine(const Term& argument, auto&) const {
+      return atoms.circle(argument, ring).c;
+    }
+    [[nodiscard]] Quotient sine(const Term& argument, auto&) const { return atoms.circle(argument, ring).s; }
+    [[nodiscard]] std::vector<Quotient> atom(const Term& term, auto&) const {
+      std::vector<Quotient> result;
+      for (int k = 0; k < term.type().rows * term.type().columns; ++k) {
+        result.push_back(
+            ring.generator(atoms.offsets_[atoms.atom_of_.at(term)] + static_cast<std::size_t>(k)));
+      }
+      return result;
+    }
+  };
+
+  void scan(const Term& term) {
+    if (!seen_.insert(term).second) {
+      return;
+    }
+    if (!term.type().is_numeric() || term.kind() == Kind::bound) {
+      throw KernelError("a normal form is of numbers and matrices");
+    }
+    if (term.kind() == Kind::variable || term.kind() == Kind::apply || term.kind() == Kind::defined) {
+      const auto known =
+          std::find_if(atoms_.begin(), atoms_.end(), [&](const Term& atom) { return same_atom(atom, term); });
+      atom_of_.emplace(term, known - atoms_.begin());
+      if (known == atoms_.end()) {
+        atoms_.push_back(term);
+      }
+      return;
+    }
+    for (const Term& part : term.parts()) {
+      scan(part);
+    }
+    if (term.kind() == Kind::cosine || term.kind() == Kind::sine) {
+      arguments_.insert(term.parts()[0]);
+    }
+  }
+
+  Angle angle(const Quotient& argument) {
+    Angle result;
+    for (const auto& [coefficient, monomial] : terms(argument)) {
+      const Rational quarters = coefficient * 2;
+      if (equal(monomial, base_->generator(0)) && quarters.get_den() == 1) {
+        result.quarters += quarters.get_num();
+        continue;
+      }
+      const auto known = std::find_if(phases_.begin(), phases_.end(),
+                                      [&](const Phase& phase) { return equal(phase.angle, monomial); });
+      result.phases.emplace_back(known - phases_.begin(), coefficient);
+      if (known == phases_.end()) {
+        phases_.push_back({monomial, coefficient.get_den()});
+      } else {
+        mpz_lcm(known->lcm.get_mpz_t(), known->lcm.get_mpz_t(), coefficient.get_den_mpz_t());
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] static Pair turned(const Pair& a, const Pair& b, const Ring& ring) {
+    return {a.c * b.c + ring.number(-1) * (a.s * b.s), a.s * b.c + a.c * b.s};
+  }
+
+  [[nodiscard]] Pair circle(const Term& argument, const Ring& ring) const {
+    const auto angle = angles_.find(argument);
+    if (angle == angles_.end()) {
+      throw KernelError("a cos or sin stands within the argument of another");
+    }
+    Pair result{ring.number(1), ring.number(0)};
+    const Integer quarters = ((angle->second.quarters % 4) + 4) % 4;
+    for (Integer i = 0; i < quarters; ++i) {
+      result = turned(result, {ring.number(0), ring.number(1)}, ring);
+    }
+    for (const auto& [phase, coefficient] : angle->second.phases) {
+      const Rational multiple = coefficient * phases_[phase].lcm;
+      if (multiple.get_den() != 1 || abs(multiple) > largest_multiple) {
+        throw KernelError("a phase is taken more than 1000 times");
+      }
+      const Pair once{ring.cosine(phase), ring.number(sgn(multiple)) * ring.sine(phase)};
+      for (long i = std::abs(multiple.get_num().get_si()); i > 0; --i) {
+        result = turned(result, once, ring);
+      }
+    }
+    return result;
+  }
+
+  std::set<Term> seen_;
+  std::set<Term> arguments_;  // of cos and sin
+  std::vector<Term> atoms_;
+  std::map<Term, std::size_t> atom_of_;
+  std::vector<std::size_t> offsets_;    // of an atom's first generator
+  std::unique_ptr<Ring> base_, whole_;  // without circles, for arguments; and with them
+  std::vector<Phase> phases_;           // in the base ring
+  std::map<Term, Angle> angles_;
+};
+
+bool is_nonzero_constant(const Term& term) {
+  if (!term.variables().empty()) {
+    return false;
+  }
+  try {
+    const Atoms atoms(term);
+    return atoms.entries(term)[0].is_multiple_of_power(0);
+  } catch (const KernelError&) {
+    return false;  // then it is listed
+  }
+}
+
+void collect(const Term& term, std::set<Term>& seen, std::set<Formula>& found) {
+  if (term.kind() == Kind::lambda || !seen.insert(term).second) {
+    return;
+  }
+  for (const Term& part : term.parts()) {
+    collect(part, seen, found);
+  }
+  if (term.kind() == Kind::inverse) {
+    const Term& inverted = term.parts()[0];
+    const Term divisor = inverted.type().is_scalar() ? inverted : determinant(inverted);
+    if (!is_nonzero_constant(divisor)) {
+      found.insert(differ(divisor, 0));
+    }
+  }
+}
+
+}  // namespace
+
+bool vanishes(const Term& term) {
+  const Atoms atoms(term);
+  const std::vector<Quotient> entries = atoms.entries(term);
+  return std::all_of(entries.begin(), entries.end(), [](const Quotient& q) { return q.is_zero(); });
+}
+
+std::set<Formula> divisors(const Term& term) {
+  std::set<Term> seen;
+  std::set<Formula> found;
+  collect(term, seen, found);
+  return found;
+}
+
+}  // namespace stickslip::proofs::kernel

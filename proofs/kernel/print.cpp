@@ -1,0 +1,92 @@
+// Text for messages. No rule looks at it.
+#include "proofs/kernel/theorem.hpp"
+
+namespace stickslip::proofs::kernel {
+namespace {
+
+std::string joined(const Term& term, const std::string& separator) {
+  std::string text;
+  for (const Term& part : term.parts()) {
+    text += (text.empty() ? "" : separator) + to_string(part);
+  }
+  return "(" + text + ")";
+}
+
+std::string of_parts(const std::string& name, const Term& term) {
+  return name + joined(term, ", ");
+}
+
+}  // namespace
+
+std::string to_string(const Term& term) {
+  const std::vector<Term>& parts = term.parts();
+  switch (term.kind()) {
+    case Kind::variable:
+      return term.name();
+    case Kind::bound:
+      return "#" + term.value().get_str();
+    case Kind::number:
+      return term.value().get_str();
+    case Kind::pi:
+      return "pi";
+    case Kind::sum:
+      return joined(term, " + ");
+    case Kind::product:
+      return to_string(parts[0]) + "*" + to_string(parts[1]);
+    case Kind::power:
+      return to_string(parts[0]) + "^" + term.value().get_str();
+    case Kind::inverse:
+      return of_parts("inverse", term);
+    case Kind::cosine:
+      return of_parts("cos", term);
+    case Kind::sine:
+      return of_parts("sin", term);
+    case Kind::matrix:
+      return of_parts("matrix" + std::to_string(term.row()) + "x" + std::to_string(term.column()), term);
+    case Kind::entry:
+      return to_string(parts[0]) + "[" + std::to_string(term.row()) + "," + std::to_string(term.column()) +
+             "]";
+    case Kind::defined:
+      return of_parts(term.definition().name(), term);
+    case Kind::apply:
+      return to_string(parts[0]) + "(" + to_string(parts[1]) + ")";
+    case Kind::equal:
+      return joined(term, " = ");
+    case Kind::less:
+      return joined(term, " < ");
+    case Kind::at_most:
+      return joined(term, " <= ");
+    case Kind::conjunction:
+      return parts.empty() ? "true" : joined(term, " and ");
+    case Kind::disjunction:
+      return parts.empty() ? "false" : joined(term, " or ");
+    case Kind::negation:
+      return "not " + to_string(parts[0]);
+    case Kind::implication:
+      return joined(term, " => ");
+    case Kind::lambda:
+      return of_parts("lambda", term);
+    case Kind::for_all:
+      return of_parts("for all " + term.name() + ": ", term);
+    case Kind::exists:
+      return of_parts("there is " + term.name() + ": ", term);
+    case Kind::finite:
+      return of_parts("finitely many " + term.name() + ": ", term);
+    case Kind::derivative:
+      return of_parts("derivative", term);
+    case Kind::continuous:
+      return of_parts("continuous", term);
+    default:
+      return of_parts("inside_unit_circle", term);
+  }
+}
+
+std::string to_string(const Sequent& sequent) {
+  std::string text;
+  for (const Formula& hypothesis : sequent.hypotheses) {
+    text += (text.empty() ? "" : ", ") + to_string(hypothesis);
+  }
+  return text + " |- " + to_string(sequent.conclusion);
+}
+
+}  // namespace stickslip::proofs::kernel

@@ -1,0 +1,107 @@
+#include "proofs/methods/tactics.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace kernel;
+
+Theorem above(const Term& lower, const Variable& x) {
+  return Theorem::assume(less(lower, x));
+}
+Theorem below(const Variable& x, const Term& upper) {
+  return Theorem::assume(less(x, upper));
+}
+
+Theorem reflexive(const Term& number) {
+  return Theorem::consequence({Theorem::trichotomy(number, number)}, equal(number, number));
+}
+
+Theorem symmetric(const Theorem& equation) {
+  const Term a = equation.conclusion().parts().at(0);
+  const Variable x = fresh(a.type(), {equation.conclusion()});
+  return Theorem::replace(equation, x, equal(x, a), reflexive(a));
+}
+
+Theorem both(const std::vector<Theorem>& parts) {
+  std::vector<Formula> formulas;
+  for (const Theorem& theorem : parts) {
+    formulas.push_back(theorem.conclusion());
+  }
+  return Theorem::consequence(parts, all(formulas));
+}
+
+Theorem part(const Theorem& conjunction, std::size_t index) {
+  return Theorem::consequence({conjunction}, conjunction.conclusion().parts().at(index));
+}
+
+Theorem detach(const Theorem& implication, const Theorem& premise) {
+  return Theorem::consequence({implication, premise}, implication.conclusion().parts().at(1));
+}
+
+Theorem at(const Theorem& theorem, const Term& x, const Theorem& premise) {
+  return detach(Theorem::specialize(theorem, x), premise);
+}
+
+Theorem for_every(const Variable& t, const Formula& a, const Theorem& theorem) {
+  return Theorem::generalize(Theorem::discharge(theorem, a), t);
+}
+
+Theorem by_rewriting(const Theorem& theorem, const Theorem& equation) {
+  const Term a = equation.conclusion().parts().at(0);
+  const Variable place = fresh(a.type(), {theorem.conclusion(), equation.conclusion()});
+  return Theorem::replace(equation, place, replaced(theorem.conclusion(), a, place), theorem);
+}
+
+Theorem different(const Theorem& inequality) {
+  const Term a = inequality.conclusion().parts().at(0), b = inequality.conclusion().parts().at(1);
+  const Theorem cases = Theorem::trichotomy(a, b);
+  const Term d = a == Term(0) ? b : a;
+  const Theorem zero = Theorem::assume(equal(d, 0));
+  const Theorem turned = a == Term(0) ? symmetric(zero) : zero;  // a = b
+  return Theorem::consequence({Theorem::discharge(turned, equal(d, 0)), cases, inequality}, differ(d, 0));
+}
+
+Theorem refuted(const Formula& claim, const Term& t, const Theorem& counterexample) {
+  const Theorem one = Theorem::discharge(Theorem::specialize(Theorem::assume(claim), t), claim);
+  return Theorem::consequence({one, counterexample}, negation(claim));
+}
+
+Theorem by_normal_form(const Formula& equation, const Definitions& unfolded, const Domain& domain) {
+  return nonzero(Theorem::combination(equation, {}, unfolded), domain);
+}
+
+Theorem by_combination(const Formula& equation, const std::vector<Multiple>& multiples,
+                       const Definitions& unfolded, const Domain& domain) {
+  return nonzero(Theorem::combination(equation, multiples, unfolded), domain);
+}
+
+Theorem by_positive_combination(const Formula& inequality, const std::vector<Positive>& positives,
+                                const std::vector<Multiple>& multiples, const Definitions& unfolded,
+                                const Domain& domain) {
+  return nonzero(Theorem::order(inequality, positives, multiples, unfolded), domain);
+}
+
+Theorem by_differential_equation(const Motion& motion, const Term& flow, const Term& forced,
+                                 const Variable& t, const std::vector<Multiple>& because,
+                                 const Definitions& unfolded, const Domain& domain) {
+  const Formula& smooth = motion.continuity.conclusion();
+  const Term Z = smooth.parts().at(0), a = smooth.parts().at(1), b = smooth.parts().at(2);
+  const Term G = lambda(t, apply(flow, a - t) * (apply(Z, t) - apply(forced, t)));
+  // Inside, G' = 0.
+  const Formula inside_open = between(a, t, b);
+  const Theorem rate = at(motion.rate, t, Theorem::assume(inside_open));
+  const Theorem slope = Theorem::differentiate(G, t, {rate});
+  const Term value = slope.conclusion().parts()[2];
+  const Theorem nothing = Theorem::combination(equal(value, zero(value.type())), because, unfolded);
+  const Theorem flat = nonzero(by_rewriting(slope, nothing), domain);
+  // So G(t) = G(a), and flow(t - a) undoes flow(a - t).
+  const Theorem continuous_G = nonzero(Theorem::continuity(G, a, b, {motion.continuity}), domain);
+  const Theorem constant = Theorem::constant(continuous_G, for_every(t, inside_open, flat));
+  const Formula inside_closed = within(a, t, b);
+  const Theorem kept = at(constant, t, Theorem::assume(inside_closed));
+  const Formula closed_form =
+      equal(apply(Z, t), apply(flow, t - a) * (apply(Z, a) - apply(forced, a)) + apply(forced, t));
+  return for_every(t, inside_closed,
+                   by_combination(closed_form, {{kept, apply(flow, t - a)}}, unfolded, domain));
+}
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,75 @@
+// Convenient ways to find derivations. All return theorems that the kernel's rules made; a wrong tactic fails
+// with KernelError, it cannot make a false theorem.
+#pragma once
+
+#include <vector>
+
+#include "proofs/kernel/theorem.hpp"
+
+namespace stickslip::proofs::methods {
+
+using kernel::Definitions;
+using kernel::Formula;
+using kernel::Multiple;
+using kernel::Positive;
+using kernel::Term;
+using kernel::Theorem;
+using kernel::Variable;
+
+// Theorems that bound variables by numbers, l < x or x < u, and theorems d ≠ 0: what divisors are discharged
+// with.
+using Domain = std::vector<Theorem>;
+// {l < x} ⊢ l < x, and {x < u} ⊢ x < u.
+[[nodiscard]] Theorem above(const Term& lower, const Variable& x);
+[[nodiscard]] Theorem below(const Variable& x, const Term& upper);
+
+// ---- Logic
+[[nodiscard]] Theorem reflexive(const Term& number);            // ⊢ a = a, of numbers
+[[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a, of numbers
+[[nodiscard]] Theorem both(const std::vector<Theorem>& parts);  // their conjunction
+[[nodiscard]] Theorem part(const Theorem& conjunction, std::size_t index);
+// A ⇒ C and A give C.
+[[nodiscard]] Theorem detach(const Theorem& implication, const Theorem& premise);
+// for all t: A(t) ⇒ C(t), and A(x), give C(x).
+[[nodiscard]] Theorem at(const Theorem& theorem, const Term& x, const Theorem& premise);
+// Γ, A ⊢ C gives Γ ⊢ for all t: A ⇒ C.
+[[nodiscard]] Theorem for_every(const Variable& t, const Formula& a, const Theorem& theorem);
+// a = b in Γ ⊢ C: every a of C becomes b.
+[[nodiscard]] Theorem by_rewriting(const Theorem& theorem, const Theorem& equation);
+// 0 < d or d < 0 gives d ≠ 0.
+[[nodiscard]] Theorem different(const Theorem& inequality);
+// not for all x: A(x), from a theorem not A(t).
+[[nodiscard]] Theorem refuted(const Formula& for_all, const Term& t, const Theorem& counterexample);
+// x = k*pi for an integer k and m*pi < x < (m+2)*pi, m whole, are for the kernel: Theorem::zeros_between.
+
+// ---- Divisors
+// Hypotheses d ≠ 0 less what the domain implies: of each d the irreducible factors that may vanish remain,
+// each as a hypothesis of its own. A factor is discharged when it is one of the domain's, or a polynomial in
+// bounded variables and pi whose expansion in the distances from the bounds has coefficients of one sign.
+[[nodiscard]] Theorem nonzero(const Theorem& theorem, const Domain& domain);
+
+// ---- Algebra: the kernel's rules, then nonzero().
+[[nodiscard]] Theorem by_normal_form(const Formula& equation, const Definitions& unfolded,
+                                     const Domain& domain = {});
+[[nodiscard]] Theorem by_combination(const Formula& equation, const std::vector<Multiple>& multiples,
+                                     const Definitions& unfolded = {}, const Domain& domain = {});
+[[nodiscard]] Theorem by_positive_combination(const Formula& inequality,
+                                              const std::vector<Positive>& positives,
+                                              const std::vector<Multiple>& multiples = {},
+                                              const Definitions& unfolded = {}, const Domain& domain = {});
+
+// ---- Motions
+// Z is continuous on [a, b] and Z' = w inside: ⊢ continuous(Z, a, b), ⊢ for all t: a < t < b ⇒ derivative(Z,
+// t, w).
+struct Motion {
+  Theorem continuity;
+  Theorem rate;
+};
+// (5): if the derivative of flow(a - t) (Z(t) - forced(t)) is zero by normal form and these multiples, in
+// which the variable t is the time, ⊢ for all t: a ≤ t ≤ b ⇒ Z(t) = flow(t - a) (Z(a) - forced(a)) +
+// forced(t). flow and forced are functions of time.
+[[nodiscard]] Theorem by_differential_equation(const Motion& motion, const Term& flow, const Term& forced,
+                                               const Variable& t, const std::vector<Multiple>& because,
+                                               const Definitions& unfolded, const Domain& domain);
+
+}  // namespace stickslip::proofs::methods
