@@ -1,7 +1,6 @@
 // What `stickslip latex` prints is the same on every run.
 #include <doctest/doctest.h>
 
-
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
 
