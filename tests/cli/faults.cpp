@@ -119,26 +119,6 @@ TEST_CASE("an interrupted audit writes no report") {
   CHECK(temporary.count() == 0);
 }
 
-TEST_CASE("an interruption while LaTeX is compiled leaves no temporary directory" *
-          doctest::test_suite("full")) {
-  const TemporaryDirectory temporary;
-  const auto workshops = temporary.path() / "tmp";
-  std::filesystem::create_directory(workshops);
-  const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  ::setenv("TMPDIR", workshops.c_str(), 1);
-  const int process =
-      start({"orbits", "symmetric", "--example", "S", "--out", temporary.path() / "out"}, output);
-  ::unsetenv("TMPDIR");
-  for (int waiting = 0; std::filesystem::is_empty(workshops) && waiting < 6000; ++waiting) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  REQUIRE_FALSE(std::filesystem::is_empty(workshops));
-  ::kill(process, SIGINT);
-  CHECK(wait_for(process) == exit_interrupted);
-  ::close(output);
-  CHECK(temporary.count() == 1);
-}
-
 TEST_CASE("whatever the command, a reader that has gone is no reason for noise") {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"check", "40"},
                                                     {"check", "40", "--json"},

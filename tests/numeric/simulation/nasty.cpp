@@ -237,7 +237,7 @@ TEST_CASE("at the ends of the domain no step is lost and nothing overflows") {
   const auto try_out = [&] {
     std::vector<Transition> log;
     Simulation simulation(s.data, s.ur, s.phi, s.X);
-    CHECK(simulation.advance(1e300, &log, 500) < 1e300);
+    CHECK(simulation.advance(1e300, &log, 500) > 0);
     CHECK(log.size() <= 500);
     CHECK(simulation.state().array().isFinite().all());
     ++runs;

@@ -59,8 +59,8 @@ TEST_CASE("the raw friction law reproduces the proved orbits") {
       return follow_raw_law(start, duration);
     });
     CHECK(a.difference.empty());
-    CHECK(a.closure < 1e-8);
-    CHECK(a.time_error < 1e-8);
+    CHECK(a.closure < 1e-9);
+    CHECK(a.time_error < 1e-9);
     MESSAGE(example.name << ": closure " << a.closure << ", event times " << a.time_error);
   }
 }

@@ -1,0 +1,89 @@
+// What needs LaTeX: what the program prints compiles, and an interruption of the compiler leaves nothing
+// behind.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
+
+using namespace stickslip;
+
+namespace {
+
+// What pdflatex says to the file, which stands in the directory; its output goes there too.
+Run pdflatex(const std::filesystem::path& directory, const std::string& file) {
+  return run(STICKSLIP_PDFLATEX, {"-interaction=nonstopmode", "-halt-on-error",
+                                  "-output-directory=" + directory.string(), (directory / file).string()});
+}
+
+// The lines that complain of what sticks out into the margin.
+std::string overfull(const std::string& log) {
+  std::istringstream stream(log);
+  std::string found;
+  for (std::string line; std::getline(stream, line);) {
+    found += line.starts_with("Overfull") ? line + "\n" : "";
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("every derived expression compiles without edits and fits the page" * doctest::timeout(300)) {
+  for (const char * form : {"chi", "omega"}) {
+    const TemporaryDirectory temporary;
+    std::ofstream(temporary.path() / "all.tex")
+        << "\\documentclass[a4paper]{article}\n\\usepackage{amsmath}\n\\begin{document}\n"
+        << stickslip_program({"latex", "--in", form}).out << "\\end{document}\n";
+    const Run result = pdflatex(temporary.path(), "all.tex");
+    CAPTURE(result.out);
+    CHECK(result.code == 0);
+    CHECK(overfull(result.out).empty());
+  }
+}
+
+TEST_CASE("the article of the audit compiles and fits the page" * doctest::timeout(300)) {
+  const TemporaryDirectory temporary;
+  const Run audit = stickslip_program({"audit", "--out", temporary.path()});
+  REQUIRE(audit.code != exit_io);
+  const Run result = pdflatex(temporary.path(), "audit.tex");
+  CAPTURE(result.out);
+  CHECK(result.code == 0);
+  CHECK(overfull(result.out).empty());
+}
+
+TEST_CASE("the errata compile and fit the page" * doctest::timeout(300)) {
+  const Run errata = stickslip_program({"latex", "--errata"});
+  const TemporaryDirectory temporary;
+  std::ofstream(temporary.path() / "errata.tex") << errata.out;
+  const Run result = pdflatex(temporary.path(), "errata.tex");
+  CAPTURE(result.out);
+  CHECK(result.code == 0);
+  CHECK(overfull(result.out).empty());
+}
+
+TEST_CASE("an interruption while LaTeX is compiled leaves no temporary directory") {
+  const TemporaryDirectory temporary;
+  const auto workshops = temporary.path() / "tmp";
+  std::filesystem::create_directory(workshops);
+  const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  ::setenv("TMPDIR", workshops.c_str(), 1);
+  const int process =
+      start({"orbits", "symmetric", "--example", "S", "--out", temporary.path() / "out"}, output);
+  ::unsetenv("TMPDIR");
+  for (int waiting = 0; std::filesystem::is_empty(workshops) && waiting < 6000; ++waiting) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  REQUIRE_FALSE(std::filesystem::is_empty(workshops));
+  ::kill(process, SIGINT);
+  CHECK(wait_for(process) == exit_interrupted);
+  ::close(output);
+  CHECK(temporary.count() == 1);
+}
