@@ -72,19 +72,3 @@ std::pair<Ball, Ball> sin_cos(const Ball& x) {
 }
 
 }  // namespace stickslip
-
-namespace cln {
-
-cl_R sinc(const cl_R& x) {
-  return zerop(x) ? cl_R(1) : cl_R(sin(x) / x);
-}
-
-cl_R sinc_slope(const cl_R& x) {
-  return zerop(x) ? cl_R(0) : cl_R((cos(x) - sinc(x)) / x);
-}
-
-std::pair<cl_R, cl_R> sin_cos(const cl_R& x) {
-  return {sin(x), cos(x)};
-}
-
-}  // namespace cln

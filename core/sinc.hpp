@@ -2,8 +2,6 @@
 // that remain when factors of a duration are divided out of a closing equation.
 #pragma once
 
-#include <cln/real.h>
-
 #include <utility>
 
 #include "core/ball.hpp"
@@ -22,14 +20,3 @@ namespace stickslip {
 [[nodiscard]] std::pair<Ball, Ball> sin_cos(const Ball& x);
 
 }  // namespace stickslip
-
-// Found by argument-dependent lookup.
-namespace cln {
-
-[[nodiscard]] cl_R sinc(const cl_R& x);
-// Assumes x ≠ 0 or x exactly 0; loses digits near 0 (floats only propose).
-[[nodiscard]] cl_R sinc_slope(const cl_R& x);
-
-[[nodiscard]] std::pair<cl_R, cl_R> sin_cos(const cl_R& x);
-
-}  // namespace cln

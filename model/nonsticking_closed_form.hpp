@@ -1,28 +1,9 @@
-// Appendix 5: what decides whether a motion with two slip phases must be symmetric, (62)-(64), (70).
+// Appendix 5: what decides whether a motion with two slip phases must be symmetric, (63), (70).
 #pragma once
 
 #include "model/flows.hpp"
 
 namespace stickslip::model {
-
-// (62): xi_1 = (X_1, Y_1) and xi_2 = (X_2, Y_2) from z0 - Q cos(phi), zbar0 - Q cos(phi) with zbar = z + 2
-// d0, and z0' + Q omega sin(phi).
-template <class S>
-struct SymmetryDefects {
-  Vector2<S> X1, Y1, X2, Y2;
-};
-template <class S>
-[[nodiscard]] SymmetryDefects<S> symmetry_defects(const Modes<S>& m, const S& tau, const S& tau1,
-                                                  const Vector2<S>& place, const Vector2<S>& barred_place,
-                                                  const Vector2<S>& speed) {
-  const Blocks<S> H = H_blocks(m, tau);
-  const Blocks<S> h = H_blocks(m, tau1);
-  const Matrix2<S> I = identity2<S>();
-  return {Matrix2<S>(H.first - I) * place + H.second * speed,
-          H.third * place + Matrix2<S>(H.first + I) * speed,
-          Matrix2<S>(h.first - I) * barred_place - h.second * speed,
-          Matrix2<S>(h.first + I) * speed - h.third * barred_place};
-}
 
 // (63): H_2⁻¹(t)(H_1(t) + I): P_1 at t = tau, -P_2 at t = tau_1. Assumes sin(omega_j t) ≠ 0.
 template <class S>

@@ -115,11 +115,6 @@ std::vector<SymmetricProof> solve_symmetric(const ExactParameters& a, int digits
   return proofs;
 }
 
-ZeroProof<4> prove_zero_of_16(const ExactParameters& a, LoadPhase phase, const Box<4>& guess) {
-  require_stick_slip_domain(a);
-  return prove_zero_near<4>(equations_16<Ball>(a, phase), guess);
-}
-
 PrintedZero printed_zero_of_16(const ExactParameters& a, LoadPhase phase,
                                const std::array<Decimal, 4>& printed) {
   require_stick_slip_domain(a);

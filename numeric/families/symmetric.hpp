@@ -134,23 +134,6 @@ template <class S>
       tau_C(1)};
 }
 
-// Newton's method from a guess, in double or in CLN floats of the working precision. Nothing when it breaks
-// down; no claim that the result is near a zero.
-template <class S>
-[[nodiscard]] std::optional<SymmetricState<S>> approximate_symmetric(const motion::ExactParameters& a,
-                                                                     LoadPhase phase,
-                                                                     const model::Vector2<double>& guess,
-                                                                     int steps) {
-  const SymmetricClosing<S> closing{symmetric_data<S>(a, phase)};
-  const model::Vector2<S> start(scalars::scalar<S>(Rational(guess(0))),
-                                scalars::scalar<S>(Rational(guess(1))));
-  const std::optional<model::Vector2<S>> zero = zeros::newton<S, 2>(closing, start, steps);
-  if (!zero) {
-    return std::nullopt;
-  }
-  return symmetric_state<S>(a, phase, *zero);
-}
-
 // Everything about the orbit at a proved (tau, C), at the working precision, with its residuals; the boxes of
 // uniqueness are left empty.
 [[nodiscard]] SymmetricOrbit describe_symmetric(const motion::ExactParameters& a, LoadPhase phase,
@@ -164,10 +147,6 @@ template <class S>
 // All orbits that the scan (see list_symmetric for a list that is proved to be complete) of both load phases
 // finds, each proved or with the reason why not.
 [[nodiscard]] std::vector<SymmetricProof> solve_symmetric(const motion::ExactParameters& a, int digits);
-
-// Whether the paper's (16) has exactly one zero near (tau, z10, z20, zdot10).
-[[nodiscard]] zeros::ZeroProof<4> prove_zero_of_16(const motion::ExactParameters& a, LoadPhase phase,
-                                                   const zeros::Box<4>& guess);
 
 // (16) at printed values of (tau, z10, z20, zdot10).
 struct PrintedZero {

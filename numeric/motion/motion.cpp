@@ -54,31 +54,6 @@ Ball period(const Motion& motion) {
   return sum;
 }
 
-Vector4<Ball> state_at(const Motion& motion, const Ball& t) {
-  std::optional<Vector4<Ball>> hull;
-  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-    const Phase& f = motion.phases[k];
-    const Ball local = t - f.start;
-    const bool before = k > 0 && local.is_negative();
-    const bool after = k + 1 < motion.phases.size() && (local - f.duration).is_positive();
-    if (before || after) {
-      continue;
-    }
-    const Vector4<Ball> Z = state(motion, k, local);
-    if (!hull) {
-      hull = Z;
-    } else {
-      for (int i = 0; i < 4; ++i) {
-        (*hull)(i) = Ball::hull((*hull)(i), Z(i));
-      }
-    }
-  }
-  if (!hull) {
-    throw InternalError("a motion without phases has no state");
-  }
-  return *hull;
-}
-
 MotionOf<double> in_double(const Motion& motion) {
   const model::Parameters<Ball>& a = motion.oscillator.data;
   MotionOf<double> result{

@@ -106,10 +106,6 @@ template <class S>
 // The sum of all durations: the period, if the motion closes.
 [[nodiscard]] Ball period(const Motion& motion);
 
-// A ball around Z at time t after the motion began, 0 <= t <= period: the hull over the phases that t may lie
-// in. Assumes at least one phase.
-[[nodiscard]] model::Vector4<Ball> state_at(const Motion& motion, const Ball& t);
-
 // The midpoints: a proposal, and what pictures are drawn from.
 [[nodiscard]] MotionOf<double> in_double(const Motion& motion);
 

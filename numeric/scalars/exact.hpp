@@ -7,7 +7,6 @@
 // almost every point. Nothing here knows a normal form: numbers are added and multiplied as they come.
 #pragma once
 
-#include <Eigen/Core>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include <utility>
 
 #include "core/rational.hpp"
+#include "model/scalar_traits.hpp"
 
 namespace stickslip::numeric::scalars {
 
@@ -99,20 +99,7 @@ class ExactPoint {
 namespace Eigen {
 
 template <>
-struct NumTraits<stickslip::numeric::scalars::Exact> : GenericNumTraits<stickslip::numeric::scalars::Exact> {
-  using Real = stickslip::numeric::scalars::Exact;
-  using NonInteger = stickslip::numeric::scalars::Exact;
-  using Nested = stickslip::numeric::scalars::Exact;
-  using Literal = stickslip::numeric::scalars::Exact;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 10,
-    AddCost = 100,
-    MulCost = 100
-  };
-};
+struct NumTraits<stickslip::numeric::scalars::Exact>
+    : stickslip::model::ScalarTraits<stickslip::numeric::scalars::Exact, 10, 100, 100> {};
 
 }  // namespace Eigen

@@ -1,15 +1,15 @@
 // Forward-mode first derivatives: a value with its N partial derivatives. A Jet is a scalar of the model, so
-// every formula of model/ gives its own derivatives, over double, CLN floats and balls alike. Over balls the
+// every formula of model/ gives its own derivatives, over double and balls alike. Over balls the
 // value and each partial contain the exact ones for every member of the arguments.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/sinc.hpp"
+#include "model/scalar_traits.hpp"
 #include "numeric/scalars/scalars.hpp"
 
 namespace stickslip::numeric::scalars {
@@ -17,9 +17,6 @@ namespace stickslip::numeric::scalars {
 // Whether a number is exactly zero: then products with it need not be computed.
 [[nodiscard]] inline bool is_zero(double x) {
   return x == 0;
-}
-[[nodiscard]] inline bool is_zero(const cln::cl_R& x) {
-  return cln::zerop(x);
 }
 
 template <class S, int N>
@@ -186,20 +183,6 @@ namespace Eigen {
 
 template <class S, int N>
 struct NumTraits<stickslip::numeric::scalars::Jet<S, N>>
-    : GenericNumTraits<stickslip::numeric::scalars::Jet<S, N>> {
-  using Real = stickslip::numeric::scalars::Jet<S, N>;
-  using NonInteger = stickslip::numeric::scalars::Jet<S, N>;
-  using Nested = stickslip::numeric::scalars::Jet<S, N>;
-  using Literal = stickslip::numeric::scalars::Jet<S, N>;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 4,
-    AddCost = 100,
-    MulCost = 200
-  };
-};
+    : stickslip::model::ScalarTraits<stickslip::numeric::scalars::Jet<S, N>, 4, 100, 200> {};
 
 }  // namespace Eigen

@@ -1,8 +1,6 @@
 // Approximate inverses of small matrices, for preconditioning and Newton steps: proposals, never proofs.
 #pragma once
 
-#include <cln/real.h>
-
 #include <Eigen/Core>
 #include <cmath>
 #include <optional>
@@ -15,18 +13,12 @@ namespace stickslip::numeric::zeros {
 [[nodiscard]] inline double magnitude(double x) {
   return std::abs(x);
 }
-[[nodiscard]] inline double magnitude(const cln::cl_R& x) {
-  return std::abs(cln::double_approx(x));
-}
 [[nodiscard]] inline double magnitude(const Ball& x) {
   return std::abs(x.approximate());
 }
 
 // The number without its error: what a proposal is computed with.
 [[nodiscard]] inline double centre(double x) {
-  return x;
-}
-[[nodiscard]] inline cln::cl_R centre(const cln::cl_R& x) {
   return x;
 }
 [[nodiscard]] inline Ball centre(const Ball& x) {

@@ -1,8 +1,7 @@
 // Kernel terms as a scalar of the model: its formulas become the bodies of definitions.
 #pragma once
 
-#include <Eigen/Core>
-
+#include "model/scalar_traits.hpp"
 #include "proofs/kernel/term.hpp"
 
 namespace stickslip::proofs::methods {
@@ -58,20 +57,6 @@ namespace Eigen {
 
 template <>
 struct NumTraits<stickslip::proofs::methods::Symbolic>
-    : GenericNumTraits<stickslip::proofs::methods::Symbolic> {
-  using Real = stickslip::proofs::methods::Symbolic;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 2,
-    AddCost = 100,
-    MulCost = 100
-  };
-};
+    : stickslip::model::ScalarTraits<stickslip::proofs::methods::Symbolic, 2, 100, 100> {};
 
 }  // namespace Eigen

@@ -3,25 +3,11 @@
 
 #include <ginac/ginac.h>
 
-#include <Eigen/Core>
+#include "model/scalar_traits.hpp"
 
 namespace Eigen {
 
 template <>
-struct NumTraits<GiNaC::ex> : GenericNumTraits<GiNaC::ex> {
-  using Real = GiNaC::ex;
-  using NonInteger = GiNaC::ex;
-  using Nested = GiNaC::ex;
-  using Literal = GiNaC::ex;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 2,
-    AddCost = 100,
-    MulCost = 100
-  };
-};
+struct NumTraits<GiNaC::ex> : stickslip::model::ScalarTraits<GiNaC::ex, 2, 100, 100> {};
 
 }  // namespace Eigen

@@ -13,8 +13,6 @@
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::zeros;
-using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::zeros;
 using namespace stickslip::examples;
 
 namespace {

@@ -15,8 +15,6 @@
 using namespace stickslip;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::families;
-using namespace stickslip::numeric::motion;
 using namespace stickslip::examples;
 
 namespace {

@@ -11,8 +11,6 @@
 using namespace stickslip;
 using namespace stickslip::numeric;
 using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric;
-using namespace stickslip::numeric::motion;
 
 namespace {
 

@@ -10,9 +10,6 @@ using namespace stickslip;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::scalars;
 using namespace stickslip::numeric::zeros;
-using namespace stickslip::numeric::families;
-using namespace stickslip::numeric::scalars;
-using namespace stickslip::numeric::zeros;
 using namespace stickslip::examples;
 
 namespace {

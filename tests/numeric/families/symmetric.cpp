@@ -11,10 +11,6 @@ using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::scalars;
 using namespace stickslip::numeric::zeros;
-using namespace stickslip::numeric::families;
-using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::scalars;
-using namespace stickslip::numeric::zeros;
 using namespace stickslip::examples;
 
 namespace {
@@ -50,32 +46,6 @@ TEST_CASE("example S closes in all components of (13), (15) and (16)") {
   CHECK(orbit.C_unique.contains(orbit.state.C));
 }
 
-TEST_CASE("double, CLN floats and balls solve the same equations to the same numbers") {
-  const SymmetricOrbit orbit = orbit_S(80);
-  const model::Vector2<double> guess(orbit.state.tau.approximate() + 1e-3, orbit.state.C.approximate());
-  const auto doubles = approximate_symmetric<double>(S(), LoadPhase::first, guess, 10);
-  REQUIRE(doubles);
-  const WorkingPrecision precision(300);
-  const auto floats = approximate_symmetric<cln::cl_R>(S(), LoadPhase::first, guess, 10);
-  REQUIRE(floats);
-  const auto compare = [](const char * name, double from_double, const cln::cl_R& from_cln,
-                          const Ball& ball) {
-    CAPTURE(name);
-    CHECK((abs(ball - Ball(from_double)) - Ball(1e-12)).is_negative());
-    CHECK(cln::abs(from_cln - to_cln(ball)) < to_cln(parse_rational("1e-79"), 300));
-  };
-  const SymmetricState<Ball>& s = orbit.state;
-  compare("tau", doubles->tau, floats->tau, s.tau);
-  compare("T", doubles->T, floats->T, s.T);
-  compare("phi", doubles->phi, floats->phi, s.phi);
-  compare("z10", doubles->z10, floats->z10, s.z10);
-  compare("z20", doubles->z20, floats->z20, s.z20);
-  compare("zdot10", doubles->zdot10, floats->zdot10, s.zdot10);
-  compare("x10", doubles->x10, floats->x10, s.x10);
-  compare("x20", doubles->x20, floats->x20, s.x20);
-  compare("ur", doubles->ur, floats->ur, s.ur);
-}
-
 TEST_CASE("a thousand digits, and enclosures at different precisions that overlap") {
   const SymmetricOrbit coarse = orbit_S(20);
   const SymmetricOrbit fine = orbit_S(1000);
@@ -90,7 +60,7 @@ TEST_CASE("a thousand digits, and enclosures at different precisions that overla
 TEST_CASE("the paper's (16) has exactly one zero near the orbit, the same one") {
   const SymmetricState<Ball> s = orbit_S(20).state;
   const Box<4> guess = midpoint<4>(Box<4>(s.tau, s.z10, s.z20, s.zdot10));
-  const ZeroProof<4> proof = prove_zero_of_16(S(), LoadPhase::first, guess);
+  const ZeroProof<4> proof = prove_zero_near<4>(equations_16<Ball>(S(), LoadPhase::first), guess);
   REQUIRE(proof.verdict.truth == Truth::proved);
   CHECK(proof.box(0).overlaps(s.tau));
   CHECK(proof.box(1).overlaps(s.z10));

@@ -11,7 +11,6 @@
 
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::motion;
 using model::Wave;
 
 namespace {

@@ -13,9 +13,6 @@ using namespace stickslip;
 using namespace stickslip::numeric;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::proofs::pascal2012;
-using namespace stickslip::numeric;
-using namespace stickslip::numeric::motion;
-using namespace stickslip::proofs::pascal2012;
 
 namespace {
 

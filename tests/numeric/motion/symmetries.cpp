@@ -10,8 +10,6 @@
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::scalars;
-using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::scalars;
 using namespace stickslip::examples;
 
 namespace {

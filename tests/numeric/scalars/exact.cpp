@@ -6,7 +6,6 @@
 
 using namespace stickslip;
 using namespace stickslip::numeric::scalars;
-using namespace stickslip::numeric::scalars;
 
 namespace {
 

@@ -16,9 +16,6 @@ using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::scalars;
 using namespace stickslip::numeric::zeros;
-using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::scalars;
-using namespace stickslip::numeric::zeros;
 using namespace stickslip::examples;
 
 namespace {

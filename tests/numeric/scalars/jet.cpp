@@ -10,8 +10,6 @@
 using namespace stickslip;
 using namespace stickslip::numeric::scalars;
 using namespace stickslip::numeric::zeros;
-using namespace stickslip::numeric::scalars;
-using namespace stickslip::numeric::zeros;
 
 namespace {
 
@@ -72,7 +70,7 @@ TEST_CASE("over balls a jet contains value and slope at every member") {
   }
 }
 
-TEST_CASE("sinc and its slope over the three scalars, near and at zero") {
+TEST_CASE("sinc and its slope over double and balls, near and at zero") {
   const WorkingPrecision precision(200);
   for (const char * text : {"0", "1e-30", "-0.001", "0.3", "0.49", "0.51", "-2", "40"}) {
     CAPTURE(text);
@@ -84,7 +82,6 @@ TEST_CASE("sinc and its slope over the three scalars, near and at zero") {
     CHECK((slope.radius() - Ball(parse_rational("1e-50"))).is_negative());
     if (x != 0) {
       CHECK(slope.overlaps((cos(Ball(x)) - value) / Ball(x)));
-      CHECK(cln::abs(cln::sinc(to_cln(x, 200)) - to_cln(value)) < to_cln(parse_rational("1e-50"), 200));
     }
   }
   for (const double radius : {0.1, 0.4, 0.6, 3.0}) {

@@ -10,8 +10,6 @@
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::simulation;
-using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::simulation;
 using namespace stickslip::dynamics_tests;
 
 namespace {

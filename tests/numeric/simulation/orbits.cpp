@@ -13,10 +13,6 @@ using namespace stickslip::numeric;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::simulation;
 using namespace stickslip::proofs::pascal2012;
-using namespace stickslip::numeric;
-using namespace stickslip::numeric::motion;
-using namespace stickslip::numeric::simulation;
-using namespace stickslip::proofs::pascal2012;
 using model::Vector4;
 
 namespace {

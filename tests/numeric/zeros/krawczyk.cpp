@@ -7,7 +7,6 @@
 
 using namespace stickslip;
 using namespace stickslip::numeric::zeros;
-using namespace stickslip::numeric::zeros;
 
 namespace {
 

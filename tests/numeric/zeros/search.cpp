@@ -5,7 +5,6 @@
 
 using namespace stickslip;
 using namespace stickslip::numeric::zeros;
-using namespace stickslip::numeric::zeros;
 
 namespace {
 
