@@ -46,7 +46,7 @@ struct NamedRange {
 // What the margin of a condition is, in half a sentence.
 [[nodiscard]] std::string meaning_of_margin();
 
-// The LaTeX of the name of an orbit's value: those of symbolic/names.hpp and ur_max.
+// The LaTeX of the name of an orbit's value: those of symbolic/typeset/names.hpp and ur_max.
 [[nodiscard]] std::string latex_of_value(const std::string& name);
 
 // The command that lists the same orbits.

@@ -68,7 +68,7 @@ std::size_t length_of_number(std::string_view text) {
   return end;
 }
 
-// As symbolic/names.hpp reads it: z2B is z with the index 2B.
+// As symbolic/typeset/names.hpp reads it: z2B is z with the index 2B.
 std::string plain_name(std::string_view name) {
   const bool indexed = name.size() == 3 && is_digit(name[1]) && is_letter(name[2]);
   return indexed ? fmt::format("{}_{}", name.substr(0, 1), name.substr(1)) : std::string(name);

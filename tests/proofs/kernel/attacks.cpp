@@ -670,6 +670,7 @@ TEST_CASE("zeros inside the unit circle") {
   REFUSES(Theorem::jury(column({-2, 1})));
   REFUSES(Theorem::jury(column({-1, 1})));
   REFUSES(Theorem::jury(column({1, 0, 1})));
+  REFUSES(Theorem::jury(column({0})));
   REFUSES(Theorem::jury(column({0, 0})));
   REFUSES(Theorem::jury(column({Rational(1, 2), 0})));
   REFUSES(Theorem::jury(column({0, 0, 0})));
