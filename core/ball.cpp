@@ -1,31 +1,14 @@
 #include "core/ball.hpp"
 
-#if __has_include(<flint/fmpq.h>)
-#include <flint/fmpq.h>
-#endif
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "core/decimal.hpp"
+#include "core/fmpq.hpp"
 
 namespace stickslip {
 namespace {
-
-class Fmpq {
- public:
-  explicit Fmpq(const Rational& value) {
-    fmpq_init(value_);
-    fmpq_set_mpq(value_, value.get_mpq_t());
-  }
-  Fmpq(const Fmpq&) = delete;
-  Fmpq& operator=(const Fmpq&) = delete;
-  ~Fmpq() { fmpq_clear(value_); }
-  [[nodiscard]] const fmpq * raw() const { return value_; }
-
- private:
-  fmpq_t value_;
-};
 
 std::string decimal_digits(const Ball& ball, int digits) {
   struct Free {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/fmpq.hpp"
+
 namespace stickslip::proofs::kernel {
 namespace {
 
@@ -11,14 +13,6 @@ using symbolic::algebra::Polynomial;
 using symbolic::algebra::PolynomialRing;
 
 constexpr slong largest_product = 10000000;
-
-struct FlintRational {
-  fmpq_t raw;
-  FlintRational() : raw{} { fmpq_init(raw); }
-  ~FlintRational() { fmpq_clear(raw); }
-  FlintRational(const FlintRational&) = delete;
-  FlintRational& operator=(const FlintRational&) = delete;
-};
 
 // Labels; which of them is which, only the index says.
 std::vector<GiNaC::ex> labels(std::size_t count) {
@@ -47,12 +41,10 @@ Polynomial times(Polynomial a, const Polynomial& b) {
 
 // The leading coefficient, by which the polynomial is divided; it is not zero.
 Rational take_leading(Polynomial& polynomial) {
-  FlintRational leading;
-  fmpq_mpoly_get_term_coeff_fmpq(leading.raw, polynomial.raw(), 0, polynomial.ring().context());
-  fmpq_mpoly_scalar_div_fmpq(polynomial.raw(), polynomial.raw(), leading.raw, polynomial.ring().context());
-  Rational value;
-  fmpq_get_mpq(value.get_mpq_t(), leading.raw);
-  return value;
+  Fmpq leading;
+  fmpq_mpoly_get_term_coeff_fmpq(leading.raw(), polynomial.raw(), 0, polynomial.ring().context());
+  fmpq_mpoly_scalar_div_fmpq(polynomial.raw(), polynomial.raw(), leading.raw(), polynomial.ring().context());
+  return leading.value();
 }
 
 }  // namespace
@@ -82,10 +74,9 @@ Quotient Ring::number(const Rational& value) const {
 }
 
 Polynomial Ring::constant(const Rational& value) const {
-  FlintRational exact;
-  fmpq_set_mpq(exact.raw, value.get_mpq_t());
+  const Fmpq exact(value);
   Polynomial result(polynomials_);
-  fmpq_mpoly_set_fmpq(result.raw(), exact.raw, polynomials_.context());
+  fmpq_mpoly_set_fmpq(result.raw(), exact.raw(), polynomials_.context());
   return result;
 }
 

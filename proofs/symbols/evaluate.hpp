@@ -1,5 +1,5 @@
-// The evaluation behind meaning.hpp, as templates over the scalar. Instantiated by evaluate_symbolic.cpp and
-// evaluate_ball.cpp; include meaning.hpp instead.
+// The evaluation behind meaning.hpp, as templates over the scalar S: GiNaC::ex, or a series in the time over
+// balls or exact numbers. Instantiated by evaluate_*.cpp; include meaning.hpp instead.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,12 +9,17 @@
 #include "core/error.hpp"
 #include "model/flows.hpp"
 #include "model/nonsticking_closed_form.hpp"
-#include "numeric/scalars/jet.hpp"
+#include "numeric/scalars/series.hpp"
 #include "proofs/symbols/abbreviations.hpp"
 #include "proofs/symbols/meaning.hpp"
 
 namespace stickslip::proofs::symbols {
 namespace detail {
+
+using numeric::scalars::Series;
+
+template <class S>
+Value<S> value_of(const Term& term, const Lookup<S>& scalar);
 
 template <class S>
 Value<S> scalar_value(const S& value) {
@@ -130,14 +135,18 @@ const Symbols<S>& symbols() {
   return known;
 }
 
-// Scalars that are to be differentiated have none.
+inline GiNaC::ex absolute_value(const GiNaC::ex& value) {
+  return abs(value);
+}
+
 template <class S>
-S absolute_value(const S& value) {
-  if constexpr (requires { S(abs(value)); }) {
-    return S(abs(value));
-  } else {
-    throw NoValue("an absolute value cannot be differentiated");
+Series<S> absolute_value(const Series<S>& value) {
+  if constexpr (requires { S(abs(value[0])); }) {
+    if (value.size() == 1) {
+      return S(abs(value[0]));
+    }
   }
+  throw NoValue("an absolute value has no derivative, and no exact value");
 }
 
 template <class S>
@@ -153,7 +162,7 @@ const Functions<S>& functions() {
       {"cos", [](const L&, const S& t) -> V { return scalar_value<S>(S(cos(t))); }},
       {"sin", [](const L&, const S& t) -> V { return scalar_value<S>(S(sin(t))); }},
       {"tan", [](const L&, const S& t) -> V { return scalar_value<S>(S(S(sin(t)) / S(cos(t)))); }},
-      {"abs", [](const L&, const S& t) -> V { return scalar_value<S>(absolute_value<S>(t)); }},
+      {"abs", [](const L&, const S& t) -> V { return scalar_value<S>(absolute_value(t)); }},
       {"H", [](const L& s, const S& t) -> V { return model::H<S>(modes<S>(s), t); }},
       {"H1", [](const L& s, const S& t) -> V { return model::H_blocks<S>(modes<S>(s), t).first; }},
       {"H2", [](const L& s, const S& t) -> V { return model::H_blocks<S>(modes<S>(s), t).second; }},
@@ -182,7 +191,7 @@ Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
   }
   if (term.shape().is_scalar()) {
     const std::optional<Term> meaning = abbreviated(term.name());
-    return meaning ? evaluate<S>(*meaning, scalar) : scalar_value<S>(scalar(term.name()));
+    return meaning ? value_of<S>(*meaning, scalar) : scalar_value<S>(scalar(term.name()));
   }
   const auto found = symbols<S>().find(term.name());
   if (found == symbols<S>().end()) {
@@ -197,7 +206,7 @@ Value<S> evaluate_function(const Term& term, const Lookup<S>& scalar) {
   if (found == functions<S>().end()) {
     throw NoValue(fmt::format("the function {} has no meaning in the model", term.name()));
   }
-  return found->second(scalar, evaluate<S>(term.arguments().front(), scalar)(0, 0));
+  return found->second(scalar, value_of<S>(term.arguments().front(), scalar)(0, 0));
 }
 
 template <class S>
@@ -213,7 +222,7 @@ Value<S> evaluate_sum(const Term& term, const Lookup<S>& scalar) {
   Value<S> sum = Value<S>::Constant(term.shape().rows, term.shape().columns, S(0));
   for (const Term& argument : term.arguments()) {
     if (!argument.is_zero()) {
-      sum += evaluate<S>(argument, scalar);
+      sum += value_of<S>(argument, scalar);
     }
   }
   return sum;
@@ -221,9 +230,9 @@ Value<S> evaluate_sum(const Term& term, const Lookup<S>& scalar) {
 
 template <class S>
 Value<S> evaluate_product(const Term& term, const Lookup<S>& scalar) {
-  Value<S> product = evaluate<S>(term.arguments().front(), scalar);
+  Value<S> product = value_of<S>(term.arguments().front(), scalar);
   for (std::size_t i = 1; i < term.arguments().size(); ++i) {
-    product = times<S>(product, evaluate<S>(term.arguments()[i], scalar));
+    product = times<S>(product, value_of<S>(term.arguments()[i], scalar));
   }
   return product;
 }
@@ -275,7 +284,7 @@ Value<S> inverse(const Value<S>& m) {
 
 template <class S>
 Value<S> evaluate_power(const Term& term, const Lookup<S>& scalar) {
-  Value<S> base = evaluate<S>(term.arguments().front(), scalar);
+  Value<S> base = value_of<S>(term.arguments().front(), scalar);
   const long exponent = term.number().get_num().get_si();
   if (exponent < 0) {
     base = inverse<S>(base);
@@ -293,7 +302,7 @@ Value<S> evaluate_block(const Term& term, const Lookup<S>& scalar) {
   Eigen::Index row = 0;
   Eigen::Index column = 0;
   for (const Term& argument : term.arguments()) {
-    const Value<S> part = evaluate<S>(argument, scalar);
+    const Value<S> part = value_of<S>(argument, scalar);
     result.block(row, column, part.rows(), part.cols()) = part;
     column += part.cols();
     if (column == result.cols()) {
@@ -304,72 +313,72 @@ Value<S> evaluate_block(const Term& term, const Lookup<S>& scalar) {
   return result;
 }
 
-// How often a scalar can still be differentiated by jets: twice from a plain number.
-template <class S>
-inline constexpr int orders_left = 2;
-template <class S, int N>
-inline constexpr int orders_left<numeric::scalars::Jet<S, N>> = orders_left<S> - 1;
-
-template <class S>
-Value<S> evaluate_derivative(const Term& term, const Lookup<S>& scalar) {
-  const Term& inside = term.arguments().front();
-  if constexpr (std::is_same_v<S, GiNaC::ex>) {
-    // With respect to the symbol t, then at the value that t has.
-    const GiNaC::symbol time;
-    const Lookup<S> in_time = [&](const std::string& name) { return name == "t" ? S(time) : scalar(name); };
-    const S now = scalar("t");
-    return evaluate<S>(inside, in_time).unaryExpr([&](const S& e) {
-      return S(e.diff(time).subs(time == now));
-    });
-  } else if constexpr (orders_left<S> > 0) {
-    using J = numeric::scalars::Jet<S, 1>;
-    const Lookup<J> lifted = [&](const std::string& name) {
-      return name == "t" ? J::variable(scalar(name), 0) : J(scalar(name));
-    };
-    const Value<J> value = evaluate<J>(inside, lifted);
-    Value<S> slopes(value.rows(), value.cols());
-    for (Eigen::Index i = 0; i < value.size(); ++i) {
-      slopes(i) = value(i).partials[0];
-    }
-    return slopes;
-  } else {
-    throw NoValue(fmt::format("{} differentiates more than twice", text(term)));
-  }
+// With respect to the symbol t, then at the value that t has.
+inline Value<GiNaC::ex> derivative_of(const Term& inside, const Lookup<GiNaC::ex>& scalar) {
+  const GiNaC::symbol time;
+  const GiNaC::ex now = scalar("t");
+  const Lookup<GiNaC::ex> in_time = [&](const std::string& name) {
+    return name == "t" ? GiNaC::ex(time) : scalar(name);
+  };
+  return value_of<GiNaC::ex>(inside, in_time).unaryExpr([&](const GiNaC::ex& e) {
+    return GiNaC::ex(e.diff(time).subs(time == now));
+  });
 }
 
-}  // namespace detail
+// From the series to one order more.
+template <class S>
+Value<Series<S>> derivative_of(const Term& inside, const Lookup<Series<S>>& scalar) {
+  const Lookup<Series<S>> one_more = [&](const std::string& name) {
+    const Series<S> value = scalar(name);
+    return name == "t" ? Series<S>::variable(value[0], value.size()) : value;
+  };
+  return value_of<Series<S>>(inside, one_more).unaryExpr([](const Series<S>& e) { return e.derivative(); });
+}
 
 template <class S>
-Value<S> evaluate(const Term& term, const Lookup<S>& scalar) {
+Value<S> value_of(const Term& term, const Lookup<S>& scalar) {
   switch (term.op()) {
     case Op::number: {
+      if (!term.number().get_num().fits_sint_p() || !term.number().get_den().fits_sint_p()) {
+        throw NoValue(fmt::format("{} is too long a number", text(term)));
+      }
       const S numerator(static_cast<int>(term.number().get_num().get_si()));
       const S denominator(static_cast<int>(term.number().get_den().get_si()));
       return Value<S>::Constant(term.shape().rows, term.shape().columns, S(numerator / denominator));
     }
     case Op::symbol:
-      return detail::evaluate_symbol<S>(term, scalar);
+      return evaluate_symbol<S>(term, scalar);
     case Op::function:
-      return detail::evaluate_function<S>(term, scalar);
+      return evaluate_function<S>(term, scalar);
     case Op::sum:
-      return detail::evaluate_sum<S>(term, scalar);
+      return evaluate_sum<S>(term, scalar);
     case Op::product:
-      return detail::evaluate_product<S>(term, scalar);
+      return evaluate_product<S>(term, scalar);
     case Op::quotient:
-      return evaluate<S>(term.arguments()[0], scalar) *
-             S(S(1) / evaluate<S>(term.arguments()[1], scalar)(0, 0));
+      return value_of<S>(term.arguments()[0], scalar) *
+             S(S(1) / value_of<S>(term.arguments()[1], scalar)(0, 0));
     case Op::power:
-      return detail::evaluate_power<S>(term, scalar);
+      return evaluate_power<S>(term, scalar);
     case Op::negate:
-      return evaluate<S>(term.arguments().front(), scalar) * S(-1);
+      return value_of<S>(term.arguments().front(), scalar) * S(-1);
     case Op::derivative:
-      return detail::evaluate_derivative<S>(term, scalar);
+      return derivative_of(term.arguments().front(), scalar);
     case Op::block:
-      return detail::evaluate_block<S>(term, scalar);
+      return evaluate_block<S>(term, scalar);
     case Op::determinant:
-      return detail::scalar_value<S>(detail::determinant<S>(evaluate<S>(term.arguments().front(), scalar)));
+      return scalar_value<S>(determinant<S>(value_of<S>(term.arguments().front(), scalar)));
   }
   throw InternalError("a term of unknown kind");
+}
+
+}  // namespace detail
+
+// Over numbers: by series in the time of as many orders as there are derivatives in the term.
+template <class S>
+Value<S> evaluate(const Term& term, const Lookup<S>& scalar) {
+  using Series = numeric::scalars::Series<S>;
+  const Lookup<Series> lifted = [&](const std::string& name) { return Series(scalar(name)); };
+  return detail::value_of<Series>(term, lifted).unaryExpr([](const Series& e) { return e[0]; });
 }
 
 }  // namespace stickslip::proofs::symbols

@@ -4,7 +4,10 @@
 
 namespace stickslip::proofs::symbols {
 
-template Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);
+template <>
+Value<GiNaC::ex> evaluate(const Term& term, const Lookup<GiNaC::ex>& scalar) {
+  return detail::value_of<GiNaC::ex>(term, scalar);
+}
 
 bool is_in_field(const Term& term) {
   const bool function = term.op() == Op::function;

@@ -38,7 +38,8 @@ struct NoValue : InternalError {
 // For GiNaC::ex, Ball and Exact.
 template <class S>
 [[nodiscard]] Value<S> evaluate(const Term& term, const Lookup<S>& scalar);
-extern template Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);
+template <>
+[[nodiscard]] Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);
 extern template Value<Ball> evaluate(const Term&, const Lookup<Ball>&);
 extern template Value<numeric::scalars::Exact> evaluate(const Term&, const Lookup<numeric::scalars::Exact>&);
 

@@ -6,28 +6,10 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/fmpq.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::symbolic::algebra {
-namespace {
-
-struct FlintRational {
-  fmpq_t raw;
-
-  FlintRational() : raw{} { fmpq_init(raw); }
-  explicit FlintRational(const Rational& value) : FlintRational() { fmpq_set_mpq(raw, value.get_mpq_t()); }
-  ~FlintRational() { fmpq_clear(raw); }
-  FlintRational(const FlintRational&) = delete;
-  FlintRational& operator=(const FlintRational&) = delete;
-
-  [[nodiscard]] Rational value() const {
-    Rational result;
-    fmpq_get_mpq(result.get_mpq_t(), raw);
-    return result;
-  }
-};
-
-}  // namespace
 
 PolynomialRing::PolynomialRing(const std::vector<GiNaC::ex>& symbols) : symbols_(symbols), context_{} {
   fmpq_mpoly_ctx_init(context_, static_cast<slong>(symbols.size()), ORD_LEX);
@@ -49,9 +31,9 @@ Polynomial PolynomialRing::generator(const GiNaC::ex& symbol) const {
 }
 
 Polynomial PolynomialRing::constant(const GiNaC::numeric& rational) const {
-  const FlintRational value(to_rational(rational));
+  const Fmpq value(to_rational(rational));
   Polynomial result(*this);
-  fmpq_mpoly_set_fmpq(result.raw(), value.raw, context_);
+  fmpq_mpoly_set_fmpq(result.raw(), value.raw(), context_);
   return result;
 }
 
@@ -59,8 +41,8 @@ GiNaC::ex PolynomialRing::expression(const Polynomial& polynomial) const {
   GiNaC::ex sum = 0;
   const slong length = fmpq_mpoly_length(polynomial.raw(), context_);
   for (slong i = 0; i < length; ++i) {
-    FlintRational coefficient;
-    fmpq_mpoly_get_term_coeff_fmpq(coefficient.raw, polynomial.raw(), i, context_);
+    Fmpq coefficient;
+    fmpq_mpoly_get_term_coeff_fmpq(coefficient.raw(), polynomial.raw(), i, context_);
     GiNaC::ex term = to_ex(coefficient.value());
     for (std::size_t k = 0; k < symbols_.size(); ++k) {
       const ulong exponent =
@@ -164,8 +146,8 @@ Factors factored(const Polynomial& polynomial) {
   const bool found = fmpq_mpoly_factor(raw, polynomial.raw(), ring.context()) != 0 &&
                      fmpq_mpoly_factor_make_integral(raw, ring.context()) != 0;
   Factors result;
-  FlintRational constant;
-  fmpq_mpoly_factor_get_constant_fmpq(constant.raw, raw, ring.context());
+  Fmpq constant;
+  fmpq_mpoly_factor_get_constant_fmpq(constant.raw(), raw, ring.context());
   result.constant = constant.value();
   for (slong i = 0; i < fmpq_mpoly_factor_length(raw, ring.context()); ++i) {
     Factor factor{Polynomial(ring),

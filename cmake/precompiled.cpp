@@ -1,0 +1,1 @@
+// What cmake/Precompiled.cmake reads other libraries' headers for.

@@ -1,0 +1,149 @@
+// Attacks on algebra, order, integers, and the tactics on them: each would let a false sequent through if it were not refused.
+#include "tests/proofs/kernel/attacks.hpp"
+
+using namespace stickslip::proofs::kernel;
+using namespace stickslip::proofs::kernel::attacks;
+using namespace stickslip::proofs::methods;
+using stickslip::Rational;
+
+TEST_CASE("divisors hide nowhere") {
+  const auto needs = [](const Formula& equation, const Formula& divisor) {
+    return Theorem::combination(equation).hypotheses().contains(divisor);
+  };
+  const Term X = x, Y = y;
+  CHECK(needs(equal(X / X, 1), differ(X, 0)));
+  CHECK(needs(equal(X - X / Y * Y, 0), differ(Y, 0)));
+  CHECK(needs(equal(1 / (1 / X), X), differ(X, 0)));
+  CHECK(needs(equal(tan(X) * cos(X), sin(X)), differ(cos(X), 0)));
+  CHECK(needs(equal(tan(X) - tan(X), 0), differ(cos(X), 0)));
+  CHECK(needs(equal(cos(X * (Y / Y)), cos(X)), differ(Y, 0)));
+  CHECK(needs(equal(apply(f, X / X), apply(f, 1)), differ(X, 0)));
+  CHECK(needs(equal(entry(matrix(2, 1, {X, 1 / Y}), 0), X), differ(Y, 0)));
+  CHECK(needs(equal(inverse(M) * M, identity(2)), differ(determinant(M), 0)));
+  CHECK(needs(equal(0 * inverse(M), zero(M.type)), differ(determinant(M), 0)));
+  CHECK(needs(equal(X / sin(1 * pi() * Y), X / sin(1 * pi() * Y)), differ(sin(1 * pi() * Y), 0)));
+  CHECK(needs(equal(X / (Y - 1) * (Y - 1), X), differ(Y - 1, 0)));
+  CHECK(needs(equal(1 / sin(Term(1)) * sin(Term(1)), 1), differ(sin(Term(1)), 0)));
+  const Theorem premise = assume(equal(X / Y, 1));
+  CHECK(Theorem::combination(equal(X, Y), {{premise, Y}}).hypotheses().contains(differ(Y, 0)));
+  const Theorem ratio = assume(less(0, X / Y));
+  CHECK(Theorem::order(less(0, X * Y), {{{ratio}, 1, 1}}, {{assume(equal(power(Y, 2), 1)), X / Y, 1}})
+            .hypotheses()
+            .contains(differ(Y, 0)));
+  // A divisor that is zero itself.
+  REFUSES(Theorem::combination(equal((X - X) / (X - X), 1)));
+  REFUSES(Theorem::combination(equal(1 / sin(pi()) * 0, 0)));
+  REFUSES(Theorem::combination(equal(1 / (power(sin(X), 2) + power(cos(X), 2) - 1), 0)));
+  REFUSES(Theorem::combination(
+      equal(inverse(matrix(2, 2, {X, X, X, X})) * matrix(2, 2, {X, X, X, X}), identity(2))));
+  CHECK(Theorem::combination(equal(X / 2 + X / 2, X)).hypotheses().empty());
+  CHECK(Theorem::combination(equal(X / pi() * pi(), X)).hypotheses().empty());
+}
+
+TEST_CASE("the normal form knows sine and cosine, and no more than is true") {
+  const Term X = x, Y = y;
+  REFUSES(Theorem::combination(equal(cos(X), sin(X))));
+  REFUSES(Theorem::combination(equal(cos(X + Y), cos(X) + cos(Y))));
+  REFUSES(Theorem::combination(equal(cos(X) * cos(X) + sin(Y) * sin(Y), 1)));
+  REFUSES(Theorem::combination(equal(cos(X / 2), cos(X))));
+  REFUSES(Theorem::combination(equal(cos(2 * X), 2 * cos(X))));
+  REFUSES(Theorem::combination(equal(sin(-X), sin(X))));
+  REFUSES(Theorem::combination(equal(cos(X + pi()), cos(X))));
+  REFUSES(Theorem::combination(equal(sin(pi() / 2), 0)));
+  REFUSES(Theorem::combination(equal(cos(Term(3)), -1)));
+  REFUSES(Theorem::combination(equal(pi(), Rational(22, 7))));
+  REFUSES(Theorem::combination(equal(pi(), 3)));
+  REFUSES(Theorem::combination(equal(cos(cos(X)), sin(cos(X)))));
+  REFUSES(Theorem::combination(equal(cos(cos(X)), cos(X))));
+  REFUSES(Theorem::combination(equal(cos(sin(X)), X)));
+  REFUSES(Theorem::combination(equal(apply(f, X), apply(g, X))));
+  REFUSES(Theorem::combination(equal(apply(f, X), apply(f, Y))));
+  REFUSES(Theorem::combination(equal(apply(f, cos(X)), apply(f, sin(X)))));
+  REFUSES(Theorem::combination(equal(Term(M) * M, power(entry(M, 0, 0), 2) * identity(2))));
+  const Variable N{"N", {Sort::real, 2, 2}};
+  REFUSES(Theorem::combination(equal(Term(M) * N, Term(N) * M)));
+  REFUSES(Theorem::combination(equal(inverse(Term(M) * N), inverse(M) * inverse(N))));
+  CHECK_NOTHROW(
+      static_cast<void>(Theorem::combination(equal(inverse(Term(M) * N), inverse(N) * inverse(M)))));
+  CHECK_NOTHROW(static_cast<void>(
+      Theorem::combination(equal(cos(X / 3) * 4 * power(cos(X / 3), 2), cos(X) + 3 * cos(X / 3)))));
+  CHECK_NOTHROW(static_cast<void>(Theorem::combination(equal(apply(f, (X + Y) - Y), apply(f, X)))));
+  CHECK_NOTHROW(static_cast<void>(
+      Theorem::combination(equal(apply(f, power(cos(X), 2) + power(sin(X), 2)), apply(f, 1)))));
+}
+
+TEST_CASE("order: signs and strictness") {
+  const Theorem weak = assume(at_most(0, x)), strict = assume(less(0, y)), lower = assume(less(x, 0));
+  REFUSES(Theorem::order(less(0, x), {{{weak}}}));
+  REFUSES(Theorem::order(less(0, Term(x) * y), {{{weak, strict}}}));
+  REFUSES(Theorem::order(less(0, power(x, 2)), {{{}, 1, x}}));
+  REFUSES(Theorem::order(less(x, 0), {{{weak}, -1}}));
+  REFUSES(Theorem::order(at_most(x, 0), {{{weak}, -1}}));
+  REFUSES(Theorem::order(less(0, 0), {{{strict}, 0}}));
+  REFUSES(Theorem::order(at_most(0, x), {{{lower}}}));
+  REFUSES(Theorem::order(less(0, Term(x) * y), {{{lower, strict}}}));
+  REFUSES(Theorem::order(less(0, Term(y) * y - 1), {{{strict, strict}}}));
+  REFUSES(Theorem::order(equal(x, x), {}));
+  REFUSES(Theorem::order(equal(0, y), {{{strict}}}));
+  REFUSES(Theorem::order(derivative(f, 0, y), {{{strict}}}));
+  REFUSES(Theorem::order(differ(0, y), {{{strict}}}));
+  REFUSES(Theorem::order(at_most(0, entry(v, 0)), {{{}, 1, v}}));
+  REFUSES(Theorem::order(less(0, Term(x) + y), {{{strict}}, {{lower}}}));
+  REFUSES(Theorem::order(at_most(y, x), {{{assume(negation(less(x, y)))}}}));
+  CHECK(Theorem::order(less(0, Term(x) + y), {{{strict}}, {{weak}}}).hypotheses().size() == 2);
+  REFUSES(Theorem::zero_product(M, M));
+  REFUSES(Theorem::trichotomy(M, M));
+  // Matrices have zero divisors: M² = 0 says nothing of M by any rule.
+  const Theorem nilpotent = assume(equal(Term(M) * M, zero(M.type)));
+  REFUSES(Theorem::combination(equal(M, zero(M.type)), {{nilpotent}}));
+}
+
+TEST_CASE("integers") {
+  REFUSES(Theorem::integer_gap(x, 0));
+  REFUSES(Theorem::integer_gap(n, Rational(1, 2)));
+  REFUSES(Theorem::integer_gap(n, Term(m) / 2));
+  REFUSES(Theorem::integer_gap(n, entry(v, 0)));
+  REFUSES(Theorem::integer_gap(n, inverse(n)));
+  CHECK((Term(n) * m + 3).type() == integer_number);
+  CHECK((Term(n) + x).type() == real_number);
+  CHECK((Term(n) / 2).type() == real_number);
+  CHECK(Theorem::integer_gap(n, 0).conclusion() == any({at_most(n, 0), at_most(Term(0) + 1, n)}));
+}
+
+TEST_CASE("induction") {
+  const auto claim = [](const Term& k) { return at_most(0, apply(f, k)); };
+  const Variable k{"k", integer_number};
+  const Formula whole = for_all(k, claim(k));
+  const Theorem start = assume(claim(0));
+  const Formula up = implies(claim(k), claim(Term(k) + 1)), down = implies(claim(k), claim(Term(k) - 1));
+  CHECK(Theorem::induction(whole, start, assume(for_all(k, all({up, down})))).conclusion() == whole);
+  REFUSES(Theorem::induction(whole, start, assume(for_all(k, up))));
+  REFUSES(Theorem::induction(whole, start, assume(for_all(k, all({up, up})))));
+  REFUSES(Theorem::induction(whole, start, assume(all({up, down}))));
+  REFUSES(Theorem::induction(whole, assume(claim(1)), assume(for_all(k, all({up, down})))));
+  REFUSES(Theorem::induction(whole, start, assume(for_all(x, substitute(all({up, down}), {{k, m}})))));
+  // From integers nothing follows for all reals.
+  const Formula reals = for_all(x, claim(x));
+  const Formula real_steps =
+      for_all(x, all({implies(claim(x), claim(Term(x) + 1)), implies(claim(x), claim(Term(x) - 1))}));
+  REFUSES(Theorem::induction(reals, start, assume(real_steps)));
+  REFUSES(Theorem::induction(reals, start, assume(for_all(k, all({up, down})))));
+}
+
+TEST_CASE("tactics add nothing") {
+  REFUSES(by_normal_form(equal(Term(x) / y, x), {}, {above(0, y)}));
+  // A domain that does not imply d != 0 leaves it.
+  const Theorem divided = Theorem::combination(equal(Term(x) / x, 1));
+  CHECK(nonzero(divided, {}).hypotheses() == Formulas{differ(x, 0)});
+  CHECK(nonzero(divided, {above(-1, x)}).hypotheses() == Formulas{differ(x, 0)});
+  CHECK(nonzero(divided, {above(0, x)}).hypotheses() == Formulas{less(0, x)});
+  CHECK(nonzero(divided, {above(0, y)}).hypotheses() == Formulas{differ(x, 0)});
+  const Theorem between_one = Theorem::combination(equal((1 - Term(x)) / (1 - Term(x)), 1));
+  CHECK(nonzero(between_one, {above(0, x)}).hypotheses() == Formulas{differ(Term(x) - 1, 0)});
+  CHECK(nonzero(between_one, {above(0, x), below(x, 1)}).hypotheses() == Formulas{less(x, 1)});
+  CHECK(nonzero(between_one, {above(0, x), below(x, 2)}).hypotheses() == Formulas{differ(Term(x) - 1, 0)});
+  REFUSES(different(assume(at_most(0, x))));
+  REFUSES(symmetric(assume(less(x, y))));
+  REFUSES(reflexive(M));
+  REFUSES(detach(assume(implies(equal(x, 0), equal(y, 0))), assume(equal(x, 1))));
+}

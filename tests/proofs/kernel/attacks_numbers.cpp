@@ -1,0 +1,91 @@
+// Attacks on numbers in balls: each would let a false sequent through if it were not refused.
+#include "tests/proofs/kernel/attacks.hpp"
+
+using namespace stickslip::proofs::kernel;
+using namespace stickslip::proofs::kernel::attacks;
+using namespace stickslip::proofs::methods;
+using stickslip::Rational;
+
+TEST_CASE("signs in balls") {
+  REFUSES(Theorem::sign(less(0, sin(pi()))));
+  REFUSES(Theorem::sign(less(sin(pi()), 0)));
+  REFUSES(Theorem::sign(differ(sin(pi()), 0)));
+  REFUSES(Theorem::sign(at_most(0, sin(pi()))));
+  REFUSES(Theorem::sign(less(1, 1)));
+  REFUSES(Theorem::sign(less(2, 1)));
+  REFUSES(Theorem::sign(less(x, Term(x) + 1)));
+  REFUSES(Theorem::sign(less(0, x), {{x, {0, 1}}}));
+  REFUSES(Theorem::sign(less(0, power(x, 2) + 1), {{x, {1, 0}}}));
+  REFUSES(Theorem::sign(less(0, x), {{y, {1, 2}}}));
+  REFUSES(Theorem::sign(less(0, entry(v, 0)), {{v, {1, 2}}}));
+  REFUSES(Theorem::sign(less(0, apply(f, 1))));
+  REFUSES(Theorem::sign(differ(M, zero(M.type))));
+  REFUSES(Theorem::sign(equal(1, 1)));
+  REFUSES(Theorem::sign(negation(less(2, 1))));
+  REFUSES(Theorem::sign(all({less(1, 2)})));
+  REFUSES(Theorem::sign(less(0, 1 / sin(pi()) + 1)));
+  REFUSES(Theorem::sign(less(0, 0 * (1 / sin(pi())) + 1)));
+  REFUSES(Theorem::sign(less(0, 1 + 0 / Term(x)), {{x, {-1, 1}}}));
+  REFUSES(Theorem::sign(less(0, entry(inverse(matrix(2, 2, {1, 1, 1, 1})), 0, 0) * 0 + 1)));
+  // More digits of pi than the precision holds, rounded up.
+  REFUSES(Theorem::sign(less(Rational(mpz_class("314159265358979323846264338327950288419716939937511"),
+                                      mpz_class("100000000000000000000000000000000000000000000000000")),
+                             pi()),
+                        {}, 64));
+  REFUSES(Theorem::sign(less(0, 1), {}, 0));
+  REFUSES(Theorem::sign(less(0, 1), {}, 1L << 62));
+  // Ends that no double holds: the ball contains the range.
+  const Theorem third = Theorem::sign(less(Rational(33, 100), x), {{x, {Rational(1, 3), Rational(1, 3)}}});
+  CHECK(third.hypotheses() == Formulas{at_most(Rational(1, 3), x), at_most(x, Rational(1, 3))});
+  REFUSES(Theorem::sign(less(Rational(1, 3), x), {{x, {Rational(1, 3), 1}}}));
+}
+
+TEST_CASE("zeros in balls") {
+  const Term X = x;
+  REFUSES(Theorem::one_zero(x, power(X, 2) + 1, {{-1, 1}}));
+  REFUSES(Theorem::one_zero(x, power(X, 2), {{-1, 1}}));
+  REFUSES(Theorem::one_zero(x, power(X, 2) - 1, {{-2, 2}}));
+  REFUSES(Theorem::one_zero(x, X - 1, {{1, 2}}));
+  REFUSES(Theorem::one_zero(x, X - 3, {{1, 2}}));
+  REFUSES(Theorem::one_zero(x, X - X, {{1, 2}}));
+  REFUSES(Theorem::one_zero(x, X / X - X, {{Rational(-1, 2), 2}}));
+  REFUSES(Theorem::one_zero(x, X + 0 / X, {{-1, 1}}));
+  REFUSES(Theorem::one_zero(x, tan(X) - 1, {{-1, 2}}));
+  REFUSES(Theorem::one_zero(x, X - y, {{-1, 1}}));
+  REFUSES(Theorem::one_zero(v, matrix(2, 1, {entry(v, 0), entry(v, 0)}), {{-1, 1}, {-1, 1}}));
+  REFUSES(Theorem::one_zero(v, entry(v, 0), {{-1, 1}, {-1, 1}}));
+  REFUSES(Theorem::one_zero(v, v, {{-1, 1}}));
+  REFUSES(Theorem::one_zero(v, v, {{1, -1}, {-1, 1}}));
+  REFUSES(Theorem::one_zero(v, v, {{-1, 1}, {-1, 1}, {-1, 1}}));
+  REFUSES(Theorem::one_zero(x, X, {}));
+  REFUSES(Theorem::one_zero(n, Term(n) - Rational(1, 2), {{0, 1}}));
+  REFUSES(Theorem::every_zero(x, power(X, 2) - 1, {{-2, 2}}, {{{Rational(1, 2), Rational(3, 2)}}}));
+  REFUSES(Theorem::every_zero(x, power(X, 2) - 1, {{-2, 2}}, {}));
+  REFUSES(Theorem::every_zero(x, X - X, {{0, Rational(1, 1024)}}, {}));
+  REFUSES(Theorem::every_zero(x, X - 1, {{0, 1}}, {{{Rational(1, 2), 1}}}));
+  REFUSES(Theorem::every_zero(x, X - 1, {{0, 1}}, {}));
+  REFUSES(Theorem::every_zero(x, power(X, 2), {{-1, 1}}, {{{Rational(-1, 1000), Rational(1, 1000)}}}));
+  CHECK(Theorem::every_zero(x, power(X, 2) + 1, {{-1, 1}}, {}).hypotheses().empty());
+  // 1/x is not known at 0; that it has no zero near by is no reason.
+  REFUSES(Theorem::every_zero(x, 1 / X, {{-1, 1}}, {}));
+  REFUSES(Theorem::one_zero(x, X, {{-1, Rational("10000000000")}}));
+}
+
+TEST_CASE("zeros inside the unit circle") {
+  const auto column = [](const std::vector<Term>& c_) { return matrix(static_cast<int>(c_.size()), 1, c_); };
+  REFUSES(Theorem::jury(column({-2, 1})));
+  REFUSES(Theorem::jury(column({-1, 1})));
+  REFUSES(Theorem::jury(column({1, 0, 1})));
+  REFUSES(Theorem::jury(column({0})));
+  REFUSES(Theorem::jury(column({0, 0})));
+  REFUSES(Theorem::jury(column({Rational(1, 2), 0})));
+  REFUSES(Theorem::jury(column({0, 0, 0})));
+  REFUSES(Theorem::jury(column({1, -2, 1})));
+  REFUSES(Theorem::jury(column({Rational(9, 10), Rational(-21, 10), 1})));
+  REFUSES(Theorem::jury(column({x, 1})));
+  REFUSES(Theorem::jury(column({Rational(1, 2), -Term(Rational(5, 2)), 1})));
+  CHECK(Theorem::jury(column({Rational(1, 2), 1})).hypotheses().empty());
+  CHECK(Theorem::jury(column({0, 1})).hypotheses().empty());
+  CHECK(Theorem::jury(column({0, 0, 0, 1})).hypotheses().empty());
+  CHECK(Theorem::jury(column({Rational(-1, 8), 0, 0, 1})).hypotheses().empty());
+}
