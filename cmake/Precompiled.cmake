@@ -22,3 +22,6 @@ function(stickslip_precompile)
     target_precompile_headers(${target} REUSE_FROM stickslip_headers)
   endforeach()
 endfunction()
+
+# What computes nothing itself (statements, pages, tests) compiles in half the time with less optimisation.
+set(stickslip_light $<$<CONFIG:Release>:-O1>)
