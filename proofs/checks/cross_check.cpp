@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/methods/deciding.hpp"
-#include "proofs/symbols/abbreviations.hpp"
 #include "proofs/symbols/evaluate_exact.hpp"
 #include "proofs/symbols/sample.hpp"
 #include "symbolic/algebra/evaluate.hpp"
@@ -205,25 +204,16 @@ bool is_condition(const Assumption& assumption) {
   return assumption.statement.relation == Relation::equal && !is_substitution(assumption);
 }
 
-// A scalar that no formula gives a value: what is said to be equal to it is its name.
-bool introduces_name(const Statement& statement) {
-  const Term& left = statement.left;
-  if (left.op() != Op::symbol || !left.shape().is_scalar() || abbreviated(left.name())) {
-    return false;
-  }
-  const Lookup<Ball> zero = [](const std::string&) { return Ball(0); };
-  return !derived<Ball>(left.name(), zero);
-}
-
 // Whether it differentiates symbols that stand for a motion.
 bool differentiates_motion(const Term& term) {
   return (term.op() == Op::derivative && !depends_on(term, "t")) ||
          std::any_of(term.arguments().begin(), term.arguments().end(), differentiates_motion);
 }
 
+// What is said to be equal to a scalar without a value is its name.
 bool can_be_evaluated(const Statement& statement) {
   const auto has_value = [](const Term& side) { return is_in_field(side) && !differentiates_motion(side); };
-  return has_value(statement.left) && has_value(statement.right) && !introduces_name(statement);
+  return has_value(statement.left) && has_value(statement.right) && !stands_for_itself(statement.left);
 }
 
 // Which equations that the claim assumes keep its statements from being identities.

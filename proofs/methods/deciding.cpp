@@ -8,7 +8,7 @@
 #include "model/nonsticking.hpp"
 #include "model/nonsticking_closed_form.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/symbols/abbreviations.hpp"
+#include "proofs/symbols/table.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
 
@@ -181,7 +181,7 @@ bool depends_on(const Term& term, const std::string& name) {
   if (mentions(term, name)) {
     return true;
   }
-  if (const auto meaning = term.op() == Op::symbol ? abbreviated(term.name()) : std::nullopt) {
+  if (const auto meaning = abbreviated(term)) {
     return depends_on(*meaning, name);
   }
   const bool is_load = term.name() == "F" || term.name() == "F0" || term.name() == "R";

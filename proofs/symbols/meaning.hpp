@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
 
 #include "core/ball.hpp"
@@ -45,9 +44,5 @@ extern template Value<numeric::scalars::Exact> evaluate(const Term&, const Looku
 // Whether it is an element of the field in which identities are decided: every name has a meaning in the
 // model, and there is no absolute value.
 [[nodiscard]] bool is_in_field(const Term& term);
-
-// The claims that define what a term speaks of: 38 for H_1, 41 for Gamma_2, … (cos, t and the parameters need
-// none).
-[[nodiscard]] std::set<std::string> definitions_in(const Term& term);
 
 }  // namespace stickslip::proofs::symbols
