@@ -9,8 +9,8 @@
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/methods/deciding.hpp"
 #include "proofs/symbols/evaluate_exact.hpp"
+#include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::checks {
 
@@ -32,7 +32,6 @@ unsigned seed_of(const Claim& claim) {
                          [](unsigned seed, char c) { return 31 * seed + static_cast<unsigned char>(c); });
 }
 
-// Both sides at a point; a plain 0 takes the shape of the other side.
 template <class S>
 struct Sides {
   Value<S> left, right;
@@ -40,11 +39,8 @@ struct Sides {
 
 template <class S>
 Sides<S> sides(const Statement& statement, Sample<S>& at) {
-  const auto beside = [&](const Term& side, const Term& other) {
-    return side.is_zero() ? Value<S>(Value<S>::Constant(other.shape().rows, other.shape().columns, S(0)))
-                          : evaluate<S>(side, at.lookup());
-  };
-  return {beside(statement.left, statement.right), beside(statement.right, statement.left)};
+  return {evaluate_beside<S>(statement.left, statement.right, at.lookup()),
+          evaluate_beside<S>(statement.right, statement.left, at.lookup())};
 }
 
 // The claim's formulas at one point, exactly.
@@ -86,7 +82,6 @@ Lookup<Ball> real_values(const ExactPoint& point, std::vector<Coordinate> fixed 
 struct BallSides {
   ExactPoint point;
   Sample<Ball> at;
-  symbolic::algebra::BallValues values;
 
   BallSides(const Replacements& given, unsigned seed, const std::vector<Coordinate>& fixed = {})
       : point(seed), at(given, real_values(point, fixed)) {}
@@ -95,14 +90,7 @@ struct BallSides {
     if (decided.statement) {
       return sides(*decided.statement, at);
     }
-    const auto value = [this](const ex& e) {
-      for (const ex& symbol : symbolic::algebra::symbols_of(e)) {
-        if (!values.contains(symbol)) {
-          values[symbol] = at(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
-        }
-      }
-      return symbolic::algebra::evaluate(e, values);
-    };
+    const auto value = [this](const ex& e) { return evaluate(e, at.lookup()); };
     return {decided.left.unaryExpr(value), decided.right.unaryExpr(value)};
   }
 };

@@ -21,7 +21,7 @@ using Names = std::vector<Name>;
 // Symbols that differ in their index alone, and so can be misprinted for each other.
 struct Row {
   Names names;
-  std::string defined_in = {};
+  std::string defined_in = {}, formula_in = {};
   std::vector<Term> values = {};  // what each is
   std::vector<Names> letters =
       {};  // other rows: a misprint may take the k-th symbol of each for the k-th of this
@@ -40,18 +40,19 @@ Term lower(const Term& state) {
 // Of these there is no more to say than name and shape.
 const Names& plain_names() {
   static const Names all = [] {
-    Names names{chi, eta, V, omega, p, phi, pi(), t, s, t1, tau2, E, I2, I4, d, Z, X, Zbar};
+    Names names{chi, eta, V, omega, p, phi, pi(), t, s, t1, tau2, E, I2, I4, Z, X, Zbar};
     for (const char * name : {"cos", "sin", "abs", "Rtilde"}) {
       names.push_back(Function{name, {}});
     }
     names.push_back(Function{"delta", {4, 1}});
     for (const char * name :
-         {"m1",         "m2",         "k1",        "k2",      "ttilde",   "Omega",    "ptilde",
-          "omegatilde", "Ftilde",     "v0",        "v2",      "x1",       "x2",       "xdot1",
-          "xdot2",      "xddot1",     "xddot2",    "u",       "w",        "y1",       "y2",
-          "ydot1",      "ydot2",      "s0",        "c0",      "z1",       "z2",       "z1B",
-          "z2B",        "z1C",        "z2C",       "delta",   "side_x",   "side_y",   "gap_x",
-          "gap_y",      "side_later", "gap_later", "u_later", "x1_later", "x2_later", "xdot2_later"}) {
+         {"m1",         "m2",       "k1",       "k2",         "ttilde", "Omega",      "ptilde",
+          "omegatilde", "Ftilde",   "v0",       "v2",         "x1",     "x2",         "xdot1",
+          "xdot2",      "xddot1",   "xddot2",   "u",          "w",      "y1",         "y2",
+          "ydot1",      "ydot2",    "s0",       "c0",         "z1",     "z2",         "z1B",
+          "z2B",        "z1C",      "z2C",      "delta",      "delta1", "delta2",     "deltadot1",
+          "deltadot2",  "side_x",   "side_y",   "gap_x",      "gap_y",  "side_later", "gap_later",
+          "u_later",    "x1_later", "x2_later", "xdot2_later"}) {
       names.push_back(scalar(name));
     }
     return names;
@@ -75,8 +76,8 @@ const std::vector<Row>& rows() {
       {.names = {Lambda}, .defined_in = "38"},
       {.names = {Sigma}, .defined_in = "41"},
       {.names = {psi1, psi2}, .defined_in = "39", .values = {column({1, lambda1}), column({1, lambda2})}},
-      {.names = {q1, q2}},
-      {.names = {d01, d02}},
+      {.names = {d01, d02}, .formula_in = "6.d0"},
+      {.names = {q1, q2}, .formula_in = "7"},
       {.names = {Q}, .values = {column({q1, q2})}},
       {.names = {d0}, .values = {column({d01, d02})}, .letters = {{Q}}},
       {.names = {delta0}, .defined_in = "52.X", .values = {column({d0, zero(2, 1)})}},
@@ -122,11 +123,12 @@ const std::vector<Row>& rows() {
        .defined_in = "22.Delta",
        .values = {determinant_of_columns({"a", "b", "c"}), determinant_of_columns({"-d", "b", "c"}),
                   determinant_of_columns({"d", "a", "c"}), determinant_of_columns({"d", "b", "a"})}},
-      {.names = {phi1, phi2}},
-      {.names = {a1, a2}},
-      {.names = {b1, b2}},
+      {.names = {phi1, phi2}, .formula_in = "35.def"},
+      {.names = {d}, .formula_in = "35.def"},
+      {.names = {a1, a2}, .formula_in = "35.def"},
+      {.names = {b1, b2}, .formula_in = "35.def"},
       // Appendix 5.
-      {.names = {rho1, rho2}},
+      {.names = {rho1, rho2}, .formula_in = "70.rho"},
       {.names = {xi1, xi2},
        .defined_in = "57",
        .values = {(H(tau) + E) * (Z0 - F0), (H(-tau1) + E) * (Zbar0 - F0)}},
@@ -159,7 +161,7 @@ std::vector<std::string> letters_for(const std::string& name) {
 void add(std::vector<Symbol>& symbols, const Row& row) {
   for (std::size_t i = 0; i < row.names.size(); ++i) {
     const Name& name = row.names[i];
-    Symbol symbol{name.name, name.shape, name.of_time, row.defined_in};
+    Symbol symbol{name.name, name.shape, name.of_time, row.defined_in, row.formula_in};
     for (const Name& other : row.names) {
       if (other.name != name.name) {
         symbol.other_indices.push_back(other.name);
