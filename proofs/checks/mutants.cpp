@@ -37,21 +37,14 @@ struct Subject {
   }
 
   [[nodiscard]] bool contradicted(const Statement& statement) const {
-    for (const PremisePoint& point : points) {
-      if (point.contradicts(statement)) {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(points.begin(), points.end(),
+                       [&](const PremisePoint& point) { return point.contradicts(statement); });
   }
   // At no point it has a value.
   [[nodiscard]] bool has_no_value(const Statement& statement) const {
-    for (const PremisePoint& point : points) {
-      if (point.evaluates(statement)) {
-        return false;
-      }
-    }
-    return !points.empty();
+    return !points.empty() && std::none_of(points.begin(), points.end(), [&](const PremisePoint& point) {
+      return point.evaluates(statement);
+    });
   }
 };
 

@@ -16,10 +16,10 @@ namespace stickslip::proofs::symbols {
 struct Symbol {
   std::string name;  // in ASCII; latex_name() of symbolic/typeset/names.hpp makes LaTeX of it
   Shape shape = {};
-  bool of_time = false;         // a function of one scalar, as H(t)
-  std::string defined_in = {};  // the claim that says what it is; empty where it needs none
-  std::string formula_in =
-      {};  // the claim that gives it by a formula of model/ (derived.hpp), see deciding.hpp
+  bool of_time = false;  // a function of one scalar, as H(t)
+  // The claim that says what it is, if it needs one; the claim that gives it by a formula of model/
+  // (derived.hpp) and stays closed unless an identity needs to look inside.
+  std::string defined_in = {}, formula_in = {};
   std::optional<Term> value = {};  // what it stands for; nothing for itself, or for a formula of model/
   // What a misprint may put in its place: names that differ in the index, and of other things of its shape.
   std::vector<std::string> other_indices = {}, other_letters = {};
