@@ -122,7 +122,7 @@ Start start_of(const SimulateOptions& options) {
   if (!options.example.empty()) {
     start = start_of_example(options.example);
   } else {
-    for (const char * name : {"chi", "eta", "us", "V", "omega", "p", "phi", "ur"}) {
+    for (const char * name : parameter_names) {
       if (!typed.contains(name)) {
         throw UsageError(
             fmt::format("the parameter {0} is missing: give --{0}, or all by --params or --example", name));

@@ -5,15 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 #include "core/error.hpp"
 
 namespace stickslip::cli {
 namespace {
-
-constexpr std::array<const char *, 8> names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
 
 Rational parse_named(const std::string& name, const std::string& text) {
   try {
@@ -48,9 +45,9 @@ TypedParameters parse_parameters(const std::string& text, const std::string& fil
       throw UsageError(fmt::format("{}: '{}' stands in a section, but parameters stand in none", file,
                                    fmt::join(item.parents, ".")));
     }
-    if (std::find(names.begin(), names.end(), item.name) == names.end()) {
-      throw UsageError(
-          fmt::format("{}: '{}' is not a parameter: these are {}", file, item.name, fmt::join(names, ", ")));
+    if (std::find(parameter_names.begin(), parameter_names.end(), item.name) == parameter_names.end()) {
+      throw UsageError(fmt::format("{}: '{}' is not a parameter: these are {}", file, item.name,
+                                   fmt::join(parameter_names, ", ")));
     }
     if (item.inputs.size() != 1 || parameters.contains(item.name)) {
       throw UsageError(fmt::format("{}: {} needs exactly one value", file, item.name));

@@ -1,6 +1,7 @@
 // Parameters as the user types them, on the command line or in a file.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 
@@ -8,7 +9,9 @@
 
 namespace stickslip::cli {
 
-// Texts under the parameters' names: chi, eta, us, V, omega, p, phi, ur.
+inline constexpr std::array parameter_names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
+
+// Texts under the parameters' names.
 using TypedParameters = std::map<std::string, std::string>;
 
 // A number as core/decimal.hpp reads it, or an interval "0.5+-1e-4" ("0.5±1e-4"). Throws UsageError naming

@@ -8,10 +8,9 @@
 #include "core/error.hpp"
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/methods/deciding.hpp"
-#include "proofs/symbols/abbreviations.hpp"
 #include "proofs/symbols/evaluate_exact.hpp"
+#include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::checks {
 
@@ -33,7 +32,6 @@ unsigned seed_of(const Claim& claim) {
                          [](unsigned seed, char c) { return 31 * seed + static_cast<unsigned char>(c); });
 }
 
-// Both sides at a point; a plain 0 takes the shape of the other side.
 template <class S>
 struct Sides {
   Value<S> left, right;
@@ -41,11 +39,8 @@ struct Sides {
 
 template <class S>
 Sides<S> sides(const Statement& statement, Sample<S>& at) {
-  const auto beside = [&](const Term& side, const Term& other) {
-    return side.is_zero() ? Value<S>(Value<S>::Constant(other.shape().rows, other.shape().columns, S(0)))
-                          : evaluate<S>(side, at.lookup());
-  };
-  return {beside(statement.left, statement.right), beside(statement.right, statement.left)};
+  return {evaluate_beside<S>(statement.left, statement.right, at.lookup()),
+          evaluate_beside<S>(statement.right, statement.left, at.lookup())};
 }
 
 // The claim's formulas at one point, exactly.
@@ -87,7 +82,6 @@ Lookup<Ball> real_values(const ExactPoint& point, std::vector<Coordinate> fixed 
 struct BallSides {
   ExactPoint point;
   Sample<Ball> at;
-  symbolic::algebra::BallValues values;
 
   BallSides(const Replacements& given, unsigned seed, const std::vector<Coordinate>& fixed = {})
       : point(seed), at(given, real_values(point, fixed)) {}
@@ -96,14 +90,7 @@ struct BallSides {
     if (decided.statement) {
       return sides(*decided.statement, at);
     }
-    const auto value = [this](const ex& e) {
-      for (const ex& symbol : symbolic::algebra::symbols_of(e)) {
-        if (!values.contains(symbol)) {
-          values[symbol] = at(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
-        }
-      }
-      return symbolic::algebra::evaluate(e, values);
-    };
+    const auto value = [this](const ex& e) { return evaluate(e, at.lookup()); };
     return {decided.left.unaryExpr(value), decided.right.unaryExpr(value)};
   }
 };
@@ -205,25 +192,16 @@ bool is_condition(const Assumption& assumption) {
   return assumption.statement.relation == Relation::equal && !is_substitution(assumption);
 }
 
-// A scalar that no formula gives a value: what is said to be equal to it is its name.
-bool introduces_name(const Statement& statement) {
-  const Term& left = statement.left;
-  if (left.op() != Op::symbol || !left.shape().is_scalar() || abbreviated(left.name())) {
-    return false;
-  }
-  const Lookup<Ball> zero = [](const std::string&) { return Ball(0); };
-  return !derived<Ball>(left.name(), zero);
-}
-
 // Whether it differentiates symbols that stand for a motion.
 bool differentiates_motion(const Term& term) {
   return (term.op() == Op::derivative && !depends_on(term, "t")) ||
          std::any_of(term.arguments().begin(), term.arguments().end(), differentiates_motion);
 }
 
+// What is said to be equal to a scalar without a value is its name.
 bool can_be_evaluated(const Statement& statement) {
   const auto has_value = [](const Term& side) { return is_in_field(side) && !differentiates_motion(side); };
-  return has_value(statement.left) && has_value(statement.right) && !introduces_name(statement);
+  return has_value(statement.left) && has_value(statement.right) && !stands_for_itself(statement.left);
 }
 
 // Which equations that the claim assumes keep its statements from being identities.

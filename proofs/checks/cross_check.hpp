@@ -1,7 +1,7 @@
 // A second opinion on verdicts: what algebra decided, evaluated by two engines that know no normal form.
 //
-// 1. Exactly, at random rational points of the field (numeric/scalars/exact.hpp): what is proved must be
-//    0 = 0, what is refuted must not be.
+// 1. By a Schwartz–Zippel test, exactly at random rational points of the field (numeric/scalars/exact.hpp):
+//    what is proved must be 0 = 0, what is refuted must not be.
 // 2. In balls, at random real parameters and times, by the model's templates: what is proved must contain
 //    zero in balls that are small; the two sides of what is refuted must be disjoint at the witness.
 // What holds only under equations is evaluated at points where these hold, in balls (premise_point.hpp).

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/error.hpp"
-#include "proofs/symbols/abbreviations.hpp"
+#include "proofs/symbols/table.hpp"
 
 namespace stickslip::proofs::checks {
 
@@ -72,104 +72,43 @@ void factor_edits(const Term& term, TermEdits& found) {
   }
 }
 
-using Families = std::vector<std::vector<std::string>>;
-
-// The other names of the family to which the name belongs.
-std::vector<std::string> others_in(const Families& families, const std::string& name) {
-  for (const auto& family : families) {
-    if (std::find(family.begin(), family.end(), name) != family.end()) {
-      std::vector<std::string> others = family;
-      std::erase(others, name);
-      return others;
-    }
-  }
-  return {};
+// The same with another name.
+Term renamed(const Term& term, const std::string& name) {
+  return Term(Term::Node{term.op(), term.shape(), name, term.number(), term.arguments()});
 }
 
-// Names that differ only in their index.
-std::vector<std::string> siblings(const std::string& name) {
-  static const Families families{
-      {"H1", "H2", "H3"},
-      {"B1", "B2", "B3"},
-      {"Gamma1", "Gamma2", "Gamma3"},
-      {"gamma1", "gamma2", "gamma3"},
-      {"omega1", "omega2"},
-      {"lambda1", "lambda2"},
-      {"q1", "q2"},
-      {"d01", "d02"},
-      {"psi1", "psi2"},
-      {"z10", "z20"},
-      {"zdot10", "zdot20"},
-      {"us", "ur"},
-      {"tau", "tau1"},
-      {"phi1", "phi2"},
-      {"a1", "a2"},
-      {"b1", "b2"},
-      {"rho1", "rho2"},
-      {"xi1", "xi2"},
-      {"X1", "X2"},
-      {"Y1", "Y2"},
-      {"P1", "P2"},
-      {"a_1", "a_2", "a_3", "a_4", "a_5"},
-      {"b_1", "b_2", "b_3", "b_4", "b_5"},
-      {"c_1", "c_2", "c_3", "c_4", "c_5"},
-      {"d_1", "d_2", "d_3", "d_4", "d_5"},
-      {"Delta", "Delta1", "Delta2", "Delta3"},
-      {"phiB", "phiC"},
-  };
-  const std::vector<std::string> others = others_in(families, name);
-  return others.empty() ? entry_siblings(name) : others;
+// The name of sin for a cos, of cos for a sin; empty for every other term.
+std::string cofunction(const Term& term) {
+  const bool trigonometric = term.op() == Op::function && (term.name() == "cos" || term.name() == "sin");
+  return !trigonometric ? "" : term.name() == "cos" ? "sin" : "cos";
 }
 
-// Names of other things of the same shape.
-std::vector<std::string> other_letters(const std::string& name) {
-  static const Families families{{"H", "Gamma"},     {"H1", "Gamma1"},
-                                 {"H2", "Gamma2"},   {"H3", "Gamma3"},
-                                 {"F0", "FB"},       {"z0", "zB"},
-                                 {"Z0", "ZB", "ZC"}, {"zdot0", "zdotB"},
-                                 {"Zbar0", "ZbarB"}, {"zbar0", "zbarB"},
-                                 {"Q", "d0"},        {"X0", "XB"},
-                                 {"x0", "xB"},       {"zdot20", "zdot2B", "zdot2C"},
-                                 {"B1", "gamma1"},   {"B2", "gamma2"},
-                                 {"B3", "gamma3"},   {"cos", "tan"}};
-  return others_in(families, name);
-}
-
-// The quantity whose rate of change it is.
-std::optional<std::string> without_prime(const std::string& name) {
-  static const std::vector<std::string> known{"zdot0",  "zdotB",  "zdot10", "zdot20",
-                                              "zdot1B", "zdot2B", "zdot1C", "zdot2C"};
-  return std::find(known.begin(), known.end(), name) == known.end()
-             ? std::nullopt
-             : std::optional("z" + name.substr(std::string("zdot").size()));
-}
-
-bool is_duration(const std::string& name) {
-  return name == "T" || name == "Theta" || name == "tau" || name == "tau1";
+// What the table of symbols says of a name that has a row; nothing of any other term.
+const Symbol& about(const Term& term) {
+  static const Symbol nothing{};
+  const Symbol * symbol = symbol_table().find(term);
+  return symbol == nullptr ? nothing : *symbol;
 }
 
 void name_edits(const Term& term, TermEdits& found) {
-  if (term.op() != Op::symbol && term.op() != Op::function) {
-    return;
-  }
+  const Symbol& symbol = about(term);
   const auto rename = [&](EditKind kind, const std::string& name) {
-    found.push_back({kind, fmt::format("{} for {}", name, text(term)),
-                     Term(Term::Node{term.op(), term.shape(), name, term.number(), term.arguments()})});
+    found.push_back({kind, fmt::format("{} for {}", name, text(term)), renamed(term, name)});
   };
-  for (const std::string& name : siblings(term.name())) {
+  for (const std::string& name : symbol.other_indices) {
     rename(EditKind::index, name);
   }
-  for (const std::string& name : other_letters(term.name())) {
+  for (const std::string& name : symbol.other_letters) {
     rename(EditKind::letter, name);
   }
-  if (const auto name = without_prime(term.name())) {
-    rename(EditKind::prime, *name);
+  if (!symbol.rate_of.empty()) {
+    rename(EditKind::prime, symbol.rate_of);
   }
-  if (is_duration(term.name())) {
+  if (symbol.is_duration) {
     found.push_back({EditKind::period, fmt::format("half of {}", term.name()), term / 2});
   }
-  if (term.op() == Op::function && (term.name() == "cos" || term.name() == "sin")) {
-    rename(EditKind::function, term.name() == "cos" ? "sin" : "cos");
+  if (!cofunction(term).empty()) {
+    rename(EditKind::function, cofunction(term));
   }
 }
 
@@ -210,14 +149,9 @@ TermEdits edits_here(const Term& term) {
   return found;
 }
 
-// The term of a name, to be written beside another of its shape.
-Term named(const Term& term, const std::string& name) {
-  return Term(Term::Node{term.op(), term.shape(), name, term.number(), term.arguments()});
-}
-
 void other_name(const Term& term, EditKind kind, const std::vector<std::string>& names, TermEdits& found) {
   if (!names.empty()) {
-    const Term other = named(term, names.front());
+    const Term other = renamed(term, names.front());
     found.push_back({kind, text(other) + " added and taken away", other + (term - other)});
   }
 }
@@ -232,15 +166,16 @@ TermEdits rewritings_here(const Term& term) {
     found.push_back({EditKind::factor, "doubled and halved", (2 * term) / 2});
   }
   if (term.op() == Op::symbol || (term.op() == Op::function && !term.shape().is_scalar())) {
-    other_name(term, EditKind::index, siblings(term.name()), found);
-    other_name(term, EditKind::letter, other_letters(term.name()), found);
+    other_name(term, EditKind::index, about(term).other_indices, found);
+    other_name(term, EditKind::letter, about(term).other_letters, found);
   }
-  if (term.op() == Op::symbol && is_duration(term.name())) {
+  if (about(term).is_duration) {
     found.push_back({EditKind::period, "as two halves", term / 2 + term / 2});
   }
-  if (term.op() == Op::function && (term.name() == "cos" || term.name() == "sin")) {
+  if (!cofunction(term).empty()) {
     const Term rest = pi() / 2 - term.arguments().front();
-    found.push_back({EditKind::function, "of the complement", term.name() == "cos" ? sin(rest) : cos(rest)});
+    found.push_back(
+        {EditKind::function, "of the complement", renamed(term.with_arguments({rest}), cofunction(term))});
   }
   if (term.op() == Op::power && term.number() == 2) {
     found.push_back(
@@ -285,34 +220,9 @@ std::vector<Edit> everywhere(const Statement& statement, TermEdits (*here)(const
 }  // namespace
 
 std::string to_string(EditKind kind) {
-  switch (kind) {
-    case EditKind::sign:
-      return "sign";
-    case EditKind::factor:
-      return "factor";
-    case EditKind::index:
-      return "index";
-    case EditKind::exchange:
-      return "exchange";
-    case EditKind::function:
-      return "function";
-    case EditKind::exponent:
-      return "exponent";
-    case EditKind::letter:
-      return "letter";
-    case EditKind::prime:
-      return "prime";
-    case EditKind::period:
-      return "period";
-  }
-  return {};
-}
-
-const std::vector<EditKind>& edit_kinds() {
-  static const std::vector<EditKind> all{EditKind::sign,     EditKind::factor,   EditKind::index,
-                                         EditKind::exchange, EditKind::function, EditKind::exponent,
-                                         EditKind::letter,   EditKind::prime,    EditKind::period};
-  return all;
+  static constexpr std::array names{"sign",     "factor", "index", "exchange", "function",
+                                    "exponent", "letter", "prime", "period"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 std::vector<Edit> edits(const Statement& statement) {

@@ -20,8 +20,6 @@ enum class EditKind {
   period,    // one duration halved: T/2 for T
 };
 
-[[nodiscard]] const std::vector<EditKind>& edit_kinds();
-
 [[nodiscard]] std::string to_string(EditKind kind);
 
 struct Edit {

@@ -1,6 +1,7 @@
 #include "proofs/checks/mutants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/error.hpp"
@@ -36,21 +37,14 @@ struct Subject {
   }
 
   [[nodiscard]] bool contradicted(const Statement& statement) const {
-    for (const PremisePoint& point : points) {
-      if (point.contradicts(statement)) {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(points.begin(), points.end(),
+                       [&](const PremisePoint& point) { return point.contradicts(statement); });
   }
   // At no point it has a value.
   [[nodiscard]] bool has_no_value(const Statement& statement) const {
-    for (const PremisePoint& point : points) {
-      if (point.evaluates(statement)) {
-        return false;
-      }
-    }
-    return !points.empty();
+    return !points.empty() && std::none_of(points.begin(), points.end(), [&](const PremisePoint& point) {
+      return point.evaluates(statement);
+    });
   }
 };
 
@@ -117,15 +111,16 @@ Judgement judge_proved(const Subject& subject, std::size_t which, const Statemen
     return {Fate::survived, "proved, although " + std::string(fails_there)};
   }
   if (is_printed_too(subject, statement)) {
-    return {Fate::true_too, "the claim prints it, too"};
+    return {Fate::equivalent, "the claim prints it, too"};
   }
   if (says_the_same(subject, which, statement)) {
-    return {Fate::true_too, "its sides have the normal forms of those printed, or are equal"};
+    return {Fate::equivalent, "its sides have the normal forms of those printed, or are equal"};
   }
   if (subject.points.empty()) {
     return {Fate::survived, "proved, and there is no point where it could be evaluated"};
   }
-  return {Fate::true_too, "proved, and it holds at the points tried where all that the claim rests on holds"};
+  return {Fate::equivalent,
+          "proved, and it holds at the points tried where all that the claim rests on holds"};
 }
 
 Judgement judge(const Subject& subject, std::size_t which, const Statement& statement) {
@@ -133,10 +128,10 @@ Judgement judge(const Subject& subject, std::size_t which, const Statement& stat
   try {
     wrong = subject.contradicted(statement);
     if (!wrong && subject.has_no_value(statement)) {
-      return {Fate::meaningless, "it has no value where all that the claim rests on holds"};
+      return {Fate::stillborn, "it has no value where all that the claim rests on holds"};
     }
   } catch (const NoValue& error) {
-    return {Fate::meaningless, error.what()};
+    return {Fate::stillborn, error.what()};
   }
   try {
     const Verdict verdict = subject.verdict_on(which, statement);
@@ -146,7 +141,7 @@ Judgement judge(const Subject& subject, std::size_t which, const Statement& stat
     const bool refuted = wrong || verdict.truth == Truth::refuted;
     return {refuted ? Fate::refuted : Fate::unproved, wrong ? fails_there : verdict.reason};
   } catch (const GiNaC::pole_error& error) {
-    return {Fate::meaningless, error.what()};
+    return {Fate::stillborn, error.what()};
   } catch (const InternalError& error) {  // the proof does not take such a statement
     return {wrong ? Fate::refuted : Fate::unproved, error.what()};
   }
@@ -199,26 +194,9 @@ void add_subject(Gate& gate, const Subject& subject) {
 
 }  // namespace
 
-const std::vector<Fate>& fates() {
-  static const std::vector<Fate> all{Fate::refuted, Fate::unproved, Fate::meaningless, Fate::true_too,
-                                     Fate::survived};
-  return all;
-}
-
 std::string to_string(Fate fate) {
-  switch (fate) {
-    case Fate::refuted:
-      return "refuted";
-    case Fate::unproved:
-      return "unproved";
-    case Fate::meaningless:
-      return "meaningless";
-    case Fate::true_too:
-      return "true_too";
-    case Fate::survived:
-      return "survived";
-  }
-  return {};
+  static constexpr std::array names{"refuted", "unproved", "meaningless", "true_too", "survived"};
+  return names.at(static_cast<std::size_t>(fate));
 }
 
 Gate mutant_gate(const std::vector<Claim>& claims, const std::set<std::string>& ids, const Sampling& sampling,

@@ -1,5 +1,5 @@
 // Wrong statements on purpose: every single edit of every statement that is proved, put to the claim's own
-// proof. None may come out as proved, unless it is true.
+// proof. All must be killed, but for equivalent mutants, which are true, and those that mean nothing.
 #pragma once
 
 #include <string>
@@ -12,13 +12,14 @@
 namespace stickslip::proofs::checks {
 
 enum class Fate {
-  refuted,      // it fails where all that the claim rests on holds, in balls
-  unproved,     // the proof does not go through, with the reason; no such point was found
-  meaningless,  // it does not evaluate: it divides by zero, or has no value in the model
-  true_too,     // proved, and a normal form or the points tried agree: no mutant but another truth
-  survived,     // proved, and nothing says that it is true
+  refuted,     // killed: it fails where all that the claim rests on holds, in balls
+  unproved,    // killed: the proof does not go through, with the reason; no such point was found
+  stillborn,   // it does not evaluate: it divides by zero, or has no value in the model
+  equivalent,  // proved, and a normal form or the points tried agree: it says what is true, too
+  survived,    // proved, and nothing says that it is true
 };
-[[nodiscard]] const std::vector<Fate>& fates();
+// As in report/schema/audit.schema.json: stillborn mutants are "meaningless" there, equivalent ones
+// "true_too".
 [[nodiscard]] std::string to_string(Fate fate);
 
 struct Mutant {

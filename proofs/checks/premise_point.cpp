@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::checks {
 
@@ -102,11 +102,8 @@ struct PremisePoint::Point {
                                  : Ball(numbers.symbol(name).value());
   }
   [[nodiscard]] Value<Ball> value(const Term& side, const Term& other) const {
-    if (side.is_zero()) {
-      return Value<Ball>::Constant(other.shape().rows, other.shape().columns, Ball(0));
-    }
     Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
-    return evaluate<Ball>(side, at.lookup());
+    return evaluate_beside<Ball>(side, other, at.lookup());
   }
   // For a state of either sign, the others positive.
   [[nodiscard]] Rational any_sign(const std::string& name) const {
@@ -195,11 +192,7 @@ struct PremisePoint::Point {
   }
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
     Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
-    symbolic::algebra::BallValues values;
-    for (const GiNaC::ex& symbol : symbolic::algebra::symbols_of(hypothesis.nonzero)) {
-      values[symbol] = at(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
-    }
-    return symbolic::algebra::evaluate(hypothesis.nonzero, values).is_nonzero();
+    return evaluate(hypothesis.nonzero, at.lookup()).is_nonzero();
   }
   // Whether the inequalities hold, and no hypothesis vanishes.
   [[nodiscard]] bool is_admissible() const {

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "proofs/methods/deciding.hpp"
-#include "proofs/symbols/abbreviations.hpp"
 #include "proofs/symbols/derived.hpp"
+#include "proofs/symbols/table.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::checks {
 
@@ -20,11 +21,8 @@ bool is_solved_for(const std::string& name) {
 // A name whose value may be put in: no unknown, nothing that the model's formulas are made of or give.
 bool is_name(const Term& term) {
   static const std::vector<std::string> parameters{"omega", "omega1", "omega2", "p"};
-  const std::string& name = term.name();
-  const Lookup<Ball> one = [](const std::string&) { return Ball(1); };
-  return term.op() == Op::symbol && term.shape().is_scalar() && !is_solved_for(name) && !abbreviated(name) &&
-         std::find(parameters.begin(), parameters.end(), name) == parameters.end() &&
-         !derived<Ball>(name, one);
+  return stands_for_itself(term) && !is_solved_for(term.name()) &&
+         std::find(parameters.begin(), parameters.end(), term.name()) == parameters.end();
 }
 
 // Whether it is made of what has a value and of the motion Z.
@@ -92,6 +90,12 @@ bool reaches(const Replacements& values, const Term& term, const std::string& na
 }
 
 }  // namespace
+
+bool stands_for_itself(const Term& term) {
+  const Lookup<Ball> one = [](const std::string&) { return Ball(1); };
+  return term.op() == Op::symbol && term.shape().is_scalar() && !abbreviated(term) &&
+         !derived<Ball>(term.name(), one);
+}
 
 // The states first: they are solved for before what the friction does.
 const std::vector<std::string>& solved_for() {

@@ -28,6 +28,9 @@ struct Premises {
 [[nodiscard]] Premises premises_of(methods::Prover& prover, const methods::Claim& claim,
                                    const methods::Outcome& outcome);
 
+// Whether it is a scalar to which neither the table of symbols nor the model gives a value.
+[[nodiscard]] bool stands_for_itself(const symbols::Term& term);
+
 // The scalars that equations are solved for: states, the constant coefficients d_i of (21), accelerations,
 // belt speed and friction.
 [[nodiscard]] const std::vector<std::string>& solved_for();

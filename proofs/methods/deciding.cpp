@@ -5,10 +5,9 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "model/nonsticking.hpp"
-#include "model/nonsticking_closed_form.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/symbols/abbreviations.hpp"
+#include "proofs/symbols/derived.hpp"
+#include "proofs/symbols/table.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
 
@@ -20,41 +19,22 @@ namespace {
 
 using GiNaC::ex;
 
-symbolic::algebra::Definition half_period_definition() {
-  const Lookup<ex> sym = symbolically();
-  const model::Modes<ex> m{sym("omega1"), sym("omega2"), sym("lambda1"), sym("lambda2")};
-  const model::HalfPeriod<ex> h =
-      model::half_period<ex>(sym("chi"), m, {sym("d01"), sym("d02")}, sym("omega"), sym("pi"));
-  return {"35.def",
-          {{sym("phi1"), h.phi1},
-           {sym("phi2"), h.phi2},
-           {sym("d"), h.d},
-           {sym("a1"), h.a1},
-           {sym("a2"), h.a2},
-           {sym("b1"), h.b1},
-           {sym("b2"), h.b2}}};
-}
-
-symbolic::algebra::Definition rho_definition() {
-  const Lookup<ex> sym = symbolically();
-  return {"70.rho",
-          {{sym("rho1"), model::rho<ex>(sym("omega1"), sym("tau"), sym("tau1"))},
-           {sym("rho2"), model::rho<ex>(sym("omega2"), sym("tau"), sym("tau1"))}}};
-}
-
 // The definitions that stay closed unless an identity needs to look inside: (6) for d0, (7) for Q, those of
 // (34) and (35), (70) for rho.
 const std::vector<symbolic::algebra::Definition>& definitions() {
   static const std::vector<symbolic::algebra::Definition> known = [] {
-    const Lookup<ex> sym = symbolically();
-    const model::Parameters<ex> a{sym("chi"), sym("eta"), sym("us"), sym("V"), sym("omega"), sym("p")};
-    const model::Modes<ex> m{sym("omega1"), sym("omega2"), sym("lambda1"), sym("lambda2")};
-    const model::Vector2<ex> d0 = model::d0<ex>(a.chi, a.us);
-    const model::Vector2<ex> Q = model::Q<ex>(a, m);
-    return std::vector<symbolic::algebra::Definition>{{"6.d0", {{sym("d01"), d0(0)}, {sym("d02"), d0(1)}}},
-                                                      {"7", {{sym("q1"), Q(0)}, {sym("q2"), Q(1)}}},
-                                                      half_period_definition(),
-                                                      rho_definition()};
+    std::vector<symbolic::algebra::Definition> result;
+    for (const Symbol& symbol : symbol_table()) {
+      if (symbol.formula_in.empty()) {
+        continue;
+      }
+      if (result.empty() || result.back().id != symbol.formula_in) {
+        result.push_back({symbol.formula_in, {}});
+      }
+      result.back().replacement[symbolically()(symbol.name)] =
+          derived<ex>(symbol.name, symbolically()).value();
+    }
+    return result;
   }();
   return known;
 }
@@ -163,13 +143,6 @@ void record_free(Outcome& outcome, const symbolic::algebra::Matrix& value) {
   outcome.free.erase(std::unique(outcome.free.begin(), outcome.free.end()), outcome.free.end());
 }
 
-// A plain 0 takes the shape of the other side.
-symbolic::algebra::Matrix evaluate_beside(const Term& term, const Term& other, const Lookup<ex>& lookup) {
-  return term.is_zero()
-             ? symbolic::algebra::Matrix::Constant(other.shape().rows, other.shape().columns, ex(0))
-             : evaluate<ex>(term, lookup);
-}
-
 }  // namespace
 
 bool is_substitution(const Assumption& assumption) {
@@ -181,7 +154,7 @@ bool depends_on(const Term& term, const std::string& name) {
   if (mentions(term, name)) {
     return true;
   }
-  if (const auto meaning = term.op() == Op::symbol ? abbreviated(term.name()) : std::nullopt) {
+  if (const auto meaning = abbreviated(term)) {
     return depends_on(*meaning, name);
   }
   const bool is_load = term.name() == "F" || term.name() == "F0" || term.name() == "R";
@@ -293,8 +266,8 @@ void decide(Outcome& outcome, const Claim& claim, const Statement& statement) {
     record_definitions(outcome, claim, side);
     record_assumptions(outcome, claim, side);
   }
-  decide(outcome, claim, evaluate_beside(statement.left, statement.right, given.lookup()),
-         evaluate_beside(statement.right, statement.left, given.lookup()));
+  decide(outcome, claim, evaluate_beside<ex>(statement.left, statement.right, given.lookup()),
+         evaluate_beside<ex>(statement.right, statement.left, given.lookup()));
   outcome.decided.back().statement = statement;
 }
 

@@ -88,7 +88,7 @@ Term multiple_of_equation(const Premises& premises, const Multiple& multiple) {
 }
 
 // A combination that does not come out refutes nothing.
-Verdict found_wanting(const Verdict& verdict, const std::string& what) {
+Verdict undecided_if_refuted(const Verdict& verdict, const std::string& what) {
   return verdict.truth == Truth::refuted ? Verdict::undecided(what + " does not come out identically")
                                          : verdict;
 }
@@ -114,7 +114,7 @@ Proof by_combination(std::vector<std::vector<Multiple>> combinations) {
         terms.push_back(multiple_of_equation({prover, claim, outcome}, multiple));
       }
       decide(outcome, claim, equation(difference(claim.printed[i]), sum_of(terms)));
-      verdicts.push_back(found_wanting(outcome.verdict, "the combination"));
+      verdicts.push_back(undecided_if_refuted(outcome.verdict, "the combination"));
     }
     outcome.verdict = all_of(verdicts);
     return outcome;
@@ -226,7 +226,7 @@ Verdict follows(const Premises& premises, const Statement& printed, const Certif
   }
   decide(premises.outcome, premises.claim, equation(left, sum_of(right)));
   return all_of({positive.verdict, divisors_are_positive,
-                 found_wanting(premises.outcome.verdict, "the positive combination")});
+                 undecided_if_refuted(premises.outcome.verdict, "the positive combination")});
 }
 
 }  // namespace

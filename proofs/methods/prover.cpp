@@ -11,7 +11,6 @@
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/progress.hpp"
 #include "proofs/symbols/point.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
 #include "symbolic/algebra/signs.hpp"
 #include "symbolic/typeset/latex.hpp"
@@ -67,9 +66,7 @@ Outcome taken_as_given() {
 std::vector<Hypothesis> open_at(std::vector<Hypothesis> hypotheses, const std::vector<Coordinate>& data) {
   if (!data.empty()) {
     std::erase_if(hypotheses, [&](const Hypothesis& hypothesis) {
-      return symbolic::algebra::evaluate(hypothesis.nonzero,
-                                         values_at(data, symbolic::algebra::symbols_of(hypothesis.nonzero)))
-          .is_nonzero();
+      return evaluate(hypothesis.nonzero, at_point(data)).is_nonzero();
     });
   }
   return hypotheses;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "proofs/methods/claim.hpp"
-#include "proofs/symbols/abbreviations.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012::overshooting {

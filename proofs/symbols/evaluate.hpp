@@ -10,8 +10,8 @@
 #include "model/flows.hpp"
 #include "model/nonsticking_closed_form.hpp"
 #include "numeric/scalars/series.hpp"
-#include "proofs/symbols/abbreviations.hpp"
 #include "proofs/symbols/meaning.hpp"
+#include "proofs/symbols/table.hpp"
 
 namespace stickslip::proofs::symbols {
 namespace detail {
@@ -32,105 +32,25 @@ model::Modes<S> modes(const Lookup<S>& scalar) {
 }
 
 template <class S>
-model::Vector2<S> pair(const S& a, const S& b) {
-  return {a, b};
-}
-
-// (x1, x2)ᵀ from the names of its components; `suffix` 0, B or C.
-template <class S>
-model::Vector2<S> pair_named(const Lookup<S>& scalar, const std::string& letter, const std::string& suffix) {
-  return {scalar(letter + "1" + suffix), scalar(letter + "2" + suffix)};
-}
-
-// (z, z') at 0, B or C.
-template <class S>
-model::Vector4<S> state(const Lookup<S>& scalar, const std::string& suffix) {
-  return model::stack<S>(pair_named<S>(scalar, "z", suffix), pair_named<S>(scalar, "zdot", suffix));
-}
-
-// The states of x = z + d_0 (once) and of z + 2 d_0 (twice).
-template <class S>
-model::Vector4<S> shifted(const model::Vector4<S>& Z, const Lookup<S>& scalar, int times) {
-  model::Vector4<S> result = Z;
-  result(0) += S(times) * scalar("d01");
-  result(1) += S(times) * scalar("d02");
-  return result;
-}
-
-template <class S>
 model::Vector4<S> load(const Lookup<S>& scalar, const S& t) {
-  return model::F<S>(pair<S>(scalar("q1"), scalar("q2")), scalar("omega"),
-                     S(scalar("omega") * t + scalar("phi")));
+  return model::F<S>({scalar("q1"), scalar("q2")}, scalar("omega"), S(scalar("omega") * t + scalar("phi")));
 }
 
 template <class S>
-using Symbols = std::map<std::string, std::function<Value<S>(const Lookup<S>&)>>;
+using Matrices = std::map<std::string, std::function<Value<S>(const Lookup<S>&)>>;
 
-// (57): xi_1 = (H(tau) + E)(Z_0 - F_0), xi_2 = (H(-tau_1) + E)(Zbar_0 - F_0).
+// Vectors and matrices that do not depend on time and are formulas of the model.
 template <class S>
-model::Vector4<S> xi(const Lookup<S>& scalar, int which) {
-  const S t = which == 1 ? scalar("tau") : S(S(0) - scalar("tau1"));
-  const model::Vector4<S> start = shifted<S>(state<S>(scalar, "0"), scalar, which == 1 ? 0 : 2);
-  return (model::H<S>(modes<S>(scalar), t) + model::reversal<S>()) *
-         model::Vector4<S>(start - load<S>(scalar, S(0)));
-}
-
-// (63), (64): P_1, P_2 and P = P_1 - P_2.
-template <class S>
-model::Matrix2<S> P(const Lookup<S>& scalar, int which) {
-  const auto first = [&] { return model::speed_from_place<S>(modes<S>(scalar), scalar("tau")); };
-  const auto second = [&] { return model::speed_from_place<S>(modes<S>(scalar), scalar("tau1")); };
-  return which == 1   ? first()
-         : which == 2 ? model::Matrix2<S>(second() * S(-1))
-                      : model::Matrix2<S>(first() + second());
-}
-
-// Vectors and matrices that do not depend on time.
-template <class S>
-const Symbols<S>& symbols() {
+const Matrices<S>& matrices() {
   using L = Lookup<S>;
   using V = Value<S>;
-  static const Symbols<S> known{
+  static const Matrices<S> known{
       {"E", [](const L&) -> V { return model::reversal<S>(); }},
       {"K", [](const L& s) -> V { return model::stiffness<S>(s("chi"), s("eta")); }},
       {"Lambda", [](const L& s) -> V { return model::Lambda<S>(modes<S>(s)); }},
       {"Sigma", [](const L& s) -> V { return model::Sigma<S>(s("chi")); }},
-      {"d0", [](const L& s) -> V { return pair<S>(s("d01"), s("d02")); }},
-      {"Q", [](const L& s) -> V { return pair<S>(s("q1"), s("q2")); }},
-      {"psi1", [](const L& s) -> V { return pair<S>(S(1), s("lambda1")); }},
-      {"psi2", [](const L& s) -> V { return pair<S>(S(1), s("lambda2")); }},
-      {"F0", [](const L& s) -> V { return load<S>(s, S(0)); }},
-      {"delta",
-       [](const L& s) -> V {
-         return model::stack<S>(pair<S>(s("delta1"), s("delta2")), pair<S>(s("deltadot1"), s("deltadot2")));
-       }},
-      {"FB", [](const L& s) -> V { return load<S>(s, s("tau")); }},
-      {"Z0", [](const L& s) -> V { return state<S>(s, "0"); }},
-      {"ZB", [](const L& s) -> V { return state<S>(s, "B"); }},
-      {"ZC", [](const L& s) -> V { return state<S>(s, "C"); }},
-      {"z0", [](const L& s) -> V { return pair_named<S>(s, "z", "0"); }},
-      {"zB", [](const L& s) -> V { return pair_named<S>(s, "z", "B"); }},
-      {"zdot0", [](const L& s) -> V { return pair_named<S>(s, "zdot", "0"); }},
-      {"zdotB", [](const L& s) -> V { return pair_named<S>(s, "zdot", "B"); }},
-      {"X0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 1); }},
-      {"XB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 1); }},
-      {"x0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 1).template head<2>(); }},
-      {"xB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 1).template head<2>(); }},
-      {"Zbar0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 2); }},
-      {"ZbarB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 2); }},
-      {"zbar0", [](const L& s) -> V { return shifted<S>(state<S>(s, "0"), s, 2).template head<2>(); }},
-      {"zbarB", [](const L& s) -> V { return shifted<S>(state<S>(s, "B"), s, 2).template head<2>(); }},
-      {"delta0", [](const L& s) -> V { return shifted<S>(model::Vector4<S>::Constant(S(0)), s, 1); }},
-      {"xi1", [](const L& s) -> V { return xi<S>(s, 1); }},
-      {"xi2", [](const L& s) -> V { return xi<S>(s, 2); }},
-      {"X1", [](const L& s) -> V { return xi<S>(s, 1).template head<2>(); }},
-      {"Y1", [](const L& s) -> V { return xi<S>(s, 1).template tail<2>(); }},
-      {"X2", [](const L& s) -> V { return xi<S>(s, 2).template head<2>(); }},
-      {"Y2", [](const L& s) -> V { return xi<S>(s, 2).template tail<2>(); }},
-      {"P1", [](const L& s) -> V { return P<S>(s, 1); }},
-      {"P2", [](const L& s) -> V { return P<S>(s, 2); }},
-      {"P", [](const L& s) -> V { return P<S>(s, 0); }},
-      {"Ptilde", [](const L& s) -> V { return model::diagonal<S>(s("rho1"), s("rho2")); }},
+      {"P1", [](const L& s) -> V { return model::speed_from_place<S>(modes<S>(s), s("tau")); }},
+      {"P2", [](const L& s) -> V { return model::speed_from_place<S>(modes<S>(s), s("tau1")) * S(-1); }},
   };
   return known;
 }
@@ -189,12 +109,15 @@ Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
   if (term.name() == "I") {
     return Value<S>::Identity(term.shape().rows, term.shape().columns);
   }
-  if (term.shape().is_scalar()) {
-    const std::optional<Term> meaning = abbreviated(term.name());
-    return meaning ? value_of<S>(*meaning, scalar) : scalar_value<S>(scalar(term.name()));
+  const Symbol * symbol = symbol_table().find(term);
+  if (symbol != nullptr && symbol->value) {
+    return value_of<S>(*symbol->value, scalar);
   }
-  const auto found = symbols<S>().find(term.name());
-  if (found == symbols<S>().end()) {
+  if (term.shape().is_scalar()) {
+    return scalar_value<S>(scalar(term.name()));
+  }
+  const auto found = matrices<S>().find(term.name());
+  if (found == matrices<S>().end()) {
     throw NoValue(fmt::format("the symbol {} has no meaning in the model", term.name()));
   }
   return found->second(scalar);

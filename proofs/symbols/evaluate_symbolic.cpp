@@ -10,10 +10,12 @@ Value<GiNaC::ex> evaluate(const Term& term, const Lookup<GiNaC::ex>& scalar) {
 }
 
 bool is_in_field(const Term& term) {
-  const bool function = term.op() == Op::function;
   const bool matrix = term.op() == Op::symbol && !term.shape().is_scalar() && term.name() != "I";
-  if (term.name() == "abs" || (function && !detail::functions<GiNaC::ex>().contains(term.name())) ||
-      (matrix && !detail::symbols<GiNaC::ex>().contains(term.name()))) {
+  const Symbol * symbol = symbol_table().find(term);
+  if (term.name() == "abs" ||
+      (term.op() == Op::function && !detail::functions<GiNaC::ex>().contains(term.name())) ||
+      (matrix && !(symbol != nullptr && symbol->value) &&
+       !detail::matrices<GiNaC::ex>().contains(term.name()))) {
     return false;
   }
   return std::all_of(term.arguments().begin(), term.arguments().end(), is_in_field);

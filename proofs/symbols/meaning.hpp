@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
 
 #include "core/ball.hpp"
@@ -43,12 +42,15 @@ template <>
 extern template Value<Ball> evaluate(const Term&, const Lookup<Ball>&);
 extern template Value<numeric::scalars::Exact> evaluate(const Term&, const Lookup<numeric::scalars::Exact>&);
 
+// The value of one side of a statement: a plain 0 takes the shape of the other side.
+template <class S>
+[[nodiscard]] Value<S> evaluate_beside(const Term& side, const Term& other, const Lookup<S>& scalar) {
+  return side.is_zero() ? Value<S>(Value<S>::Constant(other.shape().rows, other.shape().columns, S(0)))
+                        : evaluate<S>(side, scalar);
+}
+
 // Whether it is an element of the field in which identities are decided: every name has a meaning in the
 // model, and there is no absolute value.
 [[nodiscard]] bool is_in_field(const Term& term);
-
-// The claims that define what a term speaks of: 38 for H_1, 41 for Gamma_2, … (cos, t and the parameters need
-// none).
-[[nodiscard]] std::set<std::string> definitions_in(const Term& term);
 
 }  // namespace stickslip::proofs::symbols

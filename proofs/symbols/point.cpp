@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "proofs/symbols/derived.hpp"
+#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::symbols {
 namespace {
@@ -38,13 +39,12 @@ Lookup<Ball> at_point(const std::vector<Coordinate>& point) {
   return [given = std::move(given)](const std::string& name) { return value_of(given, name); };
 }
 
-symbolic::algebra::BallValues values_at(const std::vector<Coordinate>& point, const GiNaC::exset& symbols) {
-  const Lookup<Ball> lookup = at_point(point);
+Ball evaluate(const GiNaC::ex& expression, const Lookup<Ball>& scalar) {
   symbolic::algebra::BallValues values;
-  for (const GiNaC::ex& symbol : symbols) {
-    values[symbol] = lookup(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
+  for (const GiNaC::ex& symbol : symbolic::algebra::symbols_of(expression)) {
+    values[symbol] = scalar(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
   }
-  return values;
+  return symbolic::algebra::evaluate(expression, values);
 }
 
 }  // namespace stickslip::proofs::symbols

@@ -6,7 +6,6 @@
 
 #include "core/verdict.hpp"
 #include "proofs/symbols/meaning.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::symbols {
 
@@ -16,8 +15,7 @@ namespace stickslip::proofs::symbols {
 // working one at the time of the look-up.
 [[nodiscard]] Lookup<Ball> at_point(const std::vector<Coordinate>& point);
 
-// The values of those symbols there.
-[[nodiscard]] symbolic::algebra::BallValues values_at(const std::vector<Coordinate>& point,
-                                                      const GiNaC::exset& symbols);
+// The value of an expression in symbols of these scalars.
+[[nodiscard]] Ball evaluate(const GiNaC::ex& expression, const Lookup<Ball>& scalar);
 
 }  // namespace stickslip::proofs::symbols

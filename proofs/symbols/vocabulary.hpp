@@ -1,9 +1,40 @@
-// The paper's symbols as terms. Names are the paper's in ASCII; what they mean stands in meaning.hpp.
+// The paper's symbols as terms. Names are the paper's in ASCII; what else is known of them stands in the
+// table (table.cpp).
 #pragma once
+
+#include <array>
 
 #include "proofs/symbols/term.hpp"
 
-namespace stickslip::proofs::symbols::vocabulary {
+namespace stickslip::proofs::symbols {
+
+// The entries of a 4x4 matrix by the letter of Appendix 3, h for H(tau_1) and Htilde for H(tau + tau_1):
+// Entries{"Htilde"}(1, 3) is "Htilde13".
+struct Entries {
+  std::string letter;
+  [[nodiscard]] Term operator()(int row, int column) const {
+    return scalar(letter + std::to_string(row) + std::to_string(column));
+  }
+};
+
+// The coefficients of equation i of (21): a_i, b_i, c_i, d_i.
+[[nodiscard]] inline Term coefficient(char letter, int equation) {
+  return scalar(std::string(1, letter) + "_" + std::to_string(equation));
+}
+
+// The determinant of (22) with these columns, of coefficients, in rows 1, 2, 3; `-d` for the negative column.
+[[nodiscard]] inline Term determinant_of_columns(const std::array<std::string, 3>& columns) {
+  std::vector<Term> entries;
+  for (int row = 1; row <= 3; ++row) {
+    for (const std::string& column : columns) {
+      const Term entry = coefficient(column.back(), row);
+      entries.push_back(column.front() == '-' ? -entry : entry);
+    }
+  }
+  return determinant(block(3, std::move(entries)));
+}
+
+namespace vocabulary {
 
 // Parameters and times.
 inline const Term chi = scalar("chi"), eta = scalar("eta"), us = scalar("us"), ur = scalar("ur"),
@@ -26,8 +57,8 @@ inline const Term z10 = scalar("z10"), z20 = scalar("z20"), zdot10 = scalar("zdo
 // States at the end of the first slip (B), and those of x = z + d_0 and of z + 2 d_0.
 inline const Term FB = vector("FB", 4), ZB = vector("ZB", 4);
 inline const Term z0 = vector("z0", 2), zdot0 = vector("zdot0", 2), zB = vector("zB", 2),
-                  zdotB = vector("zdotB", 2), zdot2B = scalar("zdot2B"), z1B = scalar("z1B"),
-                  z2B = scalar("z2B");
+                  zdotB = vector("zdotB", 2), zdot1B = scalar("zdot1B"), zdot2B = scalar("zdot2B"),
+                  z1B = scalar("z1B"), z2B = scalar("z2B");
 inline const Term x0 = vector("x0", 2), xB = vector("xB", 2), X0 = vector("X0", 4), XB = vector("XB", 4);
 inline const Term zbar0 = vector("zbar0", 2), zbarB = vector("zbarB", 2), Zbar0 = vector("Zbar0", 4),
                   ZbarB = vector("ZbarB", 4);
@@ -44,7 +75,7 @@ inline const Term xi1 = vector("xi1", 4), xi2 = vector("xi2", 4), X1 = vector("X
 inline const Term P1 = matrix("P1", 2), P2 = matrix("P2", 2), P = matrix("P", 2),
                   Ptilde = matrix("Ptilde", 2);
 
-// Section 5. The rest of its symbols are abbreviations (abbreviations.hpp).
+// Section 5, beside its coefficients and entries.
 inline const Term ZC = vector("ZC", 4), z1C = scalar("z1C"), z2C = scalar("z2C"), tau2 = scalar("tau2"),
                   Delta = scalar("Delta"), Delta1 = scalar("Delta1"), Delta2 = scalar("Delta2"),
                   Delta3 = scalar("Delta3");
@@ -65,4 +96,5 @@ inline const Function F{"F", {4, 1}}, R{"R", {2, 1}}, L{"L", {4, 2}}, Z{"Z", {4,
 // (9): x1'' + x1 - chi x2 = 0, x2'' = 0 has M = [[1, -chi], [0, 0]].
 inline const Term stick_matrix = block(2, {1, -chi, 0, 0});
 
-}  // namespace stickslip::proofs::symbols::vocabulary
+}  // namespace vocabulary
+}  // namespace stickslip::proofs::symbols

@@ -27,10 +27,10 @@ void count(GateRow& row, const Mutant& mutant) {
     case Fate::unproved:
       ++row.unproved;
       return;
-    case Fate::meaningless:
+    case Fate::stillborn:
       ++row.meaningless;
       return;
-    case Fate::true_too:
+    case Fate::equivalent:
       ++row.true_too;
       return;
     case Fate::survived:
@@ -84,7 +84,7 @@ Json rows_json(const std::vector<GateRow>& rows) {
 std::vector<const Mutant *> proved(const Gate& gate) {
   std::vector<const Mutant *> result;
   for (const Mutant& mutant : gate.mutants) {
-    if (mutant.fate == Fate::survived || mutant.fate == Fate::true_too) {
+    if (mutant.fate == Fate::survived || mutant.fate == Fate::equivalent) {
       result.push_back(&mutant);
     }
   }

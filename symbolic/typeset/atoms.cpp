@@ -91,7 +91,7 @@ Sum collect_frequencies(std::vector<Laurent> terms, const Alphabet& alphabet) {
 
 // The argument of cos, sin or tan.
 Argument arrange_argument(const ex& argument) {
-  const auto [rational, alphabet] = spell(argument);
+  const auto [rational, alphabet] = rationalize(argument);
   const ex parts = rational.normal().numer_denom();
   std::vector<Laurent> terms = to_polynomial(parts.op(0), alphabet);
   const Polynomial below = to_polynomial(parts.op(1), alphabet);
@@ -114,7 +114,7 @@ struct Before {
 };
 
 // Replaces what is not rational by variables.
-struct Speller : GiNaC::map_function {
+struct Rationalizer : GiNaC::map_function {
   std::map<Atom, ex, Before> variables;
 
   ex variable(Atom atom) {
@@ -201,10 +201,10 @@ struct Speller : GiNaC::map_function {
 
 }  // namespace
 
-Spelled spell(const ex& expression) {
-  Speller speller;
-  Spelled result{speller(expression), {}};
-  for (auto& [atom, variable] : speller.variables) {
+Rationalized rationalize(const ex& expression) {
+  Rationalizer rationalizer;
+  Rationalized result{rationalizer(expression), {}};
+  for (auto& [atom, variable] : rationalizer.variables) {
     result.alphabet.atoms.push_back(atom);
     result.alphabet.variables.push_back(variable);
   }

@@ -5,13 +5,13 @@
 
 namespace stickslip::symbolic::typeset {
 
-struct Spelled {
+struct Rationalized {
   GiNaC::ex rational;
   Alphabet alphabet;
 };
 
 // Arguments of cos, sin, tan are expanded and signed so that their first term is positive. Throws as
 // arrange() does.
-[[nodiscard]] Spelled spell(const GiNaC::ex& expression);
+[[nodiscard]] Rationalized rationalize(const GiNaC::ex& expression);
 
 }  // namespace stickslip::symbolic::typeset

@@ -169,7 +169,7 @@ ex value(const Product& product) {
 }  // namespace
 
 Fraction arrange(const ex& expression) {
-  const auto [rational, alphabet] = spell(expression);
+  const auto [rational, alphabet] = rationalize(expression);
   const ex parts = rational.normal().numer_denom();
   const Polynomial numerator = to_polynomial(parts.op(0), alphabet);
   if (numerator.empty()) {

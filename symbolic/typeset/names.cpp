@@ -2,20 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <optional>
+#include <map>
+#include <regex>
 #include <string_view>
 
 namespace stickslip::symbolic::typeset {
 namespace {
-
-constexpr std::array greek_letters = {"alpha", "beta",  "gamma",   "delta",  "epsilon", "zeta",   "eta",
-                                      "theta", "iota",  "kappa",   "lambda", "mu",      "nu",     "xi",
-                                      "pi",    "rho",   "tau",     "sigma",  "upsilon", "phi",    "chi",
-                                      "psi",   "omega", "Gamma",   "Delta",  "Theta",   "Lambda", "Xi",
-                                      "Pi",    "Sigma", "Upsilon", "Phi",    "Psi",     "Omega"};
-
-constexpr std::array accents = {"ddot", "dot", "bar", "tilde", "hat"};
 
 constexpr std::array before_unknown = {"pi", "chi", "eta", "lambda"};
 constexpr std::array after_unknown = {"u",     "p",   "V",   "d",     "q", "x", "z",
@@ -28,66 +20,27 @@ struct Name {
   bool plain = false;  // of the form that latex_name describes
 };
 
-template <std::size_t size>
-bool contains(const std::array<const char *, size>& list, const std::string& word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
+// A Greek letter spelled out or any one letter, an accent, and a subscript: after an underscore anything,
+// else one letter, digits, or both.
+const std::regex& grammar() {
+  static const std::regex pattern(
+      "(alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|upsilon|"
+      "phi|"
+      "chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega|[A-Za-z])"
+      "(ddot|dot|bar|tilde|hat)?(?:_([A-Za-z0-9]*)|([A-Za-z]?[0-9]*|[0-9][A-Za-z0-9]*))");
+  return pattern;
 }
 
-bool is_letter(const std::string& word) {
-  return (word.size() == 1 && std::isalpha(static_cast<unsigned char>(word[0])) != 0) ||
-         contains(greek_letters, word);
-}
-
-std::optional<Name> accented_letter(const std::string& word) {
-  if (is_letter(word)) {
-    return Name{word, "", "", true};
+const Name& parse(const std::string& plain) {
+  thread_local std::map<std::string, Name> known;
+  const auto [entry, fresh] = known.try_emplace(plain);
+  std::smatch parts;
+  if (fresh) {
+    entry->second = std::regex_match(plain, parts, grammar())
+                        ? Name{parts[1], parts[2], parts[3].str() + parts[4].str(), true}
+                        : Name{plain, "", "", false};
   }
-  for (const std::string accent : accents) {
-    if (word.size() > accent.size() && word.ends_with(accent)) {
-      const std::string letter = word.substr(0, word.size() - accent.size());
-      if (is_letter(letter)) {
-        return Name{letter, accent, "", true};
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-bool is_alphanumeric(const std::string& word) {
-  return std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
-}
-
-Name parse(const std::string& plain) {
-  const auto with_subscript = [&plain](std::size_t end, const std::string& subscript) {
-    std::optional<Name> name = accented_letter(plain.substr(0, end));
-    if (name && is_alphanumeric(subscript)) {
-      name->subscript = subscript;
-      return name;
-    }
-    return std::optional<Name>();
-  };
-  const std::size_t underscore = plain.find('_');
-  if (underscore != std::string::npos) {
-    return with_subscript(underscore, plain.substr(underscore + 1)).value_or(Name{plain, "", "", false});
-  }
-  const std::size_t last = plain.find_last_not_of("0123456789");
-  const std::size_t end = last == std::string::npos ? 0 : last + 1;
-  if (const auto name = with_subscript(end, plain.substr(end))) {
-    return *name;
-  }
-  if (end > 1) {
-    if (const auto name = with_subscript(end - 1, plain.substr(end - 1))) {
-      return *name;
-    }
-  }
-  // z2C, zdot2B.
-  const std::size_t digit = plain.find_first_of("0123456789");
-  if (digit != std::string::npos) {
-    if (const auto name = with_subscript(digit, plain.substr(digit))) {
-      return *name;
-    }
-  }
-  return {plain, "", "", false};
+  return entry->second;
 }
 
 std::size_t rank(const Name& name) {
@@ -122,7 +75,7 @@ std::string upright(const std::string& word) {
 }  // namespace
 
 std::string latex_name(const std::string& plain) {
-  const Name name = parse(plain);
+  const Name& name = parse(plain);
   if (!name.plain) {
     return upright(plain);
   }
@@ -139,8 +92,8 @@ std::string latex_name(const std::string& plain) {
 }
 
 std::strong_ordering compare_names(const std::string& a, const std::string& b) {
-  const Name left = parse(a);
-  const Name right = parse(b);
+  const Name& left = parse(a);
+  const Name& right = parse(b);
   if (const auto order = rank(left) <=> rank(right); std::is_neq(order)) {
     return order;
   }

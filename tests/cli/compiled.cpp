@@ -11,6 +11,8 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "proofs/symbols/table.hpp"
+#include "symbolic/typeset/names.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/report/temporary.hpp"
 
@@ -47,6 +49,21 @@ TEST_CASE("every derived expression compiles without edits and fits the page" * 
     CHECK(result.code == 0);
     CHECK(overfull(result.out).empty());
   }
+}
+
+TEST_CASE("the LaTeX of every symbol compiles" * doctest::timeout(300)) {
+  const TemporaryDirectory temporary;
+  {
+    std::ofstream file(temporary.path() / "symbols.tex");
+    file << "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n\\raggedright\n";
+    for (const proofs::symbols::Symbol& symbol : proofs::symbols::symbol_table()) {
+      file << "$" << symbolic::typeset::latex_name(symbol.name) << "$\n";
+    }
+    file << "\\end{document}\n";
+  }
+  const Run result = pdflatex(temporary.path(), "symbols.tex");
+  CAPTURE(result.out);
+  CHECK(result.code == 0);
 }
 
 TEST_CASE("the article of the audit compiles and fits the page" * doctest::timeout(300)) {

@@ -17,8 +17,8 @@ proofs::checks::Gate sample() {
            {"40", "A1", EditKind::index, "a = c", Fate::unproved, "no"},
            {"64", "A5", EditKind::index, "P*X2 = 0", Fate::survived, "proved"},
            {"64", "A5", EditKind::index, "X = Y", Fate::survived, "proved"},
-           {"64", "A5", EditKind::index, "X = 1/0", Fate::meaningless, "void"},
-           {"64", "A5", EditKind::sign, "X = X", Fate::true_too, "true"}},
+           {"64", "A5", EditKind::index, "X = 1/0", Fate::stillborn, "void"},
+           {"64", "A5", EditKind::sign, "X = X", Fate::equivalent, "true"}},
           {{"40", "A1", EditKind::sign, "a = -(-b)", Verdict::proved()},
            {"64", "A5", EditKind::index, "X = Y + (X - Y)", Verdict::undecided("word for word")}}};
 }

@@ -1,0 +1,270 @@
+#include "proofs/symbols/table.hpp"
+
+#include "core/error.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
+namespace stickslip::proofs::symbols {
+namespace {
+
+using namespace vocabulary;
+
+struct Name {
+  std::string name;
+  Shape shape;
+  bool of_time;
+  Name(const Term& symbol) : name(symbol.name()), shape(symbol.shape()), of_time(false) {}  // NOLINT
+  Name(const Function& function)                                                            // NOLINT
+      : name(function.name), shape(function.shape), of_time(true) {}
+};
+using Names = std::vector<Name>;
+
+// Symbols that differ in their index alone, and so can be misprinted for each other.
+struct Row {
+  Names names;
+  std::string defined_in = {}, formula_in = {};
+  std::vector<Term> values = {};  // what each is
+  std::vector<Names> letters =
+      {};  // other rows: a misprint may take the k-th symbol of each for the k-th of this
+  std::vector<Term> rates_of = {};  // of what each is the rate
+  bool durations = false;
+};
+
+// The upper half of a state, and the lower.
+Term upper(const Term& state) {
+  return block(1, {I2, zero(2, 2)}) * state;
+}
+Term lower(const Term& state) {
+  return block(1, {zero(2, 2), I2}) * state;
+}
+
+// Of these there is no more to say than name and shape.
+const Names& plain_names() {
+  static const Names all = [] {
+    Names names{chi, eta, V, omega, p, phi, pi(), t, s, t1, tau2, E, I2, I4, Z, X, Zbar};
+    for (const char * name : {"cos", "sin", "abs", "Rtilde"}) {
+      names.push_back(Function{name, {}});
+    }
+    names.push_back(Function{"delta", {4, 1}});
+    for (const char * name :
+         {"m1",         "m2",       "k1",       "k2",         "ttilde", "Omega",      "ptilde",
+          "omegatilde", "Ftilde",   "v0",       "v2",         "x1",     "x2",         "xdot1",
+          "xdot2",      "xddot1",   "xddot2",   "u",          "w",      "y1",         "y2",
+          "ydot1",      "ydot2",    "s0",       "c0",         "z1",     "z2",         "z1B",
+          "z2B",        "z1C",      "z2C",      "delta",      "delta1", "delta2",     "deltadot1",
+          "deltadot2",  "side_x",   "side_y",   "gap_x",      "gap_y",  "side_later", "gap_later",
+          "u_later",    "x1_later", "x2_later", "xdot2_later"}) {
+      names.push_back(scalar(name));
+    }
+    return names;
+  }();
+  return all;
+}
+
+const std::vector<Row>& rows() {
+  const Term zdot1C = scalar("zdot1C"), zdot2C = scalar("zdot2C");
+  const Term phiB = scalar("phiB"), phiC = scalar("phiC"), load_at_B = omega * tau + phi;
+  static const std::vector<Row> all{
+      // Parameters and times.
+      {.names = {us, ur}},
+      {.names = {omega1, omega2}},
+      {.names = {lambda1, lambda2}},
+      {.names = {tau, tau1}, .durations = true},
+      {.names = {T}, .durations = true},
+      {.names = {Theta}, .durations = true},
+      // Constant vectors and matrices.
+      {.names = {K}, .defined_in = "39"},
+      {.names = {Lambda}, .defined_in = "38"},
+      {.names = {Sigma}, .defined_in = "41"},
+      {.names = {psi1, psi2}, .defined_in = "39", .values = {column({1, lambda1}), column({1, lambda2})}},
+      {.names = {d01, d02}, .formula_in = "6.d0"},
+      {.names = {q1, q2}, .formula_in = "7"},
+      {.names = {Q}, .values = {column({q1, q2})}},
+      {.names = {d0}, .values = {column({d01, d02})}, .letters = {{Q}}},
+      {.names = {delta0}, .defined_in = "52.X", .values = {column({d0, zero(2, 1)})}},
+      // Functions of time.
+      {.names = {H}, .defined_in = "6.H"},
+      {.names = {H1, H2, H3}, .defined_in = "38"},
+      {.names = {B1, B2, B3}, .defined_in = "38"},
+      {.names = {Gamma}, .defined_in = "10.Gamma", .letters = {{H}}},
+      {.names = {Gamma1, Gamma2, Gamma3}, .defined_in = "41", .letters = {{H1, H2, H3}}},
+      {.names = {gamma1, gamma2, gamma3}, .defined_in = "41", .letters = {{B1, B2, B3}}},
+      {.names = {F}, .defined_in = "5.F"},
+      {.names = {R}, .defined_in = "5.F"},
+      {.names = {L}, .defined_in = "8.L"},
+      {.names = {Function{"tan", {}}}, .letters = {{Function{"cos", {}}}}},
+      // The load and the states at 0, at tau (B) and at tau + tau_1 (C).
+      {.names = {F0}, .defined_in = "5.F", .values = {F(0)}},
+      {.names = {FB}, .defined_in = "28.F", .values = {F(tau)}, .letters = {{F0}}},
+      {.names = {phiB, phiC}, .defined_in = "51.phi", .values = {load_at_B, load_at_B + omega * tau1}},
+      {.names = {z10, z20}},
+      {.names = {zdot10, zdot20}, .rates_of = {z10, z20}},
+      {.names = {zdot1B}, .rates_of = {z1B}},
+      {.names = {zdot2B}, .letters = {{zdot20}}, .rates_of = {z2B}},
+      {.names = {zdot1C}, .rates_of = {z1C}},
+      {.names = {zdot2C}, .letters = {{zdot20}, {zdot2B}}, .rates_of = {z2C}},
+      {.names = {z0}, .values = {column({z10, z20})}},
+      {.names = {zB}, .values = {column({z1B, z2B})}, .letters = {{z0}}},
+      {.names = {zdot0}, .values = {column({zdot10, zdot20})}, .rates_of = {z0}},
+      {.names = {zdotB}, .values = {column({zdot1B, zdot2B})}, .letters = {{zdot0}}, .rates_of = {zB}},
+      {.names = {Z0}, .values = {column({z0, zdot0})}},
+      {.names = {ZB}, .values = {column({zB, zdotB})}, .letters = {{Z0}}},
+      {.names = {ZC}, .values = {column({z1C, z2C, zdot1C, zdot2C})}, .letters = {{Z0}, {ZB}}},
+      // x = z + d_0, and z + 2 d_0.
+      {.names = {x0}, .defined_in = "52.X", .values = {z0 + d0}},
+      {.names = {xB}, .defined_in = "52.X", .values = {zB + d0}, .letters = {{x0}}},
+      {.names = {X0}, .defined_in = "52.X", .values = {Z0 + delta0}},
+      {.names = {XB}, .defined_in = "52.X", .values = {ZB + delta0}, .letters = {{X0}}},
+      {.names = {zbar0}, .defined_in = "55.bar", .values = {z0 + 2 * d0}},
+      {.names = {zbarB}, .defined_in = "55.bar", .values = {zB + 2 * d0}, .letters = {{zbar0}}},
+      {.names = {Zbar0}, .defined_in = "55.bar", .values = {Z0 + 2 * delta0}},
+      {.names = {ZbarB}, .defined_in = "55.bar", .values = {ZB + 2 * delta0}, .letters = {{Zbar0}}},
+      // (22), (34), (35).
+      {.names = {Delta, Delta1, Delta2, Delta3},
+       .defined_in = "22.Delta",
+       .values = {determinant_of_columns({"a", "b", "c"}), determinant_of_columns({"-d", "b", "c"}),
+                  determinant_of_columns({"d", "a", "c"}), determinant_of_columns({"d", "b", "a"})}},
+      {.names = {phi1, phi2}, .formula_in = "35.def"},
+      {.names = {d}, .formula_in = "35.def"},
+      {.names = {a1, a2}, .formula_in = "35.def"},
+      {.names = {b1, b2}, .formula_in = "35.def"},
+      // Appendix 5.
+      {.names = {rho1, rho2}, .formula_in = "70.rho"},
+      {.names = {xi1, xi2},
+       .defined_in = "57",
+       .values = {(H(tau) + E) * (Z0 - F0), (H(-tau1) + E) * (Zbar0 - F0)}},
+      {.names = {X1, X2}, .defined_in = "57", .values = {upper(xi1), upper(xi2)}},
+      {.names = {Y1, Y2}, .defined_in = "57", .values = {lower(xi1), lower(xi2)}},
+      {.names = {P1, P2}, .defined_in = "63.P"},
+      {.names = {P}, .defined_in = "64.P", .values = {P1 - P2}},
+      {.names = {Ptilde}, .defined_in = "70.rho", .values = {block(2, {rho1, 0, 0, rho2})}},
+      {.names = {vector("delta", 4)},
+       .values = {column({scalar("delta1"), scalar("delta2"), scalar("deltadot1"), scalar("deltadot2")})}},
+  };
+  return all;
+}
+
+// The symbols that stand beside this one in a row's `letters`, on either side.
+std::vector<std::string> letters_for(const std::string& name) {
+  std::vector<std::string> result;
+  for (const Row& row : rows()) {
+    for (const Names& above : row.letters) {
+      for (std::size_t i = 0; i < above.size(); ++i) {
+        if (row.names.at(i).name == name || above[i].name == name) {
+          result.push_back(row.names[i].name == name ? above[i].name : row.names[i].name);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+void add(std::vector<Symbol>& symbols, const Row& row) {
+  for (std::size_t i = 0; i < row.names.size(); ++i) {
+    const Name& name = row.names[i];
+    Symbol symbol{name.name, name.shape, name.of_time, row.defined_in, row.formula_in};
+    for (const Name& other : row.names) {
+      if (other.name != name.name) {
+        symbol.other_indices.push_back(other.name);
+      }
+    }
+    symbol.value = row.values.empty() ? std::nullopt : std::optional(row.values.at(i));
+    symbol.other_letters = letters_for(name.name);
+    symbol.rate_of = row.rates_of.empty() ? "" : row.rates_of.at(i).name();
+    symbol.is_duration = row.durations;
+    symbols.push_back(std::move(symbol));
+  }
+}
+
+// The entries of Appendix 3: another index, or the same entry of another H.
+void add_entries(std::vector<Symbol>& symbols, const std::string& letter, const Term& matrix) {
+  const auto unit = [](int index) {
+    std::vector<Term> result(4, Term(0));
+    result[static_cast<std::size_t>(index - 1)] = 1;
+    return result;
+  };
+  for (int row = 1; row <= 4; ++row) {
+    for (int column = 1; column <= 4; ++column) {
+      const auto name = [](const std::string& of, int i, int j) { return Entries{of}(i, j).name(); };
+      Symbol symbol{name(letter, row, column)};
+      symbol.value = block(1, unit(row)) * matrix * symbols::column(unit(column));
+      for (int i = 1; i <= 4; ++i) {
+        symbol.other_indices.push_back(name(letter, i, column));
+        symbol.other_indices.push_back(name(letter, row, i));
+      }
+      if (letter != "Gamma") {
+        for (const char * other : {"H", "h", "Htilde"}) {
+          symbol.other_indices.push_back(name(other, row, column));
+        }
+      }
+      std::erase(symbol.other_indices, symbol.name);
+      symbols.push_back(std::move(symbol));
+    }
+  }
+}
+
+}  // namespace
+
+Symbols::Symbols(std::vector<Symbol> rows) : rows_(std::move(rows)) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Symbol& row = rows_[i];
+    if (!places_.emplace(Key{row.name, row.shape.rows, row.shape.columns, row.of_time}, i).second) {
+      throw InternalError("the symbol " + row.name + " stands twice in the table");
+    }
+  }
+}
+
+const Symbol * Symbols::find(const Term& term) const {
+  if (term.op() != Op::symbol && term.op() != Op::function) {
+    return nullptr;
+  }
+  const auto found =
+      places_.find({term.name(), term.shape().rows, term.shape().columns, term.op() == Op::function});
+  return found == places_.end() ? nullptr : &rows_[found->second];
+}
+
+const Symbols& symbol_table() {
+  static const Symbols table = [] {
+    std::vector<Symbol> symbols;
+    for (const Row& row : rows()) {
+      add(symbols, row);
+    }
+    for (const char letter : {'a', 'b', 'c', 'd'}) {
+      Row row{.names = {}};
+      for (int i = 1; i <= 5; ++i) {
+        row.names.push_back(coefficient(letter, i));
+      }
+      add(symbols, row);
+    }
+    add_entries(symbols, "H", H(tau));
+    add_entries(symbols, "h", H(tau1));
+    add_entries(symbols, "Htilde", H(tau + tau1));
+    add_entries(symbols, "Gamma", Gamma(T));
+    for (const Name& name : plain_names()) {
+      add(symbols, {.names = {name}});
+    }
+    return Symbols(std::move(symbols));
+  }();
+  return table;
+}
+
+std::optional<Term> abbreviated(const Term& term) {
+  const Symbol * symbol = term.shape().is_scalar() ? symbol_table().find(term) : nullptr;
+  return symbol == nullptr ? std::nullopt : symbol->value;
+}
+
+std::set<std::string> definitions_in(const Term& term) {
+  std::set<std::string> result;
+  if (const Symbol * symbol = symbol_table().find(term)) {
+    if (!symbol->defined_in.empty()) {
+      result.insert(symbol->defined_in);
+    } else if (symbol->value) {
+      result = definitions_in(*symbol->value);
+    }
+  }
+  for (const Term& argument : term.arguments()) {
+    result.merge(definitions_in(argument));
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs::symbols

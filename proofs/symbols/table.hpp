@@ -1,0 +1,56 @@
+// The table of the paper's symbols. Its rows stand in table.cpp; what can be asked about a symbol by its name
+// is asked here.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "proofs/symbols/term.hpp"
+
+namespace stickslip::proofs::symbols {
+
+struct Symbol {
+  std::string name;  // in ASCII; latex_name() of symbolic/typeset/names.hpp makes LaTeX of it
+  Shape shape = {};
+  bool of_time = false;  // a function of one scalar, as H(t)
+  // The claim that says what it is, if it needs one; the claim that gives it by a formula of model/
+  // (derived.hpp) and stays closed unless an identity needs to look inside.
+  std::string defined_in = {}, formula_in = {};
+  std::optional<Term> value = {};  // what it stands for; nothing for itself, or for a formula of model/
+  // What a misprint may put in its place: names that differ in the index, and of other things of its shape.
+  std::vector<std::string> other_indices = {}, other_letters = {};
+  std::string rate_of = {};  // z_10 of z_10'; empty for what no prime can be left out of
+  bool is_duration = false;
+};
+
+// Symbols by name and shape, quantities apart from functions of time.
+class Symbols {
+ public:
+  // Throws InternalError if two are the same.
+  explicit Symbols(std::vector<Symbol> rows);
+  // The row of a symbol or function; nullptr where there is none, and for every other term.
+  [[nodiscard]] const Symbol * find(const Term& term) const;
+  [[nodiscard]] std::vector<Symbol>::const_iterator begin() const { return rows_.begin(); }
+  [[nodiscard]] std::vector<Symbol>::const_iterator end() const { return rows_.end(); }
+
+ private:
+  using Key = std::tuple<std::string, int, int, bool>;
+  std::vector<Symbol> rows_;
+  std::map<Key, std::size_t> places_;
+};
+
+// The paper's.
+[[nodiscard]] const Symbols& symbol_table();
+
+// What a scalar is written for, as phi_B is for omega tau + phi; nothing for any other term.
+[[nodiscard]] std::optional<Term> abbreviated(const Term& term);
+
+// The claims that define what a term speaks of: 38 for H_1, 41 for Gamma_2, … (cos, t and the parameters need
+// none).
+[[nodiscard]] std::set<std::string> definitions_in(const Term& term);
+
+}  // namespace stickslip::proofs::symbols
