@@ -19,8 +19,8 @@ template <class S>
 class Series {
  public:
   Series() : coefficients_{S(0)} {}
-  Series(int constant) : coefficients_{S(constant)} {}           // NOLINT: scalars convert from int
-  Series(S constant) : coefficients_{std::move(constant)} {}     // NOLINT: a constant has no derivative
+  Series(int constant) : coefficients_{S(constant)} {}        // NOLINT: scalars convert from int
+  Series(S constant) : coefficients_{std::move(constant)} {}  // NOLINT: a constant has no derivative
 
   // The variable at t0, to the order n.
   [[nodiscard]] static Series variable(S t0, std::size_t order) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/verdict.hpp"
+#include "proofs/kernel/theorem.hpp"
 #include "proofs/symbols/term.hpp"
 #include "symbolic/algebra/decide.hpp"
 
@@ -74,9 +75,11 @@ struct Outcome {
   // For premises that were used with symbols replaced or under assumptions of the claim's own: their
   // hypotheses as they read here, by id of the premise.
   std::map<std::string, std::vector<Hypothesis>> inherited = {};
-  std::vector<Decided> decided = {};  // in the order in which the proof asked
-  bool introduces_names = false;      // the printed left sides are names without another meaning
-  CrossCheck cross_check = {};        // filled in by the Prover
+  std::vector<Decided> decided = {};           // in the order in which the proof asked
+  bool introduces_names = false;               // the printed left sides are names without another meaning
+  std::vector<kernel::Theorem> theorems = {};  // of the kernel, of the equations decided that it took
+  bool by_kernel = false;                      // whether the verdict is that of theorems alone
+  CrossCheck cross_check = {};                 // filled in by the Prover
 };
 
 class Prover;

@@ -43,17 +43,24 @@ std::vector<Statement> with_values(std::vector<Statement> printed) {
 
 const char * const normal_form_route = "both sides have the same normal form, for all values of the symbols";
 
+// By normal form, of the claim's printed equations: a theorem of the kernel if all are.
+Outcome by_normal_form(const Claim& claim, const std::vector<Statement>& equations) {
+  Outcome outcome = conjunction(normal_form_route, claim, equations);
+  outcome.by_kernel = outcome.verdict.truth == Truth::proved && outcome.theorems.size() == equations.size();
+  return outcome;
+}
+
 }  // namespace
 
 Proof by_normal_form() {
-  return [](Prover&, const Claim& claim) { return conjunction(normal_form_route, claim, claim.printed); };
+  return [](Prover&, const Claim& claim) { return by_normal_form(claim, claim.printed); };
 }
 
 Proof by_normal_form(std::vector<Statement> equations) {
   return [equations = std::move(equations)](Prover&, const Claim& claim) {
     std::vector<Statement> all = with_values(claim.printed);
     all.insert(all.end(), equations.begin(), equations.end());
-    return conjunction(normal_form_route, claim, all);
+    return by_normal_form(claim, all);
   };
 }
 

@@ -1,6 +1,7 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -254,8 +255,30 @@ Factored factored(const ex& numerator, const Letters& letters) {
   return result;
 }
 
+bool has_sine(const Term& term) {
+  return term.kind() == Kind::cosine || term.kind() == Kind::sine ||
+         std::any_of(term.parts().begin(), term.parts().end(), has_sine);
+}
+
+// ⊢ d ≠ 0 where d m = 1 by normal form, as for a determinant with cos² + sin².
+std::optional<Theorem> is_invertible(const Term& divisor, const Term& multiplier) {
+  try {
+    const Formula zero = equal(divisor, 0);
+    const Theorem absurd =
+        Theorem::discharge(Theorem::combination(equal(1, 0), {{Theorem::assume(zero), multiplier}}), zero);
+    return Theorem::consequence({absurd, different(Theorem::sign(less(0, 1)))}, negation(zero));
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
+}
+
 // {factors that may vanish ≠ 0} ⊢ d ≠ 0; nothing if that is d itself again.
 std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain) {
+  if (has_sine(divisor)) {
+    if (const auto one = is_invertible(divisor, 1)) {
+      return one;
+    }
+  }
   Letters letters;
   const ex parts = letters.expression(divisor).normal().numer_denom();
   letters.sort();
@@ -263,8 +286,8 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
     return std::nullopt;
   }
   const Factored numerator = factored(parts.op(0), letters);
-  if (numerator.factors.empty()) {  // a number
-    return std::nullopt;
+  if (numerator.factors.empty()) {
+    return is_invertible(divisor, letters.term((parts.op(1) / parts.op(0)).expand()));
   }
   // d = 0 ⇒ Π factors = 0 ⇒ one of them is.
   Term product = letters.term(numerator.factors[0]);
@@ -300,19 +323,23 @@ bool is_divisor(const Formula& hypothesis) {
 
 Theorem nonzero(const Theorem& theorem, const Domain& domain) {
   Theorem result = theorem;
-  std::set<Formula> done;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const Formula& hypothesis : result.hypotheses()) {
-      if (!is_divisor(hypothesis) || !done.insert(hypothesis).second) {
-        continue;
+  std::map<Formula, std::optional<Theorem>> lemmas;  // a lemma may bring in again what was discharged before
+  for (int cuts = 0; cuts < 1000; ++cuts) {
+    const Formulas& hypotheses = result.hypotheses();
+    const auto next = std::find_if(hypotheses.begin(), hypotheses.end(), [&](const Formula& one) {
+      if (!is_divisor(one)) {
+        return false;
       }
-      if (const auto lemma = divisor_differs(hypothesis.parts()[0].parts()[0], domain)) {
-        result = Theorem::cut(*lemma, result);
-        changed = true;
-        break;
-      }
+      const auto known = lemmas.find(one);
+      return (known != lemmas.end()
+                  ? known
+                  : lemmas.emplace(one, divisor_differs(one.parts()[0].parts()[0], domain)).first)
+          ->second.has_value();
+    });
+    if (next == hypotheses.end()) {
+      break;
     }
+    result = Theorem::cut(*lemmas.at(*next), result);
   }
   return result;
 }

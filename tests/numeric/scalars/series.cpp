@@ -49,7 +49,8 @@ TEST_CASE("exactly: (sin w t)'' = -w² sin w t; over balls the slope is containe
   const Series<Exact> s = sin(Series<Exact>(w) * t);
   CHECK(s.derivative().derivative()[0].value() == (Exact(-1) * w * w * s[0]).value());
   const Ball box = Ball::from_interval(parse_rational("0.6"), parse_rational("0.8"));
-  const Series<Ball> slopes = (sin(Series<Ball>::variable(box, 1)) / Series<Ball>::variable(box, 1)).derivative();
+  const Series<Ball> slopes =
+      (sin(Series<Ball>::variable(box, 1)) / Series<Ball>::variable(box, 1)).derivative();
   const Ball at(parse_rational("0.75"));
   CHECK(slopes[0].overlaps(cos(at) / at - sin(at) / (at * at)));
 }

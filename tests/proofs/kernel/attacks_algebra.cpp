@@ -1,4 +1,5 @@
-// Attacks on algebra, order, integers, and the tactics on them: each would let a false sequent through if it were not refused.
+// Attacks on algebra, order, integers, and the tactics on them: each would let a false sequent through if it
+// were not refused.
 #include "tests/proofs/kernel/attacks.hpp"
 
 using namespace stickslip::proofs::kernel;

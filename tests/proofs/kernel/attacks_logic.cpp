@@ -1,4 +1,5 @@
-// Attacks on rules of logic, and premises of the wrong kind: each would let a false sequent through if it were not refused.
+// Attacks on rules of logic, and premises of the wrong kind: each would let a false sequent through if it
+// were not refused.
 #include "tests/proofs/kernel/attacks.hpp"
 
 using namespace stickslip::proofs::kernel;

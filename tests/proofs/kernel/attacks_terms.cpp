@@ -1,4 +1,5 @@
-// Attacks on the language: names, sorts, shapes, substitution, definitions: each would let a false sequent through if it were not refused.
+// Attacks on the language: names, sorts, shapes, substitution, definitions: each would let a false sequent
+// through if it were not refused.
 #include "tests/proofs/kernel/attacks.hpp"
 
 using namespace stickslip::proofs::kernel;
