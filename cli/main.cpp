@@ -1,5 +1,6 @@
 // The program: what the arguments ask for, and what the exit code says.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/Version.hpp>
@@ -12,9 +13,14 @@
 #include "cli/commands.hpp"
 #include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
 
 namespace stickslip::cli {
+
+using namespace proofs::methods;
+
 namespace {
 
 std::string versions() {
@@ -25,17 +31,38 @@ std::string versions() {
   return text + fmt::format("  CLI11 {}\n", CLI11_VERSION);
 }
 
-ExitCode run(const HelpWanted& help) {
+// The paper that this program is about.
+const Paper& paper() {
+  return proofs::pascal2012::paper();
+}
+
+PaperInHelp in_help() {
+  const Bibliography& source = paper().bibliography;
+  const std::string about = fmt::format(
+      "Decides, statement by statement, what is true in {}, {}, {}. Identities are proved for all "
+      "parameters; "
+      "printed numbers are compared with rigorous enclosures.",
+      source.author, source.title, source.journal);
+  std::vector<std::string> places;
+  for (const Section& section : paper().sections) {
+    places.push_back(section.id);
+  }
+  return {fmt::format("{}", fmt::join(report::tools::wrapped(about, 88), "\n")),
+          fmt::format("{}", fmt::join(places, ", ")), id_of_a_part(paper().claims),
+          names_of(paper().examples)};
+}
+
+ExitCode run(const HelpWanted& help, const Paper& /*paper*/) {
   print(help.text);
   return exit_decided;
 }
-ExitCode run(const VersionsWanted& /*versions*/) {
+ExitCode run(const VersionsWanted& /*versions*/, const Paper& /*paper*/) {
   print(versions());
   return exit_decided;
 }
 
 ExitCode answer(const Request& request) {
-  return std::visit([](const auto& asked) { return run(asked); }, request);
+  return std::visit([](const auto& asked) { return run(asked, paper()); }, request);
 }
 
 // Ends with a full stop, as a sentence does.
@@ -61,7 +88,7 @@ int main(int argc, char ** argv) {
   std::signal(SIGINT, cli::leave);
   cli::end_in_words_without_memory();
   try {
-    return cli::answer(cli::parse(argc, argv));
+    return cli::answer(cli::parse(argc, argv, cli::in_help()));
   } catch (const cli::ReaderGone& error) {
     return error.code();
   } catch (const Error& error) {

@@ -84,8 +84,8 @@ struct Claim;
 using Proof = std::function<Outcome(Prover&, const Claim&)>;
 
 struct Claim {
-  std::string id;     // "44.H": permanent
-  std::string place;  // "sec3", "A1"
+  std::string id;          // "44.H": permanent
+  std::string place = {};  // "sec3", "A1": that of the section in which it stands
   Kind kind = Kind::step;
   std::vector<symbols::Statement> printed = {};  // as printed: all of them are claimed
   std::string words = {};                        // one plain sentence: what it says

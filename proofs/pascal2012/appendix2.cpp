@@ -13,8 +13,6 @@ namespace {
 
 using namespace symmetric;
 
-const std::string A2 = "A2";
-
 // (15) solved for z0: the states at the end of every stick that closes.
 Assumption closing_state(const Term& z, const Term& row) {
   return {"15", equation(z, row * inverse(Gamma1(T) + I2) * Gamma2(T) * column({zdot10, zdot20}))};
@@ -23,39 +21,33 @@ Assumption closing_state(const Term& z, const Term& row) {
 std::vector<Claim> slip_part() {
   return {
       {.id = "43",
-       .place = A2,
        .kind = Kind::step,
        .printed = {equation(Z(tau - t), H(tau - t) * (Z0 - F0) + F(tau - t))},
        .words = "(5) at the time tau - t",
        .prove = by_rewriting({from("5").at("t", tau - t)})},
       {.id = "44.F",
-       .place = A2,
        .kind = Kind::identity,
        .printed = {equation(F(tau - t), E * F(t))},
        .words = "time reversal of the forced response, with the time lag of Section 4",
        .assumptions = {time_lag},
        .prove = by_normal_form()},
       {.id = "44.F0",
-       .place = A2,
        .kind = Kind::identity,
        .printed = {equation(F(tau), E * F0)},
        .words = "the same at t = 0",
        .assumptions = {time_lag},
        .prove = by_normal_form()},
       {.id = "44.H",
-       .place = A2,
        .kind = Kind::identity,
        .printed = {equation(H(tau - t), H(tau) * H(-t))},
        .words = "group law of the slip flow",
        .prove = by_rewriting({from("38.group").at("t", tau).at("s", -t)})},
       {.id = "44.E",
-       .place = A2,
        .kind = Kind::identity,
        .printed = {equation(H(-t) * E, E * H(t))},
        .words = "time reversal of the slip flow",
        .prove = by_rewriting({from("38.reversal")})},
       {.id = "17.slip",
-       .place = A2,
        .kind = Kind::theorem,
        .printed = {equation(Z(t), E * Z(tau - t))},
        .words = "the slip is symmetric in time; the proof needs no range for t",
@@ -70,7 +62,6 @@ std::vector<Claim> slip_part() {
 std::vector<Claim> stick_part() {
   return {
       {.id = "45",
-       .place = A2,
        .kind = Kind::step,
        .printed = {equation(Z(tau + t1), Gamma(T - t1) * E * Z0)},
        .words = "the stick solution at the time T - t_1; printed with Z(t) on the left, t = tau + t_1",
@@ -79,26 +70,22 @@ std::vector<Claim> stick_part() {
        .corrected = {equation(Z(tau + T - t1), Gamma(T - t1) * E * Z0)},
        .prove_corrected = by_rewriting({from("4.stick").at("t", tau + T - t1)})},
       {.id = "46.group",
-       .place = A2,
        .kind = Kind::identity,
        .printed = {equation(Gamma(T - t1), Gamma(T) * Gamma(-t1))},
        .words = "group law of the stick flow",
        .prove = by_rewriting({from("41.group").at("t", T).at("s", -t1)})},
       {.id = "46.E",
-       .place = A2,
        .kind = Kind::identity,
        .printed = {equation(E * Gamma(t1), Gamma(-t1) * E)},
        .words = "time reversal of the stick flow",
        .prove = by_rewriting({from("41.reversal").at("t", t1)})},
       {.id = "46.period",
-       .place = A2,
        .kind = Kind::step,
        .printed = {equation(Z(Theta), Gamma(T) * E * Z0), equation(Gamma(T) * E * Z0, Z0)},
        .words = "the stick ends where the slip began",
        .assumptions = {stick_lasts, slip_ends, stick_ends},
        .prove = by_rewriting({from("4.stick").at("t", Theta), assuming("15")})},
       {.id = "17.stick",
-       .place = A2,
        .kind = Kind::theorem,
        .printed = {equation(Z(tau + t1), E * Z(tau + T - t1))},
        .words = "the stick is symmetric in time; the proof needs no range for t_1",

@@ -43,7 +43,6 @@ Claim printed_coefficient(char letter, int equation_number, const Term& value,
       "z_1' at tau + tau_1 of slip and overshoot less that of the stick", "z_2'(tau) - V",
       "z_2'(tau + tau_1) - V"};
   return {.id = fmt::format("{}.{}", 46 + equation_number, letter),
-          .place = "A3",
           .kind = Kind::step,
           .printed = {equation(coefficient(letter, equation_number), value)},
           .words = fmt::format("what stands beside {} in {}", names.at(letter),
@@ -138,7 +137,6 @@ Claim formulas() {
     return result;
   };
   return {.id = "51.formulas",
-          .place = "A3",
           .kind = Kind::identity,
           .printed = all,
           .words = "the program computes with the printed coefficients, but for the sign in c_1",
@@ -153,7 +151,6 @@ std::vector<Claim> appendix3() {
     claims.push_back(std::move(claim));
   }
   claims.push_back({.id = "51.phi",
-                    .place = "A3",
                     .kind = Kind::definition,
                     .printed = {equation(phiB, omega * tau + phi), equation(phiC, phiB + omega * tau1)},
                     .words = "the load's phase at tau and at tau + tau_1",

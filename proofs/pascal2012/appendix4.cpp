@@ -13,11 +13,9 @@ using namespace symbols;
 std::vector<Claim> appendix4() {
   using namespace symbols::vocabulary;
   using namespace half_period;
-  const std::string A4 = "A4";
   const std::vector<Assumption> motion{half, period, closes, named_B, regular};
   return {
       {.id = "52.X",
-       .place = A4,
        .kind = Kind::definition,
        .printed = {equation(X(t), Z(t) + delta0), equation(X0, Z0 + delta0), equation(XB, ZB + delta0),
                    equation(delta0, column({d0, zero(2, 1)}))},
@@ -25,13 +23,11 @@ std::vector<Claim> appendix4() {
        .prove = by_definition(),
        .illegible = "the letter in delta_0"},
       {.id = "52.L",
-       .place = A4,
        .kind = Kind::identity,
        .printed = {equation(L(t) * d0, H(t) * delta0 - delta0)},
        .words = "L(t) d_0 is what H(t) adds to delta_0",
        .prove = by_normal_form()},
       {.id = "52",
-       .place = A4,
        .kind = Kind::step,
        .printed = {equation(X(t), H(t) * (X0 - F0 - delta0) + F(t) + delta0),
                    equation(X(t + tau), H(t) * (XB - FB + delta0) + F(t + tau) - delta0)},
@@ -42,14 +38,12 @@ std::vector<Claim> appendix4() {
                          from("52.X").solved_for(X0), from("52.X").solved_for(XB), from("5"),
                          from("27").at("t", t + tau), from("52.L")})},
       {.id = "53.F",
-       .place = A4,
        .kind = Kind::identity,
        .printed = {equation(F(t + tau), -F(t)), equation(FB, -F0)},
        .words = "the load half a period later",
        .assumptions = {half},
        .prove = by_normal_form()},
       {.id = "53.X",
-       .place = A4,
        .kind = Kind::step,
        .printed = {equation(XB, -X0)},
        .words = "(33): opposite states",
@@ -57,7 +51,6 @@ std::vector<Claim> appendix4() {
        .prove = by_combination({{{from("33.symmetry"), 0, column({I2, zero(2, 2)})},
                                  {from("33.symmetry"), 1, column({zero(2, 2), I2})}}})},
       {.id = "54",
-       .place = A4,
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(t + tau))},
        .words = "half a period later the motion is the opposite one",

@@ -28,11 +28,11 @@ const Example& printed() {
 }
 
 PrintedPlace where() {
-  return {printed(), "sec5", "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
+  return {printed(), "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
 }
 
 Claim number(const std::string& id, const std::string& words, Proof prove) {
-  return {.id = id, .place = where().place, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
+  return {.id = id, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
 }
 
 Claim closes() {

@@ -21,7 +21,6 @@ namespace {
 Claim list_claim(const PrintedPlace& where) {
   return {
       .id = where.example.name + ".list",
-      .place = where.place,
       .kind = Kind::numbers,
       .words =
           fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
@@ -44,7 +43,6 @@ Claim list_claim(const PrintedPlace& where) {
 
 Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
   return {.id = fmt::format("{}.if.{}", where.example.name, requirement.id),
-          .place = where.place,
           .kind = Kind::condition,
           .words = fmt::format("{}, at the data of {}", requirement.statement, where.example.figure),
           .prove = [where, id = requirement.id](Prover&, const Claim&) {
@@ -75,7 +73,6 @@ std::string shown_complex(const ComplexBall& number) {
 
 Claim stability_claim(const PrintedPlace& where) {
   return {.id = where.example.name + ".stability",
-          .place = where.place,
           .kind = Kind::numbers,
           .words = fmt::format("whether the orbit of {} is stable, which the paper leaves open",
                                where.example.figure),
@@ -104,7 +101,6 @@ constexpr double raw_bound = 1e-8;
 
 Claim raw_law_claim(const PrintedPlace& where) {
   return {.id = where.example.name + ".raw",
-          .place = where.place,
           .kind = Kind::check,
           .words = fmt::format(
               "the equations of motion (2) with the friction law (4), integrated over one period without any "
@@ -165,7 +161,6 @@ Claim computed_from(const PrintedPlace& where, const std::string& name, const st
                     std::function<Ball()> value) {
   return {
       .id = fmt::format("{}.from.{}", where.example.name, name),
-      .place = where.place,
       .kind = Kind::numbers,
       .words = fmt::format("the printed {} is {} of the other printed values, rounded", name, formula),
       .prove = [=, value = std::move(value)](Prover&, const Claim&) {

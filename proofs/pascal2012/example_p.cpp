@@ -16,7 +16,7 @@ using namespace methods;
 namespace {
 
 PrintedPlace where() {
-  return {example_named("P"), "sec6", "P.orbit", "Krawczyk's test in balls on equations equivalent to (28)"};
+  return {example_named("P"), "P.orbit", "Krawczyk's test in balls on equations equivalent to (28)"};
 }
 
 Claim value(const std::string& name) {
@@ -25,7 +25,6 @@ Claim value(const std::string& name) {
 
 Claim closes_claim() {
   return {.id = "P.orbit",
-          .place = "sec6",
           .kind = Kind::numbers,
           .words = "a motion with the data of Fig. 4 closes, (28), and obeys every condition",
           .prove = [](Prover&, const Claim&) {
@@ -54,7 +53,6 @@ Ball largest_friction(const Example& example) {
 // The printed u_r is a datum; the paper does not say how it was chosen.
 Claim friction_claim() {
   return {.id = "P.from.ur",
-          .place = "sec6",
           .kind = Kind::numbers,
           .words = "u_r = 0.2996 is the largest u_r for which the orbit exists, cut off after four digits",
           .prove = [](Prover&, const Claim&) {
@@ -75,7 +73,6 @@ Claim friction_claim() {
 // (37) made sharp, with x2' < 0 on the whole slip.
 Claim least_load_claim() {
   return {.id = "P.least",
-          .place = "sec6",
           .kind = Kind::condition,
           .words =
               "the load of Fig. 4 exceeds the least one: p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2), B "

@@ -14,8 +14,6 @@ using namespace methods;
 
 namespace {
 
-const std::string sec = "sec4";
-
 const Example& printed() {
   return example_named("S");
 }
@@ -43,7 +41,7 @@ const SymmetricOrbit& orbit() {
 const char * const ball_route = "Krawczyk's test in balls on equations equivalent to (13) and (15)";
 
 PrintedPlace where() {
-  return {printed(), sec, "S.orbit", ball_route};
+  return {printed(), "S.orbit", ball_route};
 }
 
 Claim orbit_value(const std::string& name, Ball SymmetricState<Ball>::*member) {
@@ -56,7 +54,6 @@ std::vector<Ball> components(const model::Vector4<Ball>& v) {
 
 Claim closes() {
   return {.id = "S.orbit",
-          .place = sec,
           .kind = Kind::numbers,
           .words = "an orbit with the data of Fig. 2 exists: it closes in all components of (13) and (15)",
           .prove = [](Prover&, const Claim&) {
@@ -72,7 +69,6 @@ Claim closes() {
 Claim printed_values_close() {
   return {
       .id = "S.16",
-      .place = sec,
       .kind = Kind::numbers,
       .words =
           "the printed tau, z_1(0), z_2(0), z_1'(0), each within half a unit of its last place, solve (16)",

@@ -2,6 +2,8 @@
 
 namespace stickslip::proofs::pascal2012 {
 
+using namespace methods;
+
 const std::vector<Judgement>& judgements() {
   static const std::vector<Judgement> all{
       {"7",

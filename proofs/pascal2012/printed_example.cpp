@@ -47,7 +47,6 @@ Outcome at_the_data(const Example& example, const std::string& route) {
 Claim printed_value(const PrintedPlace& where, const std::string& name, std::function<Ball()> value) {
   const PrintedResult& result = where.example.result(name);
   return {.id = where.example.name + "." + name,
-          .place = where.place,
           .kind = Kind::numbers,
           .words = fmt::format("{} = {}{}", name, result.value.text,
                                result.sign_lost ? " up to its sign, which is not legible in the source" : ""),

@@ -14,8 +14,6 @@ namespace {
 using namespace overshooting;
 using half_period::friction_at_rest;
 
-const std::string sec = "sec5";
-
 using Assumptions = std::vector<Assumption>;
 
 // The friction at rest of (4) at tau and at tau + tau1.
@@ -63,7 +61,6 @@ Counterexample printed_landing() {
 std::vector<Claim> conditions() {
   return {
       {.id = "18",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {inequality18},
        .words = "at t = tau, where z2' = V, the friction at rest is below -u_r: the mass leaves the belt's "
@@ -71,14 +68,12 @@ std::vector<Claim> conditions() {
        .assumptions = {leaves_up},
        .prove = by_positive_combination({{.positive = {{eta, {{assuming("4.up")}}}}}})},
       {.id = "18.back",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {leaves_up.statement},
        .words = "conversely (18) says that r < -u_r",
        .assumptions = {{"18", inequality18}},
        .prove = by_positive_combination({{.positive = {{1 / eta, {{assuming("18")}}}}}})},
       {.id = "19",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {{-eta * (ur + us), printed19, Relation::less},
                    {printed19, eta * (ur - us), Relation::less}},
@@ -90,7 +85,6 @@ std::vector<Claim> conditions() {
        .prove_corrected = by_positive_combination(
            {{.positive = {{eta, {{assuming("4.rest")}}}}}, {.positive = {{eta, {{assuming("4.rest2")}}}}}})},
       {.id = "19.back",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {sticks_above.statement, sticks_below.statement},
        .words = "conversely (19), with eta and tau_1, says that |r| < u_r",
@@ -98,7 +92,6 @@ std::vector<Claim> conditions() {
        .prove = by_positive_combination({{.positive = {{1 / eta, {{assuming("19.above")}}}}},
                                          {.positive = {{1 / eta, {{assuming("19.below")}}}}}})},
       {.id = "19.implied",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {above19},
        .words = "the left inequality of (19) is no condition: a mass that comes down to the belt's velocity "
@@ -107,14 +100,12 @@ std::vector<Claim> conditions() {
        .prove = by_positive_combination(
            {{.positive = {{1, {{assuming("19.down")}}}, {eta, {{assuming("4.ur")}}}}}})},
       {.id = "24",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(ur, us + (chi * (z20 - z10) - p / eta * cos(phi)))},
        .words = "u_r from the state at t = 0, by (12); the bracket is f",
        .assumptions = {{"12", at_start}},
        .prove = by_combination({{{assuming("12"), 0, -1 / eta}}})},
       {.id = "24.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {at_start},
        .words = "conversely (24) gives (12)",
@@ -128,7 +119,6 @@ std::vector<Claim> motion() {
   const Assumptions whole{named_B, named_C, closes, period};
   return {
       {.id = "20.slips",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(ZC, after_both)},
        .words = "the state at the end of the overshoot: (5) on (0, tau), then (8)",
@@ -137,20 +127,17 @@ std::vector<Claim> motion() {
                               from("56.B").solved_for(ZB), from("56.F").solved_for(FB),
                               from("38.group").at("t", tau1).at("s", tau).solved_for(H(tau1) * H(tau))})},
       {.id = "20.sticking",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(Z(t), Gamma(t - tau - tau1) * ZC)},
        .words = "the stick that begins at tau + tau_1",
        .prove = by_differential_equation(first_order(stick_matrix), zero(4, 1), ZC, tau + tau1)},
       {.id = "20",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {equation(Z0, Gamma(T) * ZC)},
        .words = "Z(Theta) = Z_0 with the stick in closed form",
        .assumptions = {closes, period},
        .prove = by_rewriting({assuming("20").solved_for(Z0), from("20.sticking").at("t", Theta)})},
       {.id = "20.C",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(ZC, Gamma(-T) * Z0)},
        .words = "(20) solved for the state at the beginning of the stick: the combination of (20) whose "
@@ -158,7 +145,6 @@ std::vector<Claim> motion() {
        .assumptions = {closes, period},
        .prove = by_rewriting({from("20").solved_for(Z0), from("41.inverse").at("t", T)})},
       {.id = "20.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(Z(Theta), Z0)},
        .words = "conversely that state closes the motion",
@@ -166,21 +152,18 @@ std::vector<Claim> motion() {
        .prove = by_rewriting({from("20.sticking").at("t", Theta), assuming("20.C").solved_for(ZC),
                               from("41.inverse").at("t", T)})},
       {.id = "21.gap",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(after_both, Gamma(-T) * Z0)},
        .words = "slip, overshoot and stick close",
        .assumptions = whole,
        .prove = by_rewriting({from("20.C").solved_for(ZC), from("20.slips").solved_for(H(tau + tau1) * Z0)})},
       {.id = "18.speed",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(row(4) * after_slip, V)},
        .words = "z2'(tau) = V",
        .assumptions = {named_B, meets_belt},
        .prove = by_combination({{{from("56.B"), 0, -row(4)}}})},
       {.id = "19.speed",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(row(4) * after_both, V)},
        .words = "z2'(tau + tau_1) = V",

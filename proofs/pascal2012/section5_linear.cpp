@@ -14,8 +14,6 @@ namespace {
 
 using namespace overshooting;
 
-const std::string sec = "sec5";
-
 using Assumptions = std::vector<Assumption>;
 
 std::string id_of(int equation_number, char letter) {
@@ -65,7 +63,6 @@ std::vector<Claim> linear_equations() {
   const Term speed_C = scalar("zdot2C");
   return {
       {.id = "21",
-       .place = sec,
        .kind = Kind::step,
        .printed = lines,
        .words = "five linear equations for z_1(0), z_2(0), z_1'(0): three components of (20), and z2' = V at "
@@ -73,7 +70,6 @@ std::vector<Claim> linear_equations() {
        .assumptions = {named_B, named_C, closes, period, starts_with_belt, meets_belt, lands_on_belt},
        .prove = by_combination(forward)},
       {.id = "21.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(ZC, Gamma(-T) * Z0), equation(scalar("zdot2B"), V), equation(speed_C, V)},
        .words =
@@ -145,7 +141,6 @@ std::vector<Claim> solution() {
   compatible_too.push_back({"23.2", compatible(5)});
   return {
       {.id = "22.Delta",
-       .place = sec,
        .kind = Kind::definition,
        .printed = {equation(Delta, determinant_of_columns({"a", "b", "c"})),
                    equation(Delta1, determinant_of_columns({"-d", "b", "c"})),
@@ -155,7 +150,6 @@ std::vector<Claim> solution() {
        .prove = by_formulas(determinants),
        .illegible = "the letter Delta, and which of the d_j in Delta_1 have a minus sign"},
       {.id = "22",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(z10, Delta1 / Delta), equation(z20, Delta2 / Delta),
                    equation(zdot10, Delta3 / Delta)},
@@ -164,14 +158,12 @@ std::vector<Claim> solution() {
        .prove = by_combination({by_cramer(1, 1 / Delta), by_cramer(2, 1 / Delta), by_cramer(3, 1 / Delta)}),
        .illegible = "the letter Delta, and the inequality sign in Delta != 0"},
       {.id = "22.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(closing_form(1), 0), equation(closing_form(2), 0), equation(closing_form(3), 0)},
        .words = "conversely (22) solves them",
        .assumptions = solved,
        .prove = by_normal_form()},
       {.id = "23",
-       .place = sec,
        .kind = Kind::step,
        .printed = {compatible(4), compatible(5)},
        .words =
@@ -180,7 +172,6 @@ std::vector<Claim> solution() {
        .assumptions = {assumed_line(1), assumed_line(2), assumed_line(3), assumed_line(4), assumed_line(5)},
        .prove = by_combination({necessary(4), necessary(5)})},
       {.id = "23.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(closing_form(4), 0), equation(closing_form(5), 0)},
        .words = "conversely (22) and (23) solve the other two equations, if Delta is not zero",
@@ -202,7 +193,6 @@ std::vector<Claim> exceptions() {
   const Term sin2 = sin(omega2 * half), cos2 = omega2 * cos(omega2 * half);
   return {
       {.id = "22.square",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(determinant_of_columns({"a", "b", "c"}),
                             -8 * power(even_determinant, 2) / power(lambda1 - lambda2, 2))},
@@ -211,7 +201,6 @@ std::vector<Claim> exceptions() {
        .assumptions = {starts_with_belt},
        .prove = by_putting_in(coefficients)},
       {.id = "22.null",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation((H(tau + tau1) - Gamma(-T)) * even_state,
                             gap * column({sin2, lambda2 * sin2, cos2, lambda2 * cos2}))},
@@ -220,7 +209,6 @@ std::vector<Claim> exceptions() {
                 "tau_1 = constant, and zeros of F_1 on it need not be orbits (23.spurious)",
        .prove = by_normal_form()},
       {.id = "23.tau",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(row(4) * (H(0) * (Z0 - F0) + F(0)) - V, 0)},
        .words = "at tau = 0 equation 4 of (21) is empty, F_1 = 0 for every tau_1: zeros of (23) there are no "
@@ -228,7 +216,6 @@ std::vector<Claim> exceptions() {
        .assumptions = {starts_with_belt},
        .prove = by_normal_form()},
       {.id = "23.tau1",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(row(4) * (H(tau) * (Z0 - F0) + 2 * L(0) * d0 + F(tau)), row(4) * after_slip)},
        .words = "at tau_1 = 0 equations 4 and 5 of (21) are one, F_1 = F_2: zeros of (23) there are motions "

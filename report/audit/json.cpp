@@ -9,7 +9,6 @@
 namespace stickslip::report::audit {
 
 using namespace proofs::methods;
-using namespace proofs::pascal2012;
 using namespace proofs::symbols;
 using namespace tools;
 using namespace symbolic::algebra;
@@ -141,6 +140,10 @@ Json summary(const Audit& audit) {
           {"statuses", list_of(count_statuses(audit), status)}};
 }
 
+Json bibliography(const proofs::methods::Bibliography& b) {
+  return {{"author", b.author}, {"title", b.title}, {"journal", b.journal}, {"doi", b.doi}};
+}
+
 Json place(const PlaceRecords& p) {
   return {{"id", p.id},
           {"title", p.title},
@@ -159,15 +162,12 @@ Json example(const ExampleOrbits& e) {
 
 }  // namespace
 
-Json to_json(const Audit& audit, const std::string& command, const std::vector<ExampleOrbits>& examples,
-             const std::optional<proofs::checks::Gate>& gate) {
+Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
+             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate) {
   Json json = provenance(command);
-  json["paper"] = {{"author", "M. Pascal"},
-                   {"title", "New limit cycles of dry friction oscillators under harmonic load"},
-                   {"journal", "Nonlinear Dynamics 70 (2012) 1435–1443"},
-                   {"doi", "10.1007/s11071-012-0545-5"}};
+  json["paper"] = bibliography(paper.bibliography);
   json["summary"] = summary(audit);
-  json["places"] = list_of(by_place(audit), place);
+  json["places"] = list_of(by_place(paper, audit), place);
   json["examples"] = list_of(examples, example);
   json["mutants"] = gate ? to_json(*gate) : Json(nullptr);
   return json;

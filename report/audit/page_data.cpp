@@ -7,7 +7,6 @@
 #include <cctype>
 
 #include "core/decimal.hpp"
-#include "proofs/pascal2012/judgement.hpp"
 #include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
 #include "report/tools/layout.hpp"
@@ -169,8 +168,8 @@ bool compares(const Json& claim) {
 }
 
 // What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
-Json judgements_of(const proofs::methods::Audit& audit, const std::string& origin) {
-  const auto is_shown = [&](const proofs::pascal2012::Judgement& judgement) {
+Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, const std::string& origin) {
+  const auto is_shown = [&](const Judgement& judgement) {
     return std::ranges::all_of(judgement.shown_by, [&](const std::string& id) {
       return std::ranges::any_of(audit.records, [&](const proofs::methods::Record& record) {
         return record.claim.id == id && record.outcome.verdict.truth == Truth::proved;
@@ -178,7 +177,7 @@ Json judgements_of(const proofs::methods::Audit& audit, const std::string& origi
     });
   };
   Json json = Json::array();
-  for (const proofs::pascal2012::Judgement& judgement : proofs::pascal2012::judgements()) {
+  for (const Judgement& judgement : paper.judgements) {
     if (judgement.origin == origin && is_shown(judgement)) {
       json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
                       {"words", judgement.words},
@@ -188,7 +187,7 @@ Json judgements_of(const proofs::methods::Audit& audit, const std::string& origi
   return json;
 }
 
-Json hypothesis_group(const proofs::methods::Audit& audit, const HypothesisGroup& g) {
+Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
   Json json = {{"hypotheses", Json::array()},
                {"origins", Json::array()},
                {"heirs", g.heirs},
@@ -199,23 +198,23 @@ Json hypothesis_group(const proofs::methods::Audit& audit, const HypothesisGroup
   for (const proofs::methods::Record * origin : g.origins) {
     json["origins"].push_back({{"id", origin->claim.id},
                                {"words", origin->claim.words},
-                               {"judgements", judgements_of(audit, origin->claim.id)}});
+                               {"judgements", judgements_of(paper, audit, origin->claim.id)}});
   }
   return json;
 }
 
-Json hypotheses_finding(const proofs::methods::Audit& audit) {
+Json hypotheses_finding(const Paper& paper, const proofs::methods::Audit& audit) {
   Json json =
       group("Hypotheses that the paper does not state",
             "The proofs divide by these; where one of them vanishes, the statements behind it are not "
             "claimed. Each is shown once, with all statements that inherit it.");
   for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-    json["hypotheses_groups"].push_back(hypothesis_group(audit, g));
+    json["hypotheses_groups"].push_back(hypothesis_group(paper, audit, g));
   }
   return json;
 }
 
-Json findings(const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
+Json findings(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
   Json all = Json::array();
   for (const GroupWords& words : groups_of_claims()) {
     Json one = group(words.title, words.explanation);
@@ -237,7 +236,7 @@ Json findings(const proofs::methods::Audit& audit, const std::vector<Json>& clai
   }
   const std::size_t off = digits.at("numbers").size() + digits.at("claims").size();
   add_group(all, std::move(digits), off);
-  Json hypotheses = hypotheses_finding(audit);
+  Json hypotheses = hypotheses_finding(paper, audit);
   const std::size_t groups = hypotheses.at("hypotheses_groups").size();
   add_group(all, std::move(hypotheses), groups);
   return all;
@@ -245,7 +244,7 @@ Json findings(const proofs::methods::Audit& audit, const std::vector<Json>& clai
 
 }  // namespace
 
-Json page_data(const proofs::methods::Audit& audit, const Json& json) {
+Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Json& json) {
   Json data = json;
   std::vector<Json> claims;
   data["numbers"] = Json::array();
@@ -261,7 +260,7 @@ Json page_data(const proofs::methods::Audit& audit, const Json& json) {
       }
     }
   }
-  data["findings"] = findings(audit, claims);
+  data["findings"] = findings(paper, audit, claims);
   data["errata"] = Json::array();
   for (const Json& claim : claims) {
     if (has_status(claim, Status::misprint_corrected) ||

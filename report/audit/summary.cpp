@@ -8,7 +8,6 @@
 #include <array>
 
 #include "proofs/methods/prover.hpp"
-#include "proofs/pascal2012/paper.hpp"
 
 namespace stickslip::report::audit {
 
@@ -35,13 +34,9 @@ constexpr std::array best_to_worst = {
     Status::undecided,
 };
 
-std::string title_of(const std::string& place) {
-  for (const proofs::pascal2012::Place& known : proofs::pascal2012::places()) {
-    if (known.id == place) {
-      return known.title;
-    }
-  }
-  return place;
+std::string title_of(const Paper& paper, const std::string& place) {
+  const auto section = std::ranges::find(paper.sections, place, &Section::id);
+  return section == paper.sections.end() ? place : section->title;
 }
 
 }  // namespace
@@ -126,13 +121,13 @@ std::string summary_line(const Audit& audit) {
   return fmt::format("{} statement{}{}.", total, total == 1 ? "" : "s", parts);
 }
 
-std::vector<PlaceRecords> by_place(const Audit& audit) {
+std::vector<PlaceRecords> by_place(const Paper& paper, const Audit& audit) {
   std::vector<PlaceRecords> places;
   for (const Record& record : audit.records) {
     const auto same = [&record](const PlaceRecords& place) { return place.id == record.claim.place; };
     auto place = std::ranges::find_if(places, same);
     if (place == places.end()) {
-      places.push_back({record.claim.place, title_of(record.claim.place), {}});
+      places.push_back({record.claim.place, title_of(paper, record.claim.place), {}});
       place = std::prev(places.end());
     }
     place->records.push_back(&record);

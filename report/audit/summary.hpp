@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::report::audit {
 
@@ -43,11 +43,12 @@ struct StatusCount {
 // The consecutive records of one place.
 struct PlaceRecords {
   std::string id;
-  std::string title;  // of proofs::places(), else the id
+  std::string title;  // of the section, else the id
   std::vector<const proofs::methods::Record *> records;
 };
 
 // The records by place, in the order in which places first occur. Points into the audit.
-[[nodiscard]] std::vector<PlaceRecords> by_place(const proofs::methods::Audit& audit);
+[[nodiscard]] std::vector<PlaceRecords> by_place(const proofs::methods::Paper& paper,
+                                                 const proofs::methods::Audit& audit);
 
 }  // namespace stickslip::report::audit

@@ -100,10 +100,10 @@ std::string head(const Record& record, const Style& style) {
   return columns_of({{{record.claim.id}, {proofs::methods::describe(record.status), colour}}}, style.width);
 }
 
-std::string tables_by_place(const Audit& audit, const Style& style) {
+std::string tables_by_place(const Paper& paper, const Audit& audit, const Style& style) {
   std::vector<Row> rows;
   std::string result;
-  for (const PlaceRecords& place : by_place(audit)) {
+  for (const PlaceRecords& place : by_place(paper, audit)) {
     rows.clear();
     for (const Record * record : place.records) {
       rows.push_back({{record->claim.id},
@@ -183,8 +183,8 @@ std::string explanation(const Record& record, const Style& style) {
 
 }  // namespace
 
-std::string terminal_report(const Audit& audit, const Style& style) {
-  return tables_by_place(audit, style) + findings(audit, style) + printed_numbers(audit, style) +
+std::string terminal_report(const Paper& paper, const Audit& audit, const Style& style) {
+  return tables_by_place(paper, audit, style) + findings(audit, style) + printed_numbers(audit, style) +
          summary_paragraph(audit, style);
 }
 

@@ -2,7 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 #include "report/audit/graph.hpp"
 #include "tests/report/audit/sample.hpp"
 
@@ -66,7 +67,7 @@ TEST_CASE("the same hypothesis brought in twice is one group") {
 TEST_CASE("the graph leaves out an arrow that others imply") {
   Audit audit = sample_audit();
   audit.records[5].outcome.uses = {"2", "5"};  // 5 uses 2 itself
-  const std::string script = graph_script(audit);
+  const std::string script = graph_script(sample_paper(), audit);
   CHECK(script.find("\"5\" -> \"17\"") != std::string::npos);
   CHECK(script.find("\"2\" -> \"5\"") != std::string::npos);
   CHECK(script.find("\"2\" -> \"17\"") == std::string::npos);

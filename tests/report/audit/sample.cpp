@@ -55,6 +55,14 @@ Record digits() {
 
 }  // namespace
 
+Paper sample_paper() {
+  return {{"A. Author", "A Title", "A Journal 1 (2000) 1-2", "10.1000/1"},
+          {{"sec2", "Section 2: the model", "section2"}, {"sec3", "Section 3: phases", "section3"}},
+          {},
+          {},
+          {}};
+}
+
 Audit sample_audit() {
   Record model = record("2", "sec2", Status::model, "Newton's law for both masses; u_s is 100% of {F}.",
                         equation(Z(t), H(t) * Z0));
