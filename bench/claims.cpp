@@ -19,17 +19,12 @@ using namespace proofs::symbols;
 namespace {
 
 using proofs::methods::Claim;
-using proofs::methods::Status;
 using Ids = std::set<std::string>;
-
-bool is_decided(Status status) {
-  return status != Status::undecided && status != Status::rests_on_unproved;
-}
 
 void prove(benchmark::State& state, const std::vector<Claim>& claims, const Ids& ids) {
   for (auto _ : state) {
     for (const proofs::methods::Record& record : proofs::methods::audit(claims, ids).records) {
-      if (!is_decided(record.status)) {
+      if (!facts(record.status).decided) {
         state.SkipWithError(("not decided: " + record.claim.id).c_str());
       }
     }
@@ -46,7 +41,7 @@ void identity(benchmark::State& state, const Ids& ids) {
   }
   for (auto _ : state) {
     for (const std::string& id : ids) {
-      if (!is_decided(prover.prove(id).status)) {
+      if (!facts(prover.prove(id).status).decided) {
         state.SkipWithError(("not decided: " + id).c_str());
       }
     }

@@ -33,7 +33,7 @@ std::set<std::string> named(const std::vector<proofs::methods::Claim>& claims, c
 std::string statements(const std::vector<proofs::methods::Claim>& claims, const std::set<std::string>& ids) {
   std::string result;
   for (const proofs::methods::Record& record : prove(claims, ids).records) {
-    result += fmt::format("% ({}) {}\n", record.claim.id, proofs::methods::describe(record.status));
+    result += fmt::format("% ({}) {}\n", record.claim.id, proofs::methods::facts(record.status).meaning);
     if (record.status == proofs::methods::Status::refuted) {
       continue;
     }

@@ -19,6 +19,10 @@ std::string to_string(Truth truth) {
       return "undecided";
     case Truth::out_of_domain:
       return "out_of_domain";
+    case Truth::assumed:
+      return "assumed";
+    case Truth::checked:
+      return "checked";
   }
   return "undecided";
 }
@@ -37,7 +41,8 @@ Verdict Verdict::refuted(Witness witness) {
 }
 
 Verdict all_of(const std::vector<Verdict>& verdicts) {
-  for (const Truth truth : {Truth::refuted, Truth::out_of_domain, Truth::undecided}) {
+  for (const Truth truth :
+       {Truth::refuted, Truth::out_of_domain, Truth::undecided, Truth::checked, Truth::assumed}) {
     const auto found = std::find_if(verdicts.begin(), verdicts.end(),
                                     [truth](const Verdict& verdict) { return verdict.truth == truth; });
     if (found != verdicts.end()) {

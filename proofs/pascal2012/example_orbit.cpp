@@ -118,8 +118,8 @@ Claim raw_law_claim(const PrintedPlace& where) {
             outcome.verdict =
                 !found.difference.empty() ? Verdict::undecided("the motions differ: " + found.difference)
                 : found.time_error <= raw_bound && found.closure <= raw_bound
-                    ? Verdict::out_of_domain(fmt::format("times agree to {:.1e}, states to {:.1e}",
-                                                         found.time_error, found.closure))
+                    ? Verdict::checked(fmt::format("times agree to {:.1e}, states to {:.1e}",
+                                                   found.time_error, found.closure))
                     : Verdict::undecided(fmt::format("times differ by {:.1e}, the state by {:.1e}",
                                                      found.time_error, found.closure));
             return outcome;

@@ -58,8 +58,7 @@ int check(const Paper& paper, const Wanted& wanted) {
     const bool refuted = record.status == Status::refuted;
     if (refuted != wanted.known_to_be_refuted.contains(record.claim.id)) {
       code = exit_refuted;
-    } else if (code == exit_decided &&
-               (record.status == Status::undecided || record.status == Status::rests_on_unproved)) {
+    } else if (code == exit_decided && !facts(record.status).decided) {
       code = exit_undecided;
     }
   }

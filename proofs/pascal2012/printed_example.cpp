@@ -25,8 +25,8 @@ Comparison compared(const std::string& name, const Decimal& printed, const Ball&
   return {name,
           symbolic::typeset::latex_name(name),
           printed.text,
-          to_text(comparison.value, 20),
-          to_text(comparison.units, 4),
+          comparison.value,
+          comparison.units,
           comparison.verdict};
 }
 

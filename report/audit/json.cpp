@@ -55,6 +55,7 @@ Json coordinate(const Coordinate& c) {
 // Enough to tell the sides apart. The digits beyond depend on the order of GiNaC's sums, which no two runs
 // share.
 constexpr int witness_digits = 10;
+constexpr int unit_digits = 4;
 
 Json witness(const std::optional<Witness>& w) {
   if (!w) {
@@ -70,8 +71,8 @@ Json comparison(const proofs::methods::Comparison& c) {
   return {{"name", c.name},
           {"latex", c.latex},
           {"printed", c.printed},
-          {"proved", ball(c.proved)},
-          {"units_off", ball(c.units_off)},
+          {"proved", ball(to_text(c.proved))},
+          {"units_off", ball(to_text(c.units_off, unit_digits))},
           {"verdict", to_string(c.verdict.truth)},
           {"reason", c.verdict.reason}};
 }
@@ -115,7 +116,7 @@ Json claim(const Record& record) {
           {"kind", proofs::methods::to_string(c.kind)},
           {"words", c.words},
           {"status", proofs::methods::to_string(record.status)},
-          {"meaning", proofs::methods::describe(record.status)},
+          {"meaning", proofs::methods::facts(record.status).meaning},
           {"finding", is_finding(record)},
           {"printed", list_of(c.printed, formula)},
           {"corrected", list_of(c.corrected, formula)},
@@ -131,7 +132,7 @@ Json claim(const Record& record) {
 Json summary(const Audit& audit) {
   const auto status = [](const StatusCount& entry) -> Json {
     return {{"status", proofs::methods::to_string(entry.status)},
-            {"meaning", proofs::methods::describe(entry.status)},
+            {"meaning", proofs::methods::facts(entry.status).meaning},
             {"count", entry.count}};
   };
   return {{"statements", audit.records.size()},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "core/decimal.hpp"
@@ -20,47 +19,15 @@ using namespace tools;
 
 namespace {
 
+using proofs::methods::Record;
 using proofs::methods::Status;
 
 constexpr int number_digits = 10;
 constexpr int unit_digits = 3;
 
-std::string short_ball(const Json& ball, int digits) {
-  return readable({ball.at("mid").get<std::string>(), ball.at("rad").get<std::string>()}, digits);
-}
-
 // The difference in units, or that it is next to nothing.
-std::string units_off(const Json& ball) {
-  const Rational mid = parse_decimal(ball.at("mid").get<std::string>()).value;
-  const Rational rad = parse_decimal(ball.at("rad").get<std::string>()).value;
-  return abs(mid) + rad < Rational(1, 1000) ? "under 0.001" : short_ball(ball, unit_digits);
-}
-
-// The nearest whole number, halves upwards.
-mpz_class nearest(const Rational& value) {
-  const Rational shifted = value + Rational(1, 2);
-  mpz_class quotient;
-  mpz_fdiv_q(quotient.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
-  return quotient;
-}
-
-// The ball rounded to the digits that are printed, or the whole ball where it leaves that open.
-std::string rounded_like(const std::string& printed, const Json& ball) {
-  const Decimal decimal = parse_decimal(printed);
-  const Rational mid = parse_decimal(ball.at("mid").get<std::string>()).value;
-  const Rational rad = parse_decimal(ball.at("rad").get<std::string>()).value;
-  const mpz_class low = nearest((mid - rad) / decimal.unit);
-  if (low != nearest((mid + rad) / decimal.unit)) {
-    return short_ball(ball, number_digits);
-  }
-  const std::size_t point = printed.find('.');
-  const std::size_t decimals = point == std::string::npos ? 0 : printed.size() - point - 1;
-  std::string digits = mpz_class(abs(low)).get_str();
-  digits.insert(0, digits.size() > decimals ? 0 : decimals + 1 - digits.size(), '0');
-  if (decimals > 0) {
-    digits.insert(digits.size() - decimals, ".");
-  }
-  return (low < 0 ? "-" : "") + digits;
+std::string units_off(const Ball& ball) {
+  return (abs(ball) - Ball(Rational(1, 1000))).is_negative() ? "under 0.001" : readable(ball, unit_digits);
 }
 
 // The value of the key without underscores: "as printed" for as_printed.
@@ -84,83 +51,47 @@ std::string sentence(std::string words) {
   return words.empty() || words.ends_with('.') ? words : words + ".";
 }
 
-void complete_coordinates(Json& coordinates) {
-  for (Json& coordinate : coordinates) {
+void complete_comparison(Json& json, const proofs::methods::Comparison& comparison) {
+  const std::string proved = readable(comparison.proved, number_digits);
+  json["proved_short"] = proved;
+  json["rounded"] = rounded_like(parse_decimal(comparison.printed), comparison.proved).value_or(proved);
+  json["units_off_short"] = units_off(comparison.units_off);
+}
+
+void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const std::string& id) {
+  add_words(json, "verdict");
+  json["verdict_capital"] = capitalised(json.at("verdict_words"));
+  for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
   }
-}
-
-void complete_outcome(Json& outcome, const std::string& id) {
-  add_words(outcome, "verdict");
-  outcome["verdict_capital"] = capitalised(outcome.at("verdict_words"));
-  complete_coordinates(outcome.at("at"));
-  for (Json& hypothesis : outcome.at("hypotheses")) {
+  for (Json& hypothesis : json.at("hypotheses")) {
     hypothesis["foreign"] = hypothesis.at("origin") != id;
   }
-  for (Json& comparison : outcome.at("comparisons")) {
-    comparison["proved_short"] = short_ball(comparison.at("proved"), number_digits);
-    comparison["rounded"] = rounded_like(comparison.at("printed"), comparison.at("proved"));
-    comparison["units_off_short"] = units_off(comparison.at("units_off"));
+  for (std::size_t i = 0; i < outcome.comparisons.size(); ++i) {
+    complete_comparison(json.at("comparisons").at(i), outcome.comparisons[i]);
   }
 }
 
-void complete_claim(Json& claim, const std::string& place_title) {
+void complete_claim(Json& claim, const Record& record, const std::string& place_title) {
+  const std::string& id = record.claim.id;
   add_words(claim, "status");
-  claim["examined"] = claim.at("status") != proofs::methods::to_string(Status::model);
+  claim["examined"] = record.status != Status::model;
   claim["place_title"] = place_title;
-  claim["words_sentence"] = sentence(claim.at("words"));
-  const std::string id = claim.at("id");
-  complete_outcome(claim.at("outcome"), id);
-  for (const char * further : {"corrected_outcome", "converse"}) {
-    if (!claim.at(further).is_null()) {
-      complete_outcome(claim.at(further), id);
-    }
+  claim["words_sentence"] = sentence(record.claim.words);
+  complete_outcome(claim.at("outcome"), record.outcome, id);
+  if (record.corrected) {
+    complete_outcome(claim.at("corrected_outcome"), *record.corrected, id);
   }
-  const Json& corrected = claim.at("corrected_outcome");
-  claim["needs"] = (corrected.is_null() ? claim.at("outcome") : corrected).at("hypotheses");
-}
-
-struct GroupWords {
-  std::vector<Status> statuses;
-  const char * title;
-  const char * explanation;
-};
-
-const std::array<GroupWords, 4>& groups_of_claims() {
-  static const std::array<GroupWords, 4> groups{{
-      {{Status::undecided, Status::rests_on_unproved},
-       "Not decided",
-       "Neither proved nor refuted, or proved from something that is not."},
-      {{Status::refuted},
-       "Refuted",
-       "False as printed, with a witness, and in no corrected form that was found."},
-      {{Status::misprint_corrected},
-       "Misprints",
-       "False as printed, with a witness; the form that the derivation supports is proved."},
-      {{Status::necessary_not_sufficient},
-       "Necessary, not sufficient",
-       "It follows from what it is deduced from, but does not give that back."},
-  }};
-  return groups;
-}
-
-Json group(const std::string& title, const std::string& explanation) {
-  return {{"title", title},
-          {"explanation", explanation},
-          {"claims", Json::array()},
-          {"numbers", Json::array()},
-          {"hypotheses_groups", Json::array()}};
-}
-
-void add_group(Json& findings, Json group, std::size_t count) {
-  if (count > 0) {
-    group["count"] = count;
-    findings.push_back(std::move(group));
+  if (record.converse) {
+    complete_outcome(claim.at("converse"), *record.converse, id);
   }
+  claim["needs"] = claim.at(record.corrected ? "corrected_outcome" : "outcome").at("hypotheses");
 }
 
-bool has_status(const Json& claim, Status status) {
-  return claim.at("status") == proofs::methods::to_string(status);
+Json group(const StatusFacts& status) {
+  return {
+      {"title", status.heading}, {"explanation", status.explanation}, {"count", 0},
+      {"claims", Json::array()}, {"numbers", Json::array()},          {"hypotheses_groups", Json::array()}};
 }
 
 bool compares(const Json& claim) {
@@ -203,43 +134,37 @@ Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, c
   return json;
 }
 
-Json hypotheses_finding(const Paper& paper, const proofs::methods::Audit& audit) {
-  Json json =
-      group("Hypotheses that the paper does not state",
-            "The proofs divide by these; where one of them vanishes, the statements behind it are not "
-            "claimed. Each is shown once, with all statements that inherit it.");
-  for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-    json["hypotheses_groups"].push_back(hypothesis_group(paper, audit, g));
-  }
-  return json;
-}
-
+// The groups of findings, from the worst status to the best; statuses with one heading make one group.
 Json findings(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
-  Json all = Json::array();
-  for (const GroupWords& words : groups_of_claims()) {
-    Json one = group(words.title, words.explanation);
-    for (const Json& claim : claims) {
-      for (const Status status : words.statuses) {
-        if (has_status(claim, status)) {
-          one["claims"].push_back(claim);
+  Json groups = Json::array();
+  for (auto status = statuses().rbegin(); status != statuses().rend(); ++status) {
+    if (groups.empty() || groups.back().at("title") != status->heading) {
+      groups.push_back(group(*status));
+    }
+    Json& found = groups.back();
+    const auto add = [&](const char * list, Json one) {
+      found[list].push_back(std::move(one));
+      found["count"] = found.at("count").get<int>() + 1;
+    };
+    if (status->status == Status::needs_hypotheses) {
+      for (const HypothesisGroup& g : hypothesis_groups(audit)) {
+        add("hypotheses_groups", hypothesis_group(paper, audit, g));
+      }
+    } else if (status->finding) {
+      for (const Json& claim : claims) {
+        if (claim.at("status") == status->name) {
+          add(status->status == Status::digits_off && compares(claim) ? "numbers" : "claims", claim);
         }
       }
     }
-    const std::size_t count = one.at("claims").size();
-    add_group(all, std::move(one), count);
   }
-  Json digits = group("Digits", "Printed numbers that are not the correctly rounded ones.");
-  for (const Json& claim : claims) {
-    if (has_status(claim, Status::digits_off)) {
-      digits[compares(claim) ? "numbers" : "claims"].push_back(claim);
+  Json found = Json::array();
+  for (Json& one : groups) {
+    if (one.at("count") != 0) {
+      found.push_back(std::move(one));
     }
   }
-  const std::size_t off = digits.at("numbers").size() + digits.at("claims").size();
-  add_group(all, std::move(digits), off);
-  Json hypotheses = hypotheses_finding(paper, audit);
-  const std::size_t groups = hypotheses.at("hypotheses_groups").size();
-  add_group(all, std::move(hypotheses), groups);
-  return all;
+  return found;
 }
 
 }  // namespace
@@ -248,26 +173,27 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
   Json data = json;
   std::vector<Json> claims;
   data["numbers"] = Json::array();
+  data["errata"] = Json::array();
   for (Json& status : data.at("summary").at("statuses")) {
     add_words(status, "status");
   }
-  for (Json& place : data.at("places")) {
-    for (Json& claim : place.at("claims")) {
-      complete_claim(claim, place.at("title"));
+  const std::vector<PlaceRecords> places = by_place(paper, audit);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < places[i].records.size(); ++k) {
+      const Record& record = *places[i].records[k];
+      Json& claim = data.at("places").at(i).at("claims").at(k);
+      complete_claim(claim, record, places[i].title);
       claims.push_back(claim);
       if (compares(claim)) {
         data["numbers"].push_back(claim);
       }
+      if (record.status == Status::misprint_corrected ||
+          (record.status == Status::digits_off && compares(claim))) {
+        data["errata"].push_back(claim);
+      }
     }
   }
   data["findings"] = findings(paper, audit, claims);
-  data["errata"] = Json::array();
-  for (const Json& claim : claims) {
-    if (has_status(claim, Status::misprint_corrected) ||
-        (has_status(claim, Status::digits_off) && compares(claim))) {
-      data["errata"].push_back(claim);
-    }
-  }
   data["verdict_lead"] = verdict_lead(audit);
   data["verdict_sentence"] = verdict_sentence(audit);
   return data;

@@ -26,8 +26,7 @@ struct StatusCount {
 [[nodiscard]] std::set<std::string> inheriting(const proofs::methods::Audit& audit,
                                                const proofs::methods::Record& record);
 
-// Whether the question about the statement is answered, one way or the other.
-[[nodiscard]] bool is_decided(proofs::methods::Status status);
+// Whether every question is answered, one way or the other.
 [[nodiscard]] bool all_decided(const proofs::methods::Audit& audit);
 
 // Whether some statement is refuted (printed digits included) without a corrected form that is proved.

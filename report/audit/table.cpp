@@ -25,18 +25,20 @@ using proofs::methods::Status;
 constexpr std::size_t unlimited = 1U << 20U;
 
 std::string colour_of(Status status, const Style& style) {
-  if (!style.colour || status == Status::model || status == Status::checked) {
+  if (!style.colour) {
     return {};
   }
-  switch (status) {
-    case Status::as_printed:
+  switch (facts(status).tone) {
+    case proofs::methods::Tone::quiet:
+      return {};
+    case proofs::methods::Tone::good:
       return "\x1b[32m";
-    case Status::refuted:
-    case Status::misprint_corrected:
-      return "\x1b[31m";
-    default:
+    case proofs::methods::Tone::notable:
       return "\x1b[33m";
+    case proofs::methods::Tone::bad:
+      return "\x1b[31m";
   }
+  return {};
 }
 
 Cell status_cell(const Record& record, const Style& style) {
@@ -97,7 +99,7 @@ class Details {
 
 std::string head(const Record& record, const Style& style) {
   const std::string colour = colour_of(record.status, style);
-  return columns_of({{{record.claim.id}, {proofs::methods::describe(record.status), colour}}}, style.width);
+  return columns_of({{{record.claim.id}, {facts(record.status).meaning, colour}}}, style.width);
 }
 
 std::string tables_by_place(const Paper& paper, const Audit& audit, const Style& style) {

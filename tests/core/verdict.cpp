@@ -13,6 +13,8 @@ TEST_CASE("a conjunction is as good as its worst member") {
   CHECK(all_of({good, open, bad, outside}).truth == Truth::refuted);
   CHECK(all_of({good, open, outside}).truth == Truth::out_of_domain);
   CHECK(all_of({open, good}).reason == "perhaps");
+  CHECK(all_of({good, Verdict::assumed("given"), Verdict::checked("agrees")}).truth == Truth::checked);
+  CHECK(all_of({good, Verdict::assumed("given")}).truth == Truth::assumed);
   CHECK(all_of({}).truth == Truth::undecided);
 }
 

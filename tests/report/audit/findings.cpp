@@ -37,6 +37,17 @@ TEST_CASE("the verdict is that of the worst statement") {
   CHECK(verdict_lead(sample_audit()) == "Not everything is decided.");
 }
 
+TEST_CASE("the table of statuses stands in the order of the statuses, and names each once") {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < statuses().size(); ++i) {
+    CHECK(statuses()[i].status == static_cast<Status>(i));
+    CHECK(names.insert(statuses()[i].name).second);
+    CHECK(is_status(statuses()[i].name));
+  }
+  CHECK(statuses().back().status == Status::undecided);
+  CHECK_FALSE(is_status("proved"));
+}
+
 TEST_CASE("the verdict counts every statement") {
   CHECK(verdict_sentence(with_status(Status::refuted)) ==
         "Of 2 statements, 1 belongs to the model and is taken as given; 1 is refuted.");

@@ -1,5 +1,6 @@
 #include "tests/report/audit/sample.hpp"
 
+#include "core/decimal.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::report {
@@ -44,12 +45,9 @@ Record digits() {
                     equation(tau, Term(Rational(7749, 1000))));
   r.claim.kind = Kind::numbers;
   r.outcome.verdict = Verdict::refuted("7.749 is 1.3 units of its last place off");
-  r.outcome.comparisons = {{"tau",
-                            "\\tau",
-                            "7.749",
-                            {"7.7503000000000000001", "2.1e-30"},
-                            {"-1.3", "1e-25"},
-                            Verdict::refuted("not the rounded value")}};
+  r.outcome.comparisons = {{"tau", "\\tau", "7.749",
+                            Ball::from_interval(parse_rational("7.7502999"), parse_rational("7.7503001")),
+                            Ball(parse_rational("-1.3")), Verdict::refuted("not the rounded value")}};
   return r;
 }
 
