@@ -9,6 +9,11 @@
 
 namespace stickslip {
 
+std::string plain(std::string sentence) {
+  std::erase(sentence, '$');
+  return sentence;
+}
+
 std::string to_string(Truth truth) {
   switch (truth) {
     case Truth::proved:
@@ -31,7 +36,7 @@ Verdict Verdict::refuted(Witness witness) {
   std::string point;
   for (const Coordinate& coordinate : witness.point) {
     point +=
-        fmt::format("{}{} = {}", point.empty() ? "" : ", ", coordinate.name, to_string(coordinate.value));
+        fmt::format("{}${} = {}$", point.empty() ? "" : ", ", coordinate.name, to_string(coordinate.value));
   }
   std::string reason =
       fmt::format("{}{} on the left and {} on the right at {}",

@@ -10,6 +10,10 @@
 
 namespace stickslip {
 
+// A sentence without the dollars around its formulas. Sentences for readers, such as reasons, have them: "the
+// distance is 0 where $z2' = V$".
+[[nodiscard]] std::string plain(std::string sentence);
+
 enum class Truth {
   proved,
   refuted,        // with a witness

@@ -39,7 +39,7 @@ std::optional<Term> rebuilt(const Term& term, Terms arguments) {
 
 void sign_edits(const Term& term, TermEdits& found) {
   if (term.op() == Op::negate) {
-    found.push_back({EditKind::sign, "sign of " + text(term), term.arguments().front()});
+    found.push_back({EditKind::sign, "sign of $" + text(term) + "$", term.arguments().front()});
   }
   if (term.op() != Op::sum) {
     return;
@@ -50,14 +50,15 @@ void sign_edits(const Term& term, TermEdits& found) {
     }
     Terms arguments = term.arguments();
     arguments[i] = opposite(arguments[i]);
-    found.push_back({EditKind::sign, "sign of " + text(term.arguments()[i]), term.with_arguments(arguments)});
+    found.push_back(
+        {EditKind::sign, "sign of $" + text(term.arguments()[i]) + "$", term.with_arguments(arguments)});
   }
 }
 
 void factor_edits(const Term& term, TermEdits& found) {
   if (term.op() == Op::quotient) {
     found.push_back(
-        {EditKind::factor, "without the divisor " + text(term.arguments()[1]), term.arguments()[0]});
+        {EditKind::factor, "without the divisor $" + text(term.arguments()[1]) + "$", term.arguments()[0]});
   }
   if (term.op() != Op::product) {
     return;
@@ -66,7 +67,7 @@ void factor_edits(const Term& term, TermEdits& found) {
     Terms arguments = term.arguments();
     arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
     if (const auto shorter = rebuilt(term, arguments)) {
-      found.push_back({EditKind::factor, "without the factor " + text(term.arguments()[i]),
+      found.push_back({EditKind::factor, "without the factor $" + text(term.arguments()[i]) + "$",
                        arguments.size() == 1 ? arguments.front() : *shorter});
     }
   }
@@ -153,7 +154,7 @@ void name_edits(const Term& term, TermEdits& found) {
     return;
   }
   const auto rename = [&](EditKind kind, const std::string& name) {
-    found.push_back({kind, fmt::format("{} for {}", name, text(term)),
+    found.push_back({kind, fmt::format("${}$ for ${}$", name, text(term)),
                      Term(Term::Node{term.op(), term.shape(), name, term.number(), term.arguments()})});
   };
   for (const std::string& name : siblings(term.name())) {
@@ -166,7 +167,7 @@ void name_edits(const Term& term, TermEdits& found) {
     rename(EditKind::prime, *name);
   }
   if (is_duration(term.name())) {
-    found.push_back({EditKind::period, fmt::format("half of {}", term.name()), term / 2});
+    found.push_back({EditKind::period, fmt::format("half of ${}$", term.name()), term / 2});
   }
   if (term.op() == Op::function && (term.name() == "cos" || term.name() == "sin")) {
     rename(EditKind::function, term.name() == "cos" ? "sin" : "cos");
@@ -186,7 +187,7 @@ void exchange_edits(const Term& term, TermEdits& found) {
       std::swap(arguments[i], arguments[j]);
       if (const auto other = rebuilt(term, arguments)) {
         found.push_back({EditKind::exchange,
-                         fmt::format("{} exchanged with {}", text(arguments[j]), text(arguments[i])),
+                         fmt::format("${}$ exchanged with ${}$", text(arguments[j]), text(arguments[i])),
                          *other});
       }
     }
@@ -201,10 +202,11 @@ TermEdits edits_here(const Term& term) {
   name_edits(term, found);
   exchange_edits(term, found);
   if (term.op() == Op::power) {
-    found.push_back({EditKind::exponent, "without the exponent of " + text(term), term.arguments().front()});
+    found.push_back(
+        {EditKind::exponent, "without the exponent of $" + text(term) + "$", term.arguments().front()});
   }
   if (term.op() == Op::derivative) {
-    found.push_back({EditKind::prime, "without the derivative of " + text(term.arguments().front()),
+    found.push_back({EditKind::prime, "without the derivative of $" + text(term.arguments().front()) + "$",
                      term.arguments().front()});
   }
   return found;

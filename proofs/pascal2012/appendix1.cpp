@@ -56,7 +56,7 @@ std::vector<Claim> flow_properties(const std::string& id, const Function& G, con
       {.id = id + ".reversal",
        .kind = Kind::identity,
        .printed = {equation(G(-t) * E, E * G(t))},
-       .words = "time reversal: E carries the flow into its inverse",
+       .words = "time reversal: $E$ carries the flow into its inverse",
        .prove = by_normal_form()},
   };
 }
@@ -75,7 +75,7 @@ std::vector<Claim> modes() {
                    equation(B2(t), block(2, {sin(omega1 * t) / omega1, 0, 0, sin(omega2 * t) / omega2})),
                    equation(B1(t), derivative(B2(t))), equation(B3(t), derivative(derivative(B2(t)))),
                    equation(Lambda, block(2, {1, 1, lambda1, lambda2}))},
-       .words = "H_i = Lambda B_i Lambda^{-1}, defined wherever lambda_1 and lambda_2 differ",
+       .words = "$H_i = Lambda B_i Lambda^{-1}$, defined wherever $lambda_1$ and $lambda_2$ differ",
        .prove = by_normal_form()},
       {.id = "39",
        .kind = Kind::definition,
@@ -83,19 +83,21 @@ std::vector<Claim> modes() {
                             (power(s, 2) - power(omega1, 2)) * (power(s, 2) - power(omega2, 2))),
                    equation((K - power(omega1, 2) * I2) * psi1, zero(2, 1)),
                    equation((K - power(omega2, 2) * I2) * psi2, zero(2, 1))},
-       .words = "omega_1, omega_2 are the roots of det(K - I s^2), psi_j = (1, lambda_j) the eigenvectors",
+       .words =
+           "$omega_1$, $omega_2$ are the roots of $det(K - I s^2)$, $psi_j = (1, lambda_j)$ the eigenvectors",
        .prove = by_normal_form()},
       {.id = "39.derived",
        .kind = Kind::step,
        .printed = {equation(lambda1, (1 - power(omega1, 2)) / chi),
                    equation(lambda2, (1 - power(omega2, 2)) / chi)},
-       .words = "chi, eta and the eigenvectors in terms of the frequencies",
-       .prove = by_derivation(
-           "Vieta's equations for det(K - s^2 I) solved for chi and eta, the eigenvectors by elimination",
-           [] {
-             return std::vector<Derived>{{eigenvector_slopes(), column({lambda1, lambda2})},
-                                         {vieta_solution(), column({chi, eta})}};
-           })},
+       .words = "$chi$, $eta$ and the eigenvectors in terms of the frequencies",
+       .prove = by_derivation("Vieta's equations for $det(K - s^2 I)$ solved for $chi$ and $eta$, the "
+                              "eigenvectors by elimination",
+                              [] {
+                                return std::vector<Derived>{
+                                    {eigenvector_slopes(), column({lambda1, lambda2})},
+                                    {vieta_solution(), column({chi, eta})}};
+                              })},
       {.id = "39.domain",
        .kind = Kind::step,
        .printed = {equation(power(1 + chi * eta, 2) - 4 * chi * eta * (1 - chi),
@@ -103,9 +105,9 @@ std::vector<Claim> modes() {
                    equation((1 - power(omega1, 2)) * (power(omega2, 2) - 1), power(chi, 2) * eta),
                    equation(power(omega1, 2) * power(omega2, 2), chi * eta * (1 - chi)),
                    equation(power(omega1, 2) + power(omega2, 2) - 1, chi * eta)},
-       .words = "0 < chi < 1 and eta > 0 exactly if 0 < omega_1 < 1 < omega_2: the discriminant is positive, "
-                "1 separates "
-                "the roots, their product is positive; conversely chi eta, 1 - chi and chi come out positive",
+       .words = "$0 < chi < 1$ and $eta > 0$ exactly if $0 < omega_1 < 1 < omega_2$: the discriminant is "
+                "positive, 1 separates the roots, their product is positive; conversely $chi eta$, $1 - chi$ "
+                "and $chi$ come out positive",
        .prove = by_normal_form()},
   };
 }
@@ -118,7 +120,7 @@ std::vector<Claim> appendix1() {
   claims.push_back({.id = "40",
                     .kind = Kind::identity,
                     .printed = {equation(power(H1(t), 2) - I2 - H2(t) * H3(t), 0)},
-                    .words = "H_1^2 - I - H_2 H_3 = 0",
+                    .words = "$H_1^2 - I - H_2 H_3 = 0$",
                     .prove = by_normal_form()});
   claims.push_back({.id = "41",
                     .kind = Kind::definition,
@@ -129,13 +131,13 @@ std::vector<Claim> appendix1() {
                                 equation(gamma1(t), derivative(gamma2(t))),
                                 equation(gamma3(t), derivative(derivative(gamma2(t)))),
                                 equation(Sigma, block(2, {1, chi, 0, 1}))},
-                    .words = "Gamma_i = Sigma gamma_i Sigma^{-1}",
+                    .words = "$Gamma_i = Sigma gamma_i Sigma^{-1}$",
                     .prove = by_normal_form()});
   append(claims, flow_properties("41", Gamma, Gamma1, Gamma2, Gamma3, first_order(stick_matrix)));
   claims.push_back({.id = "42",
                     .kind = Kind::identity,
                     .printed = {equation(power(Gamma1(t), 2) - I2 - Gamma2(t) * Gamma3(t), 0)},
-                    .words = "Gamma_1^2 - I - Gamma_2 Gamma_3 = 0",
+                    .words = "$Gamma_1^2 - I - Gamma_2 Gamma_3 = 0$",
                     .prove = by_normal_form()});
   return claims;
 }

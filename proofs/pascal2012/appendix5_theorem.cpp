@@ -32,8 +32,7 @@ std::vector<Claim> theorem() {
        .kind = Kind::step,
        .printed = {equation(omega * (z2B - z20) * cos(quarter), 2 * V * sin(quarter))},
        .words = "the second rows of (66), with nothing divided by: how far the slip goes and how long it "
-                "lasts; for V > 0 "
-                "a slip that ends with z2B < z20 lasts longer than half a period",
+                "lasts; for $V > 0$ a slip that ends with $z2B < z20$ lasts longer than half a period",
        .assumptions = moving({}),
        .prove = by_combination({{{from("66"), 0, omega * cos(quarter) * second_row},
                                  {from("66"), 1, -sin(quarter) * second_row},
@@ -42,7 +41,7 @@ std::vector<Claim> theorem() {
       {.id = "A5.falls",
        .kind = Kind::step,
        .printed = {{z2B - z20, V * tau, Relation::less}},
-       .words = "x2' < V on the slip takes the second mass back against the belt",
+       .words = "$x2' < V$ on the slip takes the second mass back against the belt",
        .assumptions = {named_B, goes_down},
        .prove = by_mean_value({.slope = "25.slope",
                                .named = "28.ZB",
@@ -53,15 +52,14 @@ std::vector<Claim> theorem() {
       {.id = "A5.down",
        .kind = Kind::step,
        .printed = {falls.statement},
-       .words = "V = 0: the slip takes the second mass down",
+       .words = "$V = 0$: the slip takes the second mass down",
        .assumptions = {named_B, at_rest, goes_down},
        .prove = by_positive_combination({{.positive = {{1, {{from("A5.falls")}}}}}})},
       {.id = "A5.cos",
        .kind = Kind::step,
        .printed = {equation(cos(quarter), 0)},
-       .words = "V = 0: the case sin(phi + omega tau/2) = 0 of (67), all its branches phi_B = -phi + 2 k pi, "
-                "is excluded by "
-                "z2B < z20, the other remains",
+       .words = "$V = 0$: the case $sin(phi + omega tau/2) = 0$ of (67), all its branches $phi_B = -phi + 2 "
+                "k pi$, is excluded by $z2B < z20$, the other remains",
        .assumptions = moving({at_rest, falls}),
        .prove = by_combination({{{from("A5.turn"), 0, 1 / (omega * (z2B - z20))},
                                  {assuming("A5.V"), 0, 2 * sin(quarter) / (omega * (z2B - z20))}}})},
@@ -81,15 +79,15 @@ std::vector<Claim> theorem() {
       {.id = "A5.regular",
        .kind = Kind::step,
        .printed = {regular_H1.statement},
-       .words = "det(H_1 - I) is not zero off resonance",
+       .words = "$det(H_1 - I)$ is not zero off resonance",
        .assumptions = {half, period, off_resonance},
        .prove = by_nonzero_multiple("70.resonance")},
       {.id = "A5.theorem",
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(t + tau)), half.statement},
-       .words = "Appendix 5: off resonance, a motion with V = 0 and two slips per period, x2' < 0 on the "
-                "first, is "
-                "symmetric in space and time; det P != 0, det H_2 != 0 and omega != 1 are not needed",
+       .words = "Appendix 5: off resonance, a motion with $V = 0$ and two slips per period, $x2' < 0$ on the "
+                "first, is symmetric in space and time; $det P != 0$, $det H_2 != 0$ and $omega != 1$ are "
+                "not needed",
        .assumptions = two_slips_at_rest(),
        .prove = by_premises({from("69.motion")
                                  .given("26.half", "A5.half")

@@ -57,7 +57,7 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
               route += "; smallest margin " + shown(*found->margin);
             }
             if (found->at) {
-              route += " at t = " + shown(*found->at);
+              route += " at $t = " + shown(*found->at) + "$";
             }
             Outcome outcome = at_the_data(where.example, route);
             outcome.uses = {where.orbit};
@@ -68,7 +68,7 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
 
 std::string shown_complex(const ComplexBall& number) {
   const bool real = number.im.is_exact() && number.im.contains_zero();
-  return real ? shown(number.re) : fmt::format("({}) + ({}) i", shown(number.re), shown(number.im));
+  return real ? shown(number.re) : fmt::format("$({}) + ({}) i$", shown(number.re), shown(number.im));
 }
 
 Claim stability_claim(const PrintedPlace& where) {
@@ -162,7 +162,7 @@ Claim computed_from(const PrintedPlace& where, const std::string& name, const st
   return {
       .id = fmt::format("{}.from.{}", where.example.name, name),
       .kind = Kind::numbers,
-      .words = fmt::format("the printed {} is {} of the other printed values, rounded", name, formula),
+      .words = fmt::format("the printed ${}$ is {} of the other printed values, rounded", name, formula),
       .prove = [=, value = std::move(value)](Prover&, const Claim&) {
         const Ball computed = value();
         Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");

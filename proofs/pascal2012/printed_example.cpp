@@ -48,7 +48,7 @@ Claim printed_value(const PrintedPlace& where, const std::string& name, std::fun
   const PrintedResult& result = where.example.result(name);
   return {.id = where.example.name + "." + name,
           .kind = Kind::numbers,
-          .words = fmt::format("{} = {}{}", name, result.value.text,
+          .words = fmt::format("${} = {}${}", name, result.value.text,
                                result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
           .prove = [=, value = std::move(value)](Prover&, const Claim&) {
             const Ball proved = value();

@@ -94,14 +94,13 @@ std::vector<Claim> condition36() {
       {.id = "36.q2",
        .kind = Kind::identity,
        .printed = {equation(chi * eta * (q2 - q1) - p, power(omega, 2) * q2)},
-       .words = "the second row of (K - omega^2 I) Q = (0, p): (36) is omega^2 q_2 cos(phi) > eta u_r",
+       .words = "the second row of $(K - omega^2 I) Q = (0, p)$: (36) is $omega^2 q_2 cos(phi) > eta u_r$",
        .prove = by_normal_form()},
       {.id = "36.load",
        .kind = Kind::step,
        .printed = {pushes},
-       .words =
-           "(36) holds only if q_2 is not zero: neither p = 0 nor omega = 1, where (35) would not determine "
-           "phi, allows a motion that never sticks",
+       .words = "(36) holds only if $q_2$ is not zero: neither $p = 0$ nor $omega = 1$, where (35) would not "
+                "determine $phi$, allows a motion that never sticks",
        .assumptions = {both},
        .prove = by_positive_combination(
            {{.positive = {{1 / power(omega, 2), {{assuming("36")}}}, {eta * ur / power(omega, 2)}},
@@ -118,7 +117,7 @@ std::vector<Claim> condition36() {
       {.id = "35.bound",
        .kind = Kind::condition,
        .printed = {{abs(B / (q2 * omega)), 1, Relation::less}},
-       .words = "a phase phi exists; the case of equality is excluded by (36)",
+       .words = "a phase $phi$ exists; the case of equality is excluded by (36)",
        .assumptions = moving_motion({both}),
        .prove = by_positive_combination(
            {{.positive = {{1 / power(omega, 2), {{from("36.square")}}}, {power(eta * ur / omega, 2)}},
@@ -140,13 +139,13 @@ std::vector<Claim> condition37() {
       {.id = "37",
        .kind = Kind::condition,
        .printed = {{p, abs(in_37), Relation::greater}},
-       .words =
-           "a load amplitude that (36) needs; it says that phi exists, |sin(phi)| < 1, and leaves u_r out",
+       .words = "a load amplitude that (36) needs; it says that $phi$ exists, $|sin(phi)| < 1$, and leaves "
+                "$u_r$ out",
        .assumptions = moving_motion({load_acts, both}),
        .prove = by_positive_combination({{.positive = {{1, {{from("37.sharp")}}}, {square * rest}}}},
                                         assuming("1.p")),
        .prove_converse = by_counterexample(weak_load()),
-       .illegible = "the bars of the absolute value, the fraction bar and a factor omega below it"},
+       .illegible = "the bars of the absolute value, the fraction bar and a factor $omega$ below it"},
       {.id = "37.sharp",
        .kind = Kind::condition,
        .printed = {sharp},
@@ -157,9 +156,8 @@ std::vector<Claim> condition37() {
       {.id = "37.sharp.back",
        .kind = Kind::condition,
        .printed = {inequality36},
-       .words = "conversely that amplitude gives (36), for the one of the two phases phi allowed by (35) for "
-                "which "
-                "q_2 cos(phi) is positive",
+       .words = "conversely that amplitude gives (36), for the one of the two phases $phi$ allowed by (35) "
+                "for which $q_2 cos(phi)$ is positive",
        .assumptions = moving_motion({{"37.sharp", sharp}, {"36.load", pushes}}),
        .prove =
            by_positive_combination({{.positive = {{power(omega, 2) / square, {{assuming("37.sharp")}}}},
@@ -172,8 +170,9 @@ std::vector<Claim> condition37() {
        .printed = {equation(block(1, {0, 0, 0, 1}) * (H(t) * (Z0 - F0) + F(t)),
                             -q2 * omega * cos(phi) * sin(omega * t) + B * cos(omega * t) -
                                 second_row * (H3(t) * d0 - H1(t) * H2_inverse * (H1(tau) - I2) * d0))},
-       .words = "the speed of the second mass on the first slip: x2' < 0 there exactly if q_2 omega cos(phi) "
-                "exceeds, for all 0 < t < pi/omega, what the other terms give divided by sin(omega t)",
+       .words =
+           "the speed of the second mass on the first slip: $x2' < 0$ there exactly if $q_2 omega cos(phi)$ "
+           "exceeds, for all $0 < t < pi/omega$, what the other terms give divided by $sin(omega t)$",
        .assumptions = moving_motion({}),
        .prove = by_combination({{{from("33"), 0, second_row * H3(t)},
                                  {from("33"), 1, second_row * H1(t)},

@@ -56,8 +56,8 @@ Outcome only_at_rest() {
     return outcome;
   }
   outcome.route = fmt::format(
-      "a counterexample proved in balls, with every condition along the motion: tau = {}, Theta = {}, phi = "
-      "{}",
+      "a counterexample proved in balls, with every condition along the motion: $tau = {}$, $Theta = {}$, "
+      "$phi = {}$",
       shown(value_of(*found, "tau")), shown(value_of(*found, "Theta")), shown(value_of(*found, "phi")));
   const model::Parameters<Range>& a = question.parameters;
   outcome.verdict = Verdict::refuted(Witness{{{"chi", a.chi.middle},
@@ -82,17 +82,17 @@ std::vector<Claim> section7() {
       exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest", {"P.orbit"}),
       {.id = "7.only",
        .kind = Kind::theorem,
-       .words = "Section 6: orbits that never stick are obtained only for V = 0; true for tau = Theta/2 off "
-                "resonance (33.V), "
-                "which the paper assumes, and false without: for V > 0 they have tau > Theta/2 (A5.turn)",
+       .words = "Section 6: orbits that never stick are obtained only for $V = 0$; true for $tau = Theta/2$ "
+                "off resonance (33.V), which the paper assumes, and false without: for $V > 0$ they have "
+                "$tau > Theta/2$ (A5.turn)",
        .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
       {.id = "7.symmetric",
        .kind = Kind::theorem,
        .printed = {equation(vocabulary::X(vocabulary::t), -vocabulary::X(vocabulary::t + vocabulary::tau)),
                    two_slips::half.statement},
-       .words = "abstract and conclusion: this kind of solution, with two transitions per period, is "
-                "symmetric in space and "
-                "time for almost all omega; the exceptions are omega_j = k omega, a countable set",
+       .words =
+           "abstract and conclusion: this kind of solution, with two transitions per period, is symmetric in "
+           "space and time for almost all $omega$; the exceptions are $omega_j = k omega$, a countable set",
        .assumptions = two_slips::two_slips_at_rest(),
        .prove = by_premises({from("A5.theorem")})},
   };

@@ -114,8 +114,8 @@ std::vector<Claim> decrease() {
       {.id = "A5.energy",
        .kind = Kind::identity,
        .printed = {equation(derivative(energy), power_of_friction)},
-       .words = "two motions x and y by (2) under the same load, with frictions u and w: the energy of their "
-                "difference changes at the rate (x2' - y2')(u - w)",
+       .words = "two motions $x$ and $y$ by (2) under the same load, with frictions $u$ and $w$: the energy "
+                "of their difference changes at the rate $(x2' - y2')(u - w)$",
        .prove = by_rate_of_change(energy, two_motions())},
       {.id = "A5.sign",
        .kind = Kind::step,
@@ -135,7 +135,7 @@ std::vector<Claim> decrease() {
       {.id = "A5.sides",
        .kind = Kind::theorem,
        .printed = {equation(sides, 0)},
-       .words = "if both have the period Theta, they slip on the same side at almost all times",
+       .words = "if both have the period $Theta$, they slip on the same side at almost all times",
        .assumptions = both_slip_and({returns}),
        .prove = by_periodic_decrease({.rate = from("A5.energy"),
                                       .form = from("A5.sign"),
@@ -167,7 +167,7 @@ std::vector<Claim> one_motion() {
       {.id = "A5.same",
        .kind = Kind::step,
        .printed = {free_difference.statement},
-       .words = "it returns after Theta",
+       .words = "it returns after $Theta$",
        .assumptions = both_slip_and({returns}),
        .prove = by_rewriting({from("A5.difference")
                                   .at("t", Theta)
@@ -177,15 +177,14 @@ std::vector<Claim> one_motion() {
       {.id = "A5.free",
        .kind = Kind::step,
        .printed = {equation(delta, zero(4, 1))},
-       .words = "a difference that moves freely with period Theta is zero off resonance",
+       .words = "a difference that moves freely with period $Theta$ is zero off resonance",
        .assumptions = {off_resonance, free_difference},
        .prove = by_combination({{{assuming("A5.same"), 0, back * (I4 - H(-Theta))}}})},
       {.id = "A5.unique",
        .kind = Kind::theorem,
        .printed = {equation(delta, zero(4, 1))},
-       .words = "off resonance there is at most one motion of period Theta that never sticks: for every V, "
-                "any number of "
-                "transitions, any omega",
+       .words = "off resonance there is at most one motion of period $Theta$ that never sticks: for every "
+                "$V$, any number of transitions, any $omega$",
        .assumptions = both_slip_and({returns, off_resonance}),
        .prove = by_premises({from("A5.free").given("A5.same", "A5.same")})},
   };
@@ -222,17 +221,15 @@ std::vector<Claim> mirror() {
        .kind = Kind::identity,
        .printed = {equation(acceleration(y1, y2, w, t), -acceleration(later1, later2, later_u, later)),
                    equation(-y1 + chi * y2, -(-later1 + chi * later2))},
-       .words = "y(t) = -x(t + Theta/2) obeys (2) with the opposite friction: half a period later the load "
-                "is the opposite "
-                "one",
+       .words = "$y(t) = -x(t + Theta/2)$ obeys (2) with the opposite friction: half a period later the load "
+                "is the opposite one",
        .assumptions = opposite_and({period}),
        .prove = by_normal_form()},
       {.id = "A5.mirror.friction",
        .kind = Kind::step,
        .printed = {friction_y.statement, slips_y.statement},
-       .words = "for V = 0 it slips on the other side, just as far from the belt's velocity: that is the "
-                "friction which (4) "
-                "gives it",
+       .words = "for $V = 0$ it slips on the other side, just as far from the belt's velocity: that is the "
+                "friction which (4) gives it",
        .assumptions = opposite_and({later_friction, later_slips, at_rest}),
        .prove = by_normal_form()},
       {.id = "A5.mirror.side",
@@ -250,11 +247,9 @@ std::vector<Claim> mirror() {
       {.id = "A5.symmetry",
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(later))},
-       .words = "V = 0, off resonance: every motion of period Theta that never sticks is symmetric in space "
-                "and time, as "
-                "X(t) and -X(t + Theta/2) are both such motions (A5.mirror) and there is one only; no count "
-                "of transitions, "
-                "no det P, no det H_2, no omega != 1",
+       .words = "$V = 0$, off resonance: every motion of period $Theta$ that never sticks is symmetric in "
+                "space and time, as $X(t)$ and $-X(t + Theta/2)$ are both such motions (A5.mirror) and there "
+                "is one only; no count of transitions, no $det P$, no $det H_2$, no $omega != 1$",
        .assumptions = opposite_and({friction_x, slips_x, one_side_x, moves_x, later_friction, later_slips,
                                     later_one_side, later_moves, at_rest, returns, off_resonance, mirrored}),
        .prove = by_rewriting(
@@ -281,7 +276,7 @@ std::vector<Claim> weaker_hypotheses() {
        .kind = Kind::theorem,
        .printed = {equation(X1, zero(2, 1)), equation(Y1, zero(2, 1)), equation(X2, zero(2, 1)),
                    equation(Y2, zero(2, 1))},
-       .words = "xi_1 = xi_2 = 0 off resonance, whatever tau: neither det H_2 nor det P is needed",
+       .words = "$xi_1 = xi_2 = 0$ off resonance, whatever $tau$: neither $det H_2$ nor $det P$ is needed",
        .assumptions = cycle_and({off_resonance}),
        .prove =
            by_combination({X, Y, and_also(X, {from("61"), 1, -top}), and_also(Y, {from("61"), 1, -bottom})})},

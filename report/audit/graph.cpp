@@ -82,7 +82,7 @@ std::string graph_script(const Paper& paper, const Audit& audit) {
     for (const Record * record : place.records) {
       nodes.push_back({{"id", record->claim.id},
                        {"status", proofs::methods::to_string(record->status)},
-                       {"words", record->claim.words}});
+                       {"words", plain(record->claim.words)}});
     }
     places.push_back({{"id", place.id}, {"title", place.title}, {"nodes", nodes}});
   }

@@ -20,7 +20,7 @@ using proofs::methods::Claim;
 using proofs::methods::Outcome;
 using proofs::methods::Record;
 
-Json plain(const std::string& text) {
+Json as_it_is(const std::string& text) {
   return text;
 }
 
@@ -33,7 +33,7 @@ Json formula(const proofs::symbols::Statement& statement) {
 }
 
 Json repair(const proofs::methods::Repair& r) {
-  Json json = {{"what", r.what}};
+  Json json = {{"what", plain(r.what)}};
   json.update(formula(r.statement));
   return json;
 }
@@ -74,7 +74,7 @@ Json comparison(const proofs::methods::Comparison& c) {
           {"proved", ball(to_text(c.proved))},
           {"units_off", ball(to_text(c.units_off, unit_digits))},
           {"verdict", to_string(c.verdict.truth)},
-          {"reason", c.verdict.reason}};
+          {"reason", plain(c.verdict.reason)}};
 }
 
 Json cross_check(const proofs::methods::CrossCheck& c) {
@@ -85,11 +85,11 @@ Json cross_check(const proofs::methods::CrossCheck& c) {
 
 Json outcome(const Outcome& o) {
   return {{"verdict", to_string(o.verdict.truth)},
-          {"reason", o.verdict.reason},
+          {"reason", plain(o.verdict.reason)},
           {"witness", witness(o.verdict.witness)},
-          {"route", o.route},
+          {"route", plain(o.route)},
           {"hypotheses", list_of(o.hypotheses, hypothesis)},
-          {"uses", list_of(o.uses, plain)},
+          {"uses", list_of(o.uses, as_it_is)},
           {"free", list_of(o.free, symbol)},
           {"at", list_of(o.at, coordinate)},
           {"comparisons", list_of(o.comparisons, comparison)},
@@ -114,7 +114,7 @@ Json claim(const Record& record) {
   return {{"id", c.id},
           {"place", c.place},
           {"kind", proofs::methods::to_string(c.kind)},
-          {"words", c.words},
+          {"words", plain(c.words)},
           {"status", proofs::methods::to_string(record.status)},
           {"meaning", proofs::methods::facts(record.status).meaning},
           {"finding", is_finding(record)},
@@ -125,8 +125,8 @@ Json claim(const Record& record) {
           {"corrected_outcome", record.corrected ? outcome(*record.corrected) : Json(nullptr)},
           {"converse", record.converse ? outcome(*record.converse) : Json(nullptr)},
           {"repairs", list_of(record.repairs, repair)},
-          {"illegible", c.illegible},
-          {"used_by", list_of(record.used_by, plain)}};
+          {"illegible", plain(c.illegible)},
+          {"used_by", list_of(record.used_by, as_it_is)}};
 }
 
 Json summary(const Audit& audit) {

@@ -10,7 +10,6 @@
 #include "report/audit/summary.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
-#include "report/tools/prose.hpp"
 
 namespace stickslip::report::audit {
 
@@ -43,12 +42,8 @@ std::string capitalised(std::string words) {
 }
 
 // With a capital and a full stop, unless it begins with a formula.
-std::string sentence(std::string words) {
-  const std::vector<ProsePart> parts = prose_parts(words);
-  if (!parts.empty() && !parts.front().formula) {
-    words = capitalised(words);
-  }
-  return words.empty() || words.ends_with('.') ? words : words + ".";
+std::string sentence(const std::string& words) {
+  return words.empty() || words.ends_with('.') ? capitalised(words) : capitalised(words) + ".";
 }
 
 void complete_comparison(Json& json, const proofs::methods::Comparison& comparison) {
@@ -61,6 +56,8 @@ void complete_comparison(Json& json, const proofs::methods::Comparison& comparis
 void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const std::string& id) {
   add_words(json, "verdict");
   json["verdict_capital"] = capitalised(json.at("verdict_words"));
+  json["route"] = outcome.route;
+  json["reason"] = outcome.verdict.reason;
   for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
   }
@@ -78,6 +75,10 @@ void complete_claim(Json& claim, const Record& record, const std::string& place_
   claim["examined"] = record.status != Status::model;
   claim["place_title"] = place_title;
   claim["words_sentence"] = sentence(record.claim.words);
+  claim["illegible"] = record.claim.illegible;
+  for (std::size_t i = 0; i < record.repairs.size(); ++i) {
+    claim.at("repairs").at(i)["what"] = record.repairs[i].what;
+  }
   complete_outcome(claim.at("outcome"), record.outcome, id);
   if (record.corrected) {
     complete_outcome(claim.at("corrected_outcome"), *record.corrected, id);

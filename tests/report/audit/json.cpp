@@ -81,7 +81,7 @@ TEST_CASE("a claim says what is known, each key always there") {
   }
 }
 
-TEST_CASE("the paper is the one that is handed over") {
+TEST_CASE("the paper is the one that is handed over, sentences are without marks") {
   const Json json = to_json(sample_paper(), sample_audit());
   CHECK(json.at("paper").at("doi") == "10.1000/1");
   CHECK(json.at("places").at(1).at("title") == "Section 3: phases");

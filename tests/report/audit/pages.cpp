@@ -64,7 +64,7 @@ TEST_CASE("templates see lists, absent things and escaped text") {
 }
 
 TEST_CASE("templates see sentences with formulas, and parts of other files") {
-  const Json data = {{"words", "p < tau & b"}, {"reason", "tau = 1"}, {"witness", nullptr}};
+  const Json data = {{"words", "$p < tau$ & $b$"}, {"reason", "$tau = 1$"}, {"witness", nullptr}};
   CHECK(render("t", "{{#prose}}{{&words}}{{/prose}}", data, html_format) ==
         "<tex>p &lt; \\tau</tex> &amp; <tex>b</tex>");
   CHECK(mentions(render("t", "{{>reason.html}}", data, html_format), "<tex>\\tau = 1</tex>"));

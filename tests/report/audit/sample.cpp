@@ -27,7 +27,7 @@ Record record(const char * id, const char * place, Status status, const char * w
 }
 
 Record misprint() {
-  Record r = record("44", "A2", Status::misprint_corrected, "Time reversal, for x < y & y > \"0\".",
+  Record r = record("44", "A2", Status::misprint_corrected, "Time reversal, for $x < y$ & $y$ > \"0\".",
                     equation(H(-t) * E, -(E * H(t))));
   r.claim.assumptions = {{"13", equation(Z(tau), E * Z0)}, {"15", equation(Z(T), Z0)}};
   r.outcome.verdict = Verdict::refuted(
@@ -62,7 +62,7 @@ Paper sample_paper() {
 }
 
 Audit sample_audit() {
-  Record model = record("2", "sec2", Status::model, "Newton's law for both masses; u_s is 100% of {F}.",
+  Record model = record("2", "sec2", Status::model, "Newton's law for both masses; $u_s$ is 100% of {$F$}.",
                         equation(Z(t), H(t) * Z0));
   model.claim.kind = Kind::model;
   Record proved = record("5", "sec3", Status::as_printed, "The motion while the second mass slips.",
