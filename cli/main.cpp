@@ -8,6 +8,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "cli/commands.hpp"
@@ -96,12 +97,13 @@ int main(int argc, char ** argv) {
     return error.code();
   } catch (const std::bad_alloc&) {
     cli::tell(cli::out_of_memory);
-  } catch (const std::system_error& error) {
-    const bool threads = error.code() == std::errc::resource_unavailable_try_again;
+  } catch (const std::exception& error) {
+    const auto * system = dynamic_cast<const std::system_error *>(&error);
+    // oneTBB has no type of its own for a thread that cannot be started.
+    const bool threads = (system && system->code() == std::errc::resource_unavailable_try_again) ||
+                         std::string_view(error.what()).starts_with("pthread_create");
     cli::tell(threads ? std::string(cli::out_of_memory) + " No thread can be started."
                       : "stickslip: internal error: " + cli::sentence(error.what()));
-  } catch (const std::exception& error) {
-    cli::tell("stickslip: internal error: " + cli::sentence(error.what()));
   } catch (...) {
     cli::tell("stickslip: internal error of unknown kind.");
   }
