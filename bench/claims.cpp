@@ -19,17 +19,12 @@ using namespace proofs::symbols;
 namespace {
 
 using proofs::methods::Claim;
-using proofs::methods::Status;
 using Ids = std::set<std::string>;
-
-bool is_decided(Status status) {
-  return status != Status::undecided && status != Status::rests_on_unproved;
-}
 
 void prove(benchmark::State& state, const std::vector<Claim>& claims, const Ids& ids) {
   for (auto _ : state) {
     for (const proofs::methods::Record& record : proofs::methods::audit(claims, ids).records) {
-      if (!is_decided(record.status)) {
+      if (!facts(record.status).decided) {
         state.SkipWithError(("not decided: " + record.claim.id).c_str());
       }
     }
@@ -37,7 +32,7 @@ void prove(benchmark::State& state, const std::vector<Claim>& claims, const Ids&
 }
 
 void identity(benchmark::State& state, const Ids& ids) {
-  const std::vector<Claim> claims = proofs::pascal2012::paper();
+  const std::vector<Claim> claims = proofs::pascal2012::paper().claims;
   proofs::methods::Prover prover(claims);
   for (const Claim& claim : claims) {
     if (claim.kind == proofs::methods::Kind::definition) {
@@ -46,7 +41,7 @@ void identity(benchmark::State& state, const Ids& ids) {
   }
   for (auto _ : state) {
     for (const std::string& id : ids) {
-      if (!is_decided(prover.prove(id).status)) {
+      if (!facts(prover.prove(id).status).decided) {
         state.SkipWithError(("not decided: " + id).c_str());
       }
     }
@@ -54,12 +49,12 @@ void identity(benchmark::State& state, const Ids& ids) {
 }
 
 void phase_of_35(benchmark::State& state) {
-  prove(state, proofs::pascal2012::paper(), {"35"});
+  prove(state, proofs::pascal2012::paper().claims, {"35"});
 }
 
 // Without the claims about the examples' numbers and about the families that rest on them.
 void symbolic(benchmark::State& state) {
-  const std::vector<Claim> claims = proofs::pascal2012::paper();
+  const std::vector<Claim> claims = proofs::pascal2012::paper().claims;
   Ids ids;
   for (const Claim& claim : claims) {
     const bool of_example = std::string("SOP").find(claim.id.front()) != std::string::npos;
@@ -71,7 +66,7 @@ void symbolic(benchmark::State& state) {
 }
 
 void everything(benchmark::State& state) {
-  prove(state, proofs::pascal2012::paper(), {});
+  prove(state, proofs::pascal2012::paper().claims, {});
 }
 
 template <class Function>

@@ -8,7 +8,8 @@
 #include "numeric/families/parameter_box.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/simulation/simulation.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::bench {
 

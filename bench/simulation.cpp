@@ -8,7 +8,8 @@
 #include "bench/cvode_peer.hpp"
 #include "bench/odeint_peer.hpp"
 #include "numeric/simulation/agreement.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::bench {
 
@@ -23,7 +24,7 @@ constexpr double tolerance = 1e-10;
 const Start& start(long example) {
   static const std::vector<Start> all = [] {
     std::vector<Start> starts;
-    for (const Example& e : printed_examples()) {
+    for (const auto& e : printed_examples()) {
       starts.push_back(start_of(printed_orbit(e)));
     }
     return starts;

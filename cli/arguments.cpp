@@ -9,11 +9,6 @@
 namespace stickslip::cli {
 namespace {
 
-constexpr const char * about =
-    "Decides, statement by statement, what is true in M. Pascal, New limit cycles of dry\n"
-    "friction oscillators under harmonic load, Nonlinear Dynamics 70 (2012). Identities are\n"
-    "proved for all parameters; printed numbers are compared with rigorous enclosures.";
-
 constexpr const char * exit_codes =
     "stickslip COMMAND --help says more about a command.\n\n"
     "Exit codes: 0 asked and decided, 1 check met a refuted statement, 2 something is\n"
@@ -35,11 +30,11 @@ constexpr const char * orbits_details =
     "the search: what it has found is still printed and written, marked as interrupted.";
 
 constexpr const char * simulate_details =
-    "Follows x1, x2 under (2) and the friction law (4) in closed form, in double; events are\n"
-    "found with certainty, not by signs at the ends of steps. A simulation proves nothing.\n\n"
+    "Follows x1, x2 under the friction law in closed form, in double; events are found with\n"
+    "certainty, not by signs at the ends of steps. A simulation proves nothing.\n\n"
     "It starts at --state at t = 0, with all parameters, --phi and --ur given; or with\n"
-    "--example S, O or P where the paper's orbit begins, proved, plus --perturb. A state is\n"
-    "four numbers x1,x2,x1',x2'.\n\n"
+    "--example where the orbit of an example begins, proved, plus --perturb. A state is four\n"
+    "numbers x1,x2,x1',x2'.\n\n"
     "Ctrl-C ends the simulation; what was computed is still written, with exit code 130.";
 
 void add_parameter(CLI::App& command, TypedParameters& parameters, const std::string& name,
@@ -106,7 +101,7 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
   });
 }
 
-void add_check(CLI::App& program, CheckOptions& options, Request& request) {
+void add_check(CLI::App& program, CheckOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("check", "Prove single statements, equations or sections");
   command->footer(
       "Exit code: 0 every statement asked for holds, possibly corrected or under the hypotheses\n"
@@ -114,11 +109,11 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request) {
       "1 one of them is refuted;\n"
       "2 none is refuted, one is undecided.");
   command
-      ->add_option(
-          "ID", options.words,
-          "What to check: a statement (44.H), an equation with all its\nparts (44), a section or an "
-          "appendix (sec3, A2), a kind (theorem,\ncondition, ...), a status (refuted, digits_off, ...); "
-          "everything\nif none is given")
+      ->add_option("ID", options.words,
+                   fmt::format("What to check: a statement ({}), an equation with all its\nparts ({}), a "
+                               "place in the paper\n({}),\na kind (theorem, condition, ...), a status "
+                               "(refuted,\ndigits_off, ...); everything if none is given",
+                               paper.part, paper.equation(), paper.places))
       ->type_name("");
   CLI::Option * list =
       command->add_flag("--list", options.list, "Only list the statements, without proving them");
@@ -131,7 +126,7 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request) {
   command->callback([&options, &request] { request = options; });
 }
 
-void add_latex(CLI::App& program, LatexOptions& options, Request& request) {
+void add_latex(CLI::App& program, LatexOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("latex", "Print derived expressions as LaTeX");
   command->footer(
       "Displayed equations for a document with the amsmath package: stickslip latex H > H.tex\n"
@@ -139,9 +134,11 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request) {
       "same characters.");
   CLI::Option * names =
       command
-          ->add_option("NAME", options.names,
-                       "What to print: a derived expression (H, Gamma, Q, ...) or a\nstatement as it is "
-                       "proved (31, 44.H, ...); all derived\nexpressions if none is given")
+          ->add_option(
+              "NAME", options.names,
+              fmt::format("What to print: a derived expression (H, Gamma, Q, ...) or a\nstatement as it is "
+                          "proved ({}, {}, ...); all derived\nexpressions if none is given",
+                          paper.equation(), paper.part))
           ->type_name("");
   CLI::Option * list = command->add_flag("--list", options.list, "List the names, with equation numbers");
   command
@@ -160,12 +157,12 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request) {
   command->callback([&options, &request] { request = options; });
 }
 
-void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request) {
+void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
   command->footer(orbits_details);
   command->add_option("FAMILY", options.family, "symmetric, overshooting or nonsticking")->type_name("");
   add_parameters(*command, options.parameters);
-  command->add_option("--example", options.example, "Take the data of the paper's example S, O or P")
+  command->add_option("--example", options.example, "Take the data of the paper's example " + paper.examples)
       ->type_name("NAME");
   command
       ->add_option("--params", options.file,
@@ -195,14 +192,15 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request) {
   });
 }
 
-void add_simulate(CLI::App& program, SimulateOptions& options, Request& request) {
+void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("simulate", "Follow the motion under the friction law");
   command->footer(simulate_details);
   add_parameters(*command, options.parameters);
   const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
     command->add_option(name, value, words)->type_name(type);
   };
-  add("--example", options.example, "NAME", "Start where the orbit of the paper's example S, O or P begins");
+  add("--example", options.example, "NAME",
+      "Start where the orbit of the paper's example " + paper.examples + " begins");
   add("--params", options.file, "FILE", "Take parameters from a TOML file with lines chi = 0.5");
   add("--state", options.state, "X", "Start at x1,x2,x1',x2'");
   add("--perturb", options.perturb, "X", "Add these four numbers to the start");
@@ -230,24 +228,24 @@ void require_command(const CLI::App& program) {
 
 }  // namespace
 
-Request parse(int argc, const char * const * argv) {
+Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   AuditOptions audit;
   CheckOptions check;
   LatexOptions latex;
   OrbitsOptions orbits;
   SimulateOptions simulate;
   Request request;
-  CLI::App program(about, "stickslip");
+  CLI::App program(paper.about, "stickslip");
   program.footer(exit_codes);
   program.set_version_flag(
       "--version", [] { return std::string(); }, "Print the versions of the program and of its libraries");
   program.require_subcommand(0, 1);
   program.get_formatter()->column_width(16);
   add_audit(program, audit, request);
-  add_check(program, check, request);
-  add_latex(program, latex, request);
-  add_orbits(program, orbits, request);
-  add_simulate(program, simulate, request);
+  add_check(program, check, request, paper);
+  add_latex(program, latex, request, paper);
+  add_orbits(program, orbits, request, paper);
+  add_simulate(program, simulate, request, paper);
   program.allow_extras();
   try {
     program.parse(argc, argv);

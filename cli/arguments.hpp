@@ -67,8 +67,18 @@ struct VersionsWanted {};
 using Request = std::variant<AuditOptions, CheckOptions, LatexOptions, OrbitsOptions, SimulateOptions,
                              HelpWanted, VersionsWanted>;
 
+// What the help says of the paper that the program is about.
+struct PaperInHelp {
+  std::string about;     // what the program does with it, in lines
+  std::string places;    // "sec2, sec3, A1"
+  std::string part;      // a statement that is part of an equation: "44.H"
+  std::string examples;  // "S, O or P"
+
+  [[nodiscard]] std::string equation() const { return part.substr(0, part.find('.')); }
+};
+
 // What the arguments ask for; argv[0] is the program's name. Runs nothing, prints nothing and touches no
 // file. Throws UsageError.
-[[nodiscard]] Request parse(int argc, const char * const * argv);
+[[nodiscard]] Request parse(int argc, const char * const * argv, const PaperInHelp& paper);
 
 }  // namespace stickslip::cli

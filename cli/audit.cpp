@@ -9,8 +9,7 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "proofs/checks/mutants.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
-#include "proofs/pascal2012/paper.hpp"
+#include "proofs/methods/example_orbits.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/mutants.hpp"
 #include "report/audit/pages.hpp"
@@ -20,25 +19,25 @@
 
 namespace stickslip::cli {
 
-using namespace proofs::pascal2012;
+using namespace proofs::methods;
 
 namespace {
 
-std::vector<ExampleOrbits> example_orbits() {
+std::vector<ExampleOrbits> example_orbits(const Paper& paper) {
   std::vector<ExampleOrbits> all;
-  for (const Example& example : printed_examples()) {
+  for (const Example& example : paper.examples) {
     all.push_back(orbits_of(example));
   }
   return all;
 }
 
-std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options) {
+std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options, const Paper& paper) {
   if (!options.mutants) {
     return std::nullopt;
   }
   Progress line("making wrong statements ...");
   return proofs::checks::mutant_gate(
-      proofs::pascal2012::paper(), {}, {options.seed, options.one_in},
+      paper.claims, {}, {options.seed, options.one_in},
       [&line](const std::string& id, std::size_t done, std::size_t all) {
         line.show(fmt::format("wrong statements of {} ({} of {})", id, done, all));
       });
@@ -53,24 +52,24 @@ bool any_survived(const std::optional<proofs::checks::Gate>& gate) {
 
 }  // namespace
 
-ExitCode run(const AuditOptions& options) {
+ExitCode run(const AuditOptions& options, const Paper& paper) {
   const Jobs limit = jobs(options.jobs);
   if (options.with_out) {
     report::tools::require_writable(options.out);
     report::orbits::require_page_tools(true);
   }
-  const proofs::methods::Audit audit = prove(proofs::pascal2012::paper(), {});
-  const std::vector<ExampleOrbits> examples = example_orbits();
-  const std::optional<proofs::checks::Gate> gate = gate_of(options);
+  const proofs::methods::Audit audit = prove(paper.claims, {});
+  const std::vector<ExampleOrbits> examples = example_orbits(paper);
+  const std::optional<proofs::checks::Gate> gate = gate_of(options, paper);
   report::audit::Report made;
   if (options.with_out) {
     const Progress progress("making the pages ...");
-    made = report::audit::pages(audit, examples, gate);
+    made = report::audit::pages(paper, audit, examples, gate);
     report::tools::write_files(options.out, made.files);
   }
   const std::string command = options.mutants ? "stickslip audit --mutants" : "stickslip audit";
-  print(options.json ? report::tools::to_text(report::audit::to_json(audit, command, examples, gate))
-                     : report::audit::terminal_report(audit, terminal_style()) +
+  print(options.json ? report::tools::to_text(report::audit::to_json(paper, audit, command, examples, gate))
+                     : report::audit::terminal_report(paper, audit, terminal_style()) +
                            (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
   if (options.with_out) {
     tell(report_line(options.out, "audit", made));

@@ -7,7 +7,6 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
-#include "proofs/pascal2012/paper.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/summary.hpp"
 
@@ -26,7 +25,7 @@ Wanted wanted_by(const std::vector<proofs::methods::Claim>& claims, const std::v
     if (proofs::methods::is_status(word)) {
       wanted.statuses.insert(word);
     } else {
-      wanted.ids.merge(proofs::pascal2012::ids_named(claims, word));
+      wanted.ids.merge(proofs::methods::ids_named(claims, word));
     }
   }
   return wanted;
@@ -64,9 +63,9 @@ std::string command_line(const CheckOptions& options) {
 
 }  // namespace
 
-ExitCode run(const CheckOptions& options) {
+ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper) {
   const Jobs limit = jobs(options.jobs);
-  const std::vector<proofs::methods::Claim> claims = proofs::pascal2012::paper();
+  const std::vector<proofs::methods::Claim>& claims = paper.claims;
   const Wanted wanted = wanted_by(claims, options.words);
   if (options.list && !wanted.statuses.empty()) {
     throw UsageError("--list proves nothing, so it knows no status: leave out '" + *wanted.statuses.begin() +
@@ -77,7 +76,7 @@ ExitCode run(const CheckOptions& options) {
   }
   const proofs::methods::Audit audit = audit_of(claims, wanted);
   if (options.json) {
-    print(report::tools::to_text(report::audit::to_json(audit, command_line(options))));
+    print(report::tools::to_text(report::audit::to_json(paper, audit, command_line(options))));
   } else if (options.explain) {
     print(report::audit::terminal_explanations(audit, terminal_style()));
   } else {

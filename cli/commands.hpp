@@ -1,15 +1,16 @@
-// The commands of the program. Each throws Error.
+// The commands of the program, about a paper. Each throws Error.
 #pragma once
 
 #include "cli/arguments.hpp"
 #include "core/error.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
 
-[[nodiscard]] ExitCode run(const AuditOptions& options);
-[[nodiscard]] ExitCode run(const CheckOptions& options);
-[[nodiscard]] ExitCode run(const LatexOptions& options);
-[[nodiscard]] ExitCode run(const OrbitsOptions& options);
-[[nodiscard]] ExitCode run(const SimulateOptions& options);
+[[nodiscard]] ExitCode run(const AuditOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const SimulateOptions& options, const proofs::methods::Paper& paper);
 
 }  // namespace stickslip::cli

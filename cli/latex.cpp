@@ -10,7 +10,6 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/pascal2012/paper.hpp"
 #include "report/audit/pages.hpp"
 #include "symbolic/objects/objects.hpp"
 
@@ -20,7 +19,7 @@ namespace {
 // The ids that a name stands for. Throws UsageError.
 std::set<std::string> named(const std::vector<proofs::methods::Claim>& claims, const std::string& name) {
   try {
-    return proofs::pascal2012::ids_named(claims, name);
+    return proofs::methods::ids_named(claims, name);
   } catch (const UsageError&) {
     throw UsageError(fmt::format(
         "there is no derived expression or statement {}: stickslip latex --list names the former, "
@@ -34,7 +33,7 @@ std::set<std::string> named(const std::vector<proofs::methods::Claim>& claims, c
 std::string statements(const std::vector<proofs::methods::Claim>& claims, const std::set<std::string>& ids) {
   std::string result;
   for (const proofs::methods::Record& record : prove(claims, ids).records) {
-    result += fmt::format("% ({}) {}\n", record.claim.id, proofs::methods::describe(record.status));
+    result += fmt::format("% ({}) {}\n", record.claim.id, proofs::methods::facts(record.status).meaning);
     if (record.status == proofs::methods::Status::refuted) {
       continue;
     }
@@ -50,10 +49,9 @@ std::string statements(const std::vector<proofs::methods::Claim>& claims, const 
 }
 
 // What the names ask for, or all objects. They are looked up first, so that an unknown one prints nothing.
-std::string formulas(const LatexOptions& options) {
+std::string formulas(const LatexOptions& options, const std::vector<proofs::methods::Claim>& claims) {
   const symbolic::objects::Unknowns unknowns =
       options.in_frequencies ? symbolic::objects::Unknowns::omega : symbolic::objects::Unknowns::chi;
-  const std::vector<proofs::methods::Claim> claims = proofs::pascal2012::paper();
   std::vector<std::function<std::string()>> parts;
   bool any_statement = false;
   for (const std::string& name : options.names) {
@@ -78,10 +76,10 @@ std::string formulas(const LatexOptions& options) {
 
 }  // namespace
 
-ExitCode run(const LatexOptions& options) {
-  print(options.errata ? report::audit::errata(prove(proofs::pascal2012::paper(), {}))
+ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper) {
+  print(options.errata ? report::audit::errata(paper, prove(paper.claims, {}))
         : options.list ? symbolic::objects::list_of_objects()
-                       : formulas(options));
+                       : formulas(options, paper.claims));
   return exit_decided;
 }
 

@@ -1,5 +1,6 @@
 // The program: what the arguments ask for, and what the exit code says.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/Version.hpp>
@@ -7,14 +8,20 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
 
 namespace stickslip::cli {
+
+using namespace proofs::methods;
+
 namespace {
 
 std::string versions() {
@@ -25,17 +32,38 @@ std::string versions() {
   return text + fmt::format("  CLI11 {}\n", CLI11_VERSION);
 }
 
-ExitCode run(const HelpWanted& help) {
+// The paper that this program is about.
+const Paper& paper() {
+  return proofs::pascal2012::paper();
+}
+
+PaperInHelp in_help() {
+  const Bibliography& source = paper().bibliography;
+  const std::string about = fmt::format(
+      "Decides, statement by statement, what is true in {}, {}, {}. Identities are proved for all "
+      "parameters; "
+      "printed numbers are compared with rigorous enclosures.",
+      source.author, source.title, source.journal);
+  std::vector<std::string> places;
+  for (const Section& section : paper().sections) {
+    places.push_back(section.id);
+  }
+  return {fmt::format("{}", fmt::join(report::tools::wrapped(about, 88), "\n")),
+          fmt::format("{}", fmt::join(places, ", ")), id_of_a_part(paper().claims),
+          names_of(paper().examples)};
+}
+
+ExitCode run(const HelpWanted& help, const Paper& /*paper*/) {
   print(help.text);
   return exit_decided;
 }
-ExitCode run(const VersionsWanted& /*versions*/) {
+ExitCode run(const VersionsWanted& /*versions*/, const Paper& /*paper*/) {
   print(versions());
   return exit_decided;
 }
 
 ExitCode answer(const Request& request) {
-  return std::visit([](const auto& asked) { return run(asked); }, request);
+  return std::visit([](const auto& asked) { return run(asked, paper()); }, request);
 }
 
 // Ends with a full stop, as a sentence does.
@@ -61,7 +89,7 @@ int main(int argc, char ** argv) {
   std::signal(SIGINT, cli::leave);
   cli::end_in_words_without_memory();
   try {
-    return cli::answer(cli::parse(argc, argv));
+    return cli::answer(cli::parse(argc, argv, cli::in_help()));
   } catch (const cli::ReaderGone& error) {
     return error.code();
   } catch (const Error& error) {
@@ -69,12 +97,13 @@ int main(int argc, char ** argv) {
     return error.code();
   } catch (const std::bad_alloc&) {
     cli::tell(cli::out_of_memory);
-  } catch (const std::system_error& error) {
-    const bool threads = error.code() == std::errc::resource_unavailable_try_again;
+  } catch (const std::exception& error) {
+    const auto * system = dynamic_cast<const std::system_error *>(&error);
+    // oneTBB has no type of its own for a thread that cannot be started.
+    const bool threads = (system && system->code() == std::errc::resource_unavailable_try_again) ||
+                         std::string_view(error.what()).starts_with("pthread_create");
     cli::tell(threads ? std::string(cli::out_of_memory) + " No thread can be started."
                       : "stickslip: internal error: " + cli::sentence(error.what()));
-  } catch (const std::exception& error) {
-    cli::tell("stickslip: internal error: " + cli::sentence(error.what()));
   } catch (...) {
     cli::tell("stickslip: internal error of unknown kind.");
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "proofs/pascal2012/examples.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/files.hpp"
 
@@ -11,7 +10,7 @@ namespace stickslip::cli {
 
 using namespace numeric;
 using namespace numeric::motion;
-using namespace proofs::pascal2012;
+using namespace proofs::methods;
 
 namespace {
 
@@ -78,11 +77,11 @@ TypedParameters read_parameters(const std::string& file) {
   return parse_parameters(report::tools::read_file(file), file);
 }
 
-OrbitQuestion question(Family family, const TypedParameters& typed, const std::string& file,
-                       const std::string& example, int digits) {
+OrbitQuestion question(const Paper& paper, Family family, const TypedParameters& typed,
+                       const std::string& file, const std::string& example, int digits) {
   TypedParameters all;
   if (!example.empty()) {
-    all = parameters_of(example_named(example), family);
+    all = parameters_of(example_named(paper.examples, example), family);
   }
   if (!file.empty()) {
     replace(all, read_parameters(file));

@@ -5,6 +5,7 @@
 
 #include "cli/typed_parameters.hpp"
 #include "numeric/orbits.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
 
@@ -17,7 +18,8 @@ namespace stickslip::cli {
 // The question about the family. `typed` replaces what the file says, which replaces the data of the example;
 // file and example may be empty. The example's phi or ur counts only for its own family and when neither is
 // given otherwise. Throws UsageError for a missing or malformed parameter.
-[[nodiscard]] numeric::OrbitQuestion question(numeric::motion::Family family, const TypedParameters& typed,
+[[nodiscard]] numeric::OrbitQuestion question(const proofs::methods::Paper& paper,
+                                              numeric::motion::Family family, const TypedParameters& typed,
                                               const std::string& file, const std::string& example,
                                               int digits);
 

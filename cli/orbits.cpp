@@ -39,12 +39,12 @@ void draw(const OrbitList& list, const std::string& file) {
 
 }  // namespace
 
-ExitCode run(const OrbitsOptions& options) {
+ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
   if (options.family.empty()) {
     throw UsageError("a family of orbits is missing: symmetric, overshooting or nonsticking");
   }
   const OrbitQuestion asked = question(
-      family_named(options.family), options.parameters, options.file, options.example,
+      paper, family_named(options.family), options.parameters, options.file, options.example,
       whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits));
   const Jobs limit = jobs(options.jobs);
   if (options.with_plot) {

@@ -14,7 +14,7 @@
 #include "core/decimal.hpp"
 #include "core/interruption.hpp"
 #include "numeric/simulation/record.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
 #include "report/orbits/simulation.hpp"
 #include "report/tools/files.hpp"
 
@@ -23,7 +23,8 @@ namespace stickslip::cli {
 using namespace numeric;
 using namespace numeric::motion;
 using namespace numeric::simulation;
-using namespace proofs::pascal2012;
+using proofs::methods::Example;
+using proofs::methods::Paper;
 
 namespace {
 
@@ -90,8 +91,8 @@ model::Vector4<double> four_numbers(const std::string& name, const std::string& 
 }
 
 // The beginning of the example's orbit.
-Start start_of_example(const std::string& name) {
-  const DecidedOrbit& orbit = printed_orbit(example_named(name));
+Start start_of_example(const Example& example) {
+  const DecidedOrbit& orbit = printed_orbit(example);
   const MotionOf<double> motion = in_double(orbit.motion);
   const PhaseOf<double>& first = motion.phases.front();
   Start start{motion.oscillator.data, 0, first.load, first.Z};
@@ -110,7 +111,7 @@ void replace(double& value, const TypedParameters& typed, const char * name) {
   }
 }
 
-Start start_of(const SimulateOptions& options) {
+Start start_of(const SimulateOptions& options, const Paper& paper) {
   if (options.example.empty() && options.state.empty()) {
     throw UsageError("a start is missing: give --state x1,x2,x1',x2' or --example");
   }
@@ -120,7 +121,7 @@ Start start_of(const SimulateOptions& options) {
   }
   Start start;
   if (!options.example.empty()) {
-    start = start_of_example(options.example);
+    start = start_of_example(example_named(paper.examples, options.example));
   } else {
     for (const char * name : parameter_names) {
       if (!typed.contains(name)) {
@@ -181,7 +182,7 @@ Record simulate(const Start& start, const RecordPlan& plan) {
 
 }  // namespace
 
-ExitCode run(const SimulateOptions& options) {
+ExitCode run(const SimulateOptions& options, const Paper& paper) {
   if (!options.csv.empty()) {
     report::tools::require_writable_file(options.csv);
   }
@@ -189,7 +190,7 @@ ExitCode run(const SimulateOptions& options) {
     (void)report::tools::plot_format(options.plot);
     report::tools::require_plot(options.plot);
   }
-  const Start start = start_of(options);
+  const Start start = start_of(options, paper);
   const Record record = simulate(start, plan_of(options, start));
   write(record, options);
   print(report::orbits::terminal_report(record, terminal_style()));

@@ -9,6 +9,11 @@
 
 namespace stickslip {
 
+std::string plain(std::string sentence) {
+  std::erase(sentence, '$');
+  return sentence;
+}
+
 std::string to_string(Truth truth) {
   switch (truth) {
     case Truth::proved:
@@ -19,6 +24,10 @@ std::string to_string(Truth truth) {
       return "undecided";
     case Truth::out_of_domain:
       return "out_of_domain";
+    case Truth::assumed:
+      return "assumed";
+    case Truth::checked:
+      return "checked";
   }
   return "undecided";
 }
@@ -27,7 +36,7 @@ Verdict Verdict::refuted(Witness witness) {
   std::string point;
   for (const Coordinate& coordinate : witness.point) {
     point +=
-        fmt::format("{}{} = {}", point.empty() ? "" : ", ", coordinate.name, to_string(coordinate.value));
+        fmt::format("{}${} = {}$", point.empty() ? "" : ", ", coordinate.name, to_string(coordinate.value));
   }
   std::string reason =
       fmt::format("{}{} on the left and {} on the right at {}",
@@ -37,7 +46,8 @@ Verdict Verdict::refuted(Witness witness) {
 }
 
 Verdict all_of(const std::vector<Verdict>& verdicts) {
-  for (const Truth truth : {Truth::refuted, Truth::out_of_domain, Truth::undecided}) {
+  for (const Truth truth :
+       {Truth::refuted, Truth::out_of_domain, Truth::undecided, Truth::checked, Truth::assumed}) {
     const auto found = std::find_if(verdicts.begin(), verdicts.end(),
                                     [truth](const Verdict& verdict) { return verdict.truth == truth; });
     if (found != verdicts.end()) {

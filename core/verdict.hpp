@@ -10,11 +10,17 @@
 
 namespace stickslip {
 
+// A sentence without the dollars around its formulas. Sentences for readers, such as reasons, have them: "the
+// distance is 0 where $z2' = V$".
+[[nodiscard]] std::string plain(std::string sentence);
+
 enum class Truth {
   proved,
   refuted,        // with a witness
   undecided,      // with the reason
   out_of_domain,  // with the reason
+  assumed,        // an equation of the model: there is nothing to decide
+  checked,        // a computation in floating point agrees, which proves nothing; the reason says how well
 };
 
 [[nodiscard]] std::string to_string(Truth truth);
@@ -48,10 +54,12 @@ struct Verdict {
   [[nodiscard]] static Verdict out_of_domain(std::string reason) {
     return {Truth::out_of_domain, std::move(reason), {}};
   }
+  [[nodiscard]] static Verdict assumed(std::string reason) { return {Truth::assumed, std::move(reason), {}}; }
+  [[nodiscard]] static Verdict checked(std::string reason) { return {Truth::checked, std::move(reason), {}}; }
 };
 
-// The verdict on "all of them hold": the first refuted one, else the first out of domain, else the first
-// undecided, else proved. The conjunction of nothing is undecided: a proof that looked at nothing proves
+// The verdict on "all of them hold": the first refuted one, else the first out of domain, undecided, checked,
+// assumed, else proved. The conjunction of nothing is undecided: a proof that looked at nothing proves
 // nothing.
 [[nodiscard]] Verdict all_of(const std::vector<Verdict>& verdicts);
 

@@ -156,8 +156,8 @@ NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
     if (a.V == 0) {
       const Ball Theta = Ball(2) * Ball::pi() / Ball(a.omega);
       const Ball circle = Ball::hull(-Ball::pi(), Ball::pi());
-      list.unresolved.push_back(
-          {Ball::hull(Ball(0), Theta), circle, "q2 = 0: the load does not act on x2 and its phase is free"});
+      list.unresolved.push_back({Ball::hull(Ball(0), Theta), circle,
+                                 "$q2 = 0$: the load does not act on $x2$ and its phase is free"});
     }
     return list;
   }
@@ -188,7 +188,7 @@ NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
 }
 
 Condition room_for_friction(const Ball& ur_max, const Ball& us) {
-  return condition("ur_max", "min(r(0), -r(tau)) > us", ur_max - us);
+  return condition("ur_max", "$min(r(0), -r(tau)) > us$", ur_max - us);
 }
 
 std::optional<Condition> condition_36(const model::Oscillator<Ball>& o, const Ball& delta, const Ball& phi,
@@ -198,7 +198,7 @@ std::optional<Condition> condition_36(const model::Oscillator<Ball>& o, const Ba
     return std::nullopt;
   }
   const Ball left = (a.chi * a.eta * (o.Q(1) - o.Q(0)) - a.p) * cos(phi) - a.eta * ur;
-  return condition("36", "chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0", left);
+  return condition("36", "$chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0$", left);
 }
 
 std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit, const std::optional<Ball>& ur) {

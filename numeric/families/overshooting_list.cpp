@@ -153,9 +153,9 @@ Concluded conclude(const ExactParameters& a, const Recipe& recipe, const FoundZe
 std::string reason_at_end(const ExactParameters& a) {
   const Resonances found = resonances(a);
   const long k = found.first > 1 ? found.first : found.second;
-  return k > 1 ? "at T = 0, tau a multiple of Theta/" + std::to_string(k) +
-                     ", the equations have multiple zeros, for " + std::to_string(k) +
-                     " omega is a natural frequency"
+  return k > 1 ? "at $T = 0$, $tau$ a multiple of $Theta/" + std::to_string(k) +
+                     "$, the equations have multiple zeros, for $" + std::to_string(k) +
+                     " omega$ is a natural frequency"
                : "";
 }
 

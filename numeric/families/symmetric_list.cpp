@@ -112,7 +112,7 @@ struct Decider {
     const auto& data = f.closing.data;
     if (decision.found && !pivot_row(model::symmetric_rows(data, data.Theta * decision.found->zero(0)))) {
       return {std::nullopt, false,
-              "the amplitude C cannot be eliminated: both of its coefficients may vanish here"};
+              "the amplitude $C$ cannot be eliminated: both of its coefficients may vanish here"};
     }
     return decision;
   }

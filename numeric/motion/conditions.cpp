@@ -70,7 +70,8 @@ void decide_along(Condition& condition, const Motion& motion, const model::Phase
   const Phase& phase = motion.phases[q.phase];
   const Affine form = affine_form(motion, ur, q.quantity);
   const Wave<Ball> g = model::affine<Ball>(form.factor, form.of_speed ? w.zdot2 : w.r, form.offset);
-  const char * premise = form.of_speed ? "z2' = V at an end of the phase" : "r = ur at the end of the stick";
+  const char * premise =
+      form.of_speed ? "$z2' = V$ at an end of the phase" : "$r = ur$ at the end of the stick";
   const Infimum infimum = weighted_infimum(g, phase.duration, q.touches);
   if (q.touches.start && !infimum.start.contains_zero()) {
     return refute(condition, premise, infimum.start);
@@ -99,10 +100,10 @@ void decide_at_start(Condition& condition, const Motion& motion, const Ball& ur,
   const Ball excess = phase.Z(3) - motion.oscillator.data.V;
   const Ball r = model::friction_at<Ball>(motion.oscillator.data, phase.Z, phase.load);
   if (!excess.contains_zero()) {
-    return refute(condition, "z2' = V", excess);
+    return refute(condition, "$z2' = V$", excess);
   }
   if (q.quantity == Quantity::falls_behind && !(r - ur).contains_zero()) {
-    return refute(condition, "r = ur", r - ur);
+    return refute(condition, "$r = ur$", r - ur);
   }
   judge(condition, form.factor * r + form.offset, q.strict, "the distance");
   condition.at = phase.start;
@@ -126,9 +127,9 @@ Condition decide_with(const Motion& motion, const std::vector<model::PhaseWaves<
   if (q.quantity == Quantity::duration) {
     judge(condition, motion.phases[q.phase].duration, q.strict, "the duration");
   } else if (q.quantity == Quantity::slipping_friction) {
-    judge(condition, us, q.strict, "us");
+    judge(condition, us, q.strict, "$us$");
   } else if (q.quantity == Quantity::friction_step) {
-    judge(condition, friction - us, q.strict, "ur - us");
+    judge(condition, friction - us, q.strict, "$ur - us$");
   } else if (q.along) {
     decide_along(condition, motion, known.empty() ? waves(motion, q.phase) : known[q.phase], friction, q);
   } else {

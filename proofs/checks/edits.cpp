@@ -39,7 +39,7 @@ std::optional<Term> rebuilt(const Term& term, Terms arguments) {
 
 void sign_edits(const Term& term, TermEdits& found) {
   if (term.op() == Op::negate) {
-    found.push_back({EditKind::sign, "sign of " + text(term), term.arguments().front()});
+    found.push_back({EditKind::sign, "sign of $" + text(term) + "$", term.arguments().front()});
   }
   if (term.op() != Op::sum) {
     return;
@@ -50,14 +50,15 @@ void sign_edits(const Term& term, TermEdits& found) {
     }
     Terms arguments = term.arguments();
     arguments[i] = opposite(arguments[i]);
-    found.push_back({EditKind::sign, "sign of " + text(term.arguments()[i]), term.with_arguments(arguments)});
+    found.push_back(
+        {EditKind::sign, "sign of $" + text(term.arguments()[i]) + "$", term.with_arguments(arguments)});
   }
 }
 
 void factor_edits(const Term& term, TermEdits& found) {
   if (term.op() == Op::quotient) {
     found.push_back(
-        {EditKind::factor, "without the divisor " + text(term.arguments()[1]), term.arguments()[0]});
+        {EditKind::factor, "without the divisor $" + text(term.arguments()[1]) + "$", term.arguments()[0]});
   }
   if (term.op() != Op::product) {
     return;
@@ -66,7 +67,7 @@ void factor_edits(const Term& term, TermEdits& found) {
     Terms arguments = term.arguments();
     arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
     if (const auto shorter = rebuilt(term, arguments)) {
-      found.push_back({EditKind::factor, "without the factor " + text(term.arguments()[i]),
+      found.push_back({EditKind::factor, "without the factor $" + text(term.arguments()[i]) + "$",
                        arguments.size() == 1 ? arguments.front() : *shorter});
     }
   }
@@ -93,7 +94,7 @@ const Symbol& about(const Term& term) {
 void name_edits(const Term& term, TermEdits& found) {
   const Symbol& symbol = about(term);
   const auto rename = [&](EditKind kind, const std::string& name) {
-    found.push_back({kind, fmt::format("{} for {}", name, text(term)), renamed(term, name)});
+    found.push_back({kind, fmt::format("${}$ for ${}$", name, text(term)), renamed(term, name)});
   };
   for (const std::string& name : symbol.other_indices) {
     rename(EditKind::index, name);
@@ -105,7 +106,7 @@ void name_edits(const Term& term, TermEdits& found) {
     rename(EditKind::prime, symbol.rate_of);
   }
   if (symbol.is_duration) {
-    found.push_back({EditKind::period, fmt::format("half of {}", term.name()), term / 2});
+    found.push_back({EditKind::period, fmt::format("half of ${}$", term.name()), term / 2});
   }
   if (!cofunction(term).empty()) {
     rename(EditKind::function, cofunction(term));
@@ -125,7 +126,7 @@ void exchange_edits(const Term& term, TermEdits& found) {
       std::swap(arguments[i], arguments[j]);
       if (const auto other = rebuilt(term, arguments)) {
         found.push_back({EditKind::exchange,
-                         fmt::format("{} exchanged with {}", text(arguments[j]), text(arguments[i])),
+                         fmt::format("${}$ exchanged with ${}$", text(arguments[j]), text(arguments[i])),
                          *other});
       }
     }
@@ -140,10 +141,11 @@ TermEdits edits_here(const Term& term) {
   name_edits(term, found);
   exchange_edits(term, found);
   if (term.op() == Op::power) {
-    found.push_back({EditKind::exponent, "without the exponent of " + text(term), term.arguments().front()});
+    found.push_back(
+        {EditKind::exponent, "without the exponent of $" + text(term) + "$", term.arguments().front()});
   }
   if (term.op() == Op::derivative) {
-    found.push_back({EditKind::prime, "without the derivative of " + text(term.arguments().front()),
+    found.push_back({EditKind::prime, "without the derivative of $" + text(term.arguments().front()) + "$",
                      term.arguments().front()});
   }
   return found;

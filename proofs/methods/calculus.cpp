@@ -77,8 +77,8 @@ Proof by_periodic_decrease(PeriodicDecrease step) {
             claim, text(periodic) + " does not say that the difference of the motions returns");
     Outcome outcome;
     outcome.route =
-        "a continuous function of period Theta that never increases is constant, so its rate of change "
-        "is zero at almost all times";
+        "a continuous function of period $Theta$ that never increases is constant, so its rate of change is "
+        "zero at almost all times";
     for (const Premise& premise : {step.rate, step.form, step.positive, assuming(step.periodic)}) {
       record_premise(outcome, prover, claim, premise);
     }

@@ -1,5 +1,7 @@
 #include "proofs/methods/claim.hpp"
 
+#include <algorithm>
+
 namespace stickslip::proofs::methods {
 
 std::string to_string(Kind kind) {
@@ -24,65 +26,129 @@ std::string to_string(Kind kind) {
   return {};
 }
 
+namespace {
+
+const char * const holds = "The paper holds as printed.";
+const char * const with_corrections = "The paper holds, with corrections.";
+const char * const not_everything = "Not everything is decided.";
+const char * const open = "Not decided";
+const char * const why_open = "Neither proved nor refuted, or proved from something that is not.";
+
+}  // namespace
+
+const std::vector<StatusFacts>& statuses() {
+  static const std::vector<StatusFacts> all{
+      {.status = Status::as_printed,
+       .name = "as_printed",
+       .meaning = "proved as printed",
+       .one = "is proved exactly as printed",
+       .many = "are proved exactly as printed",
+       .lead = holds,
+       .tone = Tone::good,
+       .stands = true,
+       .finding = false},
+      {.status = Status::model,
+       .name = "model",
+       .meaning = "part of the model, taken as given",
+       .one = "belongs to the model and is taken as given",
+       .many = "belong to the model and are taken as given",
+       .lead = holds,
+       .tone = Tone::quiet,
+       .stands = true,
+       .finding = false},
+      {.status = Status::checked,
+       .name = "checked",
+       .meaning = "agrees with a computation in floating point, which proves nothing",
+       .one = "is a check in floating point that agrees",
+       .many = "are checks in floating point that agree",
+       .lead = holds,
+       .tone = Tone::quiet,
+       .finding = false},
+      {.status = Status::needs_hypotheses,
+       .name = "needs_hypotheses",
+       .meaning = "proved under a hypothesis that the paper does not state",
+       .one = "is proved under hypotheses that the paper does not state",
+       .many = "are proved under hypotheses that the paper does not state",
+       .lead = "The paper holds, under hypotheses that it does not state.",
+       .tone = Tone::notable,
+       .stands = true,
+       .heading = "Hypotheses that the paper does not state",
+       .explanation = "The proofs divide by these; where one of them vanishes, the statements behind it are "
+                      "not claimed. Each is shown once, with all statements that inherit it."},
+      {.status = Status::digits_off,
+       .name = "digits_off",
+       .meaning = "printed digits are not the correctly rounded ones",
+       .one = "gives printed digits that are not the correctly rounded ones",
+       .many = "give printed digits that are not the correctly rounded ones",
+       .lead = with_corrections,
+       .tone = Tone::notable,
+       .fails = true,
+       .heading = "Digits",
+       .explanation = "Printed numbers that are not the correctly rounded ones."},
+      {.status = Status::misprint_corrected,
+       .name = "misprint_corrected",
+       .meaning = "misprint: refuted as printed, the corrected form is proved",
+       .one = "is misprinted, and its corrected form is proved",
+       .many = "are misprinted, and their corrected forms are proved",
+       .lead = with_corrections,
+       .tone = Tone::bad,
+       .stands = true,
+       .heading = "Misprints",
+       .explanation = "False as printed, with a witness; the form that the derivation supports is proved."},
+      {.status = Status::necessary_not_sufficient,
+       .name = "necessary_not_sufficient",
+       .meaning = "proved to be necessary, refuted to be sufficient",
+       .one = "is necessary but not sufficient",
+       .many = "are necessary but not sufficient",
+       .lead = with_corrections,
+       .tone = Tone::notable,
+       .stands = true,
+       .heading = "Necessary, not sufficient",
+       .explanation = "It follows from what it is deduced from, but does not give that back."},
+      {.status = Status::refuted,
+       .name = "refuted",
+       .meaning = "refuted",
+       .one = "is refuted",
+       .many = "are refuted",
+       .lead = "The paper does not hold everywhere.",
+       .tone = Tone::bad,
+       .fails = true,
+       .heading = "Refuted",
+       .explanation = "False as printed, with a witness, and in no corrected form that was found."},
+      {.status = Status::rests_on_unproved,
+       .name = "rests_on_unproved",
+       .meaning = "proved, but something that it uses is not",
+       .one = "rests on something unproved",
+       .many = "rest on something unproved",
+       .lead = not_everything,
+       .tone = Tone::notable,
+       .decided = false,
+       .heading = open,
+       .explanation = why_open},
+      {.status = Status::undecided,
+       .name = "undecided",
+       .meaning = "undecided",
+       .one = "is undecided",
+       .many = "are undecided",
+       .lead = not_everything,
+       .tone = Tone::notable,
+       .decided = false,
+       .heading = open,
+       .explanation = why_open},
+  };
+  return all;
+}
+
+const StatusFacts& facts(Status status) {
+  return statuses()[static_cast<std::size_t>(status)];
+}
+
 std::string to_string(Status status) {
-  switch (status) {
-    case Status::as_printed:
-      return "as_printed";
-    case Status::needs_hypotheses:
-      return "needs_hypotheses";
-    case Status::misprint_corrected:
-      return "misprint_corrected";
-    case Status::digits_off:
-      return "digits_off";
-    case Status::necessary_not_sufficient:
-      return "necessary_not_sufficient";
-    case Status::refuted:
-      return "refuted";
-    case Status::undecided:
-      return "undecided";
-    case Status::rests_on_unproved:
-      return "rests_on_unproved";
-    case Status::model:
-      return "model";
-    case Status::checked:
-      return "checked";
-  }
-  return {};
+  return facts(status).name;
 }
 
 bool is_status(const std::string& word) {
-  for (int i = 0; i <= static_cast<int>(Status::checked); ++i) {
-    if (to_string(static_cast<Status>(i)) == word) {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::string describe(Status status) {
-  switch (status) {
-    case Status::as_printed:
-      return "proved as printed";
-    case Status::needs_hypotheses:
-      return "proved under a hypothesis that the paper does not state";
-    case Status::misprint_corrected:
-      return "misprint: refuted as printed, the corrected form is proved";
-    case Status::digits_off:
-      return "printed digits are not the correctly rounded ones";
-    case Status::necessary_not_sufficient:
-      return "proved to be necessary, refuted to be sufficient";
-    case Status::refuted:
-      return "refuted";
-    case Status::undecided:
-      return "undecided";
-    case Status::rests_on_unproved:
-      return "proved, but something that it uses is not";
-    case Status::model:
-      return "part of the model, taken as given";
-    case Status::checked:
-      return "agrees with a computation in floating point, which proves nothing";
-  }
-  return {};
+  return std::ranges::any_of(statuses(), [&](const StatusFacts& row) { return word == row.name; });
 }
 
 }  // namespace stickslip::proofs::methods

@@ -39,9 +39,9 @@ struct Comparison {
   std::string name;     // "tau"
   std::string latex;    // its LaTeX name
   std::string printed;  // as printed
-  BallText proved;
-  BallText units_off;  // (proved - printed) in units of the last place
-  Verdict verdict;     // proved: the printed value is the correctly rounded one
+  Ball proved;
+  Ball units_off;   // (proved - printed) in units of the last place
+  Verdict verdict;  // proved: the printed value is the correctly rounded one
 };
 
 // An equation that a proof had decided by normal form, with what the claim assumes to be "symbol = value" put
@@ -87,8 +87,8 @@ struct Claim;
 using Proof = std::function<Outcome(Prover&, const Claim&)>;
 
 struct Claim {
-  std::string id;     // "44.H": permanent
-  std::string place;  // "sec3", "A1"
+  std::string id;          // "44.H": permanent
+  std::string place = {};  // "sec3", "A1": that of the section in which it stands
   Kind kind = Kind::step;
   std::vector<symbols::Statement> printed = {};  // as printed: all of them are claimed
   std::string words = {};                        // one plain sentence: what it says
@@ -104,24 +104,46 @@ struct Claim {
   Proof prove_corrected = {};
 };
 
-// Computed, never typed.
+// Computed, never typed; from the best to the worst.
 enum class Status {
   as_printed,                // proved as it stands
+  model,                     // an equation of the model: taken as given
+  checked,                   // a check in floating point that agrees
   needs_hypotheses,          // proved where something nonzero that the paper does not mention is nonzero
-  misprint_corrected,        // refuted as printed, the corrected form proved
   digits_off,                // a printed number is not the correctly rounded one
+  misprint_corrected,        // refuted as printed, the corrected form proved
   necessary_not_sufficient,  // follows, but does not give back what it was deduced from
   refuted,
-  undecided,
   rests_on_unproved,  // proved, but something that it uses is not
-  model,              // an equation of the model: taken as given
-  checked,            // a check in floating point that agrees
+  undecided,
 };
 
+// How a terminal shows a status.
+enum class Tone { quiet, good, notable, bad };
+
+// All that is known about a status. The words are those that reports say.
+struct StatusFacts {
+  Status status;
+  const char * name;     // "as_printed": in data, on the command line, as a class on pages
+  const char * meaning;  // "proved as printed"
+  const char * one;      // of one statement: "is proved exactly as printed"
+  const char * many;     // of several
+  const char * lead;     // what a paper comes to in which nothing is worse
+  Tone tone;
+  bool stands = false;        // others may rest on it
+  bool decided = true;        // the question about the statement is answered, one way or the other
+  bool finding = true;        // worth a reader's attention
+  bool fails = false;         // refuted (printed digits included) without a corrected form that is proved
+  const char * heading = "";  // of the findings of this status; empty where they have none
+  const char * explanation = "";
+};
+
+// From the best to the worst.
+[[nodiscard]] const std::vector<StatusFacts>& statuses();
+[[nodiscard]] const StatusFacts& facts(Status status);
 [[nodiscard]] std::string to_string(Status status);
-// Whether the word is what to_string gives for some status.
+// Whether the word is the name of some status.
 [[nodiscard]] bool is_status(const std::string& word);
-[[nodiscard]] std::string describe(Status status);
 
 // An edit of a refuted statement that makes it a theorem.
 struct Repair {

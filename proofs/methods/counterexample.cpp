@@ -113,7 +113,7 @@ Proof by_counterexample(Counterexample example) {
         return outcome;
       }
       outcome.verdict = Verdict::refuted(Witness{example.point, {}, sides.left, sides.right});
-      failed.push_back(text(failing));
+      failed.push_back("$" + text(failing) + "$");
     }
     outcome.route += fmt::format("; what fails there: {}", fmt::join(failed, "; "));
     return outcome;

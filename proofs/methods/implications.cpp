@@ -310,7 +310,7 @@ Proof by_inverse(std::vector<Premise> premises) {
       products.printed.push_back(equation(printed.right * A, I));
     }
     Outcome outcome = prove(prover, products);
-    outcome.route = "multiplied from either side it gives I";
+    outcome.route = "multiplied from either side it gives $I$";
     return outcome;
   };
 }
@@ -364,7 +364,7 @@ Proof by_zero_of_cosine(const Term& angle, const std::string& assumption, const 
     Outcome outcome;
     outcome.assumed.insert(assumption);
     record_assumptions(outcome, claim, upper);
-    outcome.route = "cos vanishes at the odd multiples of pi/2, one of which lies between the ends";
+    outcome.route = "cos vanishes at the odd multiples of $pi/2$, one of which lies between the ends";
     // Zeros are at k + 1/2; one of them lies strictly between the ends, and it is the value printed.
     const GiNaC::numeric b = GiNaC::ex_to<GiNaC::numeric>(begin), e = GiNaC::ex_to<GiNaC::numeric>(end),
                          f = GiNaC::ex_to<GiNaC::numeric>(found), whole(1), half_turn(1, 2);

@@ -22,16 +22,7 @@ using namespace symbols;
 
 namespace {
 
-bool stands(Status status) {
-  return status == Status::as_printed || status == Status::needs_hypotheses ||
-         status == Status::misprint_corrected || status == Status::necessary_not_sufficient ||
-         status == Status::model;
-}
-
 Status status_of(const Record& record, bool premises_stand) {
-  if (record.claim.kind == Kind::model) {
-    return Status::model;
-  }
   const bool repaired = record.corrected && record.corrected->verdict.truth == Truth::proved;
   switch (record.outcome.verdict.truth) {
     case Truth::proved:
@@ -48,9 +39,12 @@ Status status_of(const Record& record, bool premises_stand) {
         return Status::digits_off;
       }
       return repaired && premises_stand ? Status::misprint_corrected : Status::refuted;
-    case Truth::out_of_domain:
-      return record.claim.kind == Kind::check ? Status::checked : Status::undecided;
+    case Truth::assumed:
+      return Status::model;
+    case Truth::checked:
+      return Status::checked;
     case Truth::undecided:
+    case Truth::out_of_domain:
       break;
   }
   return Status::undecided;
@@ -58,7 +52,7 @@ Status status_of(const Record& record, bool premises_stand) {
 
 Outcome taken_as_given() {
   Outcome outcome;
-  outcome.verdict = Verdict::out_of_domain("an equation of the model, taken as given");
+  outcome.verdict = Verdict::assumed("an equation of the model, taken as given");
   return outcome;
 }
 
@@ -188,7 +182,7 @@ bool Prover::inherit(Outcome& outcome, const Claim& claim) {
   bool all_stand = true;
   for (const std::string& used : outcome.uses) {
     const Record& premise = prove(used);
-    all_stand = all_stand && stands(premise.status);
+    all_stand = all_stand && facts(premise.status).stands;
     const Outcome& from = final_outcome(premise);
     const auto here = outcome.inherited.find(used);
     outcome.hypotheses =

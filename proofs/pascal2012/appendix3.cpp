@@ -36,14 +36,13 @@ std::optional<Coefficient> coefficient_named(const Term& name) {
 Claim printed_coefficient(char letter, int equation_number, const Term& value,
                           const std::string& illegible = {}) {
   const std::map<char, std::string> names{
-      {'a', "z_1(0)"}, {'b', "z_2(0)"}, {'c', "z_1'(0)"}, {'d', "no unknown"}};
+      {'a', "$z_1(0)$"}, {'b', "$z_2(0)$"}, {'c', "$z_1'(0)$"}, {'d', "no unknown"}};
   static const std::array<const char *, 5> said{
-      "z_1 at tau + tau_1 of slip and overshoot less that of the stick",
-      "z_2 at tau + tau_1 of slip and overshoot less that of the stick",
-      "z_1' at tau + tau_1 of slip and overshoot less that of the stick", "z_2'(tau) - V",
-      "z_2'(tau + tau_1) - V"};
+      "$z_1$ at $tau + tau_1$ of slip and overshoot less that of the stick",
+      "$z_2$ at $tau + tau_1$ of slip and overshoot less that of the stick",
+      "$z_1'$ at $tau + tau_1$ of slip and overshoot less that of the stick", "$z_2'(tau) - V$",
+      "$z_2'(tau + tau_1) - V$"};
   return {.id = fmt::format("{}.{}", 46 + equation_number, letter),
-          .place = "A3",
           .kind = Kind::step,
           .printed = {equation(coefficient(letter, equation_number), value)},
           .words = fmt::format("what stands beside {} in {}", names.at(letter),
@@ -88,8 +87,8 @@ std::vector<Claim> components() {
                           place_part(Ht(3, 1), Ht(3, 2)) + before(Ht(1, 1), Ht(1, 2)) -
                               omega * q1 * sin(phiC) + 2 * h_(3, 1) * d01 + 2 * h_(3, 2) * d02 +
                               (Ht(1, 2) - G(1, 2)) * V,
-                          "brackets, omega with the minus sign in front of q_1 sin(phi_C), and the minus "
-                          "sign in front of Gamma_12"),
+                          "brackets, $omega$ with the minus sign in front of $q_1 sin(phi_C)$, and the minus "
+                          "sign in front of $Gamma_12$"),
   };
 }
 
@@ -101,15 +100,15 @@ std::vector<Claim> speeds() {
       printed_coefficient('d', 4,
                           (H_(2, 2) - 1) * V - q2 * omega * sin(phiB) + place_part(H_(4, 1), H_(4, 2)) +
                               behind(H_(2, 1), H_(2, 2)),
-                          "the minus sign in front of the bracket with H_41, and omega with a bracket in "
-                          "front of sin(phi)"),
+                          "the minus sign in front of the bracket with $H_41$, and $omega$ with a bracket in "
+                          "front of $sin(phi)$"),
       printed_coefficient('a', 5, Ht(4, 1)),
       printed_coefficient('b', 5, Ht(4, 2)),
       printed_coefficient('c', 5, Ht(2, 1)),
       printed_coefficient('d', 5,
                           (Ht(2, 2) - 1) * V - q2 * omega * sin(phiC) + place_part(Ht(4, 1), Ht(4, 2)) +
                               behind(Ht(2, 1), Ht(2, 2)) + 2 * (h_(4, 1) * d01 + h_(4, 2) * d02),
-                          "brackets, the minus signs in front of q_2 omega and of the bracket with H_41"),
+                          "brackets, the minus signs in front of $q_2 omega$ and of the bracket with $H_41$"),
   };
 }
 
@@ -138,10 +137,9 @@ Claim formulas() {
     return result;
   };
   return {.id = "51.formulas",
-          .place = "A3",
           .kind = Kind::identity,
           .printed = all,
-          .words = "the program computes with the printed coefficients, but for the sign in c_1",
+          .words = "the program computes with the printed coefficients, but for the sign in $c_1$",
           .prove = by_formulas(values)};
 }
 
@@ -153,10 +151,9 @@ std::vector<Claim> appendix3() {
     claims.push_back(std::move(claim));
   }
   claims.push_back({.id = "51.phi",
-                    .place = "A3",
                     .kind = Kind::definition,
                     .printed = {equation(phiB, omega * tau + phi), equation(phiC, phiB + omega * tau1)},
-                    .words = "the load's phase at tau and at tau + tau_1",
+                    .words = "the load's phase at $tau$ and at $tau + tau_1$",
                     .prove = by_normal_form()});
   claims.push_back(formulas());
   return claims;

@@ -11,8 +11,6 @@ using namespace symbols;
 
 namespace {
 
-const std::string A5 = "A5";
-
 const Term quarter = omega * tau / 2;
 const Term second_place = block(1, {0, 1, 0, 0});
 const Assumption goes_down{"25.slope", {derivative(second_place * Z(t)), V, Relation::less}};
@@ -31,22 +29,19 @@ std::vector<Assumption> two_slips_at_rest() {
 std::vector<Claim> theorem() {
   return {
       {.id = "A5.turn",
-       .place = A5,
        .kind = Kind::step,
        .printed = {equation(omega * (z2B - z20) * cos(quarter), 2 * V * sin(quarter))},
        .words = "the second rows of (66), with nothing divided by: how far the slip goes and how long it "
-                "lasts; for V > 0 "
-                "a slip that ends with z2B < z20 lasts longer than half a period",
+                "lasts; for $V > 0$ a slip that ends with $z2B < z20$ lasts longer than half a period",
        .assumptions = moving({}),
        .prove = by_combination({{{from("66"), 0, omega * cos(quarter) * second_row},
                                  {from("66"), 1, -sin(quarter) * second_row},
                                  {assuming("25.V"), 0, sin(quarter)},
                                  {assuming("26.V"), 0, sin(quarter)}}})},
       {.id = "A5.falls",
-       .place = A5,
        .kind = Kind::step,
        .printed = {{z2B - z20, V * tau, Relation::less}},
-       .words = "x2' < V on the slip takes the second mass back against the belt",
+       .words = "$x2' < V$ on the slip takes the second mass back against the belt",
        .assumptions = {named_B, goes_down},
        .prove = by_mean_value({.slope = "25.slope",
                                .named = "28.ZB",
@@ -55,31 +50,26 @@ std::vector<Claim> theorem() {
                                .at_upper = ZB,
                                .upper = tau})},
       {.id = "A5.down",
-       .place = A5,
        .kind = Kind::step,
        .printed = {falls.statement},
-       .words = "V = 0: the slip takes the second mass down",
+       .words = "$V = 0$: the slip takes the second mass down",
        .assumptions = {named_B, at_rest, goes_down},
        .prove = by_positive_combination({{.positive = {{1, {{from("A5.falls")}}}}}})},
       {.id = "A5.cos",
-       .place = A5,
        .kind = Kind::step,
        .printed = {equation(cos(quarter), 0)},
-       .words = "V = 0: the case sin(phi + omega tau/2) = 0 of (67), all its branches phi_B = -phi + 2 k pi, "
-                "is excluded by "
-                "z2B < z20, the other remains",
+       .words = "$V = 0$: the case $sin(phi + omega tau/2) = 0$ of (67), all its branches $phi_B = -phi + 2 "
+                "k pi$, is excluded by $z2B < z20$, the other remains",
        .assumptions = moving({at_rest, falls}),
        .prove = by_combination({{{from("A5.turn"), 0, 1 / (omega * (z2B - z20))},
                                  {assuming("A5.V"), 0, 2 * sin(quarter) / (omega * (z2B - z20))}}})},
       {.id = "A5.half",
-       .place = A5,
        .kind = Kind::step,
        .printed = {half.statement},
        .words = "the slip lasts half a period",
        .assumptions = two_slips_at_rest(),
        .prove = by_premises({from("67.second").given("67.case2", "A5.cos").given("25.slip", "A5.down")})},
       {.id = "A5.second",
-       .place = A5,
        .kind = Kind::step,
        .printed = {second_half.statement},
        .words = "so does the overshoot",
@@ -87,19 +77,17 @@ std::vector<Claim> theorem() {
        .prove = by_combination(
            {{{assuming("56.tau1"), 0, -1}, {assuming("28.period"), 0}, {from("A5.half"), 0, -1}}})},
       {.id = "A5.regular",
-       .place = A5,
        .kind = Kind::step,
        .printed = {regular_H1.statement},
-       .words = "det(H_1 - I) is not zero off resonance",
+       .words = "$det(H_1 - I)$ is not zero off resonance",
        .assumptions = {half, period, off_resonance},
        .prove = by_nonzero_multiple("70.resonance")},
       {.id = "A5.theorem",
-       .place = A5,
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(t + tau)), half.statement},
-       .words = "Appendix 5: off resonance, a motion with V = 0 and two slips per period, x2' < 0 on the "
-                "first, is "
-                "symmetric in space and time; det P != 0, det H_2 != 0 and omega != 1 are not needed",
+       .words = "Appendix 5: off resonance, a motion with $V = 0$ and two slips per period, $x2' < 0$ on the "
+                "first, is symmetric in space and time; $det P != 0$, $det H_2 != 0$ and $omega != 1$ are "
+                "not needed",
        .assumptions = two_slips_at_rest(),
        .prove = by_premises({from("69.motion")
                                  .given("26.half", "A5.half")

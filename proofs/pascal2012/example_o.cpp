@@ -28,18 +28,17 @@ const Example& printed() {
 }
 
 PrintedPlace where() {
-  return {printed(), "sec5", "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
+  return {printed(), "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
 }
 
 Claim number(const std::string& id, const std::string& words, Proof prove) {
-  return {.id = id, .place = where().place, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
+  return {.id = id, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
 }
 
 Claim closes() {
   return number("O.orbit",
-                "an orbit with the data of Fig. 3 exists: it closes in all components of (20), with z2' = V "
-                "at tau (18) "
-                "and tau + tau_1 (19)",
+                "an orbit with the data of Fig. 3 exists: it closes in all components of (20), with $z2' = "
+                "V$ at $tau$ (18) and $tau + tau_1$ (19)",
                 [](Prover&, const Claim&) {
                   Outcome outcome = at_the_data(printed(), where().route);
                   outcome.uses = {"5", "27", "10", "20.reduced", "20.stick", "18.reduced"};
@@ -48,9 +47,10 @@ Claim closes() {
                   const auto excess = [&](std::size_t phase) {
                     return std::vector<Ball>{motion.phases.at(phase).Z(3) - motion.oscillator.data.V};
                   };
-                  outcome.verdict = all_of({vanishes({gap(0), gap(1), gap(2), gap(3)}, "Z(Theta) - Z_0 (20)"),
-                                            vanishes(excess(1), "z2'(tau) - V (18)"),
-                                            vanishes(excess(2), "z2'(tau + tau_1) - V (19)")});
+                  outcome.verdict =
+                      all_of({vanishes({gap(0), gap(1), gap(2), gap(3)}, "$Z(Theta) - Z_0$ (20)"),
+                              vanishes(excess(1), "$z2'(tau) - V$ (18)"),
+                              vanishes(excess(2), "$z2'(tau + tau_1) - V$ (19)")});
                   return outcome;
                 });
 }
@@ -79,12 +79,11 @@ Ball exactly(const std::string& name) {
 
 Claim printed_times() {
   return number(
-      "O.23", "the printed tau and tau_1, each within half a unit of its last place, solve (23)",
+      "O.23", "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
       [](Prover&, const Claim&) {
-        Outcome outcome = at_the_data(
-            printed(),
-            "Delta over the printed intervals in balls: where it is not zero, a zero of (23) is one of the "
-            "complete list");
+        Outcome outcome = at_the_data(printed(),
+                                      "$Delta$ over the printed intervals in balls: where it is not zero, a "
+                                      "zero of (23) is one of the complete list");
         outcome.uses = {"O.list", "22.back", "23.back"};
         const OrbitList& list = orbits_of(printed()).list;
         const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
@@ -98,7 +97,7 @@ Claim printed_times() {
         outcome.verdict = regular && list.complete() && !listed
                               ? Verdict::refuted(
                                     "no orbit lies in the printed intervals; at the printed "
-                                    "decimals F_1 and F_2 are " +
+                                    "decimals $F_1$ and $F_2$ are " +
                                     residuals({F[0], F[1]}))
                               : Verdict::undecided("the printed intervals may hold a zero");
         return outcome;
@@ -110,23 +109,23 @@ Decimal signed_decimal(const std::string& name) {
 }
 
 Claim printed_state_closes() {
-  return number(
-      "O.21",
-      "the printed tau, tau_1, z_1(0), z_2(0), z_1'(0), each within half a unit of its last place, close the "
-      "motion",
-      [](Prover&, const Claim&) {
-        Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
-        const PrintedClosing closing =
-            printed_closing_overshooting(printed().data, *printed().phi,
-                                         {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
-                                          signed_decimal("z20"), decimal("zdot10")});
-        outcome.verdict = closing.verdict;
-        if (outcome.verdict.truth != Truth::proved) {
-          outcome.verdict.reason += "; at the printed decimals z2'(tau) - V and Z(Theta) - Z_0 are " +
-                                    residuals({closing.at_points.begin(), closing.at_points.end()});
-        }
-        return outcome;
-      });
+  return number("O.21",
+                "the printed $tau$, $tau_1$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its "
+                "last place, close the motion",
+                [](Prover&, const Claim&) {
+                  Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
+                  const PrintedClosing closing =
+                      printed_closing_overshooting(printed().data, *printed().phi,
+                                                   {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
+                                                    signed_decimal("z20"), decimal("zdot10")});
+                  outcome.verdict = closing.verdict;
+                  if (outcome.verdict.truth != Truth::proved) {
+                    outcome.verdict.reason +=
+                        "; at the printed decimals $z2'(tau) - V$ and $Z(Theta) - Z_0$ are " +
+                        residuals({closing.at_points.begin(), closing.at_points.end()});
+                  }
+                  return outcome;
+                });
 }
 
 // (22) at the printed tau and tau_1.
@@ -138,7 +137,7 @@ Ball by_22(Ball model::CramerDeterminants<Ball>::*member) {
 // Which printed number was computed from which.
 std::vector<Claim> origins() {
   using Determinants = model::CramerDeterminants<Ball>;
-  const std::string formula22 = "(22) with T = Theta - tau - tau_1";
+  const std::string formula22 = "(22) with $T = Theta - tau - tau_1$";
   return {
       computed_from(where(), "z10", formula22, [] { return by_22(&Determinants::Delta1); }),
       computed_from(where(), "z20", formula22, [] { return by_22(&Determinants::Delta2); }),
@@ -149,24 +148,23 @@ std::vector<Claim> origins() {
             const model::Parameters<Ball>& a = printed_orbit(printed()).motion.oscillator.data;
             return model::friction_at_rest<Ball>(a, {exactly("z10"), exactly("z20")}, Ball(*printed().phi));
           }),
-      computed_from(where(), "T", "Theta - tau - tau_1",
+      computed_from(where(), "T", "$Theta - tau - tau_1$",
                     [] { return exactly("Theta") - exactly("tau") - exactly("tau1"); }),
-      number(
-          "O.c1",
-          "the printed tau and tau_1 were not computed with the printed c_1: over their intervals it takes "
-          "F_1 farther from zero than the derived one",
-          [](Prover&, const Claim&) {
-            const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
-            const auto F_1 = [&](model::Reading reading) {
-              return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);
-            };
-            Outcome outcome = at_the_data(printed(), "(23) in balls over the printed intervals");
-            const Ball more = F_1(model::Reading::printed) - F_1(model::Reading::derived);
-            outcome.verdict = more.is_positive()   ? Verdict::proved()
-                              : more.is_negative() ? Verdict::refuted("it is nearer")
-                                                   : Verdict::undecided("the balls overlap");
-            return outcome;
-          }),
+      number("O.c1",
+             "the printed $tau$ and $tau_1$ were not computed with the printed $c_1$: over their intervals "
+             "it takes $F_1$ farther from zero than the derived one",
+             [](Prover&, const Claim&) {
+               const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
+               const auto F_1 = [&](model::Reading reading) {
+                 return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);
+               };
+               Outcome outcome = at_the_data(printed(), "(23) in balls over the printed intervals");
+               const Ball more = F_1(model::Reading::printed) - F_1(model::Reading::derived);
+               outcome.verdict = more.is_positive()   ? Verdict::proved()
+                                 : more.is_negative() ? Verdict::refuted("it is nearer")
+                                                      : Verdict::undecided("the balls overlap");
+               return outcome;
+             }),
   };
 }
 
@@ -222,9 +220,8 @@ Ball unsolvable(const model::ClosingCoefficients<Ball>& k) {
 Claim spurious() {
   return number(
       "23.spurious",
-      "at the data of Fig. 3 a solution of (23) with tau, tau_1, T > 0 exists at which (21) has none: Delta "
-      "= 0 "
-      "there",
+      "at the data of Fig. 3 a solution of (23) with $tau$, $tau_1$, $T > 0$ exists at which (21) has none: "
+      "$Delta = 0$ there",
       [](Prover&, const Claim&) {
         Outcome outcome = at_the_data(printed(), {});
         outcome.uses = {"22.square", "22.null"};
@@ -240,9 +237,9 @@ Claim spurious() {
           return outcome;
         }
         outcome.route = fmt::format(
-            "the square in Delta and, on the line where it is zero, F_1 change sign; F_2 is zero on that "
-            "line; "
-            "the determinant of (a, b, c, d) in equations 1, 2, 4, 5 is not zero: tau = {}, tau_1 = {}",
+            "the square in $Delta$ and, on the line where it is zero, $F_1$ change sign; $F_2$ is zero on "
+            "that line; the determinant of $(a, b, c, d)$ in equations 1, 2, 4, 5 is not zero: $tau = {}$, "
+            "$tau_1 = {}$",
             to_string(*tau), to_string(*total - *tau));
         outcome.verdict = unsolvable(coefficients(*tau, *total - *tau, model::Reading::derived)).is_nonzero()
                               ? Verdict::proved()

@@ -21,7 +21,6 @@ namespace {
 Claim list_claim(const PrintedPlace& where) {
   return {
       .id = where.example.name + ".list",
-      .place = where.place,
       .kind = Kind::numbers,
       .words =
           fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
@@ -44,7 +43,6 @@ Claim list_claim(const PrintedPlace& where) {
 
 Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
   return {.id = fmt::format("{}.if.{}", where.example.name, requirement.id),
-          .place = where.place,
           .kind = Kind::condition,
           .words = fmt::format("{}, at the data of {}", requirement.statement, where.example.figure),
           .prove = [where, id = requirement.id](Prover&, const Claim&) {
@@ -59,7 +57,7 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
               route += "; smallest margin " + shown(*found->margin);
             }
             if (found->at) {
-              route += " at t = " + shown(*found->at);
+              route += " at $t = " + shown(*found->at) + "$";
             }
             Outcome outcome = at_the_data(where.example, route);
             outcome.uses = {where.orbit};
@@ -70,12 +68,11 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
 
 std::string shown_complex(const ComplexBall& number) {
   const bool real = number.im.is_exact() && number.im.contains_zero();
-  return real ? shown(number.re) : fmt::format("({}) + ({}) i", shown(number.re), shown(number.im));
+  return real ? shown(number.re) : fmt::format("$({}) + ({}) i$", shown(number.re), shown(number.im));
 }
 
 Claim stability_claim(const PrintedPlace& where) {
   return {.id = where.example.name + ".stability",
-          .place = where.place,
           .kind = Kind::numbers,
           .words = fmt::format("whether the orbit of {} is stable, which the paper leaves open",
                                where.example.figure),
@@ -104,7 +101,6 @@ constexpr double raw_bound = 1e-8;
 
 Claim raw_law_claim(const PrintedPlace& where) {
   return {.id = where.example.name + ".raw",
-          .place = where.place,
           .kind = Kind::check,
           .words = fmt::format(
               "the equations of motion (2) with the friction law (4), integrated over one period without any "
@@ -122,8 +118,8 @@ Claim raw_law_claim(const PrintedPlace& where) {
             outcome.verdict =
                 !found.difference.empty() ? Verdict::undecided("the motions differ: " + found.difference)
                 : found.time_error <= raw_bound && found.closure <= raw_bound
-                    ? Verdict::out_of_domain(fmt::format("times agree to {:.1e}, states to {:.1e}",
-                                                         found.time_error, found.closure))
+                    ? Verdict::checked(fmt::format("times agree to {:.1e}, states to {:.1e}",
+                                                   found.time_error, found.closure))
                     : Verdict::undecided(fmt::format("times differ by {:.1e}, the state by {:.1e}",
                                                      found.time_error, found.closure));
             return outcome;
@@ -165,9 +161,8 @@ Claim computed_from(const PrintedPlace& where, const std::string& name, const st
                     std::function<Ball()> value) {
   return {
       .id = fmt::format("{}.from.{}", where.example.name, name),
-      .place = where.place,
       .kind = Kind::numbers,
-      .words = fmt::format("the printed {} is {} of the other printed values, rounded", name, formula),
+      .words = fmt::format("the printed ${}$ is {} of the other printed values, rounded", name, formula),
       .prove = [=, value = std::move(value)](Prover&, const Claim&) {
         const Ball computed = value();
         Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");

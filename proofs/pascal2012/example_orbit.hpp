@@ -2,7 +2,7 @@
 // inequality along the motion that the paper shows.
 #pragma once
 
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -22,6 +22,6 @@ namespace stickslip::proofs::pascal2012 {
                                            const std::string& formula, std::function<Ball()> value);
 
 // The printed decimal of that name, exactly; with the sign of the proved value where the source has lost it.
-[[nodiscard]] Ball printed_decimal(const Example& example, const std::string& name);
+[[nodiscard]] Ball printed_decimal(const methods::Example& example, const std::string& name);
 
 }  // namespace stickslip::proofs::pascal2012

@@ -16,7 +16,7 @@ using namespace methods;
 namespace {
 
 PrintedPlace where() {
-  return {example_named("P"), "sec6", "P.orbit", "Krawczyk's test in balls on equations equivalent to (28)"};
+  return {example_named("P"), "P.orbit", "Krawczyk's test in balls on equations equivalent to (28)"};
 }
 
 Claim value(const std::string& name) {
@@ -25,7 +25,6 @@ Claim value(const std::string& name) {
 
 Claim closes_claim() {
   return {.id = "P.orbit",
-          .place = "sec6",
           .kind = Kind::numbers,
           .words = "a motion with the data of Fig. 4 closes, (28), and obeys every condition",
           .prove = [](Prover&, const Claim&) {
@@ -53,48 +52,46 @@ Ball largest_friction(const Example& example) {
 
 // The printed u_r is a datum; the paper does not say how it was chosen.
 Claim friction_claim() {
-  return {.id = "P.from.ur",
-          .place = "sec6",
-          .kind = Kind::numbers,
-          .words = "u_r = 0.2996 is the largest u_r for which the orbit exists, cut off after four digits",
-          .prove = [](Prover&, const Claim&) {
-            const Example& example = example_named("P");
-            const Ball slack = largest_friction(example) - Ball(*example.ur);
-            Outcome outcome =
-                at_the_data(example, "0 <= ur_max - u_r < 1e-4, in balls, with (25) and (26) at their ends");
-            outcome.uses = {"P.orbit"};
-            const Ball rest = Ball(parse_rational("1e-4")) - slack;
-            outcome.verdict = slack.is_positive() && rest.is_positive() ? Verdict::proved()
-                              : slack.is_negative() || rest.is_negative()
-                                  ? Verdict::refuted("ur_max - u_r is " + to_string(slack))
-                                  : Verdict::undecided("ur_max - u_r is " + to_string(slack));
-            return outcome;
-          }};
+  return {
+      .id = "P.from.ur",
+      .kind = Kind::numbers,
+      .words = "$u_r = 0.2996$ is the largest $u_r$ for which the orbit exists, cut off after four digits",
+      .prove = [](Prover&, const Claim&) {
+        const Example& example = example_named("P");
+        const Ball slack = largest_friction(example) - Ball(*example.ur);
+        Outcome outcome =
+            at_the_data(example, "$0 <= ur_max - u_r < 1e-4$, in balls, with (25) and (26) at their ends");
+        outcome.uses = {"P.orbit"};
+        const Ball rest = Ball(parse_rational("1e-4")) - slack;
+        outcome.verdict = slack.is_positive() && rest.is_positive() ? Verdict::proved()
+                          : slack.is_negative() || rest.is_negative()
+                              ? Verdict::refuted("$ur_max - u_r$ is " + to_string(slack))
+                              : Verdict::undecided("$ur_max - u_r$ is " + to_string(slack));
+        return outcome;
+      }};
 }
 
 // (37) made sharp, with x2' < 0 on the whole slip.
 Claim least_load_claim() {
   return {.id = "P.least",
-          .place = "sec6",
           .kind = Kind::condition,
           .words =
-              "the load of Fig. 4 exceeds the least one: p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2), B "
-              "= b_1 d_01 + b_2 "
-              "d_02, which is necessary and sufficient; S is the supremum over 0 < t < pi/omega that "
-              "37.speed leaves, and "
-              "37.sharp is the case eta u_r/omega > S",
+              "the load of Fig. 4 exceeds the least one: $p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2)$, "
+              "$B = b_1 d_01 + b_2 d_02$, which is necessary and sufficient; $S$ is the supremum over $0 < t "
+              "< pi/omega$ that 37.speed leaves, and 37.sharp is the case $eta u_r/omega > S$",
           .prove = [](Prover&, const Claim&) {
             const Example& example = example_named("P");
             const LeastLoad least = least_load(printed_orbit(example).motion, Ball(*example.ur), 20);
             Outcome outcome = at_the_data(
                 example,
-                fmt::format("the supremum bracketed in balls: S = {}, eta u_r/omega = {}, least p = {}",
+                fmt::format("the supremum bracketed in balls: $S = {}$, $eta u_r/omega = {}$, least $p = {}$",
                             shown(least.speed_push), shown(least.friction_push), shown(least.p)));
             outcome.uses = {"P.orbit", "37.speed", "37.sharp", "37.sharp.back"};
             const Ball slack = Ball(example.data.p) - least.p;
-            outcome.verdict = slack.is_positive()   ? Verdict::proved()
-                              : slack.is_negative() ? Verdict::refuted("the least p is " + shown(least.p))
-                                                    : Verdict::undecided("the least p is " + shown(least.p));
+            outcome.verdict = slack.is_positive() ? Verdict::proved()
+                              : slack.is_negative()
+                                  ? Verdict::refuted("the least $p$ is " + shown(least.p))
+                                  : Verdict::undecided("the least $p$ is " + shown(least.p));
             return outcome;
           }};
 }

@@ -14,8 +14,6 @@ using namespace methods;
 
 namespace {
 
-const std::string sec = "sec4";
-
 const Example& printed() {
   return example_named("S");
 }
@@ -43,7 +41,7 @@ const SymmetricOrbit& orbit() {
 const char * const ball_route = "Krawczyk's test in balls on equations equivalent to (13) and (15)";
 
 PrintedPlace where() {
-  return {printed(), sec, "S.orbit", ball_route};
+  return {printed(), "S.orbit", ball_route};
 }
 
 Claim orbit_value(const std::string& name, Ball SymmetricState<Ball>::*member) {
@@ -56,43 +54,42 @@ std::vector<Ball> components(const model::Vector4<Ball>& v) {
 
 Claim closes() {
   return {.id = "S.orbit",
-          .place = sec,
           .kind = Kind::numbers,
           .words = "an orbit with the data of Fig. 2 exists: it closes in all components of (13) and (15)",
           .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(printed(), ball_route);
             outcome.uses = {"5", "10", "17.slip", "17.stick"};
-            outcome.verdict = all_of({vanishes(components(orbit().residual13), "Z(tau) - E Z_0 (13)"),
-                                      vanishes(components(orbit().residual15), "Z_0 - Gamma(T) E Z_0 (15)"),
+            outcome.verdict = all_of({vanishes(components(orbit().residual13), "$Z(tau) - E Z_0$ (13)"),
+                                      vanishes(components(orbit().residual15), "$Z_0 - Gamma(T) E Z_0$ (15)"),
                                       vanishes(components(orbit().residual16), "(16)")});
             return outcome;
           }};
 }
 
 Claim printed_values_close() {
-  return {
-      .id = "S.16",
-      .place = sec,
-      .kind = Kind::numbers,
-      .words =
-          "the printed tau, z_1(0), z_2(0), z_1'(0), each within half a unit of its last place, solve (16)",
-      .prove = [](Prover&, const Claim&) {
-        const SymmetricState<Ball>& state = orbit().state;
-        const PrintedZero zero = printed_zero_of_16(
-            printed().data, LoadPhase::first,
-            {as_printed(printed().result("tau"), state.tau), as_printed(printed().result("z10"), state.z10),
-             as_printed(printed().result("z20"), state.z20),
-             as_printed(printed().result("zdot10"), state.zdot10)});
-        Outcome outcome;
-        outcome.route =
-            "(16) evaluated in balls at the printed values and over the intervals that they stand for";
-        outcome.verdict = zero.verdict;
-        if (outcome.verdict.truth != Truth::proved) {
-          outcome.verdict.reason +=
-              "; at the printed decimals themselves (16) leaves " + residuals(components(zero.at_points));
-        }
-        return outcome;
-      }};
+  return {.id = "S.16",
+          .kind = Kind::numbers,
+          .words =
+              "the printed $tau$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its last place, "
+              "solve (16)",
+          .prove = [](Prover&, const Claim&) {
+            const SymmetricState<Ball>& state = orbit().state;
+            const PrintedZero zero =
+                printed_zero_of_16(printed().data, LoadPhase::first,
+                                   {as_printed(printed().result("tau"), state.tau),
+                                    as_printed(printed().result("z10"), state.z10),
+                                    as_printed(printed().result("z20"), state.z20),
+                                    as_printed(printed().result("zdot10"), state.zdot10)});
+            Outcome outcome;
+            outcome.route =
+                "(16) evaluated in balls at the printed values and over the intervals that they stand for";
+            outcome.verdict = zero.verdict;
+            if (outcome.verdict.truth != Truth::proved) {
+              outcome.verdict.reason +=
+                  "; at the printed decimals themselves (16) leaves " + residuals(components(zero.at_points));
+            }
+            return outcome;
+          }};
 }
 
 // Which printed numbers were computed from which.
@@ -101,11 +98,11 @@ std::vector<Claim> origins() {
   const PrintedPlace place = where();
   return {
       computed_from(
-          place, "T", "Theta - tau",
+          place, "T", "$Theta - tau$",
           [&example] { return printed_decimal(example, "Theta") - printed_decimal(example, "tau"); }),
-      computed_from(place, "z20", "V T/2, by (16),",
+      computed_from(place, "z20", "$V T/2$, by (16),",
                     [&example] { return Ball(example.data.V) * printed_decimal(example, "T") / Ball(2); }),
-      computed_from(place, "ur", "(12) solved for u_r", [&example] {
+      computed_from(place, "ur", "(12) solved for $u_r$", [&example] {
         const ExactParameters& a = example.data;
         const Ball cos_phi = sin(Ball(a.omega) * printed_decimal(example, "tau") / Ball(2));
         return Ball(a.us) +

@@ -1,11 +1,8 @@
 #include "proofs/pascal2012/examples.hpp"
 
-#include <fmt/format.h>
-
-#include "core/error.hpp"
-
 namespace stickslip::proofs::pascal2012 {
 
+using namespace methods;
 using namespace numeric::motion;
 
 namespace {
@@ -54,27 +51,13 @@ Example example_P() {
 
 }  // namespace
 
-const PrintedResult& Example::result(const std::string& result_name) const {
-  for (const PrintedResult& printed : results) {
-    if (printed.name == result_name) {
-      return printed;
-    }
-  }
-  throw InternalError(fmt::format("example {} prints no {}", name, result_name));
-}
-
 const std::vector<Example>& printed_examples() {
   static const std::vector<Example> all{example_S(), example_O(), example_P()};
   return all;
 }
 
 const Example& example_named(const std::string& name) {
-  for (const Example& example : printed_examples()) {
-    if (example.name == name) {
-      return example;
-    }
-  }
-  throw UsageError(fmt::format("there is no example '{}': the paper's are S, O and P", name));
+  return methods::example_named(printed_examples(), name);
 }
 
 }  // namespace stickslip::proofs::pascal2012

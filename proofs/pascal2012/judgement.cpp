@@ -2,25 +2,28 @@
 
 namespace stickslip::proofs::pascal2012 {
 
+using namespace methods;
+
 const std::vector<Judgement>& judgements() {
   static const std::vector<Judgement> all{
       {"7",
        true,
-       "The load is in resonance: (7) has no solution Q unless p = 0, and (5), (8) and all that is deduced "
-       "from them say nothing there.",
+       "The load is in resonance: (7) has no solution $Q$ unless $p = 0$, and (5), (8) and all that is "
+       "deduced from them say nothing there.",
        {"7.resonance"}},
       {"16.back",
        true,
-       "At tau = pi/omega_1 the equations (16) have a solution that does not close.",
+       "At $tau = pi/omega_1$ the equations (16) have a solution that does not close.",
        {"16"}},
-      {"35", false, "Where q_2 = 0, (36) cannot hold: no motion is lost.", {"36.load"}},
+      {"35", false, "Where $q_2 = 0$, (36) cannot hold: no motion is lost.", {"36.load"}},
       {"35.def",
        false,
-       "Where omega_i is an odd multiple of omega, det H_3 = 0, which (31) excludes, and no motion closes.",
+       "Where $omega_i$ is an odd multiple of $omega$, $det H_3 = 0$, which (31) excludes, and no motion "
+       "closes.",
        {"31.det", "31.modes", "31.rest"}},
       {"67.sin", false, "Uniqueness by energy gives the symmetry without it.", {"A5.symmetry"}},
-      {"63.P", false, "Uniqueness by energy gives the symmetry without P_1 and P_2.", {"A5.symmetry"}},
-      {"70.rho", false, "Uniqueness by energy gives the symmetry without det P.", {"A5.symmetry"}},
+      {"63.P", false, "Uniqueness by energy gives the symmetry without $P_1$ and $P_2$.", {"A5.symmetry"}},
+      {"70.rho", false, "Uniqueness by energy gives the symmetry without $det P$.", {"A5.symmetry"}},
   };
   return all;
 }

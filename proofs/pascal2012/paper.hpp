@@ -2,10 +2,9 @@
 // Nonlinear Dynamics 70 (2012) 1435-1443.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -23,22 +22,7 @@ namespace stickslip::proofs::pascal2012 {
 
 [[nodiscard]] std::vector<methods::Claim> reduced();  // what the proofs of orbits solve in place of (13)-(28)
 
-struct Place {
-  std::string id;      // "sec3", "A1"
-  std::string title;   // "Section 3: closed-form phases"
-  std::string source;  // the file in proofs/, also the name of its identity-check program
-  std::vector<methods::Claim> (*claims)();
-};
-
-// In the paper's order.
-[[nodiscard]] const std::vector<Place>& places();
-
-// All claims in the paper's order.
-[[nodiscard]] std::vector<methods::Claim> paper();
-
-// The ids that a word names: a claim (47.c1), an equation with all its parts (47), a place (sec4, A3). Throws
-// UsageError naming the word and what there is.
-[[nodiscard]] std::set<std::string> ids_named(const std::vector<methods::Claim>& claims,
-                                              const std::string& word);
+// The paper, made once.
+[[nodiscard]] const methods::Paper& paper();
 
 }  // namespace stickslip::proofs::pascal2012

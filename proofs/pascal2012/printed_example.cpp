@@ -25,8 +25,8 @@ Comparison compared(const std::string& name, const Decimal& printed, const Ball&
   return {name,
           symbolic::typeset::latex_name(name),
           printed.text,
-          to_text(comparison.value, 20),
-          to_text(comparison.units, 4),
+          comparison.value,
+          comparison.units,
           comparison.verdict};
 }
 
@@ -47,9 +47,8 @@ Outcome at_the_data(const Example& example, const std::string& route) {
 Claim printed_value(const PrintedPlace& where, const std::string& name, std::function<Ball()> value) {
   const PrintedResult& result = where.example.result(name);
   return {.id = where.example.name + "." + name,
-          .place = where.place,
           .kind = Kind::numbers,
-          .words = fmt::format("{} = {}{}", name, result.value.text,
+          .words = fmt::format("${} = {}${}", name, result.value.text,
                                result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
           .prove = [=, value = std::move(value)](Prover&, const Claim&) {
             const Ball proved = value();

@@ -11,19 +11,18 @@
 namespace stickslip::proofs::pascal2012 {
 
 // The printed value; where its sign is lost, with the one that the proved value has.
-[[nodiscard]] Decimal as_printed(const PrintedResult& result, const Ball& value);
+[[nodiscard]] Decimal as_printed(const methods::PrintedResult& result, const Ball& value);
 
 // A printed value beside the proved one.
 [[nodiscard]] methods::Comparison compared(const std::string& name, const Decimal& printed,
                                            const Ball& value);
 
 // An outcome at the example's data: its parameters, and phi and u_r where they are given.
-[[nodiscard]] methods::Outcome at_the_data(const Example& example, const std::string& route);
+[[nodiscard]] methods::Outcome at_the_data(const methods::Example& example, const std::string& route);
 
 // What the claims about an example share.
 struct PrintedPlace {
-  const Example& example;
-  std::string place;  // "sec4"
+  const methods::Example& example;
   std::string orbit;  // the id of the claim that the orbit exists
   std::string route;  // how its values were found
 };

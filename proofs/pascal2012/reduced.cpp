@@ -25,7 +25,7 @@ std::vector<Equal> modal_forms(Flows& flows) {
 
 std::vector<Claim> reduced() {
   std::vector<Claim> result{
-      reduced("7.modal", "Q and d_0 by their modes", modal_forms, off_load_resonance()),
+      reduced("7.modal", "$Q$ and $d_0$ by their modes", modal_forms, off_load_resonance()),
   };
   for (const std::vector<Claim>& family : {symmetric_claims(), overshooting_claims(), nonsticking_claims()}) {
     result.insert(result.end(), family.begin(), family.end());

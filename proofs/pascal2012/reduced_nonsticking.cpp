@@ -53,10 +53,12 @@ std::vector<Assumption> two_slips_apart() {
 
 std::vector<Claim> nonsticking_claims() {
   return {
-      reduced("28.reduced",
-              "where the two reduced equations hold the motion closes as in (28), with z2' = V at 0 and tau",
-              two_slips_close, two_slips_apart()),
-      reduced("28.unique", "off resonance there is one response of period Theta: det(H(Theta) - I) is not 0",
+      reduced(
+          "28.reduced",
+          "where the two reduced equations hold the motion closes as in (28), with $z2' = V$ at 0 and $tau$",
+          two_slips_close, two_slips_apart()),
+      reduced("28.unique",
+              "off resonance there is one response of period $Theta$: $det(H(Theta) - I)$ is not 0",
               one_response),
   };
 }

@@ -115,12 +115,13 @@ std::vector<Equal> overshooting_turn(Flows& flows) {
 
 std::vector<Claim> overshooting_claims() {
   return {
-      reduced("20.stick", "the states by amplitudes (a, C, D) are all states with z2' = V that a stick joins",
+      reduced("20.stick",
+              "the states by amplitudes $(a, C, D)$ are all states with $z2' = V$ that a stick joins",
               overshooting_stick),
-      reduced("20.reduced", "the four rows odd and even give Z(Theta) = Z_0 (20)", overshooting_sufficient,
+      reduced("20.reduced", "the four rows odd and even give $Z(Theta) = Z_0$ (20)", overshooting_sufficient,
               durations({v::tau + scalar("tau1")})),
       reduced("20.reduced.converse", "(20) gives the four rows", overshooting_necessary),
-      reduced("18.reduced", "the row turn is the difference of the mean accelerations on both sides of tau",
+      reduced("18.reduced", "the row turn is the difference of the mean accelerations on both sides of $tau$",
               overshooting_turn, durations({v::tau, scalar("tau1")})),
   };
 }

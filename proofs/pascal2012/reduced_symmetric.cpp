@@ -102,13 +102,13 @@ std::vector<Equal> symmetric_all_sticks(Flows& flows) {
 std::vector<Claim> symmetric_claims() {
   return {
       reduced("16.reduced",
-              "the reduced equations in (tau, C) give all components of (13), for both load phases",
+              "the reduced equations in $(tau, C)$ give all components of (13), for both load phases",
               symmetric_sufficient, durations({v::tau})),
       reduced("16.reduced.converse", "all components of (13) give the reduced equations",
               symmetric_necessary),
       reduced("15.reduced", "the states of the reduced equations fulfil all components of (15)",
               symmetric_stick),
-      reduced("15.reduced.converse", "every state with z2' = V that fulfils (15) is one of them",
+      reduced("15.reduced.converse", "every state with $z2' = V$ that fulfils (15) is one of them",
               symmetric_all_sticks),
   };
 }

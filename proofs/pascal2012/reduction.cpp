@@ -129,7 +129,6 @@ std::vector<Assumption> durations(const std::vector<Term>& terms) {
 Claim reduced(const std::string& id, const std::string& words, Compare compare,
               const std::vector<Assumption>& assumptions) {
   return {.id = id,
-          .place = "red",
           .kind = Kind::step,
           .words = words,
           .assumptions = assumptions,

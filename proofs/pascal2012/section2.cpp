@@ -13,8 +13,6 @@ namespace {
 
 using namespace symbols::vocabulary;
 
-const std::string sec = "sec2";
-
 // Quantities with units: masses, stiffnesses, time, load and friction, velocities.
 const Term m1 = scalar("m1"), m2 = scalar("m2"), k1 = scalar("k1"), k2 = scalar("k2"),
            time = scalar("ttilde"), Omega = scalar("Omega"), load = scalar("ptilde"),
@@ -54,22 +52,18 @@ std::vector<Assumption> all_of_3(std::vector<Assumption> more) {
 std::vector<Claim> equations() {
   return {
       {.id = "1",
-       .place = sec,
        .kind = Kind::definition,
        .printed = {equation(Rtilde(time), load * cos(frequency * time + phi))},
        .words = "the load, for any amplitude, frequency and phase",
        .prove = by_definition()},
       {.id = "2.newton",
-       .place = sec,
        .kind = Kind::model,
-       .words = "Newton's equations of Fig. 1: spring k_1 between wall and m_1, spring k_2 between m_1 and "
-                "m_2, friction and "
-                "load on m_2"},
+       .words = "Newton's equations of Fig. 1: spring $k_1$ between wall and $m_1$, spring $k_2$ between "
+                "$m_1$ and $m_2$, friction and load on $m_2$"},
       {.id = "2",
-       .place = sec,
        .kind = Kind::step,
        .printed = {first2, second2},
-       .words = "the dimensionless equations of motion, from Newton's by (3), d/dt of time and t = Omega "
+       .words = "the dimensionless equations of motion, from Newton's by (3), d/dt of time and $t = Omega$ "
                 "times time",
        .assumptions = all_of_3({newton1, newton2, scale, stiff, heavy1, heavy2, quick}),
        .prove = by_combination(
@@ -77,20 +71,17 @@ std::vector<Claim> equations() {
             {{assuming("2.newton.2"), 0, m1 / (m2 * (k1 + k2))},
              {assuming("3.Omega"), 0, -m1 / (k1 + k2) * xddot2}}})},
       {.id = "3",
-       .place = sec,
        .kind = Kind::definition,
        .printed = {equation(eta, m1 / m2), equation(chi, k2 / (k1 + k2)), equation(u, friction / (k1 + k2)),
                    equation(p, eta * load / (k1 + k2)), equation(t, Omega * time),
                    equation(omega, frequency / Omega)},
-       .words = "the dimensionless quantities, Omega = sqrt((k_1 + k_2)/m_1): t, chi, eta, omega are "
-                "numbers, x, u, p and V "
-                "lengths",
+       .words = "the dimensionless quantities, $Omega = sqrt((k_1 + k_2)/m_1)$: $t$, $chi$, $eta$, $omega$ "
+                "are numbers, $x$, $u$, $p$ and $V$ lengths",
        .prove = by_definition()},
       {.id = "3.domain",
-       .place = sec,
        .kind = Kind::step,
        .printed = {{chi, 0, Relation::greater}, {chi, 1, Relation::less}, {eta, 0, Relation::greater}},
-       .words = "the domain of the model, 0 < chi < 1 and eta > 0, from positive masses and stiffnesses",
+       .words = "the domain of the model, $0 < chi < 1$ and $eta > 0$, from positive masses and stiffnesses",
        .assumptions = {ratios[0], ratios[1], stiff1, stiff2, stiff, heavy1, heavy2},
        .prove = by_positive_combination(
            {{.positive = {{1, {{assuming("3.k2")}}}},
@@ -115,53 +106,45 @@ std::vector<Claim> friction_law() {
   const Assumption no_acceleration{"9.rest", equation(xddot2, 0)}, motion{"2", second2};
   return {
       {.id = "4",
-       .place = sec,
        .kind = Kind::model,
-       .words = "Coulomb's law: u = u_s sign(V - x2') while slipping; at x2' = V, with the friction r that "
-                "would keep it so, u "
-                "= r if |r| < u_r, u_s if r > u_r, -u_s if r < -u_r"},
+       .words = "Coulomb's law: $u = u_s sign(V - x2')$ while slipping; at $x2' = V$, with the friction $r$ "
+                "that would keep it so, $u = r$ if $|r| < u_r$, $u_s$ if $r > u_r$, $-u_s$ if $r < -u_r$"},
       {.id = "4.V",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(V - xdot2, (belt - velocity) / Omega)},
-       .words = "V = v_0/Omega: V - x2' has the sign of the belt's velocity relative to the mass",
+       .words = "$V = v_0/Omega$: $V - x2'$ has the sign of the belt's velocity relative to the mass",
        .assumptions = {{"4.belt", equation(V, belt / Omega)},
                        {"4.mass", equation(xdot2, velocity / Omega)},
                        quick},
        .prove = by_normal_form()},
       {.id = "4.r",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(u, pull)},
-       .words = "the friction that keeps x2'' = 0, by (2)",
+       .words = "the friction that keeps $x2'' = 0$, by (2)",
        .assumptions = {motion, no_acceleration},
        .prove = by_combination({{{assuming("2"), 0, -1 / eta}}})},
       {.id = "4.defined",
-       .place = sec,
        .kind = Kind::definition,
-       .words = "the law gives a friction in every state: not where x2' = V and |r| = u_r, where each slip "
-                "of Sections 4 and 5 "
-                "begins; every motion of the paper goes on from there with u = u_s",
+       .words =
+           "the law gives a friction in every state: not where $x2' = V$ and $|r| = u_r$, where each slip of "
+           "Sections 4 and 5 begins; every motion of the paper goes on from there with $u = u_s$",
        .prove = by_counterexample({.point = at_rest(Rational(1)),
                                    .false_there = {{xdot2, V, Relation::not_equal},
                                                    {pull, -ur, Relation::less},
                                                    {abs(pull), ur, Relation::less},
                                                    {pull, ur, Relation::greater}}})},
       {.id = "4.unique",
-       .place = sec,
        .kind = Kind::definition,
-       .words =
-           "the law continues every motion in one way: not where x2' = V and u_s < |r| < u_r; sticking obeys "
-           "it, and so "
-           "does slipping off with u = u_s, since then x2'' = eta (u_s - r) < 0; the paper means the stick",
+       .words = "the law continues every motion in one way: not where $x2' = V$ and $u_s < |r| < u_r$; "
+                "sticking obeys it, and so does slipping off with $u = u_s$, since then $x2'' = eta (u_s - "
+                "r) < 0$; the paper means the stick",
        .prove = by_counterexample({.point = at_rest(Rational(3, 4)),
                                    .true_there = {{abs(pull), ur, Relation::less}},
                                    .false_there = {{eta * (us - pull), 0, Relation::greater_or_equal}}})},
       {.id = "4.slips",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(xddot2, eta * (u - pull))},
-       .words = "(2) with r: a mass at the belt's velocity is accelerated by eta (u - r)",
+       .words = "(2) with $r$: a mass at the belt's velocity is accelerated by $eta (u - r)$",
        .assumptions = {motion},
        .prove = by_combination({{{assuming("2")}}})},
   };

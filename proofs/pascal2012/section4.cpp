@@ -13,8 +13,6 @@ namespace {
 
 using namespace symmetric;
 
-const std::string sec = "sec4";
-
 const Term s0 = scalar("s0"), c0 = scalar("c0"), z1 = scalar("z1"), z2 = scalar("z2");
 const Assumption breaks{"4.breaks", equation(friction_at_rest(z10, z20, phi), ur)};
 const Assumption half_sine{"16.s0", equation(s0, sin(omega *tau / 2))},
@@ -41,44 +39,38 @@ std::vector<Claim> ends() {
   const Assumption slides{"4.us", {us, 0, Relation::greater}}, holds{"4.ur", {ur, us, Relation::greater}};
   return {
       {.id = "12",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {starts_with_belt.statement, equation12},
-       .words = "the slip begins where r of (4) reaches u_r, in z = x - d_0",
+       .words = "the slip begins where $r$ of (4) reaches $u_r$, in $z = x - d_0$",
        .assumptions = {starts_with_belt, breaks},
        .prove = by_combination({{{assuming("25.V")}}, {{assuming("4.breaks"), 0, eta}}})},
       {.id = "12.back",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {breaks.statement},
-       .words = "conversely (12) says r = u_r",
+       .words = "conversely (12) says $r = u_r$",
        .assumptions = {{"12", equation12}},
        .prove = by_combination({{{assuming("12"), 0, 1 / eta}}})},
       {.id = "13",
-       .place = sec,
        .kind = Kind::definition,
        .printed = {slip_ends.statement},
        .words = "the slip ends in the state opposite in place and equal in velocity: this selects the family",
        .prove = by_definition()},
       {.id = "13.E",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(E * E, I4)},
-       .words = "E reverses twice to nothing",
+       .words = "$E$ reverses twice to nothing",
        .prove = by_normal_form()},
       {.id = "14",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(at_C, -eta * (ur - us))},
        .words = "the friction at rest at the end of the slip, by (12), (13) and the time lag",
        .assumptions = {time_lag, state_C1, state_C2, {"12", equation12}},
        .prove = by_combination({{{assuming("12"), 0, -1}}})},
       {.id = "14.order",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {{-eta * (ur + us), -eta * (ur - us), Relation::less},
                    {-eta * (ur - us), eta * (ur - us), Relation::less}},
-       .words = "(14) lies strictly between the ends of (11): the mass sticks; from 0 < u_s < u_r",
+       .words = "(14) lies strictly between the ends of (11): the mass sticks; from $0 < u_s < u_r$",
        .assumptions = {slides, holds},
        .prove = by_positive_combination({{.positive = {{2 * eta, {{assuming("4.us")}}}}},
                                          {.positive = {{2 * eta, {{assuming("4.ur")}}}}}}),
@@ -102,21 +94,18 @@ std::vector<Claim> lag() {
   };
   return {
       {.id = "13.slip",
-       .place = sec,
        .kind = Kind::step,
        .printed = {slip13},
-       .words = "(13) for the motion (5), with any phase phi of the load",
+       .words = "(13) for the motion (5), with any phase $phi$ of the load",
        .assumptions = {slip_ends},
        .prove = by_rewriting({from("5").at("t", tau).solved_for(H(tau) * Z0), assuming("13")})},
       {.id = "4.lag.needed",
-       .place = sec,
        .kind = Kind::theorem,
        .printed = {equation(middle * balance(omega1) * share(half_period::first_row), 0),
                    equation(middle * balance(omega2) * share(half_period::second_row), 0)},
-       .words = "where (13) holds, cos(phi + omega tau/2) = 0: phi is the time lag or differs from it by pi; "
-                "but for the "
-                "slips with omega_j tan(omega_j tau/2) = omega tan(omega tau/2) for both j, where the phase "
-                "is free",
+       .words = "where (13) holds, $cos(phi + omega tau/2) = 0$: $phi$ is the time lag or differs from it by "
+                "$pi$; but for the slips with $omega_j tan(omega_j tau/2) = omega tan(omega tau/2)$ for both "
+                "$j$, where the phase is free",
        .assumptions = {slip_ends},
        .prove =
            by_combination({lines(half_period::first_row, omega1), lines(half_period::second_row, omega2)})},
@@ -149,35 +138,31 @@ Counterexample spurious() {
 std::vector<Claim> closing() {
   return {
       {.id = "4.stick",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(Z(t), Gamma(t - tau) * E * Z0)},
-       .words = "the stick that begins at tau where the slip ended by (13)",
+       .words = "the stick that begins at $tau$ where the slip ended by (13)",
        .assumptions = {slip_ends},
        .prove = by_differential_equation(first_order(stick_matrix), zero(4, 1), E * Z0, tau)},
       {.id = "15",
-       .place = sec,
        .kind = Kind::step,
        .printed = {stick_ends.statement},
-       .words = "the motion has the period Theta = tau + T",
+       .words = "the motion has the period $Theta = tau + T$",
        .assumptions = {slip_ends, stick_lasts, closes},
        .prove = by_rewriting(
            {from("4.stick").at("t", Theta).solved_for(Gamma(Theta - tau) * E * Z0), assuming("28.closes")})},
       {.id = "16",
-       .place = sec,
        .kind = Kind::step,
        .printed = {slip16, stick16},
-       .words =
-           "the upper halves of (13) and (15); they do not give these back where cos(omega_j tau/2) = 0 or "
-           "cos(T/2) = 0: at tau = pi/omega_1 (16) has a solution that does not close, for all parameters",
+       .words = "the upper halves of (13) and (15); they do not give these back where $cos(omega_j tau/2) = "
+                "0$ or $cos(T/2) = 0$: at $tau = pi/omega_1$ (16) has a solution that does not close, for "
+                "all parameters",
        .assumptions = {time_lag, half_sine, half_cosine, slip_ends, stick_ends},
        .prove = by_combination({{{from("13.slip"), 0, top}}, {{assuming("15"), 0, -top}}}),
        .prove_converse = by_counterexample(spurious())},
       {.id = "16.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {slip13, stick_ends.statement},
-       .words = "conversely (16) gives (13) and (15), where cos(omega_j tau/2) and cos(T/2) are not zero",
+       .words = "conversely (16) gives (13) and (15), where $cos(omega_j tau/2)$ and $cos(T/2)$ are not zero",
        .assumptions = {time_lag, half_sine, half_cosine, {"16.slip", slip16}, {"16.stick", stick16}},
        .prove = by_combination(
            {{{assuming("16.slip"), 0,
@@ -198,28 +183,26 @@ std::vector<Claim> stick_conditions() {
   const Statement f1_strict{f1.left, 0, Relation::less};
   return {
       {.id = "4.f",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {f1, f2},
-       .words = "(11) with the time lag, at the time tau + t_1 of the stick; f_1 <= 0 holds with < inside "
-                "the stick",
+       .words = "(11) with the time lag, at the time $tau + t_1$ of the stick; $f_1 <= 0$ holds with < "
+                "inside the stick",
        .assumptions = {time_lag, above, below},
        .prove = by_positive_combination({{.positive = {{eta, {{assuming("11.below")}}}}},
                                          {.positive = {{eta, {{assuming("11.above")}}}}}}),
-       .illegible = "the range, printed as t < t_1 < T"},
+       .illegible = "the range, printed as $t < t_1 < T$"},
       {.id = "4.f.back",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {below.statement, above.statement},
-       .words = "conversely f_1 < 0 < f_2 gives (11); f_1 = 0, which the paper allows, is where (11) ends",
+       .words =
+           "conversely $f_1 < 0 < f_2$ gives (11); $f_1 = 0$, which the paper allows, is where (11) ends",
        .assumptions = {time_lag, {"4.f1", f1_strict}, {"4.f2", f2}},
        .prove = by_positive_combination({{.positive = {{1 / eta, {{assuming("4.f1")}}}}},
                                          {.positive = {{1 / eta, {{assuming("4.f2")}}}}}})},
       {.id = "4.f.end",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(chi * eta * (z20 - z10) + p * sin(omega * (T + tau / 2)) - eta * (ur - us), 0)},
-       .words = "at the end of the stick, where z = z_0, f_1 = 0: the slip begins by (12)",
+       .words = "at the end of the stick, where $z = z_0$, $f_1 = 0$: the slip begins by (12)",
        .assumptions = {time_lag, {"4.T", equation(T, 2 * pi() / omega - tau)}, {"12", equation12}},
        .prove = by_combination({{{assuming("12")}}})},
   };

@@ -14,8 +14,6 @@ namespace {
 
 using namespace overshooting;
 
-const std::string sec = "sec5";
-
 using Assumptions = std::vector<Assumption>;
 
 std::string id_of(int equation_number, char letter) {
@@ -65,20 +63,17 @@ std::vector<Claim> linear_equations() {
   const Term speed_C = scalar("zdot2C");
   return {
       {.id = "21",
-       .place = sec,
        .kind = Kind::step,
        .printed = lines,
-       .words = "five linear equations for z_1(0), z_2(0), z_1'(0): three components of (20), and z2' = V at "
-                "tau (18) and at tau + tau_1 (19); z2' = V at 0 is put in",
+       .words = "five linear equations for $z_1(0)$, $z_2(0)$, $z_1'(0)$: three components of (20), and $z2' "
+                "= V$ at $tau$ (18) and at $tau + tau_1$ (19); $z2' = V$ at 0 is put in",
        .assumptions = {named_B, named_C, closes, period, starts_with_belt, meets_belt, lands_on_belt},
        .prove = by_combination(forward)},
       {.id = "21.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(ZC, Gamma(-T) * Z0), equation(scalar("zdot2B"), V), equation(speed_C, V)},
-       .words =
-           "conversely the five equations give the state at tau + tau_1 that closes the motion, all four "
-           "components of (20), and z2' = V at tau and tau + tau_1",
+       .words = "conversely the five equations give the state at $tau + tau_1$ that closes the motion, all "
+                "four components of (20), and $z2' = V$ at $tau$ and $tau + tau_1$",
        .assumptions = {named_B, named_C, starts_with_belt, assumed_line(1), assumed_line(2), assumed_line(3),
                        assumed_line(4), assumed_line(5)},
        .prove = by_combination({state, joined({{from("56.B"), 0, row(4)}}, gap_from_line(4, 1)),
@@ -145,7 +140,6 @@ std::vector<Claim> solution() {
   compatible_too.push_back({"23.2", compatible(5)});
   return {
       {.id = "22.Delta",
-       .place = sec,
        .kind = Kind::definition,
        .printed = {equation(Delta, determinant_of_columns({"a", "b", "c"})),
                    equation(Delta1, determinant_of_columns({"-d", "b", "c"})),
@@ -153,37 +147,32 @@ std::vector<Claim> solution() {
                    equation(Delta3, determinant_of_columns({"d", "b", "a"}))},
        .words = "the determinants of the first three equations",
        .prove = by_formulas(determinants),
-       .illegible = "the letter Delta, and which of the d_j in Delta_1 have a minus sign"},
+       .illegible = "the letter $Delta$, and which of the $d_j$ in $Delta_1$ have a minus sign"},
       {.id = "22",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(z10, Delta1 / Delta), equation(z20, Delta2 / Delta),
                    equation(zdot10, Delta3 / Delta)},
        .words = "Cramer's rule for the first three equations",
        .assumptions = {assumed_line(1), assumed_line(2), assumed_line(3), regular},
        .prove = by_combination({by_cramer(1, 1 / Delta), by_cramer(2, 1 / Delta), by_cramer(3, 1 / Delta)}),
-       .illegible = "the letter Delta, and the inequality sign in Delta != 0"},
+       .illegible = "the letter $Delta$, and the inequality sign in $Delta != 0$"},
       {.id = "22.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(closing_form(1), 0), equation(closing_form(2), 0), equation(closing_form(3), 0)},
        .words = "conversely (22) solves them",
        .assumptions = solved,
        .prove = by_normal_form()},
       {.id = "23",
-       .place = sec,
        .kind = Kind::step,
        .printed = {compatible(4), compatible(5)},
-       .words =
-           "F_1 = 0 and F_2 = 0 are necessary for all five equations to have a solution, also where Delta "
-           "is zero",
+       .words = "$F_1 = 0$ and $F_2 = 0$ are necessary for all five equations to have a solution, also where "
+                "$Delta$ is zero",
        .assumptions = {assumed_line(1), assumed_line(2), assumed_line(3), assumed_line(4), assumed_line(5)},
        .prove = by_combination({necessary(4), necessary(5)})},
       {.id = "23.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(closing_form(4), 0), equation(closing_form(5), 0)},
-       .words = "conversely (22) and (23) solve the other two equations, if Delta is not zero",
+       .words = "conversely (22) and (23) solve the other two equations, if $Delta$ is not zero",
        .assumptions = compatible_too,
        .prove = by_combination({{{assuming("23.1"), 0, 1 / Delta}}, {{assuming("23.2"), 0, 1 / Delta}}})},
   };
@@ -202,37 +191,33 @@ std::vector<Claim> exceptions() {
   const Term sin2 = sin(omega2 * half), cos2 = omega2 * cos(omega2 * half);
   return {
       {.id = "22.square",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(determinant_of_columns({"a", "b", "c"}),
                             -8 * power(even_determinant, 2) / power(lambda1 - lambda2, 2))},
-       .words = "Delta depends on tau + tau_1 alone and is a negative square: it touches zero and never "
+       .words = "$Delta$ depends on $tau + tau_1$ alone and is a negative square: it touches zero and never "
                 "changes sign",
        .assumptions = {starts_with_belt},
        .prove = by_putting_in(coefficients)},
       {.id = "22.null",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation((H(tau + tau1) - Gamma(-T)) * even_state,
                             gap * column({sin2, lambda2 * sin2, cos2, lambda2 * cos2}))},
-       .words = "where that square is zero, a state without z2', even about the middle of the stick, solves "
-                "equations 1, 2, 3 and 5 of (21) without their d_i: F_2 is zero along the whole line tau + "
-                "tau_1 = constant, and zeros of F_1 on it need not be orbits (23.spurious)",
+       .words = "where that square is zero, a state without $z2'$, even about the middle of the stick, "
+                "solves equations 1, 2, 3 and 5 of (21) without their $d_i$: $F_2$ is zero along the whole "
+                "line $tau + tau_1$ = constant, and zeros of $F_1$ on it need not be orbits (23.spurious)",
        .prove = by_normal_form()},
       {.id = "23.tau",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(row(4) * (H(0) * (Z0 - F0) + F(0)) - V, 0)},
-       .words = "at tau = 0 equation 4 of (21) is empty, F_1 = 0 for every tau_1: zeros of (23) there are no "
-                "orbits",
+       .words = "at $tau = 0$ equation 4 of (21) is empty, $F_1 = 0$ for every $tau_1$: zeros of (23) there "
+                "are no orbits",
        .assumptions = {starts_with_belt},
        .prove = by_normal_form()},
       {.id = "23.tau1",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(row(4) * (H(tau) * (Z0 - F0) + 2 * L(0) * d0 + F(tau)), row(4) * after_slip)},
-       .words = "at tau_1 = 0 equations 4 and 5 of (21) are one, F_1 = F_2: zeros of (23) there are motions "
-                "without an overshoot",
+       .words = "at $tau_1 = 0$ equations 4 and 5 of (21) are one, $F_1 = F_2$: zeros of (23) there are "
+                "motions without an overshoot",
        .prove = by_normal_form()},
   };
 }

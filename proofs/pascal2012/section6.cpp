@@ -14,8 +14,6 @@ namespace {
 using namespace symbols::vocabulary;
 using namespace half_period;
 
-const std::string sec = "sec6";
-
 const Term I2_above = block(1, {I2, zero(2, 2)}), I2_below = block(1, {zero(2, 2), I2});
 
 const Assumption leaves_down{"4.down", {friction_at_rest(z10, z20, phi), ur, Relation::greater}};
@@ -24,27 +22,23 @@ const Assumption leaves_up{"4.up", {friction_at_rest(z1B, z2B, omega * tau + phi
 std::vector<Claim> conditions() {
   return {
       {.id = "25",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {inequality25},
-       .words =
-           "at t = 0, where z2' = V, the friction at rest exceeds u_r: the mass leaves the belt's velocity "
-           "downwards; r > u_r of (4) in z = x - d_0, and conversely",
+       .words = "at $t = 0$, where $z2' = V$, the friction at rest exceeds $u_r$: the mass leaves the belt's "
+                "velocity downwards; $r > u_r$ of (4) in $z = x - d_0$, and conversely",
        .assumptions = {leaves_down},
        .prove = by_positive_combination({{.positive = {{eta, {{assuming("4.down")}}}}}})},
       {.id = "26",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {inequality26},
-       .words = "at t = tau, where z2' = V, the friction at rest is below -u_r: the mass leaves the belt's "
-                "velocity upwards; r < -u_r of (4) in z = x - d_0, and conversely",
+       .words = "at $t = tau$, where $z2' = V$, the friction at rest is below $-u_r$: the mass leaves the "
+                "belt's velocity upwards; $r < -u_r$ of (4) in $z = x - d_0$, and conversely",
        .assumptions = {leaves_up},
        .prove = by_positive_combination({{.positive = {{eta, {{assuming("4.up")}}}}}})},
       {.id = "26.tau",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {equation(p * cos(omega * tau + phi) - eta * (ur + us), -p * cos(phi) - eta * (ur + us))},
-       .words = "the right side of (26) for tau = pi/omega",
+       .words = "the right side of (26) for $tau = pi/omega$",
        .assumptions = {half},
        .prove = by_normal_form()},
   };
@@ -54,36 +48,31 @@ std::vector<Claim> conditions() {
 std::vector<Claim> closing() {
   return {
       {.id = "27",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(Z(t), H(t - tau) * (ZB - FB) + 2 * L(t - tau) * d0 + F(t))},
-       .words = "the overshooting slip that begins at tau with Z_B; tau may be any time",
+       .words = "the overshooting slip that begins at $tau$ with $Z_B$; $tau$ may be any time",
        .prove = by_differential_equation(
            first_order(K), column({0, 0, 0, -2 * eta * us + p * cos(omega * t + phi)}), ZB, tau)},
       {.id = "28.F",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(FB, F(tau)), equation(FB, -F0)},
        .words = "the forced response after half a period",
        .assumptions = {half},
        .prove = by_normal_form()},
       {.id = "28.Theta",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(F(Theta), F0)},
        .words = "the forced response after a period",
        .assumptions = {period},
        .prove = by_normal_form()},
       {.id = "28",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(Z0, H(tau) * (ZB - FB) + 2 * L(tau) * d0 + F0)},
-       .words = "the motion has the period Theta",
+       .words = "the motion has the period $Theta$",
        .assumptions = {half, period, closes},
        .prove =
            by_rewriting({from("27").at("t", Theta), assuming("28.closes").solved_for(Z0), from("28.Theta")})},
       {.id = "28.B",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(ZB, H(tau) * (Z0 - F0) + FB)},
        .words = "the state at the end of the first slip, by (5)",
@@ -91,32 +80,28 @@ std::vector<Claim> closing() {
        .prove = by_rewriting(
            {from("5").at("t", tau), assuming("28.ZB").solved_for(ZB), from("28.F").solved_for(F(tau))})},
       {.id = "29.H",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(H(tau) - H(-tau), 2 * block(2, {zero(2, 2), H2(tau), H3(tau), zero(2, 2)}))},
-       .words = "the part of H that changes sign with time",
+       .words = "the part of $H$ that changes sign with time",
        .prove = by_normal_form(),
        .illegible = "a minus sign in each bracket"},
       {.id = "29",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation((H(tau) - H(-tau)) * (ZB - FB) + 2 * L(tau) * d0, zero(4, 1))},
-       .words = "(28) with Z_0 eliminated",
+       .words = "(28) with $Z_0$ eliminated",
        .assumptions = {half, period, closes, named_B},
        .prove = by_rewriting({from("28").solved_for(H(tau) * ZB), from("28.B").solved_for(ZB),
                               from("38.inverse").at("t", tau)}),
-       .illegible = "a minus sign between H(tau) and H(-tau), and one in its argument"},
+       .illegible = "a minus sign between $H(tau)$ and $H(-tau)$, and one in its argument"},
       {.id = "30",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(H2(tau) * (zdotB - Q * omega * sin(phi)) + (H1(tau) - I2) * d0, zero(2, 1)),
                    equation(H3(tau) * (zB + Q * cos(phi) + d0), zero(2, 1))},
        .words = "(29) by blocks",
        .assumptions = {half, period, closes, named_B},
        .prove = by_combination({{{from("29"), 0, I2_above / 2}}, {{from("29"), 0, I2_below / 2}}}),
-       .illegible = "Q omega in front of sin(phi)"},
+       .illegible = "$Q omega$ in front of $sin(phi)$"},
       {.id = "30.back",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation((H(tau) - H(-tau)) * (ZB - FB) + 2 * L(tau) * d0, zero(4, 1))},
        .words = "conversely (30) gives (29)",
@@ -131,27 +116,23 @@ std::vector<Claim> states() {
   const Term rest = H2_inverse * (H1(tau) - I2) * d0;
   return {
       {.id = "31",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(zB, -Q * cos(phi) - d0), equation(xB, -Q * cos(phi)),
                    equation(zdotB, Q * omega * sin(phi) + H2_inverse * (I2 - H1(tau)) * d0)},
-       .words = "the state at tau, if det H_3 is not zero; that det H_2 is not zero follows (31.det)",
+       .words = "the state at $tau$, if $det H_3$ is not zero; that $det H_2$ is not zero follows (31.det)",
        .assumptions = {half, period, closes, named_B, regular},
        .prove = by_combination({{{from("30"), 1, inverse(H3(tau))}},
                                 {{from("30"), 1, inverse(H3(tau))}},
                                 {{from("30"), 0, H2_inverse}}}),
-       .illegible = "Q omega in front of sin(phi), and the inequality sign in det(H_3) != 0"},
+       .illegible = "$Q omega$ in front of $sin(phi)$, and the inequality sign in $det(H_3) != 0$"},
       {.id = "31.det",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(determinant(H3(tau)), omega1 * omega2 * sin(omega1 * tau) * sin(omega2 * tau)),
                    equation(determinant(H2(tau)), sin(omega1 * tau) * sin(omega2 * tau) / (omega1 * omega2))},
-       .words =
-           "where (31) fails: at tau = pi/omega both determinants vanish exactly if omega_1 or omega_2 is a "
-           "whole multiple of omega",
+       .words = "where (31) fails: at $tau = pi/omega$ both determinants vanish exactly if $omega_1$ or "
+                "$omega_2$ is a whole multiple of $omega$",
        .prove = by_normal_form()},
       {.id = "31.modes",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(sin(omega1 * tau) / omega1 * (first_row * modal_speed) +
                                 (cos(omega1 * tau) - 1) * (first_row * modal_rest),
@@ -159,34 +140,30 @@ std::vector<Claim> states() {
                    equation(sin(omega2 * tau) / omega2 * (second_row * modal_speed) +
                                 (cos(omega2 * tau) - 1) * (second_row * modal_rest),
                             0)},
-       .words = "the first of (30) mode by mode: where sin(omega_j pi/omega) = 0, no motion closes if "
-                "cos(omega_j pi/omega) = -1 (omega_j an odd multiple of omega), and the mode's speed and "
-                "place are "
-                "free if it is 1 (an even multiple)",
+       .words = "the first of (30) mode by mode: where $sin(omega_j pi/omega) = 0$, no motion closes if "
+                "$cos(omega_j pi/omega) = -1$ ($omega_j$ an odd multiple of $omega$), and the mode's speed "
+                "and place are free if it is 1 (an even multiple)",
        .assumptions = {half, period, closes, named_B},
        .prove = by_combination({{{from("30"), 0, first_row * inverse(Lambda)}},
                                 {{from("30"), 0, second_row * inverse(Lambda)}}})},
       {.id = "31.rest",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(modal_rest, us / (1 - chi) / (power(omega2, 2) - power(omega1, 2)) *
                                             column({power(omega2, 2), -power(omega1, 2)}))},
-       .words = "the friction moves the place of rest of both modes, Lambda^{-1} d_0 has no zero component",
+       .words = "the friction moves the place of rest of both modes, $Lambda^{-1} d_0$ has no zero component",
        .prove = by_normal_form()},
       {.id = "32",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(power(H1(tau), 2) - I2, H2(tau) * H3(tau)),
                    equation(H3(tau), H2_inverse * power(H1(tau), 2) - H2_inverse)},
-       .words = "(40) at tau, solved for H_3",
+       .words = "(40) at $tau$, solved for $H_3$",
        .assumptions = {half, regular},
        .prove = by_combination({{{from("40").at("t", tau)}}, {{from("40").at("t", tau), 0, -H2_inverse}}}),
        .illegible = "a minus sign in each equation"},
       {.id = "33",
-       .place = sec,
        .kind = Kind::theorem,
        .printed = {equation(z0, Q * cos(phi) - d0), equation(zdot0, -Q * omega * sin(phi) + rest)},
-       .words = "the state at t = 0",
+       .words = "the state at $t = 0$",
        .assumptions = {half, period, closes, named_B, regular},
        .prove =
            by_combination({{{from("28"), 0, I2_above}, {from("31"), 0, H1(tau)}, {from("31"), 2, H2(tau)}},
@@ -194,30 +171,25 @@ std::vector<Claim> states() {
                             {from("31"), 0, H3(tau)},
                             {from("31"), 2, H1(tau)},
                             {from("32"), 1, 1, d0}}}),
-       .illegible = "Q omega in front of sin(phi)"},
+       .illegible = "$Q omega$ in front of $sin(phi)$"},
       {.id = "33.symmetry",
-       .place = sec,
        .kind = Kind::theorem,
        .printed = {equation(x0, -xB), equation(zdot0, -zdotB)},
-       .words = "the states at 0 and tau are opposite",
+       .words = "the states at 0 and $tau$ are opposite",
        .assumptions = {half, period, closes, named_B, regular},
        .prove = by_combination({{{from("33"), 0}, {from("31"), 0}}, {{from("33"), 1}, {from("31"), 2}}})},
       {.id = "33.V",
-       .place = sec,
        .kind = Kind::theorem,
        .printed = {equation(V, 0)},
-       .words = "a motion that never sticks, with tau = Theta/2, exists only if V = 0",
+       .words = "a motion that never sticks, with $tau = Theta/2$, exists only if $V = 0$",
        .assumptions = {half, period, closes, named_B, regular, starts_with_belt, meets_belt},
        .prove = by_combination({{{from("33.symmetry"), 1, second_row / 2}}})},
       {.id = "33.back",
-       .place = sec,
        .kind = Kind::theorem,
        .printed = {equation(Z0, H(tau) * H(tau) * (Z0 - F0) + 2 * L(tau) * d0 + F0)},
-       .words =
-           "conversely the states of (33) close by (28), with H_2^{-1}(H_1 - I) continued to where det H_2 "
-           "is "
-           "zero; only cos(omega_j pi/(2 omega)) = 0 is excluded, omega_j an odd multiple of omega, where no "
-           "motion closes",
+       .words = "conversely the states of (33) close by (28), with $H_2^{-1}(H_1 - I)$ continued to where "
+                "$det H_2$ is zero; only $cos(omega_j pi/(2 omega)) = 0$ is excluded, $omega_j$ an odd "
+                "multiple of $omega$, where no motion closes",
        .assumptions = {half, continued(z10, first_row * (Q * cos(phi) - d0)),
                        continued(z20, second_row * (Q * cos(phi) - d0)),
                        continued(zdot10, first_row * speed_continued),
@@ -230,7 +202,6 @@ std::vector<Claim> states() {
 std::vector<Claim> closed_forms() {
   return {
       {.id = "35.def",
-       .place = sec,
        .kind = Kind::definition,
        .printed = {equation(phi1, omega1 * tan(omega1 * pi() / (2 * omega))),
                    equation(phi2, omega2 * tan(omega2 * pi() / (2 * omega))),
@@ -240,19 +211,18 @@ std::vector<Claim> closed_forms() {
                    equation(a1, d * (phi1 * lambda2 - phi2 * lambda1)), equation(a2, d * (phi2 - phi1)),
                    equation(b1, d * (phi1 - phi2) * lambda1 * lambda2),
                    equation(b2, d * (lambda2 * phi2 - lambda1 * phi1))},
-       .words =
-           "the abbreviations of (34) and (35); phi_i is infinite where omega_i is an odd multiple of omega",
+       .words = "the abbreviations of (34) and (35); $phi_i$ is infinite where $omega_i$ is an odd multiple "
+                "of $omega$",
        .prove = by_normal_form(),
-       .illegible = "minus signs in a_1, a_2, b_2, lambda_i and d"},
+       .illegible = "minus signs in $a_1$, $a_2$, $b_2$, $lambda_i$ and $d$"},
       {.id = "34.H",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(H2_inverse * (H1(tau) - I2), -block(2, {a1, a2, b1, b2}))},
-       .words = "H_2^{-1}(H_1 - I) in closed form: the numbers a_i, b_i of (34) and (35) are its entries",
+       .words =
+           "$H_2^{-1}(H_1 - I)$ in closed form: the numbers $a_i$, $b_i$ of (34) and (35) are its entries",
        .assumptions = {half, regular},
        .prove = by_normal_form()},
       {.id = "34",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(z10, q1 * cos(phi) - d01), equation(z20, q2 * cos(phi) - d02),
                    equation(zdot10, -q1 * omega * sin(phi) - a1 * d01 - a2 * d02)},
@@ -261,12 +231,11 @@ std::vector<Claim> closed_forms() {
        .prove = by_combination({{{from("33"), 0, first_row}},
                                 {{from("33"), 0, second_row}},
                                 {{from("33"), 1, first_row}, {from("34.H"), 0, first_row, d0}}}),
-       .illegible = "minus signs in front of d_01, d_02, a_1 and a_2"},
+       .illegible = "minus signs in front of $d_01$, $d_02$, $a_1$ and $a_2$"},
       {.id = "35",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(sin(phi), -(b1 * d01 + b2 * d02) / (q2 * omega))},
-       .words = "the load's phase; it is determined only if the load acts on the second mass (q_2 != 0)",
+       .words = "the load's phase; it is determined only if the load acts on the second mass $(q_2 != 0)$",
        .assumptions = {half, period, closes, named_B, regular, starts_with_belt, meets_belt},
        .prove = by_combination({{{from("33"), 1, second_row / (q2 * omega)},
                                  {from("34.H"), 0, second_row / (q2 * omega), d0},

@@ -9,8 +9,6 @@ using namespace symbols;
 
 namespace {
 
-const std::string sec = "sec6";
-
 const Assumption at_start{"25", inequality25}, at_end{"26", inequality26}, both{"36", inequality36};
 const Assumption load_acts{"1.p", {p, 0, Relation::greater}};
 
@@ -70,7 +68,6 @@ std::vector<Claim> condition36() {
   const Term lever = chi * eta * block(1, {-1, 1});
   return {
       {.id = "36",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {inequality36},
        .words = "(25) in closed form",
@@ -79,7 +76,6 @@ std::vector<Claim> condition36() {
            {{.positive = {{1, {{assuming("25")}}}},
              .equations = {{from("34"), 0, chi * eta}, {from("34"), 1, -chi * eta}}}})},
       {.id = "36.26",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {inequality36},
        .words = "(26) in closed form is the same condition",
@@ -87,7 +83,6 @@ std::vector<Claim> condition36() {
        .prove = by_positive_combination(
            {{.positive = {{1, {{assuming("26")}}}}, .equations = {{from("31"), 0, lever}}}})},
       {.id = "36.back",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {inequality25, inequality26},
        .words = "conversely (36) gives (25) and (26): the three are equivalent for a motion that closes",
@@ -97,24 +92,20 @@ std::vector<Claim> condition36() {
              .equations = {{from("34"), 0, -chi * eta}, {from("34"), 1, chi * eta}}},
             {.positive = {{1, {{assuming("36")}}}}, .equations = {{from("31"), 0, -lever}}}})},
       {.id = "36.q2",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(chi * eta * (q2 - q1) - p, power(omega, 2) * q2)},
-       .words = "the second row of (K - omega^2 I) Q = (0, p): (36) is omega^2 q_2 cos(phi) > eta u_r",
+       .words = "the second row of $(K - omega^2 I) Q = (0, p)$: (36) is $omega^2 q_2 cos(phi) > eta u_r$",
        .prove = by_normal_form()},
       {.id = "36.load",
-       .place = sec,
        .kind = Kind::step,
        .printed = {pushes},
-       .words =
-           "(36) holds only if q_2 is not zero: neither p = 0 nor omega = 1, where (35) would not determine "
-           "phi, allows a motion that never sticks",
+       .words = "(36) holds only if $q_2$ is not zero: neither $p = 0$ nor $omega = 1$, where (35) would not "
+                "determine $phi$, allows a motion that never sticks",
        .assumptions = {both},
        .prove = by_positive_combination(
            {{.positive = {{1 / power(omega, 2), {{assuming("36")}}}, {eta * ur / power(omega, 2)}},
              .equations = {{from("36.q2"), 0, -cos(phi) / power(omega, 2)}}}})},
       {.id = "36.square",
-       .place = sec,
        .kind = Kind::step,
        .printed = {{power(push, 2), power(eta * ur, 2), Relation::greater}},
        .words = "the square of (36)",
@@ -124,10 +115,9 @@ std::vector<Claim> condition36() {
              .equations = {{from("36.q2"), 0,
                             -cos(phi) * (push + chi * eta * (q2 - q1) * cos(phi) - p * cos(phi))}}}})},
       {.id = "35.bound",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {{abs(B / (q2 * omega)), 1, Relation::less}},
-       .words = "a phase phi exists; the case of equality is excluded by (36)",
+       .words = "a phase $phi$ exists; the case of equality is excluded by (36)",
        .assumptions = moving_motion({both}),
        .prove = by_positive_combination(
            {{.positive = {{1 / power(omega, 2), {{from("36.square")}}}, {power(eta * ur / omega, 2)}},
@@ -142,24 +132,21 @@ std::vector<Claim> condition37() {
   const Term rest = power(eta * ur / omega, 2);
   return {
       {.id = "37.p",
-       .place = sec,
        .kind = Kind::identity,
        .printed = {equation(p, bound * q2 * omega)},
        .words = "(7) solved for the load amplitude",
        .prove = by_normal_form()},
       {.id = "37",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {{p, abs(in_37), Relation::greater}},
-       .words =
-           "a load amplitude that (36) needs; it says that phi exists, |sin(phi)| < 1, and leaves u_r out",
+       .words = "a load amplitude that (36) needs; it says that $phi$ exists, $|sin(phi)| < 1$, and leaves "
+                "$u_r$ out",
        .assumptions = moving_motion({load_acts, both}),
        .prove = by_positive_combination({{.positive = {{1, {{from("37.sharp")}}}, {square * rest}}}},
                                         assuming("1.p")),
        .prove_converse = by_counterexample(weak_load()),
-       .illegible = "the bars of the absolute value, the fraction bar and a factor omega below it"},
+       .illegible = "the bars of the absolute value, the fraction bar and a factor $omega$ below it"},
       {.id = "37.sharp",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {sharp},
        .words = "what (36) and (35) say about the load amplitude",
@@ -167,12 +154,10 @@ std::vector<Claim> condition37() {
        .prove = by_positive_combination({{.positive = {{square / power(omega, 2), {{from("36.square")}}}},
                                           .equations = {from_35(square), from_load(1)}}})},
       {.id = "37.sharp.back",
-       .place = sec,
        .kind = Kind::condition,
        .printed = {inequality36},
-       .words = "conversely that amplitude gives (36), for the one of the two phases phi allowed by (35) for "
-                "which "
-                "q_2 cos(phi) is positive",
+       .words = "conversely that amplitude gives (36), for the one of the two phases $phi$ allowed by (35) "
+                "for which $q_2 cos(phi)$ is positive",
        .assumptions = moving_motion({{"37.sharp", sharp}, {"36.load", pushes}}),
        .prove =
            by_positive_combination({{.positive = {{power(omega, 2) / square, {{assuming("37.sharp")}}}},
@@ -181,13 +166,13 @@ std::vector<Claim> condition37() {
                                                    {from("36.q2"), 0, cos(phi) * (push + eta * ur)}},
                                      .divisors = {{power(omega, 2), {{assuming("36.load")}}}, {eta * ur}}}})},
       {.id = "37.speed",
-       .place = sec,
        .kind = Kind::step,
        .printed = {equation(block(1, {0, 0, 0, 1}) * (H(t) * (Z0 - F0) + F(t)),
                             -q2 * omega * cos(phi) * sin(omega * t) + B * cos(omega * t) -
                                 second_row * (H3(t) * d0 - H1(t) * H2_inverse * (H1(tau) - I2) * d0))},
-       .words = "the speed of the second mass on the first slip: x2' < 0 there exactly if q_2 omega cos(phi) "
-                "exceeds, for all 0 < t < pi/omega, what the other terms give divided by sin(omega t)",
+       .words =
+           "the speed of the second mass on the first slip: $x2' < 0$ there exactly if $q_2 omega cos(phi)$ "
+           "exceeds, for all $0 < t < pi/omega$, what the other terms give divided by $sin(omega t)$",
        .assumptions = moving_motion({}),
        .prove = by_combination({{{from("33"), 0, second_row * H3(t)},
                                  {from("33"), 1, second_row * H1(t)},

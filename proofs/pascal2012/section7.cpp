@@ -19,12 +19,10 @@ using namespace symbols;
 
 namespace {
 
-const std::string sec = "sec7";
-
 // "Such orbits exist": the example of the paper is one.
 Claim exists(const std::string& id, const std::string& example, const std::string& words,
              const std::set<std::string>& uses) {
-  return {.id = id, .place = sec, .kind = Kind::theorem, .words = words, .prove = [=](Prover&, const Claim&) {
+  return {.id = id, .kind = Kind::theorem, .words = words, .prove = [=](Prover&, const Claim&) {
             Outcome outcome =
                 at_the_data(example_named(example),
                             "the orbit of the example, with every condition along the motion, in balls");
@@ -58,8 +56,8 @@ Outcome only_at_rest() {
     return outcome;
   }
   outcome.route = fmt::format(
-      "a counterexample proved in balls, with every condition along the motion: tau = {}, Theta = {}, phi = "
-      "{}",
+      "a counterexample proved in balls, with every condition along the motion: $tau = {}$, $Theta = {}$, "
+      "$phi = {}$",
       shown(value_of(*found, "tau")), shown(value_of(*found, "Theta")), shown(value_of(*found, "phi")));
   const model::Parameters<Range>& a = question.parameters;
   outcome.verdict = Verdict::refuted(Witness{{{"chi", a.chi.middle},
@@ -83,20 +81,18 @@ std::vector<Claim> section7() {
              "abstract: periodic orbits exist on which the mass overtakes the belt for a time", {"O.orbit"}),
       exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest", {"P.orbit"}),
       {.id = "7.only",
-       .place = sec,
        .kind = Kind::theorem,
-       .words = "Section 6: orbits that never stick are obtained only for V = 0; true for tau = Theta/2 off "
-                "resonance (33.V), "
-                "which the paper assumes, and false without: for V > 0 they have tau > Theta/2 (A5.turn)",
+       .words = "Section 6: orbits that never stick are obtained only for $V = 0$; true for $tau = Theta/2$ "
+                "off resonance (33.V), which the paper assumes, and false without: for $V > 0$ they have "
+                "$tau > Theta/2$ (A5.turn)",
        .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
       {.id = "7.symmetric",
-       .place = sec,
        .kind = Kind::theorem,
        .printed = {equation(vocabulary::X(vocabulary::t), -vocabulary::X(vocabulary::t + vocabulary::tau)),
                    two_slips::half.statement},
-       .words = "abstract and conclusion: this kind of solution, with two transitions per period, is "
-                "symmetric in space and "
-                "time for almost all omega; the exceptions are omega_j = k omega, a countable set",
+       .words =
+           "abstract and conclusion: this kind of solution, with two transitions per period, is symmetric in "
+           "space and time for almost all $omega$; the exceptions are $omega_j = k omega$, a countable set",
        .assumptions = two_slips::two_slips_at_rest(),
        .prove = by_premises({from("A5.theorem")})},
   };

@@ -10,8 +10,6 @@ using namespace symbols;
 
 namespace {
 
-const std::string A5 = "A5";
-
 // Mode j of a vector of places or speeds.
 Term mode(const Term& row, const Term& vector) {
   return row * inverse(Lambda) * vector;
@@ -114,14 +112,12 @@ std::vector<Claim> decrease() {
   const Term power_of_friction = (xdot2 - ydot2) * (u - w);
   return {
       {.id = "A5.energy",
-       .place = A5,
        .kind = Kind::identity,
        .printed = {equation(derivative(energy), power_of_friction)},
-       .words = "two motions x and y by (2) under the same load, with frictions u and w: the energy of their "
-                "difference changes at the rate (x2' - y2')(u - w)",
+       .words = "two motions $x$ and $y$ by (2) under the same load, with frictions $u$ and $w$: the energy "
+                "of their difference changes at the rate $(x2' - y2')(u - w)$",
        .prove = by_rate_of_change(energy, two_motions())},
       {.id = "A5.sign",
-       .place = A5,
        .kind = Kind::step,
        .printed = {equation(power_of_friction, -(weight * power(sides, 2)))},
        .words =
@@ -130,7 +126,6 @@ std::vector<Claim> decrease() {
        .prove = by_combination({{{assuming("4.side.x"), 0, us / 2 * (gap_y - gap_x)},
                                  {assuming("4.side.y"), 0, us / 2 * (gap_x - gap_y)}}})},
       {.id = "A5.weight",
-       .place = A5,
        .kind = Kind::step,
        .printed = {{weight, 0, Relation::greater}},
        .words = "the weight is positive",
@@ -138,10 +133,9 @@ std::vector<Claim> decrease() {
        .prove = by_positive_combination(
            {{.positive = {{us / 2, {{assuming("4.moves.x")}}}, {us / 2, {{assuming("4.moves.y")}}}}}})},
       {.id = "A5.sides",
-       .place = A5,
        .kind = Kind::theorem,
        .printed = {equation(sides, 0)},
-       .words = "if both have the period Theta, they slip on the same side at almost all times",
+       .words = "if both have the period $Theta$, they slip on the same side at almost all times",
        .assumptions = both_slip_and({returns}),
        .prove = by_periodic_decrease({.rate = from("A5.energy"),
                                       .form = from("A5.sign"),
@@ -151,7 +145,6 @@ std::vector<Claim> decrease() {
                                       .difference = sides,
                                       .motions = {{x1, y1}, {x2, y2}, {xdot1, ydot1}, {xdot2, ydot2}}})},
       {.id = "A5.frictions",
-       .place = A5,
        .kind = Kind::step,
        .printed = {same_friction.statement},
        .words = "so their frictions are equal",
@@ -166,17 +159,15 @@ std::vector<Claim> one_motion() {
       block(2, {inverse(2 * (I2 - H1(Theta))), zero(2, 2), zero(2, 2), inverse(2 * (I2 - H1(Theta)))});
   return {
       {.id = "A5.difference",
-       .place = A5,
        .kind = Kind::step,
        .printed = {equation(difference(t), H(t) * delta)},
        .words = "the difference of two motions by (2) with equal frictions moves freely",
        .assumptions = {same_friction},
        .prove = by_differential_equation(first_order(K), column({0, 0, 0, eta * (u - w)}), delta)},
       {.id = "A5.same",
-       .place = A5,
        .kind = Kind::step,
        .printed = {free_difference.statement},
-       .words = "it returns after Theta",
+       .words = "it returns after $Theta$",
        .assumptions = both_slip_and({returns}),
        .prove = by_rewriting({from("A5.difference")
                                   .at("t", Theta)
@@ -184,19 +175,16 @@ std::vector<Claim> one_motion() {
                                   .solved_for(H(Theta) * delta),
                               assuming("A5.returns")})},
       {.id = "A5.free",
-       .place = A5,
        .kind = Kind::step,
        .printed = {equation(delta, zero(4, 1))},
-       .words = "a difference that moves freely with period Theta is zero off resonance",
+       .words = "a difference that moves freely with period $Theta$ is zero off resonance",
        .assumptions = {off_resonance, free_difference},
        .prove = by_combination({{{assuming("A5.same"), 0, back * (I4 - H(-Theta))}}})},
       {.id = "A5.unique",
-       .place = A5,
        .kind = Kind::theorem,
        .printed = {equation(delta, zero(4, 1))},
-       .words = "off resonance there is at most one motion of period Theta that never sticks: for every V, "
-                "any number of "
-                "transitions, any omega",
+       .words = "off resonance there is at most one motion of period $Theta$ that never sticks: for every "
+                "$V$, any number of transitions, any $omega$",
        .assumptions = both_slip_and({returns, off_resonance}),
        .prove = by_premises({from("A5.free").given("A5.same", "A5.same")})},
   };
@@ -230,47 +218,38 @@ std::vector<Claim> mirror() {
   };
   return {
       {.id = "A5.mirror",
-       .place = A5,
        .kind = Kind::identity,
        .printed = {equation(acceleration(y1, y2, w, t), -acceleration(later1, later2, later_u, later)),
                    equation(-y1 + chi * y2, -(-later1 + chi * later2))},
-       .words = "y(t) = -x(t + Theta/2) obeys (2) with the opposite friction: half a period later the load "
-                "is the opposite "
-                "one",
+       .words = "$y(t) = -x(t + Theta/2)$ obeys (2) with the opposite friction: half a period later the load "
+                "is the opposite one",
        .assumptions = opposite_and({period}),
        .prove = by_normal_form()},
       {.id = "A5.mirror.friction",
-       .place = A5,
        .kind = Kind::step,
        .printed = {friction_y.statement, slips_y.statement},
-       .words = "for V = 0 it slips on the other side, just as far from the belt's velocity: that is the "
-                "friction which (4) "
-                "gives it",
+       .words = "for $V = 0$ it slips on the other side, just as far from the belt's velocity: that is the "
+                "friction which (4) gives it",
        .assumptions = opposite_and({later_friction, later_slips, at_rest}),
        .prove = by_normal_form()},
       {.id = "A5.mirror.side",
-       .place = A5,
        .kind = Kind::step,
        .printed = {one_side_y.statement},
        .words = "it slips on one side at a time",
        .assumptions = opposite_and({later_one_side}),
        .prove = by_combination({{{assuming("4.side.later")}}})},
       {.id = "A5.mirror.moves",
-       .place = A5,
        .kind = Kind::step,
        .printed = {moves_y.statement},
        .words = "and never sticks",
        .assumptions = opposite_and({later_moves}),
        .prove = by_positive_combination({{.positive = {{1, {{assuming("4.moves.later")}}}}}})},
       {.id = "A5.symmetry",
-       .place = A5,
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(later))},
-       .words = "V = 0, off resonance: every motion of period Theta that never sticks is symmetric in space "
-                "and time, as "
-                "X(t) and -X(t + Theta/2) are both such motions (A5.mirror) and there is one only; no count "
-                "of transitions, "
-                "no det P, no det H_2, no omega != 1",
+       .words = "$V = 0$, off resonance: every motion of period $Theta$ that never sticks is symmetric in "
+                "space and time, as $X(t)$ and $-X(t + Theta/2)$ are both such motions (A5.mirror) and there "
+                "is one only; no count of transitions, no $det P$, no $det H_2$, no $omega != 1$",
        .assumptions = opposite_and({friction_x, slips_x, one_side_x, moves_x, later_friction, later_slips,
                                     later_one_side, later_moves, at_rest, returns, off_resonance, mirrored}),
        .prove = by_rewriting(
@@ -288,18 +267,16 @@ std::vector<Claim> weaker_hypotheses() {
   const std::vector<Multiple> X = solved(true), Y = solved(false);
   return {
       {.id = "65.modes",
-       .place = A5,
        .kind = Kind::identity,
        .printed = {relation1(first), relation1(second), relation2(first), relation2(second)},
        .words = "(60) mode by mode, with half the angles: nothing is divided by",
        .assumptions = cycle,
        .prove = by_normal_form()},
       {.id = "65.sharp",
-       .place = A5,
        .kind = Kind::theorem,
        .printed = {equation(X1, zero(2, 1)), equation(Y1, zero(2, 1)), equation(X2, zero(2, 1)),
                    equation(Y2, zero(2, 1))},
-       .words = "xi_1 = xi_2 = 0 off resonance, whatever tau: neither det H_2 nor det P is needed",
+       .words = "$xi_1 = xi_2 = 0$ off resonance, whatever $tau$: neither $det H_2$ nor $det P$ is needed",
        .assumptions = cycle_and({off_resonance}),
        .prove =
            by_combination({X, Y, and_also(X, {from("61"), 1, -top}), and_also(Y, {from("61"), 1, -bottom})})},

@@ -19,47 +19,6 @@ using proofs::methods::Audit;
 using proofs::methods::Hypothesis;
 using proofs::methods::Outcome;
 using proofs::methods::Record;
-using proofs::methods::Status;
-
-struct Phrase {
-  const char * one;
-  const char * many;
-};
-
-Phrase phrase_of(Status status) {
-  switch (status) {
-    case Status::as_printed:
-      return {"is proved exactly as printed", "are proved exactly as printed"};
-    case Status::model:
-      return {"belongs to the model and is taken as given", "belong to the model and are taken as given"};
-    case Status::needs_hypotheses:
-      return {"is proved under hypotheses that the paper does not state",
-              "are proved under hypotheses that the paper does not state"};
-    case Status::checked:
-      return {"is a check in floating point that agrees", "are checks in floating point that agree"};
-    case Status::digits_off:
-      return {"gives printed digits that are not the correctly rounded ones",
-              "give printed digits that are not the correctly rounded ones"};
-    case Status::misprint_corrected:
-      return {"is misprinted, and its corrected form is proved",
-              "are misprinted, and their corrected forms are proved"};
-    case Status::necessary_not_sufficient:
-      return {"is necessary but not sufficient", "are necessary but not sufficient"};
-    case Status::refuted:
-      return {"is refuted", "are refuted"};
-    case Status::undecided:
-      return {"is undecided", "are undecided"};
-    case Status::rests_on_unproved:
-      return {"rests on something unproved", "rest on something unproved"};
-  }
-  return {"", ""};
-}
-
-bool any(const Audit& audit, std::initializer_list<Status> statuses) {
-  return std::ranges::any_of(audit.records, [&](const Record& record) {
-    return std::ranges::find(statuses, record.status) != statuses.end();
-  });
-}
 
 std::vector<Hypothesis> own_hypotheses(const Record& record) {
   std::vector<Hypothesis> own;
@@ -78,24 +37,15 @@ std::size_t weight(const HypothesisGroup& group) {
 }  // namespace
 
 std::string verdict_lead(const Audit& audit) {
-  if (any(audit, {Status::undecided, Status::rests_on_unproved})) {
-    return "Not everything is decided.";
-  }
-  if (any(audit, {Status::refuted})) {
-    return "The paper does not hold everywhere.";
-  }
-  if (any(audit, {Status::misprint_corrected, Status::necessary_not_sufficient, Status::digits_off})) {
-    return "The paper holds, with corrections.";
-  }
-  return any(audit, {Status::needs_hypotheses}) ? "The paper holds, under hypotheses that it does not state."
-                                                : "The paper holds as printed.";
+  const std::vector<StatusCount> counts = count_statuses(audit);
+  return (counts.empty() ? statuses().front() : facts(counts.back().status)).lead;
 }
 
 std::string verdict_sentence(const Audit& audit) {
   std::vector<std::string> parts;
   for (const StatusCount& entry : count_statuses(audit)) {
-    const Phrase phrase = phrase_of(entry.status);
-    parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? phrase.one : phrase.many));
+    const StatusFacts& known = facts(entry.status);
+    parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
   }
   if (parts.empty()) {
     return {};

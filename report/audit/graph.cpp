@@ -75,14 +75,14 @@ std::string escape_dot(std::string_view text) {
 
 }  // namespace
 
-std::string graph_script(const Audit& audit) {
+std::string graph_script(const Paper& paper, const Audit& audit) {
   Json places = Json::array();
-  for (const PlaceRecords& place : by_place(audit)) {
+  for (const PlaceRecords& place : by_place(paper, audit)) {
     Json nodes = Json::array();
     for (const Record * record : place.records) {
       nodes.push_back({{"id", record->claim.id},
                        {"status", proofs::methods::to_string(record->status)},
-                       {"words", record->claim.words}});
+                       {"words", plain(record->claim.words)}});
     }
     places.push_back({{"id", place.id}, {"title", place.title}, {"nodes", nodes}});
   }
@@ -96,8 +96,8 @@ std::string graph_script(const Audit& audit) {
   return render_file("claims.dot", {{"places", places}, {"edges", edges}}, {escape_dot, escape_dot});
 }
 
-std::string graph_svg(const Audit& audit) {
-  return graphviz_svg(graph_script(audit));
+std::string graph_svg(const Paper& paper, const Audit& audit) {
+  return graphviz_svg(graph_script(paper, audit));
 }
 
 }  // namespace stickslip::report::audit

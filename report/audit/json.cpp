@@ -9,7 +9,6 @@
 namespace stickslip::report::audit {
 
 using namespace proofs::methods;
-using namespace proofs::pascal2012;
 using namespace proofs::symbols;
 using namespace tools;
 using namespace symbolic::algebra;
@@ -21,7 +20,7 @@ using proofs::methods::Claim;
 using proofs::methods::Outcome;
 using proofs::methods::Record;
 
-Json plain(const std::string& text) {
+Json as_it_is(const std::string& text) {
   return text;
 }
 
@@ -34,7 +33,7 @@ Json formula(const proofs::symbols::Statement& statement) {
 }
 
 Json repair(const proofs::methods::Repair& r) {
-  Json json = {{"what", r.what}};
+  Json json = {{"what", plain(r.what)}};
   json.update(formula(r.statement));
   return json;
 }
@@ -56,6 +55,7 @@ Json coordinate(const Coordinate& c) {
 // Enough to tell the sides apart. The digits beyond depend on the order of GiNaC's sums, which no two runs
 // share.
 constexpr int witness_digits = 10;
+constexpr int unit_digits = 4;
 
 Json witness(const std::optional<Witness>& w) {
   if (!w) {
@@ -71,10 +71,10 @@ Json comparison(const proofs::methods::Comparison& c) {
   return {{"name", c.name},
           {"latex", c.latex},
           {"printed", c.printed},
-          {"proved", ball(c.proved)},
-          {"units_off", ball(c.units_off)},
+          {"proved", ball(to_text(c.proved))},
+          {"units_off", ball(to_text(c.units_off, unit_digits))},
           {"verdict", to_string(c.verdict.truth)},
-          {"reason", c.verdict.reason}};
+          {"reason", plain(c.verdict.reason)}};
 }
 
 Json cross_check(const proofs::methods::CrossCheck& c) {
@@ -85,11 +85,11 @@ Json cross_check(const proofs::methods::CrossCheck& c) {
 
 Json outcome(const Outcome& o) {
   return {{"verdict", to_string(o.verdict.truth)},
-          {"reason", o.verdict.reason},
+          {"reason", plain(o.verdict.reason)},
           {"witness", witness(o.verdict.witness)},
-          {"route", o.route},
+          {"route", plain(o.route)},
           {"hypotheses", list_of(o.hypotheses, hypothesis)},
-          {"uses", list_of(o.uses, plain)},
+          {"uses", list_of(o.uses, as_it_is)},
           {"free", list_of(o.free, symbol)},
           {"at", list_of(o.at, coordinate)},
           {"comparisons", list_of(o.comparisons, comparison)},
@@ -114,9 +114,9 @@ Json claim(const Record& record) {
   return {{"id", c.id},
           {"place", c.place},
           {"kind", proofs::methods::to_string(c.kind)},
-          {"words", c.words},
+          {"words", plain(c.words)},
           {"status", proofs::methods::to_string(record.status)},
-          {"meaning", proofs::methods::describe(record.status)},
+          {"meaning", proofs::methods::facts(record.status).meaning},
           {"finding", is_finding(record)},
           {"printed", list_of(c.printed, formula)},
           {"corrected", list_of(c.corrected, formula)},
@@ -125,20 +125,24 @@ Json claim(const Record& record) {
           {"corrected_outcome", record.corrected ? outcome(*record.corrected) : Json(nullptr)},
           {"converse", record.converse ? outcome(*record.converse) : Json(nullptr)},
           {"repairs", list_of(record.repairs, repair)},
-          {"illegible", c.illegible},
-          {"used_by", list_of(record.used_by, plain)}};
+          {"illegible", plain(c.illegible)},
+          {"used_by", list_of(record.used_by, as_it_is)}};
 }
 
 Json summary(const Audit& audit) {
   const auto status = [](const StatusCount& entry) -> Json {
     return {{"status", proofs::methods::to_string(entry.status)},
-            {"meaning", proofs::methods::describe(entry.status)},
+            {"meaning", proofs::methods::facts(entry.status).meaning},
             {"count", entry.count}};
   };
   return {{"statements", audit.records.size()},
           {"decided", all_decided(audit)},
           {"line", summary_line(audit)},
           {"statuses", list_of(count_statuses(audit), status)}};
+}
+
+Json bibliography(const proofs::methods::Bibliography& b) {
+  return {{"author", b.author}, {"title", b.title}, {"journal", b.journal}, {"doi", b.doi}};
 }
 
 Json place(const PlaceRecords& p) {
@@ -159,15 +163,12 @@ Json example(const ExampleOrbits& e) {
 
 }  // namespace
 
-Json to_json(const Audit& audit, const std::string& command, const std::vector<ExampleOrbits>& examples,
-             const std::optional<proofs::checks::Gate>& gate) {
+Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
+             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate) {
   Json json = provenance(command);
-  json["paper"] = {{"author", "M. Pascal"},
-                   {"title", "New limit cycles of dry friction oscillators under harmonic load"},
-                   {"journal", "Nonlinear Dynamics 70 (2012) 1435–1443"},
-                   {"doi", "10.1007/s11071-012-0545-5"}};
+  json["paper"] = bibliography(paper.bibliography);
   json["summary"] = summary(audit);
-  json["places"] = list_of(by_place(audit), place);
+  json["places"] = list_of(by_place(paper, audit), place);
   json["examples"] = list_of(examples, example);
   json["mutants"] = gate ? to_json(*gate) : Json(nullptr);
   return json;

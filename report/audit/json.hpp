@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "proofs/checks/mutants.hpp"
-#include "proofs/methods/claim.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/paper.hpp"
 #include "report/tools/json.hpp"
 
 namespace stickslip::report::audit {
@@ -14,9 +14,9 @@ namespace stickslip::report::audit {
 // As report/schema/audit.schema.json says. Every key is always there; numbers are decimal strings or balls
 // {"mid", "rad"} rounded outwards, except for counts. The same audit gives the same text, always. The
 // examples are empty, and the mutants null, unless they were asked for.
-[[nodiscard]] tools::Json to_json(const proofs::methods::Audit& audit,
+[[nodiscard]] tools::Json to_json(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                                   const std::string& command = "stickslip audit",
-                                  const std::vector<proofs::pascal2012::ExampleOrbits>& examples = {},
+                                  const std::vector<proofs::methods::ExampleOrbits>& examples = {},
                                   const std::optional<proofs::checks::Gate>& gate = {});
 
 }  // namespace stickslip::report::audit

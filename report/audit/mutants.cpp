@@ -132,7 +132,7 @@ Json to_json(const Gate& gate) {
     all_proved.push_back({{"claim", mutant->claim},
                           {"statement", mutant->statement},
                           {"fate", to_string(mutant->fate)},
-                          {"reason", mutant->reason}});
+                          {"reason", plain(mutant->reason)}});
   }
   return {{"seed", gate.sampling.seed},
           {"one_in", gate.sampling.one_in},
@@ -161,8 +161,8 @@ std::string terminal_mutants(const Gate& gate, const Style& style) {
       "Wrong statements on purpose: " + sampling_line(gate) + "\n" + columns_of(rows, style.width);
   for (const Mutant * mutant : proved(gate)) {
     if (mutant->fate == Fate::survived) {
-      result +=
-          fmt::format("survived  {}: {}\n          {}\n", mutant->claim, mutant->statement, mutant->reason);
+      result += fmt::format("survived  {}: {}\n          {}\n", mutant->claim, mutant->statement,
+                            plain(mutant->reason));
     }
   }
   return result;

@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "core/decimal.hpp"
-#include "proofs/pascal2012/judgement.hpp"
 #include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
-#include "report/tools/prose.hpp"
 
 namespace stickslip::report::audit {
 
@@ -21,47 +18,15 @@ using namespace tools;
 
 namespace {
 
+using proofs::methods::Record;
 using proofs::methods::Status;
 
 constexpr int number_digits = 10;
 constexpr int unit_digits = 3;
 
-std::string short_ball(const Json& ball, int digits) {
-  return readable({ball.at("mid").get<std::string>(), ball.at("rad").get<std::string>()}, digits);
-}
-
 // The difference in units, or that it is next to nothing.
-std::string units_off(const Json& ball) {
-  const Rational mid = parse_decimal(ball.at("mid").get<std::string>()).value;
-  const Rational rad = parse_decimal(ball.at("rad").get<std::string>()).value;
-  return abs(mid) + rad < Rational(1, 1000) ? "under 0.001" : short_ball(ball, unit_digits);
-}
-
-// The nearest whole number, halves upwards.
-mpz_class nearest(const Rational& value) {
-  const Rational shifted = value + Rational(1, 2);
-  mpz_class quotient;
-  mpz_fdiv_q(quotient.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
-  return quotient;
-}
-
-// The ball rounded to the digits that are printed, or the whole ball where it leaves that open.
-std::string rounded_like(const std::string& printed, const Json& ball) {
-  const Decimal decimal = parse_decimal(printed);
-  const Rational mid = parse_decimal(ball.at("mid").get<std::string>()).value;
-  const Rational rad = parse_decimal(ball.at("rad").get<std::string>()).value;
-  const mpz_class low = nearest((mid - rad) / decimal.unit);
-  if (low != nearest((mid + rad) / decimal.unit)) {
-    return short_ball(ball, number_digits);
-  }
-  const std::size_t point = printed.find('.');
-  const std::size_t decimals = point == std::string::npos ? 0 : printed.size() - point - 1;
-  std::string digits = mpz_class(abs(low)).get_str();
-  digits.insert(0, digits.size() > decimals ? 0 : decimals + 1 - digits.size(), '0');
-  if (decimals > 0) {
-    digits.insert(digits.size() - decimals, ".");
-  }
-  return (low < 0 ? "-" : "") + digits;
+std::string units_off(const Ball& ball) {
+  return (abs(ball) - Ball(Rational(1, 1000))).is_negative() ? "under 0.001" : readable(ball, unit_digits);
 }
 
 // The value of the key without underscores: "as printed" for as_printed.
@@ -77,91 +42,57 @@ std::string capitalised(std::string words) {
 }
 
 // With a capital and a full stop, unless it begins with a formula.
-std::string sentence(std::string words) {
-  const std::vector<ProsePart> parts = prose_parts(words);
-  if (!parts.empty() && !parts.front().formula) {
-    words = capitalised(words);
-  }
-  return words.empty() || words.ends_with('.') ? words : words + ".";
+std::string sentence(const std::string& words) {
+  return words.empty() || words.ends_with('.') ? capitalised(words) : capitalised(words) + ".";
 }
 
-void complete_coordinates(Json& coordinates) {
-  for (Json& coordinate : coordinates) {
+void complete_comparison(Json& json, const proofs::methods::Comparison& comparison) {
+  const std::string proved = readable(comparison.proved, number_digits);
+  json["proved_short"] = proved;
+  json["rounded"] = rounded_like(parse_decimal(comparison.printed), comparison.proved).value_or(proved);
+  json["units_off_short"] = units_off(comparison.units_off);
+}
+
+void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const std::string& id) {
+  add_words(json, "verdict");
+  json["verdict_capital"] = capitalised(json.at("verdict_words"));
+  json["route"] = outcome.route;
+  json["reason"] = outcome.verdict.reason;
+  for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
   }
-}
-
-void complete_outcome(Json& outcome, const std::string& id) {
-  add_words(outcome, "verdict");
-  outcome["verdict_capital"] = capitalised(outcome.at("verdict_words"));
-  complete_coordinates(outcome.at("at"));
-  for (Json& hypothesis : outcome.at("hypotheses")) {
+  for (Json& hypothesis : json.at("hypotheses")) {
     hypothesis["foreign"] = hypothesis.at("origin") != id;
   }
-  for (Json& comparison : outcome.at("comparisons")) {
-    comparison["proved_short"] = short_ball(comparison.at("proved"), number_digits);
-    comparison["rounded"] = rounded_like(comparison.at("printed"), comparison.at("proved"));
-    comparison["units_off_short"] = units_off(comparison.at("units_off"));
+  for (std::size_t i = 0; i < outcome.comparisons.size(); ++i) {
+    complete_comparison(json.at("comparisons").at(i), outcome.comparisons[i]);
   }
 }
 
-void complete_claim(Json& claim, const std::string& place_title) {
+void complete_claim(Json& claim, const Record& record, const std::string& place_title) {
+  const std::string& id = record.claim.id;
   add_words(claim, "status");
-  claim["examined"] = claim.at("status") != proofs::methods::to_string(Status::model);
+  claim["examined"] = record.status != Status::model;
   claim["place_title"] = place_title;
-  claim["words_sentence"] = sentence(claim.at("words"));
-  const std::string id = claim.at("id");
-  complete_outcome(claim.at("outcome"), id);
-  for (const char * further : {"corrected_outcome", "converse"}) {
-    if (!claim.at(further).is_null()) {
-      complete_outcome(claim.at(further), id);
-    }
+  claim["words_sentence"] = sentence(record.claim.words);
+  claim["illegible"] = record.claim.illegible;
+  for (std::size_t i = 0; i < record.repairs.size(); ++i) {
+    claim.at("repairs").at(i)["what"] = record.repairs[i].what;
   }
-  const Json& corrected = claim.at("corrected_outcome");
-  claim["needs"] = (corrected.is_null() ? claim.at("outcome") : corrected).at("hypotheses");
-}
-
-struct GroupWords {
-  std::vector<Status> statuses;
-  const char * title;
-  const char * explanation;
-};
-
-const std::array<GroupWords, 4>& groups_of_claims() {
-  static const std::array<GroupWords, 4> groups{{
-      {{Status::undecided, Status::rests_on_unproved},
-       "Not decided",
-       "Neither proved nor refuted, or proved from something that is not."},
-      {{Status::refuted},
-       "Refuted",
-       "False as printed, with a witness, and in no corrected form that was found."},
-      {{Status::misprint_corrected},
-       "Misprints",
-       "False as printed, with a witness; the form that the derivation supports is proved."},
-      {{Status::necessary_not_sufficient},
-       "Necessary, not sufficient",
-       "It follows from what it is deduced from, but does not give that back."},
-  }};
-  return groups;
-}
-
-Json group(const std::string& title, const std::string& explanation) {
-  return {{"title", title},
-          {"explanation", explanation},
-          {"claims", Json::array()},
-          {"numbers", Json::array()},
-          {"hypotheses_groups", Json::array()}};
-}
-
-void add_group(Json& findings, Json group, std::size_t count) {
-  if (count > 0) {
-    group["count"] = count;
-    findings.push_back(std::move(group));
+  complete_outcome(claim.at("outcome"), record.outcome, id);
+  if (record.corrected) {
+    complete_outcome(claim.at("corrected_outcome"), *record.corrected, id);
   }
+  if (record.converse) {
+    complete_outcome(claim.at("converse"), *record.converse, id);
+  }
+  claim["needs"] = claim.at(record.corrected ? "corrected_outcome" : "outcome").at("hypotheses");
 }
 
-bool has_status(const Json& claim, Status status) {
-  return claim.at("status") == proofs::methods::to_string(status);
+Json group(const StatusFacts& status) {
+  return {
+      {"title", status.heading}, {"explanation", status.explanation}, {"count", 0},
+      {"claims", Json::array()}, {"numbers", Json::array()},          {"hypotheses_groups", Json::array()}};
 }
 
 bool compares(const Json& claim) {
@@ -169,8 +100,8 @@ bool compares(const Json& claim) {
 }
 
 // What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
-Json judgements_of(const proofs::methods::Audit& audit, const std::string& origin) {
-  const auto is_shown = [&](const proofs::pascal2012::Judgement& judgement) {
+Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, const std::string& origin) {
+  const auto is_shown = [&](const Judgement& judgement) {
     return std::ranges::all_of(judgement.shown_by, [&](const std::string& id) {
       return std::ranges::any_of(audit.records, [&](const proofs::methods::Record& record) {
         return record.claim.id == id && record.outcome.verdict.truth == Truth::proved;
@@ -178,7 +109,7 @@ Json judgements_of(const proofs::methods::Audit& audit, const std::string& origi
     });
   };
   Json json = Json::array();
-  for (const proofs::pascal2012::Judgement& judgement : proofs::pascal2012::judgements()) {
+  for (const Judgement& judgement : paper.judgements) {
     if (judgement.origin == origin && is_shown(judgement)) {
       json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
                       {"words", judgement.words},
@@ -188,7 +119,7 @@ Json judgements_of(const proofs::methods::Audit& audit, const std::string& origi
   return json;
 }
 
-Json hypothesis_group(const proofs::methods::Audit& audit, const HypothesisGroup& g) {
+Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
   Json json = {{"hypotheses", Json::array()},
                {"origins", Json::array()},
                {"heirs", g.heirs},
@@ -199,76 +130,71 @@ Json hypothesis_group(const proofs::methods::Audit& audit, const HypothesisGroup
   for (const proofs::methods::Record * origin : g.origins) {
     json["origins"].push_back({{"id", origin->claim.id},
                                {"words", origin->claim.words},
-                               {"judgements", judgements_of(audit, origin->claim.id)}});
+                               {"judgements", judgements_of(paper, audit, origin->claim.id)}});
   }
   return json;
 }
 
-Json hypotheses_finding(const proofs::methods::Audit& audit) {
-  Json json =
-      group("Hypotheses that the paper does not state",
-            "The proofs divide by these; where one of them vanishes, the statements behind it are not "
-            "claimed. Each is shown once, with all statements that inherit it.");
-  for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-    json["hypotheses_groups"].push_back(hypothesis_group(audit, g));
-  }
-  return json;
-}
-
-Json findings(const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
-  Json all = Json::array();
-  for (const GroupWords& words : groups_of_claims()) {
-    Json one = group(words.title, words.explanation);
-    for (const Json& claim : claims) {
-      for (const Status status : words.statuses) {
-        if (has_status(claim, status)) {
-          one["claims"].push_back(claim);
+// The groups of findings, from the worst status to the best; statuses with one heading make one group.
+Json findings(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
+  Json groups = Json::array();
+  for (auto status = statuses().rbegin(); status != statuses().rend(); ++status) {
+    if (groups.empty() || groups.back().at("title") != status->heading) {
+      groups.push_back(group(*status));
+    }
+    Json& found = groups.back();
+    const auto add = [&](const char * list, Json one) {
+      found[list].push_back(std::move(one));
+      found["count"] = found.at("count").get<int>() + 1;
+    };
+    if (status->status == Status::needs_hypotheses) {
+      for (const HypothesisGroup& g : hypothesis_groups(audit)) {
+        add("hypotheses_groups", hypothesis_group(paper, audit, g));
+      }
+    } else if (status->finding) {
+      for (const Json& claim : claims) {
+        if (claim.at("status") == status->name) {
+          add(status->status == Status::digits_off && compares(claim) ? "numbers" : "claims", claim);
         }
       }
     }
-    const std::size_t count = one.at("claims").size();
-    add_group(all, std::move(one), count);
   }
-  Json digits = group("Digits", "Printed numbers that are not the correctly rounded ones.");
-  for (const Json& claim : claims) {
-    if (has_status(claim, Status::digits_off)) {
-      digits[compares(claim) ? "numbers" : "claims"].push_back(claim);
+  Json found = Json::array();
+  for (Json& one : groups) {
+    if (one.at("count") != 0) {
+      found.push_back(std::move(one));
     }
   }
-  const std::size_t off = digits.at("numbers").size() + digits.at("claims").size();
-  add_group(all, std::move(digits), off);
-  Json hypotheses = hypotheses_finding(audit);
-  const std::size_t groups = hypotheses.at("hypotheses_groups").size();
-  add_group(all, std::move(hypotheses), groups);
-  return all;
+  return found;
 }
 
 }  // namespace
 
-Json page_data(const proofs::methods::Audit& audit, const Json& json) {
+Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Json& json) {
   Json data = json;
   std::vector<Json> claims;
   data["numbers"] = Json::array();
+  data["errata"] = Json::array();
   for (Json& status : data.at("summary").at("statuses")) {
     add_words(status, "status");
   }
-  for (Json& place : data.at("places")) {
-    for (Json& claim : place.at("claims")) {
-      complete_claim(claim, place.at("title"));
+  const std::vector<PlaceRecords> places = by_place(paper, audit);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < places[i].records.size(); ++k) {
+      const Record& record = *places[i].records[k];
+      Json& claim = data.at("places").at(i).at("claims").at(k);
+      complete_claim(claim, record, places[i].title);
       claims.push_back(claim);
       if (compares(claim)) {
         data["numbers"].push_back(claim);
       }
+      if (record.status == Status::misprint_corrected ||
+          (record.status == Status::digits_off && compares(claim))) {
+        data["errata"].push_back(claim);
+      }
     }
   }
-  data["findings"] = findings(audit, claims);
-  data["errata"] = Json::array();
-  for (const Json& claim : claims) {
-    if (has_status(claim, Status::misprint_corrected) ||
-        (has_status(claim, Status::digits_off) && compares(claim))) {
-      data["errata"].push_back(claim);
-    }
-  }
+  data["findings"] = findings(paper, audit, claims);
   data["verdict_lead"] = verdict_lead(audit);
   data["verdict_sentence"] = verdict_sentence(audit);
   return data;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 #include "report/tools/json.hpp"
 
 namespace stickslip::report::audit {
@@ -16,6 +16,7 @@ namespace stickslip::report::audit {
 // digits to correct; and "findings", the groups in which a reader meets them, most important first: {"title",
 // "explanation", "count", "claims", "numbers", "hypotheses_groups": [{"hypotheses", "origins": [{"id",
 // "words"}], "heirs", "heirs_count"}]}.
-[[nodiscard]] tools::Json page_data(const proofs::methods::Audit& audit, const tools::Json& json);
+[[nodiscard]] tools::Json page_data(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
+                                    const tools::Json& json);
 
 }  // namespace stickslip::report::audit

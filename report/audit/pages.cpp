@@ -17,7 +17,7 @@
 namespace stickslip::report::audit {
 
 using namespace numeric;
-using namespace proofs::pascal2012;
+using namespace proofs::methods;
 using namespace orbits;
 using namespace tools;
 
@@ -119,11 +119,12 @@ std::vector<File> example_pictures(const std::vector<ExampleOrbits>& examples) {
 
 }  // namespace
 
-Report pages(const proofs::methods::Audit& audit, const std::vector<ExampleOrbits>& examples,
-             const std::optional<proofs::checks::Gate>& gate) {
-  const Json json = to_json(audit, gate ? "stickslip audit --mutants" : "stickslip audit", examples, gate);
+Report pages(const Paper& paper, const proofs::methods::Audit& audit,
+             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate) {
+  const Json json =
+      to_json(paper, audit, gate ? "stickslip audit --mutants" : "stickslip audit", examples, gate);
   Report report{{{"audit.json", to_text(json)}}, {}};
-  Json data = page_data(audit, json);
+  Json data = page_data(paper, audit, json);
   add_provenance(data, true);
   data["precision"] = digits_in_words(OrbitQuestion{}.digits);
   data["meaning_of_margin"] = meaning_of_margin();
@@ -132,7 +133,7 @@ Report pages(const proofs::methods::Audit& audit, const std::vector<ExampleOrbit
     data["examples"].push_back(example_data(e));
   }
   append(report.files, example_pictures(examples));
-  data["graph"] = graph_svg(audit);
+  data["graph"] = graph_svg(paper, audit);
   data["page_title"] = "The orbits of the paper’s figures";
   data["lists"] = data.at("examples");
   add_paper_and_pages(report, "audit", std::move(data), [](const Json& complete) {
@@ -144,8 +145,8 @@ Report pages(const proofs::methods::Audit& audit, const std::vector<ExampleOrbit
   return report;
 }
 
-std::string errata(const proofs::methods::Audit& audit) {
-  Json data = page_data(audit, to_json(audit, "stickslip latex --errata", {}));
+std::string errata(const Paper& paper, const proofs::methods::Audit& audit) {
+  Json data = page_data(paper, audit, to_json(paper, audit, "stickslip latex --errata", {}));
   return render_file("errata.tex", data, tex_format);
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "proofs/checks/mutants.hpp"
-#include "proofs/methods/claim.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/paper.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::report::audit {
@@ -21,13 +21,13 @@ struct Report {
 // index.html, statements.html, orbits.html with style.css and katex.css; audit.json; audit.tex and, where
 // there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be read or a program
 // that draws is missing or fails.
-[[nodiscard]] Report pages(const proofs::methods::Audit& audit,
-                           const std::vector<proofs::pascal2012::ExampleOrbits>& examples,
+[[nodiscard]] Report pages(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
+                           const std::vector<proofs::methods::ExampleOrbits>& examples,
                            const std::optional<proofs::checks::Gate>& gate = {});
 
 // The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
 // if the template cannot be read.
-[[nodiscard]] std::string errata(const proofs::methods::Audit& audit);
+[[nodiscard]] std::string errata(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit);
 
 // The same kind of report on one list of orbits: index.html with its style sheets, orbits.json, orbits.tex
 // and, where there is TeX, orbits.pdf; the figure.

@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "proofs/methods/prover.hpp"
-#include "proofs/pascal2012/paper.hpp"
 
 namespace stickslip::report::audit {
 
@@ -22,37 +20,19 @@ using proofs::methods::Audit;
 using proofs::methods::Record;
 using proofs::methods::Status;
 
-constexpr std::array best_to_worst = {
-    Status::as_printed,
-    Status::model,
-    Status::checked,
-    Status::needs_hypotheses,
-    Status::digits_off,
-    Status::misprint_corrected,
-    Status::necessary_not_sufficient,
-    Status::refuted,
-    Status::rests_on_unproved,
-    Status::undecided,
-};
-
-std::string title_of(const std::string& place) {
-  for (const proofs::pascal2012::Place& known : proofs::pascal2012::places()) {
-    if (known.id == place) {
-      return known.title;
-    }
-  }
-  return place;
+std::string title_of(const Paper& paper, const std::string& place) {
+  const auto section = std::ranges::find(paper.sections, place, &Section::id);
+  return section == paper.sections.end() ? place : section->title;
 }
 
 }  // namespace
 
 std::vector<StatusCount> count_statuses(const Audit& audit) {
   std::vector<StatusCount> counts;
-  for (const Status status : best_to_worst) {
-    const auto count = std::ranges::count_if(
-        audit.records, [status](const Record& record) { return record.status == status; });
+  for (const StatusFacts& row : statuses()) {
+    const auto count = std::ranges::count(audit.records, row.status, &Record::status);
     if (count > 0) {
-      counts.push_back({status, static_cast<std::size_t>(count)});
+      counts.push_back({row.status, static_cast<std::size_t>(count)});
     }
   }
   return counts;
@@ -64,8 +44,7 @@ bool is_finding(const Record& record) {
       return hypothesis.origin == record.claim.id;
     });
   }
-  return record.status != Status::as_printed && record.status != Status::model &&
-         record.status != Status::checked;
+  return facts(record.status).finding;
 }
 
 std::set<std::string> inheriting(const Audit& audit, const Record& record) {
@@ -81,18 +60,13 @@ std::set<std::string> inheriting(const Audit& audit, const Record& record) {
   return ids;
 }
 
-bool is_decided(Status status) {
-  return status != Status::undecided && status != Status::rests_on_unproved;
-}
-
 bool all_decided(const Audit& audit) {
-  return std::ranges::all_of(audit.records, [](const Record& record) { return is_decided(record.status); });
+  return std::ranges::all_of(audit.records,
+                             [](const Record& record) { return facts(record.status).decided; });
 }
 
 bool any_refuted(const Audit& audit) {
-  return std::ranges::any_of(audit.records, [](const Record& record) {
-    return record.status == Status::refuted || record.status == Status::digits_off;
-  });
+  return std::ranges::any_of(audit.records, [](const Record& record) { return facts(record.status).fails; });
 }
 
 std::string cross_check_line(const proofs::methods::CrossCheck& check) {
@@ -126,13 +100,13 @@ std::string summary_line(const Audit& audit) {
   return fmt::format("{} statement{}{}.", total, total == 1 ? "" : "s", parts);
 }
 
-std::vector<PlaceRecords> by_place(const Audit& audit) {
+std::vector<PlaceRecords> by_place(const Paper& paper, const Audit& audit) {
   std::vector<PlaceRecords> places;
   for (const Record& record : audit.records) {
     const auto same = [&record](const PlaceRecords& place) { return place.id == record.claim.place; };
     auto place = std::ranges::find_if(places, same);
     if (place == places.end()) {
-      places.push_back({record.claim.place, title_of(record.claim.place), {}});
+      places.push_back({record.claim.place, title_of(paper, record.claim.place), {}});
       place = std::prev(places.end());
     }
     place->records.push_back(&record);

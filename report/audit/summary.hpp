@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::report::audit {
 
@@ -26,8 +26,7 @@ struct StatusCount {
 [[nodiscard]] std::set<std::string> inheriting(const proofs::methods::Audit& audit,
                                                const proofs::methods::Record& record);
 
-// Whether the question about the statement is answered, one way or the other.
-[[nodiscard]] bool is_decided(proofs::methods::Status status);
+// Whether every question is answered, one way or the other.
 [[nodiscard]] bool all_decided(const proofs::methods::Audit& audit);
 
 // Whether some statement is refuted (printed digits included) without a corrected form that is proved.
@@ -43,11 +42,12 @@ struct StatusCount {
 // The consecutive records of one place.
 struct PlaceRecords {
   std::string id;
-  std::string title;  // of proofs::places(), else the id
+  std::string title;  // of the section, else the id
   std::vector<const proofs::methods::Record *> records;
 };
 
 // The records by place, in the order in which places first occur. Points into the audit.
-[[nodiscard]] std::vector<PlaceRecords> by_place(const proofs::methods::Audit& audit);
+[[nodiscard]] std::vector<PlaceRecords> by_place(const proofs::methods::Paper& paper,
+                                                 const proofs::methods::Audit& audit);
 
 }  // namespace stickslip::report::audit

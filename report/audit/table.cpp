@@ -25,18 +25,20 @@ using proofs::methods::Status;
 constexpr std::size_t unlimited = 1U << 20U;
 
 std::string colour_of(Status status, const Style& style) {
-  if (!style.colour || status == Status::model || status == Status::checked) {
+  if (!style.colour) {
     return {};
   }
-  switch (status) {
-    case Status::as_printed:
+  switch (facts(status).tone) {
+    case proofs::methods::Tone::quiet:
+      return {};
+    case proofs::methods::Tone::good:
       return "\x1b[32m";
-    case Status::refuted:
-    case Status::misprint_corrected:
-      return "\x1b[31m";
-    default:
+    case proofs::methods::Tone::notable:
       return "\x1b[33m";
+    case proofs::methods::Tone::bad:
+      return "\x1b[31m";
   }
+  return {};
 }
 
 Cell status_cell(const Record& record, const Style& style) {
@@ -97,13 +99,13 @@ class Details {
 
 std::string head(const Record& record, const Style& style) {
   const std::string colour = colour_of(record.status, style);
-  return columns_of({{{record.claim.id}, {proofs::methods::describe(record.status), colour}}}, style.width);
+  return columns_of({{{record.claim.id}, {facts(record.status).meaning, colour}}}, style.width);
 }
 
-std::string tables_by_place(const Audit& audit, const Style& style) {
+std::string tables_by_place(const Paper& paper, const Audit& audit, const Style& style) {
   std::vector<Row> rows;
   std::string result;
-  for (const PlaceRecords& place : by_place(audit)) {
+  for (const PlaceRecords& place : by_place(paper, audit)) {
     rows.clear();
     for (const Record * record : place.records) {
       rows.push_back({{record->claim.id},
@@ -183,8 +185,8 @@ std::string explanation(const Record& record, const Style& style) {
 
 }  // namespace
 
-std::string terminal_report(const Audit& audit, const Style& style) {
-  return tables_by_place(audit, style) + findings(audit, style) + printed_numbers(audit, style) +
+std::string terminal_report(const Paper& paper, const Audit& audit, const Style& style) {
+  return tables_by_place(paper, audit, style) + findings(audit, style) + printed_numbers(audit, style) +
          summary_paragraph(audit, style);
 }
 

@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 #include "report/tools/layout.hpp"
 
 namespace stickslip::report::audit {
 
 // The table of all statements by place; the findings with their reasons; the printed numbers; the summary
 // line. No line is longer than the width of the style.
-[[nodiscard]] std::string terminal_report(const proofs::methods::Audit& audit, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const proofs::methods::Paper& paper,
+                                          const proofs::methods::Audit& audit, const tools::Style& style);
 
 // One line per statement, however long: id, status, words; then the summary line.
 [[nodiscard]] std::string terminal_lines(const proofs::methods::Audit& audit, const tools::Style& style);

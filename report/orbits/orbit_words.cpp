@@ -68,11 +68,10 @@ std::string colour_of(PhaseKind kind) {
 std::string describe(Remark remark) {
   switch (remark) {
     case Remark::load_absent:
-      return "p = 0: the load's phase means nothing, and each orbit is listed for the first of the two "
-             "phases "
-             "only.";
+      return "$p = 0$: the load's phase means nothing, and each orbit is listed for the first of the two "
+             "phases only.";
     case Remark::closes_without_stick:
-      return "A natural frequency is a multiple of omega: there are also closed motions that slip all the "
+      return "A natural frequency is a multiple of $omega$: there are also closed motions that slip all the "
              "time, which are not in this list.";
     case Remark::interrupted:
       return "The search was interrupted: orbits may be missing, and the unresolved boxes are where.";
@@ -87,11 +86,11 @@ std::string describe(Remark remark) {
 std::string title_of(Family family) {
   switch (family) {
     case Family::symmetric:
-      return "Symmetric orbits: slip on (0, tau), stick on (tau, Theta)";
+      return "Symmetric orbits: slip on $(0, tau)$, stick on $(tau, Theta)$";
     case Family::overshooting:
-      return "Overshooting orbits: slip to tau, overshoot to tau + tau1, stick to Theta";
+      return "Overshooting orbits: slip to $tau$, overshoot to $tau + tau1$, stick to $Theta$";
     case Family::nonsticking:
-      return "Non-sticking orbits: slip on (0, tau), overshoot on (tau, Theta)";
+      return "Non-sticking orbits: slip on $(0, tau)$, overshoot on $(tau, Theta)$";
   }
   throw InternalError("a family of no known kind");
 }
@@ -102,12 +101,12 @@ std::string searched(const OrbitQuestion& q) {
   }
   switch (q.family) {
     case Family::symmetric:
-      return "0 <= tau <= Theta at both load phases, phi = (pi - omega tau)/2 and that + pi";
+      return "$0 <= tau <= Theta$ at both load phases, $phi = (pi - omega tau)/2$ and that $+ pi$";
     case Family::overshooting:
-      return fmt::format("tau >= 0, tau1 >= 0, tau + tau1 <= Theta {}",
-                         q.phi ? "at this phi" : "for every phi that gives this ur");
+      return fmt::format("$tau >= 0$, $tau1 >= 0$, $tau + tau1 <= Theta$ {}",
+                         q.phi ? "at this $phi$" : "for every $phi$ that gives this $ur$");
     case Family::nonsticking:
-      return "0 <= tau <= Theta, every phi";
+      return "$0 <= tau <= Theta$, every $phi$";
   }
   throw InternalError("a family of no known kind");
 }
@@ -147,7 +146,7 @@ std::string complex_text(const ComplexBall& mu, int digits) {
 }
 
 std::string meaning_of_margin() {
-  return "the smallest distance from a violation, found at t; where the distance is zero at an end of its "
+  return "the smallest distance from a violation, found at $t$; where the distance is zero at an end of its "
          "phase by construction, the smallest quotient of it and min(1, time to that end)";
 }
 

@@ -34,9 +34,9 @@ void add_values(Json& json, const std::vector<NamedBall>& values, int digits) {
 }
 
 Json condition(const Condition& c) {
-  Json json = {{"id", c.id}, {"statement", c.statement}, {"verdict", to_string(c.verdict.truth)}};
+  Json json = {{"id", c.id}, {"statement", plain(c.statement)}, {"verdict", to_string(c.verdict.truth)}};
   if (!c.verdict.reason.empty()) {
-    json["reason"] = c.verdict.reason;
+    json["reason"] = plain(c.verdict.reason);
   }
   if (c.margin && c.margin->is_finite()) {
     json["margin"] = ball(*c.margin, margin_digits);
@@ -57,7 +57,7 @@ void add_stability(Json& json, const std::optional<Stability>& stability, int di
   }
   json["stability"] = to_string(stability->kind);
   if (!stability->reason.empty()) {
-    json["stability_reason"] = stability->reason;
+    json["stability_reason"] = plain(stability->reason);
   }
 }
 
@@ -90,11 +90,11 @@ Json to_json(const OrbitList& list) {
   for (const UnresolvedPart& part : list.unresolved) {
     Json where = Json::object();
     add_values(where, part.where, digits);
-    where["reason"] = part.reason;
+    where["reason"] = plain(part.reason);
     json["unresolved"].push_back(where);
   }
   for (const Remark remark : list.remarks) {
-    json["remarks"].push_back(describe(remark));
+    json["remarks"].push_back(plain(describe(remark)));
   }
   json["orbits"] = Json::array();
   for (const DecidedOrbit& o : list.orbits) {

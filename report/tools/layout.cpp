@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/verdict.hpp"
 #include "report/tools/unicode.hpp"
 
 namespace stickslip::report::tools {
@@ -72,7 +73,12 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
   return lines;
 }
 
-std::string columns_of(const std::vector<Row>& rows, std::size_t width) {
+std::string columns_of(std::vector<Row> rows, std::size_t width) {
+  for (Row& row : rows) {
+    for (Cell& cell : row) {
+      cell.text = plain(std::move(cell.text));
+    }
+  }
   const std::vector<std::size_t> widths = column_widths(rows);
   std::string result;
   for (const Row& row : rows) {

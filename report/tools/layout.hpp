@@ -26,8 +26,9 @@ using Row = std::vector<Cell>;
 [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 // Rows in columns as wide as their widest cell, two spaces between them; the last column takes what is left
-// of the width, at least 20, and is wrapped. Every line ends with a line feed.
-[[nodiscard]] std::string columns_of(const std::vector<Row>& rows, std::size_t width);
+// of the width, at least 20, and is wrapped. Sentences lose the marks of their formulas. Every line ends with
+// a line feed.
+[[nodiscard]] std::string columns_of(std::vector<Row> rows, std::size_t width);
 
 // "label text" wrapped to the width, all lines indented, those after the first as far as the text.
 [[nodiscard]] std::string labelled(std::size_t indent, const std::string& label, const std::string& text,

@@ -3,18 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/decimal.hpp"
 #include "core/error.hpp"
 
 namespace stickslip::report::tools {
 
-std::string readable(const BallText& ball, int digits) {
-  if (ball.mid == "nan" || ball.rad == "inf") {
-    return "unbounded";
+std::string readable(const Ball& ball, int digits) {
+  return ball.is_finite() ? to_string(ball, digits) : "unbounded";
+}
+
+std::optional<std::string> rounded_like(const Decimal& printed, const Ball& value) {
+  // The nearest whole number of units, halves upwards.
+  Ball nearest = value / Ball(printed.unit) + Ball(Rational(1, 2));
+  arb_floor(nearest.raw(), nearest.raw(), WorkingPrecision::bits());
+  if (!nearest.is_finite() || !nearest.is_exact()) {
+    return std::nullopt;
   }
-  const Rational mid = parse_decimal(ball.mid).value;
-  const Rational rad = parse_decimal(ball.rad).value;
-  return to_string(Ball::from_interval(mid - rad, mid + rad), digits);
+  fmpz_t whole;
+  fmpz_init(whole);
+  mpz_class units;
+  arf_get_fmpz(whole, arb_midref(nearest.raw()), ARF_RND_NEAR);
+  fmpz_get_mpz(units.get_mpz_t(), whole);
+  fmpz_clear(whole);
+  const std::size_t point = printed.text.find('.');
+  const std::size_t decimals = point == std::string::npos ? 0 : printed.text.size() - point - 1;
+  std::string digits = mpz_class(abs(units)).get_str();
+  digits.insert(0, digits.size() > decimals ? 0 : decimals + 1 - digits.size(), '0');
+  if (decimals > 0) {
+    digits.insert(digits.size() - decimals, ".");
+  }
+  return (units < 0 ? "-" : "") + digits;
 }
 
 int known_digits(const Ball& ball, int digits) {

@@ -1,23 +1,15 @@
-// Sentences in which formulas stand as plain text, such as "x2' < V for 0 < t < tau".
+// Sentences with formulas in them, each between dollars and otherwise as one types it: "slip with $x2' < V$".
+// Without the dollars, plain() of core/verdict.hpp, they are for terminals and data.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stickslip::report::tools {
 
-struct ProsePart {
-  bool formula = false;
-  std::string text;  // the words, or the LaTeX of the formula
-};
-
-// The sentence cut into words and formulas. A formula is a longest run of the paper's symbols, numbers and
-// signs that contains a symbol, or two numbers with a sign between them; a number in parentheses is the
-// number of an equation, and "a" is a word. Nothing is lost: words stay as they are.
-[[nodiscard]] std::vector<ProsePart> prose_parts(std::string_view sentence);
-
-// The sentence for a page: words escaped, formulas between <tex> and </tex>, or between dollars.
+// The sentence for a page: words escaped, the LaTeX of formulas between <tex> and </tex>, or between dollars.
+// What stands between the marks is symbols (symbolic/typeset/names.hpp), numbers, signs and brackets; outside
+// them only a number with an exponent or a radius, such as 1.5 ± 2e-7, is set as a formula.
 [[nodiscard]] std::string prose_html(std::string_view sentence);
 [[nodiscard]] std::string prose_tex(std::string_view sentence);
 

@@ -13,6 +13,8 @@ TEST_CASE("a conjunction is as good as its worst member") {
   CHECK(all_of({good, open, bad, outside}).truth == Truth::refuted);
   CHECK(all_of({good, open, outside}).truth == Truth::out_of_domain);
   CHECK(all_of({open, good}).reason == "perhaps");
+  CHECK(all_of({good, Verdict::assumed("given"), Verdict::checked("agrees")}).truth == Truth::checked);
+  CHECK(all_of({good, Verdict::assumed("given")}).truth == Truth::assumed);
   CHECK(all_of({}).truth == Truth::undecided);
 }
 
@@ -20,5 +22,6 @@ TEST_CASE("a refutation names its point and both sides") {
   const Verdict verdict = Verdict::refuted(
       Witness{{{"omega1", Rational(1, 2)}, {"t", Rational(1, 3)}}, "(2,1)", Ball(1), Ball(2)});
   CHECK(verdict.truth == Truth::refuted);
-  CHECK(verdict.reason == "entry (2,1): 1 on the left and 2 on the right at omega1 = 0.5, t = 1/3");
+  CHECK(verdict.reason == "entry (2,1): 1 on the left and 2 on the right at $omega1 = 0.5$, $t = 1/3$");
+  CHECK(plain(verdict.reason) == "entry (2,1): 1 on the left and 2 on the right at omega1 = 0.5, t = 1/3");
 }

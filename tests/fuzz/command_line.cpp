@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t siz
     argv.push_back(argument.c_str());
   }
   try {
-    (void)cli::parse(static_cast<int>(argv.size()), argv.data());
+    (void)cli::parse(static_cast<int>(argv.size()), argv.data(), {});
   } catch (const UsageError&) {
   }
   return 0;

@@ -163,7 +163,7 @@ TEST_CASE(
   for (const UnresolvedTimes& open : list.unresolved) {
     CAPTURE(open.reason);
     CHECK((Theta - open.tau - open.tau1).contains_zero());
-    CHECK(open.reason.find("3 omega is a natural frequency") != std::string::npos);
+    CHECK(open.reason.find("$3 omega$ is a natural frequency") != std::string::npos);
     CHECK((open.tau.radius() - Ball(1e-3)).is_negative());
     const Ball thirds = open.tau / (Theta / Ball(3));
     CHECK((abs(thirds - Ball(std::lround(thirds.approximate()))) - Ball(1e-3)).is_negative());

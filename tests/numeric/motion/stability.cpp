@@ -7,7 +7,8 @@
 
 #include "core/error.hpp"
 #include "numeric/motion/monodromy.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;
@@ -62,7 +63,7 @@ TEST_CASE("the paper's orbits: S is unstable, O and P are stable") {
 }
 
 TEST_CASE("double and balls agree, wherever the period is cut") {
-  for (const Example& example : printed_examples()) {
+  for (const auto& example : printed_examples()) {
     CAPTURE(example.name);
     const DecidedOrbit orbit = printed_orbit(example);
     const MotionOf<double> motion = in_double(orbit.motion);
@@ -77,7 +78,7 @@ TEST_CASE("double and balls agree, wherever the period is cut") {
 }
 
 TEST_CASE("a motion that sticks has the multiplier 0 exactly, others have none") {
-  for (const Example& example : printed_examples()) {
+  for (const auto& example : printed_examples()) {
     const ComplexBall last = printed_orbit(example).stability->multipliers.back();
     const bool zero = last.re.is_exact() && last.re.contains_zero() && last.im.contains_zero();
     CHECK(zero == (example.family != Family::nonsticking));

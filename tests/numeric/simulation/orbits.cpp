@@ -6,7 +6,8 @@
 #include "model/flows.hpp"
 #include "model/response.hpp"
 #include "numeric/simulation/agreement.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;
@@ -39,7 +40,7 @@ double distance_to(const Eigen::Vector4cd& values, const ComplexBall& mu) {
 }  // namespace
 
 TEST_CASE("the closed-form simulation reproduces the proved orbits") {
-  for (const Example& example : printed_examples()) {
+  for (const auto& example : printed_examples()) {
     CAPTURE(example.name);
     const Agreement a = agreement(printed_orbit(example), follow);
     CHECK(a.difference.empty());
@@ -49,7 +50,7 @@ TEST_CASE("the closed-form simulation reproduces the proved orbits") {
 }
 
 TEST_CASE("the raw friction law reproduces the proved orbits") {
-  for (const Example& example : printed_examples()) {
+  for (const auto& example : printed_examples()) {
     CAPTURE(example.name);
     const Agreement a = agreement(printed_orbit(example), [](const Start& start, double duration) {
       return follow_raw_law(start, duration);
@@ -70,7 +71,7 @@ TEST_CASE("what is no orbit is not reproduced") {
 }
 
 TEST_CASE("multipliers are the eigenvalues of differences of the simulated return map to 8 digits") {
-  for (const Example& example : printed_examples()) {
+  for (const auto& example : printed_examples()) {
     for (const DecidedOrbit& orbit : list_orbits(question_of(example)).orbits) {
       if (!orbit.stability) {
         continue;

@@ -9,7 +9,7 @@ using namespace proofs::methods;
 using namespace proofs::pascal2012;
 
 const Record& record(const std::string& id) {
-  static const std::vector<Claim> claims = paper();
+  static const std::vector<Claim> claims = paper().claims;
   static Prover prover(claims);
   return prover.prove(id);
 }

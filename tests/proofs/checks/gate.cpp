@@ -21,7 +21,7 @@ using namespace stickslip::proofs::symbols::vocabulary;
 namespace {
 
 Gate gate_of(const Claim& claim, const Sampling& sampling = {}) {
-  std::vector<Claim> claims = paper();
+  std::vector<Claim> claims = paper().claims;
   claims.push_back(claim);
   return mutant_gate(claims, {claim.id}, sampling, [](const std::string&, std::size_t, std::size_t) {});
 }
@@ -37,7 +37,7 @@ Claim reversal(const Proof& prove) {
 
 // The paper with a proof that gives up.
 std::vector<Claim> without(const std::string& id) {
-  std::vector<Claim> claims = paper();
+  std::vector<Claim> claims = paper().claims;
   for (Claim& claim : claims) {
     if (claim.id == id) {
       claim.prove = [](Prover&, const Claim&) { return Outcome{.verdict = Verdict::undecided("cut")}; };
@@ -59,7 +59,8 @@ std::map<std::string, Record> records(const std::vector<Claim>& claims, const st
 TEST_CASE("of a sample of wrong statements none is proved, and the true twins are") {
   const unsigned seed = examples::RandomData().seed();
   MESSAGE("STICKSLIP_SEED=", seed);
-  const Gate gate = mutant_gate(paper(), {}, {seed, 40}, [](const std::string&, std::size_t, std::size_t) {});
+  const Gate gate =
+      mutant_gate(paper().claims, {}, {seed, 40}, [](const std::string&, std::size_t, std::size_t) {});
   for (const Mutant& mutant : gate.mutants) {
     CAPTURE(mutant.claim);
     CAPTURE(mutant.statement);
@@ -82,8 +83,8 @@ TEST_CASE("every edit of an identity is refuted or true, every twin proved") {
 }
 
 TEST_CASE("every single edit of Appendix 1 is refuted, or says something that is true") {
-  const Gate gate =
-      mutant_gate(paper(), ids_named(paper(), "A1"), {}, [](const std::string&, std::size_t, std::size_t) {});
+  const Gate gate = mutant_gate(paper().claims, ids_named(paper().claims, "A1"), {},
+                                [](const std::string&, std::size_t, std::size_t) {});
   CHECK(count(gate, Fate::refuted) > 400);
   CHECK(count(gate, Fate::refuted) + count(gate, Fate::equivalent) + count(gate, Fate::stillborn) +
             count(gate, Fate::unproved) ==
@@ -122,9 +123,9 @@ TEST_CASE("the same seed draws the same sample") {
 TEST_CASE("a broken claim takes down those that use it, and no others") {
   std::set<std::string> ids;
   for (const char * place : {"sec3", "A1", "A2", "A4", "A5"}) {
-    ids.merge(ids_named(paper(), place));
+    ids.merge(ids_named(paper().claims, place));
   }
-  const auto whole = records(paper(), ids);
+  const auto whole = records(paper().claims, ids);
   for (const std::string cut : {"13.E", "38.reversal", "53.F", "62"}) {
     CAPTURE(cut);
     std::set<std::string> users{cut}, changed{cut};

@@ -16,7 +16,7 @@ using namespace stickslip::proofs::symbols::vocabulary;
 namespace {
 
 Truth verdict(const Claim& claim) {
-  std::vector<Claim> claims = paper();
+  std::vector<Claim> claims = paper().claims;
   claims.push_back(claim);
   return audit(claims, {claim.id}).records.front().outcome.verdict.truth;
 }
@@ -36,7 +36,7 @@ Claim mean_value(const Term& slope, const Statement& printed) {
 
 // The paper with one claim changed.
 std::vector<Claim> paper_with(const std::string& id, const std::function<void(Claim&)>& change) {
-  std::vector<Claim> claims = paper();
+  std::vector<Claim> claims = paper().claims;
   for (Claim& claim : claims) {
     if (claim.id == id) {
       change(claim);
@@ -106,7 +106,7 @@ TEST_CASE("nonzero follows from nonzero only by divisibility") {
 }
 
 TEST_CASE("the theorem of Appendix 5 needs no more than it says") {
-  const std::vector<Claim> claims = paper();
+  const std::vector<Claim> claims = paper().claims;
   for (const char * id : {"A5.theorem", "A5.unique", "A5.symmetry"}) {
     CAPTURE(id);
     CHECK(status(claims, id) == Status::as_printed);

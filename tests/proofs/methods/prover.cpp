@@ -108,7 +108,7 @@ TEST_CASE("a premise's own assumptions must be assumed, and stay as they were") 
              .assumptions = {lag},
              .prove = by_rewriting({from("F").at("t", s)})};
   const auto with_paper = [&] {
-    std::vector<Claim> claims = paper();
+    std::vector<Claim> claims = paper().claims;
     claims.push_back(reversed);
     claims.push_back(user);
     return claims;

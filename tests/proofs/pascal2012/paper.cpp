@@ -4,7 +4,6 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/pascal2012/judgement.hpp"
 #include "tests/proofs/checks/decided.hpp"
 
 using namespace stickslip;
@@ -15,7 +14,7 @@ using namespace stickslip::proofs::pascal2012;
 namespace {
 
 const Audit& whole() {
-  static const Audit result = audit(paper());
+  static const Audit result = audit(paper().claims);
   return result;
 }
 
@@ -44,7 +43,7 @@ TEST_CASE("nothing is left open, and what is proved says how") {
 
 TEST_CASE("every hypothesis that a proof brings in is judged, by claims that stand") {
   std::set<std::string> judged;
-  for (const Judgement& judgement : judgements()) {
+  for (const Judgement& judgement : paper().judgements) {
     CHECK(judged.insert(judgement.origin).second);
     CHECK_FALSE(judgement.shown_by.empty());
     for (const std::string& id : judgement.shown_by) {
@@ -93,7 +92,7 @@ TEST_CASE("(17) is proved from Appendix 2, link by link") {
 }
 
 TEST_CASE("without one of its premises (17) is not proved") {
-  std::vector<Claim> claims = paper();
+  std::vector<Claim> claims = paper().claims;
   for (const std::string cut : {"13.E", "44.E", "44.H"}) {
     CAPTURE(cut);
     std::vector<Claim> mutilated = claims;
@@ -120,7 +119,7 @@ TEST_CASE("example S: the orbit is proved, the period is right, other digits are
     CAPTURE(id);
     CHECK(record(id).status == Status::digits_off);
     REQUIRE(record(id).outcome.comparisons.size() == 1);
-    CHECK(record(id).outcome.comparisons.front().units_off.rad != "inf");
+    CHECK(record(id).outcome.comparisons.front().units_off.is_finite());
   }
 }
 
@@ -145,8 +144,20 @@ TEST_CASE("examples: the printed orbits obey every condition, and it is told wha
   CHECK(record("P.x20").status == Status::digits_off);
 }
 
+TEST_CASE("every claim stands in a section of the paper, section by section") {
+  std::size_t section = 0;
+  for (const Claim& claim : paper().claims) {
+    while (section < paper().sections.size() && paper().sections[section].id != claim.place) {
+      ++section;
+    }
+    CAPTURE(claim.id);
+    REQUIRE(section < paper().sections.size());
+  }
+  CHECK(section + 1 == paper().sections.size());
+}
+
 TEST_CASE("words name claims, equations with their parts, and places") {
-  const std::vector<Claim> claims = paper();
+  const std::vector<Claim> claims = paper().claims;
   CHECK(ids_named(claims, "40") == std::set<std::string>{"40"});
   CHECK(ids_named(claims, "44") == std::set<std::string>{"44.E", "44.F", "44.F0", "44.H"});
   CHECK(ids_named(claims, "44.H") == std::set<std::string>{"44.H"});

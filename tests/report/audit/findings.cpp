@@ -2,7 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 #include "report/audit/graph.hpp"
 #include "tests/report/audit/sample.hpp"
 
@@ -36,6 +37,17 @@ TEST_CASE("the verdict is that of the worst statement") {
   CHECK(verdict_lead(sample_audit()) == "Not everything is decided.");
 }
 
+TEST_CASE("the table of statuses stands in the order of the statuses, and names each once") {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < statuses().size(); ++i) {
+    CHECK(statuses()[i].status == static_cast<Status>(i));
+    CHECK(names.insert(statuses()[i].name).second);
+    CHECK(is_status(statuses()[i].name));
+  }
+  CHECK(statuses().back().status == Status::undecided);
+  CHECK_FALSE(is_status("proved"));
+}
+
 TEST_CASE("the verdict counts every statement") {
   CHECK(verdict_sentence(with_status(Status::refuted)) ==
         "Of 2 statements, 1 belongs to the model and is taken as given; 1 is refuted.");
@@ -66,7 +78,7 @@ TEST_CASE("the same hypothesis brought in twice is one group") {
 TEST_CASE("the graph leaves out an arrow that others imply") {
   Audit audit = sample_audit();
   audit.records[5].outcome.uses = {"2", "5"};  // 5 uses 2 itself
-  const std::string script = graph_script(audit);
+  const std::string script = graph_script(sample_paper(), audit);
   CHECK(script.find("\"5\" -> \"17\"") != std::string::npos);
   CHECK(script.find("\"2\" -> \"5\"") != std::string::npos);
   CHECK(script.find("\"2\" -> \"17\"") == std::string::npos);

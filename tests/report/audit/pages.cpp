@@ -19,7 +19,7 @@ using namespace stickslip::report::tools;
 namespace {
 
 const Report& sample_report() {
-  static const Report report = pages(sample_audit(), {});
+  static const Report report = pages(sample_paper(), sample_audit(), {});
   return report;
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("templates see lists, absent things and escaped text") {
 }
 
 TEST_CASE("templates see sentences with formulas, and parts of other files") {
-  const Json data = {{"words", "p < tau & b"}, {"reason", "tau = 1"}, {"witness", nullptr}};
+  const Json data = {{"words", "$p < tau$ & $b$"}, {"reason", "$tau = 1$"}, {"witness", nullptr}};
   CHECK(render("t", "{{#prose}}{{&words}}{{/prose}}", data, html_format) ==
         "<tex>p &lt; \\tau</tex> &amp; <tex>b</tex>");
   CHECK(mentions(render("t", "{{>reason.html}}", data, html_format), "<tex>\\tau = 1</tex>"));
@@ -135,7 +135,7 @@ TEST_CASE("text is escaped for the page it stands on, nothing of a template rema
 
 TEST_CASE("two runs make the same pages") {
   const std::vector<File>& first = sample_report().files;
-  const std::vector<File> second = pages(sample_audit(), {}).files;
+  const std::vector<File> second = pages(sample_paper(), sample_audit(), {}).files;
   REQUIRE(first.size() >= 7);
   REQUIRE(first.size() == second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {

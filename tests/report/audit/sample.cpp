@@ -1,5 +1,6 @@
 #include "tests/report/audit/sample.hpp"
 
+#include "core/decimal.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::report {
@@ -26,7 +27,7 @@ Record record(const char * id, const char * place, Status status, const char * w
 }
 
 Record misprint() {
-  Record r = record("44", "A2", Status::misprint_corrected, "Time reversal, for x < y & y > \"0\".",
+  Record r = record("44", "A2", Status::misprint_corrected, "Time reversal, for $x < y$ & $y$ > \"0\".",
                     equation(H(-t) * E, -(E * H(t))));
   r.claim.assumptions = {{"13", equation(Z(tau), E * Z0)}, {"15", equation(Z(T), Z0)}};
   r.outcome.verdict = Verdict::refuted(
@@ -44,19 +45,24 @@ Record digits() {
                     equation(tau, Term(Rational(7749, 1000))));
   r.claim.kind = Kind::numbers;
   r.outcome.verdict = Verdict::refuted("7.749 is 1.3 units of its last place off");
-  r.outcome.comparisons = {{"tau",
-                            "\\tau",
-                            "7.749",
-                            {"7.7503000000000000001", "2.1e-30"},
-                            {"-1.3", "1e-25"},
-                            Verdict::refuted("not the rounded value")}};
+  r.outcome.comparisons = {{"tau", "\\tau", "7.749",
+                            Ball::from_interval(parse_rational("7.7502999"), parse_rational("7.7503001")),
+                            Ball(parse_rational("-1.3")), Verdict::refuted("not the rounded value")}};
   return r;
 }
 
 }  // namespace
 
+Paper sample_paper() {
+  return {{"A. Author", "A Title", "A Journal 1 (2000) 1-2", "10.1000/1"},
+          {{"sec2", "Section 2: the model", "section2"}, {"sec3", "Section 3: phases", "section3"}},
+          {},
+          {},
+          {}};
+}
+
 Audit sample_audit() {
-  Record model = record("2", "sec2", Status::model, "Newton's law for both masses; u_s is 100% of {F}.",
+  Record model = record("2", "sec2", Status::model, "Newton's law for both masses; $u_s$ is 100% of {$F$}.",
                         equation(Z(t), H(t) * Z0));
   model.claim.kind = Kind::model;
   Record proved = record("5", "sec3", Status::as_printed, "The motion while the second mass slips.",

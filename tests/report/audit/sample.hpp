@@ -1,9 +1,12 @@
 // An audit made by hand: one record of every kind that reports have to show.
 #pragma once
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::report {
+
+// A paper that does not exist, with two sections; its claims stand in the audit alone.
+[[nodiscard]] proofs::methods::Paper sample_paper();
 
 // Ids: 2 (model), 5 (as printed), 5.where (needs a hypothesis), 44 (misprint, witness), S.tau (digits off),
 // 17 (undecided). Words and reasons contain characters that HTML and TeX treat specially.

@@ -37,12 +37,12 @@ bool mentions(const std::string& text, const std::string& part) {
 
 TEST_CASE("the table fits a terminal of eighty columns") {
   const proofs::methods::Audit audit = sample_audit();
-  CHECK(widest_line(terminal_report(audit, {})) <= 80);
+  CHECK(widest_line(terminal_report(sample_paper(), audit, {})) <= 80);
   CHECK(widest_line(terminal_explanations(audit, {})) <= 80);
 }
 
 TEST_CASE("the report names every statement, every finding and every printed number") {
-  const std::string text = terminal_report(sample_audit(), {});
+  const std::string text = terminal_report(sample_paper(), sample_audit(), {});
   for (const std::string& part : std::vector<std::string>{
            "2 ", "5.where", "misprint corrected", "entry (2,1): 1 on the left and 2 on the right",
            "omega - omega1 != 0", "the search ran out of its budget", "7.749", "-1.3", "H(-t)",
@@ -54,9 +54,9 @@ TEST_CASE("the report names every statement, every finding and every printed num
 
 TEST_CASE("colour only where it is asked for") {
   const proofs::methods::Audit audit = sample_audit();
-  CHECK_FALSE(mentions(terminal_report(audit, {}), "\x1b"));
+  CHECK_FALSE(mentions(terminal_report(sample_paper(), audit, {}), "\x1b"));
   CHECK_FALSE(mentions(terminal_lines(audit, {}), "\x1b"));
-  CHECK(mentions(terminal_report(audit, {.colour = true}), "\x1b[31mmisprint corrected"));
+  CHECK(mentions(terminal_report(sample_paper(), audit, {.colour = true}), "\x1b[31mmisprint corrected"));
 }
 
 TEST_CASE("a line for each statement and one for all") {
@@ -86,7 +86,7 @@ TEST_CASE("what an audit comes to") {
   CHECK_FALSE(is_finding(audit.records[2]));
   CHECK(inheriting(audit, audit.records[1]) == std::set<std::string>{"5.where"});
   CHECK(summary_line({}) == "0 statements.");
-  CHECK(by_place(sample_audit()).size() == 4);
+  CHECK(by_place(sample_paper(), sample_audit()).size() == 4);
 }
 
 TEST_CASE("a line says how many engines agree, or why none was asked") {

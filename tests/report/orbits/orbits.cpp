@@ -6,7 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/unicode.hpp"
@@ -89,7 +90,7 @@ std::size_t admissible_ones(const Json& list) {
 }  // namespace
 
 TEST_CASE("the examples as JSON have the published keys, and no float anywhere") {
-  for (const Example& example : printed_examples()) {
+  for (const auto& example : printed_examples()) {
     CAPTURE(example.name);
     const OrbitQuestion q = question_of(example);
     const Json json = report::orbits::to_json(list_orbits(q));
@@ -157,7 +158,7 @@ TEST_CASE("a box of parameters is never called complete, and a wide one says whe
 }
 
 TEST_CASE("the terminal report keeps to its width and names every condition") {
-  for (const Example& example : printed_examples()) {
+  for (const auto& example : printed_examples()) {
     const OrbitList list = list_orbits(question_of(example));
     const std::string text = report::orbits::terminal_report(list, {});
     CHECK(text.find("complete: ") != std::string::npos);

@@ -6,7 +6,8 @@
 #include <fstream>
 
 #include "core/error.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 #include "report/tools/files.hpp"
 #include "tests/report/temporary.hpp"
 

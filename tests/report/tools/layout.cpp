@@ -5,6 +5,7 @@
 #include "report/tools/numbers.hpp"
 #include "report/tools/unicode.hpp"
 
+using namespace stickslip;
 using namespace stickslip::report::tools;
 
 TEST_CASE("text is wrapped between words, and a long word within") {
@@ -36,7 +37,20 @@ TEST_CASE("code points, also broken ones") {
 }
 
 TEST_CASE("a ball for readers contains the ball") {
-  CHECK(readable({"7.7503", "0"}, 10).starts_with("7.750300000 ± "));
-  CHECK(readable({"1.25", "0.25"}, 5).starts_with("1.2500 ± 0.25"));
-  CHECK(readable({"nan", "inf"}, 5) == "unbounded");
+  CHECK(readable(Ball(parse_rational("7.7503")), 10).starts_with("7.750300000 ± "));
+  CHECK(readable(Ball::from_interval(1, parse_rational("1.5")), 5).starts_with("1.2500 ± 0.25"));
+  CHECK(readable(Ball(1) / Ball(0), 5) == "unbounded");
+}
+
+TEST_CASE("a value is rounded as the printed one is, unless its ball leaves that open") {
+  const auto rounded = [](const char * printed, const char * low, const char * high) {
+    return rounded_like(parse_decimal(printed),
+                        Ball::from_interval(parse_rational(low), parse_rational(high)));
+  };
+  CHECK(rounded("7.749", "7.7496", "7.7503") == "7.750");
+  CHECK(rounded("-0.411", "-0.4126", "-0.4127") == "-0.413");
+  CHECK(rounded("0.1", "0.02", "0.03") == "0.0");
+  CHECK(rounded("10", "11.9", "12.1") == "12");
+  CHECK_FALSE(rounded("7.749", "7.7494", "7.7496"));
+  CHECK_FALSE(rounded_like(parse_decimal("1"), Ball(1) / Ball(0)));
 }

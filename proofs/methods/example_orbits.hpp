@@ -1,4 +1,4 @@
-// The orbits that the paper's examples speak of, proved.
+// The orbits that a paper's examples speak of, proved.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "numeric/orbits.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/methods/paper.hpp"
 
-namespace stickslip::proofs::pascal2012 {
+namespace stickslip::proofs::methods {
 
 // What `orbits` is asked for the data of the example.
 [[nodiscard]] numeric::OrbitQuestion question_of(const Example& example, int digits = 20);
@@ -29,4 +29,4 @@ struct ExampleOrbits {
 // That orbit of orbits_of(example). Throws InternalError when there is none.
 [[nodiscard]] const numeric::DecidedOrbit& printed_orbit(const Example& example);
 
-}  // namespace stickslip::proofs::pascal2012
+}  // namespace stickslip::proofs::methods

@@ -1,4 +1,4 @@
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 
-namespace stickslip::proofs::pascal2012 {
+namespace stickslip::proofs::methods {
 
 using namespace numeric;
 using namespace numeric::motion;
@@ -79,4 +79,4 @@ const DecidedOrbit& printed_orbit(const Example& example) {
   return orbits.list.orbits[*nearest];
 }
 
-}  // namespace stickslip::proofs::pascal2012
+}  // namespace stickslip::proofs::methods
