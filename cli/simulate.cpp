@@ -91,7 +91,7 @@ model::Vector4<double> four_numbers(const std::string& name, const std::string& 
 
 // The beginning of the example's orbit.
 Start start_of_example(const std::string& name) {
-  const DecidedOrbit& orbit = printed_orbit(example_named(name));
+  const Orbit& orbit = printed_orbit(example_named(name));
   const MotionOf<double> motion = in_double(orbit.motion);
   const PhaseOf<double>& first = motion.phases.front();
   Start start{motion.oscillator.data, 0, first.load, first.Z};

@@ -7,7 +7,10 @@
 
 #include "core/decimal.hpp"
 #include "numeric/motion/domain.hpp"
-#include "numeric/motion/requirements.hpp"
+
+namespace stickslip::numeric::families {
+struct Family;
+}
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -21,7 +24,7 @@ struct PrintedResult {
 struct Example {
   std::string name;    // "S", "O", "P"
   std::string figure;  // "Fig. 2"
-  numeric::motion::Family family = numeric::motion::Family::symmetric;
+  const numeric::families::Family * family = nullptr;
   numeric::motion::ExactParameters data;
   std::optional<Rational> phi, ur;  // as far as they are data of the family
   std::vector<PrintedResult> results;
