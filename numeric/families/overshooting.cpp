@@ -114,11 +114,11 @@ std::vector<NamedBall> named(const Times<Ball>& t) {
 }
 
 // The system of motion/shooting.hpp for the search.
-Shooting equations(const AtPhase&) {
-  return {overshooting().phases, true};
+Closing equations(const AtPhase&) {
+  return closing_of({overshooting().phases, true});
 }
-Shooting equations(const AtFriction&) {
-  return {overshooting().phases, false, true};
+Closing equations(const AtFriction&) {
+  return closing_of({overshooting().phases, false, true});
 }
 
 // A proved zero of the two functions, refined and looked at: nothing when it lies outside the triangle.

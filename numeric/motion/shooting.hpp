@@ -79,4 +79,7 @@ struct Shooting {
   [[nodiscard]] int legs() const { return static_cast<int>(phases.size()) - 1; }
 };
 
+// The same as Closing(f), compiled once.
+[[nodiscard]] Closing closing_of(const Shooting& f);
+
 }  // namespace stickslip::numeric::motion
