@@ -24,7 +24,7 @@ void list_all(benchmark::State& state, const char * example, const std::optional
   }
   long cells = 0;
   for (auto _ : state) {
-    const numeric::OrbitList found = list_orbits(question);
+    const numeric::OrbitList found = numeric::list_orbits(question);
     if (!found.complete()) {
       state.SkipWithError("the list is not complete");
       break;
