@@ -7,6 +7,7 @@
 
 namespace stickslip::bench {
 
+using namespace numeric;
 using namespace numeric::families;
 using namespace numeric::motion;
 using namespace proofs::pascal2012;
@@ -15,25 +16,25 @@ namespace {
 
 constexpr int digits = 30;
 
-void decide_all(benchmark::State& state, Family family, const Motion& motion, const Ball& ur) {
+void decide_all(benchmark::State& state, const char * example) {
+  const Problem s = problem(example);
+  const ClosedMotion closed = proved(s, digits);
+  const std::optional<Rational>& given = example_named(example).ur;
+  const Ball ur = given ? Ball(*given) : friction_of(s.family, closed);
   for (auto _ : state) {
-    const std::vector<Condition> conditions = decide_conditions(family, motion, ur);
-    require_proved(state, admissible(conditions));
+    const std::vector<Condition> all = families::conditions(s.family, closed, ur);
+    require_proved(state, admissible(all));
   }
 }
 
 void conditions_S(benchmark::State& state) {
-  const SymmetricOrbit orbit = orbit_S(guess_S(), digits);
-  decide_all(state, Family::symmetric, motion_of(data("S"), orbit), orbit.state.ur);
+  decide_all(state, "S");
 }
-
 void conditions_O(benchmark::State& state) {
-  const OvershootingOrbit orbit = orbit_O(guess_O(), digits);
-  decide_all(state, Family::overshooting, motion_of(data("O"), orbit), orbit.state.ur);
+  decide_all(state, "O");
 }
-
 void conditions_P(benchmark::State& state) {
-  decide_all(state, Family::nonsticking, orbit_P(guess_P(), digits).motion, Ball(*example_named("P").ur));
+  decide_all(state, "P");
 }
 
 BENCHMARK(conditions_S)->Unit(benchmark::kMicrosecond);

@@ -6,25 +6,21 @@
 namespace stickslip::bench {
 namespace {
 
+void enclose(benchmark::State& state, const char * example) {
+  const Problem s = problem(example);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(proved(s, static_cast<int>(state.range(0))));
+  }
+}
+
 void enclose_S(benchmark::State& state) {
-  const Guess guess = guess_S();
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(orbit_S(guess, static_cast<int>(state.range(0))));
-  }
+  enclose(state, "S");
 }
-
 void enclose_O(benchmark::State& state) {
-  const Guess guess = guess_O();
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(orbit_O(guess, static_cast<int>(state.range(0))));
-  }
+  enclose(state, "O");
 }
-
 void enclose_P(benchmark::State& state) {
-  const Guess guess = guess_P();
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(orbit_P(guess, static_cast<int>(state.range(0))));
-  }
+  enclose(state, "P");
 }
 
 void digits(benchmark::internal::Benchmark * b) {

@@ -4,16 +4,12 @@
 #include <benchmark/benchmark.h>
 
 #include <stdexcept>
-#include <vector>
+#include <string>
 
-#include "numeric/families/nonsticking.hpp"
-#include "numeric/families/overshooting.hpp"
-#include "numeric/families/symmetric_list.hpp"
+#include "numeric/orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::bench {
-
-using Guess = model::Vector2<double>;
 
 // What is not proved is not worth measuring.
 inline void require_proved(const Verdict& verdict) {
@@ -32,46 +28,38 @@ inline void require_proved(benchmark::State& state, const Verdict& verdict) {
   return proofs::pascal2012::example_named(example).data;
 }
 
-// (tau, C) of Fig. 2, (tau, tau1) of Fig. 3, (delta, mu) of Fig. 4: to the accuracy of a double.
-[[nodiscard]] inline Guess guess_S() {
-  static const numeric::families::SymmetricState<Ball> s =
-      numeric::families::list_symmetric(data("S"), 20).orbits.at(1).state;
-  return {s.tau.approximate(), s.C.approximate()};
-}
-[[nodiscard]] inline Guess guess_O() {
-  static const numeric::families::OvershootingList list =
-      numeric::families::list_overshooting_at_phase(data("O"), 0, 20);
-  for (const numeric::families::OvershootingOrbit& orbit : list.orbits) {
-    if ((orbit.state.tau - Ball(4.9)).is_positive() && (orbit.state.tau - Ball(5)).is_negative()) {
-      return {orbit.state.tau.approximate(), orbit.state.tau1.approximate()};
+// An example's closing conditions and its motion, to the accuracy of a double: what its proof starts from.
+struct Problem {
+  const numeric::Family& family;
+  numeric::motion::Closing equations;
+  numeric::motion::Given<Rational> given;
+  numeric::motion::Motion guess;
+};
+
+[[nodiscard]] inline Problem problem(const char * name) {
+  const proofs::pascal2012::Example& example = proofs::pascal2012::example_named(name);
+  const numeric::motion::Given<Rational> given{example.data, example.phi, {}};
+  const auto printed = example.results.front();  // tau, or for P Theta, which all orbits have
+  for (const numeric::families::Candidate& candidate : example.family->search(given).candidates) {
+    const Ball& tau = candidate.where.front().value;
+    if (printed.name != "tau" || (abs(tau - Ball(printed.value.value)) - Ball(0.1)).is_negative()) {
+      Problem found{*example.family, candidate.equations, given, candidate.guess};
+      for (numeric::motion::Phase& phase : found.guess.phases) {
+        phase.duration = Ball(phase.duration.approximate());
+        phase.load = Ball(phase.load.approximate());
+        phase.Z = phase.Z.unaryExpr([](const Ball& x) { return Ball(x.approximate()); });
+      }
+      return found;
     }
   }
-  throw std::logic_error("example O is not in its list");
-}
-[[nodiscard]] inline Guess guess_P() {
-  static const numeric::families::NonstickingOrbit orbit =
-      numeric::families::list_nonsticking(data("P"), 20).orbits.at(0);
-  return {orbit.box(0).approximate(), orbit.box(1).approximate()};
+  throw std::logic_error(std::string("example ") + name + " is not in its list");
 }
 
-// The three orbits, proved.
-[[nodiscard]] inline numeric::families::SymmetricOrbit orbit_S(const Guess& guess, int digits) {
-  const numeric::families::SymmetricProof proof =
-      numeric::families::prove_symmetric(data("S"), numeric::families::LoadPhase::first, guess, digits);
-  require_proved(proof.existence);
-  return proof.orbit;
-}
-[[nodiscard]] inline numeric::families::OvershootingOrbit orbit_O(const Guess& guess, int digits) {
-  const numeric::families::OvershootingProof proof =
-      numeric::families::prove_overshooting_at_phase(data("O"), 0, guess, digits);
-  require_proved(proof.existence);
-  return proof.orbit;
-}
-[[nodiscard]] inline numeric::families::NonstickingOrbit orbit_P(const Guess& guess, int digits) {
-  const numeric::families::NonstickingProof proof =
-      numeric::families::prove_nonsticking(data("P"), guess, digits);
-  require_proved(proof.existence);
-  return proof.orbit;
+// The orbit, proved.
+[[nodiscard]] inline numeric::motion::ClosedMotion proved(const Problem& s, int digits) {
+  numeric::motion::ClosedMotion closed = numeric::motion::prove_closed(s.equations, s.given, s.guess, digits);
+  require_proved(closed.existence);
+  return closed;
 }
 
 }  // namespace stickslip::bench

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "bench/examples.hpp"
-#include "numeric/families/parameter_box.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "proofs/methods/example_orbits.hpp"
@@ -13,6 +12,7 @@
 
 namespace stickslip::bench {
 
+using namespace numeric;
 using namespace numeric::families;
 using namespace numeric::motion;
 using namespace numeric::simulation;
@@ -22,14 +22,15 @@ namespace {
 
 constexpr double half_width = 1e-5;
 
-void require_admissible(benchmark::State& state, const BoxOrbit& orbit) {
-  require_proved(state, orbit.existence);
-  require_proved(state, admissible(orbit.conditions));
+void prove_admissible(benchmark::State& state, const Problem& s, const model::Parameters<Ball>& a) {
+  const ClosedMotion closed = prove_closed_over(s.equations, {a}, s.guess);
+  require_proved(state, closed.existence);
+  require_proved(state, admissible(conditions(s.family, closed, friction_of(s.family, closed))));
 }
 
 // chi of example S over one interval, in so many boxes side by side.
 void growth_boxes(benchmark::State& state) {
-  const Guess guess = guess_S();
+  const Problem s = problem("S");
   const long boxes = state.range(0);
   model::Parameters<Ball> a = parameters_as<Ball>(data("S"));
   const Ball middle = a.chi;
@@ -39,21 +40,21 @@ void growth_boxes(benchmark::State& state) {
         return middle + Ball(half_width) * (Ball(2 * i) / Ball(boxes) - Ball(1));
       };
       a.chi = Ball::hull(end(k), end(k + 1));
-      require_admissible(state, prove_symmetric_over(a, 1, {guess(0), guess(1)}));
+      prove_admissible(state, s, a);
     }
   }
 }
 
 // The first so many parameters of example S as intervals.
 void growth_parameters(benchmark::State& state) {
-  const Guess guess = guess_S();
+  const Problem s = problem("S");
   model::Parameters<Ball> a = parameters_as<Ball>(data("S"));
   const std::array<Ball *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
   for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i) {
     *all[i] += Ball::hull(Ball(-half_width), Ball(half_width));
   }
   for (auto _ : state) {
-    require_admissible(state, prove_symmetric_over(a, 1, {guess(0), guess(1)}));
+    prove_admissible(state, s, a);
   }
 }
 

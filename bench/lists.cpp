@@ -1,21 +1,30 @@
-// Complete lists at the examples' data, without any guess; the counter tells how many cells were examined.
+// Complete lists at the examples' data, without any guess, every condition decided; the counter tells how
+// many cells were examined.
 #include <benchmark/benchmark.h>
 
+#include <optional>
+
 #include "bench/examples.hpp"
+#include "proofs/pascal2012/example_orbits.hpp"
 
 namespace stickslip::bench {
 
-using namespace numeric::families;
+using namespace proofs::pascal2012;
 
 namespace {
 
 constexpr int digits = 20;
 
-template <class Lister>
-void list_all(benchmark::State& state, const Lister& list) {
+// The orbits of the example's family, at another u_r if one is given, and their conditions.
+void list_all(benchmark::State& state, const char * example, const std::optional<Rational>& ur = {}) {
+  numeric::OrbitQuestion question = question_of(example_named(example), digits);
+  if (ur) {
+    question.phi.reset();
+    question.ur = Range{*ur};
+  }
   long cells = 0;
   for (auto _ : state) {
-    const auto found = list();
+    const numeric::OrbitList found = numeric::list_orbits(question);
     if (!found.complete()) {
       state.SkipWithError("the list is not complete");
       break;
@@ -26,16 +35,16 @@ void list_all(benchmark::State& state, const Lister& list) {
 }
 
 void list_symmetric_S(benchmark::State& state) {
-  list_all(state, [] { return list_symmetric(data("S"), digits); });
+  list_all(state, "S");
 }
 void list_overshooting_O_at_phi(benchmark::State& state) {
-  list_all(state, [] { return list_overshooting_at_phase(data("O"), 0, digits); });
+  list_all(state, "O");
 }
 void list_overshooting_O_at_ur(benchmark::State& state) {
-  list_all(state, [] { return list_overshooting_at_friction(data("O"), Rational(459, 1000), digits); });
+  list_all(state, "O", Rational(459, 1000));
 }
 void list_nonsticking_P(benchmark::State& state) {
-  list_all(state, [] { return list_nonsticking(data("P"), digits); });
+  list_all(state, "P");
 }
 
 BENCHMARK(list_symmetric_S)->Unit(benchmark::kMillisecond);

@@ -1,10 +1,9 @@
 // Existence and every condition over one box of parameters, in which each of them has the half width that the
 // name tells; items are boxes.
-#include "numeric/families/parameter_box.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include "bench/examples.hpp"
+#include "numeric/motion/shooting.hpp"
 
 namespace stickslip::bench {
 
@@ -23,43 +22,33 @@ model::Parameters<Ball> box(const char * example, double r) {
           widened(a.V, r),   widened(a.omega, r), widened(a.p, r)};
 }
 
-template <class Prover>
-void prove_boxes(benchmark::State& state, const Prover& prove) {
+void prove_boxes(benchmark::State& state, const Problem& s, const Given<Ball>& given) {
   for (auto _ : state) {
-    const BoxOrbit orbit = prove();
-    require_proved(state, orbit.existence);
-    require_proved(state, admissible(orbit.conditions));
+    const ClosedMotion closed = prove_closed_over(s.equations, given, s.guess);
+    require_proved(state, closed.existence);
+    const Ball ur = given.ur.value_or(friction_of(s.family, closed));
+    require_proved(state, admissible(conditions(s.family, closed, ur)));
   }
   state.SetItemsProcessed(state.iterations());
 }
 
 void box_S(benchmark::State& state) {
-  const Guess guess = guess_S();
-  prove_boxes(state, [&] { return prove_symmetric_over(box("S", 1e-5), 1, {guess(0), guess(1)}); });
-}
-
-std::vector<double> state_O() {
-  const OvershootingState<Ball> s = orbit_O(guess_O(), 20).state;
-  return {s.tau.approximate(), s.tau1.approximate(), s.z10.approximate(), s.z20.approximate(),
-          s.zdot10.approximate()};
+  prove_boxes(state, problem("S"), {box("S", 1e-5)});
 }
 
 void box_O_at_phi(benchmark::State& state) {
-  const std::vector<double> guess = state_O();
-  prove_boxes(state, [&] { return prove_overshooting_over(box("O", 1e-7), widened(Ball(0), 1e-7), guess); });
+  prove_boxes(state, problem("O"), {box("O", 1e-7), widened(Ball(0), 1e-7)});
 }
 
 void box_O_at_ur(benchmark::State& state) {
-  std::vector<double> guess = state_O();
-  guess.push_back(0);
-  const Ball ur = widened(orbit_O(guess_O(), 20).state.ur.midpoint(), 1e-7);
-  prove_boxes(state, [&] { return prove_overshooting_at_friction_over(box("O", 1e-7), ur, guess); });
+  Problem s = problem("O");
+  const Ball ur = widened(friction_of(s.family, proved(s, 20)).midpoint(), 1e-7);
+  s.equations = Shooting{s.family.phases, false, true};
+  prove_boxes(state, s, {box("O", 1e-7), {}, ur});
 }
 
 void box_P(benchmark::State& state) {
-  const Guess guess = guess_P();
-  const Ball ur = widened(Ball(Rational(1, 5)), 1e-5);
-  prove_boxes(state, [&] { return prove_nonsticking_over(box("P", 1e-5), ur, {guess(0), guess(1)}); });
+  prove_boxes(state, problem("P"), {box("P", 1e-5), {}, widened(Ball(Rational(1, 5)), 1e-5)});
 }
 
 BENCHMARK(box_S)->Name("box_S, ±1e-5")->Unit(benchmark::kMillisecond);

@@ -7,7 +7,6 @@
 
 namespace stickslip::bench {
 
-using namespace numeric::families;
 using namespace numeric::motion;
 
 namespace {
@@ -25,13 +24,13 @@ void decide(benchmark::State& state, const Motion& motion) {
 }
 
 void multipliers_S(benchmark::State& state) {
-  decide(state, motion_of(data("S"), orbit_S(guess_S(), digits)));
+  decide(state, proved(problem("S"), digits).motion);
 }
 void multipliers_O(benchmark::State& state) {
-  decide(state, motion_of(data("O"), orbit_O(guess_O(), digits)));
+  decide(state, proved(problem("O"), digits).motion);
 }
 void multipliers_P(benchmark::State& state) {
-  decide(state, orbit_P(guess_P(), digits).motion);
+  decide(state, proved(problem("P"), digits).motion);
 }
 
 BENCHMARK(multipliers_S)->Unit(benchmark::kMicrosecond);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "report/orbits/orbit_words.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {
@@ -20,7 +19,7 @@ void set(TypedParameters& parameters, const char * name, const std::optional<Rat
   }
 }
 
-TypedParameters parameters_of(const Example& example, Family family) {
+TypedParameters parameters_of(const Example& example, const Family& family) {
   const ExactParameters& a = example.data;
   TypedParameters parameters;
   set(parameters, "chi", a.chi);
@@ -29,7 +28,7 @@ TypedParameters parameters_of(const Example& example, Family family) {
   set(parameters, "V", a.V);
   set(parameters, "omega", a.omega);
   set(parameters, "p", a.p);
-  if (family == example.family) {
+  if (&family == example.family) {
     set(parameters, "phi", example.phi);
     set(parameters, "ur", example.ur);
   }
@@ -63,21 +62,11 @@ std::optional<Range> optional_range(const TypedParameters& parameters, const std
 
 }  // namespace
 
-Family family_named(const std::string& name) {
-  for (const Family family : {Family::symmetric, Family::overshooting, Family::nonsticking}) {
-    if (name == report::orbits::name_of(family)) {
-      return family;
-    }
-  }
-  throw UsageError(
-      fmt::format("there is no family '{}' of orbits: symmetric, overshooting or nonsticking", name));
-}
-
 TypedParameters read_parameters(const std::string& file) {
   return parse_parameters(report::tools::read_file(file), file);
 }
 
-OrbitQuestion question(const Paper& paper, Family family, const TypedParameters& typed,
+OrbitQuestion question(const Paper& paper, const Family& family, const TypedParameters& typed,
                        const std::string& file, const std::string& example, int digits) {
   TypedParameters all;
   if (!example.empty()) {
@@ -87,7 +76,7 @@ OrbitQuestion question(const Paper& paper, Family family, const TypedParameters&
     replace(all, read_parameters(file));
   }
   replace(all, typed);
-  return {family,
+  return {&family,
           {required_range(all, "chi"), required_range(all, "eta"), required_range(all, "us"),
            required_range(all, "V"), required_range(all, "omega"), required_range(all, "p")},
           optional_range(all, "phi"),

@@ -9,9 +9,6 @@
 
 namespace stickslip::cli {
 
-// The family of that name. Throws UsageError naming the known ones.
-[[nodiscard]] numeric::motion::Family family_named(const std::string& name);
-
 // Those in a file. Throws InputOutputError when it cannot be read, and as parse_parameters does.
 [[nodiscard]] TypedParameters read_parameters(const std::string& file);
 
@@ -19,7 +16,7 @@ namespace stickslip::cli {
 // file and example may be empty. The example's phi or ur counts only for its own family and when neither is
 // given otherwise. Throws UsageError for a missing or malformed parameter.
 [[nodiscard]] numeric::OrbitQuestion question(const proofs::methods::Paper& paper,
-                                              numeric::motion::Family family, const TypedParameters& typed,
+                                              const numeric::Family& family, const TypedParameters& typed,
                                               const std::string& file, const std::string& example,
                                               int digits);
 

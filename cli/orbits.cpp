@@ -41,7 +41,7 @@ void draw(const OrbitList& list, const std::string& file) {
 
 ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
   if (options.family.empty()) {
-    throw UsageError("a family of orbits is missing: symmetric, overshooting or nonsticking");
+    throw UsageError("a family of orbits is missing: " + families::names_of_families());
   }
   const OrbitQuestion asked = question(
       paper, family_named(options.family), options.parameters, options.file, options.example,

@@ -92,7 +92,7 @@ model::Vector4<double> four_numbers(const std::string& name, const std::string& 
 
 // The beginning of the example's orbit.
 Start start_of_example(const Example& example) {
-  const DecidedOrbit& orbit = printed_orbit(example);
+  const Orbit& orbit = printed_orbit(example);
   const MotionOf<double> motion = in_double(orbit.motion);
   const PhaseOf<double>& first = motion.phases.front();
   Start start{motion.oscillator.data, 0, first.load, first.Z};

@@ -8,7 +8,7 @@
 // and (36) exactly if C exceeds eta ur/omega. As p/(q2 omega) is fixed by the data, p > least says both.
 #pragma once
 
-#include "numeric/families/nonsticking.hpp"
+#include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::families {
 

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/zeros/search.hpp"
 
 namespace stickslip::numeric::families {
 
 using namespace motion;
-using namespace scalars;
 using namespace zeros;
 
 namespace {
 
 constexpr long search_bits = 64;
+constexpr long guess_bits = 128;
 
 // The search looks at x = (delta/pi, mu/pi). It covers [0, 1] × an interval of length 2 with a little to
 // spare: then the halvings do not meet delta = pi/2 and sin(mu) = 0, where zeros with a symmetry lie and
@@ -23,7 +23,7 @@ constexpr double mu_first = -0.9137;
 constexpr double mu_last = 1.0868;
 
 struct Scaled {
-  const TwoSlips& f;
+  TwoSlips f;
 
   template <class T>
   [[nodiscard]] model::Vector2<T> operator()(const model::Vector2<T>& x) const {
@@ -40,53 +40,99 @@ void require_no_resonance(const ExactParameters& a) {
   }
 }
 
-Ball smaller(const Ball& a, const Ball& b) {
-  Ball result;
-  arb_min(result.raw(), a.raw(), b.raw(), WorkingPrecision::bits());
-  return result;
-}
-
-// The friction at rest at the start of phase k.
-Ball friction_at_start(const Motion& motion, std::size_t k) {
-  return model::friction_at<Ball>(motion.oscillator.data, motion.phases[k].Z, motion.phases[k].load);
-}
-
-// The same zero modulo 2 pi in mu.
-bool same_zero(const NonstickingOrbit& a, const NonstickingOrbit& b) {
-  for (const int turn : {-1, 1}) {
-    Box<2> shifted = b.box;
-    shifted(1) += Ball(2 * turn) * Ball::pi();
-    if (contains<2>(a.unique, shifted)) {
+// Whether the zero lies in the box, modulo 2 pi in mu.
+bool lies_in(const Box<2>& box, Box<2> zero) {
+  zero(1) -= Ball(2);
+  for (int turn = -1; turn <= 1; ++turn) {
+    if (contains<2>(box, zero)) {
       return true;
     }
+    zero(1) += Ball(2);
   }
   return false;
 }
 
-// A proved (delta, mu), to `digits` digits.
-Box<2> refined(const ExactParameters& a, const Box<2>& zero, int digits) {
-  return refine<2>([&a] { return two_slips_of(parameters_as<Ball>(a)); }, zero, bits_for(digits));
+// (tau, phi) at (delta/pi, mu/pi), phi in [-pi, pi] or a little outside.
+std::vector<NamedBall> tau_and_phi(const TwoSlips& f, const Box<2>& x) {
+  Ball phi = (x(1) - x(0)) * f.pi;
+  if ((phi + f.pi).is_negative()) {
+    phi += Ball(2) * f.pi;
+  }
+  return {{"tau", Ball(2) * f.pi * x(0) / f.o.data.omega}, {"phi", phi}};
 }
 
-void conclude(const ExactParameters& a, const FoundZero<2>& found, int digits, NonstickingList& list) {
-  const Box<2> box = refined(a, found.zero * Ball::pi(), digits);
-  const WorkingPrecision scope(bits_for(digits) + 64);
-  const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
-  const Ball beyond = box(0) - f.pi;
-  if (box(0).is_negative() || beyond.is_positive()) {
-    return;
+// The zero, refined, as a motion to be proved.
+Candidate candidate(const TwoSlips& f, const Box<2>& x, const Box<2>& unique) {
+  const std::vector<NamedBall> where = tau_and_phi(f, x);
+  const Closing equations = NonstickingClosing{};
+  const Ball delta = f.pi * x(0);
+  Vector delta_mu(2);
+  delta_mu << delta, where[1].value + delta;
+  const Motion guess = equations.motion<Ball>(delta_mu, equations.parameters({f.o.data}));
+  const auto is_same = [unique](const Motion& motion) {
+    const Phase& slip = motion.phases[0];
+    const Ball share = slip.duration / period(motion);
+    return lies_in(unique, {share, slip.load / Ball::pi() + share});
+  };
+  return {equations, guess, where, is_same};
+}
+
+// All zeros, refined, but for those outside, at the edge, and the same again modulo 2 pi.
+void conclude(const ExactParameters& a, const std::vector<FoundZero<2>>& zeros, Found& result) {
+  std::vector<FoundZero<2>> known;
+  for (const FoundZero<2>& zero : zeros) {
+    const auto recipe = [&] { return Scaled{two_slips_of(parameters_as<Ball>(a))}; };
+    const Box<2> x = refine<2>(recipe, zero.zero, guess_bits);
+    const TwoSlips f = recipe().f;
+    const Place at = place(x(0));
+    if (at == Place::at_edge) {
+      result.unresolved.push_back({tau_and_phi(f, x), no_time_at_all});
+    } else if (at == Place::inside &&
+               std::none_of(known.begin(), known.end(), [&](const FoundZero<2>& other) {
+                 return lies_in(other.unique, x) || lies_in(zero.unique, other.zero);
+               })) {
+      known.push_back({x, zero.unique});
+      result.candidates.push_back(candidate(f, x, zero.unique));
+    }
   }
-  const NonstickingOrbit orbit = describe_nonsticking(f, box, found.unique * f.pi);
-  if (!box(0).is_positive() || !beyond.is_negative()) {
-    list.unresolved.push_back({orbit.tau, box(1), "a motion one of whose phases may last no time at all"});
-    return;
+  const auto key = [](const Candidate& c) {
+    return std::pair(c.where[0].value.approximate(), c.where[1].value.approximate());
+  };
+  std::sort(result.candidates.begin(), result.candidates.end(),
+            [&](const Candidate& x, const Candidate& y) { return key(x) < key(y); });
+}
+
+Found search_nonsticking(const Given<Rational>& given) {
+  const ExactParameters& a = given.data;
+  require_model_domain(a);
+  require_no_resonance(a);
+  Found result;
+  if (a.p == 0 || a.omega == 1) {
+    if (a.V == 0) {
+      const Ball pi = Ball::pi(), share = Ball::hull(Ball(0), Ball(1));
+      result.unresolved.push_back(
+          {{{"tau", Ball(2) * pi / Ball(a.omega) * share}, {"phi", Ball::hull(-pi, pi) - pi * share}},
+           "$q2 = 0$: the load does not act on $x2$ and its phase is free"});
+    }
+    return result;
   }
-  const bool known = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const NonstickingOrbit& other) {
-    return same_zero(other, orbit) || same_zero(orbit, other);
-  });
-  if (!known) {
-    list.orbits.push_back(orbit);
+  SearchResult<2> found;
+  {
+    const WorkingPrecision scope(search_bits);
+    const Scaled g{two_slips_of(parameters_as<Ball>(a))};
+    found = search<2>({{0, mu_first}, {delta_last, mu_last}}, KrawczykContractor<2, Scaled>{g},
+                      KrawczykDecider<2, Scaled>{g}, {0x1p-30, 200000});
+    for (const UnresolvedBox<2>& open : found.unresolved) {
+      if (!(open.box(0) - Ball(1)).is_positive()) {
+        const Ball tau = Ball(2) * g.f.pi * open.box(0) / g.f.o.data.omega;
+        result.unresolved.push_back(
+            {{{"tau", tau}, {"phi", open.box(1) * g.f.pi - g.f.o.data.omega * tau / Ball(2)}}, open.reason});
+      }
+    }
   }
+  result.cells = found.cells;
+  conclude(a, found.zeros, result);
+  return result;
 }
 
 Condition condition(const char * id, const char * statement, const Ball& margin) {
@@ -99,6 +145,22 @@ Condition condition(const char * id, const char * statement, const Ball& margin)
   return result;
 }
 
+// Without u_r: that some u_r > u_s satisfies (25) and (26). With it (36), which is about the half-period
+// orbit: for V = 0 where tau may be Theta/2.
+std::vector<Condition> further(const Motion& motion, const Ball& ur_max, const std::optional<Ball>& ur) {
+  const model::Oscillator<Ball>& o = motion.oscillator;
+  const model::Parameters<Ball>& a = o.data;
+  const Phase& slip = motion.phases[0];
+  if (!ur) {
+    return {condition("ur_max", "$min(r(0), -r(tau)) > us$", ur_max - a.us)};
+  }
+  if (arb_is_zero(a.V.raw()) == 0 || !(a.omega * slip.duration).overlaps(Ball::pi())) {
+    return {};
+  }
+  return {condition("36", "$chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0$",
+                    (a.chi * a.eta * (o.Q(1) - o.Q(0)) - a.p) * cos(slip.load) - a.eta * *ur)};
+}
+
 }  // namespace
 
 TwoSlips two_slips_of(const model::Parameters<Ball>& a) {
@@ -106,110 +168,38 @@ TwoSlips two_slips_of(const model::Parameters<Ball>& a) {
   return {o, model::modal_rest<Ball>(o.modes, o.d0), Ball::pi()};
 }
 
-NonstickingOrbit describe_nonsticking(const TwoSlips& f, const Box<2>& box, const Box<2>& unique) {
-  const Ball& omega = f.o.data.omega;
-  NonstickingOrbit orbit;
-  orbit.box = box;
-  orbit.unique = unique;
-  orbit.Theta = Ball(2) * f.pi / omega;
-  orbit.phi = box(1) - box(0);
-  if ((orbit.phi + f.pi).is_negative()) {
-    orbit.phi += Ball(2) * f.pi;
+Vector NonstickingClosing::unknowns(const Motion& motion) const {
+  if (motion.phases.size() != 2) {
+    throw InternalError("a motion of other phases than a slip and an overshoot");
   }
-  orbit.motion = two_slips_motion<Ball>(f.o, f.c, f.pi, box(0), box(1));
-  orbit.tau = orbit.motion.phases[0].duration;
-  orbit.tau1 = orbit.motion.phases[1].duration;
-  const model::Vector4<Ball>& Z0 = orbit.motion.phases[0].Z;
-  orbit.x10 = Z0(0) + f.o.d0(0);
-  orbit.x20 = Z0(1) + f.o.d0(1);
-  orbit.xdot10 = Z0(2);
-  orbit.ur_max = smaller(friction_at_start(orbit.motion, 0), -friction_at_start(orbit.motion, 1));
-  return orbit;
+  const Phase& slip = motion.phases[0];
+  const Ball delta = motion.oscillator.data.omega * slip.duration / Ball(2);
+  Vector x(2);
+  x << delta, slip.load + delta;
+  return x;
 }
 
-NonstickingProof prove_nonsticking(const ExactParameters& a, const model::Vector2<double>& guess,
-                                   int digits) {
-  require_model_domain(a);
-  require_no_resonance(a);
-  ZeroProof<2> zero;
-  {
-    const WorkingPrecision scope(128);
-    zero = prove_zero_near<2>(two_slips_of(parameters_as<Ball>(a)), Box<2>(Ball(guess(0)), Ball(guess(1))));
-  }
-  if (zero.verdict.truth != Truth::proved) {
-    return {zero.verdict, {}};
-  }
-  const Box<2> box = refined(a, zero.box, digits);
-  const WorkingPrecision scope(bits_for(digits) + 64);
-  const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
-  if (!box(0).is_positive() || !(box(0) - f.pi).is_negative()) {
-    return {Verdict::undecided("a motion one of whose phases may last no time at all"), {}};
-  }
-  return {zero.verdict, describe_nonsticking(f, box, zero.unique)};
-}
-
-NonstickingList list_nonsticking(const ExactParameters& a, int digits) {
-  require_model_domain(a);
-  require_no_resonance(a);
-  NonstickingList list;
-  if (a.p == 0 || a.omega == 1) {
-    if (a.V == 0) {
-      const Ball Theta = Ball(2) * Ball::pi() / Ball(a.omega);
-      const Ball circle = Ball::hull(-Ball::pi(), Ball::pi());
-      list.unresolved.push_back({Ball::hull(Ball(0), Theta), circle,
-                                 "$q2 = 0$: the load does not act on $x2$ and its phase is free"});
-    }
-    return list;
-  }
-  SearchResult<2> result;
-  {
-    const WorkingPrecision scope(search_bits);
-    const TwoSlips f = two_slips_of(parameters_as<Ball>(a));
-    const Scaled g{f};
-    result = search<2>({{0, mu_first}, {delta_last, mu_last}}, KrawczykContractor<2, Scaled>{g},
-                       KrawczykDecider<2, Scaled>{g}, {0x1p-30, 200000});
-    for (const UnresolvedBox<2>& open : result.unresolved) {
-      if ((open.box(0) - Ball(1)).is_positive()) {
-        continue;
-      }
-      list.unresolved.push_back(
-          {Ball(2) * f.pi * open.box(0) / f.o.data.omega, open.box(1) * f.pi, open.reason});
-    }
-  }
-  list.cells = result.cells;
-  for (const FoundZero<2>& found : result.zeros) {
-    conclude(a, found, digits, list);
-  }
-  std::sort(list.orbits.begin(), list.orbits.end(), [](const auto& x, const auto& y) {
-    return std::pair(x.tau.approximate(), x.phi.approximate()) <
-           std::pair(y.tau.approximate(), y.phi.approximate());
-  });
-  return list;
-}
-
-Condition room_for_friction(const Ball& ur_max, const Ball& us) {
-  return condition("ur_max", "$min(r(0), -r(tau)) > us$", ur_max - us);
-}
-
-std::optional<Condition> condition_36(const model::Oscillator<Ball>& o, const Ball& delta, const Ball& phi,
-                                      const Ball& ur) {
-  const model::Parameters<Ball>& a = o.data;
-  if (arb_is_zero(a.V.raw()) == 0 || !(Ball(2) * delta).overlaps(Ball::pi())) {
-    return std::nullopt;
-  }
-  const Ball left = (a.chi * a.eta * (o.Q(1) - o.Q(0)) - a.p) * cos(phi) - a.eta * ur;
-  return condition("36", "$chi eta (q2 - q1) cos(phi) - p cos(phi) - eta ur > 0$", left);
-}
-
-std::vector<Condition> nonsticking_conditions(const NonstickingOrbit& orbit, const std::optional<Ball>& ur) {
-  std::vector<Condition> conditions = decide_conditions(Family::nonsticking, orbit.motion, ur);
-  const model::Oscillator<Ball>& o = orbit.motion.oscillator;
-  if (!ur) {
-    conditions.push_back(room_for_friction(orbit.ur_max, o.data.us));
-  } else if (const std::optional<Condition> load = condition_36(o, orbit.box(0), orbit.phi, *ur)) {
-    conditions.push_back(*load);
-  }
-  return conditions;
+const Family& nonsticking() {
+  static const Family family{
+      .name = "nonsticking",
+      .title = "Non-sticking orbits: slip on $(0, tau)$, overshoot on $(tau, Theta)$",
+      .phases = {PhaseKind::slip, PhaseKind::overshoot},
+      .durations = {"tau", "tau1"},
+      .requirements =
+          joined({sound_data({"tau", "tau1"}),
+                  {{"25", "$z2'(0) = V$, $chi eta (z20 - z10) > p cos(phi) + eta (ur - us)$",
+                    Quantity::beyond_ur, 0},
+                   {"26", "$z2'(tau) = V$, $chi eta (z2B - z1B) < p cos(omega tau + phi) - eta (ur + us)$",
+                    Quantity::beyond_minus_ur, 1},
+                   slips(0, "$z2' < V$ for $0 < t < tau$"),
+                   overshoots(1, "$z2' > V$ for $tau < t < Theta$")}}),
+      .why_no_phi = "phi is not given for non-sticking orbits: it is a result",
+      .why_no_ur = "",
+      .why_one_of_phi_ur = "",
+      .searched = [](const OrbitQuestion&) { return std::string("$0 <= tau <= Theta$, every $phi$"); },
+      .search = search_nonsticking,
+      .further = further};
+  return family;
 }
 
 }  // namespace stickslip::numeric::families

@@ -1,132 +1,215 @@
 #include "numeric/families/symmetric.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 #include "core/error.hpp"
+#include "numeric/families/end_rows.hpp"
+#include "numeric/zeros/search.hpp"
 
 namespace stickslip::numeric::families {
 
 using namespace motion;
-using namespace scalars;
 using namespace zeros;
 
 namespace {
 
-using model::Vector2;
-using model::Vector4;
+using Vector1 = Box<1>;
+using Data = model::SymmetricData<Ball>;
+constexpr long search_bits = 64;
+constexpr long guess_bits = 128;
 
-// C from the row whose left side is larger.
-double amplitude(const model::SymmetricRows<double>& rows) {
-  const int j = std::abs(rows.left(0)) > std::abs(rows.left(1)) ? 0 : 1;
-  return rows.right(j) / rows.left(j);
+// Which rows vanish identically at an end: decided in rationals.
+struct EndZeros {
+  bool origin;                   // omega = 1/k: both left sides vanish at tau = 0
+  std::array<bool, 2> resonant;  // omega_j = k omega, k > 1: row j vanishes at T = 0
+};
+
+EndZeros end_zeros(const ExactParameters& a) {
+  const Resonances k = resonances(a);
+  return {a.omega.get_num() == 1, {k.first > 1, k.second > 1}};
 }
 
-// The residuals of the orbit in the paper's own terms, computed from the flows and not from the reduction.
-void close_in_all_components(const ExactParameters& a, SymmetricOrbit& orbit) {
-  const Equations16<Ball> sixteen = equations_16<Ball>(a, orbit.phase);
-  const model::SymmetricData<Ball>& data = sixteen.data;
-  const SymmetricState<Ball>& s = orbit.state;
-  const Vector2<Ball> Q = sixteen.Q * data.sigma;
-  const Vector4<Ball> Z0(s.z10, s.z20, s.zdot10, s.zdot20);
-  const Vector4<Ball> EZ0(-s.z10, -s.z20, s.zdot10, s.zdot20);
-  orbit.residual13 = model::slip_flow<Ball>(data.m, Q, data.omega, s.phi, Z0, s.tau) - EZ0;
-  orbit.residual15 = Z0 - model::stick_flow<Ball>(data.chi, EZ0, s.T);
-  orbit.residual16 = sixteen(Vector4<Ball>(s.tau, s.z10, s.z20, s.zdot10));
-  for (const Vector4<Ball>& residual : {orbit.residual13, orbit.residual15, orbit.residual16}) {
-    for (int i = 0; i < 4; ++i) {
-      if (residual(i).is_nonzero()) {
-        throw InternalError("a zero of the reduced equations of Section 4 does not close through the flows");
-      }
+EndRows end_rows(const Data& d, const Ball& t) {
+  return {d.m, d.omega, t};
+}
+
+// omega = 1/k. At tau = 0 the left sides vanish and the right sides are V omega_k² omega_j Theta/2 > 0: no
+// orbit. Beside it the divided eliminant decides.
+bool excluded_at_origin(const Data& data, const Ball& tau) {
+  const EndRows end = end_rows(data, tau);
+  const model::Vector2<Ball> right = model::symmetric_rows(data, tau).right;
+  const Ball quotient =
+      end.left(data.m.omega2, data.m.lambda1) * right(0) - end.left(data.m.omega1, data.m.lambda2) * right(1);
+  return end.applies() && quotient.is_nonzero() && right(0).is_positive();
+}
+
+// omega_j = k omega: row j holds at T = 0 whatever C. For T > 0 the divided eliminant decides.
+bool excluded_before_end(const Data& data, const std::array<bool, 2>& resonant, const Ball& tau) {
+  const EndRows end = end_rows(data, data.Theta - tau);
+  model::SymmetricRows<Ball> rows = model::symmetric_rows(data, tau);
+  const auto divide = [&](const Ball& omega_j, const Ball& omega_k, const Ball& lambda_k, int j) {
+    rows.left(j) = -end.left(omega_j, lambda_k);
+    rows.right(j) = data.V * omega_k * omega_k * end.cubic(omega_j) +
+                    data.sigma * data.p * end.transfer(omega_j, data.omega);
+  };
+  if (resonant[0]) {
+    divide(data.m.omega1, data.m.omega2, data.m.lambda2, 0);
+  }
+  if (resonant[1]) {
+    divide(data.m.omega2, data.m.omega1, data.m.lambda1, 1);
+  }
+  return end.applies() && (rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1)).is_nonzero();
+}
+
+// The search's contractor: Krawczyk's, helped out at the ends where the eliminant has a multiple zero that is
+// no stick-slip orbit.
+struct Contractor {
+  const SymmetricEliminant& f;
+  EndZeros zeros;
+
+  std::optional<Vector1> operator()(const Vector1& X) const {
+    const Ball tau = f.data.Theta * X(0);
+    const bool at_end = (X(0) - Ball(1)).contains_zero() && (zeros.resonant[0] || zeros.resonant[1]);
+    if ((zeros.origin && X(0).contains_zero() && excluded_at_origin(f.data, tau)) ||
+        (at_end && excluded_before_end(f.data, zeros.resonant, tau))) {
+      return std::nullopt;
+    }
+    return KrawczykContractor<1, SymmetricEliminant>{f}(X);
+  }
+};
+
+// C at tau, from the row whose left side keeps farther away from zero; nothing when both may vanish.
+std::optional<Ball> amplitude(const Data& data, const Ball& tau) {
+  const model::SymmetricRows<Ball> rows = model::symmetric_rows(data, tau);
+  const int j = magnitude(rows.left(0)) > magnitude(rows.left(1)) ? 0 : 1;
+  for (const int k : {j, 1 - j}) {
+    if (rows.left(k).is_nonzero()) {
+      return rows.right(k) / rows.left(k);
     }
   }
+  return std::nullopt;
+}
+
+// A zero of the eliminant is an orbit when C can be had from a row.
+struct Decider {
+  const SymmetricEliminant& f;
+
+  Decision<1> operator()(const Vector1& X) const {
+    const Decision<1> decision = KrawczykDecider<1, SymmetricEliminant>{f}(X);
+    if (decision.found && !amplitude(f.data, f.data.Theta * decision.found->zero(0))) {
+      return {std::nullopt, false,
+              "the amplitude $C$ cannot be eliminated: both of its coefficients may vanish here"};
+    }
+    return decision;
+  }
+};
+
+std::vector<NamedBall> tau_and_phi(const Data& data, const Ball& tau) {
+  return {{"tau", tau}, {"phi", model::symmetric_phase<Ball>(data, Ball::pi(), tau)}};
+}
+
+// The zero refined and looked at: an orbit of the list, outside the domain, or at its very end.
+void conclude(const ExactParameters& a, LoadPhase phase, const FoundZero<1>& found, Found& result) {
+  const auto here = [&] { return SymmetricEliminant{symmetric_data(a, phase)}; };
+  const Vector1 u = refine<1>(here, found.zero, guess_bits);
+  const Data data = here().data;
+  const Ball tau = data.Theta * u(0);
+  const Place at = place(u(0));
+  const std::vector<NamedBall> where = tau_and_phi(data, tau);
+  if (at == Place::at_edge) {
+    result.unresolved.push_back({where, no_time_at_all});
+  } else if (at == Place::inside) {
+    const Closing equations = SymmetricClosing{phase};
+    Vector tau_C(2);
+    tau_C << tau, *amplitude(data, tau);
+    const Motion guess = equations.motion<Ball>(tau_C, equations.parameters({parameters_as<Ball>(a)}));
+    const auto is_same = [found](const Motion& motion) {
+      return found.unique(0).contains(motion.phases[0].duration / period(motion));
+    };
+    result.candidates.push_back({equations, guess, where, is_same});
+  }
+}
+
+void search_phase(const ExactParameters& a, LoadPhase phase, const EndZeros& zeros, Found& result) {
+  SearchResult<1> found;
+  {
+    const WorkingPrecision scope(search_bits);
+    const SymmetricEliminant f{symmetric_data(a, phase)};
+    found = search<1>({{0}, {1}}, Contractor{f, zeros}, Decider{f});
+    for (const UnresolvedBox<1>& open : found.unresolved) {
+      result.unresolved.push_back({tau_and_phi(f.data, f.data.Theta * open.box(0)), open.reason});
+    }
+  }
+  std::sort(found.zeros.begin(), found.zeros.end(),
+            [](const auto& x, const auto& y) { return x.zero(0).approximate() < y.zero(0).approximate(); });
+  for (const FoundZero<1>& zero : found.zeros) {
+    conclude(a, phase, zero, result);
+  }
+  result.cells += found.cells;
+}
+
+// Both load phases; what stays open is a multiple zero, an orbit whose stick or slip may last no time at all,
+// or a tau at which C cannot be eliminated.
+Found search_symmetric(const Given<Rational>& given) {
+  const ExactParameters& a = given.data;
+  require_stick_slip_domain(a);
+  Found result;
+  const EndZeros zeros = end_zeros(a);
+  search_phase(a, LoadPhase::first, zeros, result);
+  if (a.p == 0) {  // both load phases have the same orbits
+    result.remarks.push_back(Remark::load_absent);
+  } else {
+    search_phase(a, LoadPhase::second, zeros, result);
+  }
+  // At T = 0 (13) and (15) then hold for a motion that slips all the time.
+  if (zeros.resonant[0] || zeros.resonant[1]) {
+    result.remarks.push_back(Remark::closes_without_stick);
+  }
+  return result;
 }
 
 }  // namespace
 
-Motion motion_of(const ExactParameters& a, const SymmetricOrbit& orbit) {
-  const WorkingPrecision scope(orbit.bits);
-  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(a));
-  const SymmetricState<Ball>& s = orbit.state;
-  const Vector4<Ball> Z0(s.z10, s.z20, s.zdot10, s.zdot20);
-  const Vector4<Ball> ZC(-s.z10, -s.z20, s.zdot10, s.zdot20);
-  return {o,
-          {{PhaseKind::slip, Ball(0), s.tau, s.phi, Z0},
-           {PhaseKind::stick, s.tau, s.T, Ball(s.phi + o.data.omega * s.tau), ZC}}};
+Vector SymmetricClosing::unknowns(const Motion& motion) const {
+  if (motion.phases.size() != 2) {
+    throw InternalError("a symmetric motion with other phases than a slip and a stick");
+  }
+  const model::Parameters<Ball>& a = motion.oscillator.data;
+  const Phase& slip = motion.phases[0];
+  const Ball half_T = motion.phases[1].duration / Ball(2);
+  Vector x(2);
+  x << slip.duration, (slip.Z(0) - a.chi * slip.Z(1)) * sin(half_T) + (slip.Z(2) - a.chi * a.V) * cos(half_T);
+  return x;
 }
 
-SymmetricOrbit describe_symmetric(const ExactParameters& a, LoadPhase phase, const Box<2>& tau_C) {
-  SymmetricOrbit orbit;
-  orbit.phase = phase;
-  orbit.bits = WorkingPrecision::bits();
-  orbit.state = symmetric_state<Ball>(a, phase, tau_C);
-  close_in_all_components(a, orbit);
-  return orbit;
+model::SymmetricData<Ball> symmetric_data(const ExactParameters& a, LoadPhase phase) {
+  return SymmetricClosing{phase}.data<Ball>(
+      Closing(SymmetricClosing{phase}).parameters({parameters_as<Ball>(a)}));
 }
 
-std::vector<Vector2<double>> symmetric_guesses(const ExactParameters& a, LoadPhase phase) {
-  const model::SymmetricData<double> data = symmetric_data<double>(a, phase);
-  const SymmetricClosing<double> closing{data};
-  const int steps = 32 + static_cast<int>(32 * data.Theta * (data.m.omega2 + data.omega));
-  std::vector<Vector2<double>> guesses;
-  double before = model::symmetric_eliminant(data, 0.0);
-  for (int i = 1; i <= steps; ++i) {
-    const double tau = data.Theta * i / steps;
-    const double here = model::symmetric_eliminant(data, tau);
-    if (before * here < 0) {
-      const double middle = tau - data.Theta / steps * std::abs(here) / (std::abs(here) + std::abs(before));
-      const double C = amplitude(model::symmetric_rows(data, middle));
-      if (const auto zero = newton<double, 2>(closing, Vector2<double>(middle, C), 20)) {
-        guesses.push_back(*zero);
-      }
-    }
-    before = here;
-  }
-  return guesses;
-}
-
-SymmetricProof prove_symmetric(const ExactParameters& a, LoadPhase phase, const Vector2<double>& guess,
-                               int digits) {
-  require_stick_slip_domain(a);
-  const auto recipe = [&] { return SymmetricClosing<Ball>{symmetric_data<Ball>(a, phase)}; };
-  ZeroProof<2> zero;
-  {
-    const WorkingPrecision scope(128);
-    zero = prove_zero_near<2>(recipe(), Box<2>(Ball(guess(0)), Ball(guess(1))));
-  }
-  if (zero.verdict.truth != Truth::proved) {
-    return {zero.verdict, {}};
-  }
-  const WorkingPrecision scope(bits_for(digits) + 64);
-  SymmetricProof proof{zero.verdict,
-                       describe_symmetric(a, phase, refine<2>(recipe, zero.box, bits_for(digits)))};
-  proof.orbit.tau_unique = zero.unique(0);
-  proof.orbit.C_unique = zero.unique(1);
-  return proof;
-}
-
-std::vector<SymmetricProof> solve_symmetric(const ExactParameters& a, int digits) {
-  require_stick_slip_domain(a);
-  std::vector<SymmetricProof> proofs;
-  for (const LoadPhase phase : {LoadPhase::first, LoadPhase::second}) {
-    for (const Vector2<double>& guess : symmetric_guesses(a, phase)) {
-      proofs.push_back(prove_symmetric(a, phase, guess, digits));
-    }
-  }
-  return proofs;
-}
-
-PrintedZero printed_zero_of_16(const ExactParameters& a, LoadPhase phase,
-                               const std::array<Decimal, 4>& printed) {
-  require_stick_slip_domain(a);
-  const Equations16<Ball> f = equations_16<Ball>(a, phase);
-  Box<4> point;
-  Box<4> interval;
-  for (int i = 0; i < 4; ++i) {
-    const Decimal& decimal = printed[static_cast<std::size_t>(i)];
-    point(i) = Ball(decimal.value);
-    interval(i) = printed_interval(decimal);
-  }
-  return {f(point), f(interval), krawczyk_test<4>(f, interval).verdict};
+const Family& symmetric() {
+  static const Family family{
+      .name = "symmetric",
+      .title = "Symmetric orbits: slip on $(0, tau)$, stick on $(tau, Theta)$",
+      .phases = {PhaseKind::slip, PhaseKind::stick},
+      .durations = {"tau", "T"},
+      .requirements = joined(
+          {sound_data({"tau", "T"}),
+           slip_after_stick(),
+           sticks_at("14", 1, "tau"),
+           {{"f1", "$f1 <= 0$ for $tau < t < Theta$", Quantity::below_ur, 1, true, {false, true}, false},
+            {"f2", "$f2 > 0$ for $tau < t < Theta$", Quantity::above_minus_ur, 1, true}}}),
+      .why_no_phi = "phi is not given for symmetric orbits: the symmetry fixes it, (pi - omega tau)/2",
+      .why_no_ur = "ur is not given for symmetric orbits: it is a result, by (12)",
+      .why_one_of_phi_ur = "",
+      .searched =
+          [](const OrbitQuestion&) {
+            return std::string(
+                "$0 <= tau <= Theta$ at both load phases, $phi = (pi - omega tau)/2$ and that $+ pi$");
+          },
+      .search = search_symmetric};
+  return family;
 }
 
 }  // namespace stickslip::numeric::families

@@ -14,11 +14,6 @@ namespace {
 
 constexpr int shown_digits = 10;
 
-bool needs_ur(Quantity quantity) {
-  return quantity != Quantity::below_belt && quantity != Quantity::above_belt &&
-         quantity != Quantity::duration && quantity != Quantity::slipping_friction;
-}
-
 // The quantities that are functions of time are a factor times x2' or r plus an offset.
 struct Affine {
   bool of_speed;
@@ -139,8 +134,8 @@ Condition decide_with(const Motion& motion, const std::vector<model::PhaseWaves<
 }
 
 // The verdict of closes, from the waves of all phases.
-Verdict closes_with(Family family, const Motion& motion, const std::vector<model::PhaseWaves<Ball>>& known) {
-  const std::vector<PhaseKind> kinds = phase_kinds(family);
+Verdict closes_with(const std::vector<PhaseKind>& kinds, const Motion& motion,
+                    const std::vector<model::PhaseWaves<Ball>>& known) {
   bool same = kinds.size() == motion.phases.size();
   for (std::size_t k = 0; same && k < kinds.size(); ++k) {
     same = kinds[k] == motion.phases[k].kind;
@@ -168,23 +163,19 @@ Condition decide(const Motion& motion, const std::optional<Ball>& ur, const Requ
   return decide_with(motion, {}, ur, q);
 }
 
-Verdict closes(Family family, const Motion& motion) {
-  return closes_with(family, motion, all_waves(motion));
+Verdict closes(const std::vector<PhaseKind>& kinds, const Motion& motion) {
+  return closes_with(kinds, motion, all_waves(motion));
 }
 
-std::vector<Condition> decide_conditions(Family family, const Motion& motion, const std::optional<Ball>& ur) {
-  return decide_conditions(family, motion, all_waves(motion), ur);
-}
-
-std::vector<Condition> decide_conditions(Family family, const Motion& motion,
-                                         const std::vector<model::PhaseWaves<Ball>>& known,
-                                         const std::optional<Ball>& ur) {
+std::vector<Condition> decide_all(const std::vector<PhaseKind>& kinds, const Requirements& requirements,
+                                  const Motion& motion, const std::vector<model::PhaseWaves<Ball>>& waves,
+                                  const std::optional<Ball>& ur) {
   std::vector<Condition> result;
-  const Verdict closing = closes_with(family, motion, known);
-  for (const Requirement& requirement : requirements(family, ur.has_value())) {
+  const Verdict closing = closes_with(kinds, motion, waves);
+  for (const Requirement& requirement : requirements) {
     result.push_back(closing.truth == Truth::refuted
                          ? Condition{requirement.id, requirement.statement, closing, {}, {}, {}}
-                         : decide_with(motion, known, ur, requirement));
+                         : decide_with(motion, waves, ur, requirement));
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/verdict.hpp"
+#include "numeric/motion/motion.hpp"
 #include "numeric/motion/requirements.hpp"
 
 namespace stickslip::numeric::motion {
@@ -31,22 +32,19 @@ struct Condition {
 [[nodiscard]] Condition decide(const Motion& motion, const std::optional<Ball>& ur,
                                const Requirement& requirement);
 
-// Decides all requirements of the family. When the phases are not those of the family, or a gap between them
-// excludes zero, every condition is refuted with that reason. ur may be missing for the non-sticking family
-// only (InternalError).
-[[nodiscard]] std::vector<Condition> decide_conditions(Family family, const Motion& motion,
-                                                       const std::optional<Ball>& ur);
-
-// The same with the waves of all phases known, perhaps better than from the states of the motion.
-[[nodiscard]] std::vector<Condition> decide_conditions(Family family, const Motion& motion,
-                                                       const std::vector<model::PhaseWaves<Ball>>& known,
-                                                       const std::optional<Ball>& ur);
+// Decides all requirements on a motion through phases of these kinds, with the waves of all phases known.
+// When the motion's phases are others, or a gap between them excludes zero, every condition is refuted with
+// that reason. ur may be missing when no requirement needs it (InternalError).
+[[nodiscard]] std::vector<Condition> decide_all(const std::vector<PhaseKind>& kinds,
+                                                const Requirements& requirements, const Motion& motion,
+                                                const std::vector<model::PhaseWaves<Ball>>& waves,
+                                                const std::optional<Ball>& ur);
 
 // "All of them hold": proved is what `admissible` means.
 [[nodiscard]] Verdict admissible(const std::vector<Condition>& conditions);
 
-// Whether the motion can be of the family: undecided unless a gap or the order of phases refutes it, for
-// balls cannot prove that it closes.
-[[nodiscard]] Verdict closes(Family family, const Motion& motion);
+// Whether the motion can be a closed one through phases of these kinds: undecided unless a gap or the order
+// of phases refutes it, for balls cannot prove that it closes.
+[[nodiscard]] Verdict closes(const std::vector<PhaseKind>& kinds, const Motion& motion);
 
 }  // namespace stickslip::numeric::motion

@@ -1,4 +1,4 @@
-// What the friction law (2), (4) demands of each family of orbits, as data.
+// What the friction law (2), (4) demands of a motion, as data; and the parts of it that families share.
 //
 // Where it comes from. On a slip x2'' = eta (us - r), on an overshoot x2'' = eta (-us - r), on a stick u = r,
 // with r of (4), and chi (x2 - x1) = chi (z2 - z1) + us. Hence, when a slip from below ends with z2' = V:
@@ -17,15 +17,8 @@
 #include <vector>
 
 #include "numeric/motion/infimum.hpp"
-#include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::motion {
-
-enum class Family {
-  symmetric,     // slip, stick: Section 4
-  overshooting,  // slip, overshoot, stick: Section 5
-  nonsticking,   // slip, overshoot: Section 6 and its extension to V not 0
-};
 
 // A signed distance, positive where the condition holds; written for the paper's own scaling, so a length.
 enum class Quantity {
@@ -41,22 +34,36 @@ enum class Quantity {
   friction_step,      // ur - us
 };
 
+// Whether it can be told only when ur is known.
+[[nodiscard]] bool needs_ur(Quantity quantity);
+
 // One condition of a family, as data.
 struct Requirement {
   std::string id;         // the paper's equation, or a word where it has no number
   std::string statement;  // in the paper's symbols
   Quantity quantity = Quantity::duration;
   std::size_t phase = 0;
-  bool along = false;  // over the whole closed phase; else at its beginning
-  Touches touches;     // where the distance is zero by construction: the premises z2' = V, r = ur
-  bool strict = true;  // > 0; else >= 0
+  bool along = false;    // over the whole closed phase; else at its beginning
+  Touches touches = {};  // where the distance is zero by construction: the premises z2' = V, r = ur
+  bool strict = true;    // > 0; else >= 0
 };
 
-// All conditions of a family. For the non-sticking one those that need ur, (25), (26) and ur > us, are left
-// out unless `ur_given`.
-[[nodiscard]] std::vector<Requirement> requirements(Family family, bool ur_given = true);
+using Requirements = std::vector<Requirement>;
 
-// The kinds of the phases of a family in their order.
-[[nodiscard]] std::vector<PhaseKind> phase_kinds(Family family);
+// Each phase lasts, 0 < us < ur: for phases whose durations have these names.
+[[nodiscard]] Requirements sound_data(const std::vector<std::string>& durations);
+
+// (12), and z2' < V during the slip, the first phase, that follows a stick.
+[[nodiscard]] Requirements slip_after_stick();
+
+// The speed against the belt's during the phase: id "slip" or "overshoot".
+[[nodiscard]] Requirement slips(std::size_t phase, const std::string& statement);
+[[nodiscard]] Requirement overshoots(std::size_t phase, const std::string& statement);
+
+// (14), (19): the motion sticks when the phase begins, at the time of that name.
+[[nodiscard]] Requirements sticks_at(const std::string& id, std::size_t phase, const std::string& time);
+
+// One list after the other.
+[[nodiscard]] Requirements joined(const std::vector<Requirements>& lists);
 
 }  // namespace stickslip::numeric::motion

@@ -1,12 +1,18 @@
 // Forward-mode first derivatives: a value with its N partial derivatives. A Jet is a scalar of the model, so
 // every formula of model/ gives its own derivatives, over double and balls alike. Over balls the
 // value and each partial contain the exact ones for every member of the arguments.
+//
+// N is known to the compiler where speed counts, in searches. With N = Eigen::Dynamic the number of partials
+// is that of the variables a value depends on, and a constant has none: one type, compiled once, for problems
+// of any size.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/sinc.hpp"
 #include "model/scalar_traits.hpp"
@@ -21,24 +27,35 @@ namespace stickslip::numeric::scalars {
 
 template <class S, int N>
 struct Jet {
+  static constexpr bool sized = N != Eigen::Dynamic;
+  using Partials = std::conditional_t<sized, std::array<S, static_cast<std::size_t>(N)>, std::vector<S>>;
+
   S value = S(0);
-  std::array<S, N> partials = zeros();
+  Partials partials = zeros();
 
   Jet() = default;
   Jet(int constant) : value(constant) {}           // NOLINT: scalars convert from int
   Jet(S constant) : value(std::move(constant)) {}  // NOLINT: a constant has no derivative
 
-  // The i-th argument of a function, at `at`.
-  [[nodiscard]] static Jet variable(const S& at, int i) {
+  // The i-th argument of a function of `count` arguments, at `at`.
+  [[nodiscard]] static Jet variable(const S& at, int i, int count = N) {
     Jet x(at);
+    x.reach(static_cast<std::size_t>(count));
     x.partials[static_cast<std::size_t>(i)] = S(1);
     return x;
+  }
+
+  // The derivative by the i-th argument, also of a constant.
+  [[nodiscard]] S partial(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    return k < partials.size() ? partials[k] : S(0);
   }
 
   // The chain rule for g(this): value g, derivative slope.
   [[nodiscard]] Jet chain(S g, const S& slope) const {
     Jet result(std::move(g));
-    for (std::size_t i = 0; i < N; ++i) {
+    result.reach(partials.size());
+    for (std::size_t i = 0; i < partials.size(); ++i) {
       if (!is_zero(partials[i])) {
         result.partials[i] = slope * partials[i];
       }
@@ -48,7 +65,8 @@ struct Jet {
 
   Jet& operator+=(const Jet& b) {
     value += b.value;
-    for (std::size_t i = 0; i < N; ++i) {
+    reach(b.partials.size());
+    for (std::size_t i = 0; i < b.partials.size(); ++i) {
       if (!is_zero(b.partials[i])) {
         partials[i] += b.partials[i];
       }
@@ -57,7 +75,8 @@ struct Jet {
   }
   Jet& operator-=(const Jet& b) {
     value -= b.value;
-    for (std::size_t i = 0; i < N; ++i) {
+    reach(b.partials.size());
+    for (std::size_t i = 0; i < b.partials.size(); ++i) {
       if (!is_zero(b.partials[i])) {
         partials[i] -= b.partials[i];
       }
@@ -68,10 +87,13 @@ struct Jet {
     if (this == &b) {
       return *this *= Jet(b);
     }
-    for (std::size_t i = 0; i < N; ++i) {
-      if (!is_zero(partials[i])) {
-        partials[i] *= b.value;
+    for (S& slope : partials) {
+      if (!is_zero(slope)) {
+        slope *= b.value;
       }
+    }
+    reach(b.partials.size());
+    for (std::size_t i = 0; i < b.partials.size(); ++i) {
       if (!is_zero(b.partials[i])) {
         partials[i] += value * b.partials[i];
       }
@@ -84,12 +106,15 @@ struct Jet {
       return *this /= Jet(b);
     }
     value /= b.value;
-    for (std::size_t i = 0; i < N; ++i) {
+    reach(b.partials.size());
+    for (std::size_t i = 0; i < b.partials.size(); ++i) {
       if (!is_zero(b.partials[i])) {
         partials[i] -= value * b.partials[i];
       }
-      if (!is_zero(partials[i])) {
-        partials[i] /= b.value;
+    }
+    for (S& slope : partials) {
+      if (!is_zero(slope)) {
+        slope /= b.value;
       }
     }
     return *this;
@@ -116,7 +141,8 @@ struct Jet {
   // sum += factor b, the factor a constant.
   friend void add_product(Jet& sum, const S& factor, const Jet& b) {
     add_product(sum.value, factor, b.value);
-    for (std::size_t i = 0; i < N; ++i) {
+    sum.reach(b.partials.size());
+    for (std::size_t i = 0; i < b.partials.size(); ++i) {
       if (!is_zero(b.partials[i])) {
         add_product(sum.partials[i], factor, b.partials[i]);
       }
@@ -139,39 +165,48 @@ struct Jet {
   friend Jet sinc(const Jet& a) { return a.chain(S(sinc(a.value)), S(sinc_slope(a.value))); }
 
  private:
-  [[nodiscard]] static std::array<S, N> zeros() {
-    std::array<S, N> z;
-    z.fill(S(0));
+  [[nodiscard]] static Partials zeros() {
+    Partials z;
+    if constexpr (sized) {
+      z.fill(S(0));
+    }
     return z;
+  }
+  // At least so many partials.
+  void reach(std::size_t count) {
+    if constexpr (!sized) {
+      if (partials.size() < count) {
+        partials.resize(count, S(0));
+      }
+    }
   }
 };
 
 // The arguments of a function of N variables at x, ready for differentiation.
 template <class S, int N>
 [[nodiscard]] Eigen::Matrix<Jet<S, N>, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
+  const auto count = static_cast<int>(x.size());
   Eigen::Matrix<Jet<S, N>, N, 1> jets;
-  for (int i = 0; i < N; ++i) {
-    jets(i) = Jet<S, N>::variable(x(i), i);
+  jets.resize(count);
+  for (int i = 0; i < count; ++i) {
+    jets(i) = Jet<S, N>::variable(x(i), i, count);
   }
   return jets;
 }
 
 template <class S, int M, int N>
 [[nodiscard]] Eigen::Matrix<S, M, 1> values(const Eigen::Matrix<Jet<S, N>, M, 1>& f) {
-  Eigen::Matrix<S, M, 1> result;
-  for (int i = 0; i < M; ++i) {
-    result(i) = f(i).value;
-  }
-  return result;
+  return f.unaryExpr([](const Jet<S, N>& jet) { return jet.value; });
 }
 
-// Row i holds the partial derivatives of f(i).
+// Row i holds the partial derivatives of f(i) by the first `count` arguments.
 template <class S, int M, int N>
-[[nodiscard]] Eigen::Matrix<S, M, N> jacobian(const Eigen::Matrix<Jet<S, N>, M, 1>& f) {
+[[nodiscard]] Eigen::Matrix<S, M, N> jacobian(const Eigen::Matrix<Jet<S, N>, M, 1>& f, int count = N) {
   Eigen::Matrix<S, M, N> result;
-  for (int i = 0; i < M; ++i) {
-    for (int j = 0; j < N; ++j) {
-      result(i, j) = f(i).partials[static_cast<std::size_t>(j)];
+  result.resize(f.size(), count);
+  for (int i = 0; i < f.size(); ++i) {
+    for (int j = 0; j < count; ++j) {
+      result(i, j) = f(i).partial(j);
     }
   }
   return result;

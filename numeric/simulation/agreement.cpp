@@ -13,7 +13,7 @@ using namespace motion;
 
 namespace {
 
-double ur_of(const DecidedOrbit& orbit) {
+double ur_of(const Orbit& orbit) {
   for (const NamedBall& value : orbit.values) {
     if (value.name == "ur") {
       return value.value.approximate();
@@ -54,7 +54,7 @@ Run follow(const Start& start, double duration) {
   return run;
 }
 
-Start start_of(const DecidedOrbit& orbit) {
+Start start_of(const Orbit& orbit) {
   const Motion& motion = orbit.motion;
   const Ball half = half_of_first(motion);
   const model::Vector4<Ball> Z = state(motion, 0, half);
@@ -67,7 +67,7 @@ Start start_of(const DecidedOrbit& orbit) {
            Z(3).approximate()}};
 }
 
-Agreement agreement(const DecidedOrbit& orbit, const Follow& way) {
+Agreement agreement(const Orbit& orbit, const Follow& way) {
   const Motion& motion = orbit.motion;
   const Start start = start_of(orbit);
   const Run run = way(start, period(motion).approximate());

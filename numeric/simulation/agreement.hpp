@@ -25,8 +25,8 @@ struct Agreement {
 
 // The middle of the first phase, rounded to double; ur is the orbit's, or for orbits that allow a range of
 // it, the middle of us and the largest.
-[[nodiscard]] Start start_of(const DecidedOrbit& orbit);
+[[nodiscard]] Start start_of(const Orbit& orbit);
 
-[[nodiscard]] Agreement agreement(const DecidedOrbit& orbit, const Follow& way);
+[[nodiscard]] Agreement agreement(const Orbit& orbit, const Follow& way);
 
 }  // namespace stickslip::numeric::simulation

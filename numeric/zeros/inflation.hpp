@@ -20,7 +20,7 @@ template <int N, class F>
     if (is_interior<N>(*K, X)) {
       return {Verdict::proved(), *K, X};
     }
-    for (int i = 0; i < N; ++i) {
+    for (int i = 0; i < X.size(); ++i) {
       const Ball r = (*K)(i).radius() * Ball(1.2) + Ball(0x1p-80);
       if (!(r - Ball(2)).is_negative()) {
         return {Verdict::undecided("the box outgrows every bound: split the parameters"), guess, guess};

@@ -4,6 +4,8 @@
 //   template <class T> Eigen::Matrix<T, N, 1> operator()(const Eigen::Matrix<T, N, 1>& x) const
 // for T = S and T = Jet<S, N>, whose data are scalars of kind S. A recipe is a callable that returns such a
 // functor over balls with its data rounded at the working precision of the moment.
+//
+// N is known to the compiler where speed counts; Eigen::Dynamic serves problems of any size.
 #pragma once
 
 #include <algorithm>
@@ -28,22 +30,18 @@ template <class S, int N, class F>
 [[nodiscard]] std::pair<Eigen::Matrix<S, N, 1>, Eigen::Matrix<S, N, N>> linearise(
     const F& f, const Eigen::Matrix<S, N, 1>& x) {
   const Eigen::Matrix<scalars::Jet<S, N>, N, 1> jets = f(scalars::variables<S, N>(x));
-  return {scalars::values<S, N, N>(jets), scalars::jacobian<S, N, N>(jets)};
+  return {scalars::values<S, N, N>(jets), scalars::jacobian<S, N, N>(jets, static_cast<int>(x.size()))};
 }
 
 template <int N>
 [[nodiscard]] Box<N> midpoint(const Box<N>& box) {
-  Box<N> m;
-  for (int i = 0; i < N; ++i) {
-    m(i) = box(i).midpoint();
-  }
-  return m;
+  return box.unaryExpr([](const Ball& side) { return side.midpoint(); });
 }
 
 // Every component strictly inside.
 template <int N>
 [[nodiscard]] bool is_interior(const Box<N>& inner, const Box<N>& outer) {
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i < inner.size(); ++i) {
     if (!inner(i).is_finite() || !inner(i).is_interior_to(outer(i))) {
       return false;
     }
@@ -62,8 +60,8 @@ template <int N>
 
 template <int N>
 [[nodiscard]] std::optional<Box<N>> intersection(const Box<N>& a, const Box<N>& b) {
-  Box<N> common;
-  for (int i = 0; i < N; ++i) {
+  Box<N> common = a;
+  for (int i = 0; i < a.size(); ++i) {
     const std::optional<Ball> c = intersection(a(i), b(i));
     if (!c) {
       return std::nullopt;
@@ -83,9 +81,9 @@ template <int N>
   if (!Y) {
     return std::nullopt;
   }
-  const BallMatrix<N> rest = BallMatrix<N>::Identity() - *Y * slope;
-  const Box<N> K = m - *Y * at_m + rest * Box<N>(X - m);
-  for (int i = 0; i < N; ++i) {
+  const BallMatrix<N> rest = BallMatrix<N>::Identity(X.size(), X.size()) - product(*Y, slope);
+  const Box<N> K = m - product(*Y, at_m) + product(rest, Box<N>(X - m));
+  for (int i = 0; i < K.size(); ++i) {
     if (!K(i).is_finite()) {
       return std::nullopt;
     }
@@ -127,8 +125,8 @@ template <int N, class F>
 // The box with the same midpoint whose radii are `radius` times the scale of each component, max(1, |mid|).
 template <int N>
 [[nodiscard]] Box<N> box_around(const Box<N>& point, double radius) {
-  Box<N> box;
-  for (int i = 0; i < N; ++i) {
+  Box<N> box = point;
+  for (int i = 0; i < point.size(); ++i) {
     const Ball m = point(i).midpoint();
     const Ball r = Ball(radius * std::max(1.0, std::abs(m.approximate())));
     box(i) = m + Ball::hull(-r, r);
@@ -139,8 +137,8 @@ template <int N>
 // The box enlarged about its midpoint by the factor.
 template <int N>
 [[nodiscard]] Box<N> inflate(const Box<N>& box, double factor) {
-  Box<N> larger;
-  for (int i = 0; i < N; ++i) {
+  Box<N> larger = box;
+  for (int i = 0; i < box.size(); ++i) {
     const Ball r = box(i).radius() * Ball(factor) + Ball(1e-18);
     larger(i) = box(i).midpoint() + Ball::hull(-r, r);
   }
@@ -184,8 +182,8 @@ template <class S, int N, class F>
     if (!Y) {
       return std::nullopt;
     }
-    x -= *Y * value;
-    for (int i = 0; i < N; ++i) {
+    x -= product(*Y, value);
+    for (int i = 0; i < x.size(); ++i) {
       if (!std::isfinite(magnitude(x(i)))) {
         return std::nullopt;
       }
@@ -199,7 +197,7 @@ template <class S, int N, class F>
 template <int N>
 [[nodiscard]] long radius_exponent(const Box<N>& box) {
   long largest = -1000000000L;
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i < box.size(); ++i) {
     if (!box(i).is_exact()) {
       largest = std::max(largest, fmpz_get_si(MAG_EXPREF(arb_radref(box(i).raw()))));
     }

@@ -25,20 +25,26 @@ namespace stickslip::numeric::zeros {
   return x.midpoint();
 }
 
+// a b, each entry a sum over balls: Eigen's own product of large matrices wants scalars that can be compared.
+template <class A, class B>
+[[nodiscard]] auto product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+  return a.derived().lazyProduct(b.derived());
+}
+
 // Gauss-Jordan elimination with row pivoting on the midpoints of a. Over balls the entries of the result are
 // exact numbers near the inverse, with no guarantee. Nothing when a pivot vanishes or is not finite.
 template <class S, int N>
 [[nodiscard]] std::optional<Eigen::Matrix<S, N, N>> approximate_inverse(Eigen::Matrix<S, N, N> a) {
-  Eigen::Matrix<S, N, N> inverse;
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j < N; ++j) {
+  const auto n = static_cast<int>(a.rows());
+  Eigen::Matrix<S, N, N> inverse = Eigen::Matrix<S, N, N>::Identity(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
       a(i, j) = centre(a(i, j));
-      inverse(i, j) = S(i == j ? 1 : 0);
     }
   }
-  for (int k = 0; k < N; ++k) {
+  for (int k = 0; k < n; ++k) {
     int pivot = k;
-    for (int i = k + 1; i < N; ++i) {
+    for (int i = k + 1; i < n; ++i) {
       pivot = magnitude(a(i, k)) > magnitude(a(pivot, k)) ? i : pivot;
     }
     const double size = magnitude(a(pivot, k));
@@ -48,16 +54,16 @@ template <class S, int N>
     a.row(k).swap(a.row(pivot));
     inverse.row(k).swap(inverse.row(pivot));
     const S reciprocal = centre(S(S(1) / a(k, k)));
-    for (int j = 0; j < N; ++j) {
+    for (int j = 0; j < n; ++j) {
       a(k, j) = centre(S(a(k, j) * reciprocal));
       inverse(k, j) = centre(S(inverse(k, j) * reciprocal));
     }
-    for (int i = 0; i < N; ++i) {
+    for (int i = 0; i < n; ++i) {
       if (i == k) {
         continue;
       }
       const S factor = a(i, k);
-      for (int j = 0; j < N; ++j) {
+      for (int j = 0; j < n; ++j) {
         a(i, j) = centre(S(a(i, j) - factor * a(k, j)));
         inverse(i, j) = centre(S(inverse(i, j) - factor * inverse(k, j)));
       }

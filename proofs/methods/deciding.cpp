@@ -260,6 +260,23 @@ void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matri
 
 namespace {
 
+// The hypothesis that the factor does not vanish, as it reads with the values that the claim gives.
+void record_under_given(Outcome& outcome, const Claim& claim, const ex& factor) {
+  GiNaC::exmap values;
+  const Given given(claim);
+  for (const auto& value : given.values) {
+    values[symbolically()(value.first)] = given.lookup()(value.first);
+  }
+  const ex here = factor.subs(values, GiNaC::subs_options::no_pattern);
+  if (here.is_equal(factor)) {
+    record_nonzero(outcome, claim, factor);
+    return;
+  }
+  for (const ex& part : symbolic::algebra::vanishing_factors(here)) {
+    record_nonzero(outcome, claim, part);
+  }
+}
+
 // By the kernel: its theorem, and what that took. False where it refuses.
 bool decide_in_kernel(Outcome& outcome, const Claim& claim, const Statement& statement) {
   try {
@@ -269,7 +286,7 @@ bool decide_in_kernel(Outcome& outcome, const Claim& claim, const Statement& sta
     outcome.uses.insert(identity.opened.begin(), identity.opened.end());
     outcome.uses.erase(claim.id);
     for (const ex& factor : identity.nonzero) {
-      record_nonzero(outcome, claim, factor);
+      record_under_given(outcome, claim, factor);
     }
   } catch (const kernel::KernelError&) {
     return false;

@@ -16,7 +16,7 @@ using namespace numeric::motion;
 namespace {
 
 // How far the orbit is from what is printed. In double: it picks an orbit and proves nothing.
-double distance(const DecidedOrbit& orbit, const std::vector<PrintedResult>& printed) {
+double distance(const Orbit& orbit, const std::vector<PrintedResult>& printed) {
   double largest = 0;
   for (const PrintedResult& result : printed) {
     for (const NamedBall& value : orbit.values) {
@@ -70,7 +70,7 @@ std::optional<std::size_t> printed_orbit(const ExampleOrbits& orbits) {
   return nearest;
 }
 
-const DecidedOrbit& printed_orbit(const Example& example) {
+const Orbit& printed_orbit(const Example& example) {
   const ExampleOrbits& orbits = orbits_of(example);
   const std::optional<std::size_t> nearest = printed_orbit(orbits);
   if (!nearest) {

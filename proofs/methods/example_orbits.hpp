@@ -27,6 +27,6 @@ struct ExampleOrbits {
 [[nodiscard]] std::optional<std::size_t> printed_orbit(const ExampleOrbits& orbits);
 
 // That orbit of orbits_of(example). Throws InternalError when there is none.
-[[nodiscard]] const numeric::DecidedOrbit& printed_orbit(const Example& example);
+[[nodiscard]] const numeric::Orbit& printed_orbit(const Example& example);
 
 }  // namespace stickslip::proofs::methods

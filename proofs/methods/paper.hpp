@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/decimal.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/motion/domain.hpp"
-#include "numeric/motion/requirements.hpp"
 #include "proofs/methods/claim.hpp"
 
 namespace stickslip::proofs::methods {
@@ -35,7 +35,7 @@ struct PrintedResult {
 struct Example {
   std::string name;    // "S"
   std::string figure;  // "Fig. 2"
-  numeric::motion::Family family = numeric::motion::Family::symmetric;
+  const numeric::families::Family * family = nullptr;
   numeric::motion::ExactParameters data;
   std::optional<Rational> phi, ur;  // as far as they are data of the family
   std::vector<PrintedResult> results;

@@ -57,8 +57,8 @@ Term joined_blocks(const symbols::Shape& shape, const std::vector<Term>& blocks)
   std::size_t top = 0;
   for (const Term& one : blocks) {
     if (static_cast<int>(rows[top].size()) == shape.columns) {
-      top = static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.empty(); }) -
-                                     rows.begin());
+      top = static_cast<std::size_t>(
+          std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.empty(); }) - rows.begin());
     }
     for (int i = 0; i < one.type().rows; ++i) {
       for (int j = 0; j < one.type().columns; ++j) {
@@ -66,7 +66,8 @@ Term joined_blocks(const symbols::Shape& shape, const std::vector<Term>& blocks)
       }
     }
   }
-  return filled(shape, [&](int i, int j) { return rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; });
+  return filled(shape,
+                [&](int i, int j) { return rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; });
 }
 
 Term integer_power(const Term& base, const Rational& exponent) {
@@ -87,7 +88,8 @@ Term integer_power(const Term& base, const Rational& exponent) {
 
 }  // namespace
 
-Term Reader::define(const std::string& name, const std::vector<Variable>& first, const Term& body, Definitions& among) {
+Term Reader::define(const std::string& name, const std::vector<Variable>& first, const Term& body,
+                    Definitions& among) {
   std::vector<Variable> parameters = first;
   for (const Variable& variable : body.variables()) {
     if (std::find(parameters.begin(), parameters.end(), variable) == parameters.end()) {
@@ -103,7 +105,9 @@ Term Reader::scalar(const std::string& name) {
   if (const auto known = scalars_.find(name); known != scalars_.end()) {
     return known->second;
   }
-  const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) { return Symbolic(scalar(other)); };
+  const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) {
+    return Symbolic(scalar(other));
+  };
   const symbols::Symbol * row = symbols::symbol_table().find(symbols::scalar(name));
   Term term = Variable{name};
   if (name == "pi") {
@@ -111,7 +115,8 @@ Term Reader::scalar(const std::string& name) {
   } else if (row != nullptr && row->value) {
     term = define(name, {}, (*this)(*row->value), open_);
   } else if (const std::optional<Symbolic> formula = symbols::derived<Symbolic>(name, lookup)) {
-    term = define(name, {}, formula->term, closed_[row != nullptr && !row->formula_in.empty() ? row->formula_in : "39"]);
+    term = define(name, {}, formula->term,
+                  closed_[row != nullptr && !row->formula_in.empty() ? row->formula_in : "39"]);
   }
   scalars_.emplace(name, term);
   return term;
@@ -132,7 +137,8 @@ Term Reader::symbol(const symbols::Term& printed) {
   if (!(row != nullptr && row->value) && formula == known.end()) {
     throw NoValue("the symbol " + printed.name() + " has no meaning in the model");
   }
-  const Term body = row != nullptr && row->value ? (*this)(*row->value) : as_kernel_term(formula->second(lookup));
+  const Term body =
+      row != nullptr && row->value ? (*this)(*row->value) : as_kernel_term(formula->second(lookup));
   return body.variables().empty() ? body : define(printed.name(), {}, body, open_);
 }
 
@@ -147,7 +153,9 @@ Term Reader::function(const symbols::Term& printed) {
   if (formula == known.end()) {
     throw NoValue("the function " + name + " has no meaning in the model");
   }
-  const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) { return Symbolic(scalar(other)); };
+  const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) {
+    return Symbolic(scalar(other));
+  };
   const Term applied = define(name, {time}, as_kernel_term(formula->second(lookup, Symbolic(time))), open_);
   return substitute(applied, {{time, argument}});
 }
@@ -178,7 +186,8 @@ Term Reader::operator()(const symbols::Term& printed) {
     case Op::product: {
       Term product = parts.front();
       for (std::size_t i = 1; i < parts.size(); ++i) {
-        product = product.type().is_scalar() || !parts[i].type().is_scalar() ? product * parts[i] : parts[i] * product;
+        product = product.type().is_scalar() || !parts[i].type().is_scalar() ? product * parts[i]
+                                                                             : parts[i] * product;
       }
       return product;
     }
@@ -193,7 +202,8 @@ Term Reader::operator()(const symbols::Term& printed) {
     case Op::determinant:
       return determinant(parts[0]);
     case Op::derivative: {
-      const auto known = std::find_if(rates_.begin(), rates_.end(), [&](const auto& rate) { return rate.second == parts[0]; });
+      const auto known = std::find_if(rates_.begin(), rates_.end(),
+                                      [&](const auto& rate) { return rate.second == parts[0]; });
       if (known != rates_.end()) {
         return apply(known->first, time);
       }
@@ -257,8 +267,9 @@ Formula Reader::operator()(const symbols::Statement& statement) {
 const Domain& parameters() {
   static const Domain domain = [] {
     const Variable omega1{"omega1"}, omega2{"omega2"};
-    return Domain{above(0, omega1),          below(omega1, 1),    above(1, omega2),
-                  above(0, Variable{"omega"}), above(0, Variable{"us"}), above(0, Variable{"ur"})};
+    return Domain{above(0, omega1),         below(omega1, 1),
+                  above(1, omega2),         above(0, Variable{"omega"}),
+                  above(0, Variable{"us"}), above(0, Variable{"ur"})};
   }();
   return domain;
 }
@@ -335,7 +346,8 @@ class IdentityProof {
     formula_ = read_(statement);
     for (const Assumption& one : assumptions) {
       const symbols::Statement& given = one.statement;
-      if (given.relation != symbols::Relation::equal || given.left.op() != Op::symbol || !given.left.shape().is_scalar()) {
+      if (given.relation != symbols::Relation::equal || given.left.op() != Op::symbol ||
+          !given.left.shape().is_scalar()) {
         continue;
       }
       const Term symbol = read_(given.left);

@@ -11,19 +11,19 @@
 
 namespace stickslip::proofs::methods {
 
-// Printed terms as kernel terms. A scalar is a variable, a number, or, where the table of symbols or model/ has a
-// formula for it, a definition in what it depends on: chi is chi(omega1, omega2), H(t) is H(t, omega1, omega2), F_0
-// is F0(omega, phi, …). A derivative d/dt f is D(t) with a function D of which the formula says that it is the
-// derivative of f at all times. Throws symbols::NoValue for what has no meaning in the model: a motion Z(t), an absolute
-// value.
+// Printed terms as kernel terms. A scalar is a variable, a number, or, where the table of symbols or model/
+// has a formula for it, a definition in what it depends on: chi is chi(omega1, omega2), H(t) is H(t, omega1,
+// omega2), F_0 is F0(omega, phi, …). A derivative d/dt f is D(t) with a function D of which the formula says
+// that it is the derivative of f at all times. Throws symbols::NoValue for what has no meaning in the model:
+// a motion Z(t), an absolute value.
 class Reader {
  public:
   [[nodiscard]] kernel::Term operator()(const symbols::Term& printed);
   // There are functions D1, D2, …, the derivatives that occur, with left = right (or <, …).
   [[nodiscard]] kernel::Formula operator()(const symbols::Statement& statement);
 
-  // Of all terms read so far: those that stay closed unless an identity needs to look inside (39, 6.d0, 7, …: by the
-  // claim that says what they are), and all others.
+  // Of all terms read so far: those that stay closed unless an identity needs to look inside (39, 6.d0, 7, …:
+  // by the claim that says what they are), and all others.
   [[nodiscard]] const std::map<std::string, kernel::Definitions>& closed() const { return closed_; }
   [[nodiscard]] const kernel::Definitions& open() const { return open_; }
   // Those and all that they are made of.
@@ -33,13 +33,14 @@ class Reader {
   [[nodiscard]] kernel::Term scalar(const std::string& name);
   [[nodiscard]] kernel::Term symbol(const symbols::Term& printed);
   [[nodiscard]] kernel::Term function(const symbols::Term& printed);
-  [[nodiscard]] kernel::Term define(const std::string& name, const std::vector<kernel::Variable>& first, const kernel::Term& body,
-                                    kernel::Definitions& among);
+  [[nodiscard]] kernel::Term define(const std::string& name, const std::vector<kernel::Variable>& first,
+                                    const kernel::Term& body, kernel::Definitions& among);
 
   std::map<std::string, kernel::Term> scalars_;
   std::map<std::string, kernel::Definitions> closed_;
   kernel::Definitions open_;
-  std::vector<std::pair<kernel::Variable, kernel::Term>> rates_;  // of the derivatives: D, and what it is the derivative of
+  std::vector<std::pair<kernel::Variable, kernel::Term>>
+      rates_;  // of the derivatives: D, and what it is the derivative of
 };
 
 // The parameters' domain, which every statement supposes: 0 < omega1 < 1 < omega2, positive omega, us, ur.
@@ -48,11 +49,13 @@ class Reader {
 // A printed equation as a theorem: {assumptions symbol = value, d ≠ 0, …} ⊢ its reading.
 struct Identity {
   kernel::Theorem theorem;
-  std::set<std::string> assumed;  // ids of the assumptions among the hypotheses
-  std::set<std::string> opened;   // ids of the claims whose definitions were opened
+  std::set<std::string> assumed;   // ids of the assumptions among the hypotheses
+  std::set<std::string> opened;    // ids of the claims whose definitions were opened
   std::vector<GiNaC::ex> nonzero;  // the hypotheses d ≠ 0, as irreducible factors
 };
-// By normal form. Throws KernelError where the kernel refuses, and NoValue where the statement has no reading.
-[[nodiscard]] Identity prove_identity(const symbols::Statement& statement, const std::vector<Assumption>& assumptions);
+// By normal form. Throws KernelError where the kernel refuses, and NoValue where the statement has no
+// reading.
+[[nodiscard]] Identity prove_identity(const symbols::Statement& statement,
+                                      const std::vector<Assumption>& assumptions);
 
 }  // namespace stickslip::proofs::methods

@@ -6,10 +6,10 @@
 
 #include "model/appendix3.hpp"
 #include "model/symmetric.hpp"
-#include "numeric/families/overshooting.hpp"
 #include "numeric/families/overshooting_rows.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
+#include "proofs/pascal2012/printed_closing.hpp"
 #include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/point.hpp"
 
@@ -87,7 +87,7 @@ Claim printed_times() {
         outcome.uses = {"O.list", "22.back", "23.back"};
         const OrbitList& list = orbits_of(printed()).list;
         const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
-        const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const DecidedOrbit& one) {
+        const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const Orbit& one) {
           return value_of(one, "tau").overlaps(tau) && value_of(one, "tau1").overlaps(tau1);
         });
         const bool regular =
@@ -114,7 +114,7 @@ Claim printed_state_closes() {
                 "last place, close the motion",
                 [](Prover&, const Claim&) {
                   Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
-                  const PrintedClosing closing =
+                  const PrintedClosing<5> closing =
                       printed_closing_overshooting(printed().data, *printed().phi,
                                                    {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
                                                     signed_decimal("z20"), decimal("zdot10")});

@@ -26,9 +26,9 @@ Claim list_claim(const PrintedPlace& where) {
           fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
       .prove = [where](Prover&, const Claim&) {
         const OrbitList& list = orbits_of(where.example).list;
-        const auto good =
-            std::count_if(list.orbits.begin(), list.orbits.end(),
-                          [](const DecidedOrbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+        const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const Orbit& orbit) {
+          return orbit.admissible.truth == Truth::proved;
+        });
         Outcome outcome = at_the_data(
             where.example,
             fmt::format("exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
@@ -133,19 +133,15 @@ std::string shown(const Ball& ball) {
   return fmt::format("{} ± {}", text.mid, text.rad);
 }
 
-const Ball& value_of(const DecidedOrbit& orbit, const std::string& name) {
-  const auto found = std::find_if(orbit.values.begin(), orbit.values.end(),
-                                  [&](const NamedBall& value) { return value.name == name; });
-  if (found == orbit.values.end()) {
-    throw InternalError("the orbit has no value " + name);
-  }
-  return found->value;
+const Ball& value_of(const Orbit& orbit, const std::string& name) {
+  return orbit.value(name);
 }
 
 std::vector<Claim> orbit_claims(const PrintedPlace& where) {
   std::vector<Claim> claims{list_claim(where)};
-  const bool ur_known = where.example.family != Family::nonsticking || where.example.ur.has_value();
-  for (const Requirement& requirement : requirements(where.example.family, ur_known)) {
+  const Family& family = *where.example.family;
+  const bool ur_known = families::has_stick(family) || where.example.ur.has_value();
+  for (const Requirement& requirement : families::requirements(family, ur_known)) {
     claims.push_back(condition_claim(where, requirement));
   }
   claims.push_back(stability_claim(where));

@@ -28,13 +28,14 @@ Claim closes_claim() {
           .kind = Kind::numbers,
           .words = "a motion with the data of Fig. 4 closes, (28), and obeys every condition",
           .prove = [](Prover&, const Claim&) {
-            const DecidedOrbit& orbit = printed_orbit(example_named("P"));
+            const Orbit& orbit = printed_orbit(example_named("P"));
             Outcome outcome = at_the_data(example_named("P"), where().route);
             outcome.uses = {"5", "27", "28.reduced"};
             outcome.verdict =
-                all_of({orbit.admissible, closes(Family::nonsticking, orbit.motion).truth == Truth::refuted
-                                              ? Verdict::refuted("the phases leave gaps")
-                                              : Verdict::proved()});
+                all_of({orbit.admissible,
+                        closes(example_named("P").family->phases, orbit.motion).truth == Truth::refuted
+                            ? Verdict::refuted("the phases leave gaps")
+                            : Verdict::proved()});
             return outcome;
           }};
 }
@@ -42,9 +43,11 @@ Claim closes_claim() {
 // ur_max of the orbit, which the data do not depend on.
 Ball largest_friction(const Example& example) {
   const Ball& phi = value_of(printed_orbit(example), "phi");
-  for (const NonstickingOrbit& orbit : list_nonsticking(example.data, 30).orbits) {
-    if (orbit.phi.overlaps(phi)) {
-      return orbit.ur_max;
+  OrbitQuestion without = question_of(example, 30);
+  without.ur.reset();
+  for (const Orbit& orbit : list_orbits(without).orbits) {
+    if (value_of(orbit, "phi").overlaps(phi)) {
+      return value_of(orbit, "ur_max");
     }
   }
   throw InternalError("the orbit of Fig. 4 is not in the list without u_r");

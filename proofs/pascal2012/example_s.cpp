@@ -1,14 +1,11 @@
 // Section 4, example S: the orbit of Fig. 2, and the numbers that are printed for it.
-#include <fmt/format.h>
-
-#include "core/error.hpp"
-#include "numeric/families/symmetric.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/printed_closing.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
-using namespace numeric::families;
+using namespace numeric;
 using namespace numeric::motion;
 using namespace methods;
 
@@ -18,34 +15,14 @@ const Example& printed() {
   return example_named("S");
 }
 
-// The proved orbit whose slip lasts as long as printed, if there is exactly one.
-const SymmetricOrbit& orbit() {
-  static const SymmetricOrbit found = [] {
-    constexpr int digits = 30;
-    const Ball tau = printed_interval(printed().result("tau").value);
-    std::vector<SymmetricOrbit> near;
-    for (const SymmetricProof& proof : solve_symmetric(printed().data, digits)) {
-      if (proof.existence.truth == Truth::proved && proof.orbit.phase == LoadPhase::first &&
-          (abs(proof.orbit.state.tau - tau) - Ball(1)).is_negative()) {
-        near.push_back(proof.orbit);
-      }
-    }
-    if (near.size() != 1) {
-      throw InternalError(fmt::format("{} proved orbits lie near the printed one of Fig. 2", near.size()));
-    }
-    return near.front();
-  }();
-  return found;
-}
-
 const char * const ball_route = "Krawczyk's test in balls on equations equivalent to (13) and (15)";
 
 PrintedPlace where() {
   return {printed(), "S.orbit", ball_route};
 }
 
-Claim orbit_value(const std::string& name, Ball SymmetricState<Ball>::*member) {
-  return printed_value(where(), name, [member] { return orbit().state.*member; });
+Claim orbit_value(const std::string& name) {
+  return printed_value(where(), name, [name] { return value_of(printed_orbit(printed()), name); });
 }
 
 std::vector<Ball> components(const model::Vector4<Ball>& v) {
@@ -59,9 +36,15 @@ Claim closes() {
           .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(printed(), ball_route);
             outcome.uses = {"5", "10", "17.slip", "17.stick"};
-            outcome.verdict = all_of({vanishes(components(orbit().residual13), "$Z(tau) - E Z_0$ (13)"),
-                                      vanishes(components(orbit().residual15), "$Z_0 - Gamma(T) E Z_0$ (15)"),
-                                      vanishes(components(orbit().residual16), "(16)")});
+            const WorkingPrecision precision(192);
+            const Motion& motion = printed_orbit(printed()).motion;  // its stick begins at E Z_0
+            const std::vector<model::Vector4<Ball>> gap = gaps(motion);
+            const Phase& slip = motion.phases.front();
+            const model::Vector4<Ball> x(slip.duration, slip.Z(0), slip.Z(1), slip.Z(2));
+            outcome.verdict = all_of(
+                {vanishes(components(gap.front()), "$Z(tau) - E Z_0$ (13)"),
+                 vanishes(components(gap.back()), "$Z_0 - Gamma(T) E Z_0$ (15)"),
+                 vanishes(components(equations_16(printed().data, families::LoadPhase::first)(x)), "(16)")});
             return outcome;
           }};
 }
@@ -73,13 +56,11 @@ Claim printed_values_close() {
               "the printed $tau$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its last place, "
               "solve (16)",
           .prove = [](Prover&, const Claim&) {
-            const SymmetricState<Ball>& state = orbit().state;
-            const PrintedZero zero =
-                printed_zero_of_16(printed().data, LoadPhase::first,
-                                   {as_printed(printed().result("tau"), state.tau),
-                                    as_printed(printed().result("z10"), state.z10),
-                                    as_printed(printed().result("z20"), state.z20),
-                                    as_printed(printed().result("zdot10"), state.zdot10)});
+            const auto value = [](const char * name) {
+              return as_printed(printed().result(name), value_of(printed_orbit(printed()), name));
+            };
+            const PrintedClosing<4> zero = printed_zero_of_16(
+                printed().data, {value("tau"), value("z10"), value("z20"), value("zdot10")});
             Outcome outcome;
             outcome.route =
                 "(16) evaluated in balls at the printed values and over the intervals that they stand for";
@@ -114,16 +95,15 @@ std::vector<Claim> origins() {
 }  // namespace
 
 std::vector<Claim> example_S() {
-  using State = SymmetricState<Ball>;
   std::vector<Claim> claims{
       closes(),
-      orbit_value("tau", &State::tau),
-      orbit_value("T", &State::T),
-      orbit_value("Theta", &State::Theta),
-      orbit_value("z10", &State::z10),
-      orbit_value("z20", &State::z20),
-      orbit_value("zdot10", &State::zdot10),
-      orbit_value("ur", &State::ur),
+      orbit_value("tau"),
+      orbit_value("T"),
+      orbit_value("Theta"),
+      orbit_value("z10"),
+      orbit_value("z20"),
+      orbit_value("zdot10"),
+      orbit_value("ur"),
       printed_values_close(),
   };
   for (std::vector<Claim> more : {origins(), orbit_claims(where())}) {

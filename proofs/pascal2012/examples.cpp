@@ -1,8 +1,13 @@
 #include "proofs/pascal2012/examples.hpp"
 
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/symmetric.hpp"
+
 namespace stickslip::proofs::pascal2012 {
 
 using namespace methods;
+using namespace numeric::families;
 using namespace numeric::motion;
 
 namespace {
@@ -17,7 +22,7 @@ PrintedResult without_sign(const char * name, const char * digits) {
 Example example_S() {
   return {"S",
           "Fig. 2",
-          Family::symmetric,
+          &symmetric(),
           parse_parameters("0.5", "3.8", "0.02", "1", "0.6", "0.05"),
           std::nullopt,
           std::nullopt,
@@ -29,7 +34,7 @@ Example example_S() {
 Example example_O() {
   return {"O",
           "Fig. 3",
-          Family::overshooting,
+          &overshooting(),
           parse_parameters("0.2", "4", "0.05", "1", "0.6289", "0.05"),
           Rational(0),
           std::nullopt,
@@ -41,7 +46,7 @@ Example example_O() {
 Example example_P() {
   return {"P",
           "Fig. 4",
-          Family::nonsticking,
+          &nonsticking(),
           parse_parameters("0.3", "4", "0.1", "0", "0.6", "1"),
           std::nullopt,
           parse_rational("0.2996"),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "numeric/families/nonsticking.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/pascal2012/appendix5.hpp"
@@ -35,7 +36,7 @@ Claim exists(const std::string& id, const std::string& example, const std::strin
 // A belt that moves, and a motion that never sticks.
 OrbitQuestion moving_belt() {
   OrbitQuestion question;
-  question.family = Family::nonsticking;
+  question.family = &families::nonsticking();
   question.parameters = {{Rational(3, 10)}, {Rational(4)},    {Rational(1, 10)},
                          {Rational(1, 10)}, {Rational(3, 5)}, {Rational(1)}};
   question.ur = Range{Rational(1, 5)};
@@ -46,9 +47,8 @@ OrbitQuestion moving_belt() {
 Outcome only_at_rest() {
   const OrbitQuestion question = moving_belt();
   const OrbitList list = list_orbits(question);
-  const auto found = std::find_if(list.orbits.begin(), list.orbits.end(), [](const DecidedOrbit& orbit) {
-    return orbit.admissible.truth == Truth::proved;
-  });
+  const auto found = std::find_if(list.orbits.begin(), list.orbits.end(),
+                                  [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
   Outcome outcome;
   outcome.uses = {"28.reduced"};
   if (found == list.orbits.end()) {

@@ -160,7 +160,7 @@ Report pages(const OrbitList& list) {
   data["lists"] = Json::array();
   data["lists"].push_back(list_data(list, "orbits", "Orbits", "figure", !drawn.empty()));
   append(report.files, std::move(drawn));
-  data["page_title"] = fmt::format("Orbits: {}", name_of(list.question.family));
+  data["page_title"] = fmt::format("Orbits: {}", list.question.family->name);
   data["paper"] = nullptr;
   data["meaning_of_margin"] = meaning_of_margin();
   add_paper_and_pages(report, "orbits", std::move(data), [](const Json& complete) {

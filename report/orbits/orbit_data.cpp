@@ -58,7 +58,7 @@ void add_stability(Json& json, const std::optional<Stability>& stability) {
 }
 
 Json orbit(const OrbitList& list, std::size_t i) {
-  const DecidedOrbit& o = list.orbits[i];
+  const Orbit& o = list.orbits[i];
   Json json = {{"number", i + 1},
                {"total", list.orbits.size()},
                {"verdict", to_string(o.admissible.truth)},
@@ -77,7 +77,7 @@ Json orbit(const OrbitList& list, std::size_t i) {
   return json;
 }
 
-Json unresolved(const UnresolvedPart& part) {
+Json unresolved(const Unresolved& part) {
   Json where = Json::array();
   for (const NamedBall& named : part.where) {
     where.push_back({{"latex", latex_of_value(named.name)}, {"value", to_string(named.value, 8)}});
@@ -88,14 +88,10 @@ Json unresolved(const UnresolvedPart& part) {
 }  // namespace
 
 Json orbit_data(const OrbitList& list) {
-  Json json = {{"title", title_of(list.question.family)},
-               {"searched", searched(list.question)},
-               {"result", result_of_search(list)},
-               {"command", command_of(list.question)},
-               {"parameters", Json::array()},
-               {"remarks", Json::array()},
-               {"unresolved", Json::array()},
-               {"orbits", Json::array()}};
+  Json json = {{"title", list.question.family->title}, {"searched", searched(list.question)},
+               {"result", result_of_search(list)},     {"command", command_of(list.question)},
+               {"parameters", Json::array()},          {"remarks", Json::array()},
+               {"unresolved", Json::array()},          {"orbits", Json::array()}};
   for (const NamedRange& parameter : named_parameters(list.question)) {
     json["parameters"].push_back(
         {{"latex", latex_of_value(parameter.name)}, {"value_latex", latex_of(parameter.range)}});
@@ -103,7 +99,7 @@ Json orbit_data(const OrbitList& list) {
   for (const Remark remark : list.remarks) {
     json["remarks"].push_back(describe(remark));
   }
-  for (const UnresolvedPart& part : list.unresolved) {
+  for (const Unresolved& part : list.unresolved) {
     json["unresolved"].push_back(unresolved(part));
   }
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {

@@ -23,18 +23,6 @@ std::string counted(std::size_t count, const char * one, const char * many) {
 
 }  // namespace
 
-std::string name_of(Family family) {
-  switch (family) {
-    case Family::symmetric:
-      return "symmetric";
-    case Family::overshooting:
-      return "overshooting";
-    case Family::nonsticking:
-      return "nonsticking";
-  }
-  throw InternalError("a family of no known kind");
-}
-
 std::string notation(const Range& range) {
   const std::string middle = to_string(range.middle);
   return range.radius == 0 ? middle : middle + "+-" + to_string(range.radius);
@@ -83,38 +71,16 @@ std::string describe(Remark remark) {
   throw InternalError("a remark of no known kind");
 }
 
-std::string title_of(Family family) {
-  switch (family) {
-    case Family::symmetric:
-      return "Symmetric orbits: slip on $(0, tau)$, stick on $(tau, Theta)$";
-    case Family::overshooting:
-      return "Overshooting orbits: slip to $tau$, overshoot to $tau + tau1$, stick to $Theta$";
-    case Family::nonsticking:
-      return "Non-sticking orbits: slip on $(0, tau)$, overshoot on $(tau, Theta)$";
-  }
-  throw InternalError("a family of no known kind");
-}
-
 std::string searched(const OrbitQuestion& q) {
   if (asks_for_box(q)) {
     return "the orbits at the middle of the parameters, each for all members of the box";
   }
-  switch (q.family) {
-    case Family::symmetric:
-      return "$0 <= tau <= Theta$ at both load phases, $phi = (pi - omega tau)/2$ and that $+ pi$";
-    case Family::overshooting:
-      return fmt::format("$tau >= 0$, $tau1 >= 0$, $tau + tau1 <= Theta$ {}",
-                         q.phi ? "at this $phi$" : "for every $phi$ that gives this $ur$");
-    case Family::nonsticking:
-      return "$0 <= tau <= Theta$, every $phi$";
-  }
-  throw InternalError("a family of no known kind");
+  return q.family->searched(q);
 }
 
 std::string result_of_search(const OrbitList& list) {
-  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const DecidedOrbit& orbit) {
-    return orbit.admissible.truth == Truth::proved;
-  });
+  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(),
+                                  [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
   const std::string orbits = counted(list.orbits.size(), "orbit", "orbits");
   const std::string admissible = list.orbits.empty() ? "" : fmt::format(", {} admissible", good);
   const std::string open = counted(list.unresolved.size(), "unresolved box", "unresolved boxes");
@@ -124,7 +90,7 @@ std::string result_of_search(const OrbitList& list) {
   return fmt::format("{}{}{}, {}", completeness, orbits, admissible, open);
 }
 
-std::string verdict_on(const DecidedOrbit& orbit) {
+std::string verdict_on(const Orbit& orbit) {
   if (orbit.admissible.truth == Truth::proved) {
     return "admissible";
   }
@@ -155,7 +121,7 @@ std::string latex_of_value(const std::string& name) {
 }
 
 std::string command_of(const OrbitQuestion& question) {
-  std::string command = "stickslip orbits " + name_of(question.family);
+  std::string command = "stickslip orbits " + question.family->name;
   for (const NamedRange& parameter : named_parameters(question)) {
     command += fmt::format(" --{}={}", parameter.name, notation(parameter.range));
   }

@@ -8,9 +8,6 @@
 
 namespace stickslip::report::orbits {
 
-// "symmetric", "overshooting", "nonsticking".
-[[nodiscard]] std::string name_of(numeric::motion::Family family);
-
 // The exact notation of a parameter: "0.5", or "0.5+-0.0001" for an interval.
 [[nodiscard]] std::string notation(const Range& range);
 
@@ -28,9 +25,6 @@ struct NamedRange {
 // One sentence.
 [[nodiscard]] std::string describe(numeric::Remark remark);
 
-// "Symmetric orbits: slip on (0, tau), stick on (tau, Theta)".
-[[nodiscard]] std::string title_of(numeric::motion::Family family);
-
 // The domain that was searched.
 [[nodiscard]] std::string searched(const numeric::OrbitQuestion& question);
 
@@ -38,7 +32,7 @@ struct NamedRange {
 [[nodiscard]] std::string result_of_search(const numeric::OrbitList& list);
 
 // "admissible", or why it is not known to be: "not admissible: ur, 12".
-[[nodiscard]] std::string verdict_on(const numeric::DecidedOrbit& orbit);
+[[nodiscard]] std::string verdict_on(const numeric::Orbit& orbit);
 
 // "(0.1 ± 1e-5) + i (0.2 ± 1e-5)", or the real part alone when the imaginary part is exactly 0.
 [[nodiscard]] std::string complex_text(const numeric::motion::ComplexBall& mu, int digits);

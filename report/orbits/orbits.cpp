@@ -42,19 +42,19 @@ std::string head(const OrbitList& list, const Style& style) {
   for (const Remark remark : list.remarks) {
     rows.push_back({{"remark"}, {describe(remark)}});
   }
-  for (const UnresolvedPart& part : list.unresolved) {
+  for (const Unresolved& part : list.unresolved) {
     std::string where;
     for (const NamedBall& value : part.where) {
       where += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
     }
     rows.push_back({{"unresolved"}, {where + part.reason}});
   }
-  const Row heading{{title_of(list.question.family), bold(style)}};
+  const Row heading{{list.question.family->title, bold(style)}};
   return columns_of({heading}, style.width) + columns_of(rows, style.width);
 }
 
 // Without those that are given: they stand in the head.
-std::string values(const DecidedOrbit& orbit, const OrbitQuestion& question, const Style& style) {
+std::string values(const Orbit& orbit, const OrbitQuestion& question, const Style& style) {
   std::vector<Row> rows;
   for (const NamedBall& value : orbit.values) {
     if ((value.name == "phi" && question.phi) || (value.name == "ur" && question.ur)) {
@@ -66,7 +66,7 @@ std::string values(const DecidedOrbit& orbit, const OrbitQuestion& question, con
   return columns_of(rows, style.width);
 }
 
-std::string stability(const DecidedOrbit& orbit, const OrbitQuestion& question, const Style& style) {
+std::string stability(const Orbit& orbit, const OrbitQuestion& question, const Style& style) {
   if (!orbit.stability) {
     return {};
   }
@@ -83,7 +83,7 @@ std::string shown(const std::optional<Ball>& ball) {
   return ball ? rounded(*ball, margin_digits) : "";
 }
 
-std::string conditions(const DecidedOrbit& orbit, const Style& style) {
+std::string conditions(const Orbit& orbit, const Style& style) {
   std::vector<Row> rows{{{"  condition"}, {"verdict"}, {"margin"}, {"at t"}, {""}}};
   for (const Condition& c : orbit.conditions) {
     rows.push_back({{"  " + c.id},
@@ -103,7 +103,7 @@ std::string conditions(const DecidedOrbit& orbit, const Style& style) {
 std::string terminal_report(const OrbitList& list, const Style& style) {
   std::string text = head(list, style);
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    const DecidedOrbit& orbit = list.orbits[i];
+    const Orbit& orbit = list.orbits[i];
     const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
     const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
     text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style) +

@@ -61,7 +61,7 @@ void add_stability(Json& json, const std::optional<Stability>& stability, int di
   }
 }
 
-Json orbit(const DecidedOrbit& o, int digits) {
+Json orbit(const Orbit& o, int digits) {
   Json json = Json::object();
   add_values(json, o.values, digits);
   json["admissible"] = o.admissible.truth == Truth::proved    ? Json(true)
@@ -83,11 +83,11 @@ Json orbit(const DecidedOrbit& o, int digits) {
 Json to_json(const OrbitList& list) {
   const int digits = list.question.digits;
   Json json = provenance(command_of(list.question));
-  json["family"] = name_of(list.question.family);
+  json["family"] = list.question.family->name;
   json["parameters"] = parameters(list.question);
   json["complete"] = list.complete();
   json["unresolved"] = Json::array();
-  for (const UnresolvedPart& part : list.unresolved) {
+  for (const Unresolved& part : list.unresolved) {
     Json where = Json::object();
     add_values(where, part.where, digits);
     where["reason"] = plain(part.reason);
@@ -97,7 +97,7 @@ Json to_json(const OrbitList& list) {
     json["remarks"].push_back(plain(describe(remark)));
   }
   json["orbits"] = Json::array();
-  for (const DecidedOrbit& o : list.orbits) {
+  for (const Orbit& o : list.orbits) {
     json["orbits"].push_back(orbit(o, digits));
   }
   return json;

@@ -11,6 +11,7 @@
 namespace stickslip::report::orbits {
 
 using namespace numeric;
+using namespace numeric::families;
 using namespace numeric::motion;
 using namespace tools;
 
@@ -28,23 +29,8 @@ struct Page {
 constexpr Page wide_page{1000, 380, 2};
 constexpr Page narrow_page{480, 340, 4};
 
-// In the paper's pictures: Fig. 2 slip thick, stick thin; Fig. 3 the overshoot heaviest, the stick thin; Fig.
-// 4 the overshoot thick.
-double line_width(Family family, PhaseKind kind) {
-  if (kind == PhaseKind::stick) {
-    return 1;
-  }
-  const bool overshoot = kind == PhaseKind::overshoot;
-  switch (family) {
-    case Family::symmetric:
-      return 3;
-    case Family::overshooting:
-      return overshoot ? 5 : 2.5;
-    case Family::nonsticking:
-      return overshoot ? 3.5 : 1.2;
-  }
-  return 1;
-}
+// As in the paper's pictures: the overshoot heaviest, the stick thin.
+constexpr std::array<double, 3> line_widths{2.5, 5, 1};
 
 // Lines "t q1 q2 q1' q2'", q = z or x.
 std::string table(const MotionOf<double>& motion, const PhaseOf<double>& phase,
@@ -59,15 +45,15 @@ std::string table(const MotionOf<double>& motion, const PhaseOf<double>& phase,
   return text;
 }
 
-Json phases_of(const MotionOf<double>& motion, Family family, std::size_t orbit) {
-  const bool absolute = family == Family::nonsticking;
+Json phases_of(const MotionOf<double>& motion, const Family& family, std::size_t orbit) {
+  const bool absolute = !has_stick(family);
   const model::Vector2<double> shift = absolute ? motion.oscillator.d0 : model::Vector2<double>(0, 0);
   Json phases = Json::array();
   for (std::size_t k = 0; k < motion.phases.size(); ++k) {
     const PhaseOf<double>& phase = motion.phases[k];
     phases.push_back({{"block", fmt::format("$orbit{}phase{}", orbit, k)},
                       {"kind", to_string(phase.kind)},
-                      {"width", fmt::format("{}", line_width(family, phase.kind))},
+                      {"width", fmt::format("{}", line_widths.at(static_cast<std::size_t>(phase.kind)))},
                       {"colour", colour_of(phase.kind)},
                       {"start", fmt::format("{:.8g}", phase.start)},
                       {"middle", fmt::format("{:.8g}", phase.start + phase.duration / 2)},
@@ -85,31 +71,31 @@ std::string parameter_text(const OrbitQuestion& question) {
   return text;
 }
 
-std::string tell(const DecidedOrbit& orbit) {
+std::string tell(const Orbit& orbit) {
   return orbit.admissible.truth == Truth::proved    ? "admissible"
          : orbit.admissible.truth == Truth::refuted ? "not admissible"
                                                     : "undecided";
 }
 
 Json orbit_data(const OrbitList& list, std::size_t i) {
-  const DecidedOrbit& orbit = list.orbits[i];
+  const Orbit& orbit = list.orbits[i];
   const MotionOf<double> motion = in_double(orbit.motion);
   const PhaseOf<double>& last = motion.phases.back();
-  return {{"title", fmt::format("{} orbit {} of {}, {}", name_of(list.question.family), i + 1,
+  return {{"title", fmt::format("{} orbit {} of {}, {}", list.question.family->name, i + 1,
                                 list.orbits.size(), tell(orbit))},
-          {"q", list.question.family == Family::nonsticking ? "x" : "z"},
+          {"q", has_stick(*list.question.family) ? "z" : "x"},
           {"period", fmt::format("{:.8g}", last.start + last.duration)},
           {"V", fmt::format("{:.8g}", motion.oscillator.data.V)},
-          {"phases", phases_of(motion, list.question.family, i + 1)}};
+          {"phases", phases_of(motion, *list.question.family, i + 1)}};
 }
 
 }  // namespace
 
 std::string plot_script(const OrbitList& list, PlotFormat format, PlotShape shape,
                         std::optional<std::size_t> only) {
-  const bool any_admissible =
-      std::any_of(list.orbits.begin(), list.orbits.end(),
-                  [](const DecidedOrbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+  const bool any_admissible = std::any_of(list.orbits.begin(), list.orbits.end(), [](const Orbit& orbit) {
+    return orbit.admissible.truth == Truth::proved;
+  });
   Json orbits = Json::array();
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
     const bool wanted = !any_admissible || list.orbits[i].admissible.truth == Truth::proved;

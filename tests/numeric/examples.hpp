@@ -1,8 +1,13 @@
 // The data of the paper's examples, and comparison with printed numbers, for the tests.
 #pragma once
 
+#include <optional>
+
 #include "core/decimal.hpp"
-#include "numeric/zeros/krawczyk.hpp"
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/symmetric.hpp"
+#include "numeric/orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::examples {
@@ -21,6 +26,20 @@ using namespace proofs::pascal2012;
   ExactParameters a = example_named("P").data;
   a.V = parse_rational(V);
   return a;
+}
+
+// All orbits of the family, with phi or ur where they are given.
+[[nodiscard]] inline numeric::OrbitList listed(const numeric::Family& family, const ExactParameters& a,
+                                               int digits, const std::optional<Rational>& phi = {},
+                                               const std::optional<Rational>& ur = {}) {
+  numeric::OrbitQuestion q{&family, {{a.chi}, {a.eta}, {a.us}, {a.V}, {a.omega}, {a.p}}, {}, {}, digits};
+  if (phi) {
+    q.phi = Range{*phi};
+  }
+  if (ur) {
+    q.ur = Range{*ur};
+  }
+  return numeric::list_orbits(q);
 }
 
 // Every member of the ball is closer than `distance` to `value`.

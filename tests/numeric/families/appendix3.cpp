@@ -4,12 +4,12 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/families/overshooting.hpp"
 #include "numeric/motion/motion.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::zeros;
@@ -83,21 +83,22 @@ TEST_CASE("the printed sign of Gamma_13 in c_1 contradicts the flows") {
 }
 
 TEST_CASE("(21), (22) and (23) on every orbit at the data of O") {
-  const OvershootingList list = list_overshooting_at_phase(O(), 0, 30);
+  const OrbitList list = listed(overshooting(), O(), 30, Rational(0));
   REQUIRE(list.orbits.size() == 2);
-  for (const OvershootingOrbit& orbit : list.orbits) {
-    const WorkingPrecision scope(orbit.bits);
-    const OvershootingState<Ball>& s = orbit.state;
-    const Point x{model::oscillator<Ball>(parameters_as<Ball>(O())), s.phi, s.tau, s.tau1, s.T};
+  for (const Orbit& orbit : list.orbits) {
+    const WorkingPrecision scope(192);
+    const Ball &z10 = orbit.value("z10"), &z20 = orbit.value("z20"), &zdot10 = orbit.value("zdot10");
+    const Point x{model::oscillator<Ball>(parameters_as<Ball>(O())), orbit.value("phi"), orbit.value("tau"),
+                  orbit.value("tau1"), orbit.value("T")};
     const model::ClosingCoefficients<Ball> k = coefficients(x);
     for (std::size_t i = 0; i < 5; ++i) {
-      check_equal(k.a[i] * s.z10 + k.b[i] * s.z20 + k.c[i] * s.zdot10 + k.d[i], Ball(0));
+      check_equal(k.a[i] * z10 + k.b[i] * z20 + k.c[i] * zdot10 + k.d[i], Ball(0));
     }
     const model::CramerDeterminants<Ball> c = model::cramer<Ball>(k);
     REQUIRE(c.Delta.is_nonzero());
-    check_equal(c.Delta1 / c.Delta, s.z10);
-    check_equal(c.Delta2 / c.Delta, s.z20);
-    check_equal(c.Delta3 / c.Delta, s.zdot10);
+    check_equal(c.Delta1 / c.Delta, z10);
+    check_equal(c.Delta2 / c.Delta, z20);
+    check_equal(c.Delta3 / c.Delta, zdot10);
     for (const Ball& F : model::compatibility<Ball>(k)) {
       check_equal(F, Ball(0));
     }

@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include "model/nonsticking_closed_form.hpp"
-#include "numeric/families/nonsticking.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::scalars;
@@ -107,18 +107,18 @@ TEST_CASE("det P vanishes at resonance, whatever tau, and not beside it") {
 }
 
 TEST_CASE("(65), (66), (69) on both half-period orbits at the data of P") {
-  const NonstickingList list = list_nonsticking(P(), 30);
+  const OrbitList list = listed(nonsticking(), P(), 30);
   REQUIRE(list.orbits.size() == 2);
-  for (const NonstickingOrbit& orbit : list.orbits) {
+  for (const Orbit& orbit : list.orbits) {
     const WorkingPrecision scope(bits_for(30) + 64);
     const model::Oscillator<Ball>& o = orbit.motion.oscillator;
     const Vector4<Ball>& Z0 = orbit.motion.phases[0].Z;
-    const Xi xi = xi_of(o, orbit.phi, Z0, orbit.tau, orbit.tau1);
-    CHECK(det(P_of(o.modes, orbit.tau, orbit.tau1)).is_nonzero());
+    const Xi xi = xi_of(o, orbit.value("phi"), Z0, orbit.value("tau"), orbit.value("tau1"));
+    CHECK(det(P_of(o.modes, orbit.value("tau"), orbit.value("tau1"))).is_nonzero());
     check_equal<Vector4<Ball>>(xi.first, Vector4<Ball>::Constant(Ball(0)));
     check_equal<Vector4<Ball>>(xi.second, Vector4<Ball>::Constant(Ball(0)));
-    const Vector2<Ball> forced = o.Q * cos(orbit.phi);
-    check_equal<Vector2<Ball>>(Vector2<Ball>(orbit.x10, orbit.x20), forced);
+    const Vector2<Ball> forced = o.Q * cos(orbit.value("phi"));
+    check_equal<Vector2<Ball>>(Vector2<Ball>(orbit.value("x10"), orbit.value("x20")), forced);
     const Vector2<Ball> xB = orbit.motion.phases[1].Z.head<2>() + o.d0;
     check_equal<Vector2<Ball>>(xB, -forced);
   }

@@ -2,15 +2,15 @@
 // sign. None may come out as proved at the orbit.
 #include <doctest/doctest.h>
 
-#include "numeric/families/nonsticking.hpp"
-#include "numeric/families/overshooting.hpp"
 #include "numeric/families/overshooting_rows.hpp"
-#include "numeric/families/symmetric_list.hpp"
+#include "numeric/motion/shooting.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/search.hpp"
+#include "proofs/pascal2012/printed_closing.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::zeros;
@@ -26,7 +26,7 @@ template <int N, class F>
 void check_boxes(const F& f, const Box<N>& zero) {
   const Box<N> box = box_around<N>(zero, radius);
   REQUIRE(krawczyk_test<N>(f, box).verdict.truth == Truth::proved);
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i < box.size(); ++i) {
     CAPTURE(i);
     const Ball r = box(i).radius();
     for (const int side : {-1, 1}) {
@@ -47,20 +47,35 @@ void check_not_here(const F& mutant, const Box<N>& zero) {
   CHECK(krawczyk_test<N>(mutant, box_around<N>(zero, 1e-4)).verdict.truth != Truth::proved);
 }
 
-// One coefficient of the reduced rows of Section 4 with the other sign.
+// One coefficient of the reduced rows of Section 4 with the other sign, C eliminated.
 struct FlippedSymmetric {
-  SymmetricClosing<Ball> closing;
+  model::SymmetricData<Ball> data;
   int row;
   bool left;
 
   template <class T>
-  [[nodiscard]] model::Vector2<T> operator()(const model::Vector2<T>& x) const {
-    model::SymmetricRows<T> rows = model::symmetric_rows<T>(closing.lifted<T>(), x(0));
+  [[nodiscard]] Eigen::Matrix<T, 1, 1> operator()(const Eigen::Matrix<T, 1, 1>& u) const {
+    const model::SymmetricData<T> d{T(data.chi), model::lift<T>(data.m), T(data.V),    T(data.omega),
+                                    T(data.p),   T(data.Theta),          T(data.sigma)};
+    model::SymmetricRows<T> rows = model::symmetric_rows<T>(d, T(d.Theta * u(0)));
     T& coefficient = left ? rows.left(row) : rows.right(row);
     coefficient = -coefficient;
-    return rows.left * x(1) - rows.right;
+    return Eigen::Matrix<T, 1, 1>(T(rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1)));
   }
 };
+
+// At an orbit's own data: boxes off the root, and not a zero of another system in as many unknowns.
+void check_systems(const Closing& f, const Closing& mutant, const Given<Ball>& given, const Motion& motion) {
+  const Vector zero = f.unknowns(motion);
+  check_boxes<Eigen::Dynamic>(AtParameters<Closing>{f, f.parameters(given)}, zero);
+  check_not_here<Eigen::Dynamic>(AtParameters<Closing>{mutant, f.parameters(given)}, zero);
+}
+
+// The same phases, the first two in the other order.
+Shooting swapped(Shooting f) {
+  std::swap(f.phases[0], f.phases[1]);
+  return f;
+}
 
 // The same of Section 5, of the matrix from which the unknowns are eliminated.
 struct FlippedOvershooting {
@@ -104,20 +119,22 @@ struct SwappedPhases {
 }  // namespace
 
 TEST_CASE("Section 4: boxes off the root, and signs flipped in the reduced equations") {
-  const SymmetricState<Ball> s = list_symmetric(S(), 40).orbits.at(1).state;
-  const SymmetricClosing<Ball> closing{symmetric_data<Ball>(S(), LoadPhase::first)};
-  const Box<2> zero(s.tau, s.C);
-  check_boxes<2>(closing, zero);
+  const Orbit orbit = listed(symmetric(), S(), 40).orbits.at(1);
+  const SymmetricEliminant eliminant{symmetric_data(S(), LoadPhase::first)};
+  const Box<1> zero(orbit.value("tau") / orbit.value("Theta"));
+  check_boxes<1>(eliminant, zero);
   for (const int row : {0, 1}) {
     for (const bool left : {true, false}) {
-      check_not_here<2>(FlippedSymmetric{closing, row, left}, zero);
+      check_not_here<1>(FlippedSymmetric{eliminant.data, row, left}, zero);
     }
   }
-  check_not_here<2>(SymmetricClosing<Ball>{symmetric_data<Ball>(S(), LoadPhase::second)}, zero);
-  const Equations16<Ball> sixteen = equations_16<Ball>(S(), LoadPhase::first);
-  Box<4> state(s.tau, s.z10, s.z20, s.zdot10);
+  check_not_here<1>(SymmetricEliminant{symmetric_data(S(), LoadPhase::second)}, zero);
+  check_systems(SymmetricClosing{LoadPhase::first}, SymmetricClosing{LoadPhase::second},
+                {parameters_as<Ball>(S())}, orbit.motion);
+  const Equations16 sixteen = equations_16(S(), LoadPhase::first);
+  const Box<4> state(orbit.value("tau"), orbit.value("z10"), orbit.value("z20"), orbit.value("zdot10"));
   check_boxes<4>(sixteen, state);
-  Equations16<Ball> flipped = sixteen;
+  Equations16 flipped = sixteen;
   flipped.Q = -flipped.Q;
   check_not_here<4>(flipped, state);
 }
@@ -129,6 +146,9 @@ TEST_CASE("Section 5: boxes off the root, phases swapped, signs flipped in each 
   const Composed<Ball> f{o, Ball(0), Ball(2) * Ball::pi() / o.data.omega, true};
   check_boxes<5>(f, orbit.proof.box);
   check_not_here<5>(SwappedPhases{f}, orbit.proof.box);
+  const Shooting at_phase{overshooting().phases, true}, at_friction{overshooting().phases, false, true};
+  check_systems(at_phase, swapped(at_phase), {parameters_as<Ball>(O()), Ball(0)}, orbit.motion);
+  check_systems(at_friction, swapped(at_friction), {parameters_as<Ball>(O()), {}, orbit.ur}, orbit.motion);
 
   const OvershootingAtPhase family{overshooting_data<Ball>(O()), Ball(0)};
   const Ball total = orbit.proof.box(0) + orbit.proof.box(1);
@@ -152,16 +172,20 @@ TEST_CASE("Section 5: boxes off the root, phases swapped, signs flipped in each 
 }
 
 TEST_CASE("Section 6: boxes off the root, and the friction's sign flipped") {
-  const NonstickingOrbit orbit = list_nonsticking(P("0.1"), 40).orbits.at(1);
+  const Orbit orbit = listed(nonsticking(), P("0.1"), 40).orbits.at(1);
   const TwoSlips f = two_slips_of(parameters_as<Ball>(P("0.1")));
-  check_boxes<2>(f, orbit.box);
+  const Ball delta = orbit.motion.oscillator.data.omega * orbit.value("tau") / Ball(2);
+  const Box<2> zero(delta, orbit.value("phi") + delta);
+  check_boxes<2>(f, zero);
+  const Shooting by_flows{nonsticking().phases};
+  check_systems(by_flows, swapped(by_flows), {parameters_as<Ball>(P("0.1"))}, orbit.motion);
   TwoSlips flipped = f;
   flipped.c = -flipped.c;
-  check_not_here<2>(flipped, orbit.box);
+  check_not_here<2>(flipped, zero);
   flipped = f;
   flipped.o.Q = -flipped.o.Q;
-  check_not_here<2>(flipped, orbit.box);
+  check_not_here<2>(flipped, zero);
   flipped = f;
   flipped.o.data.V = -flipped.o.data.V;
-  check_not_here<2>(flipped, orbit.box);
+  check_not_here<2>(flipped, zero);
 }

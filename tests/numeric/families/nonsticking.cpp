@@ -10,6 +10,7 @@
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::zeros;
@@ -17,21 +18,25 @@ using namespace stickslip::examples;
 
 namespace {
 
-Verdict admissible_at(const NonstickingOrbit& orbit, const std::optional<Ball>& ur) {
-  return admissible(nonsticking_conditions(orbit, ur));
+Verdict admissible_at(const Orbit& orbit, const std::optional<Ball>& ur) {
+  return admissible(conditions(nonsticking(), taken_as_closed(orbit.motion), ur));
 }
 
-std::vector<NonstickingOrbit> admissible_orbits(const NonstickingList& list) {
-  std::vector<NonstickingOrbit> result;
-  for (const NonstickingOrbit& orbit : list.orbits) {
-    if (admissible_at(orbit, std::nullopt).truth == Truth::proved) {
+OrbitList list_nonsticking(const ExactParameters& a, int digits) {
+  return listed(nonsticking(), a, digits);
+}
+
+std::vector<Orbit> admissible_orbits(const OrbitList& list) {
+  std::vector<Orbit> result;
+  for (const Orbit& orbit : list.orbits) {
+    if (orbit.admissible.truth == Truth::proved) {
       result.push_back(orbit);
     }
   }
   return result;
 }
 
-void check_closes(const NonstickingOrbit& orbit, const char * bound) {
+void check_closes(const Orbit& orbit, const char * bound) {
   for (const model::Vector4<Ball>& gap : gaps(orbit.motion)) {
     for (int i = 0; i < 4; ++i) {
       CAPTURE(i);
@@ -40,68 +45,69 @@ void check_closes(const NonstickingOrbit& orbit, const char * bound) {
     }
   }
   const Ball V = orbit.motion.oscillator.data.V;
-  CHECK((state(orbit.motion, 0, orbit.tau)(3) - V).contains_zero());
-  CHECK((state(orbit.motion, 1, orbit.tau1)(3) - V).contains_zero());
+  CHECK((state(orbit.motion, 0, orbit.value("tau"))(3) - V).contains_zero());
+  CHECK((state(orbit.motion, 1, orbit.value("tau1"))(3) - V).contains_zero());
 }
 
 }  // namespace
 
 TEST_CASE("example P: both branches of cos(phi) close in all components of (28), one is admissible") {
-  const NonstickingList list = list_nonsticking(P(), 30);
+  const OrbitList list = list_nonsticking(P(), 30);
   CHECK(list.complete());
   REQUIRE(list.orbits.size() == 2);
-  for (const NonstickingOrbit& orbit : list.orbits) {
+  for (const Orbit& orbit : list.orbits) {
     check_closes(orbit, "1e-28");
-    CHECK(orbit.tau.overlaps(orbit.Theta / Ball(2)));
+    CHECK(orbit.value("tau").overlaps(orbit.value("Theta") / Ball(2)));
   }
-  const NonstickingOrbit& orbit = list.orbits[0];
-  CHECK(near(orbit.phi, "0.3925", "0.0002"));
-  CHECK(near(orbit.x10, "1.5608", "0.0001"));
-  CHECK(near(orbit.x20, "3.3295", "0.0003"));
-  CHECK(near(orbit.xdot10, "0.1523", "0.0002"));
-  const std::vector<Condition> conditions = nonsticking_conditions(orbit, Ball(parse_rational("0.2996")));
-  CHECK(admissible(conditions).truth == Truth::proved);
-  CHECK(conditions.back().id == "36");
+  const Orbit& orbit = list.orbits[0];
+  CHECK(near(orbit.value("phi"), "0.3925", "0.0002"));
+  CHECK(near(orbit.value("x10"), "1.5608", "0.0001"));
+  CHECK(near(orbit.value("x20"), "3.3295", "0.0003"));
+  CHECK(near(orbit.value("xdot10"), "0.1523", "0.0002"));
+  const std::vector<Condition> all =
+      conditions(nonsticking(), taken_as_closed(orbit.motion), Ball(parse_rational("0.2996")));
+  CHECK(admissible(all).truth == Truth::proved);
+  CHECK(all.back().id == "36");
   CHECK(admissible_at(list.orbits[1], Ball(parse_rational("0.2996"))).truth == Truth::refuted);
   CHECK(admissible_at(list.orbits[1], std::nullopt).truth == Truth::refuted);
 }
 
 TEST_CASE("the closed form (34), (35) is the orbit found by the search") {
-  const NonstickingList list = list_nonsticking(P(), 30);
+  const OrbitList list = list_nonsticking(P(), 30);
   const TwoSlips f = two_slips_of(parameters_as<Ball>(P()));
   const model::HalfPeriod<Ball> h =
       model::half_period<Ball>(f.o.data.chi, f.o.modes, f.o.d0, f.o.data.omega, f.pi);
   const Ball sin_phi = -h.friction_speed / (f.o.Q(1) * f.o.data.omega);
   REQUIRE(list.orbits.size() == 2);
   for (int k = 0; k < 2; ++k) {
-    const NonstickingOrbit& orbit = list.orbits[static_cast<std::size_t>(k)];
+    const Orbit& orbit = list.orbits[static_cast<std::size_t>(k)];
     const Ball cos_phi = Ball(1 - 2 * k) * sqrt(Ball(1) - sin_phi * sin_phi);
     const model::Vector4<Ball> Z0 =
         model::half_period_start<Ball>(h, f.o.Q, f.o.d0, f.o.data.omega, cos_phi, sin_phi);
-    CHECK(sin(orbit.phi).overlaps(sin_phi));
-    CHECK(cos(orbit.phi).overlaps(cos_phi));
+    CHECK(sin(orbit.value("phi")).overlaps(sin_phi));
+    CHECK(cos(orbit.value("phi")).overlaps(cos_phi));
     for (int i = 0; i < 4; ++i) {
       CHECK(orbit.motion.phases[0].Z(i).overlaps(Z0(i)));
     }
     // (36): ur_max = (chi (q2 - q1) - p/eta) cos(phi) = omega² q2 cos(phi)/eta.
     const Ball omega = f.o.data.omega;
-    CHECK(orbit.ur_max.overlaps(omega * omega * f.o.Q(1) * cos_phi / f.o.data.eta));
+    CHECK(orbit.value("ur_max").overlaps(omega * omega * f.o.Q(1) * cos_phi / f.o.data.eta));
   }
 }
 
 TEST_CASE("(54) holds along P, and not along an orbit with V not 0") {
-  const NonstickingOrbit at_rest = list_nonsticking(P(), 30).orbits[0];
-  const std::vector<NonstickingOrbit> moving = admissible_orbits(list_nonsticking(P("0.1"), 30));
+  const Orbit at_rest = list_nonsticking(P(), 30).orbits[0];
+  const std::vector<Orbit> moving = admissible_orbits(list_nonsticking(P("0.1"), 30));
   REQUIRE(moving.size() == 1);
-  const auto position = [](const NonstickingOrbit& orbit, const Ball& t) {
-    const bool slips = (t - orbit.tau).is_negative();
-    return state(orbit.motion, slips ? 0 : 1, slips ? t : Ball(t - orbit.tau))(1) +
+  const auto position = [](const Orbit& orbit, const Ball& t) {
+    const bool slips = (t - orbit.value("tau")).is_negative();
+    return state(orbit.motion, slips ? 0 : 1, slips ? t : Ball(t - orbit.value("tau")))(1) +
            orbit.motion.oscillator.d0(1);
   };
   for (const char * text : {"0.3", "1.7", "4.4"}) {
     const Ball t(parse_rational(text));
-    const auto sum = [&](const NonstickingOrbit& orbit) {
-      return position(orbit, t) + position(orbit, t + orbit.Theta / Ball(2));
+    const auto sum = [&](const Orbit& orbit) {
+      return position(orbit, t) + position(orbit, t + orbit.value("Theta") / Ball(2));
     };
     CHECK(sum(at_rest).contains_zero());
     CHECK(sum(moving[0]).is_nonzero());
@@ -111,30 +117,30 @@ TEST_CASE("(54) holds along P, and not along an orbit with V not 0") {
 TEST_CASE("orbits that never stick exist with V not 0, with tau above Theta/2 for V > 0") {
   for (const char * V : {"0.1", "-0.1", "0.001", "0.4"}) {
     CAPTURE(V);
-    const NonstickingList list = list_nonsticking(P(V), 30);
+    const OrbitList list = list_nonsticking(P(V), 30);
     CHECK(list.complete());
-    const std::vector<NonstickingOrbit> found = admissible_orbits(list);
+    const std::vector<Orbit> found = admissible_orbits(list);
     REQUIRE(found.size() == 1);
     check_closes(found[0], "1e-28");
-    const Ball excess = found[0].tau - found[0].tau1;
+    const Ball excess = found[0].value("tau") - found[0].value("tau1");
     CHECK((V[0] == '-' ? excess.is_negative() : excess.is_positive()));
-    CHECK(admissible_at(found[0], found[0].ur_max - Ball(1e-6)).truth == Truth::proved);
-    CHECK(admissible_at(found[0], found[0].ur_max + Ball(1e-6)).truth == Truth::refuted);
+    CHECK(admissible_at(found[0], found[0].value("ur_max") - Ball(1e-6)).truth == Truth::proved);
+    CHECK(admissible_at(found[0], found[0].value("ur_max") + Ball(1e-6)).truth == Truth::refuted);
     // x2(tau) - x2(0) = (2 V/omega) tan(omega tau/2).
     const auto& o = found[0].motion.oscillator;
-    const Ball half = o.data.omega * found[0].tau / Ball(2);
+    const Ball half = o.data.omega * found[0].value("tau") / Ball(2);
     const Ball moved = found[0].motion.phases[1].Z(1) - found[0].motion.phases[0].Z(1);
     CHECK(moved.overlaps(Ball(2) * o.data.V / o.data.omega * tan(half)));
   }
 }
 
 TEST_CASE("V and -V: the same orbit with its halves exchanged") {
-  const NonstickingOrbit a = admissible_orbits(list_nonsticking(P("0.2"), 30)).at(0);
-  const NonstickingOrbit b = admissible_orbits(list_nonsticking(P("-0.2"), 30)).at(0);
-  CHECK(a.tau.overlaps(b.tau1));
-  CHECK(a.ur_max.overlaps(b.ur_max));
+  const Orbit a = admissible_orbits(list_nonsticking(P("0.2"), 30)).at(0);
+  const Orbit b = admissible_orbits(list_nonsticking(P("-0.2"), 30)).at(0);
+  CHECK(a.value("tau").overlaps(b.value("tau1")));
+  CHECK(a.value("ur_max").overlaps(b.value("ur_max")));
   const Ball x20_mirrored = b.motion.phases[1].Z(1) + b.motion.oscillator.d0(1);
-  CHECK(a.x20.overlaps(-x20_mirrored));
+  CHECK(a.value("x20").overlaps(-x20_mirrored));
 }
 
 TEST_CASE("random data: the lists are complete, and never two orbits are admissible") {
@@ -152,12 +158,12 @@ TEST_CASE("random data: the lists are complete, and never two orbits are admissi
                             between(0.01, 0.2), run % 3 == 0 ? Rational(0) : between(-0.5, 0.5),
                             between(0.4, 2.5),  between(0.2, 2)};
     CAPTURE(run);
-    const NonstickingList list = list_nonsticking(a, 20);
+    const OrbitList list = list_nonsticking(a, 20);
     CHECK(list.complete());
-    const std::vector<NonstickingOrbit> found = admissible_orbits(list);
+    const std::vector<Orbit> found = admissible_orbits(list);
     CHECK(found.size() <= 1);
     admissible_lists += static_cast<int>(found.size());
-    for (const NonstickingOrbit& orbit : list.orbits) {
+    for (const Orbit& orbit : list.orbits) {
       check_closes(orbit, "1e-15");
     }
     if (a.V == 0) {
@@ -196,23 +202,24 @@ TEST_CASE("the least load: (37) is necessary, (36) needs more") {
     b.p = Rational(p.approximate());
     return list_nonsticking(b, 20);
   };
-  for (const NonstickingOrbit& orbit : at_load(printed * Ball(0.999)).orbits) {
-    CHECK_FALSE(orbit.tau.overlaps(orbit.tau1));
+  for (const Orbit& orbit : at_load(printed * Ball(0.999)).orbits) {
+    CHECK_FALSE(orbit.value("tau").overlaps(orbit.value("tau1")));
     CHECK(admissible_at(orbit, std::nullopt).truth == Truth::refuted);
   }
-  for (const NonstickingOrbit& orbit : at_load(printed * Ball(1.001)).orbits) {
-    CHECK((orbit.ur_max - ur).is_negative());
+  for (const Orbit& orbit : at_load(printed * Ball(1.001)).orbits) {
+    CHECK((orbit.value("ur_max") - ur).is_negative());
   }
-  for (const NonstickingOrbit& orbit : at_load(needed * Ball(0.999)).orbits) {
-    CHECK((orbit.ur_max - ur).is_negative());
+  for (const Orbit& orbit : at_load(needed * Ball(0.999)).orbits) {
+    CHECK((orbit.value("ur_max") - ur).is_negative());
   }
-  CHECK((at_load(needed * Ball(1.001)).orbits[0].ur_max - ur).is_positive());
+  CHECK((at_load(needed * Ball(1.001)).orbits[0].value("ur_max") - ur).is_positive());
 }
 
 TEST_CASE("a box moved by ten radii holds no zero") {
-  const NonstickingOrbit orbit = list_nonsticking(P("0.1"), 30).orbits[0];
+  const Orbit orbit = list_nonsticking(P("0.1"), 30).orbits[0];
   const TwoSlips f = two_slips_of(parameters_as<Ball>(P("0.1")));
-  Box<2> moved = box_around<2>(orbit.box, 1e-20);
+  const Ball delta = orbit.motion.oscillator.data.omega * orbit.value("tau") / Ball(2);
+  Box<2> moved = box_around<2>(Box<2>(delta, orbit.value("phi") + delta), 1e-20);
   CHECK(krawczyk_test<2>(f, moved).verdict.truth == Truth::proved);
   moved(1) += Ball(parse_rational("1e-19"));
   CHECK(krawczyk_test<2>(f, moved).verdict.truth == Truth::refuted);
@@ -229,7 +236,7 @@ TEST_CASE("degenerate data: resonance and a bad domain are refused, no load on x
     const ExactParameters a{chi, eta, Rational(1, 10), Rational(0), parse_rational(omega), Rational(1)};
     CHECK_THROWS_AS((void)list_nonsticking(a, 20), DomainError);
   }
-  const NonstickingList none = list_nonsticking(parse_parameters("0.3", "4", "0.1", "0.1", "1", "1"), 20);
+  const OrbitList none = list_nonsticking(parse_parameters("0.3", "4", "0.1", "0.1", "1", "1"), 20);
   CHECK(none.complete());
   CHECK(none.orbits.empty());
   CHECK_FALSE(list_nonsticking(parse_parameters("0.3", "4", "0.1", "0", "0.6", "0"), 20).complete());
@@ -237,17 +244,17 @@ TEST_CASE("degenerate data: resonance and a bad domain are refused, no load on x
 }
 
 TEST_CASE("digits as asked, precisions overlap") {
-  const NonstickingOrbit narrow = list_nonsticking(P("0.1"), 15).orbits[1];
+  const Orbit narrow = list_nonsticking(P("0.1"), 15).orbits[1];
   for (const int digits : {80, 300}) {
-    const NonstickingOrbit orbit = list_nonsticking(P("0.1"), digits).orbits[1];
+    const Orbit orbit = list_nonsticking(P("0.1"), digits).orbits[1];
     const WorkingPrecision precision(4L * digits);
-    CHECK(orbit.tau.overlaps(narrow.tau));
-    CHECK(orbit.ur_max.overlaps(narrow.ur_max));
+    CHECK(orbit.value("tau").overlaps(narrow.value("tau")));
+    CHECK(orbit.value("ur_max").overlaps(narrow.value("ur_max")));
     Ball bound(1);
     for (int i = 0; i < digits; ++i) {
       bound /= Ball(10);
     }
-    CHECK((orbit.x10.radius() - bound).is_negative());
-    CHECK((orbit.phi.radius() - bound).is_negative());
+    CHECK((orbit.value("x10").radius() - bound).is_negative());
+    CHECK((orbit.value("phi").radius() - bound).is_negative());
   }
 }

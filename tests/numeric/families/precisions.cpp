@@ -1,12 +1,12 @@
 // The same orbits enclosed at different precisions: the enclosures overlap, and the finer lie in the coarser.
 #include <doctest/doctest.h>
 
-#include "numeric/families/nonsticking.hpp"
-#include "numeric/families/overshooting.hpp"
-#include "numeric/families/symmetric_list.hpp"
+#include "numeric/motion/shooting.hpp"
+
 #include "tests/numeric/examples.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::scalars;
 using namespace stickslip::numeric::zeros;
@@ -16,20 +16,26 @@ namespace {
 
 using Values = std::vector<Ball>;
 
-Values values(const SymmetricProof& proof) {
-  REQUIRE(proof.existence.truth == Truth::proved);
-  const SymmetricState<Ball>& s = proof.orbit.state;
-  return {s.tau, s.T, s.Theta, s.phi, s.z10, s.z20, s.zdot10, s.x10, s.x20, s.ur, s.C};
+// To the accuracy of a double.
+Motion in_balls(Motion motion) {
+  for (Phase& phase : motion.phases) {
+    phase.duration = Ball(phase.duration.approximate());
+    phase.load = Ball(phase.load.approximate());
+    phase.Z = phase.Z.unaryExpr([](const Ball& x) { return Ball(x.approximate()); });
+  }
+  return motion;
 }
-Values values(const OvershootingProof& proof) {
-  REQUIRE(proof.existence.truth == Truth::proved);
-  const OvershootingState<Ball>& s = proof.orbit.state;
-  return {s.tau, s.tau1, s.T, s.Theta, s.z10, s.z20, s.zdot10, s.x10, s.x20, s.ur};
-}
-Values values(const NonstickingProof& proof) {
-  REQUIRE(proof.existence.truth == Truth::proved);
-  const NonstickingOrbit& o = proof.orbit;
-  return {o.tau, o.tau1, o.Theta, o.phi, o.x10, o.x20, o.xdot10, o.ur_max};
+
+Values values(const Family& family, const Closing& f, const Given<Rational>& given, const Motion& guess,
+              int digits) {
+  const ClosedMotion closed = prove_closed(f, given, in_balls(guess), digits);
+  REQUIRE(closed.existence.truth == Truth::proved);
+  const WorkingPrecision scope(bits_for(digits) + 64);
+  Values result;
+  for (const NamedBall& value : decided_orbit(family, closed, {}).values) {
+    result.push_back(value.value);
+  }
+  return result;
 }
 
 // prove: digits -> Values.
@@ -54,26 +60,37 @@ void check_precisions(const Prove& prove) {
 }  // namespace
 
 TEST_CASE("example S at 64, 128, 256 and 1024 bits") {
-  const SymmetricState<Ball> s = list_symmetric(S(), 20).orbits.at(1).state;
-  const model::Vector2<double> guess(s.tau.approximate(), s.C.approximate());
-  check_precisions([&](int digits) { return values(prove_symmetric(S(), LoadPhase::first, guess, digits)); });
+  const Motion guess = listed(symmetric(), S(), 20).orbits.at(1).motion;
+  const Closing f{SymmetricClosing{LoadPhase::first}};
+  check_precisions([&](int digits) { return values(symmetric(), f, {S()}, guess, digits); });
 }
 
 TEST_CASE("example O at 64, 128, 256 and 1024 bits") {
-  for (const OvershootingOrbit& orbit : list_overshooting_at_phase(O(), 0, 20).orbits) {
-    const model::Vector2<double> guess(orbit.state.tau.approximate(), orbit.state.tau1.approximate());
-    check_precisions([&](int digits) { return values(prove_overshooting_at_phase(O(), 0, guess, digits)); });
+  for (const Orbit& orbit : listed(overshooting(), O(), 20, Rational(0)).orbits) {
+    const Closing f{Shooting{overshooting().phases, true}};
+    check_precisions([&](int digits) {
+      return values(overshooting(), f, {O(), Rational(0)}, orbit.motion, digits);
+    });
   }
 }
 
 TEST_CASE("example P at 64, 128, 256 and 1024 bits") {
-  const Box<2> box = list_nonsticking(P(), 20).orbits.at(0).box;
-  const model::Vector2<double> guess(box(0).approximate(), box(1).approximate());
-  check_precisions([&](int digits) { return values(prove_nonsticking(P(), guess, digits)); });
+  const Motion guess = listed(nonsticking(), P(), 20).orbits.at(0).motion;
+  const Closing f{NonstickingClosing{}};
+  check_precisions([&](int digits) { return values(nonsticking(), f, {P()}, guess, digits); });
 }
 
-TEST_CASE("a guess beside the orbit is not proved to be one") {
-  const model::Vector2<double> nowhere(4.5, 2.5);
-  CHECK(prove_overshooting_at_phase(O(), 0, nowhere, 20).existence.truth != Truth::proved);
-  CHECK(prove_nonsticking(P(), {1.0, 1.0}, 20).existence.truth != Truth::proved);
+TEST_CASE("a guess beside the orbit is not proved to be one, or a proved one is what its motion says") {
+  Motion guess = listed(overshooting(), O(), 20, Rational(0)).orbits.at(1).motion;
+  guess.phases[0].duration = Ball(4.5);
+  guess.phases[1].duration = Ball(2.5);
+  const Closing f{Shooting{overshooting().phases, true}};
+  const AtParameters<Closing> system{f, f.parameters({parameters_as<Ball>(O()), Ball(0), {}})};
+  const Vector nowhere = box_around<Eigen::Dynamic>(f.unknowns(guess), 1e-3);
+  CHECK(krawczyk_test<Eigen::Dynamic>(system, nowhere).verdict.truth != Truth::proved);
+  for (const model::Vector4<Ball>& gap : gaps(prove_closed(f, {O(), Rational(0)}, guess, 20).motion)) {
+    for (int i = 0; i < 4; ++i) {
+      CHECK(gap(i).contains_zero());
+    }
+  }
 }

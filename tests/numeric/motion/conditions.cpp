@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "numeric/families/symmetric.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::examples;
@@ -23,19 +23,12 @@ const Condition& find(const std::vector<Condition>& conditions, const std::strin
   return *found;
 }
 
-struct Symmetric {
-  Motion motion;
-  Ball ur;
-};
+Orbit orbit_S() {
+  return listed(symmetric(), S(), 30).orbits.at(1);
+}
 
-Symmetric orbit_S() {
-  for (const SymmetricProof& proof : solve_symmetric(S(), 30)) {
-    if (proof.existence.truth == Truth::proved && near(proof.orbit.state.tau, "7.749", "0.01")) {
-      return {motion_of(S(), proof.orbit), proof.orbit.state.ur};
-    }
-  }
-  FAIL("no orbit S");
-  return {};
+std::vector<Condition> decide_conditions(const Family& family, const Motion& motion, const Ball& ur) {
+  return conditions(family, taken_as_closed(motion), ur);
 }
 
 // What a sample of the motion says about a requirement's distance divided by its weight.
@@ -68,7 +61,7 @@ double sampled(const Motion& motion, const Ball& ur, const Requirement& q) {
   return least;
 }
 
-void check_margins_against_samples(Family family, const Motion& motion, const Ball& ur) {
+void check_margins_against_samples(const Family& family, const Motion& motion, const Ball& ur) {
   for (const Requirement& q : requirements(family)) {
     if (!q.along) {
       continue;
@@ -84,8 +77,10 @@ void check_margins_against_samples(Family family, const Motion& motion, const Ba
 }  // namespace
 
 TEST_CASE("example S obeys every condition, with the margins that (12), (13) give in closed form") {
-  const auto [motion, ur] = orbit_S();
-  const std::vector<Condition> conditions = decide_conditions(Family::symmetric, motion, ur);
+  const Orbit orbit = orbit_S();
+  const Motion& motion = orbit.motion;
+  const Ball& ur = orbit.value("ur");
+  const std::vector<Condition> conditions = decide_conditions(symmetric(), motion, ur);
   for (const Condition& condition : conditions) {
     CAPTURE(condition.id);
     CAPTURE(condition.verdict.reason);
@@ -100,28 +95,27 @@ TEST_CASE("example S obeys every condition, with the margins that (12), (13) giv
   CHECK(find(conditions, "14.upper").margin->overlaps(Ball(2) * eta * (ur - us)));
   CHECK(find(conditions, "12").margin->overlaps(eta * (ur - us)));
   CHECK(find(conditions, "f2").margin->is_positive());
-  check_margins_against_samples(Family::symmetric, motion, ur);
+  check_margins_against_samples(symmetric(), motion, ur);
 }
 
 TEST_CASE("example O obeys every condition") {
   const ComposedOrbit orbit = orbit_O();
   REQUIRE(orbit.proof.verdict.truth == Truth::proved);
-  const std::vector<Condition> conditions = decide_conditions(Family::overshooting, orbit.motion, orbit.ur);
+  const std::vector<Condition> conditions = decide_conditions(overshooting(), orbit.motion, orbit.ur);
   for (const Condition& condition : conditions) {
     CAPTURE(condition.id);
     CAPTURE(condition.verdict.reason);
     CHECK(condition.verdict.truth == Truth::proved);
   }
   CHECK(conditions.size() == 13);
-  check_margins_against_samples(Family::overshooting, orbit.motion, orbit.ur);
+  check_margins_against_samples(overshooting(), orbit.motion, orbit.ur);
 }
 
 TEST_CASE("a friction at rest that does not hold the mass refutes the stick with a time and a ball") {
   const ComposedOrbit orbit = orbit_O();
   // (12) ties ur to the orbit: another ur breaks that premise.
   for (const char * other : {"0.3", "0.6"}) {
-    const auto conditions =
-        decide_conditions(Family::overshooting, orbit.motion, Ball(parse_rational(other)));
+    const auto conditions = decide_conditions(overshooting(), orbit.motion, Ball(parse_rational(other)));
     CHECK(find(conditions, "12").verdict.truth == Truth::refuted);
     CHECK(find(conditions, "11.upper").verdict.truth == Truth::refuted);
     CHECK(admissible(conditions).truth == Truth::refuted);
@@ -139,7 +133,7 @@ TEST_CASE("a friction at rest that does not hold the mass refutes the stick with
 TEST_CASE("phases in another order, a shifted state or another phase of the load are never proved") {
   const ComposedOrbit orbit = orbit_O();
   const auto never_proved = [&](const Motion& motion) {
-    for (const Condition& condition : decide_conditions(Family::overshooting, motion, orbit.ur)) {
+    for (const Condition& condition : decide_conditions(overshooting(), motion, orbit.ur)) {
       CAPTURE(condition.id);
       CHECK(condition.verdict.truth == Truth::refuted);
     }
@@ -203,12 +197,12 @@ TEST_CASE("degenerate numbers") {
 TEST_CASE("precisions agree") {
   const std::vector<Condition> narrow = [] {
     const ComposedOrbit orbit = orbit_O();
-    return decide_conditions(Family::overshooting, orbit.motion, orbit.ur);
+    return decide_conditions(overshooting(), orbit.motion, orbit.ur);
   }();
   for (const long bits : {256L, 1024L}) {
     const WorkingPrecision precision(bits);
     const ComposedOrbit orbit = orbit_O();
-    const auto conditions = decide_conditions(Family::overshooting, orbit.motion, orbit.ur);
+    const auto conditions = decide_conditions(overshooting(), orbit.motion, orbit.ur);
     for (std::size_t i = 0; i < narrow.size(); ++i) {
       CAPTURE(conditions[i].id);
       CHECK(conditions[i].margin->overlaps(*narrow[i].margin));

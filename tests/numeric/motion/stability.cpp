@@ -65,7 +65,7 @@ TEST_CASE("the paper's orbits: S is unstable, O and P are stable") {
 TEST_CASE("double and balls agree, wherever the period is cut") {
   for (const auto& example : printed_examples()) {
     CAPTURE(example.name);
-    const DecidedOrbit orbit = printed_orbit(example);
+    const Orbit orbit = printed_orbit(example);
     const MotionOf<double> motion = in_double(orbit.motion);
     REQUIRE(orbit.stability->multipliers.size() == 4);
     for (std::size_t first = 0; first < motion.phases.size(); ++first) {
@@ -81,12 +81,12 @@ TEST_CASE("a motion that sticks has the multiplier 0 exactly, others have none")
   for (const auto& example : printed_examples()) {
     const ComplexBall last = printed_orbit(example).stability->multipliers.back();
     const bool zero = last.re.is_exact() && last.re.contains_zero() && last.im.contains_zero();
-    CHECK(zero == (example.family != Family::nonsticking));
+    CHECK(zero == families::has_stick(*example.family));
   }
 }
 
 TEST_CASE("the determinant of the map of a non-sticking orbit is that of its two crossings") {
-  const DecidedOrbit orbit = printed_orbit(example_named("P"));
+  const Orbit orbit = printed_orbit(example_named("P"));
   const MotionOf<double> motion = in_double(orbit.motion);
   double product = 1;
   for (const PhaseOf<double>& phase : motion.phases) {
@@ -102,7 +102,7 @@ TEST_CASE("without load 1 is a multiplier, so nothing is called stable") {
   for (const char * name : {"S", "O"}) {
     OrbitQuestion q = question_of(example_named(name));
     q.parameters.p.middle = 0;
-    for (const DecidedOrbit& orbit : list_orbits(q).orbits) {
+    for (const Orbit& orbit : list_orbits(q).orbits) {
       if (!orbit.stability) {
         continue;
       }
@@ -123,7 +123,7 @@ TEST_CASE("a box of parameters has one stability, or is undecided") {
   OrbitQuestion q = question_of(example_named("P"));
   q.parameters.p.radius = parse_rational("1e-6");
   CHECK(stability_of(q, 0) == StabilityKind::stable);
-  const DecidedOrbit orbit = printed_orbit(example_named("S"));
+  const Orbit orbit = printed_orbit(example_named("S"));
   Motion wide = orbit.motion;
   wide.phases.front().Z(0) += Ball::from_interval(-1, 1);
   CHECK(decide_stability(wide).kind == StabilityKind::undecided);
@@ -134,7 +134,7 @@ TEST_CASE("a moving belt does not destabilise orbits that never stick") {
   OrbitQuestion q = question_of(example_named("P"));
   q.ur.reset();
   q.parameters.V.middle = parse_rational("0.1");
-  for (const DecidedOrbit& orbit : list_orbits(q).orbits) {
+  for (const Orbit& orbit : list_orbits(q).orbits) {
     if (orbit.stability) {
       CHECK(orbit.stability->kind == StabilityKind::stable);
     }

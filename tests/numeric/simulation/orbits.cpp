@@ -63,7 +63,7 @@ TEST_CASE("the raw friction law reproduces the proved orbits") {
 }
 
 TEST_CASE("what is no orbit is not reproduced") {
-  DecidedOrbit orbit = printed_orbit(example_named("O"));
+  Orbit orbit = printed_orbit(example_named("O"));
   orbit.motion.phases.front().Z(0) += Ball(1e-3);
   CHECK(agreement(orbit, follow).closure > 1e-6);
   orbit.motion.phases.pop_back();
@@ -72,7 +72,7 @@ TEST_CASE("what is no orbit is not reproduced") {
 
 TEST_CASE("multipliers are the eigenvalues of differences of the simulated return map to 8 digits") {
   for (const auto& example : printed_examples()) {
-    for (const DecidedOrbit& orbit : list_orbits(question_of(example)).orbits) {
+    for (const Orbit& orbit : list_orbits(question_of(example)).orbits) {
       if (!orbit.stability) {
         continue;
       }
@@ -92,7 +92,7 @@ TEST_CASE("multipliers on a moving belt, without sticking") {
   q.ur.reset();
   q.parameters.V.middle = parse_rational("0.1");
   int checked = 0;
-  for (const DecidedOrbit& orbit : list_orbits(q).orbits) {
+  for (const Orbit& orbit : list_orbits(q).orbits) {
     if (orbit.stability) {
       const Eigen::Vector4cd values =
           differences(start_of(orbit), period(orbit.motion).approximate()).eigenvalues();

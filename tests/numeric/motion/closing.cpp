@@ -1,5 +1,5 @@
-// Whole boxes of parameters at once.
-#include "numeric/families/parameter_box.hpp"
+// Closed motions over whole boxes of parameters at once.
+#include "numeric/motion/closing.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,11 +8,11 @@
 #include <tuple>
 
 #include "core/error.hpp"
-#include "numeric/families/nonsticking.hpp"
-#include "numeric/families/symmetric.hpp"
+#include "numeric/motion/shooting.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;
+using namespace stickslip::numeric;
 using namespace stickslip::numeric::families;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::examples;
@@ -24,79 +24,111 @@ Ball around(const Ball& middle, const char * radius) {
   return middle + Ball::hull(-r, r);
 }
 
-SymmetricState<Ball> state_S(const ExactParameters& a) {
-  for (const SymmetricProof& proof : solve_symmetric(a, 30)) {
-    if (proof.existence.truth == Truth::proved && proof.orbit.phase == LoadPhase::first &&
-        near(proof.orbit.state.tau, "7.749", "0.1")) {
-      return proof.orbit.state;
+// What the examples' systems are.
+const Closing system_S = SymmetricClosing{LoadPhase::first};
+const Closing system_O = Shooting{overshooting().phases, true};
+const Closing system_O_at_ur = Shooting{overshooting().phases, false, true};
+const Closing system_P = NonstickingClosing{};
+
+using Data = model::Parameters<Ball>;
+
+// An orbit over a box, with everything decided.
+struct BoxOrbit {
+  Verdict existence;
+  std::string split;
+  Orbit orbit;
+};
+
+BoxOrbit prove_over(const Family& family, const Closing& f, const Given<Ball>& given, const Motion& guess) {
+  const ClosedMotion closed = prove_closed_over(f, given, guess);
+  return {closed.existence, closed.split,
+          closed.existence.truth == Truth::proved ? decided_orbit(family, closed, given.ur) : Orbit{}};
+}
+BoxOrbit prove_symmetric_over(const Data& a, const Motion& guess) {
+  return prove_over(symmetric(), system_S, {a}, guess);
+}
+BoxOrbit prove_overshooting_over(const Data& a, const Ball& phi, const Motion& guess) {
+  return prove_over(overshooting(), system_O, {a, phi}, guess);
+}
+BoxOrbit prove_overshooting_at_friction_over(const Data& a, const Ball& ur, const Motion& guess) {
+  return prove_over(overshooting(), system_O_at_ur, {a, {}, ur}, guess);
+}
+BoxOrbit prove_nonsticking_over(const Data& a, const std::optional<Ball>& ur, const Motion& guess) {
+  return prove_over(nonsticking(), system_P, {a, {}, ur}, guess);
+}
+
+Orbit state_S(const ExactParameters& a) {
+  for (const Orbit& orbit : listed(symmetric(), a, 30).orbits) {
+    if (near(orbit.value("tau"), "7.749", "0.1")) {
+      return orbit;
     }
   }
   FAIL("no orbit S");
   return {};
 }
 
-std::vector<double> guess_S() {
-  const SymmetricState<Ball> s = state_S(S());
-  return {s.tau.approximate(), s.C.approximate()};
+Motion guess_S() {
+  return state_S(S()).motion;
 }
 
-std::vector<double> guess_O() {
-  const ComposedOrbit orbit = orbit_O();
-  std::vector<double> guess;
-  for (int i = 0; i < 5; ++i) {
-    guess.push_back(orbit.proof.box(i).approximate());
-  }
-  return guess;
+Motion guess_O() {
+  return orbit_O().motion;
 }
 
-std::vector<double> guess_P() {
-  const NonstickingOrbit orbit = list_nonsticking(P(), 20).orbits.at(0);
-  return {orbit.box(0).approximate(), orbit.box(1).approximate()};
+Motion guess_P() {
+  return listed(nonsticking(), P(), 20).orbits.at(0).motion;
+}
+
+bool contains(const BoxOrbit& wide, const BoxOrbit& narrow, const char * name) {
+  return wide.orbit.value(name).contains(narrow.orbit.value(name));
 }
 
 }  // namespace
 
 TEST_CASE("a box of no width gives the orbit itself") {
-  const BoxOrbit S_box = prove_symmetric_over(parameters_as<Ball>(S()), 1, guess_S());
+  const BoxOrbit S_box = prove_symmetric_over(parameters_as<Ball>(S()), guess_S());
   REQUIRE(S_box.existence.truth == Truth::proved);
-  CHECK(S_box.zero[0].overlaps(state_S(S()).tau));
-  CHECK(S_box.ur.overlaps(state_S(S()).ur));
-  CHECK((S_box.ur.radius() - Ball(1e-20)).is_negative());
-  CHECK(admissible(S_box.conditions).truth == Truth::proved);
+  CHECK(S_box.orbit.value("tau").overlaps(state_S(S()).value("tau")));
+  CHECK(S_box.orbit.value("ur").overlaps(state_S(S()).value("ur")));
+  CHECK((S_box.orbit.value("ur").radius() - Ball(1e-20)).is_negative());
+  CHECK(admissible(S_box.orbit.conditions).truth == Truth::proved);
   const BoxOrbit O_box = prove_overshooting_over(parameters_as<Ball>(O()), Ball(0), guess_O());
   REQUIRE(O_box.existence.truth == Truth::proved);
-  CHECK(O_box.ur.overlaps(orbit_O().ur));
-  CHECK(admissible(O_box.conditions).truth == Truth::proved);
+  CHECK(O_box.orbit.value("ur").overlaps(orbit_O().ur));
+  CHECK(admissible(O_box.orbit.conditions).truth == Truth::proved);
   const BoxOrbit P_box =
       prove_nonsticking_over(parameters_as<Ball>(P()), Ball(parse_rational("0.2996")), guess_P());
   REQUIRE(P_box.existence.truth == Truth::proved);
-  CHECK(P_box.ur.overlaps(list_nonsticking(P(), 20).orbits[0].ur_max));
-  CHECK(admissible(P_box.conditions).truth == Truth::proved);
+  CHECK(prove_nonsticking_over(parameters_as<Ball>(P()), {}, guess_P())
+            .orbit.value("ur_max")
+            .overlaps(listed(nonsticking(), P(), 20).orbits[0].value("ur_max")));
+  CHECK(admissible(P_box.orbit.conditions).truth == Truth::proved);
 }
 
 TEST_CASE("chi = 0.5 ± 1e-4: example S exists and is admissible for every member") {
   model::Parameters<Ball> a = parameters_as<Ball>(S());
   a.chi = around(a.chi, "1e-4");
-  const BoxOrbit orbit = prove_symmetric_over(a, 1, guess_S());
+  const BoxOrbit orbit = prove_symmetric_over(a, guess_S());
   REQUIRE(orbit.existence.truth == Truth::proved);
   CHECK(orbit.split == "chi");
-  for (const Condition& condition : orbit.conditions) {
+  for (const Condition& condition : orbit.orbit.conditions) {
     CAPTURE(condition.id);
     CAPTURE(condition.verdict.reason);
     CHECK(condition.verdict.truth == Truth::proved);
   }
   // The enclosures hold the orbits of members, ends of the box included, and are not wildly larger.
-  Ball hull = orbit.ur.midpoint();
+  const Ball& ur = orbit.orbit.value("ur");
+  Ball hull = ur.midpoint();
   for (const char * chi : {"0.4999", "0.49993", "0.5", "0.50004", "0.5001"}) {
     CAPTURE(chi);
-    const SymmetricState<Ball> member = state_S(parse_parameters(chi, "3.8", "0.02", "1", "0.6", "0.05"));
-    CHECK(orbit.zero[0].contains(member.tau));
-    CHECK(orbit.ur.contains(member.ur));
-    CHECK(orbit.motion.phases[0].Z(0).contains(member.z10));
-    CHECK(orbit.motion.phases[0].load.contains(member.phi));
-    hull = Ball::hull(hull, member.ur);
+    const Orbit member = state_S(parse_parameters(chi, "3.8", "0.02", "1", "0.6", "0.05"));
+    CHECK(orbit.orbit.value("tau").contains(member.value("tau")));
+    CHECK(orbit.orbit.value("ur").contains(member.value("ur")));
+    CHECK(orbit.orbit.value("z10").contains(member.value("z10")));
+    CHECK(orbit.orbit.value("phi").contains(member.value("phi")));
+    hull = Ball::hull(hull, member.value("ur"));
   }
-  CHECK((orbit.ur.radius() - Ball(3) * hull.radius()).is_negative());
+  CHECK((ur.radius() - Ball(3) * hull.radius()).is_negative());
 }
 
 TEST_CASE("the margins over a box contain those of its members") {
@@ -105,40 +137,39 @@ TEST_CASE("the margins over a box contain those of its members") {
   a.p = around(a.p, "2e-6");
   const BoxOrbit orbit = prove_overshooting_over(a, around(Ball(0), "1e-5"), guess_O());
   REQUIRE(orbit.existence.truth == Truth::proved);
-  CHECK(admissible(orbit.conditions).truth == Truth::proved);
+  CHECK(admissible(orbit.orbit.conditions).truth == Truth::proved);
   for (const char * V : {"0.99998", "1.00001", "1.00002"}) {
     const ExactParameters member = parse_parameters("0.2", "4", "0.05", V, "0.6289", "0.050001");
     const BoxOrbit narrow =
         prove_overshooting_over(parameters_as<Ball>(member), Ball(parse_rational("-0.000007")), guess_O());
     REQUIRE(narrow.existence.truth == Truth::proved);
-    for (std::size_t i = 0; i < narrow.conditions.size(); ++i) {
-      CAPTURE(narrow.conditions[i].id);
-      CHECK(orbit.conditions[i].margin->contains(*narrow.conditions[i].margin));
+    for (std::size_t i = 0; i < narrow.orbit.conditions.size(); ++i) {
+      CAPTURE(narrow.orbit.conditions[i].id);
+      CHECK(orbit.orbit.conditions[i].margin->contains(*narrow.orbit.conditions[i].margin));
     }
-    for (std::size_t i = 0; i < 5; ++i) {
-      CHECK(orbit.zero[i].contains(narrow.zero[i]));
+    for (const char * name : {"tau", "tau1", "z10", "z20", "zdot10"}) {
+      CHECK(contains(orbit, narrow, name));
     }
   }
 }
 
 TEST_CASE("an engineer knows the friction, not the phase: example O over a box of u_r") {
-  std::vector<double> guess = guess_O();
-  guess.push_back(0);
+  const Motion guess = guess_O();
   const Ball ur = orbit_O().ur.midpoint();
   const BoxOrbit point = prove_overshooting_at_friction_over(parameters_as<Ball>(O()), ur, guess);
   REQUIRE(point.existence.truth == Truth::proved);
-  CHECK(near(point.zero[5], "0", "1e-20"));
+  CHECK(near(point.orbit.value("phi"), "0", "1e-20"));
   const BoxOrbit box =
       prove_overshooting_at_friction_over(parameters_as<Ball>(O()), around(ur, "1e-6"), guess);
   REQUIRE(box.existence.truth == Truth::proved);
   CHECK(box.split == "ur");
-  CHECK(admissible(box.conditions).truth == Truth::proved);
-  CHECK(box.zero[0].contains(point.zero[0]));
+  CHECK(admissible(box.orbit.conditions).truth == Truth::proved);
+  CHECK(contains(box, point, "tau"));
   const BoxOrbit member =
       prove_overshooting_at_friction_over(parameters_as<Ball>(O()), ur + Ball(9e-7), guess);
   REQUIRE(member.existence.truth == Truth::proved);
-  CHECK(box.zero[5].contains(member.zero[5]));
-  CHECK_FALSE(point.zero[5].overlaps(member.zero[5]));
+  CHECK(contains(box, member, "phi"));
+  CHECK_FALSE(point.orbit.value("phi").overlaps(member.orbit.value("phi")));
 }
 
 TEST_CASE("example P is one of a family through V = 0") {
@@ -147,18 +178,19 @@ TEST_CASE("example P is one of a family through V = 0") {
   a.chi = around(a.chi, "1e-4");
   const BoxOrbit orbit = prove_nonsticking_over(a, around(Ball(parse_rational("0.2")), "0.01"), guess_P());
   REQUIRE(orbit.existence.truth == Truth::proved);
-  CHECK(admissible(orbit.conditions).truth == Truth::proved);
+  CHECK(admissible(orbit.orbit.conditions).truth == Truth::proved);
   const BoxOrbit without = prove_nonsticking_over(a, std::nullopt, guess_P());
-  CHECK(admissible(without.conditions).truth == Truth::proved);
+  CHECK(admissible(without.orbit.conditions).truth == Truth::proved);
   const BoxOrbit grazing = prove_nonsticking_over(a, Ball(parse_rational("0.2996")), guess_P());
-  CHECK(admissible(grazing.conditions).truth == Truth::undecided);
+  CHECK(admissible(grazing.orbit.conditions).truth == Truth::undecided);
 }
 
 TEST_CASE("(36) is decided over boxes with V = 0, as (25) is") {
   model::Parameters<Ball> a = parameters_as<Ball>(P());
   a.p = around(a.p, "1e-4");
   const auto condition = [&](const char * ur, const char * id) {
-    for (const Condition& c : prove_nonsticking_over(a, Ball(parse_rational(ur)), guess_P()).conditions) {
+    for (const Condition& c :
+         prove_nonsticking_over(a, Ball(parse_rational(ur)), guess_P()).orbit.conditions) {
       if (c.id == id) {
         return c.verdict.truth;
       }
@@ -179,37 +211,32 @@ TEST_CASE("boxes that are too wide are undecided and name the parameter to split
   model::Parameters<Ball> a = parameters_as<Ball>(S());
   a.chi = around(a.chi, "0.05");
   a.p = around(a.p, "1e-6");
-  const BoxOrbit orbit = prove_symmetric_over(a, 1, guess_S());
+  const BoxOrbit orbit = prove_symmetric_over(a, guess_S());
   CHECK(orbit.existence.truth == Truth::undecided);
   CHECK(orbit.split == "chi");
-  CHECK(orbit.conditions.empty());
+  CHECK(orbit.orbit.conditions.empty());
   a = parameters_as<Ball>(S());
   a.omega = around(a.omega, "0.5");  // holds a natural frequency
-  CHECK(prove_symmetric_over(a, 1, guess_S()).existence.truth == Truth::undecided);
+  CHECK(prove_symmetric_over(a, guess_S()).existence.truth == Truth::undecided);
 }
 
 namespace {
 
-using Data = model::Parameters<Ball>;
-
 struct Subject {
   const char * name;
   Data data;
-  std::vector<double> guess;
-  std::function<BoxOrbit(const Data&, const std::vector<double>&)> prove;
+  Motion guess;
+  std::function<BoxOrbit(const Data&, const Motion&)> prove;
 };
 
 std::vector<Subject> examples_over_boxes() {
-  return {
-      {"S", parameters_as<Ball>(S()), guess_S(),
-       [](const Data& a, const std::vector<double>& guess) { return prove_symmetric_over(a, 1, guess); }},
-      {"O", parameters_as<Ball>(O()), guess_O(),
-       [](const Data& a, const std::vector<double>& guess) {
-         return prove_overshooting_over(a, Ball(0), guess);
-       }},
-      {"P", parameters_as<Ball>(P("0.1")), guess_P(), [](const Data& a, const std::vector<double>& guess) {
-         return prove_nonsticking_over(a, Ball(parse_rational("0.2")), guess);
-       }}};
+  return {{"S", parameters_as<Ball>(S()), guess_S(),
+           [](const Data& a, const Motion& guess) { return prove_symmetric_over(a, guess); }},
+          {"O", parameters_as<Ball>(O()), guess_O(),
+           [](const Data& a, const Motion& guess) { return prove_overshooting_over(a, Ball(0), guess); }},
+          {"P", parameters_as<Ball>(P("0.1")), guess_P(), [](const Data& a, const Motion& guess) {
+             return prove_nonsticking_over(a, Ball(parse_rational("0.2")), guess);
+           }}};
 }
 
 const std::vector<std::pair<const char *, Ball Data::*>>& parameters() {
@@ -226,22 +253,20 @@ bool is_proved(const Verdict& verdict) {
 // That the orbit of the member is the one that the wide proof speaks of, and that all holds there that was
 // proved over the whole box.
 void check_member(const Subject& example, const BoxOrbit& wide, const Data& member) {
-  std::vector<double> guess;
-  for (const Ball& unknown : wide.zero) {
-    guess.push_back(unknown.approximate());
-  }
-  const BoxOrbit narrow = example.prove(member, guess);
+  const BoxOrbit narrow = example.prove(member, wide.orbit.motion);
   REQUIRE(is_proved(narrow.existence));
-  for (std::size_t i = 0; i < wide.zero.size(); ++i) {
-    CHECK(wide.zero[i].contains(narrow.zero[i]));
+  for (const NamedBall& value : wide.orbit.values) {
+    CAPTURE(value.name);
+    // What does not depend on the wide parameter differs by rounding only.
+    const Ball rounding = Ball::hull(Ball(-1e-30), Ball(1e-30));
+    CHECK((value.value + rounding).contains(narrow.orbit.value(value.name)));
   }
-  CHECK(wide.ur.contains(narrow.ur));
-  REQUIRE(narrow.conditions.size() == wide.conditions.size());
-  for (std::size_t i = 0; i < wide.conditions.size(); ++i) {
-    CAPTURE(wide.conditions[i].id);
-    const Truth over_all = wide.conditions[i].verdict.truth;
+  REQUIRE(narrow.orbit.conditions.size() == wide.orbit.conditions.size());
+  for (std::size_t i = 0; i < wide.orbit.conditions.size(); ++i) {
+    CAPTURE(wide.orbit.conditions[i].id);
+    const Truth over_all = wide.orbit.conditions[i].verdict.truth;
     const bool decided = over_all == Truth::proved || over_all == Truth::refuted;
-    CHECK((!decided || narrow.conditions[i].verdict.truth == over_all));
+    CHECK((!decided || narrow.orbit.conditions[i].verdict.truth == over_all));
   }
 }
 
@@ -290,6 +315,7 @@ TEST_CASE("parameters widened over a resonance or beyond the domain: nothing is 
   }
 }
 
-TEST_CASE("a wrong number of unknowns is the caller's error") {
-  CHECK_THROWS_AS((void)prove_symmetric_over(parameters_as<Ball>(S()), 1, {1, 2, 3}), InternalError);
+TEST_CASE("a guess with other phases and a datum that is not given are the caller's errors") {
+  CHECK_THROWS_AS((void)prove_symmetric_over(parameters_as<Ball>(S()), guess_O()), InternalError);
+  CHECK_THROWS_AS((void)prove_closed_over(system_O, {parameters_as<Ball>(O())}, guess_O()), InternalError);
 }

@@ -1,0 +1,97 @@
+#include "numeric/families/family.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/symmetric.hpp"
+
+namespace stickslip::numeric::families {
+
+using namespace motion;
+
+bool asks_for_box(const OrbitQuestion& q) {
+  const model::Parameters<Range>& a = q.parameters;
+  const std::array all{
+      a.chi, a.eta, a.us, a.V, a.omega, a.p, q.phi.value_or(Range{}), q.ur.value_or(Range{})};
+  return std::any_of(all.begin(), all.end(), [](const Range& range) { return range.radius != 0; });
+}
+
+const Ball& Orbit::value(const std::string& name) const {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const NamedBall& value) { return value.name == name; });
+  if (found == values.end()) {
+    throw InternalError("the orbit has no value " + name);
+  }
+  return found->value;
+}
+
+const std::vector<const Family *>& all_families() {
+  static const std::vector<const Family *> table{&symmetric(), &overshooting(), &nonsticking()};
+  return table;
+}
+
+std::string names_of_families() {
+  std::string names;
+  const auto& all = all_families();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    names += (i == 0 ? "" : i + 1 == all.size() ? " or " : ", ") + all[i]->name;
+  }
+  return names;
+}
+
+const Family& family_named(const std::string& name) {
+  for (const Family * family : all_families()) {
+    if (family->name == name) {
+      return *family;
+    }
+  }
+  throw UsageError("there is no family '" + name + "' of orbits: " + names_of_families());
+}
+
+bool has_stick(const Family& family) {
+  return std::find(family.phases.begin(), family.phases.end(), PhaseKind::stick) != family.phases.end();
+}
+
+Requirements requirements(const Family& family, bool ur_given) {
+  Requirements list = family.requirements;
+  if (!ur_given) {
+    std::erase_if(list, [](const Requirement& requirement) { return needs_ur(requirement.quantity); });
+  }
+  return list;
+}
+
+Ball friction_of(const Family& family, const ClosedMotion& motion) {
+  Ball least = motion.friction.front();
+  if (!has_stick(family)) {
+    for (std::size_t k = 0; k < motion.friction.size(); ++k) {
+      const Ball& r = motion.friction[k];
+      const Ball ahead = motion.motion.phases[k].kind == PhaseKind::slip ? r : -r;
+      arb_min(least.raw(), least.raw(), ahead.raw(), WorkingPrecision::bits());
+    }
+  }
+  return least;
+}
+
+std::vector<Condition> conditions(const Family& family, const ClosedMotion& motion,
+                                  const std::optional<Ball>& ur) {
+  std::vector<Condition> result =
+      decide_all(family.phases, requirements(family, ur.has_value()), motion.motion, motion.waves, ur);
+  if (family.further != nullptr) {
+    for (Condition& condition : family.further(motion.motion, friction_of(family, motion), ur)) {
+      result.push_back(std::move(condition));
+    }
+  }
+  return result;
+}
+
+Place place(const Ball& share) {
+  const Ball beyond = share - Ball(1);
+  if (share.is_negative() || beyond.is_positive()) {
+    return Place::outside;
+  }
+  return share.is_positive() && beyond.is_negative() ? Place::inside : Place::at_edge;
+}
+
+}  // namespace stickslip::numeric::families

@@ -1,0 +1,139 @@
+// A family of orbits as one record: everything that the rest of the program knows of it. A new family is its
+// record and its search in a file of its own, and a row of the table.
+//
+// Its closing conditions are a system f(x, p) = 0 (motion/closing.hpp), the same for an orbit at exact data,
+// to any precision, and for all members of a box of parameters. Any sequence of phases has that of
+// motion/shooting.hpp; symmetric and non-sticking orbits have reduced ones in two unknowns (model/), which
+// the paper's claims prove to be equivalent and which stay regular over boxes that are ten to a hundred times
+// as wide.
+//
+// The search isolates the zeros of reduced equations in one or two unknowns, the only ones in which
+// everything else can be excluded; a motion that is then proved to close counts as the zero in whose box of
+// uniqueness it lies.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/decimal.hpp"
+#include "numeric/motion/closing.hpp"
+#include "numeric/motion/conditions.hpp"
+#include "numeric/motion/stability.hpp"
+
+namespace stickslip::numeric::families {
+
+struct Family;
+
+// What is asked for: one set of parameters, or a whole box of them when some radius is not zero.
+struct OrbitQuestion {
+  const Family * family = nullptr;
+  model::Parameters<Range> parameters;
+  std::optional<Range> phi;  // overshooting: exactly one of phi and ur
+  std::optional<Range> ur;   // non-sticking: optional
+  int digits = 20;           // significant ones, of every value of an orbit
+};
+
+[[nodiscard]] bool asks_for_box(const OrbitQuestion& question);
+
+// A number under the paper's symbol in ASCII: tau, tau1, T, Theta, phi, z10, z20, zdot10, x10, x20, xdot10,
+// ur, ur_max.
+struct NamedBall {
+  std::string name;
+  Ball value;
+};
+
+// An orbit that is proved to exist, for all members of the parameters, with everything decided about it.
+struct Orbit {
+  std::vector<NamedBall> values;  // those that the family has, in the order above
+  motion::Motion motion;
+  std::vector<motion::Condition> conditions;
+  Verdict admissible;                          // of "all conditions hold"
+  std::optional<motion::Stability> stability;  // of an admissible orbit
+  std::string split;  // for a box, when something is undecided: the parameter to split first
+
+  // Throws InternalError when the family has no such value.
+  [[nodiscard]] const Ball& value(const std::string& name) const;
+};
+
+// A part of the search's domain that it could not decide.
+struct Unresolved {
+  std::vector<NamedBall> where;
+  std::string reason;
+};
+
+// What else there is to know about a list.
+enum class Remark {
+  load_absent,           // p = 0: the load's phase means nothing
+  closes_without_stick,  // omega_j = k omega, k > 1: at T = 0 a motion closes that never sticks; not listed
+  interrupted,           // the search was told to stop: the list is what it had found
+  searched_at_middle,    // a box: other orbits were searched for at the middle of the parameters only
+};
+
+// A zero of a family's reduced equations, proved to be one.
+struct Candidate {
+  motion::Closing equations;     // that its motion obeys
+  motion::Motion guess;          // that motion, nearly
+  std::vector<NamedBall> where;  // contains the zero
+  // Whether a closed motion is this zero: it lies where the zero is the only one.
+  std::function<bool(const motion::Motion&)> is_same;
+};
+
+// What a search found: no closed motion of the family is in neither list.
+struct Found {
+  std::vector<Candidate> candidates;
+  std::vector<Unresolved> unresolved;
+  std::vector<Remark> remarks = {};
+  long cells = 0;  // examined
+};
+
+struct Family {
+  std::string name;                       // on the command line
+  std::string title;                      // with its phases
+  std::vector<motion::PhaseKind> phases;  // in a period
+  std::vector<std::string> durations;     // the paper's names of how long they last
+  motion::Requirements requirements;      // the inequalities along the motion, with equation numbers
+  std::string why_no_phi, why_no_ur;      // why the datum is not taken; empty when it may be given
+  std::string why_one_of_phi_ur;          // why exactly one of them is needed; empty when that is not so
+  std::string (*searched)(const OrbitQuestion&);  // the domain of the search, in words
+  // All closed motions with positive durations, or where there may be some, over the whole closed domain.
+  // Throws DomainError where the data have no such motions that are isolated.
+  Found (*search)(const motion::Given<Rational>&);
+  // Conditions beyond the requirements, of a motion whose largest admissible friction is known; may be null.
+  std::vector<motion::Condition> (*further)(const motion::Motion&, const Ball& ur_max,
+                                            const std::optional<Ball>& ur) = nullptr;
+};
+
+// The table: symmetric, overshooting, nonsticking.
+[[nodiscard]] const std::vector<const Family *>& all_families();
+
+// The family of that name. Throws UsageError naming those that there are.
+[[nodiscard]] const Family& family_named(const std::string& name);
+// "symmetric, overshooting or nonsticking".
+[[nodiscard]] std::string names_of_families();
+
+[[nodiscard]] bool has_stick(const Family& family);
+
+// Its requirements; without ur those that do not need it.
+[[nodiscard]] motion::Requirements requirements(const Family& family, bool ur_given = true);
+
+// The friction of a motion: at its beginning, where a stick ends with r = ur (12); for one that never sticks
+// the largest ur for which (25) and (26) hold, the least of |r| when a phase begins, counted positive in the
+// direction of the fall.
+[[nodiscard]] Ball friction_of(const Family& family, const motion::ClosedMotion& motion);
+
+// Every condition on a closed motion of the family. ur may be missing for one that never sticks only; then
+// those that need it are left out.
+[[nodiscard]] std::vector<motion::Condition> conditions(const Family& family,
+                                                        const motion::ClosedMotion& motion,
+                                                        const std::optional<Ball>& ur);
+
+// Where a share lies as to the open interval (0, 1), for searches that end there.
+enum class Place { inside, outside, at_edge };
+[[nodiscard]] Place place(const Ball& share);
+
+// Why a zero at the edge is left open.
+inline constexpr const char * no_time_at_all = "an orbit one of whose phases may last no time at all";
+
+}  // namespace stickslip::numeric::families

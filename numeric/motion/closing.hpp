@@ -1,0 +1,110 @@
+// Closing conditions as a system f(x, p) = 0 whose zeros are the closed motions of a kind, whatever its
+// unknowns; and their existence, at exact data and over whole boxes of parameters.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/verdict.hpp"
+#include "numeric/motion/domain.hpp"
+#include "numeric/motion/motion.hpp"
+#include "numeric/zeros/parametric.hpp"
+
+namespace stickslip::numeric::motion {
+
+// What is known of a problem: the data and, as far as they are given, the load's phase and the friction.
+template <class S>
+struct Given {
+  model::Parameters<S> data;
+  std::optional<S> phi = {};
+  std::optional<S> ur = {};
+};
+
+template <class T>
+[[nodiscard]] model::Oscillator<T> oscillator_of(const zeros::VectorOf<T>& p) {
+  return model::oscillator<T>({p(0), p(1), p(2), p(3), p(4), p(5)});
+}
+
+// The system over balls and over jets, for zeros/parametric.hpp. Made of any copyable F with, for both T,
+//   VectorOf<T> closing<T>(x, p)  as many equations as unknowns, all zero exactly if the motion closes
+//   MotionOf<T> motion<T>(x, p)   the motion that (x, p) stand for, whether it closes or not
+//   Vector unknowns(motion)       x of a motion, nearly
+//   bool takes_phi, takes_ur
+// p: chi, eta, us, V, omega, p, and phi and ur where the system takes them.
+class Closing {
+ public:
+  template <class F>
+  requires(!std::is_same_v<F, Closing>) Closing(F f)  // NOLINT: any such F is one
+      : takes_phi_(f.takes_phi),
+        takes_ur_(f.takes_ur),
+        unknowns_([f](const Motion& m) { return f.unknowns(m); }),
+        balls_(over<Ball>(f)),
+        jets_(over<zeros::ParameterJet>(f)) {}
+
+  template <class T>
+  [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
+    return at<T>().closing(x, p);
+  }
+  template <class T>
+  [[nodiscard]] MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
+    return at<T>().motion(x, p);
+  }
+  [[nodiscard]] zeros::Vector unknowns(const Motion& motion) const { return unknowns_(motion); }
+
+  // p, and the names of its members on the command line. Throws InternalError when a datum that is taken is
+  // not given.
+  [[nodiscard]] zeros::Vector parameters(const Given<Ball>& given) const;
+  [[nodiscard]] std::vector<std::string> parameter_names() const;
+
+ private:
+  template <class T>
+  struct Over {
+    std::function<zeros::VectorOf<T>(const zeros::VectorOf<T>&, const zeros::VectorOf<T>&)> closing;
+    std::function<MotionOf<T>(const zeros::VectorOf<T>&, const zeros::VectorOf<T>&)> motion;
+  };
+  template <class T, class F>
+  [[nodiscard]] static Over<T> over(const F& f) {
+    return {[f](const auto& x, const auto& p) { return f.template closing<T>(x, p); },
+            [f](const auto& x, const auto& p) { return f.template motion<T>(x, p); }};
+  }
+  template <class T>
+  [[nodiscard]] const Over<T>& at() const {
+    if constexpr (std::is_same_v<T, Ball>) {
+      return balls_;
+    } else {
+      return jets_;
+    }
+  }
+
+  bool takes_phi_, takes_ur_;
+  std::function<zeros::Vector(const Motion&)> unknowns_;
+  Over<Ball> balls_;
+  Over<zeros::ParameterJet> jets_;
+};
+
+// Whether a motion closes near a guess, and that motion.
+struct ClosedMotion {
+  Verdict existence;  // "exactly one near the guess", for each member of the parameters
+  std::string split;  // the parameter to split first, of a box: "chi", …, "phi", "ur"
+  // Contain the values for all members; meaningless unless proved.
+  Motion motion;
+  std::vector<model::PhaseWaves<Ball>> waves;  // of each phase
+  std::vector<Ball> friction;                  // at rest, r of (4), when each phase begins
+};
+
+// A motion with what is known of it from its phases; that it closes is the caller's word.
+[[nodiscard]] ClosedMotion taken_as_closed(const Motion& motion);
+
+// At exact data, to `digits` significant digits or more, at the working precision of these. Undecided when no
+// box that Newton's method reaches from the guess passes Krawczyk's test.
+[[nodiscard]] ClosedMotion prove_closed(const Closing& f, const Given<Rational>& given, const Motion& guess,
+                                        int digits);
+
+// For all members of a box of parameters at once, at the working precision of the moment. Undecided for boxes
+// that are too wide, and where the data reach beyond the domain or hold a natural frequency.
+[[nodiscard]] ClosedMotion prove_closed_over(const Closing& f, const Given<Ball>& given, const Motion& guess);
+
+}  // namespace stickslip::numeric::motion
