@@ -25,11 +25,4 @@ template <class S>
   return stack<S>(slip, stick);
 }
 
-// (12) solved for the friction at rest: u_r = u_s + chi (z20 - z10) - (p/eta) cos(phi), the relation (24).
-template <class S>
-[[nodiscard]] S friction_at_rest(const Parameters<S>& a, const Vector2<S>& z0, const S& phi) {
-  using std::cos;
-  return a.us + a.chi * (z0(1) - z0(0)) - a.p / a.eta * S(cos(phi));
-}
-
 }  // namespace stickslip::model

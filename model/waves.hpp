@@ -116,11 +116,11 @@ struct PhaseWaves {
 };
 
 // (4): r = chi (x2 - x1) - (p/eta) cos(omega t + phi) = chi (z2 - z1) + us - (p/eta) cos(omega t + phi),
-// since chi (d02 - d01) = us by (6).
-template <class S>
-[[nodiscard]] S friction_at(const Parameters<S>& a, const Vector4<S>& Z, const S& psi) {
+// since chi (d02 - d01) = us by (6). Where r = u_r this is (24). z or (z, z').
+template <class S, class Places>
+[[nodiscard]] S friction_at(const Parameters<S>& a, const Places& z, const S& psi) {
   using std::cos;
-  return a.chi * (Z(1) - Z(0)) + a.us - a.p / a.eta * S(cos(psi));
+  return a.chi * (z(1) - z(0)) + a.us - a.p / a.eta * S(cos(psi));
 }
 
 // (5), (8): slip from Z at load phase psi0; u = us (sign = 1, x2' < V) or u = -us (sign = -1, x2' > V). The

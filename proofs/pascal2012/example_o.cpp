@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/appendix3.hpp"
-#include "model/symmetric.hpp"
+#include "model/waves.hpp"
 #include "numeric/families/overshooting_rows.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
@@ -142,12 +142,12 @@ std::vector<Claim> origins() {
       computed_from(where(), "z10", formula22, [] { return by_22(&Determinants::Delta1); }),
       computed_from(where(), "z20", formula22, [] { return by_22(&Determinants::Delta2); }),
       computed_from(where(), "zdot10", formula22, [] { return by_22(&Determinants::Delta3); }),
-      computed_from(
-          where(), "ur", "(24)",
-          [] {
-            const model::Parameters<Ball>& a = printed_orbit(printed()).motion.oscillator.data;
-            return model::friction_at_rest<Ball>(a, {exactly("z10"), exactly("z20")}, Ball(*printed().phi));
-          }),
+      computed_from(where(), "ur", "(24)",
+                    [] {
+                      const model::Parameters<Ball>& a = printed_orbit(printed()).motion.oscillator.data;
+                      return model::friction_at<Ball>(a, model::Vector2<Ball>(exactly("z10"), exactly("z20")),
+                                                      Ball(*printed().phi));
+                    }),
       computed_from(where(), "T", "$Theta - tau - tau_1$",
                     [] { return exactly("Theta") - exactly("tau") - exactly("tau1"); }),
       number("O.c1",

@@ -83,6 +83,10 @@ Json cross_check(const proofs::methods::CrossCheck& c) {
           {"unchecked", c.unchecked},     {"line", cross_check_line(c)}};
 }
 
+Json sequent(const proofs::kernel::Theorem& theorem) {
+  return to_string(theorem.sequent());
+}
+
 Json outcome(const Outcome& o) {
   return {{"verdict", to_string(o.verdict.truth)},
           {"reason", plain(o.verdict.reason)},
@@ -93,7 +97,9 @@ Json outcome(const Outcome& o) {
           {"free", list_of(o.free, symbol)},
           {"at", list_of(o.at, coordinate)},
           {"comparisons", list_of(o.comparisons, comparison)},
-          {"cross_check", cross_check(o.cross_check)}};
+          {"cross_check", cross_check(o.cross_check)},
+          {"theorems", list_of(o.theorems, sequent)},
+          {"by_kernel", o.by_kernel}};
 }
 
 bool needs_assumption(const Record& record, const std::string& id) {

@@ -84,6 +84,9 @@ class Details {
                            ? spaced(to_string(verdict.truth))
                            : fmt::format("{}: {}", spaced(to_string(verdict.truth)), verdict.reason));
     add(route_label, outcome.route);
+    for (const proofs::kernel::Theorem& theorem : outcome.theorems) {
+      add(outcome.by_kernel ? "theorem" : "lemma", to_string(theorem.sequent()));
+    }
     add("evaluated", cross_check_line(outcome.cross_check));
     add("where", outcome.hypotheses);
     add("for all", joined(outcome.free));

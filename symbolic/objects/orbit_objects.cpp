@@ -5,6 +5,7 @@
 #include "model/nonsticking.hpp"
 #include "model/nonsticking_closed_form.hpp"
 #include "model/symmetric.hpp"
+#include "model/waves.hpp"
 #include "symbolic/objects/object_lines.hpp"
 #include "symbolic/typeset/latex.hpp"
 
@@ -39,7 +40,7 @@ Lines symmetric(Unknowns unknowns) {
 }
 
 Lines friction_at_rest(Unknowns unknowns) {
-  const ex ur = model::friction_at_rest<ex>(parameters(), {symbol("z10"), symbol("z20")}, phi());
+  const ex ur = model::friction_at<ex>(parameters(), model::Vector2<ex>(symbol("z10"), symbol("z20")), phi());
   Lines lines{scalar("u_r", ur, Unknowns::chi)};
   append_meanings(lines, unknowns);
   return lines;
