@@ -140,7 +140,7 @@ class Theorem final {
   [[nodiscard]] static Theorem finite_part(const Theorem& finite, const Theorem& part);
   [[nodiscard]] static Theorem finite_union(const Theorem& one, const Theorem& other);
 
-  // ---- Numbers in balls (numbers.cpp). `bits` is the working precision.
+  // ---- Numbers in balls (numbers.cpp, zeros.cpp). `bits` is the working precision.
   // a < b, a ≤ b or a ≠ b for all values of its variables, numbers, in the ranges given: these are the
   // hypotheses l ≤ x, x ≤ u. Only where no divisor can be zero there and the balls are disjoint.
   [[nodiscard]] static Theorem sign(const Formula& relation, const std::map<Variable, Interval>& ranges = {},

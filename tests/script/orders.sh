@@ -112,7 +112,7 @@ has check "$STATE/installed" || refuse "no clang-format"
 EOF
 player run-clang-tidy <<'EOF'
 . "${0%/*}/uses"
-has check "$STATE/installed" && [[ -f $tree/build/release/configured ]] || refuse "no clang-tidy, or nothing to read"
+has check "$STATE/installed" && [[ -f $tree/build/debug/configured ]] || refuse "no clang-tidy, or nothing to read"
 EOF
 player git <<'EOF'
 printf 'a.cpp\0'
