@@ -1,4 +1,5 @@
-// Existence over whole boxes of parameters, where the size of the box to test is not known beforehand.
+// ε-inflation: existence where the size of the box to test is not known beforehand, over whole boxes of
+// parameters too.
 #pragma once
 
 #include "numeric/zeros/krawczyk.hpp"

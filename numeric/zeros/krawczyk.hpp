@@ -145,33 +145,6 @@ template <int N>
   return larger;
 }
 
-// Tests boxes of growing size around a guess: the first that is proved gives the enclosure, the largest that
-// halving finds still proved gives the uniqueness. The working precision must exceed the guess's accuracy.
-template <int N, class F>
-[[nodiscard]] ZeroProof<N> prove_zero_near(const F& f, const Box<N>& guess) {
-  constexpr int largest_first = 7, too_large = 11;  // radii 1e-13 16^size: below 1e-4 to begin with, below 1
-  const auto test = [&](int size) {
-    return krawczyk_test<N>(f, box_around<N>(guess, std::ldexp(1e-13, 4 * size)));
-  };
-  int size = 0;
-  ZeroProof<N> best = test(size);
-  while (best.verdict.truth != Truth::proved && size < largest_first) {
-    best = test(++size);
-  }
-  int beyond = best.verdict.truth == Truth::proved ? too_large : size;
-  while (beyond - size > 1) {
-    const int middle = (size + beyond) / 2;
-    const ZeroProof<N> proof = test(middle);
-    if (proof.verdict.truth == Truth::proved) {
-      best.unique = proof.unique;
-      size = middle;
-    } else {
-      beyond = middle;
-    }
-  }
-  return best;
-}
-
 // Newton's method in floats from x until the step no longer shrinks, at most `steps` times. A proposal:
 // nothing when a Jacobian is singular or the iteration leaves the finite numbers.
 template <class S, int N, class F>

@@ -31,7 +31,7 @@ std::vector<Hypothesis> own_hypotheses(const Record& record) {
 }
 
 std::size_t weight(const HypothesisGroup& group) {
-  return group.origins.size() + group.heirs.size();
+  return group.origins.size() + group.inherited_by.size();
 }
 
 }  // namespace
@@ -68,12 +68,12 @@ std::vector<HypothesisGroup> hypothesis_groups(const Audit& audit) {
     HypothesisGroup& group = groups[texts];
     group.hypotheses = own;
     group.origins.push_back(&record);
-    group.heirs.merge(inheriting(audit, record));
+    group.inherited_by.merge(inheriting(audit, record));
   }
   std::vector<HypothesisGroup> sorted;
   for (auto& [texts, group] : groups) {
     for (const Record * origin : group.origins) {
-      group.heirs.erase(origin->claim.id);
+      group.inherited_by.erase(origin->claim.id);
     }
     sorted.push_back(std::move(group));
   }

@@ -19,7 +19,7 @@ namespace stickslip::report::audit {
 struct HypothesisGroup {
   std::vector<proofs::methods::Hypothesis> hypotheses;
   std::vector<const proofs::methods::Record *> origins;
-  std::set<std::string> heirs;  // ids
+  std::set<std::string> inherited_by;  // ids
 };
 
 // All hypotheses beyond the paper's, each once, those with most statements behind them first. Points into the

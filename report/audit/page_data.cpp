@@ -122,8 +122,8 @@ Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, cons
 Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
   Json json = {{"hypotheses", Json::array()},
                {"origins", Json::array()},
-               {"heirs", g.heirs},
-               {"heirs_count", g.heirs.size()}};
+               {"inherited_by", g.inherited_by},
+               {"inherited_by_count", g.inherited_by.size()}};
   for (const proofs::methods::Hypothesis& hypothesis : g.hypotheses) {
     json["hypotheses"].push_back({{"latex", hypothesis.latex}});
   }

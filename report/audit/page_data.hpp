@@ -15,7 +15,7 @@ namespace stickslip::report::audit {
 // "verdict_sentence"; "numbers", the claims that compare printed numbers; "errata", the misprints and the
 // digits to correct; and "findings", the groups in which a reader meets them, most important first: {"title",
 // "explanation", "count", "claims", "numbers", "hypotheses_groups": [{"hypotheses", "origins": [{"id",
-// "words"}], "heirs", "heirs_count"}]}.
+// "words"}], "inherited_by", "inherited_by_count"}]}.
 [[nodiscard]] tools::Json page_data(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                                     const tools::Json& json);
 

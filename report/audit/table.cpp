@@ -134,7 +134,7 @@ std::string findings(const Audit& audit, const Style& style) {
     details.add("why not", record.outcome.verdict.reason);
     details.add("converse", record.converse ? record.converse->verdict.reason : std::string());
     details.add("needs", final_outcome(record).hypotheses);
-    details.add("so do", joined(inheriting(audit, record)));
+    details.add("inherited", joined(inheriting(audit, record)));
     details.add("corrected", record.claim.corrected);
     result += head(record, style) + details.text();
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "numeric/zeros/inflation.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
@@ -99,7 +100,8 @@ TEST_CASE("a thousand digits, and enclosures at different precisions that overla
 TEST_CASE("the paper's (16) has exactly one zero near the orbit, the same one") {
   const Orbit s = orbit_S(20);
   const Box<4> zero(s.value("tau"), s.value("z10"), s.value("z20"), s.value("zdot10"));
-  const ZeroProof<4> proof = prove_zero_near<4>(equations_16(S(), LoadPhase::first), midpoint<4>(zero));
+  const ZeroProof<4> proof =
+      prove_zero_by_inflation<4>(equations_16(S(), LoadPhase::first), midpoint<4>(zero));
   REQUIRE(proof.verdict.truth == Truth::proved);
   for (int i = 0; i < 4; ++i) {
     CHECK(proof.box(i).overlaps(zero(i)));

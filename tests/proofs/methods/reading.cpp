@@ -3,7 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <sstream>
+
 #include "proofs/methods/claim.hpp"
+#include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 using namespace stickslip;

@@ -43,7 +43,7 @@ TEST_CASE("every symbol that a claim uses, or that stands for one in the table, 
     names_without_row(statement.left, missing);
     names_without_row(statement.right, missing);
   };
-  for (const proofs::methods::Claim& claim : proofs::pascal2012::paper()) {
+  for (const proofs::methods::Claim& claim : proofs::pascal2012::paper().claims) {
     std::for_each(claim.printed.begin(), claim.printed.end(), look);
     std::for_each(claim.corrected.begin(), claim.corrected.end(), look);
     for (const proofs::methods::Assumption& assumption : claim.assumptions) {
@@ -88,7 +88,7 @@ TEST_CASE("what a symbol stands for and what it is the rate of have its shape") 
 }
 
 TEST_CASE("the claims that define symbols are claims, and terms know which define what they speak of") {
-  const std::vector<proofs::methods::Claim> paper = proofs::pascal2012::paper();
+  const std::vector<proofs::methods::Claim> paper = proofs::pascal2012::paper().claims;
   for (const Symbol& symbol : symbol_table()) {
     for (const std::string& id : {symbol.defined_in, symbol.formula_in}) {
       CAPTURE(symbol.name);

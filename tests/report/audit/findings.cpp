@@ -54,7 +54,7 @@ TEST_CASE("the verdict counts every statement") {
   CHECK(verdict_sentence({}).empty());
 }
 
-TEST_CASE("a hypothesis is shown once, at its origin, with its heirs") {
+TEST_CASE("a hypothesis is shown once, at its origin, with the claims that inherit it") {
   Audit audit = sample_audit();
   audit.records[5].outcome.hypotheses = audit.records[2].outcome.hypotheses;
   const std::vector<HypothesisGroup> groups = hypothesis_groups(audit);
@@ -62,7 +62,7 @@ TEST_CASE("a hypothesis is shown once, at its origin, with its heirs") {
   CHECK(groups[0].hypotheses.size() == 1);
   REQUIRE(groups[0].origins.size() == 1);
   CHECK(groups[0].origins[0]->claim.id == "5.where");
-  CHECK(groups[0].heirs == std::set<std::string>{"17"});
+  CHECK(groups[0].inherited_by == std::set<std::string>{"17"});
 }
 
 TEST_CASE("the same hypothesis brought in twice is one group") {
@@ -72,7 +72,7 @@ TEST_CASE("the same hypothesis brought in twice is one group") {
   const std::vector<HypothesisGroup> groups = hypothesis_groups(audit);
   REQUIRE(groups.size() == 1);
   CHECK(groups[0].origins.size() == 2);
-  CHECK(groups[0].heirs.empty());
+  CHECK(groups[0].inherited_by.empty());
 }
 
 TEST_CASE("the graph leaves out an arrow that others imply") {
