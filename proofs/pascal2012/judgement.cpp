@@ -16,6 +16,11 @@ const std::vector<Judgement>& judgements() {
        "At $tau = pi/omega_1$ the equations (16) have a solution that does not close.",
        {"16"}},
       {"35", false, "Where $q_2 = 0$, (36) cannot hold: no motion is lost.", {"36.load"}},
+      {"37.p",
+       false,
+       "Where $omega = 1$, $q_2 = 0$ whatever $p$ is, and (7) cannot be solved for $p$; but (36) cannot hold "
+       "there: no motion is lost.",
+       {"36.load"}},
       {"35.def",
        false,
        "Where $omega_i$ is an odd multiple of $omega$, $det H_3 = 0$, which (31) excludes, and no motion "
