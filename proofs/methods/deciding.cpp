@@ -243,15 +243,23 @@ void record_nonzero(Outcome& outcome, const Claim& claim, const ex& factor) {
   }
 }
 
-void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matrix& left,
-            const symbolic::algebra::Matrix& right) {
-  symbolic::algebra::Decision decision =
-      symbolic::algebra::decide_equal(left, right, definitions_under(Given(claim)));
+namespace {
+
+void record_decision(Outcome& outcome, const Claim& claim, const symbolic::algebra::Decision& decision) {
   for (const ex& factor : decision.nonzero) {
     record_nonzero(outcome, claim, factor);
   }
-  decision.opened.erase(claim.id);
-  outcome.uses.merge(decision.opened);
+  outcome.uses.insert(decision.opened.begin(), decision.opened.end());
+  outcome.uses.erase(claim.id);
+}
+
+}  // namespace
+
+void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matrix& left,
+            const symbolic::algebra::Matrix& right) {
+  const symbolic::algebra::Decision decision =
+      symbolic::algebra::decide_equal(left, right, definitions_under(Given(claim)));
+  record_decision(outcome, claim, decision);
   record_free(outcome, left);
   record_free(outcome, right);
   outcome.verdict = decision.verdict;
@@ -278,30 +286,23 @@ void record_under_given(Outcome& outcome, const Claim& claim, const ex& factor) 
 }
 
 // By the kernel: its theorem, and what that took. False where it refuses.
-bool decide_in_kernel(Outcome& outcome, const Claim& claim, const Statement& statement) {
+bool prove_in_kernel(Outcome& outcome, const Claim& claim, const Statement& statement,
+                     const std::set<std::string>& open) {
   try {
-    const Identity identity = prove_identity(statement, claim.assumptions);
+    const Identity identity = prove_identity(statement, claim.assumptions, open);
     outcome.theorems.push_back(identity.theorem);
     outcome.assumed.insert(identity.assumed.begin(), identity.assumed.end());
-    outcome.uses.insert(identity.opened.begin(), identity.opened.end());
+    outcome.uses.insert(open.begin(), open.end());
     outcome.uses.erase(claim.id);
     for (const ex& factor : identity.nonzero) {
       record_under_given(outcome, claim, factor);
     }
+    return true;
   } catch (const kernel::KernelError&) {
     return false;
   } catch (const NoValue&) {
     return false;
   }
-  outcome.verdict = Verdict::proved();
-  const Given given(claim);
-  const symbolic::algebra::Matrix left = evaluate_beside<ex>(statement.left, statement.right, given.lookup()),
-                                  right =
-                                      evaluate_beside<ex>(statement.right, statement.left, given.lookup());
-  record_free(outcome, left);
-  record_free(outcome, right);
-  outcome.decided.push_back({statement, left, right, Truth::proved});
-  return true;
 }
 
 }  // namespace
@@ -310,20 +311,27 @@ void decide(Outcome& outcome, const Claim& claim, const Statement& statement) {
   if (statement.relation != Relation::equal) {
     throw InternalError("only equations are decided by normal form: " + text(statement));
   }
-  if (decide_in_kernel(outcome, claim, statement)) {
-    for (const Term& side : {statement.left, statement.right}) {
-      record_definitions(outcome, claim, side);
-    }
-    return;
-  }
   const Given given(claim);
   for (const Term& side : {statement.left, statement.right}) {
     record_definitions(outcome, claim, side);
-    record_assumptions(outcome, claim, side);
   }
-  decide(outcome, claim, evaluate_beside<ex>(statement.left, statement.right, given.lookup()),
-         evaluate_beside<ex>(statement.right, statement.left, given.lookup()));
-  outcome.decided.back().statement = statement;
+  const symbolic::algebra::Matrix left = evaluate_beside<ex>(statement.left, statement.right, given.lookup()),
+                                  right =
+                                      evaluate_beside<ex>(statement.right, statement.left, given.lookup());
+  // The older normal form proposes what to open; the kernel proves.
+  const symbolic::algebra::Decision proposal =
+      symbolic::algebra::decide_equal(left, right, definitions_under(given));
+  if (proposal.verdict.truth != Truth::proved ||
+      !prove_in_kernel(outcome, claim, statement, proposal.opened)) {
+    for (const Term& side : {statement.left, statement.right}) {
+      record_assumptions(outcome, claim, side);
+    }
+    record_decision(outcome, claim, proposal);
+  }
+  outcome.verdict = proposal.verdict;
+  record_free(outcome, left);
+  record_free(outcome, right);
+  outcome.decided.push_back({statement, left, right, proposal.verdict.truth});
 }
 
 }  // namespace stickslip::proofs::methods

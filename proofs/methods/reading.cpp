@@ -339,7 +339,9 @@ Theorem in_parameters(Theorem theorem, const Definitions& definitions) {
 
 class IdentityProof {
  public:
-  IdentityProof(const symbols::Statement& statement, const std::vector<Assumption>& assumptions) {
+  IdentityProof(const symbols::Statement& statement, const std::vector<Assumption>& assumptions,
+                const std::set<std::string>& open)
+      : open_(open) {
     if (statement.relation != symbols::Relation::equal) {
       throw KernelError("no equation");
     }
@@ -362,17 +364,16 @@ class IdentityProof {
     Theorem theorem = attempt();
     for (const std::string& id : std::set<std::string>(assumed_)) {
       const std::vector<Given> before = given_;
-      const std::set<std::string> assumed = assumed_, opened = opened_;
+      const std::set<std::string> assumed = assumed_;
       std::erase_if(given_, [&](const Given& one) { return one.id == id; });
       try {
         theorem = attempt();
       } catch (const KernelError&) {
         given_ = before;
         assumed_ = assumed;
-        opened_ = opened;
       }
     }
-    Identity identity{theorem, assumed_, opened_, {}};
+    Identity identity{theorem, assumed_, {}};
     Formulas expected;
     for (const Theorem& one : parameters()) {
       expected.insert(one.hypotheses().begin(), one.hypotheses().end());
@@ -405,7 +406,6 @@ class IdentityProof {
 
   Theorem attempt() {
     assumed_.clear();
-    opened_.clear();
     return in_parameters(from_given(formula_, 0), read_.all());
   }
 
@@ -438,37 +438,26 @@ class IdentityProof {
       const Theorem rest = closed_form(substitute(open.parts()[1], {{D, value}}));
       return Theorem::witness(both({at_all_times, rest}), formula, value);
     }
-    // Opening as little as possible.
-    std::vector<std::string> ids;
-    for (const auto& entry : read_.closed()) {
-      ids.push_back(entry.first);
-    }
-    std::stable_partition(ids.begin(), ids.end(), [](const std::string& id) { return id == "39"; });
     Definitions definitions = read_.open();
-    for (std::size_t count = 0;; ++count) {
-      try {
-        return Theorem::combination(formula, {}, definitions);
-      } catch (const KernelError&) {
-        if (count == ids.size()) {
-          throw;
-        }
+    for (const auto& [id, closed] : read_.closed()) {
+      if (open_.contains(id)) {
+        definitions.insert(closed.begin(), closed.end());
       }
-      const Definitions& more = read_.closed().at(ids[count]);
-      definitions.insert(more.begin(), more.end());
-      opened_.insert(ids[count]);
     }
+    return Theorem::combination(formula, {}, definitions);
   }
 
   Reader read_;
   Formula formula_ = kernel::all({});
   std::vector<Given> given_;
-  std::set<std::string> assumed_, opened_;
+  std::set<std::string> assumed_, open_;
 };
 
 }  // namespace
 
-Identity prove_identity(const symbols::Statement& statement, const std::vector<Assumption>& assumptions) {
-  return IdentityProof(statement, assumptions).prove();
+Identity prove_identity(const symbols::Statement& statement, const std::vector<Assumption>& assumptions,
+                        const std::set<std::string>& open) {
+  return IdentityProof(statement, assumptions, open).prove();
 }
 
 }  // namespace stickslip::proofs::methods

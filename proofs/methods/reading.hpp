@@ -50,12 +50,12 @@ class Reader {
 struct Identity {
   kernel::Theorem theorem;
   std::set<std::string> assumed;   // ids of the assumptions among the hypotheses
-  std::set<std::string> opened;    // ids of the claims whose definitions were opened
   std::vector<GiNaC::ex> nonzero;  // the hypotheses d ≠ 0, as irreducible factors
 };
-// By normal form. Throws KernelError where the kernel refuses, and NoValue where the statement has no
-// reading.
+// By normal form, with these definitions opened (ids as in Reader::closed). Throws KernelError where the
+// kernel refuses, and NoValue where the statement has no reading.
 [[nodiscard]] Identity prove_identity(const symbols::Statement& statement,
-                                      const std::vector<Assumption>& assumptions);
+                                      const std::vector<Assumption>& assumptions,
+                                      const std::set<std::string>& open);
 
 }  // namespace stickslip::proofs::methods

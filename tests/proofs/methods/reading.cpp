@@ -17,13 +17,15 @@ using namespace stickslip::proofs::symbols::vocabulary;
 
 namespace {
 
+const std::set<std::string> everything{"39", "6.d0", "7", "35.def", "70.rho"};
+
 Identity proved(const Statement& statement, const std::vector<Assumption>& assumptions = {}) {
-  return prove_identity(statement, assumptions);
+  return prove_identity(statement, assumptions, everything);
 }
 
 bool refuses(const Statement& statement, const std::vector<Assumption>& assumptions = {}) {
   try {
-    static_cast<void>(prove_identity(statement, assumptions));
+    static_cast<void>(prove_identity(statement, assumptions, everything));
     return false;
   } catch (const kernel::KernelError&) {
     return true;
@@ -64,7 +66,6 @@ TEST_CASE("what is divided by as written is a hypothesis, also where it cancels"
   const Term factor = (power(omega, 2) - power(omega1, 2)) * (power(omega, 2) - power(omega2, 2));
   const Identity p_of_q2 = proved(equation(p, factor / (omega * (1 - power(omega, 2))) * q2 * omega));
   CHECK(nonzero(p_of_q2).contains("1-omega"));
-  CHECK(p_of_q2.opened.contains("7"));
   CHECK(nonzero(proved(equation(tau / tau, 1))) == std::set<std::string>{"tau"});
   CHECK(nonzero(proved(equation(tan(tau) * cos(tau), sin(tau)))) == std::set<std::string>{"cos(tau)"});
   CHECK(nonzero(proved(equation(inverse(H2(tau)) * H2(tau), I2))).size() == 2);
