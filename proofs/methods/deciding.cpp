@@ -268,7 +268,8 @@ void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matri
 
 namespace {
 
-// The hypothesis that the factor does not vanish, as it reads with the values that the claim gives.
+// The hypothesis that the factor does not vanish, as it reads with the values that the claim gives. Throws
+// KernelError where it is zero with these: then the theorem is of nothing.
 void record_under_given(Outcome& outcome, const Claim& claim, const ex& factor) {
   GiNaC::exmap values;
   const Given given(claim);
@@ -280,6 +281,9 @@ void record_under_given(Outcome& outcome, const Claim& claim, const ex& factor) 
     record_nonzero(outcome, claim, factor);
     return;
   }
+  if (here.normal().is_zero()) {
+    throw kernel::KernelError("what is divided by is zero where the claim's assumptions hold");
+  }
   for (const ex& part : symbolic::algebra::vanishing_factors(here)) {
     record_nonzero(outcome, claim, part);
   }
@@ -290,13 +294,13 @@ bool prove_in_kernel(Outcome& outcome, const Claim& claim, const Statement& stat
                      const std::set<std::string>& open) {
   try {
     const Identity identity = prove_identity(statement, claim.assumptions, open);
+    for (const ex& factor : identity.nonzero) {
+      record_under_given(outcome, claim, factor);
+    }
     outcome.theorems.push_back(identity.theorem);
     outcome.assumed.insert(identity.assumed.begin(), identity.assumed.end());
     outcome.uses.insert(open.begin(), open.end());
     outcome.uses.erase(claim.id);
-    for (const ex& factor : identity.nonzero) {
-      record_under_given(outcome, claim, factor);
-    }
     return true;
   } catch (const kernel::KernelError&) {
     return false;

@@ -60,7 +60,10 @@ Proof by_normal_form(std::vector<Statement> equations) {
   return [equations = std::move(equations)](Prover&, const Claim& claim) {
     std::vector<Statement> all = with_values(claim.printed);
     all.insert(all.end(), equations.begin(), equations.end());
-    return by_normal_form(claim, all);
+    Outcome outcome = by_normal_form(claim, all);
+    // What is printed and has no value is no theorem: others only say what it means.
+    outcome.by_kernel = outcome.by_kernel && with_values(claim.printed).size() == claim.printed.size();
+    return outcome;
   };
 }
 
