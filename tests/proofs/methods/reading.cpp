@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "proofs/methods/claim.hpp"
+#include "proofs/methods/deciding.hpp"
 #include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -94,6 +95,20 @@ TEST_CASE("a value that is given is a hypothesis, where it is needed") {
   CHECK(refuses(equation(2 * chi, 1), {{"chi", equation(chi, Term(Rational(1, 2)))}}));
   // In a circle.
   CHECK(refuses(equation(tau, tau1), {{"a", equation(tau, tau1 + 1)}, {"b", equation(tau1, tau + 1)}}));
+}
+
+TEST_CASE("a division by what is zero where the claim's assumptions hold proves nothing") {
+  Claim claim;
+  claim.id = "vacuous";
+  claim.assumptions = {half};
+  const Term circle = power(cos(tau), 2) + power(sin(tau), 2) - 1;
+  Outcome outcome;
+  decide(outcome, claim, equation(circle / circle, 1));
+  CHECK(outcome.theorems.empty());
+  CHECK_FALSE(outcome.by_kernel);
+  // Zero with the given value only.
+  const Term gap = tau - pi() / omega;
+  CHECK_THROWS_AS(decide(outcome, claim, equation(gap / gap, 1)), GiNaC::pole_error);
 }
 
 TEST_CASE("a derivative is one of a function of time, at all times") {
