@@ -215,8 +215,36 @@ std::string conditions(const Claim& claim, const Outcome& outcome) {
   return ids;
 }
 
+// Of a motion printed in closed form: the differential equation and the initial state that the claim assumes.
+std::vector<Decided> of_closed_form(const Claim& claim) {
+  std::vector<Decided> result;
+  const Term t = scalar("t");
+  for (const Statement& printed : claim.printed) {
+    if (printed.left.name() != "Z" || !equal(printed.left.arguments().front(), t) ||
+        !is_in_field(printed.right)) {
+      continue;
+    }
+    Premises motion;
+    motion.motions.emplace("X", printed.right + vector("delta0", 4));
+    for (const Assumption& assumption : claim.assumptions) {
+      const Statement& assumed = assumption.statement;
+      if (assumed.during && assumed.left.op() == Op::derivative) {
+        const Statement here = motion.with_motions({assumed.left, assumed.right, Relation::equal});
+        result.push_back({here, {}, {}, Truth::proved});
+      } else if (assumed.left.op() == Op::function && assumed.left.name() == "Z") {
+        const Replacements then{{"t", assumed.left.arguments().front()}};
+        result.push_back({equation(substitute(printed.right, then), assumed.right), {}, {}, Truth::proved});
+      }
+    }
+  }
+  return result;
+}
+
 std::vector<Decided> formulas(const Claim& claim, const Outcome& outcome, bool with_printed) {
   std::vector<Decided> result;
+  if (outcome.verdict.truth == Truth::proved) {
+    result = of_closed_form(claim);
+  }
   std::copy_if(outcome.decided.begin(), outcome.decided.end(), std::back_inserter(result),
                [&](const Decided& one) { return one.truth == outcome.verdict.truth; });
   if (with_printed && outcome.verdict.truth == Truth::proved) {

@@ -211,10 +211,12 @@ TermEdits everywhere(const Term& term, TermEdits (*here)(const Term&)) {
 std::vector<Edit> everywhere(const Statement& statement, TermEdits (*here)(const Term&)) {
   std::vector<Edit> result;
   for (const TermEdit& edit : everywhere(statement.left, here)) {
-    result.push_back({edit.kind, edit.what, {edit.term, statement.right, statement.relation}});
+    result.push_back(
+        {edit.kind, edit.what, {edit.term, statement.right, statement.relation, statement.during}});
   }
   for (const TermEdit& edit : everywhere(statement.right, here)) {
-    result.push_back({edit.kind, edit.what, {statement.left, edit.term, statement.relation}});
+    result.push_back(
+        {edit.kind, edit.what, {statement.left, edit.term, statement.relation, statement.during}});
   }
   return result;
 }

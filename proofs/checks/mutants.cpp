@@ -87,18 +87,30 @@ struct Judgement {
 
 const char * const fails_there = "it fails where all that the claim rests on holds";
 
-// Whether both sides are those of the statement as it is printed, by normal form, or each other.
-bool says_the_same(const Subject& subject, std::size_t which, const Statement& statement) {
-  const auto same = [&](const Term& a, const Term& b) {
+// Whether the terms are equal by normal form under what the claim assumes, or are so part by part.
+bool same(const Claim& claim, const Term& a, const Term& b) {
+  if (equal(a, b)) {
+    return true;
+  }
+  if (a.shape() != b.shape()) {
+    return false;
+  }
+  if (is_in_field(a) && is_in_field(b)) {
     Outcome outcome;
-    if (!equal(a, b) && is_in_field(a) && is_in_field(b) && a.shape() == b.shape()) {
-      decide(outcome, subject.record.claim, equation(a, b));
-    }
-    return equal(a, b) || outcome.verdict.truth == Truth::proved;
-  };
+    decide(outcome, claim, equation(a, b));
+    return outcome.verdict.truth == Truth::proved;
+  }
+  return a.op() == b.op() && a.name() == b.name() && a.number() == b.number() &&
+         std::equal(a.arguments().begin(), a.arguments().end(), b.arguments().begin(), b.arguments().end(),
+                    [&](const Term& x, const Term& y) { return same(claim, x, y); });
+}
+
+// Whether both sides are those of the statement as it is printed, or each other.
+bool says_the_same(const Subject& subject, std::size_t which, const Statement& statement) {
   const Statement& printed = subject.form()[which];
+  const Claim& claim = subject.record.claim;
   return equal(statement.left, statement.right) ||
-         (same(statement.left, printed.left) && same(statement.right, printed.right));
+         (same(claim, statement.left, printed.left) && same(claim, statement.right, printed.right));
 }
 
 bool is_printed_too(const Subject& subject, const Statement& statement) {

@@ -17,16 +17,20 @@ namespace {
 constexpr long bits = 256;
 
 // What makes the load fit a motion that closes, where equations in the states alone cannot: it closes after
-// Theta (28), lags behind a slip of length tau (16), turns half way in each of two equal phases (67); or load
-// and modes make whole turns in tau.
+// Theta (28), lags behind a slip of length tau (16), turns half way in each of two equal phases or is even
+// about the middle of the first (67); load and modes make whole turns in tau; or the unit of time is that of
+// (3).
 const std::vector<Replacements>& ways_to_close() {
   static const std::vector<Replacements> all = [] {
     const Term omega = scalar("omega"), tau = scalar("tau"), Theta = scalar("Theta");
+    const Term unit = scalar("m1") * power(scalar("Omega"), 2) - scalar("k2");
     return std::vector<Replacements>{
         {},
         {{"omega", 2 * pi() / Theta}},
         {{"phi", (pi() - omega * tau) / 2}},
         {{"omega", pi() / tau}, {"tau1", tau}},
+        {{"omega", 2 * pi() / Theta}, {"phi", -(omega * tau / 2)}},
+        {{"k1", unit}},
         {{"omega1", 2 * pi() / tau}, {"omega", 4 * pi() / tau}, {"omega2", 6 * pi() / tau}}};
   }();
   return all;
@@ -115,37 +119,55 @@ struct PremisePoint::Point {
     const Value<Ball> d = value(statement.left, statement.right) - value(statement.right, statement.left);
     return {d.data(), d.data() + d.size()};
   }
-  [[nodiscard]] Column residuals(const Column& u) {
+  void set(const Column& u) {
     for (std::size_t i = 0; i < u.size(); ++i) {
       solved.insert_or_assign(solved_for()[i], u[i]);
     }
-    Column all;
+  }
+  // Of each equation.
+  [[nodiscard]] std::vector<Column> residuals(const Column& u) {
+    set(u);
+    std::vector<Column> all;
     for (const Statement& statement : premises.equations) {
-      const Column d = difference(statement);
-      all.insert(all.end(), d.begin(), d.end());
+      all.push_back(difference(statement));
     }
     return all;
   }
 
   // Solves the equations; whether that came out.
   [[nodiscard]] bool solve() {
-    Column open(solved_for().size(), Ball(0));
-    const Column constant = residuals(open);
+    Column open(solved_for().size(), Ball(0)), constant;
+    const std::vector<Column> at_zero = residuals(open);
+    for (const Column& part : at_zero) {
+      constant.insert(constant.end(), part.begin(), part.end());
+    }
     std::vector<Column> A(constant.size(), open);
     for (std::size_t i = 0; i < open.size(); ++i) {
       Column unit(open.size(), Ball(0));
       unit[i] = Ball(1);
-      const Column value = residuals(unit);
-      for (std::size_t row = 0; row < constant.size(); ++row) {
-        A[row][i] = value[row] - constant[row];
+      set(unit);
+      std::size_t row = 0;
+      for (std::size_t k = 0; k < at_zero.size(); ++k) {
+        const Column value = mentions(k, i) ? difference(premises.equations[k]) : at_zero[k];
+        for (std::size_t j = 0; j < value.size(); ++j, ++row) {
+          A[row][i] = value[j] - at_zero[k][j];
+        }
       }
     }
     for (std::size_t i = 0; i < open.size(); ++i) {
       open[i] = Ball(any_sign(solved_for()[i]));
     }
-    const Column left = residuals(solution(A, constant, open));
-    return std::all_of(left.begin(), left.end(),
-                       [](const Ball& x) { return x.contains_zero() && is_small(x); });
+    const std::vector<Column> left = residuals(solution(A, constant, open));
+    return std::all_of(left.begin(), left.end(), [](const Column& part) {
+      return std::all_of(part.begin(), part.end(),
+                         [](const Ball& x) { return x.contains_zero() && is_small(x); });
+    });
+  }
+  // Whether equation k may change with unknown i. Only states are in no formula of the model.
+  [[nodiscard]] bool mentions(std::size_t k, std::size_t i) const {
+    const Statement& equation = premises.equations[k];
+    return !solved_for()[i].starts_with("z") || premises.reaches(equation.left, solved_for()[i]) ||
+           premises.reaches(equation.right, solved_for()[i]);
   }
 
   [[nodiscard]] bool holds(const Statement& statement) const {
@@ -194,6 +216,17 @@ struct PremisePoint::Point {
     Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
     return evaluate(hypothesis.nonzero, at.lookup()).is_nonzero();
   }
+  // Whether the inequalities between what is not solved for hold.
+  [[nodiscard]] bool is_in_range() const {
+    return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
+                       [this](const Statement& one) {
+                         const bool solved_first =
+                             std::any_of(solved_for().begin(), solved_for().end(), [&](const auto& name) {
+                               return premises.reaches(one.left, name) || premises.reaches(one.right, name);
+                             });
+                         return solved_first || holds(one);
+                       });
+  }
   // Whether the inequalities hold, and no hypothesis vanishes.
   [[nodiscard]] bool is_admissible() const {
     return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
@@ -218,6 +251,9 @@ std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t w
     for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < draws_without_solution;
          ++seed) {
       const auto point = std::make_shared<PremisePoint::Point>(*closed, seed);
+      if (!point->is_in_range()) {
+        continue;
+      }
       if (!point->solve()) {
         ++unsolved;
       } else if (point->is_admissible()) {

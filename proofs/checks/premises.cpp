@@ -82,13 +82,6 @@ void finish(Premises& premises, std::vector<Statement>& statements) {
   statements = std::move(kept);
 }
 
-// Whether the value of the term, with all values put in, changes with the symbol.
-bool reaches(const Replacements& values, const Term& term, const std::string& name) {
-  return depends_on(term, name) || std::any_of(values.begin(), values.end(), [&](const auto& value) {
-           return depends_on(term, value.first) && reaches(values, value.second, name);
-         });
-}
-
 }  // namespace
 
 bool stands_for_itself(const Term& term) {
@@ -117,13 +110,19 @@ const std::vector<std::string>& solved_for() {
 
 Statement Premises::with_motions(const Statement& statement) const {
   return {checks::with_motions(*this, statement.left), checks::with_motions(*this, statement.right),
-          statement.relation};
+          statement.relation, statement.during};
+}
+
+bool Premises::reaches(const Term& term, const std::string& name) const {
+  return depends_on(term, name) || std::any_of(values.begin(), values.end(), [&](const auto& value) {
+           return depends_on(term, value.first) && reaches(value.second, name);
+         });
 }
 
 std::optional<Premises> Premises::with(const Replacements& further) const {
   Premises result = *this;
   for (const auto& [name, value] : further) {
-    if (values.contains(name) || reaches(values, value, name)) {
+    if (values.contains(name) || reaches(value, name)) {
       return std::nullopt;
     }
     result.values.emplace(name, value);

@@ -30,7 +30,7 @@ std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement&
 void repair(Prover& prover, Record& record) {
   std::vector<Statement> corrected;
   for (const Statement& statement : record.claim.printed) {
-    if (verdict_on(prover, record.claim, statement).truth != Truth::refuted) {
+    if (verdict_on(prover, record.claim, statement).truth == Truth::proved) {
       corrected.push_back(statement);
       continue;
     }

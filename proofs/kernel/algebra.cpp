@@ -42,6 +42,17 @@ Theorem Theorem::combination(const Formula& equation, const std::vector<Multiple
   return {step, hypotheses, equation};
 }
 
+Theorem Theorem::inverse_of(const Theorem& product) {
+  const auto [left, right] = sides(product, Kind::equal);
+  require(left.kind() == Kind::product, "an inverse is known by a product of two matrices");
+  const Term a = left.parts()[0], b = left.parts()[1];
+  require(a.type().rows == a.type().columns && a.type().rows == b.type().rows &&
+              b.type().rows == b.type().columns,
+          "only a square matrix is inverted, by one of its shape");
+  require(right == identity(a.type().rows), "the product is not literally the identity");
+  return {{.rule = "inverse_of", .premises = {product}}, product.hypotheses(), equal(inverse(a), b)};
+}
+
 Theorem Theorem::zero_product(const Term& a, const Term& b) {
   require(a.type().is_scalar() && b.type().is_scalar(), "only a product of numbers has a zero factor");
   return {{.rule = "zero_product", .data = {a, b}},

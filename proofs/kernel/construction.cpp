@@ -105,28 +105,39 @@ Term identity(int rows) {
   return matrix(rows, rows, entries);
 }
 
+namespace {
+
+// Of n rows of entries.
+Term laplace(const std::vector<Term>& entries, std::size_t n) {
+  if (n == 1) {
+    return entries[0];
+  }
+  std::vector<Term> parts;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<Term> minor;
+    for (std::size_t i = n; i < n * n; ++i) {
+      if (i % n != k) {
+        minor.push_back(entries[i]);
+      }
+    }
+    const Term part = entries[k] * laplace(minor, n - 1);
+    parts.push_back(k % 2 == 0 ? part : -part);
+  }
+  return sum(parts);
+}
+
+}  // namespace
+
 Term determinant(const Term& a) {
   const int n = a.type().rows;
   if (!a.type().is_numeric() || a.type().columns != n) {
     throw KernelError("only a square matrix has a determinant");
   }
-  if (n == 1) {
-    return entry(a, 0, 0);
+  std::vector<Term> entries = a.kind() == Kind::matrix ? a.parts() : std::vector<Term>{};
+  for (int i = static_cast<int>(entries.size()); i < n * n; ++i) {
+    entries.push_back(entry(a, i / n, i % n));
   }
-  std::vector<Term> parts;
-  for (int k = 0; k < n; ++k) {
-    std::vector<Term> minor;
-    for (int i = 1; i < n; ++i) {
-      for (int j = 0; j < n; ++j) {
-        if (j != k) {
-          minor.push_back(entry(a, i, j));
-        }
-      }
-    }
-    const Term part = entry(a, 0, k) * determinant(matrix(n - 1, n - 1, minor));
-    parts.push_back(k % 2 == 0 ? part : -part);
-  }
-  return sum(parts);
+  return laplace(entries, static_cast<std::size_t>(n));
 }
 
 Term lambda(const Variable& variable, const Term& body) {

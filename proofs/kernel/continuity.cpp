@@ -170,4 +170,13 @@ Theorem Theorem::finite_union(const Theorem& one, const Theorem& other) {
           kernel::finite(t, any({opened(one.conclusion(), t), opened(other.conclusion(), t)}))};
 }
 
+Theorem Theorem::finite_shift(const Theorem& finite, const Term& c) {
+  require(finite.conclusion().kind() == Kind::finite, "the premise is of no finite set");
+  require(c.is_closed() && c.type().is_scalar(), "times are shifted by a number");
+  const Variable t = fresh(real_number, {finite.conclusion(), c});
+  return {{.rule = "finite_shift", .premises = {finite}, .data = {c}},
+          finite.hypotheses(),
+          kernel::finite(t, opened(finite.conclusion(), Term(t) + c))};
+}
+
 }  // namespace stickslip::proofs::kernel

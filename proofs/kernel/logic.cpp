@@ -201,6 +201,10 @@ Theorem Theorem::choose(const Theorem& existence, const Variable& variable, cons
           theorem.conclusion()};
 }
 
+Theorem Theorem::reflexive(const Term& a) {
+  return {{.rule = "reflexive", .data = {a}}, {}, equal(a, a)};
+}
+
 Theorem Theorem::replace(const Theorem& equation, const Variable& place, const Formula& formula,
                          const Theorem& theorem) {
   const auto [a, b] = sides(equation, Kind::equal);

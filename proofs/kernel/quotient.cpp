@@ -110,7 +110,7 @@ bool Quotient::is_multiple_of_power(std::size_t generator) const {
 
 Quotient Quotient::inverted() const {
   if (is_zero()) {
-    throw KernelError("a term divides by what is zero for all values of its variables");
+    throw ZeroDivisor("a term divides by what is zero for all values of its variables");
   }
   return {*ring_, denominator_, numerator_};
 }

@@ -25,6 +25,10 @@ namespace stickslip::proofs::kernel {
 struct KernelError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+// Something divides by what is zero.
+struct ZeroDivisor : KernelError {
+  using KernelError::KernelError;
+};
 
 enum class Sort { real, integer, function, formula };
 

@@ -63,6 +63,8 @@ class Theorem final {
   // C, nor in the existence.
   [[nodiscard]] static Theorem choose(const Theorem& existence, const Variable& variable,
                                       const Theorem& theorem);
+  // ⊢ a = a, a number or a matrix.
+  [[nodiscard]] static Theorem reflexive(const Term& a);
   // Γ ⊢ a = b and Δ ⊢ P(a) give Γ, Δ ⊢ P(b), P being given as a formula with the variable.
   [[nodiscard]] static Theorem replace(const Theorem& equation, const Variable& place, const Formula& formula,
                                        const Theorem& theorem);
@@ -76,6 +78,8 @@ class Theorem final {
   [[nodiscard]] static Theorem combination(const Formula& equation,
                                            const std::vector<Multiple>& multiples = {},
                                            const Definitions& unfolded = {});
+  // Γ ⊢ A B = I gives Γ ⊢ inverse(A) = B, for square matrices A, B.
+  [[nodiscard]] static Theorem inverse_of(const Theorem& product);
   // ⊢ a b = 0 ⇒ a = 0 or b = 0, for numbers.
   [[nodiscard]] static Theorem zero_product(const Term& a, const Term& b);
   // Inequalities and equations give a ≤ b or a < b where b - a = Σ q s² Π (upper - lower) + Σ Lk (ak - bk) Rk
@@ -135,10 +139,12 @@ class Theorem final {
   [[nodiscard]] static Theorem mean_value(const Theorem& continuity, const Theorem& derivative,
                                           const Theorem& order);
   // ⊢ finite t: t = x, and finite t: A(t), for all t: B(t) ⇒ A(t) give finite t: B(t);
-  // finite t: A(t), finite t: B(t) give finite t: A(t) or B(t).
+  // finite t: A(t), finite t: B(t) give finite t: A(t) or B(t);
+  // finite t: A(t) gives finite t: A(t + c).
   [[nodiscard]] static Theorem finite_point(const Term& x);
   [[nodiscard]] static Theorem finite_part(const Theorem& finite, const Theorem& part);
   [[nodiscard]] static Theorem finite_union(const Theorem& one, const Theorem& other);
+  [[nodiscard]] static Theorem finite_shift(const Theorem& finite, const Term& c);
 
   // ---- Numbers in balls (numbers.cpp, zeros.cpp). `bits` is the working precision.
   // a < b, a ≤ b or a ≠ b for all values of its variables, numbers, in the ranges given: these are the

@@ -72,14 +72,12 @@ struct Outcome {
   std::vector<std::string> free = {};       // symbols (plain names) for all of whose values it was proved
   std::vector<Coordinate> at = {};          // the data at which it was proved; empty: for all
   std::vector<Comparison> comparisons = {};
-  // For premises that were used with symbols replaced or under assumptions of the claim's own: their
-  // hypotheses as they read here, by id of the premise.
-  std::map<std::string, std::vector<Hypothesis>> inherited = {};
-  std::vector<Decided> decided = {};           // in the order in which the proof asked
-  bool introduces_names = false;               // the printed left sides are names without another meaning
-  std::vector<kernel::Theorem> theorems = {};  // of the kernel, of the equations decided that it took
-  bool by_kernel = false;                      // whether the verdict is that of theorems alone
-  CrossCheck cross_check = {};                 // filled in by the Prover
+  std::vector<Decided> decided = {};             // in the order in which the proof asked
+  std::vector<symbols::Statement> doubted = {};  // where it is undecided: equations that may have a witness
+  bool introduces_names = false;                 // the printed left sides are names without another meaning
+  std::vector<kernel::Theorem> theorems = {};    // of the kernel: what is printed, in its order
+  bool by_kernel = false;                        // whether the verdict is that of theorems alone
+  CrossCheck cross_check = {};                   // filled in by the Prover
 };
 
 class Prover;

@@ -120,4 +120,67 @@ Proof by_counterexample(Counterexample example) {
   };
 }
 
+namespace {
+
+bool is_phase(const Assumption& assumption) {
+  return assumption.statement.during && assumption.statement.left.op() == Op::derivative;
+}
+
+// Whether there is a motion as the claim assumes it, wherever it starts: it moves in one phase, whose first
+// state is named, for a linear differential equation has a solution from every state.
+bool says_where_it_starts(const Claim& claim, const Statement& statement) {
+  const auto phases = std::ranges::count_if(claim.assumptions, is_phase);
+  const auto phase = std::ranges::find_if(claim.assumptions, is_phase);
+  return phases == 1 && statement.relation == Relation::equal && statement.left.op() == Op::function &&
+         statement.left.name() == "Z" && is_in_field(statement.right) &&
+         equal(statement.left.arguments().front(), phase->statement.during->from);
+}
+
+// Whether what is assumed certainly holds, for some motion.
+bool holds(const Claim& claim, const Assumption& assumption, const Place& here) {
+  const Statement& statement = assumption.statement;
+  const auto given = is_substitution(assumption) ? here.values.find(statement.left.name()) : here.values.end();
+  if (given != here.values.end() && equal(given->second, statement.right)) {
+    return true;
+  }
+  if (says_where_it_starts(claim, statement) ||
+      (is_phase(assumption) && std::ranges::count_if(claim.assumptions, is_phase) == 1)) {
+    return true;
+  }
+  try {
+    return !statement.during && sides_of(statement, here).decided == 1;
+  } catch (const InternalError&) {  // it has no value at the point
+    return false;
+  }
+}
+
+}  // namespace
+
+void look_for_witness(Outcome& outcome, const Claim& claim) {
+  if (outcome.verdict.truth != Truth::undecided) {
+    return;
+  }
+  const WorkingPrecision precision(256);
+  for (const Statement& equation : std::vector<Statement>(outcome.doubted)) {
+    Outcome decision;
+    try {
+      decide(decision, claim, equation);
+    } catch (const GiNaC::pole_error&) {
+      continue;  // it divides by zero
+    }
+    if (decision.verdict.truth != Truth::refuted) {
+      continue;
+    }
+    const Place here{at_point(decision.verdict.witness->point), Given(claim).values};
+    if (std::ranges::all_of(claim.assumptions,
+                            [&](const Assumption& one) { return holds(claim, one, here); })) {
+      decision.route = outcome.route;
+      outcome = decision;
+      return;
+    }
+    outcome.verdict = Verdict::undecided(
+        fmt::format("{} is false at a point at which the assumptions are not known to hold", text(equation)));
+  }
+}
+
 }  // namespace stickslip::proofs::methods

@@ -27,14 +27,9 @@ struct Given {
   [[nodiscard]] symbols::Lookup<GiNaC::ex> lookup() const;
 };
 
-// What a premise offers to the claim: the form that was proved, with symbols replaced. Throws InternalError
-// where the premise assumes something that the claim does not.
+// What a premise offers to the claim: the form that was proved, or is assumed, with symbols replaced.
 [[nodiscard]] std::vector<symbols::Statement> statements_of(Prover& prover, const Claim& claim,
                                                             const Premise& premise);
-
-// Adds a premise that was needed, and its hypotheses as they read with the premise's replacements and under
-// the claim's assumptions.
-void record_premise(Outcome& outcome, Prover& prover, const Claim& claim, const Premise& premise);
 
 // Adds the claim's substitutions that the term depends on, and the claims that define what it speaks of.
 void record_assumptions(Outcome& outcome, const Claim& claim, const symbols::Term& term);
@@ -47,5 +42,9 @@ void record_nonzero(Outcome& outcome, const Claim& claim, const GiNaC::ex& facto
 void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matrix& left,
             const symbolic::algebra::Matrix& right);
 void decide(Outcome& outcome, const Claim& claim, const symbols::Statement& statement);
+
+// Where the outcome is undecided: refuted, if the values of an equation that it doubts differ at a point where
+// all that the claim assumes holds (counterexample.cpp).
+void look_for_witness(Outcome& outcome, const Claim& claim);
 
 }  // namespace stickslip::proofs::methods

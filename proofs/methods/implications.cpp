@@ -3,95 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
-#include "symbolic/algebra/evaluate.hpp"
-#include "symbolic/algebra/signs.hpp"
+#include "proofs/symbols/table.hpp"
+#include "proofs/tactics/letters.hpp"
 
 namespace stickslip::proofs::methods {
 
 using namespace symbols;
 
 namespace {
-
-using GiNaC::ex;
-
-Statement statement_of(Prover& prover, const Claim& claim, const Multiple& multiple) {
-  const std::vector<Statement> statements = statements_of(prover, claim, multiple.premise);
-  if (multiple.statement >= statements.size()) {
-    throw InternalError(fmt::format("claim {}: the premise {} has no statement {}", claim.id,
-                                    multiple.premise.id, multiple.statement));
-  }
-  return statements[multiple.statement];
-}
-
-bool is_inequality(Relation relation) {
-  return relation != Relation::equal && relation != Relation::not_equal;
-}
-
-bool is_strict(Relation relation) {
-  return relation == Relation::less || relation == Relation::greater;
-}
-
-bool points_up(Relation relation) {
-  return relation == Relation::greater || relation == Relation::greater_or_equal;
-}
-
-// a - b; a plain 0 takes the shape of the other side.
-Term difference(const Term& a, const Term& b) {
-  return b.is_zero() ? a : a.is_zero() ? -b : a - b;
-}
-
-// What is zero for an equation, positive or not negative for an inequality.
-Term difference(const Statement& statement) {
-  return points_up(statement.relation) || statement.relation == Relation::equal
-             ? difference(statement.left, statement.right)
-             : difference(statement.right, statement.left);
-}
-
-bool is_one(const Term& term) {
-  return term.op() == Op::number && term.shape().is_scalar() && term.number() == 1;
-}
-
-Term times(const Term& a, const Term& b) {
-  return is_one(a) ? b : is_one(b) ? a : a * b;
-}
-
-Term sum_of(const std::vector<Term>& terms) {
-  Term sum = terms.front();
-  for (std::size_t i = 1; i < terms.size(); ++i) {
-    sum = sum + terms[i];
-  }
-  return sum;
-}
-
-// Collects the premises that a proof looked at.
-struct Premises {
-  Prover& prover;
-  const Claim& claim;
-  Outcome& outcome;
-
-  Statement operator()(const Multiple& multiple) const {
-    record_premise(outcome, prover, claim, multiple.premise);
-    return statement_of(prover, claim, multiple);
-  }
-};
-
-Term multiple_of_equation(const Premises& premises, const Multiple& multiple) {
-  const Statement statement = premises(multiple);
-  if (statement.relation != Relation::equal) {
-    throw InternalError(fmt::format("claim {}: {} is no equation", premises.claim.id, text(statement)));
-  }
-  return times(multiple.left, times(difference(statement), multiple.right));
-}
-
-// A combination that does not come out refutes nothing.
-Verdict undecided_if_refuted(const Verdict& verdict, const std::string& what) {
-  return verdict.truth == Truth::refuted ? Verdict::undecided(what + " does not come out identically")
-                                         : verdict;
-}
 
 void require_count(const Claim& claim, std::size_t count) {
   if (count != claim.printed.size()) {
@@ -100,292 +24,200 @@ void require_count(const Claim& claim, std::size_t count) {
   }
 }
 
+std::vector<kernel::Multiple> multiples_of(Derivation& derivation, const std::vector<Multiple>& multiples) {
+  std::vector<kernel::Multiple> result;
+  for (const Multiple& multiple : multiples) {
+    result.push_back({derivation.premise(multiple.premise, multiple.statement),
+                      derivation.read(multiple.left), derivation.read(multiple.right)});
+  }
+  return result;
+}
+
+kernel::Formula printed_formula(Derivation& derivation, std::size_t which) {
+  return derivation.read(derivation.claim().printed[which]);
+}
+
 }  // namespace
 
 Proof by_combination(std::vector<std::vector<Multiple>> combinations) {
-  return [combinations = std::move(combinations)](Prover& prover, const Claim& claim) {
-    require_count(claim, combinations.size());
-    Outcome outcome;
-    outcome.route = "each equation is a combination of the premises, identically";
-    std::vector<Verdict> verdicts;
-    for (std::size_t i = 0; i < combinations.size(); ++i) {
-      std::vector<Term> terms;
-      for (const Multiple& multiple : combinations[i]) {
-        terms.push_back(multiple_of_equation({prover, claim, outcome}, multiple));
-      }
-      decide(outcome, claim, equation(difference(claim.printed[i]), sum_of(terms)));
-      verdicts.push_back(undecided_if_refuted(outcome.verdict, "the combination"));
-    }
-    outcome.verdict = all_of(verdicts);
-    return outcome;
-  };
+  return by_kernel("each equation is a combination of the premises, identically",
+                   [combinations = std::move(combinations)](Derivation& derivation, std::size_t which) {
+                     require_count(derivation.claim(), combinations.size());
+                     return derivation.combination(printed_formula(derivation, which),
+                                                   multiples_of(derivation, combinations[which]));
+                   });
 }
 
 namespace {
 
-// A sum of positive products, and whether it is certain to be so.
-struct PositiveSum {
-  Term sum = 1;
-  Verdict verdict = Verdict::proved();
-  bool strict = false;
-};
-
-Verdict coefficient_is_positive(const Premises& premises, const Term& coefficient) {
-  const Given given(premises.claim);
-  const auto nonzero =
-      symbolic::algebra::positive_unless_zero(evaluate<ex>(coefficient, given.lookup())(0, 0));
-  if (!nonzero) {
-    return Verdict::undecided("the coefficient " + text(coefficient) + " is not known to be positive");
+// ⊢ 0 < coefficients, and the premises, as factors of one product.
+kernel::Positive positive_of(Derivation& derivation, const Positive& product) {
+  kernel::Positive result{{}};
+  const kernel::Term coefficient = derivation.read(product.coefficient);
+  if (coefficient.kind() == kernel::Kind::number && coefficient.value() > 0) {
+    result.factor = coefficient.value();
+  } else {
+    result.inequalities.push_back(derivation.positive(coefficient));
   }
-  for (const ex& factor : *nonzero) {
-    record_nonzero(premises.outcome, premises.claim, factor);
+  for (const Multiple& factor : product.factors) {
+    result.inequalities.push_back(derivation.premise(factor.premise, factor.statement));
   }
-  return Verdict::proved();
-}
-
-PositiveSum positive_sum(const Premises& premises, const std::vector<Positive>& products) {
-  PositiveSum result;
-  std::vector<Term> terms;
-  std::vector<Verdict> verdicts;
-  for (const Positive& product : products) {
-    Term term = product.coefficient;
-    bool strict = true;
-    for (const Multiple& factor : product.factors) {
-      const Statement statement = premises(factor);
-      if (!is_inequality(statement.relation)) {
-        throw InternalError(fmt::format("claim {}: {} is no inequality", premises.claim.id, text(statement)));
-      }
-      term = times(term, difference(statement));
-      strict = strict && is_strict(statement.relation);
-    }
-    verdicts.push_back(coefficient_is_positive(premises, product.coefficient));
-    terms.push_back(term);
-    result.strict = result.strict || strict;
-  }
-  result.sum = sum_of(terms);
-  result.verdict = all_of(verdicts);
   return result;
 }
 
-bool is_absolute_value(const Term& term) {
-  return term.op() == Op::function && term.name() == "abs";
-}
-
-// |x| < y as x^2 < y^2, which says the same where y > 0; also y - |x| < 0 turned round, x^2 > y^2.
-Statement without_absolute_value(const Statement& statement) {
-  const auto squared = [](const Term& side) {
-    return power(is_absolute_value(side) ? side.arguments().front() : side, 2);
-  };
-  return {squared(statement.left), squared(statement.right), statement.relation};
-}
-
-// The printed inequality, without its absolute value; the premise that this needs must say that the other
-// side is positive.
-Statement in_squares(const Premises& premises, const Statement& printed,
-                     const std::optional<Premise>& positive_side) {
-  if (!is_absolute_value(printed.left) && !is_absolute_value(printed.right)) {
-    return printed;
+kernel::Theorem by_certificate(Derivation& derivation, const kernel::Formula& goal,
+                               const Certificate& certificate) {
+  std::vector<kernel::Positive> positives;
+  for (const Positive& product : certificate.positive) {
+    positives.push_back(positive_of(derivation, product));
   }
-  const Term& other = is_absolute_value(printed.left) ? printed.right : printed.left;
-  if (is_one(other)) {
-    return without_absolute_value(printed);
-  }
-  if (!positive_side) {
-    throw InternalError("claim " + premises.claim.id +
-                        ": which premise says that the other side is positive?");
-  }
-  const Statement sign = premises({*positive_side});
-  if (sign.relation != Relation::greater || !equal(sign.left, other) || !sign.right.is_zero()) {
-    throw InternalError(fmt::format("claim {}: {} does not say that {} is positive", premises.claim.id,
-                                    text(sign), text(other)));
-  }
-  return without_absolute_value(printed);
-}
-
-Verdict follows(const Premises& premises, const Statement& printed, const Certificate& certificate) {
-  if (!is_inequality(printed.relation)) {
-    throw InternalError(fmt::format("claim {}: {} is no inequality", premises.claim.id, text(printed)));
-  }
-  const PositiveSum positive = positive_sum(premises, certificate.positive);
-  std::vector<Term> right{positive.sum};
-  for (const Multiple& multiple : certificate.equations) {
-    right.push_back(multiple_of_equation(premises, multiple));
-  }
-  Term left = difference(printed);
-  Verdict divisors_are_positive = Verdict::proved();
+  std::vector<kernel::Multiple> equations = multiples_of(derivation, certificate.equations);
   if (!certificate.divisors.empty()) {
-    const PositiveSum divisor = positive_sum(premises, certificate.divisors);
-    divisors_are_positive = divisor.verdict;
-    left = times(divisor.sum, left);
-    if (!divisor.strict) {
-      return Verdict::undecided("the divisor may be zero");
+    std::vector<kernel::Positive> parts;
+    std::vector<kernel::Term> terms;
+    for (const Positive& product : certificate.divisors) {
+      parts.push_back(positive_of(derivation, product));
+      const kernel::Positive& part = parts.back();
+      kernel::Term value = part.factor;
+      for (const kernel::Theorem& inequality : part.inequalities) {
+        value = value * (inequality.conclusion().parts()[1] - inequality.conclusion().parts()[0]);
+      }
+      terms.push_back(value);
+    }
+    const kernel::Theorem divisor = derivation.order(kernel::less(0, kernel::sum(terms)), parts);
+    const kernel::Theorem inverse = tactics::inverse_is_positive(divisor);
+    derivation.know(tactics::different(divisor));
+    for (kernel::Positive& positive : positives) {
+      positive.inequalities.push_back(inverse);
+    }
+    for (kernel::Multiple& equation : equations) {
+      equation.left = inverse.conclusion().parts()[1] * equation.left;
     }
   }
-  if (is_strict(printed.relation) && !positive.strict) {
-    return Verdict::undecided("the premises do not give a strict inequality");
+  return derivation.order(goal, positives, equations);
+}
+
+// |x| < y from x² < y² and 0 < y, where the printed statement is one of an absolute value.
+kernel::Theorem in_squares(Derivation& derivation, const kernel::Formula& printed,
+                           const kernel::Theorem& positive_side, const Certificate& certificate) {
+  const kernel::Formula& upper = printed.parts()[1];  // x < y
+  const kernel::Term x = upper.parts()[0], y = upper.parts()[1];
+  const kernel::Theorem squares =
+      by_certificate(derivation, kernel::less(power(x, 2), power(y, 2)), certificate);
+  std::vector<kernel::Theorem> both_sides;
+  for (const kernel::Formula& side : printed.parts()) {
+    const kernel::Term a = side.parts()[0], b = side.parts()[1];
+    const kernel::Formula wrong = kernel::at_most(b, a);
+    const kernel::Theorem assumed = kernel::Theorem::assume(wrong);
+    const kernel::Theorem too_large = derivation.order(
+        kernel::at_most(power(y, 2), power(x, 2)),
+        {kernel::Positive{{assumed, assumed}}, kernel::Positive{{assumed, positive_side}, 2}});
+    both_sides.push_back(kernel::Theorem::consequence(
+        {kernel::Theorem::discharge(too_large, wrong), squares,
+         kernel::Theorem::trichotomy(power(x, 2), power(y, 2)), kernel::Theorem::trichotomy(a, b)},
+        side));
   }
-  decide(premises.outcome, premises.claim, equation(left, sum_of(right)));
-  return all_of({positive.verdict, divisors_are_positive,
-                 undecided_if_refuted(premises.outcome.verdict, "the positive combination")});
+  return tactics::both(both_sides);
 }
 
 }  // namespace
 
 Proof by_positive_combination(std::vector<Certificate> certificates, std::optional<Premise> positive_side) {
-  return [certificates = std::move(certificates), positive_side = std::move(positive_side)](
-             Prover& prover, const Claim& claim) {
-    require_count(claim, certificates.size());
-    Outcome outcome;
-    outcome.route = "the difference of the sides is a positive combination of the premises, identically";
-    const Premises premises{prover, claim, outcome};
-    std::vector<Verdict> verdicts;
-    for (std::size_t i = 0; i < certificates.size(); ++i) {
-      verdicts.push_back(
-          follows(premises, in_squares(premises, claim.printed[i], positive_side), certificates[i]));
+  const auto derive = [certificates = std::move(certificates), positive_side = std::move(positive_side)](
+                          Derivation& derivation, std::size_t which) {
+    require_count(derivation.claim(), certificates.size());
+    const kernel::Formula printed = printed_formula(derivation, which);
+    if (printed.kind() != kernel::Kind::conjunction) {
+      return by_certificate(derivation, printed, certificates[which]);
     }
-    outcome.verdict = all_of(verdicts);
-    return outcome;
+    const kernel::Theorem positive =
+        positive_side ? derivation.premise(*positive_side) : kernel::Theorem::sign(kernel::less(0, 1));
+    return in_squares(derivation, printed, positive, certificates[which]);
   };
+  return by_kernel("the difference of the sides is a positive combination of the premises, identically",
+                   derive);
+}
+
+Proof by_putting_in(std::vector<Premise> premises) {
+  return by_kernel("both sides have the same normal form once the premises are put in",
+                   [premises = std::move(premises)](Derivation& derivation, std::size_t which) {
+                     for (const Premise& premise : premises) {
+                       derivation.give(derivation.premise(premise));
+                     }
+                     return derivation.combination(printed_formula(derivation, which));
+                   });
+}
+
+Proof by_inverse(Premise product) {
+  return by_kernel("multiplied it gives $I$",
+                   [product = std::move(product)](Derivation& derivation, std::size_t) {
+                     return kernel::Theorem::inverse_of(derivation.premise(product));
+                   });
+}
+
+Proof by_zero_of_cosine(const ZeroOfCosine& step) {
+  const auto derive = [=](Derivation& derivation, std::size_t which) {
+    const kernel::Formula printed = printed_formula(derivation, which);
+    const kernel::Term x = derivation.read(step.angle);
+    const auto turns = [](const Rational& number) { return kernel::Term(number) * kernel::pi(); };
+    kernel::Theorem zero = derivation.premise(step.zero);
+    kernel::Theorem cases =
+        kernel::Theorem::zeros_between(zero, derivation.follows(kernel::less(turns(step.lower), x)),
+                                       derivation.follows(kernel::less(x, turns(step.upper))));
+    if (cases.conclusion().kind() == kernel::Kind::disjunction && cases.conclusion().parts().size() == 1) {
+      cases = kernel::Theorem::consequence({cases}, cases.conclusion().parts()[0]);
+    }
+    if (cases.conclusion().kind() != kernel::Kind::equal) {
+      throw kernel::KernelError("there is more than one zero in between");
+    }
+    // The angle is a multiple of what is printed.
+    return derivation.combination(printed, {{cases, tactics::quotient(printed.parts()[0], x)}});
+  };
+  return by_kernel("cos vanishes at the odd multiples of $pi/2$, one of which lies between the ends", derive);
+}
+
+Proof by_nonzero_multiple(const std::string& assumption, const Term& multiplier) {
+  const auto derive = [=](Derivation& derivation, std::size_t which) {
+    using kernel::Theorem;
+    const Theorem stated = derivation.premise(assuming(assumption));
+    const kernel::Formula printed = printed_formula(derivation, which);
+    const kernel::Formula zero = printed.parts().at(0);  // A = 0
+    const kernel::Term B = stated.conclusion().parts().at(0).parts().at(0);
+    const Theorem square =
+        derivation.combination(equal(B * B, 0), {{Theorem::assume(zero), derivation.read(multiplier)}});
+    return Theorem::consequence({Theorem::discharge(square, zero), Theorem::zero_product(B, B), stated},
+                                printed);
+  };
+  return by_kernel("where the left side vanishes, so does what is assumed not to: its square is a multiple",
+                   derive);
 }
 
 namespace {
 
-// "symbol = value" as replacements; a vector also gives the values of its components.
-void add_replacements(Replacements& replacements, const Statement& statement) {
-  const Term& symbol = statement.left;
-  if (statement.relation != Relation::equal || symbol.op() != Op::symbol) {
-    throw InternalError(text(statement) + " does not say what a symbol is");
+// Whether the table of symbols says what the name stands for. Throws InternalError if it is no name, or that
+// of a function at one time.
+bool has_meaning(const Term& name) {
+  const bool of_time = name.op() == Op::function && name.arguments().front().op() == Op::symbol;
+  if (name.op() != Op::symbol && !of_time) {
+    throw InternalError(text(name) + " is no name that could be introduced");
   }
-  replacements.insert_or_assign(symbol.name(), statement.right);
-  if (symbol.shape().is_scalar()) {
-    return;
-  }
-  const Value<ex> components = evaluate<ex>(symbol, symbolically());
-  const int size = symbol.shape().rows;
-  for (int i = 0; i < size; ++i) {
-    if (!GiNaC::is_a<GiNaC::symbol>(components(i))) {
-      throw InternalError(symbol.name() + " is not a vector of unknowns");
-    }
-    std::vector<Term> row(static_cast<std::size_t>(size), Term(0));
-    row[static_cast<std::size_t>(i)] = 1;
-    replacements.insert_or_assign(GiNaC::ex_to<GiNaC::symbol>(components(i)).get_name(),
-                                  block(1, std::move(row)) * statement.right);
-  }
+  const Symbol * row = symbol_table().find(name);
+  return row != nullptr && (row->value || row->means);
 }
 
 }  // namespace
 
-Proof by_putting_in(std::vector<Premise> premises) {
-  return [premises = std::move(premises)](Prover& prover, const Claim& claim) {
-    Outcome outcome;
-    outcome.route = "both sides have the same normal form once the premises are put in";
-    Replacements replacements;
-    for (const Premise& premise : premises) {
-      record_premise(outcome, prover, claim, premise);
-      for (const Statement& statement : statements_of(prover, claim, premise)) {
-        add_replacements(replacements, statement);
-      }
-    }
-    std::vector<Verdict> verdicts;
-    for (const Statement& printed : claim.printed) {
-      decide(outcome, claim, substitute(printed, replacements));
-      verdicts.push_back(outcome.verdict);
-    }
-    outcome.verdict = all_of(verdicts);
-    return outcome;
-  };
-}
-
-Proof by_inverse(std::vector<Premise> premises) {
-  return [prove = by_rewriting(std::move(premises))](Prover& prover, const Claim& claim) {
-    Claim products = claim;
-    products.printed.clear();
-    for (const Statement& printed : claim.printed) {
-      if (printed.left.op() != Op::power || printed.left.number() != -1) {
-        throw InternalError(text(printed) + " does not say what an inverse is");
-      }
-      const Term& A = printed.left.arguments().front();
-      const Term I = identity(A.shape().rows);
-      products.printed.push_back(equation(A * printed.right, I));
-      products.printed.push_back(equation(printed.right * A, I));
-    }
-    Outcome outcome = prove(prover, products);
-    outcome.route = "multiplied from either side it gives $I$";
-    return outcome;
-  };
-}
-
-Proof by_rate_of_change(const Term& quantity, std::vector<Statement> motion) {
-  return [quantity, motion = std::move(motion)](Prover&, const Claim& claim) {
-    const Given given(claim);
-    Outcome outcome;
-    const ex value = evaluate<ex>(quantity, given.lookup())(0, 0);
-    ex rate = 0;
-    for (const Statement& equation : motion) {
-      const ex symbol = symbolically()(equation.left.name());
-      rate += value.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)) *
-              evaluate<ex>(equation.right, given.lookup())(0, 0);
-    }
-    require_count(claim, 1);
-    const Term& changing = claim.printed.front().left;
-    if (changing.op() != Op::derivative) {
-      throw InternalError(text(changing) + " is no rate of change");
-    }
-    decide(outcome, claim, equation(changing.arguments().front(), quantity));
-    const Verdict is_quantity = outcome.verdict;
-    decide(outcome, claim, symbolic::algebra::Matrix::Constant(1, 1, rate),
-           evaluate<ex>(claim.printed.front().right, given.lookup()));
-    outcome.verdict = all_of({is_quantity, outcome.verdict});
-    outcome.route = "the chain rule along the equations of motion";
-    return outcome;
-  };
-}
-
-Proof by_zero_of_cosine(const Term& angle, const std::string& assumption, const Term& lower,
-                        const Term& upper) {
-  return [=](Prover& prover, const Claim& claim) {
-    require_count(claim, 1);
-    const Statement& printed = claim.printed.front();
-    const Given given(claim);
-    const auto angle_at = [&](const Term& value) {
-      return evaluate<ex>(substitute(angle, {{printed.left.name(), value}}), given.lookup())(0, 0).normal();
-    };
-    const Statement zero = statements_of(prover, claim, assuming(assumption)).front();
-    const ex slope = evaluate<ex>(angle, given.lookup())(0, 0).diff(
-        GiNaC::ex_to<GiNaC::symbol>(symbolically()(printed.left.name())));
-    const ex begin = angle_at(lower) / GiNaC::Pi, end = angle_at(upper) / GiNaC::Pi;
-    const ex found = angle_at(printed.right) / GiNaC::Pi;
-    if (!equal(zero.left, cos(angle)) || !zero.right.is_zero() ||
-        slope.has(symbolically()(printed.left.name())) || !begin.info(GiNaC::info_flags::rational) ||
-        !end.info(GiNaC::info_flags::rational) || !found.info(GiNaC::info_flags::rational)) {
-      throw InternalError(
-          fmt::format("claim {}: {} does not run from one multiple of pi to another", claim.id, text(angle)));
-    }
-    Outcome outcome;
-    outcome.assumed.insert(assumption);
-    record_assumptions(outcome, claim, upper);
-    outcome.route = "cos vanishes at the odd multiples of $pi/2$, one of which lies between the ends";
-    // Zeros are at k + 1/2; one of them lies strictly between the ends, and it is the value printed.
-    const GiNaC::numeric b = GiNaC::ex_to<GiNaC::numeric>(begin), e = GiNaC::ex_to<GiNaC::numeric>(end),
-                         f = GiNaC::ex_to<GiNaC::numeric>(found), whole(1), half_turn(1, 2);
-    const bool alone = b < f && f < e && (f - half_turn).is_integer() && f - whole <= b && f + whole >= e;
-    outcome.verdict =
-        alone ? Verdict::proved() : Verdict::undecided("the value printed is not the only zero in between");
-    return outcome;
-  };
-}
-
 Proof by_definition() {
-  return [](Prover&, const Claim& claim) {
-    for (const Statement& printed : claim.printed) {
-      if (printed.left.op() != Op::symbol && printed.left.op() != Op::function) {
-        throw InternalError(text(printed) + " does not introduce a name");
-      }
-    }
-    Outcome outcome;
-    outcome.verdict = Verdict::proved();
+  return [](Prover& prover, const Claim& claim) {
+    const char * const route = "a definition: it introduces the names on the left";
+    Outcome outcome = derived(route, prover, claim, [](Derivation& derivation, std::size_t which) {
+      return derivation.combination(printed_formula(derivation, which));
+    });
     outcome.introduces_names = true;
-    outcome.route = "a definition: it introduces the names on the left";
+    // A name that has a meaning already stands for it, and what is said of it has to be a theorem.
+    if (std::ranges::none_of(claim.printed, [](const Statement& one) { return has_meaning(one.left); })) {
+      outcome.verdict = Verdict::proved();
+    }
     return outcome;
   };
 }

@@ -44,24 +44,26 @@ struct Certificate {
 [[nodiscard]] Proof by_positive_combination(std::vector<Certificate> certificates,
                                             std::optional<Premise> positive_side = {});
 
-// The printed equations hold identically once the premises, each of the form "symbol = value" (a vector gives
-// its components), are put in.
+// The printed equations hold identically once the premises, each of the form "symbol = value", are put in.
 [[nodiscard]] Proof by_putting_in(std::vector<Premise> premises);
 
-// The printed equations say "inverse(A) = B": A B = I and B A = I follow by rewriting.
-[[nodiscard]] Proof by_inverse(std::vector<Premise> premises);
+// The printed equation says "inverse(A) = B", the premise A B = I.
+[[nodiscard]] Proof by_inverse(Premise product);
 
-// The printed right side is the rate of change of the quantity (a function of the symbols on the left sides
-// of `motion`, whose rates of change stand on their right sides).
-[[nodiscard]] Proof by_rate_of_change(const symbols::Term& quantity, std::vector<symbols::Statement> motion);
+// The printed equation "variable = value" follows from `zero`, cos(angle) = 0, as lower*pi < angle < upper*pi;
+// the angle is a multiple of the variable.
+struct ZeroOfCosine {
+  symbols::Term angle;
+  Premise zero;
+  Rational lower, upper;
+};
+[[nodiscard]] Proof by_zero_of_cosine(const ZeroOfCosine& step);
 
-// The printed equation "variable = value" follows from cos(angle) = 0, which the assumption says, and lower <
-// variable < upper: the angle is linear in the variable, runs through whole or half turns at the ends, and
-// between them there is one zero of the cosine.
-[[nodiscard]] Proof by_zero_of_cosine(const symbols::Term& angle, const std::string& assumption,
-                                      const symbols::Term& lower, const symbols::Term& upper);
+// The printed "A != 0" follows from the assumption "B != 0", as B^2 = multiplier * A by normal form.
+[[nodiscard]] Proof by_nonzero_multiple(const std::string& assumption, const symbols::Term& multiplier);
 
-// The printed left sides are names that have no other meaning, introduced here.
+// The printed left sides are names, introduced here; where the table of symbols gives one of them a meaning,
+// all that is printed has to be a theorem.
 [[nodiscard]] Proof by_definition();
 
 // At the point, where the symbols of `values` take the values given (in terms of one another and of the

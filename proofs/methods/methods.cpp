@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/deciding.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/rewrite.hpp"
 
@@ -17,21 +18,10 @@ namespace {
 
 using GiNaC::ex;
 
-void decide_all(Outcome& outcome, const Claim& claim, const std::vector<Statement>& equations,
-                std::vector<Verdict>& verdicts) {
-  for (const Statement& equation : equations) {
-    decide(outcome, claim, equation);
-    verdicts.push_back(outcome.verdict);
-  }
-}
+const char * const normal_form_route = "both sides have the same normal form, for all values of the symbols";
 
-Outcome conjunction(const std::string& route, const Claim& claim, const std::vector<Statement>& equations) {
-  Outcome outcome;
-  std::vector<Verdict> verdicts;
-  decide_all(outcome, claim, equations, verdicts);
-  outcome.verdict = all_of(verdicts);
-  outcome.route = route;
-  return outcome;
+kernel::Theorem by_itself(Derivation& derivation, std::size_t which) {
+  return derivation.combination(derivation.read(derivation.claim().printed[which]));
 }
 
 // The printed statements that speak of nothing but what has a value.
@@ -41,64 +31,70 @@ std::vector<Statement> with_values(std::vector<Statement> printed) {
   return printed;
 }
 
-const char * const normal_form_route = "both sides have the same normal form, for all values of the symbols";
+// What a proof found out besides, which has to hold as well.
+void join(Outcome& outcome, const Outcome& further) {
+  if (outcome.verdict.truth == Truth::proved && further.verdict.truth != Truth::proved) {
+    outcome.verdict = further.verdict;
+    outcome.by_kernel = false;
+  }
+  outcome.hypotheses = joined(outcome.hypotheses, further.hypotheses);
+  outcome.uses.insert(further.uses.begin(), further.uses.end());
+  outcome.assumed.insert(further.assumed.begin(), further.assumed.end());
+}
 
-// By normal form, of the claim's printed equations: a theorem of the kernel if all are.
-Outcome by_normal_form(const Claim& claim, const std::vector<Statement>& equations) {
-  Outcome outcome = conjunction(normal_form_route, claim, equations);
-  outcome.by_kernel = outcome.verdict.truth == Truth::proved && outcome.theorems.size() == equations.size();
+Outcome by_normal_form(Prover& prover, const Claim& claim, const std::vector<Statement>& meaning) {
+  Outcome outcome = derived(normal_form_route, prover, claim, by_itself);
+  if (!meaning.empty()) {
+    Claim meant = claim;
+    meant.printed = meaning;
+    join(outcome, derived(normal_form_route, prover, meant, by_itself));
+  }
+  outcome.doubted = with_values(claim.printed);
+  outcome.doubted.insert(outcome.doubted.end(), meaning.begin(), meaning.end());
   return outcome;
 }
 
 }  // namespace
 
 Proof by_normal_form() {
-  return [](Prover&, const Claim& claim) { return by_normal_form(claim, claim.printed); };
+  return [](Prover& prover, const Claim& claim) { return by_normal_form(prover, claim, {}); };
 }
 
-Proof by_normal_form(std::vector<Statement> equations) {
-  return [equations = std::move(equations)](Prover&, const Claim& claim) {
-    std::vector<Statement> all = with_values(claim.printed);
-    all.insert(all.end(), equations.begin(), equations.end());
-    Outcome outcome = by_normal_form(claim, all);
-    // What is printed and has no value is no theorem: others only say what it means.
-    outcome.by_kernel = outcome.by_kernel && with_values(claim.printed).size() == claim.printed.size();
-    return outcome;
+Proof by_normal_form(std::vector<Statement> meaning) {
+  return [meaning = std::move(meaning)](Prover& prover, const Claim& claim) {
+    return by_normal_form(prover, claim, meaning);
   };
 }
+
+namespace {
+
+Outcome compared(const Claim& claim, const std::vector<Derived>& all) {
+  Outcome outcome;
+  std::vector<Verdict> verdicts;
+  for (const Derived& derived : all) {
+    record_definitions(outcome, claim, derived.stated);
+    decide(outcome, claim, derived.value, evaluate<ex>(derived.stated, symbolically()));
+    verdicts.push_back(outcome.verdict);
+  }
+  outcome.verdict = all_of(verdicts);
+  return outcome;
+}
+
+}  // namespace
 
 Proof by_derivation(const std::string& route, std::function<std::vector<Derived>()> derive) {
-  return [route, derive = std::move(derive)](Prover&, const Claim& claim) {
-    Outcome outcome;
-    std::vector<Verdict> verdicts;
-    for (const Derived& derived : derive()) {
-      record_definitions(outcome, claim, derived.stated);
-      decide(outcome, claim, derived.value, evaluate<ex>(derived.stated, symbolically()));
-      verdicts.push_back(outcome.verdict);
-    }
-    decide_all(outcome, claim, claim.printed, verdicts);
-    outcome.verdict = all_of(verdicts);
+  return [route, derive = std::move(derive)](Prover& prover, const Claim& claim) {
+    Outcome outcome = by_normal_form(prover, claim, {});
     outcome.route = route;
+    join(outcome, compared(claim, derive()));
     return outcome;
   };
 }
 
-Proof by_differential_equation(const Term& A, const Term& forcing, const Term& initial, const Term& start) {
-  return [=](Prover&, const Claim& claim) {
-    // Time counted from the start: fewer phases for the normal form.
-    const Replacements from_start{{"t", scalar("t") + start}};
-    const Term solution = substitute(claim.printed.front().right, from_start);
-    Outcome outcome = conjunction(
-        "it satisfies the differential equation and the initial value; linear equations have one solution",
-        claim,
-        {equation(derivative(solution), A * solution + substitute(forcing, from_start)),
-         equation(substitute(solution, {{"t", 0}}), initial)});
-    const Statement begins = equation(substitute(claim.printed.front().left, {{"t", start}}), initial);
-    for (const Assumption& assumption : claim.assumptions) {
-      if (equal(assumption.statement, begins)) {
-        outcome.assumed.insert(assumption.id);
-      }
-    }
+Proof by_comparison(const std::string& route, std::function<std::vector<Derived>()> derive) {
+  return [route, derive = std::move(derive)](Prover&, const Claim& claim) {
+    Outcome outcome = compared(claim, derive());
+    outcome.route = route;
     return outcome;
   };
 }
@@ -136,106 +132,160 @@ Premise assuming(const std::string& id) {
 
 namespace {
 
+// Rules with what each comes from in the kernel.
+struct Source {
+  Premise premise;
+  std::size_t statement = 0;
+};
+struct Rules {
+  std::vector<Rule> rules;
+  std::vector<std::optional<Source>> sources;  // nothing for a cancellation
+  std::map<std::string, Term> letters;
+};
+
 // A^{-1} A = I.
 Rule cancellation(const Claim& claim, const Term& square, const Lookup<ex>& lookup) {
   for (const Assumption& assumption : claim.assumptions) {
     const Statement& stated = assumption.statement;
     if (stated.relation == Relation::not_equal && equal(stated.left, determinant(square)) &&
         stated.right.is_zero()) {
-      return {polynomial(inverse(square) * square, lookup).begin()->first, {{{}, 1}}, {assumption.id}};
+      return {polynomial(inverse(square) * square, lookup).begin()->first, {{{}, 1}}};
     }
   }
   throw InternalError(
       fmt::format("claim {} divides by {} without assuming that it can", claim.id, text(square)));
 }
 
-// The statements of a premise that can be solved for what it is to be solved for; at least one.
-std::vector<Rule> rules_of(Prover& prover, const Claim& claim, const Premise& premise,
-                           const std::vector<Rule>& known) {
+// Adds the statements of a premise that can be solved for what it is to be solved for; at least one.
+void add_rules(Rules& known, Prover& prover, const Claim& claim, const Premise& premise) {
   const Given given(claim);
-  std::vector<Rule> rules;
-  std::vector<Rule> simplifying = known;
   if (premise.factor) {
-    simplifying.push_back(cancellation(claim, *premise.factor, given.lookup()));
+    known.rules.push_back(cancellation(claim, *premise.factor, given.lookup()));
+    known.sources.emplace_back();
+    collect_letters(inverse(*premise.factor) * *premise.factor, given.lookup(), known.letters);
   }
-  for (Statement statement : statements_of(prover, claim, premise)) {
+  const std::vector<Rule> simplifying = known.rules;
+  const std::vector<Statement> statements = statements_of(prover, claim, premise);
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    Statement statement = statements[i];
     if (premise.factor) {
       const Term left = inverse(*premise.factor);
       statement = {left * statement.left,
                    statement.right.is_zero() ? statement.right : left * statement.right, statement.relation};
     }
     const Polynomial lead = polynomial(premise.lead.value_or(statement.left), given.lookup());
-    if (auto rule = solve(residual(statement, given.lookup()), lead, premise.id, simplifying)) {
-      rules.push_back(*std::move(rule));
+    if (auto rule = solve(residual(statement, given.lookup()), lead, simplifying)) {
+      known.rules.push_back(*std::move(rule));
+      known.sources.emplace_back(Source{premise, i});
+      collect_letters(statement.left, given.lookup(), known.letters);
+      collect_letters(statement.right, given.lookup(), known.letters);
     }
   }
-  if (rules.empty()) {
+  if (known.rules.size() == simplifying.size()) {
     throw InternalError(
         fmt::format("claim {}: the premise {} cannot be solved as wanted", claim.id, premise.id));
   }
-  return rules;
 }
 
-std::vector<Rule> rules_of(Prover& prover, const Claim& claim, const std::vector<Premise>& premises) {
-  std::vector<Rule> rules;
-  for (const Premise& premise : premises) {
-    std::vector<Rule> more = rules_of(prover, claim, premise, rules);
-    rules.insert(rules.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+// What a trace took away, as multiples of the residuals of what the rules come from.
+using Summands = std::map<std::tuple<Word, std::size_t, Word>, ex>;
+
+Word operator+(Word a, const Word& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+void add_trace(Summands& sum, const Rules& known, const std::vector<Application>& trace, const ex& factor,
+               const Word& before, const Word& after) {
+  for (const Application& one : trace) {
+    const Rule& rule = known.rules[one.rule];
+    const ex scaled = factor * one.coefficient / rule.scale;
+    sum[{before + one.before, one.rule, one.after + after}] += scaled;
+    add_trace(sum, known, rule.trace, -scaled, before + one.before, one.after + after);
   }
-  return rules;
+}
+
+// The statement is what the trace took away.
+kernel::Theorem by_trace(Derivation& derivation, const Rules& known, const Statement& statement,
+                         const std::vector<Application>& trace) {
+  Summands sum;
+  add_trace(sum, known, trace, 1, {}, {});
+  const auto product = [&](const Word& word) {
+    std::optional<kernel::Term> result;
+    for (const std::string& letter : word) {
+      const kernel::Term next = derivation.read(known.letters.at(letter));
+      result = result ? *result * next : next;
+    }
+    return result.value_or(1);
+  };
+  std::vector<kernel::Multiple> multiples;
+  for (const auto& [place, coefficient] : sum) {
+    const auto& [before, rule, after] = place;
+    const ex scale = coefficient.normal();
+    if (scale.is_zero()) {
+      continue;
+    }
+    kernel::Term left = derivation.read(scale) * product(before);
+    const kernel::Term right = product(after);
+    const auto& source = known.sources[rule];
+    if (!source) {
+      const kernel::Term unit = product(known.rules[rule].lead);
+      multiples.push_back(
+          {derivation.combination(equal(unit, kernel::identity(unit.type().rows))), left, right});
+      continue;
+    }
+    if (source->premise.factor) {
+      left = left * derivation.read(inverse(*source->premise.factor));
+    }
+    const kernel::Theorem equation = derivation.premise(source->premise, source->statement);
+    // An inverse is replaced before its determinant is asked for.
+    if (equation.conclusion().parts()[0].kind() == kernel::Kind::inverse) {
+      derivation.give(equation);
+    } else {
+      multiples.push_back({equation, left, right});
+    }
+  }
+  return derivation.combination(derivation.read(statement), multiples);
 }
 
 }  // namespace
 
 Proof by_rewriting(std::vector<Premise> premises) {
-  return [premises = std::move(premises)](Prover& prover, const Claim& claim) {
-    const std::vector<Rule> rules = rules_of(prover, claim, premises);
-    const Given given(claim);
-    Outcome outcome;
-    outcome.route = "replacing equals by equals, with the premises listed";
-    outcome.verdict = Verdict::proved();
-    for (const Statement& statement : claim.printed) {
-      const Rewritten rewritten = rewrite(residual(statement, given.lookup()), rules);
-      if (!rewritten.rest.empty()) {
-        outcome.verdict = Verdict::undecided("the premises leave " + text(rewritten.rest));
-      }
-      for (const Assumption& assumption : claim.assumptions) {
-        if (rewritten.sources.contains(assumption.id)) {
-          outcome.assumed.insert(assumption.id);
-        }
-      }
-      for (const Premise& premise : premises) {
-        if (rewritten.sources.contains(premise.id)) {
-          record_premise(outcome, prover, claim, premise);
-        }
-      }
-      record_assumptions(outcome, claim, statement.left);
-      record_assumptions(outcome, claim, statement.right);
-    }
-    return outcome;
-  };
+  return by_kernel("replacing equals by equals, with the premises listed",
+                   [premises = std::move(premises)](Derivation& derivation, std::size_t which) {
+                     const Claim& claim = derivation.claim();
+                     const Statement& printed = claim.printed[which];
+                     const Given given(claim);
+                     Rules known;
+                     for (const Premise& premise : premises) {
+                       add_rules(known, derivation.prover(), claim, premise);
+                     }
+                     for (const Term& side : {printed.left, printed.right}) {
+                       collect_letters(side, given.lookup(), known.letters);
+                     }
+                     const Rewritten rewritten = rewrite(residual(printed, given.lookup()), known.rules);
+                     if (!rewritten.rest.empty()) {
+                       throw kernel::KernelError("the premises leave " + text(rewritten.rest));
+                     }
+                     return by_trace(derivation, known, printed, rewritten.trace);
+                   });
 }
 
 Proof by_premises(std::vector<Premise> premises) {
-  return [premises = std::move(premises)](Prover& prover, const Claim& claim) {
-    Outcome outcome;
-    outcome.route = "what the premises say; what they assume beyond this is supplied by the claims listed";
-    outcome.verdict = Verdict::proved();
-    for (const Statement& printed : claim.printed) {
-      const auto made_by = [&](const Premise& premise) {
-        const std::vector<Statement> made = statements_of(prover, claim, premise);
-        return std::any_of(made.begin(), made.end(),
-                           [&](const Statement& one) { return equal(one, printed); });
-      };
-      const auto source = std::find_if(premises.begin(), premises.end(), made_by);
-      if (source == premises.end()) {
-        outcome.verdict = Verdict::undecided(fmt::format("no premise says {}", text(printed)));
-        continue;
-      }
-      record_premise(outcome, prover, claim, *source);
-    }
-    return outcome;
-  };
+  return by_kernel(
+      "what the premises say; what they assume beyond this is supplied by the claims listed",
+      [premises = std::move(premises)](Derivation& derivation, std::size_t which) {
+        const Statement& printed = derivation.claim().printed[which];
+        for (const Premise& premise : premises) {
+          const std::vector<Statement> made = statements_of(derivation.prover(), derivation.claim(), premise);
+          const auto same = std::find_if(made.begin(), made.end(),
+                                         [&](const Statement& one) { return equal(one, printed); });
+          if (same != made.end()) {
+            return derivation.premise(premise, static_cast<std::size_t>(same - made.begin()));
+          }
+        }
+        throw kernel::KernelError("no premise says " + text(printed));
+      });
 }
 
 }  // namespace stickslip::proofs::methods

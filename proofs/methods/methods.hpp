@@ -13,13 +13,12 @@
 
 namespace stickslip::proofs::methods {
 
-// Every printed equation holds identically: both sides are evaluated with the model's formulas and compared
-// by normal form. Assumptions whose left side is a scalar symbol (phi = (pi - omega*tau)/2) are put in first.
+// Every printed equation holds identically, by normal form. Assumptions whose left side is a scalar symbol
+// (phi = (pi - omega*tau)/2) are put in where that helps. What is not proved may be refuted by a witness.
 [[nodiscard]] Proof by_normal_form();
 
-// The same for those of the printed equations that have a value, and for others which say what the rest of
-// them, or the printed words, mean.
-[[nodiscard]] Proof by_normal_form(std::vector<symbols::Statement> equations);
+// The same, and also for these equations, which say what the printed ones, or the words, mean.
+[[nodiscard]] Proof by_normal_form(std::vector<symbols::Statement> meaning);
 
 // The printed equations hold identically, and what they speak of comes out of a derivation that shares no
 // formula with the model.
@@ -28,11 +27,8 @@ struct Derived {
   symbols::Term stated;
 };
 [[nodiscard]] Proof by_derivation(const std::string& route, std::function<std::vector<Derived>()> derive);
-
-// The printed right side, as a function of t, is the solution of y' = A y + forcing, y(start) = initial: it
-// satisfies both, and solutions of linear equations are unique.
-[[nodiscard]] Proof by_differential_equation(const symbols::Term& A, const symbols::Term& forcing,
-                                             const symbols::Term& initial, const symbols::Term& start = 0);
+// The same of nothing that is printed: only what is derived is what is stated, by GiNaC's normal form.
+[[nodiscard]] Proof by_comparison(const std::string& route, std::function<std::vector<Derived>()> derive);
 
 // A premise of a proof by rewriting: a claim, or one of the claim's own assumptions, with symbols of time
 // replaced (from("5").at("t", tau - t)), solved for its left side or for another product of letters.

@@ -143,6 +143,7 @@ const Record& Prover::prove(const std::string& id) {
   under_way_.push_back(id);
   Record record{claim(id), {}, {}, {}, {}};
   record.outcome = record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given();
+  look_for_witness(record.outcome, record.claim);
   if (record.outcome.verdict.truth == Truth::refuted && record.claim.prove_corrected) {
     Claim reading = record.claim;
     reading.printed = reading.corrected;
@@ -178,19 +179,41 @@ void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Sta
   outcome.cross_check = cross_check(*this, reading, outcome);
 }
 
+std::optional<std::string> Prover::origin_of(const std::string& hypothesis,
+                                             const std::set<std::string>& uses) {
+  for (const std::string& used : uses) {
+    const Outcome& premise = final_outcome(prove(used));
+    for (const Hypothesis& one : premise.hypotheses) {
+      if (one.text == hypothesis) {
+        return one.origin;
+      }
+    }
+    if (const auto deeper = origin_of(hypothesis, premise.uses)) {
+      return deeper;
+    }
+  }
+  return std::nullopt;
+}
+
 bool Prover::inherit(Outcome& outcome, const Claim& claim) {
   bool all_stand = true;
   for (const std::string& used : outcome.uses) {
     const Record& premise = prove(used);
     all_stand = all_stand && facts(premise.status).stands;
-    const Outcome& from = final_outcome(premise);
-    const auto here = outcome.inherited.find(used);
-    outcome.hypotheses =
-        joined(open_at(here == outcome.inherited.end() ? from.hypotheses : here->second, outcome.at),
-               outcome.hypotheses);
+    const std::vector<Hypothesis>& from = final_outcome(premise).hypotheses;
+    if (!outcome.by_kernel) {
+      outcome.hypotheses = joined(open_at(from, outcome.at), outcome.hypotheses);
+    }
   }
-  discharge_stated(outcome, claim);
-  keep_strongest(outcome.hypotheses);
+  if (outcome.by_kernel) {
+    // A theorem has all its hypotheses itself; what stood in a premise comes from there.
+    for (Hypothesis& own : outcome.hypotheses) {
+      own.origin = origin_of(own.text, outcome.uses).value_or(own.origin);
+    }
+  } else {
+    discharge_stated(outcome, claim);
+    keep_strongest(outcome.hypotheses);
+  }
   return all_stand;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ class Prover {
   // Adds the hypotheses of all that the outcome uses, takes away those that the claim states; whether all
   // that it uses stands.
   bool inherit(Outcome& outcome, const Claim& claim);
+  // The claim that brought in the hypothesis of this text, among these and all that they use.
+  std::optional<std::string> origin_of(const std::string& hypothesis, const std::set<std::string>& uses);
   // Has the verdict looked at by two further engines. Throws InternalError if one disagrees.
   void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form);
 

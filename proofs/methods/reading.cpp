@@ -1,26 +1,29 @@
 #include "proofs/methods/reading.hpp"
 
 #include <algorithm>
+#include <optional>
 
-#include "proofs/methods/model_terms.hpp"
-#include "proofs/methods/tactics.hpp"
 #include "proofs/symbols/derived.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/table.hpp"
-#include "symbolic/algebra/evaluate.hpp"
-#include "symbolic/algebra/hypotheses.hpp"
-#include "symbolic/algebra/symbols.hpp"
+#include "proofs/tactics/model_terms.hpp"
+#include "proofs/tactics/tactics.hpp"
+
+namespace stickslip::proofs::tactics {
+
+// Among the functions of time that are formulas of the model.
+inline Symbolic absolute_value(const Symbolic&) {
+  throw symbols::NoValue("an absolute value has no reading");
+}
+
+}  // namespace stickslip::proofs::tactics
 
 namespace stickslip::proofs::methods {
 
 using namespace kernel;
+using namespace tactics;
 using symbols::NoValue;
 using symbols::Op;
-
-// Among the functions of time that are formulas of the model.
-inline Symbolic absolute_value(const Symbolic&) {
-  throw NoValue("an absolute value has no reading");
-}
 
 namespace {
 
@@ -72,9 +75,6 @@ Term joined_blocks(const symbols::Shape& shape, const std::vector<Term>& blocks)
 
 Term integer_power(const Term& base, const Rational& exponent) {
   const long n = exponent.get_num().get_si();
-  if (n < 0 && base.type().rows > 2) {
-    throw NoValue("the inverse of so large a matrix by its cofactors takes the kernel too long");
-  }
   const Term positive = n < 0 ? inverse(base) : base;
   if (base.type().is_scalar()) {
     return power(positive, std::labs(n));
@@ -86,20 +86,18 @@ Term integer_power(const Term& base, const Rational& exponent) {
   return product;
 }
 
-}  // namespace
-
-Term Reader::define(const std::string& name, const std::vector<Variable>& first, const Term& body,
-                    Definitions& among) {
+// The definition of a name, applied to what it depends on; of functions, to the time first.
+Term defined(const std::string& name, const std::vector<Variable>& first, const Term& body) {
   std::vector<Variable> parameters = first;
   for (const Variable& variable : body.variables()) {
     if (std::find(parameters.begin(), parameters.end(), variable) == parameters.end()) {
       parameters.push_back(variable);
     }
   }
-  const Definition definition(name, parameters, body);
-  among.insert(definition);
-  return definition({parameters.begin(), parameters.end()});
+  return Definition(name, parameters, body)({parameters.begin(), parameters.end()});
 }
+
+}  // namespace
 
 Term Reader::scalar(const std::string& name) {
   if (const auto known = scalars_.find(name); known != scalars_.end()) {
@@ -112,11 +110,10 @@ Term Reader::scalar(const std::string& name) {
   Term term = Variable{name};
   if (name == "pi") {
     term = kernel::pi();
-  } else if (row != nullptr && row->value) {
-    term = define(name, {}, (*this)(*row->value), open_);
+  } else if (row != nullptr && (row->value || row->means)) {
+    term = defined(name, {}, (*this)(row->value ? *row->value : *row->means));
   } else if (const std::optional<Symbolic> formula = symbols::derived<Symbolic>(name, lookup)) {
-    term = define(name, {}, formula->term,
-                  closed_[row != nullptr && !row->formula_in.empty() ? row->formula_in : "39"]);
+    term = defined(name, {}, formula->term);
   }
   scalars_.emplace(name, term);
   return term;
@@ -139,7 +136,7 @@ Term Reader::symbol(const symbols::Term& printed) {
   }
   const Term body =
       row != nullptr && row->value ? (*this)(*row->value) : as_kernel_term(formula->second(lookup));
-  return body.variables().empty() ? body : define(printed.name(), {}, body, open_);
+  return body.variables().empty() ? body : defined(printed.name(), {}, body);
 }
 
 Term Reader::function(const symbols::Term& printed) {
@@ -147,6 +144,13 @@ Term Reader::function(const symbols::Term& printed) {
   const std::string& name = printed.name();
   if (name == "cos" || name == "sin" || name == "tan") {
     return name == "cos" ? cos(argument) : name == "sin" ? sin(argument) : tan(argument);
+  }
+  const symbols::Symbol * row = symbols::symbol_table().find(printed);
+  if (row != nullptr && row->is_motion) {
+    return apply(Variable{name, function_of_time(printed.shape().rows, printed.shape().columns)}, argument);
+  }
+  if (row != nullptr && row->means) {
+    return (*this)(substitute(*row->means, {{"t", printed.arguments().front()}}));
   }
   const auto& known = symbols::detail::functions<Symbolic>();
   const auto formula = known.find(name);
@@ -156,7 +160,7 @@ Term Reader::function(const symbols::Term& printed) {
   const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) {
     return Symbolic(scalar(other));
   };
-  const Term applied = define(name, {time}, as_kernel_term(formula->second(lookup, Symbolic(time))), open_);
+  const Term applied = defined(name, {time}, as_kernel_term(formula->second(lookup, Symbolic(time))));
   return substitute(applied, {{time, argument}});
 }
 
@@ -216,48 +220,128 @@ Term Reader::operator()(const symbols::Term& printed) {
   throw InternalError("a term of unknown kind");
 }
 
-Definitions Reader::all() const {
-  Definitions result = open_;
-  for (const auto& entry : closed_) {
-    result.insert(entry.second.begin(), entry.second.end());
-  }
-  return result;
-}
-
 namespace {
-
-Formula relation(const Term& left, const Term& right, symbols::Relation relation) {
-  switch (relation) {
-    case symbols::Relation::equal:
-      return equal(left, right);
-    case symbols::Relation::not_equal:
-      return differ(left, right);
-    case symbols::Relation::less:
-      return less(left, right);
-    case symbols::Relation::less_or_equal:
-      return at_most(left, right);
-    case symbols::Relation::greater:
-      return less(right, left);
-    case symbols::Relation::greater_or_equal:
-      return at_most(right, left);
-  }
-  throw InternalError("a relation of unknown kind");
-}
 
 // D is the derivative of f, of the time t, at all times.
 Formula rate(const Term& f, const Term& D) {
   return for_all(time, derivative(lambda(time, f), time, apply(D, time)));
 }
 
+bool is_absolute_value(const symbols::Term& term) {
+  return term.op() == Op::function && term.name() == "abs";
+}
+
 }  // namespace
 
-Formula Reader::operator()(const symbols::Statement& statement) {
-  rates_.clear();
+Formula Reader::relation(const symbols::Statement& statement) {
+  using symbols::Relation;
+  const bool turned =
+      statement.relation == Relation::greater || statement.relation == Relation::greater_or_equal;
+  const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
   const auto side = [this](const symbols::Term& one, const symbols::Term& other) {
     return one.is_zero() ? filled(other.shape(), [](int, int) { return Term(0); }) : (*this)(one);
   };
-  const Term left = side(statement.left, statement.right), right = side(statement.right, statement.left);
-  Formula formula = relation(left, right, statement.relation);
+  if (statement.relation == Relation::equal || statement.relation == Relation::not_equal) {
+    const Term left = side(statement.left, statement.right), right = side(statement.right, statement.left);
+    return statement.relation == Relation::equal ? equal(left, right) : differ(left, right);
+  }
+  const symbols::Term &lower = turned ? statement.right : statement.left,
+                      &upper = turned ? statement.left : statement.right;
+  const auto below = [&](const Term& a, const Term& b) { return strict ? less(a, b) : at_most(a, b); };
+  if (is_absolute_value(lower)) {
+    const Term inside = (*this)(lower.arguments().front()), bound = (*this)(upper);
+    return kernel::all({below(-bound, inside), below(inside, bound)});
+  }
+  return below(side(lower, upper), side(upper, lower));
+}
+
+namespace {
+
+bool is_sign(const symbols::Term& term) {
+  return term.op() == Op::function && term.name() == "sign";
+}
+
+// The first sign within the term.
+std::optional<symbols::Term> sign_in(const symbols::Term& term) {
+  if (is_sign(term)) {
+    return term;
+  }
+  for (const symbols::Term& argument : term.arguments()) {
+    if (const auto found = sign_in(argument)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+symbols::Term with_value(const symbols::Term& term, const symbols::Term& part, int value) {
+  if (equal(term, part)) {
+    return value;
+  }
+  std::vector<symbols::Term> arguments;
+  for (const symbols::Term& argument : term.arguments()) {
+    arguments.push_back(with_value(argument, part, value));
+  }
+  return term.with_arguments(std::move(arguments));
+}
+
+}  // namespace
+
+// At the time t, which the statement's derivative is taken at.
+Formula Reader::at_one_time(const symbols::Statement& statement) {
+  if (statement.left.op() != Op::derivative) {
+    return relation(statement);
+  }
+  if (statement.relation != symbols::Relation::equal) {
+    throw NoValue("a derivative is equal to something: " + text(statement));
+  }
+  const Term value = statement.right.is_zero()
+                         ? filled(statement.left.shape(), [](int, int) { return Term(0); })
+                         : (*this)(statement.right);
+  return derivative(lambda(time, (*this)(statement.left.arguments().front())), time, value);
+}
+
+Formula Reader::with_signs(const symbols::Statement& statement) {
+  const auto in_left = sign_in(statement.left), sign = in_left ? in_left : sign_in(statement.right);
+  if (!sign) {
+    return at_one_time(statement);
+  }
+  const symbols::Term& of = sign->arguments().front();
+  if (sign_in(of) || (statement.left.op() == Op::derivative && in_left)) {
+    throw NoValue("a sign has no reading here: " + text(statement));
+  }
+  const auto where = [&](int value) {
+    const Formula rest = with_signs({with_value(statement.left, *sign, value),
+                                     with_value(statement.right, *sign, value), statement.relation});
+    const Formula here = value > 0 ? less(0, (*this)(of)) : less((*this)(of), 0);
+    return kernel::all({here, rest});
+  };
+  return kernel::any({where(1), where(-1)});
+}
+
+Formula Reader::operator()(const symbols::Statement& statement) {
+  rates_.clear();
+  if (statement.during) {
+    const Term from = (*this)(statement.during->from), to = (*this)(statement.during->to);
+    symbols::Statement here = statement;
+    here.during = std::nullopt;
+    const Formula then =
+        statement.during->almost
+            ? finite(time, kernel::all({between(from, time, to), negation(with_signs(here))}))
+            : for_all(time, implies(between(from, time, to), at_one_time(here)));
+    if (from.variables().contains(time) || to.variables().contains(time)) {
+      throw NoValue("the ends of an interval depend on the time: " + text(statement));
+    }
+    if (!rates_.empty()) {
+      throw NoValue("a derivative has no reading here: " + text(statement));
+    }
+    if (statement.left.op() != Op::derivative) {
+      return then;
+    }
+    const Term f = lambda(time, (*this)(statement.left.arguments().front()));
+    return kernel::all({continuous(f, from, to), then});
+  }
+  Formula formula = relation(statement);
   for (auto one = rates_.rbegin(); one != rates_.rend(); ++one) {
     formula = exists(one->first, kernel::all({rate(one->second, one->first), formula}));
   }
@@ -272,192 +356,6 @@ const Domain& parameters() {
                   above(0, Variable{"us"}), above(0, Variable{"ur"})};
   }();
   return domain;
-}
-
-namespace {
-
-// The factors of kernel terms, in GiNaC, where they are compared with what else must not vanish.
-GiNaC::ex expression(const Term& term) {
-  const std::vector<Term>& parts = term.parts();
-  switch (term.kind()) {
-    case kernel::Kind::number:
-      return symbolic::algebra::to_ex(term.value());
-    case kernel::Kind::pi:
-      return GiNaC::Pi;
-    case kernel::Kind::variable:
-      return symbolic::algebra::symbol(term.name());
-    case kernel::Kind::sum: {
-      GiNaC::ex total = 0;
-      for (const Term& one : parts) {
-        total += expression(one);
-      }
-      return total;
-    }
-    case kernel::Kind::product:
-      return expression(parts[0]) * expression(parts[1]);
-    case kernel::Kind::power:
-      return pow(expression(parts[0]), symbolic::algebra::to_ex(term.value()));
-    case kernel::Kind::inverse:
-      return 1 / expression(parts[0]);
-    case kernel::Kind::cosine:
-      return GiNaC::cos(expression(parts[0]));
-    case kernel::Kind::sine:
-      return GiNaC::sin(expression(parts[0]));
-    case kernel::Kind::defined:
-      return expression(term.definition().unfolded(parts));
-    case kernel::Kind::matrix:
-      if (parts.size() == 1) {
-        return expression(parts[0]);
-      }
-      break;
-    case kernel::Kind::entry:
-      if (parts[0].kind() == kernel::Kind::matrix) {
-        return expression(entry_of(parts[0], term.row(), term.column()));
-      }
-      break;
-    default:
-      break;
-  }
-  throw KernelError("a divisor is no expression: " + to_string(term));
-}
-
-bool is_nonzero_hypothesis(const Formula& formula) {
-  return formula.kind() == kernel::Kind::negation && formula.parts()[0].kind() == kernel::Kind::equal;
-}
-
-// The hypotheses d ≠ 0 with all definitions opened, less what the parameters imply.
-Theorem in_parameters(Theorem theorem, const Definitions& definitions) {
-  const Formulas hypotheses = theorem.hypotheses();
-  for (const Formula& one : hypotheses) {
-    const Formula opened = unfold(one, definitions);
-    if (is_nonzero_hypothesis(one) && !(opened == one)) {
-      theorem = Theorem::cut(Theorem::convert(Theorem::assume(opened), one, definitions), theorem);
-    }
-  }
-  return nonzero(theorem, parameters());
-}
-
-class IdentityProof {
- public:
-  IdentityProof(const symbols::Statement& statement, const std::vector<Assumption>& assumptions,
-                const std::set<std::string>& open)
-      : open_(open) {
-    if (statement.relation != symbols::Relation::equal) {
-      throw KernelError("no equation");
-    }
-    formula_ = read_(statement);
-    for (const Assumption& one : assumptions) {
-      const symbols::Statement& given = one.statement;
-      if (given.relation != symbols::Relation::equal || given.left.op() != Op::symbol ||
-          !given.left.shape().is_scalar()) {
-        continue;
-      }
-      const Term symbol = read_(given.left);
-      if (symbol.kind() == kernel::Kind::variable) {
-        given_.push_back({one.id, {symbol.name(), symbol.type()}, read_(given.right)});
-      }
-    }
-  }
-
-  // With as few of the given values as it takes.
-  Identity prove() {
-    Theorem theorem = attempt();
-    for (const std::string& id : std::set<std::string>(assumed_)) {
-      const std::vector<Given> before = given_;
-      const std::set<std::string> assumed = assumed_;
-      std::erase_if(given_, [&](const Given& one) { return one.id == id; });
-      try {
-        theorem = attempt();
-      } catch (const KernelError&) {
-        given_ = before;
-        assumed_ = assumed;
-      }
-    }
-    Identity identity{theorem, assumed_, {}};
-    Formulas expected;
-    for (const Theorem& one : parameters()) {
-      expected.insert(one.hypotheses().begin(), one.hypotheses().end());
-    }
-    for (const Given& one : given_) {
-      expected.insert(equal(one.symbol, one.value));
-    }
-    for (const Formula& one : theorem.hypotheses()) {
-      if (expected.contains(one)) {
-        continue;
-      }
-      if (!is_nonzero_hypothesis(one)) {
-        throw KernelError("a hypothesis of another kind: " + to_string(one));
-      }
-      const auto factors = symbolic::algebra::vanishing_factors(expression(one.parts()[0].parts()[0]));
-      if (factors.empty()) {
-        throw KernelError("not discharged: " + to_string(one));
-      }
-      identity.nonzero.insert(identity.nonzero.end(), factors.begin(), factors.end());
-    }
-    return identity;
-  }
-
- private:
-  struct Given {
-    std::string id;
-    Variable symbol;
-    Term value;
-  };
-
-  Theorem attempt() {
-    assumed_.clear();
-    return in_parameters(from_given(formula_, 0), read_.all());
-  }
-
-  // The formula, with what is given put in, proved; and from that the formula itself.
-  Theorem from_given(const Formula& formula, int depth) {
-    if (depth > 16) {
-      throw KernelError("what is given goes in circles");
-    }
-    for (const Given& one : given_) {
-      if (!formula.variables().contains(one.symbol)) {
-        continue;
-      }
-      assumed_.insert(one.id);
-      const Theorem inner = from_given(substitute(formula, {{one.symbol, one.value}}), depth + 1);
-      const Theorem equation = Theorem::assume(equal(one.symbol, one.value));
-      const Variable place = fresh(one.symbol.type, {formula, one.value});
-      return Theorem::replace(symmetric(equation), place, substitute(formula, {{one.symbol, place}}), inner);
-    }
-    return closed_form(formula);
-  }
-
-  Theorem closed_form(const Formula& formula) {
-    if (formula.kind() == kernel::Kind::exists) {
-      const Variable D = fresh(formula.binds(), {formula});
-      const Formula open = opened(formula, D);
-      const Term f = opened(open.parts()[0], time).parts()[0];
-      const Theorem slope = Theorem::differentiate(f, time);
-      const Theorem at_all_times = Theorem::generalize(slope, time);
-      const Term value = lambda(time, slope.conclusion().parts()[2]);
-      const Theorem rest = closed_form(substitute(open.parts()[1], {{D, value}}));
-      return Theorem::witness(both({at_all_times, rest}), formula, value);
-    }
-    Definitions definitions = read_.open();
-    for (const auto& [id, closed] : read_.closed()) {
-      if (open_.contains(id)) {
-        definitions.insert(closed.begin(), closed.end());
-      }
-    }
-    return Theorem::combination(formula, {}, definitions);
-  }
-
-  Reader read_;
-  Formula formula_ = kernel::all({});
-  std::vector<Given> given_;
-  std::set<std::string> assumed_, open_;
-};
-
-}  // namespace
-
-Identity prove_identity(const symbols::Statement& statement, const std::vector<Assumption>& assumptions,
-                        const std::set<std::string>& open) {
-  return IdentityProof(statement, assumptions, open).prove();
 }
 
 }  // namespace stickslip::proofs::methods

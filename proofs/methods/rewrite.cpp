@@ -90,14 +90,17 @@ Polynomial replaced(const Word& word, const ex& coefficient, std::size_t place, 
 }
 
 // Applies the first rule that fits somewhere; false if none does.
-bool step(Polynomial& polynomial, const std::vector<Rule>& rules, std::set<std::string>& sources) {
-  for (const Rule& rule : rules) {
-    for (const auto& [word, coefficient] : polynomial) {
+bool step(Rewritten& rewritten, const std::vector<Rule>& rules) {
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    const Rule& rule = rules[i];
+    for (const auto& [word, coefficient] : rewritten.rest) {
       if (const auto place = find(word, rule.lead)) {
+        const auto begin = word.begin() + static_cast<std::ptrdiff_t>(*place);
+        const auto end = begin + static_cast<std::ptrdiff_t>(rule.lead.size());
+        rewritten.trace.push_back({coefficient, {word.begin(), begin}, i, {end, word.end()}});
         const Polynomial change = replaced(word, coefficient, *place, rule);
-        polynomial.erase(Word(word));
-        polynomial = sum(polynomial, change);
-        sources.insert(rule.sources.begin(), rule.sources.end());
+        rewritten.rest.erase(Word(word));
+        rewritten.rest = sum(rewritten.rest, change);
         return true;
       }
     }
@@ -139,6 +142,21 @@ Polynomial polynomial(const Term& term, const Scalars& scalars) {
   }
 }
 
+void collect_letters(const Term& term, const Scalars& scalars, std::map<std::string, Term>& letters) {
+  const bool composed = term.op() == Op::sum || term.op() == Op::product || term.op() == Op::negate ||
+                        term.op() == Op::quotient || (term.op() == Op::power && term.number() >= 0);
+  if (term.shape().is_scalar() || term.is_zero()) {
+    return;
+  }
+  if (!composed) {
+    letters.emplace(letter(term, scalars), term);
+    return;
+  }
+  for (const Term& argument : term.arguments()) {
+    collect_letters(argument, scalars, letters);
+  }
+}
+
 Polynomial residual(const Statement& statement, const Scalars& scalars) {
   return sum(polynomial(statement.left, scalars), scaled(polynomial(statement.right, scalars), -1));
 }
@@ -156,14 +174,14 @@ Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules) {
   constexpr int most_steps = 10000;
   Rewritten result{std::move(polynomial), {}};
   for (int i = 0; i < most_steps; ++i) {
-    if (!step(result.rest, rules, result.sources)) {
+    if (!step(result, rules)) {
       return result;
     }
   }
   throw InternalError(fmt::format("rewriting does not end after {} steps", most_steps));
 }
 
-std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead, const std::string& source,
+std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead,
                           const std::vector<Rule>& rules) {
   Rewritten simplified = rewrite(premise, rules);
   if (lead.size() != 1) {
@@ -176,8 +194,7 @@ std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead, con
   }
   const ex coefficient = found->second;
   simplified.rest.erase(found);
-  simplified.sources.insert(source);
-  return Rule{word, scaled(simplified.rest, -1 / coefficient), std::move(simplified.sources)};
+  return Rule{word, scaled(simplified.rest, -1 / coefficient), std::move(simplified.trace), coefficient};
 }
 
 }  // namespace stickslip::proofs::methods

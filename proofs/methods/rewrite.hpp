@@ -7,7 +7,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -26,24 +25,38 @@ using Polynomial = std::map<Word, GiNaC::ex>;  // without zero coefficients
 [[nodiscard]] Polynomial residual(const symbols::Statement& statement,
                                   const symbols::Lookup<GiNaC::ex>& scalars);
 [[nodiscard]] std::string text(const Polynomial& polynomial);
+// The letters of the term, by name.
+void collect_letters(const symbols::Term& term, const symbols::Lookup<GiNaC::ex>& scalars,
+                     std::map<std::string, symbols::Term>& letters);
 
+// A rule applied: coefficient * before * (lead - replacement) * after was taken away.
+struct Application {
+  GiNaC::ex coefficient;
+  Word before;
+  std::size_t rule = 0;  // its place among the rules
+  Word after;
+};
+
+// lead = replacement. With its premise's residual p, simplified by `trace`: lead - replacement is (p - what
+// the trace took away)/scale.
 struct Rule {
   Word lead;
   Polynomial replacement;
-  std::set<std::string> sources;  // where it comes from: the premise, and those that simplified it
+  std::vector<Application> trace = {};
+  GiNaC::ex scale = 1;
 };
 
-// What is left of the polynomial when no rule applies, and the sources of the rules that were applied. Throws
+// What is left of the polynomial when no rule applies, and how the rules were applied. Throws
 // InternalError after 10000 steps: the rules do not terminate.
 struct Rewritten {
   Polynomial rest;
-  std::set<std::string> sources;
+  std::vector<Application> trace;
 };
 [[nodiscard]] Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules);
 
 // The premise (its residual), simplified by the rules so far, solved for the word of `lead`. Nothing if that
 // word does not occur with a nonzero rational coefficient.
 [[nodiscard]] std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead,
-                                        const std::string& source, const std::vector<Rule>& rules);
+                                        const std::vector<Rule>& rules);
 
 }  // namespace stickslip::proofs::methods

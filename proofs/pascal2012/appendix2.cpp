@@ -18,12 +18,16 @@ Assumption closing_state(const Term& z, const Term& row) {
   return {"15", equation(z, row * inverse(Gamma1(T) + I2) * Gamma2(T) * column({zdot10, zdot20}))};
 }
 
+const Assumption from_0 = not_before(t, 0), to_tau = not_after(t, tau);
+const Assumption from_start = not_before(t1, 0), to_end = not_after(t1, T);
+
 std::vector<Claim> slip_part() {
   return {
       {.id = "43",
        .kind = Kind::step,
        .printed = {equation(Z(tau - t), H(tau - t) * (Z0 - F0) + F(tau - t))},
        .words = "(5) at the time $tau - t$",
+       .assumptions = {slips_below, begins, from_0, to_tau},
        .prove = by_rewriting({from("5").at("t", tau - t)})},
       {.id = "44.F",
        .kind = Kind::identity,
@@ -50,8 +54,8 @@ std::vector<Claim> slip_part() {
       {.id = "17.slip",
        .kind = Kind::theorem,
        .printed = {equation(Z(t), E * Z(tau - t))},
-       .words = "the slip is symmetric in time; the proof needs no range for $t$",
-       .assumptions = {time_lag, slip_ends},
+       .words = "the slip is symmetric in time",
+       .assumptions = {time_lag, slips_below, begins, slip_ends, from_0, to_tau},
        .prove = by_rewriting({from("5"), from("43"), from("44.F"), from("44.F0"), from("44.H"),
                               from("38.commute").at("t", tau).at("s", -t).solved_for(H(tau) * H(-t)),
                               from("5").at("t", tau), assuming("13").solved_for(H(tau) * Z0), from("44.E"),
@@ -65,7 +69,8 @@ std::vector<Claim> stick_part() {
        .kind = Kind::step,
        .printed = {equation(Z(tau + t1), Gamma(T - t1) * E * Z0)},
        .words = "the stick solution at the time $T - t_1$; printed with $Z(t)$ on the left, $t = tau + t_1$",
-       .assumptions = {slip_ends, closing_state(z10, block(1, {1, 0})), closing_state(z20, block(1, {0, 1}))},
+       .assumptions = {slip_ends, closing_state(z10, block(1, {1, 0})), closing_state(z20, block(1, {0, 1})),
+                       sticks, stick_lasts, from_start, to_end},
        .prove = by_normal_form({equation(Gamma(t1) * E * Z0, Gamma(T - t1) * E * Z0)}),
        .corrected = {equation(Z(tau + T - t1), Gamma(T - t1) * E * Z0)},
        .prove_corrected = by_rewriting({from("4.stick").at("t", tau + T - t1)})},
@@ -83,13 +88,13 @@ std::vector<Claim> stick_part() {
        .kind = Kind::step,
        .printed = {equation(Z(Theta), Gamma(T) * E * Z0), equation(Gamma(T) * E * Z0, Z0)},
        .words = "the stick ends where the slip began",
-       .assumptions = {stick_lasts, slip_ends, stick_ends},
+       .assumptions = {sticks, stick_lasts, stick_takes_time, slip_ends, stick_ends},
        .prove = by_rewriting({from("4.stick").at("t", Theta), assuming("15")})},
       {.id = "17.stick",
        .kind = Kind::theorem,
        .printed = {equation(Z(tau + t1), E * Z(tau + T - t1))},
-       .words = "the stick is symmetric in time; the proof needs no range for $t_1$",
-       .assumptions = {slip_ends, stick_ends},
+       .words = "the stick is symmetric in time",
+       .assumptions = {sticks, stick_lasts, slip_ends, stick_ends, from_start, to_end},
        .prove = by_rewriting({from("4.stick").at("t", tau + t1), from("45"), from("46.group"),
                               from("41.commute").at("t", T).at("s", -t1).solved_for(Gamma(T) * Gamma(-t1)),
                               assuming("15"), from("46.E").at("t1", -t1).solved_for(Gamma(t1) * E)})},

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "proofs/methods/linear.hpp"
+#include "proofs/methods/methods.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/meaning.hpp"
@@ -18,19 +18,6 @@ namespace {
 using namespace overshooting;
 
 const Entries H_{"H"}, h_{"h"}, Ht{"Htilde"}, G{"Gamma"};
-
-// Which unknown a_i, b_i, c_i stand beside, and d_i beside none, in equation i.
-std::optional<Coefficient> coefficient_named(const Term& name) {
-  static const std::map<char, Term> in_front_of{{'a', z10}, {'b', z20}, {'c', zdot10}, {'d', 1}};
-  for (int i = 1; i <= 5; ++i) {
-    for (const auto& [letter, unknown] : in_front_of) {
-      if (equal(name, coefficient(letter, i))) {
-        return Coefficient{closing_gap(i), unknown};
-      }
-    }
-  }
-  return std::nullopt;
-}
 
 // One coefficient of equation i, "47.a": printed as `value`.
 Claim printed_coefficient(char letter, int equation_number, const Term& value,
@@ -47,8 +34,7 @@ Claim printed_coefficient(char letter, int equation_number, const Term& value,
           .printed = {equation(coefficient(letter, equation_number), value)},
           .words = fmt::format("what stands beside {} in {}", names.at(letter),
                                said.at(static_cast<std::size_t>(equation_number - 1))),
-          .assumptions = {starts_with_belt},
-          .prove = by_coefficient(coefficient_named, {z10, z20, zdot10}),
+          .prove = by_normal_form(),
           .illegible = illegible};
 }
 
@@ -113,34 +99,32 @@ std::vector<Claim> speeds() {
 }
 
 // model/appendix3.hpp says the same as the twenty claims.
-Claim formulas() {
-  std::vector<Statement> all;
+std::vector<Derived> computed() {
+  const Lookup<GiNaC::ex> s = symbolically();
+  const auto letters = model::appendix3_letters<GiNaC::ex>(
+      s("chi"), {s("omega1"), s("omega2"), s("lambda1"), s("lambda2")}, {s("q1"), s("q2")},
+      {s("d01"), s("d02")}, s("omega"), s("V"), s("phi"), s("tau"), s("tau1"), s("T"));
+  const auto k = model::appendix3<GiNaC::ex>(letters, model::Reading::printed);
+  const std::map<char, decltype(k.a)> columns{{'a', k.a}, {'b', k.b}, {'c', k.c}, {'d', k.d}};
+  std::vector<Derived> result;
   for (const std::vector<Claim>& claims : {components(), speeds()}) {
     for (const Claim& claim : claims) {
-      all.push_back(claim.printed.front());
+      const Statement& printed = claim.printed.front();
+      const std::string& name = printed.left.name();  // "a_1"
+      const GiNaC::ex& value = columns.at(name.front())[static_cast<std::size_t>(name.back() - '1')];
+      result.push_back({symbolic::algebra::Matrix::Constant(1, 1, value), printed.right});
     }
   }
-  const auto values = [] {
-    const Lookup<GiNaC::ex> s = symbolically();
-    const auto letters = model::appendix3_letters<GiNaC::ex>(
-        s("chi"), {s("omega1"), s("omega2"), s("lambda1"), s("lambda2")}, {s("q1"), s("q2")},
-        {s("d01"), s("d02")}, s("omega"), s("V"), s("phi"), s("tau"), s("tau1"), s("T"));
-    const auto k = model::appendix3<GiNaC::ex>(letters, model::Reading::printed);
-    std::vector<Named> result;
-    for (int i = 1; i <= 5; ++i) {
-      const auto at = static_cast<std::size_t>(i - 1);
-      result.push_back({coefficient('a', i), k.a[at]});
-      result.push_back({coefficient('b', i), k.b[at]});
-      result.push_back({coefficient('c', i), k.c[at]});
-      result.push_back({coefficient('d', i), k.d[at]});
-    }
-    return result;
-  };
+  return result;
+}
+
+Claim formulas() {
   return {.id = "51.formulas",
           .kind = Kind::identity,
-          .printed = all,
           .words = "the program computes with the printed coefficients, but for the sign in $c_1$",
-          .prove = by_formulas(values)};
+          .prove = by_comparison(
+              "the formulas that the program computes with and the printed ones have the same normal form",
+              computed)};
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using namespace symbols;
 std::vector<Claim> appendix4() {
   using namespace symbols::vocabulary;
   using namespace half_period;
-  const std::vector<Assumption> motion{half, period, closes, named_B, regular};
+  const Assumption from_0 = not_before(t, 0), to_tau = not_after(t, tau);
   return {
       {.id = "52.X",
        .kind = Kind::definition,
@@ -32,7 +32,7 @@ std::vector<Claim> appendix4() {
        .printed = {equation(X(t), H(t) * (X0 - F0 - delta0) + F(t) + delta0),
                    equation(X(t + tau), H(t) * (XB - FB + delta0) + F(t + tau) - delta0)},
        .words = "(5) and (27) for $x$",
-       .assumptions = {half},
+       .assumptions = {half, period, begins, slips_below, overshoots, named_B, from_0, to_tau},
        .prove =
            by_rewriting({from("52.X").solved_for(X(t)), from("52.X").at("t", t + tau).solved_for(X(t + tau)),
                          from("52.X").solved_for(X0), from("52.X").solved_for(XB), from("5"),
@@ -47,14 +47,14 @@ std::vector<Claim> appendix4() {
        .kind = Kind::step,
        .printed = {equation(XB, -X0)},
        .words = "(33): opposite states",
-       .assumptions = motion,
+       .assumptions = motion_and({regular}),
        .prove = by_combination({{{from("33.symmetry"), 0, column({I2, zero(2, 2)})},
                                  {from("33.symmetry"), 1, column({zero(2, 2), I2})}}})},
       {.id = "54",
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(t + tau))},
        .words = "half a period later the motion is the opposite one",
-       .assumptions = motion,
+       .assumptions = motion_and({regular, from_0, to_tau}),
        .prove = by_rewriting(
            {from("52").solved_for(X(t)), from("52").solved_for(X(t + tau)), from("53.X"), from("53.F")})},
   };

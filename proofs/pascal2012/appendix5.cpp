@@ -13,6 +13,8 @@ namespace {
 
 using namespace two_slips;
 
+const Assumption from_0 = not_before(t, 0), to_tau = not_after(t, tau);
+
 // (55)-(57): the motion in z and z + 2 d_0, and xi_1, xi_2.
 std::vector<Claim> motion() {
   return {
@@ -27,6 +29,7 @@ std::vector<Claim> motion() {
        .kind = Kind::step,
        .printed = {equation(Zbar(t), H(t - tau) * (ZbarB - FB) + F(t))},
        .words = "the overshooting slip, $tau < t < Theta$",
+       .assumptions = {overshoots, named_B, not_before(t, tau), not_after(t, Theta)},
        .prove = by_rewriting({from("55.bar").solved_for(Zbar(t)), from("55.bar").solved_for(ZbarB),
                               from("27"), from("52.L").at("t", t - tau)})},
       {.id = "56.F",
@@ -46,7 +49,7 @@ std::vector<Claim> motion() {
        .kind = Kind::step,
        .printed = {equation(ZB, H(tau) * (Z0 - F0) + FB)},
        .words = "the end of the first slip, by (5)",
-       .assumptions = {named_B},
+       .assumptions = {begins, slips_below, slip_takes_time, named_B},
        .prove = by_rewriting(
            {assuming("28.ZB").solved_for(ZB), from("5").at("t", tau), from("56.F").solved_for(FB)})},
       {.id = "57.xi",
@@ -70,7 +73,7 @@ std::vector<Claim> relations() {
        .kind = Kind::identity,
        .printed = {equation(inverse(H(t)), H(-t))},
        .words = "the inverse of $H(t)$ is $H(-t)$",
-       .prove = by_inverse({from("38.inverse")})},
+       .prove = by_inverse(from("38.inverse"))},
       {.id = "58",
        .kind = Kind::identity,
        .printed = {equation(H(t) * E, E * inverse(H(t))), equation(E * inverse(H(t)), E * H(-t))},
@@ -121,7 +124,10 @@ std::vector<Claim> through_P() {
                    equation(Y2, -H3(tau1) * w_bar + (H1(tau1) + I2) * speed)},
        .words = "$xi_1$ and $xi_2$ by blocks",
        .assumptions = cycle,
-       .prove = by_normal_form(),
+       .prove = by_combination({{{from("57"), 0, top}},
+                                {{from("57"), 0, bottom}},
+                                {{from("57"), 1, top}},
+                                {{from("57"), 1, bottom}}}),
        .illegible = "$Q omega$ in front of $sin(phi)$"},
       {.id = "63.P",
        .kind = Kind::definition,
@@ -134,7 +140,8 @@ std::vector<Claim> through_P() {
        .printed = {equation(Y1, P1 * X1), equation(Y2, P2 * X2)},
        .words = "the upper rows of (60)",
        .assumptions = cycle,
-       .prove = by_normal_form()},
+       .prove = by_combination({{{from("57"), 0, bottom}, {from("57"), 0, -P1 * top}},
+                                {{from("57"), 1, bottom}, {from("57"), 1, -P2 * top}}})},
       {.id = "64.P",
        .kind = Kind::definition,
        .printed = {equation(P, P1 - P2)},
@@ -144,7 +151,6 @@ std::vector<Claim> through_P() {
        .kind = Kind::step,
        .printed = {equation(X1, X2), equation(Y1, Y2)},
        .words = "(61) by blocks",
-       .assumptions = cycle,
        .prove = by_combination({{{from("61"), 1, top}}, {{from("61"), 1, bottom}}})},
       {.id = "64",
        .kind = Kind::step,
@@ -223,8 +229,8 @@ std::vector<Claim> symmetry() {
        .kind = Kind::step,
        .printed = {equation(tau, pi() / omega)},
        .words = "the second case, $0 < tau < Theta$: $tau = pi/omega = tau_1$, and no other value",
-       .assumptions = {period, second_case},
-       .prove = by_zero_of_cosine(omega * tau / 2, "67.case2", 0, Theta)},
+       .assumptions = {period, second_case, slip_takes_time, {"Theta.after", {tau, Theta, Relation::less}}},
+       .prove = by_zero_of_cosine({omega * tau / 2, assuming("67.case2"), 0, 1})},
       {.id = "68",
        .kind = Kind::step,
        .printed = {equation(zB + zbarB + 2 * Q * cos(phi), H1(tau) * (z0 + zbar0 - 2 * Q * cos(phi))),
@@ -272,7 +278,7 @@ std::vector<Claim> symmetry() {
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(t + tau))},
        .words = "half a period later the motion is the opposite one, as in Appendix 4",
-       .assumptions = cycle_and({off_resonance, half, second_half, regular_H1}),
+       .assumptions = cycle_and({period, off_resonance, half, second_half, regular_H1, from_0, to_tau}),
        .prove = by_rewriting(
            {from("52").solved_for(X(t)), from("52").solved_for(X(t + tau)), from("69.X"), from("53.F")})},
   };

@@ -6,19 +6,28 @@
 namespace stickslip::proofs::pascal2012::two_slips {
 
 using namespace symbols::vocabulary;
+using half_period::begins;
 using half_period::closes;
 using half_period::first_row;
 using half_period::half;
 using half_period::meets_belt;
 using half_period::named_B;
+using half_period::not_after;
+using half_period::not_before;
+using half_period::overshoots;
 using half_period::period;
 using half_period::second_row;
+using half_period::slip_takes_time;
+using half_period::slips_below;
 using half_period::starts_with_belt;
 
 inline const methods::Assumption rest_of_period{"56.tau1", symbols::equation(Theta, tau + tau1)};
 // Theta = 2 pi/omega is used in this form and, for sin(omega_j pi/omega), as Theta/2 = pi/omega.
 inline const methods::Assumption load_repeats{"28.Theta", symbols::equation(F(Theta), F0)};
-inline const std::vector<methods::Assumption> cycle{rest_of_period, load_repeats, closes, named_B};
+inline const methods::Assumption overshoot_takes_time{"tau1.positive", {tau1, 0, symbols::Relation::greater}};
+inline const std::vector<methods::Assumption> cycle{rest_of_period,  load_repeats,         begins,
+                                                    slips_below,     overshoots,           named_B,
+                                                    slip_takes_time, overshoot_takes_time, closes};
 inline const methods::Assumption second_half{"67.tau1", symbols::equation(tau1, symbols::pi() / omega)};
 
 inline const methods::Assumption regular_P{"65.det",
@@ -43,6 +52,8 @@ inline const symbols::Term top = symbols::block(1, {I2, symbols::zero(2, 2)}),
 [[nodiscard]] std::vector<methods::Claim> weaker_hypotheses();
 // What its theorem assumes: a cycle of two slips at V = 0, off resonance, with x2' < 0 on the first.
 [[nodiscard]] std::vector<methods::Assumption> two_slips_at_rest();
+// The same, at a time of the first slip.
+[[nodiscard]] std::vector<methods::Assumption> in_first_half();
 // (66)-(69) put together.
 [[nodiscard]] std::vector<methods::Claim> theorem();
 // At most one motion that never sticks, by the energy of differences.

@@ -1,7 +1,7 @@
 // Appendix 5 as one theorem: off resonance and for V = 0, a motion of two slips per period that closes is
 // symmetric in space and time. Composed of (66)-(69), without dividing by q_2: omega = 1 needs no exception.
-#include "proofs/methods/calculus.hpp"
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/appendix5.hpp"
 
 namespace stickslip::proofs::pascal2012::two_slips {
@@ -13,7 +13,7 @@ namespace {
 
 const Term quarter = omega * tau / 2;
 const Term second_place = block(1, {0, 1, 0, 0});
-const Assumption goes_down{"25.slope", {derivative(second_place * Z(t)), V, Relation::less}};
+const Assumption goes_down{"25.slope", during(0, tau, {block(1, {0, 0, 0, 1}) * X(t), V, Relation::less})};
 
 std::vector<Assumption> moving(std::vector<Assumption> more) {
   more.insert(more.begin(), {off_resonance, starts_with_belt, meets_belt});
@@ -24,6 +24,12 @@ std::vector<Assumption> moving(std::vector<Assumption> more) {
 
 std::vector<Assumption> two_slips_at_rest() {
   return moving({at_rest, period, goes_down});
+}
+
+std::vector<Assumption> in_first_half() {
+  std::vector<Assumption> all = two_slips_at_rest();
+  all.insert(all.end(), {not_before(t, 0), not_after(t, tau)});
+  return all;
 }
 
 std::vector<Claim> theorem() {
@@ -42,18 +48,18 @@ std::vector<Claim> theorem() {
        .kind = Kind::step,
        .printed = {{z2B - z20, V * tau, Relation::less}},
        .words = "$x2' < V$ on the slip takes the second mass back against the belt",
-       .assumptions = {named_B, goes_down},
-       .prove = by_mean_value({.slope = "25.slope",
-                               .named = "28.ZB",
-                               .row = second_place,
-                               .at_lower = Z0,
-                               .at_upper = ZB,
-                               .upper = tau})},
+       .assumptions = {begins, slips_below, slip_takes_time, named_B, goes_down},
+       .prove = by_mean_value({.phase = "2.slip",
+                               .slope = "25.slope",
+                               .begins = "6.Z0",
+                               .ends = "28.ZB",
+                               .lasts = "tau.positive",
+                               .row = second_place})},
       {.id = "A5.down",
        .kind = Kind::step,
        .printed = {falls.statement},
        .words = "$V = 0$: the slip takes the second mass down",
-       .assumptions = {named_B, at_rest, goes_down},
+       .assumptions = {begins, slips_below, slip_takes_time, named_B, at_rest, goes_down},
        .prove = by_positive_combination({{.positive = {{1, {{from("A5.falls")}}}}}})},
       {.id = "A5.cos",
        .kind = Kind::step,
@@ -81,14 +87,15 @@ std::vector<Claim> theorem() {
        .printed = {regular_H1.statement},
        .words = "$det(H_1 - I)$ is not zero off resonance",
        .assumptions = {half, period, off_resonance},
-       .prove = by_nonzero_multiple("70.resonance")},
+       .prove =
+           by_nonzero_multiple("70.resonance", power(2 * cos(omega1 * tau / 2) * cos(omega2 * tau / 2), 2))},
       {.id = "A5.theorem",
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(t + tau)), half.statement},
        .words = "Appendix 5: off resonance, a motion with $V = 0$ and two slips per period, $x2' < 0$ on the "
                 "first, is symmetric in space and time; $det P != 0$, $det H_2 != 0$ and $omega != 1$ are "
                 "not needed",
-       .assumptions = two_slips_at_rest(),
+       .assumptions = in_first_half(),
        .prove = by_premises({from("69.motion")
                                  .given("26.half", "A5.half")
                                  .given("67.tau1", "A5.second")

@@ -1,5 +1,9 @@
-// What Section 6 and Appendix 4 assume: two slips of half a period each, which close.
+// What the paper assumes of its motions, and what Section 6 and Appendix 4 do: two slips of half a period
+// each, which close.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "proofs/methods/claim.hpp"
 #include "proofs/symbols/vocabulary.hpp"
@@ -8,10 +12,49 @@ namespace stickslip::proofs::pascal2012::half_period {
 
 using namespace symbols::vocabulary;
 
+// The motion X = (x, x') obeys (2) from one time to another, with u = u_s or u = -u_s; or (9).
+[[nodiscard]] inline methods::Assumption slips(const std::string& id, const symbols::Term& friction,
+                                               const symbols::Term& from, const symbols::Term& to) {
+  const symbols::Term force = friction + p * cos(omega * t + phi);
+  return {id, during(from, to,
+                     equation(derivative(X(t)), first_order(K) * X(t) + symbols::column({0, 0, 0, force})))};
+}
+[[nodiscard]] inline methods::Assumption slips_below_belt(const symbols::Term& from,
+                                                          const symbols::Term& to) {
+  return slips("2.slip", eta * us, from, to);
+}
+[[nodiscard]] inline methods::Assumption slips_above_belt(const symbols::Term& from,
+                                                          const symbols::Term& to) {
+  return slips("2.overshoot", -(eta * us), from, to);
+}
+[[nodiscard]] inline methods::Assumption sticks(const symbols::Term& from, const symbols::Term& to) {
+  return {"9.stick", during(from, to, equation(derivative(X(t)), first_order(stick_matrix) * X(t)))};
+}
+// A time that is not before or not after another.
+[[nodiscard]] inline methods::Assumption not_before(const symbols::Term& time, const symbols::Term& from) {
+  return {"t.from", {from, time, symbols::Relation::less_or_equal}};
+}
+[[nodiscard]] inline methods::Assumption not_after(const symbols::Term& time, const symbols::Term& to) {
+  return {"t.to", {time, to, symbols::Relation::less_or_equal}};
+}
+
+inline const methods::Assumption begins{"6.Z0", symbols::equation(Z(0), Z0)};
+inline const methods::Assumption slip_takes_time{"tau.positive", {tau, 0, symbols::Relation::greater}};
+inline const methods::Assumption slips_below = slips_below_belt(0, tau),
+                                 overshoots = slips_above_belt(tau, Theta);
+
 inline const methods::Assumption half{"26.half", symbols::equation(tau, symbols::pi() / omega)};
 inline const methods::Assumption period{"28.period", symbols::equation(Theta, 2 * symbols::pi() / omega)};
 inline const methods::Assumption closes{"28.closes", symbols::equation(Z(Theta), Z0)};
 inline const methods::Assumption named_B{"28.ZB", symbols::equation(Z(tau), ZB)};
+// Both slips, and that they close.
+inline const std::vector<methods::Assumption> motion{half,       period,  begins, slips_below,
+                                                     overshoots, named_B, closes};
+[[nodiscard]] inline std::vector<methods::Assumption> motion_and(std::vector<methods::Assumption> more) {
+  more.insert(more.begin(), motion.begin(), motion.end());
+  return more;
+}
+
 inline const methods::Assumption regular{"31.regular",
                                          {symbols::determinant(H3(tau)), 0, symbols::Relation::not_equal}};
 inline const methods::Assumption starts_with_belt{"25.V", symbols::equation(zdot20, V)};

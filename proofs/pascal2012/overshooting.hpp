@@ -2,47 +2,43 @@
 // tau1, Theta).
 #pragma once
 
-#include "proofs/methods/claim.hpp"
-#include "proofs/symbols/vocabulary.hpp"
+#include "proofs/pascal2012/half_period.hpp"
+#include "proofs/symbols/closing.hpp"
 
 namespace stickslip::proofs::pascal2012::overshooting {
 
 using namespace symbols::vocabulary;
+using namespace symbols::closing;
 
 // The load's phase at tau and at tau + tau1.
 inline const symbols::Term phiB = symbols::scalar("phiB"), phiC = symbols::scalar("phiC");
 
-inline const methods::Assumption named_B{"28.ZB", symbols::equation(Z(tau), ZB)};
+using half_period::begins;
+using half_period::named_B;
+using half_period::not_after;
+using half_period::not_before;
+using half_period::slip_takes_time;
+using half_period::slips_below;
+inline const methods::Assumption overshoots = half_period::slips_above_belt(tau, tau + tau1),
+                                 sticks = half_period::sticks(tau + tau1, Theta);
+inline const methods::Assumption overshoot_takes_time{"tau1.positive", {tau1, 0, symbols::Relation::greater}},
+    stick_takes_time{"T.positive", {T, 0, symbols::Relation::greater}};
 inline const methods::Assumption named_C{"19.ZC", symbols::equation(Z(tau + tau1), ZC)};
 inline const methods::Assumption closes{"20", symbols::equation(Z(Theta), Z0)};
 inline const methods::Assumption period{"20.T", symbols::equation(Theta, tau + tau1 + T)};
+// Slip and overshoot; the stick that closes the motion; all three.
+inline const std::vector<methods::Assumption> both_slips{
+    begins, slips_below, named_B, overshoots, slip_takes_time, overshoot_takes_time, named_C},
+    stick{named_C, sticks, stick_takes_time, closes, period};
+[[nodiscard]] inline std::vector<methods::Assumption> whole_and(std::vector<methods::Assumption> more) {
+  more.insert(more.begin(), stick.begin() + 1, stick.end());
+  more.insert(more.begin(), both_slips.begin(), both_slips.end());
+  return more;
+}
 // z2' = V at 0, tau and tau + tau1.
 inline const methods::Assumption starts_with_belt{"12.V", symbols::equation(zdot20, V)};
 inline const methods::Assumption meets_belt{"18.V", symbols::equation(zdot2B, V)};
 inline const methods::Assumption lands_on_belt{"19.V", symbols::equation(symbols::scalar("zdot2C"), V)};
-
-// Row i of a vector of four.
-[[nodiscard]] inline symbols::Term row(int i) {
-  std::vector<symbols::Term> entries(4, symbols::Term(0));
-  entries[static_cast<std::size_t>(i - 1)] = 1;
-  return symbols::block(1, std::move(entries));
-}
-// The vector with 1 in place i.
-[[nodiscard]] inline symbols::Term place(int i) {
-  std::vector<symbols::Term> entries(4, symbols::Term(0));
-  entries[static_cast<std::size_t>(i - 1)] = 1;
-  return symbols::column(std::move(entries));
-}
-
-// The state after the slip (5), and after slip and overshoot, (5) and (8).
-inline const symbols::Term after_slip = H(tau) * (Z0 - F0) + F(tau);
-inline const symbols::Term after_both = H(tau + tau1) * (Z0 - F0) + 2 * L(tau1) * d0 + F(tau + tau1);
-
-// What equation i of (21) says is zero: the components z1, z2, z1' of Z_C - Gamma(-T) Z_0, then z2' - V at
-// tau and at tau + tau1.
-[[nodiscard]] inline symbols::Term closing_gap(int i) {
-  return i <= 3 ? row(i) * (after_both - Gamma(-T) * Z0) : row(4) * (i == 4 ? after_slip : after_both) - V;
-}
 
 // a_i z10 + b_i z20 + c_i z1'(0) + d_i.
 [[nodiscard]] inline symbols::Term closing_form(int i) {

@@ -1,6 +1,8 @@
 // Section 3: the closed-form phases, (5)-(10). A phase begins at t = 0.
 #include "proofs/methods/derivations.hpp"
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/motions.hpp"
+#include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -13,11 +15,7 @@ using namespace symbolic::algebra;
 namespace {
 
 using namespace symbols::vocabulary;
-
-// What acts on z = x - d0: the load, and the friction beyond the u_s that d0 balances.
-Term forcing(const Term& friction) {
-  return column({0, 0, 0, eta * friction + p * cos(omega * t + phi)});
-}
+using namespace half_period;
 
 const Term x1 = scalar("x1"), x2 = scalar("x2"), pull = chi * (x2 - x1) - p / eta * cos(omega * t + phi);
 const Assumption below{"4.below", {pull, ur, Relation::less}},
@@ -27,6 +25,7 @@ const Assumption below{"4.below", {pull, ur, Relation::less}},
 
 std::vector<Claim> section3() {
   const Term slip = H(t) * (Z0 - F0) + F(t);
+  const Assumption from_0 = not_before(t, 0), to_tau = not_after(t, tau);
   return {
       {.id = "5.F",
        .kind = Kind::definition,
@@ -38,7 +37,8 @@ std::vector<Claim> section3() {
        .kind = Kind::step,
        .printed = {equation(Z(t), slip)},
        .words = "slip with $x2' < V$, $u = u_s$: the motion that starts at $Z_0$",
-       .prove = by_differential_equation(first_order(K), forcing(0), Z0)},
+       .assumptions = {slips_below, begins, from_0, to_tau},
+       .prove = by_differential_equation({"2.slip", "6.Z0", H, F(t)})},
       {.id = "6.H",
        .kind = Kind::definition,
        .printed = {equation(H(t), block(2, {H1(t), H2(t), H3(t), H1(t)}))},
@@ -82,7 +82,8 @@ std::vector<Claim> section3() {
        .kind = Kind::step,
        .printed = {equation(Z(t), slip + 2 * L(t) * d0)},
        .words = "slip with $x2' > V$, $u = -u_s$ (overshooting): the motion that starts at $Z_0$",
-       .prove = by_differential_equation(first_order(K), forcing(-2 * us), Z0)},
+       .assumptions = {slips_above_belt(0, tau), begins, from_0, to_tau},
+       .prove = by_differential_equation({"2.overshoot", "6.Z0", H, F(t) - 2 * delta0})},
       {.id = "9", .kind = Kind::model, .words = "stick, $x2' = V$: $x1'' + x1 - chi x2 = 0$, $x2'' = 0$"},
       {.id = "9.z",
        .kind = Kind::step,
@@ -102,7 +103,8 @@ std::vector<Claim> section3() {
        .kind = Kind::step,
        .printed = {equation(Z(t), Gamma(t) * Z0)},
        .words = "stick: the motion that starts at $Z_0$",
-       .prove = by_differential_equation(first_order(stick_matrix), zero(4, 1), Z0)},
+       .assumptions = {sticks(0, tau), begins, from_0, to_tau},
+       .prove = by_differential_equation({"9.stick", "6.Z0", Gamma, zero(4, 1)})},
       {.id = "10.belt",
        .kind = Kind::step,
        .printed = {equation(block(1, {0, 0, 0, 1}) * Gamma(t) * Z0, zdot20)},

@@ -1,6 +1,7 @@
 // Section 4: the symmetric orbits, (12)-(16): slip on (0, tau), stick on (tau, Theta). (17) is proved in
 // Appendix 2.
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 
@@ -53,8 +54,10 @@ std::vector<Claim> ends() {
       {.id = "13",
        .kind = Kind::definition,
        .printed = {slip_ends.statement},
-       .words = "the slip ends in the state opposite in place and equal in velocity: this selects the family",
-       .prove = by_definition()},
+       .words = "the slip ends in the state opposite in place and equal in velocity: a condition that selects the "
+                "family, and no consequence of anything",
+       .assumptions = {slip_ends},
+       .prove = by_premises({assuming("13")})},
       {.id = "13.E",
        .kind = Kind::identity,
        .printed = {equation(E * E, I4)},
@@ -97,7 +100,7 @@ std::vector<Claim> lag() {
        .kind = Kind::step,
        .printed = {slip13},
        .words = "(13) for the motion (5), with any phase $phi$ of the load",
-       .assumptions = {slip_ends},
+       .assumptions = {slips_below, begins, slip_takes_time, slip_ends},
        .prove = by_rewriting({from("5").at("t", tau).solved_for(H(tau) * Z0), assuming("13")})},
       {.id = "4.lag.needed",
        .kind = Kind::theorem,
@@ -106,7 +109,7 @@ std::vector<Claim> lag() {
        .words = "where (13) holds, $cos(phi + omega tau/2) = 0$: $phi$ is the time lag or differs from it by "
                 "$pi$; but for the slips with $omega_j tan(omega_j tau/2) = omega tan(omega tau/2)$ for both "
                 "$j$, where the phase is free",
-       .assumptions = {slip_ends},
+       .assumptions = {slips_below, begins, slip_takes_time, slip_ends},
        .prove =
            by_combination({lines(half_period::first_row, omega1), lines(half_period::second_row, omega2)})},
   };
@@ -141,13 +144,13 @@ std::vector<Claim> closing() {
        .kind = Kind::step,
        .printed = {equation(Z(t), Gamma(t - tau) * E * Z0)},
        .words = "the stick that begins at $tau$ where the slip ended by (13)",
-       .assumptions = {slip_ends},
-       .prove = by_differential_equation(first_order(stick_matrix), zero(4, 1), E * Z0, tau)},
+       .assumptions = {sticks, slip_ends, not_before(t, tau), not_after(t, Theta)},
+       .prove = by_differential_equation({"9.stick", "13", Gamma, zero(4, 1)})},
       {.id = "15",
        .kind = Kind::step,
        .printed = {stick_ends.statement},
        .words = "the motion has the period $Theta = tau + T$",
-       .assumptions = {slip_ends, stick_lasts, closes},
+       .assumptions = {slip_ends, sticks, stick_lasts, stick_takes_time, closes},
        .prove = by_rewriting(
            {from("4.stick").at("t", Theta).solved_for(Gamma(Theta - tau) * E * Z0), assuming("28.closes")})},
       {.id = "16",
@@ -156,7 +159,8 @@ std::vector<Claim> closing() {
        .words = "the upper halves of (13) and (15); they do not give these back where $cos(omega_j tau/2) = "
                 "0$ or $cos(T/2) = 0$: at $tau = pi/omega_1$ (16) has a solution that does not close, for "
                 "all parameters",
-       .assumptions = {time_lag, half_sine, half_cosine, slip_ends, stick_ends},
+       .assumptions = {time_lag, half_sine, half_cosine, slips_below, begins, slip_takes_time, slip_ends,
+                       stick_ends},
        .prove = by_combination({{{from("13.slip"), 0, top}}, {{assuming("15"), 0, -top}}}),
        .prove_converse = by_counterexample(spurious())},
       {.id = "16.back",

@@ -1,5 +1,6 @@
 // Section 5: orbits with an overshooting part, (18)-(20) and (24).
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/paper.hpp"
@@ -116,58 +117,63 @@ std::vector<Claim> conditions() {
 
 // The motion through its three phases, and (20).
 std::vector<Claim> motion() {
-  const Assumptions whole{named_B, named_C, closes, period};
+  Assumptions slips_and_lands = both_slips, ends_stick = stick;
+  slips_and_lands.push_back(lands_on_belt);
+  ends_stick.erase(ends_stick.begin() + 3);  // it need not close
+  ends_stick.insert(ends_stick.begin(), {"20.C", equation(ZC, Gamma(-T) * Z0)});
   return {
       {.id = "20.slips",
        .kind = Kind::step,
        .printed = {equation(ZC, after_both)},
        .words = "the state at the end of the overshoot: (5) on $(0, tau)$, then (8)",
-       .assumptions = {named_B, named_C},
-       .prove = by_rewriting({assuming("19.ZC").solved_for(ZC), from("27").at("t", tau + tau1),
+       .assumptions = both_slips,
+       .prove = by_rewriting({assuming("19.ZC").solved_for(ZC),
+                              from("27").at("Theta", tau + tau1).at("t", tau + tau1),
                               from("56.B").solved_for(ZB), from("56.F").solved_for(FB),
                               from("38.group").at("t", tau1).at("s", tau).solved_for(H(tau1) * H(tau))})},
       {.id = "20.sticking",
        .kind = Kind::step,
        .printed = {equation(Z(t), Gamma(t - tau - tau1) * ZC)},
        .words = "the stick that begins at $tau + tau_1$",
-       .prove = by_differential_equation(first_order(stick_matrix), zero(4, 1), ZC, tau + tau1)},
+       .assumptions = {sticks, named_C, not_before(t, tau + tau1), not_after(t, Theta)},
+       .prove = by_differential_equation({"9.stick", "19.ZC", Gamma, zero(4, 1)})},
       {.id = "20",
        .kind = Kind::condition,
        .printed = {equation(Z0, Gamma(T) * ZC)},
        .words = "$Z(Theta) = Z_0$ with the stick in closed form",
-       .assumptions = {closes, period},
+       .assumptions = stick,
        .prove = by_rewriting({assuming("20").solved_for(Z0), from("20.sticking").at("t", Theta)})},
       {.id = "20.C",
        .kind = Kind::step,
        .printed = {equation(ZC, Gamma(-T) * Z0)},
        .words = "(20) solved for the state at the beginning of the stick: the combination of (20) whose "
                 "components (21) are, since the signs of $Gamma_ij$ in (47)-(49) are those of $Gamma(-T)$",
-       .assumptions = {closes, period},
+       .assumptions = stick,
        .prove = by_rewriting({from("20").solved_for(Z0), from("41.inverse").at("t", T)})},
       {.id = "20.back",
        .kind = Kind::step,
        .printed = {equation(Z(Theta), Z0)},
        .words = "conversely that state closes the motion",
-       .assumptions = {{"20.C", equation(ZC, Gamma(-T) * Z0)}, period},
+       .assumptions = ends_stick,
        .prove = by_rewriting({from("20.sticking").at("t", Theta), assuming("20.C").solved_for(ZC),
                               from("41.inverse").at("t", T)})},
       {.id = "21.gap",
        .kind = Kind::step,
        .printed = {equation(after_both, Gamma(-T) * Z0)},
        .words = "slip, overshoot and stick close",
-       .assumptions = whole,
+       .assumptions = whole_and({}),
        .prove = by_rewriting({from("20.C").solved_for(ZC), from("20.slips").solved_for(H(tau + tau1) * Z0)})},
       {.id = "18.speed",
        .kind = Kind::step,
        .printed = {equation(row(4) * after_slip, V)},
        .words = "$z2'(tau) = V$",
-       .assumptions = {named_B, meets_belt},
+       .assumptions = {begins, slips_below, slip_takes_time, named_B, meets_belt},
        .prove = by_combination({{{from("56.B"), 0, -row(4)}}})},
       {.id = "19.speed",
        .kind = Kind::step,
        .printed = {equation(row(4) * after_both, V)},
        .words = "$z2'(tau + tau_1) = V$",
-       .assumptions = {named_B, named_C, lands_on_belt},
+       .assumptions = slips_and_lands,
        .prove = by_combination({{{from("20.slips"), 0, -row(4)}}})},
   };
 }

@@ -1,7 +1,5 @@
 // Section 5, (21)-(23): the closing conditions as linear equations, and what is left for tau and tau_1.
-#include "model/appendix3.hpp"
 #include "proofs/methods/implications.hpp"
-#include "proofs/methods/linear.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/symbols/meaning.hpp"
 
@@ -61,21 +59,23 @@ std::vector<Claim> linear_equations() {
     }
   }
   const Term speed_C = scalar("zdot2C");
+  Assumptions slips_and_lines = both_slips;
+  slips_and_lines.insert(slips_and_lines.end(), {starts_with_belt, assumed_line(1), assumed_line(2),
+                                                 assumed_line(3), assumed_line(4), assumed_line(5)});
   return {
       {.id = "21",
        .kind = Kind::step,
        .printed = lines,
        .words = "five linear equations for $z_1(0)$, $z_2(0)$, $z_1'(0)$: three components of (20), and $z2' "
                 "= V$ at $tau$ (18) and at $tau + tau_1$ (19); $z2' = V$ at 0 is put in",
-       .assumptions = {named_B, named_C, closes, period, starts_with_belt, meets_belt, lands_on_belt},
+       .assumptions = whole_and({starts_with_belt, meets_belt, lands_on_belt}),
        .prove = by_combination(forward)},
       {.id = "21.back",
        .kind = Kind::step,
        .printed = {equation(ZC, Gamma(-T) * Z0), equation(scalar("zdot2B"), V), equation(speed_C, V)},
        .words = "conversely the five equations give the state at $tau + tau_1$ that closes the motion, all "
                 "four components of (20), and $z2' = V$ at $tau$ and $tau + tau_1$",
-       .assumptions = {named_B, named_C, starts_with_belt, assumed_line(1), assumed_line(2), assumed_line(3),
-                       assumed_line(4), assumed_line(5)},
+       .assumptions = slips_and_lines,
        .prove = by_combination({state, joined({{from("56.B"), 0, row(4)}}, gap_from_line(4, 1)),
                                 joined({{from("20.slips"), 0, row(4)}}, gap_from_line(5, 1))})},
   };
@@ -115,20 +115,6 @@ std::vector<Multiple> necessary(int i) {
   return result;
 }
 
-std::vector<Named> determinants() {
-  model::ClosingCoefficients<GiNaC::ex> k;
-  for (int i = 1; i <= 5; ++i) {
-    const auto at = [i](char letter) { return symbolically()(coefficient(letter, i).name()); };
-    const auto place = static_cast<std::size_t>(i - 1);
-    k.a[place] = at('a');
-    k.b[place] = at('b');
-    k.c[place] = at('c');
-    k.d[place] = at('d');
-  }
-  const model::CramerDeterminants<GiNaC::ex> c = model::cramer<GiNaC::ex>(k);
-  return {{Delta, c.Delta}, {Delta1, c.Delta1}, {Delta2, c.Delta2}, {Delta3, c.Delta3}};
-}
-
 std::vector<Claim> solution() {
   const Assumption regular{"22.regular", {Delta, 0, Relation::not_equal}};
   const Assumptions solved{{"22.z10", equation(z10, Delta1 / Delta)},
@@ -146,7 +132,7 @@ std::vector<Claim> solution() {
                    equation(Delta2, determinant_of_columns({"d", "a", "c"})),
                    equation(Delta3, determinant_of_columns({"d", "b", "a"}))},
        .words = "the determinants of the first three equations",
-       .prove = by_formulas(determinants),
+       .prove = by_normal_form(),
        .illegible = "the letter $Delta$, and which of the $d_j$ in $Delta_1$ have a minus sign"},
       {.id = "22",
        .kind = Kind::step,

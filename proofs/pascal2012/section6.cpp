@@ -1,5 +1,6 @@
 // Section 6: the orbits that never stick, (25)-(37). Symmetric orbits: tau = pi/omega = Theta/2 is assumed.
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/vocabulary.hpp"
@@ -50,9 +51,9 @@ std::vector<Claim> closing() {
       {.id = "27",
        .kind = Kind::step,
        .printed = {equation(Z(t), H(t - tau) * (ZB - FB) + 2 * L(t - tau) * d0 + F(t))},
-       .words = "the overshooting slip that begins at $tau$ with $Z_B$; $tau$ may be any time",
-       .prove = by_differential_equation(
-           first_order(K), column({0, 0, 0, -2 * eta * us + p * cos(omega * t + phi)}), ZB, tau)},
+       .words = "the overshooting slip that begins at $tau$ with $Z_B$; $tau$ and $Theta$ may be any times",
+       .assumptions = {overshoots, named_B, not_before(t, tau), not_after(t, Theta)},
+       .prove = by_differential_equation({"2.overshoot", "28.ZB", H, F(t) - 2 * delta0})},
       {.id = "28.F",
        .kind = Kind::step,
        .printed = {equation(FB, F(tau)), equation(FB, -F0)},
@@ -69,14 +70,14 @@ std::vector<Claim> closing() {
        .kind = Kind::step,
        .printed = {equation(Z0, H(tau) * (ZB - FB) + 2 * L(tau) * d0 + F0)},
        .words = "the motion has the period $Theta$",
-       .assumptions = {half, period, closes},
+       .assumptions = {half, period, overshoots, named_B, closes},
        .prove =
            by_rewriting({from("27").at("t", Theta), assuming("28.closes").solved_for(Z0), from("28.Theta")})},
       {.id = "28.B",
        .kind = Kind::step,
        .printed = {equation(ZB, H(tau) * (Z0 - F0) + FB)},
        .words = "the state at the end of the first slip, by (5)",
-       .assumptions = {half, named_B},
+       .assumptions = {half, begins, slips_below, named_B},
        .prove = by_rewriting(
            {from("5").at("t", tau), assuming("28.ZB").solved_for(ZB), from("28.F").solved_for(F(tau))})},
       {.id = "29.H",
@@ -89,7 +90,7 @@ std::vector<Claim> closing() {
        .kind = Kind::step,
        .printed = {equation((H(tau) - H(-tau)) * (ZB - FB) + 2 * L(tau) * d0, zero(4, 1))},
        .words = "(28) with $Z_0$ eliminated",
-       .assumptions = {half, period, closes, named_B},
+       .assumptions = motion,
        .prove = by_rewriting({from("28").solved_for(H(tau) * ZB), from("28.B").solved_for(ZB),
                               from("38.inverse").at("t", tau)}),
        .illegible = "a minus sign between $H(tau)$ and $H(-tau)$, and one in its argument"},
@@ -98,14 +99,14 @@ std::vector<Claim> closing() {
        .printed = {equation(H2(tau) * (zdotB - Q * omega * sin(phi)) + (H1(tau) - I2) * d0, zero(2, 1)),
                    equation(H3(tau) * (zB + Q * cos(phi) + d0), zero(2, 1))},
        .words = "(29) by blocks",
-       .assumptions = {half, period, closes, named_B},
+       .assumptions = motion,
        .prove = by_combination({{{from("29"), 0, I2_above / 2}}, {{from("29"), 0, I2_below / 2}}}),
        .illegible = "$Q omega$ in front of $sin(phi)$"},
       {.id = "30.back",
        .kind = Kind::step,
        .printed = {equation((H(tau) - H(-tau)) * (ZB - FB) + 2 * L(tau) * d0, zero(4, 1))},
        .words = "conversely (30) gives (29)",
-       .assumptions = {half, period, closes, named_B},
+       .assumptions = motion,
        .prove = by_combination(
            {{{from("30"), 0, 2 * column({I2, zero(2, 2)})}, {from("30"), 1, 2 * column({zero(2, 2), I2})}}})},
   };
@@ -120,7 +121,7 @@ std::vector<Claim> states() {
        .printed = {equation(zB, -Q * cos(phi) - d0), equation(xB, -Q * cos(phi)),
                    equation(zdotB, Q * omega * sin(phi) + H2_inverse * (I2 - H1(tau)) * d0)},
        .words = "the state at $tau$, if $det H_3$ is not zero; that $det H_2$ is not zero follows (31.det)",
-       .assumptions = {half, period, closes, named_B, regular},
+       .assumptions = motion_and({regular}),
        .prove = by_combination({{{from("30"), 1, inverse(H3(tau))}},
                                 {{from("30"), 1, inverse(H3(tau))}},
                                 {{from("30"), 0, H2_inverse}}}),
@@ -143,7 +144,7 @@ std::vector<Claim> states() {
        .words = "the first of (30) mode by mode: where $sin(omega_j pi/omega) = 0$, no motion closes if "
                 "$cos(omega_j pi/omega) = -1$ ($omega_j$ an odd multiple of $omega$), and the mode's speed "
                 "and place are free if it is 1 (an even multiple)",
-       .assumptions = {half, period, closes, named_B},
+       .assumptions = motion,
        .prove = by_combination({{{from("30"), 0, first_row * inverse(Lambda)}},
                                 {{from("30"), 0, second_row * inverse(Lambda)}}})},
       {.id = "31.rest",
@@ -164,7 +165,7 @@ std::vector<Claim> states() {
        .kind = Kind::theorem,
        .printed = {equation(z0, Q * cos(phi) - d0), equation(zdot0, -Q * omega * sin(phi) + rest)},
        .words = "the state at $t = 0$",
-       .assumptions = {half, period, closes, named_B, regular},
+       .assumptions = motion_and({regular}),
        .prove =
            by_combination({{{from("28"), 0, I2_above}, {from("31"), 0, H1(tau)}, {from("31"), 2, H2(tau)}},
                            {{from("28"), 0, I2_below},
@@ -176,13 +177,13 @@ std::vector<Claim> states() {
        .kind = Kind::theorem,
        .printed = {equation(x0, -xB), equation(zdot0, -zdotB)},
        .words = "the states at 0 and $tau$ are opposite",
-       .assumptions = {half, period, closes, named_B, regular},
+       .assumptions = motion_and({regular}),
        .prove = by_combination({{{from("33"), 0}, {from("31"), 0}}, {{from("33"), 1}, {from("31"), 2}}})},
       {.id = "33.V",
        .kind = Kind::theorem,
        .printed = {equation(V, 0)},
        .words = "a motion that never sticks, with $tau = Theta/2$, exists only if $V = 0$",
-       .assumptions = {half, period, closes, named_B, regular, starts_with_belt, meets_belt},
+       .assumptions = motion_and({regular, starts_with_belt, meets_belt}),
        .prove = by_combination({{{from("33.symmetry"), 1, second_row / 2}}})},
       {.id = "33.back",
        .kind = Kind::theorem,
@@ -227,7 +228,7 @@ std::vector<Claim> closed_forms() {
        .printed = {equation(z10, q1 * cos(phi) - d01), equation(z20, q2 * cos(phi) - d02),
                    equation(zdot10, -q1 * omega * sin(phi) - a1 * d01 - a2 * d02)},
        .words = "the initial state in closed form",
-       .assumptions = {half, period, closes, named_B, regular},
+       .assumptions = motion_and({regular}),
        .prove = by_combination({{{from("33"), 0, first_row}},
                                 {{from("33"), 0, second_row}},
                                 {{from("33"), 1, first_row}, {from("34.H"), 0, first_row, d0}}}),
@@ -236,7 +237,7 @@ std::vector<Claim> closed_forms() {
        .kind = Kind::step,
        .printed = {equation(sin(phi), -(b1 * d01 + b2 * d02) / (q2 * omega))},
        .words = "the load's phase; it is determined only if the load acts on the second mass $(q_2 != 0)$",
-       .assumptions = {half, period, closes, named_B, regular, starts_with_belt, meets_belt},
+       .assumptions = motion_and({regular, starts_with_belt, meets_belt}),
        .prove = by_combination({{{from("33"), 1, second_row / (q2 * omega)},
                                  {from("34.H"), 0, second_row / (q2 * omega), d0},
                                  {from("33.V"), 0, -1 / (q2 * omega)}}})},

@@ -24,9 +24,8 @@ const Statement sharp{power(p, 2), power(bound, 2) * (power(B, 2) + power(eta * 
 const Statement pushes{q2 * cos(phi), 0, Relation::greater};
 
 std::vector<Assumption> closed_motion(std::vector<Assumption> more) {
-  std::vector<Assumption> all{half, period, closes, named_B, regular};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+  more.insert(more.begin(), regular);
+  return motion_and(std::move(more));
 }
 
 std::vector<Assumption> moving_motion(std::vector<Assumption> more) {

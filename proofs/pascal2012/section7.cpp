@@ -93,7 +93,7 @@ std::vector<Claim> section7() {
        .words =
            "abstract and conclusion: this kind of solution, with two transitions per period, is symmetric in "
            "space and time for almost all $omega$; the exceptions are $omega_j = k omega$, a countable set",
-       .assumptions = two_slips::two_slips_at_rest(),
+       .assumptions = two_slips::in_first_half(),
        .prove = by_premises({from("A5.theorem")})},
   };
 }

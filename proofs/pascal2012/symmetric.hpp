@@ -8,15 +8,22 @@
 namespace stickslip::proofs::pascal2012::symmetric {
 
 using namespace symbols::vocabulary;
+using half_period::begins;
 using half_period::closes;
 using half_period::friction_at_rest;
+using half_period::not_after;
+using half_period::not_before;
 using half_period::period;
+using half_period::slip_takes_time;
+using half_period::slips_below;
 using half_period::starts_with_belt;
 
 inline const methods::Assumption time_lag{"4.lag", symbols::equation(phi, (symbols::pi() - omega * tau) / 2)};
 inline const methods::Assumption slip_ends{"13", symbols::equation(Z(tau), E * Z0)};
 inline const methods::Assumption stick_ends{"15", symbols::equation(Gamma(T) * E * Z0, Z0)};
 inline const methods::Assumption stick_lasts{"4.T", symbols::equation(T, Theta - tau)};
+inline const methods::Assumption stick_takes_time{"T.positive", {T, 0, symbols::Relation::greater}};
+inline const methods::Assumption sticks = half_period::sticks(tau, Theta);
 
 }  // namespace stickslip::proofs::pascal2012::symmetric
 

@@ -1,6 +1,6 @@
 // Beyond Appendix 5: its conclusion with weaker hypotheses, and a stronger theorem by another route.
-#include "proofs/methods/calculus.hpp"
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/appendix5.hpp"
 
 namespace stickslip::proofs::pascal2012::two_slips {
@@ -34,6 +34,12 @@ Statement relation2(const Mode& m) {
   return equation(sin(m.beta()) * mode(m.row, Y2), -m.frequency * cos(m.beta()) * mode(m.row, X2));
 }
 
+// The row of relation1, or of relation2 for sign -1.
+Term both_rows(const Mode& m, int sign) {
+  const Term angle = sign > 0 ? m.alpha() : m.beta(), row = m.row * inverse(Lambda);
+  return sin(angle) * (row * bottom) - sign * m.frequency * cos(angle) * (row * top);
+}
+
 // The combination a * relation1 + b * (relation2 at xi_1 = xi_2) in mode j.
 std::vector<Multiple> both_relations(const Mode& m, const Term& a, const Term& b) {
   const Term row = m.row * inverse(Lambda);
@@ -61,203 +67,133 @@ std::vector<Multiple> and_also(std::vector<Multiple> all, const Multiple& one) {
   return all;
 }
 
-// (2) for two motions x and y under frictions u and w and the same load.
-const Term x1 = scalar("x1"), x2 = scalar("x2"), xdot1 = scalar("xdot1"), xdot2 = scalar("xdot2"),
-           y1 = scalar("y1"), y2 = scalar("y2"), ydot1 = scalar("ydot1"), ydot2 = scalar("ydot2"),
-           u = scalar("u"), w = scalar("w");
+// (2) with Coulomb's law (4), u = u_s sign(V - x2'), for a motion that never sticks: at all times but
+// finitely many, at which x2' = V.
+Assumption slips_with_friction(const std::string& id, const Term& motion, const Term& speed,
+                               const Term& end) {
+  const Term force = eta * us * sign(V - speed) + p * cos(omega * t + phi);
+  return {id, almost_always(
+                  0, end, equation(derivative(motion), first_order(K) * motion + column({0, 0, 0, force})))};
+}
 
-std::vector<Statement> two_motions() {
-  const Term load = p * cos(omega * t + phi);
-  return {equation(x1, xdot1),
-          equation(x2, xdot2),
-          equation(xdot1, -x1 + chi * x2),
-          equation(xdot2, -chi * eta * (x2 - x1) + eta * u + load),
-          equation(y1, ydot1),
-          equation(y2, ydot2),
-          equation(ydot1, -y1 + chi * y2),
-          equation(ydot2, -chi * eta * (y2 - y1) + eta * w + load)};
+// A component of X or Y.
+Term of_time(const char * name) {
+  return Function{name, {}}(t);
+}
+const Term x1 = of_time("x1"), x2 = of_time("x2"), xdot1 = of_time("xdot1"), xdot2 = of_time("xdot2"),
+           y1 = of_time("y1"), y2 = of_time("y2"), ydot1 = of_time("ydot1"), ydot2 = of_time("ydot2");
+
+const Assumption law_x = slips_with_friction("4.x", X(t), xdot2, Theta),
+                 law_y = slips_with_friction("4.y", Y(t), ydot2, Theta),
+                 returns_x{"A5.returns.x", equation(X(Theta), X(0))},
+                 returns_y{"A5.returns.y", equation(Y(Theta), Y(0))};
+const std::vector<Assumption> two_periodic_motions{law_x, law_y, returns_x, returns_y};
+
+std::vector<Assumption> two_motions_and(std::vector<Assumption> more) {
+  more.insert(more.begin(), two_periodic_motions.begin(), two_periodic_motions.end());
+  return more;
 }
 
 const Term energy = power(xdot1 - ydot1, 2) / 2 + power(xdot2 - ydot2, 2) / (2 * eta) +
                     power(x1 - y1, 2) / 2 - chi * (x1 - y1) * (x2 - y2) + chi * power(x2 - y2, 2) / 2;
+const Term side_x = sign(V - xdot2), side_y = sign(V - ydot2);
 
-// The sides on which x and y slip, +1 below the belt and -1 above, and how much slower than it they are.
-const Term side_x = scalar("side_x"), side_y = scalar("side_y"), gap_x = scalar("gap_x"),
-           gap_y = scalar("gap_y");
-const Term delta = vector("delta", 4);
-const Function difference{"delta", {4, 1}};
-
-const Assumption friction_x{"4.x", equation(u, us *side_x)}, friction_y{"4.y", equation(w, us *side_y)},
-    slips_x{"4.gap.x", equation(xdot2, V - side_x * gap_x)},
-    slips_y{"4.gap.y", equation(ydot2, V - side_y * gap_y)},
-    one_side_x{"4.side.x", equation(power(side_x, 2), 1)},
-    one_side_y{"4.side.y", equation(power(side_y, 2), 1)},
-    moves_x{"4.moves.x", {gap_x, 0, Relation::greater}}, moves_y{"4.moves.y", {gap_y, 0, Relation::greater}},
-    returns{"A5.returns", equation(difference(Theta), delta)},
-    free_difference{"A5.same", equation(delta, H(Theta) * delta)},
-    same_friction{"A5.frictions", equation(u, w)}, begins{"A5.begins", equation(difference(0), delta)};
-
-// (4) for two motions that never stick: u = u_s sign(V - x2'), w = u_s sign(V - y2').
-const std::vector<Assumption> both_slip{friction_x, friction_y, slips_x, slips_y,
-                                        one_side_x, one_side_y, moves_x, moves_y};
-
-std::vector<Assumption> both_slip_and(std::vector<Assumption> more) {
-  more.insert(more.begin(), both_slip.begin(), both_slip.end());
-  return more;
-}
-
-// The energy of the difference never grows.
+// The energy of the difference never grows, so the frictions are equal.
 std::vector<Claim> decrease() {
-  const Term sides = side_x - side_y, weight = us / 2 * (gap_x + gap_y);
-  const Term power_of_friction = (xdot2 - ydot2) * (u - w);
   return {
       {.id = "A5.energy",
-       .kind = Kind::identity,
-       .printed = {equation(derivative(energy), power_of_friction)},
-       .words = "two motions $x$ and $y$ by (2) under the same load, with frictions $u$ and $w$: the energy "
-                "of their difference changes at the rate $(x2' - y2')(u - w)$",
-       .prove = by_rate_of_change(energy, two_motions())},
-      {.id = "A5.sign",
-       .kind = Kind::step,
-       .printed = {equation(power_of_friction, -(weight * power(sides, 2)))},
-       .words =
-           "while neither sticks the rate is never positive, and zero only if both slip on the same side",
-       .assumptions = both_slip,
-       .prove = by_combination({{{assuming("4.side.x"), 0, us / 2 * (gap_y - gap_x)},
-                                 {assuming("4.side.y"), 0, us / 2 * (gap_x - gap_y)}}})},
-      {.id = "A5.weight",
-       .kind = Kind::step,
-       .printed = {{weight, 0, Relation::greater}},
-       .words = "the weight is positive",
-       .assumptions = {moves_x, moves_y},
-       .prove = by_positive_combination(
-           {{.positive = {{us / 2, {{assuming("4.moves.x")}}}, {us / 2, {{assuming("4.moves.y")}}}}}})},
+       .kind = Kind::theorem,
+       .printed = {almost_always(0, Theta,
+                                 equation(derivative(energy), us * (xdot2 - ydot2) * (side_x - side_y)))},
+       .words = "the energy of the difference of two motions by (2) and (4) that never stick, under the same "
+                "load, changes at the rate $(x2' - y2')$ times the difference of the frictions",
+       .assumptions = {law_x, law_y},
+       .prove = by_chain_rule({assuming("4.x"), assuming("4.y")})},
       {.id = "A5.sides",
        .kind = Kind::theorem,
-       .printed = {equation(sides, 0)},
-       .words = "if both have the period $Theta$, they slip on the same side at almost all times",
-       .assumptions = both_slip_and({returns}),
-       .prove = by_periodic_decrease({.rate = from("A5.energy"),
-                                      .form = from("A5.sign"),
-                                      .positive = from("A5.weight"),
-                                      .periodic = "A5.returns",
-                                      .weight = weight,
-                                      .difference = sides,
-                                      .motions = {{x1, y1}, {x2, y2}, {xdot1, ydot1}, {xdot2, ydot2}}})},
-      {.id = "A5.frictions",
-       .kind = Kind::step,
-       .printed = {same_friction.statement},
-       .words = "so their frictions are equal",
-       .assumptions = both_slip_and({returns}),
-       .prove = by_combination({{{from("A5.sides"), 0, us}}})},
+       .printed = {almost_always(0, Theta, equation(side_x, side_y))},
+       .words = "if both have the period $Theta$, they slip on the same side at almost all times: else their "
+                "energy would decrease and not come back",
+       .assumptions = two_periodic_motions,
+       .prove = by_periodic_decrease(
+           {.rate = from("A5.energy"), .returns = {"A5.returns.x", "A5.returns.y"}, .weight = 2 * us})},
   };
 }
 
-// The difference then moves freely, and is zero.
-std::vector<Claim> one_motion() {
-  const Term back =
-      block(2, {inverse(2 * (I2 - H1(Theta))), zero(2, 2), zero(2, 2), inverse(2 * (I2 - H1(Theta)))});
+// A difference that moves freely, of period Theta, is zero.
+std::vector<Claim> free_motion() {
+  const Function delta{"delta", {4, 1}};
+  const Assumption moves_freely{
+      "A5.moves", almost_always(0, Theta, equation(derivative(delta(t)), first_order(K) * delta(t)))},
+      returns{"A5.returns", equation(delta(Theta), delta(0))};
+  // (2 (I - H_1(Theta)))^-1 by modes, which divides by the sines alone.
+  const auto halves = [](const Term& frequency) { return 1 / (4 * power(sin(frequency * Theta / 2), 2)); };
+  const Term inverted = Lambda * block(2, {halves(omega1), 0, 0, halves(omega2)}) * inverse(Lambda);
+  const Term back = block(2, {inverted, zero(2, 2), zero(2, 2), inverted});
+  const Term start = H(t) * back * (I4 - H(-Theta));
   return {
       {.id = "A5.difference",
        .kind = Kind::step,
-       .printed = {equation(difference(t), H(t) * delta)},
-       .words = "the difference of two motions by (2) with equal frictions moves freely",
-       .assumptions = {same_friction},
-       .prove = by_differential_equation(first_order(K), column({0, 0, 0, eta * (u - w)}), delta)},
-      {.id = "A5.same",
-       .kind = Kind::step,
-       .printed = {free_difference.statement},
-       .words = "it returns after $Theta$",
-       .assumptions = both_slip_and({returns}),
-       .prove = by_rewriting({from("A5.difference")
-                                  .at("t", Theta)
-                                  .given("A5.frictions", "A5.frictions")
-                                  .solved_for(H(Theta) * delta),
-                              assuming("A5.returns")})},
+       .printed = {equation(delta(t), H(t) * delta(0))},
+       .words = "what moves freely at almost all times, and continuously, moves by $H$",
+       .assumptions = {moves_freely, not_before(t, 0), not_after(t, Theta)},
+       .prove = by_differential_equation({"A5.moves", "", H, zero(4, 1)})},
       {.id = "A5.free",
        .kind = Kind::step,
-       .printed = {equation(delta, zero(4, 1))},
+       .printed = {equation(delta(t), zero(4, 1))},
        .words = "a difference that moves freely with period $Theta$ is zero off resonance",
-       .assumptions = {off_resonance, free_difference},
-       .prove = by_combination({{{assuming("A5.same"), 0, back * (I4 - H(-Theta))}}})},
-      {.id = "A5.unique",
-       .kind = Kind::theorem,
-       .printed = {equation(delta, zero(4, 1))},
-       .words = "off resonance there is at most one motion of period $Theta$ that never sticks: for every "
-                "$V$, any number of transitions, any $omega$",
-       .assumptions = both_slip_and({returns, off_resonance}),
-       .prove = by_premises({from("A5.free").given("A5.same", "A5.same")})},
+       .assumptions = {moves_freely, returns, off_resonance, not_before(t, 0), not_after(t, Theta)},
+       .prove = by_instances({{.premise = from("A5.difference")},
+                              {.premise = from("A5.difference").at("t", Theta), .left = start},
+                              {.premise = assuming("A5.returns"), .left = -start}})},
   };
 }
 
-// The motion half a period later, and what makes y(t) = -x(t + Theta/2).
-const Term later_side = scalar("side_later"), later_gap = scalar("gap_later"), later_u = scalar("u_later"),
-           later1 = scalar("x1_later"), later2 = scalar("x2_later"), later_speed = scalar("xdot2_later");
-const std::vector<Assumption> opposite{{"A5.y1", equation(y1, -later1)},
-                                       {"A5.y2", equation(y2, -later2)},
-                                       {"A5.ydot2", equation(ydot2, -later_speed)},
-                                       {"A5.w", equation(w, -later_u)},
-                                       {"A5.side", equation(side_y, -later_side)},
-                                       {"A5.gap", equation(gap_y, later_gap)}};
-const Assumption later_friction{"4.later", equation(later_u, us *later_side)},
-    later_slips{"4.gap.later", equation(later_speed, V - later_side * later_gap)},
-    later_one_side{"4.side.later", equation(power(later_side, 2), 1)},
-    later_moves{"4.moves.later", {later_gap, 0, Relation::greater}};
-
-std::vector<Assumption> opposite_and(std::vector<Assumption> more) {
-  more.insert(more.begin(), opposite.begin(), opposite.end());
-  return more;
+std::vector<Claim> one_motion() {
+  return {
+      {.id = "A5.moves",
+       .kind = Kind::step,
+       .printed = {almost_always(0, Theta,
+                                 equation(derivative(X(t) - Y(t)), first_order(K) * (X(t) - Y(t))))},
+       .words = "with equal frictions the difference of two motions moves freely",
+       .assumptions = two_periodic_motions,
+       .prove = by_chain_rule({assuming("4.x"), assuming("4.y"), from("A5.sides")})},
+      {.id = "A5.unique",
+       .kind = Kind::theorem,
+       .printed = {equation(X(t), Y(t))},
+       .words = "off resonance there is at most one motion of period $Theta$ that never sticks: for every "
+                "$V$, any finite number of transitions, any $omega$",
+       .assumptions = two_motions_and({off_resonance, not_before(t, 0), not_after(t, Theta)}),
+       .prove = by_instances({{.premise = from("A5.free"),
+                               .functions = {{"delta", X(t) - Y(t)}},
+                               .supplied = {from("A5.moves")}}})},
+  };
 }
 
 // At V = 0 the opposite motion half a period later is one as well.
 std::vector<Claim> mirror() {
-  const Term later = t + Theta / 2;
-  const Assumption mirrored{"A5.mirrored", equation(X(t) - (-X(later)), delta)};
-  const auto acceleration = [](const Term& place1, const Term& place2, const Term& force, const Term& time) {
-    return -chi * eta * (place2 - place1) + eta * force + p * cos(omega * time + phi);
-  };
+  const Term later = t + Theta / 2, longer = 3 * Theta / 2;
+  const Assumption law = slips_with_friction("4.x", X(t), xdot2, longer),
+                   still_returns{"A5.returns.later", equation(X(longer), X(Theta / 2))};
   return {
       {.id = "A5.mirror",
-       .kind = Kind::identity,
-       .printed = {equation(acceleration(y1, y2, w, t), -acceleration(later1, later2, later_u, later)),
-                   equation(-y1 + chi * y2, -(-later1 + chi * later2))},
-       .words = "$y(t) = -x(t + Theta/2)$ obeys (2) with the opposite friction: half a period later the load "
-                "is the opposite one",
-       .assumptions = opposite_and({period}),
-       .prove = by_normal_form()},
-      {.id = "A5.mirror.friction",
        .kind = Kind::step,
-       .printed = {friction_y.statement, slips_y.statement},
-       .words = "for $V = 0$ it slips on the other side, just as far from the belt's velocity: that is the "
-                "friction which (4) gives it",
-       .assumptions = opposite_and({later_friction, later_slips, at_rest}),
-       .prove = by_normal_form()},
-      {.id = "A5.mirror.side",
-       .kind = Kind::step,
-       .printed = {one_side_y.statement},
-       .words = "it slips on one side at a time",
-       .assumptions = opposite_and({later_one_side}),
-       .prove = by_combination({{{assuming("4.side.later")}}})},
-      {.id = "A5.mirror.moves",
-       .kind = Kind::step,
-       .printed = {moves_y.statement},
-       .words = "and never sticks",
-       .assumptions = opposite_and({later_moves}),
-       .prove = by_positive_combination({{.positive = {{1, {{assuming("4.moves.later")}}}}}})},
+       .printed = {slips_with_friction("", -X(later), component(3, -X(later)), Theta).statement},
+       .words = "for $V = 0$ the motion $-X(t + Theta/2)$ obeys (2) and (4), too: half a period later the "
+                "load is the opposite one",
+       .assumptions = {law, at_rest, period},
+       .prove = by_chain_rule({assuming("4.x")}, Theta / 2)},
       {.id = "A5.symmetry",
        .kind = Kind::theorem,
        .printed = {equation(X(t), -X(later))},
        .words = "$V = 0$, off resonance: every motion of period $Theta$ that never sticks is symmetric in "
-                "space and time, as $X(t)$ and $-X(t + Theta/2)$ are both such motions (A5.mirror) and there "
-                "is one only; no count of transitions, no $det P$, no $det H_2$, no $omega != 1$",
-       .assumptions = opposite_and({friction_x, slips_x, one_side_x, moves_x, later_friction, later_slips,
-                                    later_one_side, later_moves, at_rest, returns, off_resonance, mirrored}),
-       .prove = by_rewriting(
-           {assuming("A5.mirrored").solved_for(X(t)), from("A5.unique")
-                                                          .given("4.y", "A5.mirror.friction")
-                                                          .given("4.gap.y", "A5.mirror.friction")
-                                                          .given("4.side.y", "A5.mirror.side")
-                                                          .given("4.moves.y", "A5.mirror.moves")})},
+                "space and time, as $X(t)$ and $-X(t + Theta/2)$ are both such motions and there is one "
+                "only; no count of transitions, no $det P$, no $det H_2$, no $omega != 1$",
+       .assumptions = {law, returns_x, still_returns, at_rest, period, off_resonance, not_before(t, 0),
+                       not_after(t, Theta)},
+       .prove = by_instances({{.premise = from("A5.unique"),
+                               .functions = {{"Y", -X(later)}},
+                               .supplied = {from("A5.mirror")}}})},
   };
 }
 
@@ -271,7 +207,10 @@ std::vector<Claim> weaker_hypotheses() {
        .printed = {relation1(first), relation1(second), relation2(first), relation2(second)},
        .words = "(60) mode by mode, with half the angles: nothing is divided by",
        .assumptions = cycle,
-       .prove = by_normal_form()},
+       .prove = by_combination({{{from("57"), 0, both_rows(first, 1)}},
+                                {{from("57"), 0, both_rows(second, 1)}},
+                                {{from("57"), 1, both_rows(first, -1)}},
+                                {{from("57"), 1, both_rows(second, -1)}}})},
       {.id = "65.sharp",
        .kind = Kind::theorem,
        .printed = {equation(X1, zero(2, 1)), equation(Y1, zero(2, 1)), equation(X2, zero(2, 1)),
@@ -285,7 +224,7 @@ std::vector<Claim> weaker_hypotheses() {
 
 std::vector<Claim> uniqueness() {
   std::vector<Claim> claims = decrease();
-  for (std::vector<Claim> more : {one_motion(), mirror()}) {
+  for (std::vector<Claim> more : {free_motion(), one_motion(), mirror()}) {
     std::move(more.begin(), more.end(), std::back_inserter(claims));
   }
   return claims;

@@ -110,8 +110,8 @@ Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
     return Value<S>::Identity(term.shape().rows, term.shape().columns);
   }
   const Symbol * symbol = symbol_table().find(term);
-  if (symbol != nullptr && symbol->value) {
-    return value_of<S>(*symbol->value, scalar);
+  if (symbol != nullptr && (symbol->value || symbol->means)) {
+    return value_of<S>(symbol->value ? *symbol->value : *symbol->means, scalar);
   }
   if (term.shape().is_scalar()) {
     return scalar_value<S>(scalar(term.name()));

@@ -1,7 +1,7 @@
 #include "proofs/symbols/table.hpp"
 
 #include "core/error.hpp"
-#include "proofs/symbols/vocabulary.hpp"
+#include "proofs/symbols/closing.hpp"
 
 namespace stickslip::proofs::symbols {
 namespace {
@@ -27,6 +27,8 @@ struct Row {
       {};  // other rows: a misprint may take the k-th symbol of each for the k-th of this
   std::vector<Term> rates_of = {};  // of what each is the rate
   bool durations = false;
+  std::vector<Term> means = {};  // what the kernel takes each for, a function at the time t
+  bool motions = false;
 };
 
 // The upper half of a state, and the lower.
@@ -37,22 +39,20 @@ Term lower(const Term& state) {
   return block(1, {zero(2, 2), I2}) * state;
 }
 
+Function of_time(const char * name) {
+  return {name, {}};
+}
+
 // Of these there is no more to say than name and shape.
 const Names& plain_names() {
   static const Names all = [] {
-    Names names{chi, eta, V, omega, p, phi, pi(), t, s, t1, tau2, E, I2, I4, Z, X, Zbar};
-    for (const char * name : {"cos", "sin", "abs", "Rtilde"}) {
+    Names names{chi, eta, V, omega, p, phi, pi(), t, s, t1, tau2, E, I2, I4};
+    for (const char * name : {"cos", "sin", "abs", "sign", "Rtilde"}) {
       names.push_back(Function{name, {}});
     }
-    names.push_back(Function{"delta", {4, 1}});
-    for (const char * name :
-         {"m1",         "m2",       "k1",       "k2",         "ttilde", "Omega",      "ptilde",
-          "omegatilde", "Ftilde",   "v0",       "v2",         "x1",     "x2",         "xdot1",
-          "xdot2",      "xddot1",   "xddot2",   "u",          "w",      "y1",         "y2",
-          "ydot1",      "ydot2",    "s0",       "c0",         "z1",     "z2",         "z1B",
-          "z2B",        "z1C",      "z2C",      "delta",      "delta1", "delta2",     "deltadot1",
-          "deltadot2",  "side_x",   "side_y",   "gap_x",      "gap_y",  "side_later", "gap_later",
-          "u_later",    "x1_later", "x2_later", "xdot2_later"}) {
+    for (const char * name : {"m1", "m2", "k1", "k2",  "ttilde", "Omega",  "ptilde", "omegatilde", "Ftilde",
+                              "v0", "v2", "x1", "x2",  "xdot2",  "xddot1", "xddot2", "u",          "s0",
+                              "c0", "z1", "z2", "z1B", "z2B",    "z1C",    "z2C",    "delta"}) {
       names.push_back(scalar(name));
     }
     return names;
@@ -109,6 +109,16 @@ const std::vector<Row>& rows() {
       {.names = {Z0}, .values = {column({z0, zdot0})}},
       {.names = {ZB}, .values = {column({zB, zdotB})}, .letters = {{Z0}}},
       {.names = {ZC}, .values = {column({z1C, z2C, zdot1C, zdot2C})}, .letters = {{Z0}, {ZB}}},
+      // The motion in x, in z = x - d_0 and in z + 2 d_0.
+      {.names = {X}, .motions = true},
+      {.names = {Y}, .motions = true},
+      {.names = {Function{"delta", {4, 1}}}, .motions = true},
+      {.names = {Z}, .means = {X(t) - delta0}},
+      {.names = {Zbar}, .means = {X(t) + delta0}},
+      {.names = {of_time("x1"), of_time("x2"), of_time("xdot1"), of_time("xdot2")},
+       .means = {component(0, X(t)), component(1, X(t)), component(2, X(t)), component(3, X(t))}},
+      {.names = {of_time("y1"), of_time("y2"), of_time("ydot1"), of_time("ydot2")},
+       .means = {component(0, Y(t)), component(1, Y(t)), component(2, Y(t)), component(3, Y(t))}},
       // x = z + d_0, and z + 2 d_0.
       {.names = {x0}, .defined_in = "52.X", .values = {z0 + d0}},
       {.names = {xB}, .defined_in = "52.X", .values = {zB + d0}, .letters = {{x0}}},
@@ -130,15 +140,13 @@ const std::vector<Row>& rows() {
       // Appendix 5.
       {.names = {rho1, rho2}, .formula_in = "70.rho"},
       {.names = {xi1, xi2},
-       .defined_in = "57",
-       .values = {(H(tau) + E) * (Z0 - F0), (H(-tau1) + E) * (Zbar0 - F0)}},
-      {.names = {X1, X2}, .defined_in = "57", .values = {upper(xi1), upper(xi2)}},
-      {.names = {Y1, Y2}, .defined_in = "57", .values = {lower(xi1), lower(xi2)}},
+       .defined_in = "57.xi",
+       .values = {ZB - FB + E * (Z0 - F0), ZbarB - FB + E * (Zbar0 - F0)}},
+      {.names = {X1, X2}, .defined_in = "57.xi", .values = {upper(xi1), upper(xi2)}},
+      {.names = {Y1, Y2}, .defined_in = "57.xi", .values = {lower(xi1), lower(xi2)}},
       {.names = {P1, P2}, .defined_in = "63.P"},
       {.names = {P}, .defined_in = "64.P", .values = {P1 - P2}},
       {.names = {Ptilde}, .defined_in = "70.rho", .values = {block(2, {rho1, 0, 0, rho2})}},
-      {.names = {vector("delta", 4)},
-       .values = {column({scalar("delta1"), scalar("delta2"), scalar("deltadot1"), scalar("deltadot2")})}},
   };
   return all;
 }
@@ -171,6 +179,8 @@ void add(std::vector<Symbol>& symbols, const Row& row) {
     symbol.other_letters = letters_for(name.name);
     symbol.rate_of = row.rates_of.empty() ? "" : row.rates_of.at(i).name();
     symbol.is_duration = row.durations;
+    symbol.means = row.means.empty() ? std::nullopt : std::optional(row.means.at(i));
+    symbol.is_motion = row.motions;
     symbols.push_back(std::move(symbol));
   }
 }
@@ -232,6 +242,7 @@ const Symbols& symbol_table() {
       Row row{.names = {}};
       for (int i = 1; i <= 5; ++i) {
         row.names.push_back(coefficient(letter, i));
+        row.means.push_back(closing::coefficient_of_gap(letter, i));
       }
       add(symbols, row);
     }
@@ -249,7 +260,7 @@ const Symbols& symbol_table() {
 
 std::optional<Term> abbreviated(const Term& term) {
   const Symbol * symbol = term.shape().is_scalar() ? symbol_table().find(term) : nullptr;
-  return symbol == nullptr ? std::nullopt : symbol->value;
+  return symbol == nullptr ? std::nullopt : symbol->value ? symbol->value : symbol->means;
 }
 
 std::set<std::string> definitions_in(const Term& term) {

@@ -25,6 +25,10 @@ struct Symbol {
   std::vector<std::string> other_indices = {}, other_letters = {};
   std::string rate_of = {};  // z_10 of z_10'; empty for what no prime can be left out of
   bool is_duration = false;
+  // The same, of a function at the time t; of a scalar, as a name that stays closed unless a proof needs to
+  // look inside.
+  std::optional<Term> means = {};
+  bool is_motion = false;  // a function of time of which no more is known
 };
 
 // Symbols by name and shape, quantities apart from functions of time.

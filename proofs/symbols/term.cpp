@@ -168,6 +168,10 @@ Term abs(const Term& argument) {
   return Function{"abs", {}}(argument);
 }
 
+Term sign(const Term& argument) {
+  return Function{"sign", {}}(argument);
+}
+
 Term operator+(const Term& a, const Term& b) {
   std::vector<Term> terms = joined(Op::sum, a, b);
   const Shape shape = sum_shape(terms);
@@ -242,8 +246,16 @@ Term substitute(const Term& term, const Replacements& replacements) {
 }
 
 Statement substitute(const Statement& statement, const Replacements& replacements) {
-  return {substitute(statement.left, replacements), substitute(statement.right, replacements),
-          statement.relation};
+  Statement result = statement;
+  Replacements within = replacements;
+  if (statement.during) {
+    result.during = Times{substitute(statement.during->from, replacements),
+                          substitute(statement.during->to, replacements), statement.during->almost};
+    within.erase("t");  // which is every time between
+  }
+  result.left = substitute(statement.left, within);
+  result.right = substitute(statement.right, within);
+  return result;
 }
 
 bool equal(const Term& a, const Term& b) {
@@ -253,7 +265,11 @@ bool equal(const Term& a, const Term& b) {
 }
 
 bool equal(const Statement& a, const Statement& b) {
-  return a.relation == b.relation && equal(a.left, b.left) && equal(a.right, b.right);
+  const bool same_times =
+      a.during.has_value() == b.during.has_value() &&
+      (!a.during || (a.during->almost == b.during->almost && equal(a.during->from, b.during->from) &&
+                     equal(a.during->to, b.during->to)));
+  return same_times && a.relation == b.relation && equal(a.left, b.left) && equal(a.right, b.right);
 }
 
 }  // namespace stickslip::proofs::symbols

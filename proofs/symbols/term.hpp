@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,8 @@ struct Function {
 [[nodiscard]] Term tan(const Term& argument);
 // |argument|: printed and evaluated in balls, but no element of the field of normal_form.hpp.
 [[nodiscard]] Term abs(const Term& argument);
+// 1 or -1, the sign of the argument; only for times at which that is not 0.
+[[nodiscard]] Term sign(const Term& argument);
 
 [[nodiscard]] Term operator+(const Term& a, const Term& b);
 [[nodiscard]] Term operator-(const Term& a, const Term& b);
@@ -111,15 +114,30 @@ using Replacements = std::map<std::string, Term>;
 
 enum class Relation { equal, not_equal, less, less_or_equal, greater, greater_or_equal };
 
-// "left relation right", as printed.
+// From one time to another, at all times between or at all but finitely many.
+struct Times {
+  Term from, to;
+  bool almost = false;
+};
+
+// "left relation right", as printed; of a motion, at all times t between, perhaps but for finitely many.
 struct Statement {
   Term left = 0;
   Term right = 0;
   Relation relation = Relation::equal;
+  std::optional<Times> during = {};
 };
 
 [[nodiscard]] inline Statement equation(const Term& left, const Term& right) {
   return {left, right, Relation::equal};
+}
+[[nodiscard]] inline Statement during(const Term& from, const Term& to, Statement statement) {
+  statement.during = Times{from, to};
+  return statement;
+}
+[[nodiscard]] inline Statement almost_always(const Term& from, const Term& to, Statement statement) {
+  statement.during = Times{from, to, true};
+  return statement;
 }
 [[nodiscard]] Statement substitute(const Statement& statement, const Replacements& replacements);
 [[nodiscard]] bool equal(const Statement& a, const Statement& b);

@@ -44,9 +44,10 @@ std::string application(const Term& function, const std::string& decoration, Sty
     return style == Style::latex ? fmt::format("\\left|{}\\right|{}", argument, decoration)
                                  : fmt::format("|{}|{}", argument, decoration);
   }
-  const std::string name = is_trigonometric(function) && style == Style::latex
-                               ? "\\" + function.name()
-                               : name_of(function.name(), style);
+  const std::string name = style == Style::text         ? function.name()
+                           : is_trigonometric(function) ? "\\" + function.name()
+                           : function.name() == "sign"  ? "\\operatorname{sign}"
+                                                        : name_of(function.name(), style);
   return fmt::format("{}{}({})", name, decoration, argument);
 }
 
@@ -196,8 +197,25 @@ std::string symbol_of(Relation relation, Style style) {
 }
 
 std::string print(const Statement& statement, Style style) {
-  return fmt::format("{} {} {}", print(statement.left, style).text, symbol_of(statement.relation, style),
-                     print(statement.right, style).text);
+  const std::string relation =
+      fmt::format("{} {} {}", print(statement.left, style).text, symbol_of(statement.relation, style),
+                  print(statement.right, style).text);
+  if (!statement.during) {
+    return relation;
+  }
+  const bool latex = style == Style::latex;
+  const std::string from = print(statement.during->from, style).text,
+                    to = print(statement.during->to, style).text;
+  std::string result = fmt::format("{},{} {} < t < {}", relation, latex ? R"( \quad)" : "", from, to);
+  if (statement.during->almost) {
+    result += latex ? R"( \text{ but for finitely many } t)" : " but for finitely many t";
+  }
+  // What is differentiated is also continuous, with the ends.
+  if (statement.left.op() == Op::derivative) {
+    result += fmt::format(fmt::runtime(latex ? R"(, \text{{ continuous on }} [{}, {}])" : ", continuous on [{}, {}]"),
+                          from, to);
+  }
+  return result;
 }
 
 }  // namespace

@@ -87,7 +87,14 @@ inline const Function Gamma{"Gamma", {4, 4}}, Gamma1{"Gamma1", {2, 2}}, Gamma2{"
     Gamma3{"Gamma3", {2, 2}};
 inline const Function gamma1{"gamma1", {2, 2}}, gamma2{"gamma2", {2, 2}}, gamma3{"gamma3", {2, 2}};
 inline const Function F{"F", {4, 1}}, R{"R", {2, 1}}, L{"L", {4, 2}}, Z{"Z", {4, 1}}, X{"X", {4, 1}},
-    Zbar{"Zbar", {4, 1}};
+    Y{"Y", {4, 1}}, Zbar{"Zbar", {4, 1}};
+
+// x1, x2, x1' or x2' of a state, counted from 0.
+[[nodiscard]] inline Term component(std::size_t which, const Term& state) {
+  std::vector<Term> row(4, Term(0));
+  row.at(which) = 1;
+  return block(1, std::move(row)) * state;
+}
 
 // The matrix of y'' + M y = 0 as a first-order system for (y, y').
 [[nodiscard]] inline Term first_order(const Term& M) {

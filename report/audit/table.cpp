@@ -85,7 +85,7 @@ class Details {
                            : fmt::format("{}: {}", spaced(to_string(verdict.truth)), verdict.reason));
     add(route_label, outcome.route);
     for (const proofs::kernel::Theorem& theorem : outcome.theorems) {
-      add(outcome.by_kernel ? "theorem" : "lemma", to_string(theorem.sequent()));
+      add("theorem", to_string(theorem.sequent()));
     }
     add("evaluated", cross_check_line(outcome.cross_check));
     add("where", outcome.hypotheses);

@@ -13,17 +13,6 @@ namespace {
 
 using GiNaC::ex;
 
-// At omega1 = 1/2, omega2 = 2 and 1 for everything else.
-Ball sample(const ex& expression) {
-  BallValues values;
-  for (const ex& symbol : symbols_of(expression)) {
-    values[symbol] = Ball(1);
-  }
-  values[symbol("omega1")] = Ball(Rational(1, 2));
-  values[symbol("omega2")] = Ball(2);
-  return evaluate(expression, values);
-}
-
 // Whether the expression is zero at omega = root, where the factor is linear in omega: sin(omega1*Pi/omega)
 // and omega - omega1 are no polynomials in common quantities.
 bool vanishes_at_root_in_omega(const ex& expression, const ex& factor) {
@@ -89,32 +78,6 @@ bool vanishes_with(const ex& expression, const ex& factor) {
              ? found->second
              : known.emplace(Question{expression, factor}, shows_that_it_vanishes(expression, factor))
                    .first->second;
-}
-
-std::optional<std::vector<ex>> positive_unless_zero(const ex& expression) {
-  const ex parametrised = in_frequencies(expression);
-  const TrigField field({parametrised});
-  const Fraction fraction = field.fraction(parametrised);
-  std::vector<ex> nonzero;
-  int sign = 1;
-  for (const Polynomial& side : {fraction.numerator, fraction.denominator}) {
-    const Factors product = factored(side);
-    sign *= sgn(product.constant);
-    for (const Factor& factor : product.factors) {
-      const ex base = field.expression(factor.base);
-      const std::vector<ex> zeros = vanishing_factors(base);
-      if (factor.exponent % 2 == 0) {
-        nonzero.insert(nonzero.end(), zeros.begin(), zeros.end());
-        continue;
-      }
-      const Ball value = sample(base);
-      if (!zeros.empty() || !value.is_nonzero()) {
-        return std::nullopt;
-      }
-      sign = value.is_negative() ? -sign : sign;
-    }
-  }
-  return sign > 0 ? std::optional(nonzero) : std::nullopt;
 }
 
 }  // namespace stickslip::symbolic::algebra

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "proofs/checks/cross_check.hpp"
+#include "proofs/methods/deciding.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/vocabulary.hpp"
@@ -22,7 +23,9 @@ Claim claiming(const Statement& statement) {
 Outcome decide(const Statement& statement) {
   const Claim claim = claiming(statement);
   Prover nothing_else({});
-  return claim.prove(nothing_else, claim);
+  Outcome outcome = claim.prove(nothing_else, claim);
+  look_for_witness(outcome, claim);
+  return outcome;
 }
 
 bool confirmed(const Statement& statement, const Witness& witness) {

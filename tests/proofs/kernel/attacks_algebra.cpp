@@ -4,7 +4,7 @@
 
 using namespace stickslip::proofs::kernel;
 using namespace stickslip::proofs::kernel::attacks;
-using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
 TEST_CASE("divisors hide nowhere") {
@@ -131,6 +131,28 @@ TEST_CASE("induction") {
   REFUSES(Theorem::induction(reals, start, assume(for_all(k, all({up, down})))));
 }
 
+TEST_CASE("an inverse is known by a product that is literally the identity") {
+  const Variable A{"A", real_matrix(2, 2)}, B{"B", real_matrix(2, 2)}, tall{"tall", real_matrix(2, 1)},
+      wide{"wide", real_matrix(1, 2)};
+  const Formula product = equal(Term(A) * B, identity(2));
+  CHECK(Theorem::inverse_of(assume(product)).conclusion() == equal(inverse(A), B));
+  CHECK(Theorem::inverse_of(assume(product)).hypotheses() == Formulas{product});
+  REFUSES(Theorem::inverse_of(assume(equal(Term(A) * B, Term(2) * identity(2)))));
+  REFUSES(Theorem::inverse_of(assume(equal(Term(A) * B, matrix(2, 2, {1, 0, 0, 2})))));
+  REFUSES(Theorem::inverse_of(assume(equal(Term(A) + B, identity(2)))));
+  REFUSES(Theorem::inverse_of(assume(equal(identity(2), Term(A) * B))));
+  REFUSES(Theorem::inverse_of(assume(equal(Term(wide) * tall, 1))));  // has a right inverse, is none
+  REFUSES(Theorem::inverse_of(assume(equal(Term(x) * A, identity(2)))));
+  REFUSES(Theorem::inverse_of(assume(implies(product, product))));
+}
+
+TEST_CASE("everything numeric is equal to itself, by its structure") {
+  CHECK(Theorem::reflexive(1 / Term(x)).hypotheses().empty());
+  CHECK(Theorem::reflexive(1 / Term(x)).conclusion() == equal(1 / Term(x), 1 / Term(x)));
+  REFUSES(Theorem::reflexive(Variable{"f", function_of_time()}));
+  REFUSES(Theorem::reflexive(equal(x, x)));
+}
+
 TEST_CASE("tactics add nothing") {
   REFUSES(by_normal_form(equal(Term(x) / y, x), {}, {above(0, y)}));
   // A domain that does not imply d != 0 leaves it.
@@ -145,6 +167,17 @@ TEST_CASE("tactics add nothing") {
   CHECK(nonzero(between_one, {above(0, x), below(x, 2)}).hypotheses() == Formulas{differ(Term(x) - 1, 0)});
   REFUSES(different(assume(at_most(0, x))));
   REFUSES(symmetric(assume(less(x, y))));
-  REFUSES(reflexive(M));
+  // 0 < a by its factors, each with the sign that is known.
+  CHECK(positive(Term(x) / y, {above(0, x), above(0, y)}).conclusion() == less(0, Term(x) / y));
+  REFUSES(positive(Term(x) / y, {above(0, x)}));
+  REFUSES(positive(Term(x) - y, {above(0, x), above(0, y)}));
+  REFUSES(positive(-Term(x), {above(0, x)}));
+  REFUSES(positive(Term(x) - x, {above(0, x)}));
+  CHECK(positive(power(x, 2), {}).hypotheses() == Formulas{differ(x, 0)});
+  REFUSES(inverse_is_positive(assume(less(x, 0))));
+  for (const Theorem& factor : factors_differ(assume(differ(Term(x) * (Term(x) - y), 0)))) {
+    CHECK(factor.hypotheses() == Formulas{differ(Term(x) * (Term(x) - y), 0)});
+  }
+  CHECK(factors_differ(assume(differ(Term(x) - x, 0))).empty());
   REFUSES(detach(assume(implies(equal(x, 0), equal(y, 0))), assume(equal(x, 1))));
 }

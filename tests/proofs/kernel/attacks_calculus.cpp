@@ -3,7 +3,7 @@
 
 using namespace stickslip::proofs::kernel;
 using namespace stickslip::proofs::kernel::attacks;
-using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
 TEST_CASE("growth") {
@@ -126,4 +126,26 @@ TEST_CASE("continuity") {
       assume(for_all(t, implies(within(a, t, b), derivative(lambda(s, Term(s) * t), t, t))))));
   REFUSES(Theorem::differentiable_is_continuous(
       assume(for_all(n, implies(within(a, n, b), derivative(f, n, 0))))));
+}
+
+TEST_CASE("finite sets moved") {
+  const Theorem few = assume(finite(t, equal(apply(f, t), x)));
+  CHECK(Theorem::finite_shift(few, c).conclusion() == finite(t, equal(apply(f, Term(t) + c), x)));
+  CHECK(Theorem::finite_shift(few, c).hypotheses() == few.hypotheses());
+  // By a number named like the one that is counted: not finite t: 0 = 0, whose set is the whole line.
+  const Theorem origin = Theorem::finite_point(0);
+  const Formula moved = Theorem::finite_shift(origin, -Term(t)).conclusion();
+  CHECK(moved == finite(s, equal(Term(s) + -Term(t), 0)));
+  CHECK(moved != finite(t, equal(Term(t) + -Term(t), 0)));
+  CHECK(moved.variables() == Variables{t});
+  // What is no finite set, and what is no number.
+  REFUSES(Theorem::finite_shift(assume(for_all(t, equal(apply(f, t), x))), c));
+  REFUSES(Theorem::finite_shift(assume(exists(t, equal(apply(f, t), x))), c));
+  REFUSES(Theorem::finite_shift(assume(equal(x, 0)), c));
+  REFUSES(Theorem::finite_shift(few, f));
+  REFUSES(Theorem::finite_shift(few, v));
+  REFUSES(Theorem::finite_shift(few, equal(x, 0)));
+  REFUSES(Theorem::finite_shift(assume(continuous(f, a, b)), c));
+  // By a part of a binder's body, cut out: its index would be caught by the set's.
+  REFUSES(Theorem::finite_shift(origin, for_all(t, equal(-Term(t), x)).parts()[0].parts()[0]));
 }

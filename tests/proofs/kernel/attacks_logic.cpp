@@ -4,7 +4,7 @@
 
 using namespace stickslip::proofs::kernel;
 using namespace stickslip::proofs::kernel::attacks;
-using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
 TEST_CASE("logic") {

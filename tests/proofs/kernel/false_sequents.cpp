@@ -4,7 +4,7 @@
 
 using namespace stickslip::proofs::kernel;
 using namespace stickslip::proofs::kernel::paper;
-using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
 namespace {

@@ -5,7 +5,7 @@
 
 using namespace stickslip::proofs::kernel;
 using namespace stickslip::proofs::kernel::paper;
-using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
 namespace {
@@ -97,7 +97,7 @@ TEST_CASE("(5) follows from the equation of motion on any [a, b], for any modes 
                                       {response, -back, cos(psi)}};
   const Domain domain = with(frequencies(), Theorem::assume(modes_differ));
   const Theorem theorem =
-      by_differential_equation(motion, lambda(t, H(t)), lambda(t, F(t)), t, because, {H_of, F_of}, domain);
+      by_differential_equation(motion, Z, lambda(t, H(t)), lambda(t, F(t)), t, because, {H_of, F_of}, domain);
   CHECK(theorem.conclusion() ==
         for_all(t, implies(within(a, t, b), equal(Z_t, H(Term(t) - a) * (apply(Z, a) - F(a)) + F(t)))));
   Formulas expected = hypotheses_of(domain);
@@ -105,9 +105,9 @@ TEST_CASE("(5) follows from the equation of motion on any [a, b], for any modes 
   expected.erase(less(omega1, 1));
   CHECK(theorem.hypotheses() == expected);
   // Without the equation of motion, the modes or the response there is no such theorem.
-  REFUSES(by_differential_equation(motion, lambda(t, H(t)), lambda(t, F(t)), t, {because[1]}, {H_of, F_of},
+  REFUSES(by_differential_equation(motion, Z, lambda(t, H(t)), lambda(t, F(t)), t, {because[1]}, {H_of, F_of},
                                    domain));
-  REFUSES(by_differential_equation(motion, lambda(t, H(t)), lambda(t, F(t)), t, {because[0]}, {H_of, F_of},
+  REFUSES(by_differential_equation(motion, Z, lambda(t, H(t)), lambda(t, F(t)), t, {because[0]}, {H_of, F_of},
                                    domain));
 }
 
@@ -124,9 +124,9 @@ TEST_CASE("Slip part of (16): necessary, from (5) at tau and (13)") {
             zero(real_matrix(2, 1)));
   // With phi replaced, the upper rows of (5) - (13).
   const Term upper = matrix(2, 4, {1, 0, 0, 0, 0, 1, 0, 0});
-  const Theorem theorem =
-      by_combination(claim, {{by_rewriting(ends, reflexive(0)), upper}, {by_rewriting(slip, lag), -upper}},
-                     {H_of, H1_of, H2_of, F_of}, with(frequencies(), Theorem::assume(modes_differ)));
+  const Theorem theorem = by_combination(
+      claim, {{by_rewriting(ends, Theorem::reflexive(0)), upper}, {by_rewriting(slip, lag), -upper}},
+      {H_of, H1_of, H2_of, F_of}, with(frequencies(), Theorem::assume(modes_differ)));
   CHECK(theorem.hypotheses().contains(ends.conclusion()));
   CHECK(theorem.hypotheses().contains(slip.conclusion()));
   CHECK(theorem.hypotheses().contains(lag.conclusion()));

@@ -3,12 +3,12 @@
 
 #include "model/flows.hpp"
 #include "proofs/kernel/theorem.hpp"
-#include "proofs/methods/model_terms.hpp"
+#include "proofs/tactics/model_terms.hpp"
 
 namespace stickslip::proofs::kernel::paper {
 
-using methods::as_term;
-using methods::Symbolic;
+using tactics::as_term;
+using tactics::Symbolic;
 
 inline const Variable t{"t"}, s{"s"}, omega1{"omega1"}, omega2{"omega2"}, lambda1{"lambda1"},
     lambda2{"lambda2"}, chi{"chi"}, omega{"omega"}, phi{"phi"}, tau{"tau"}, p{"p"}, us{"us"}, V{"V"};

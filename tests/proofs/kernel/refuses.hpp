@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "proofs/methods/tactics.hpp"
+#include "proofs/tactics/tactics.hpp"
 #include "tests/proofs/kernel/paper.hpp"
 
 namespace stickslip::proofs::kernel {

@@ -107,12 +107,34 @@ TEST_CASE("a converse that fails makes a condition necessary only") {
 }
 
 TEST_CASE("the only zero of a cosine between two ends") {
-  Claim claim{.id = "c",
-              .place = "test",
-              .printed = {equation(tau, pi() / omega)},
-              .assumptions = {{"0", equation(cos(omega * tau / 2), 0)}},
-              .prove = by_zero_of_cosine(omega * tau / 2, "0", 0, 2 * pi() / omega)};
-  CHECK(proved(claim).status == Status::as_printed);
-  claim.prove = by_zero_of_cosine(omega * tau / 2, "0", 0, 4 * pi() / omega);
-  CHECK(proved(claim).outcome.verdict.truth == Truth::undecided);
+  const auto up_to = [](int periods, const Rational& half_turns) {
+    return Claim{.id = "c",
+                 .place = "test",
+                 .printed = {equation(tau, pi() / omega)},
+                 .assumptions = {{"0", equation(cos(omega * tau / 2), 0)},
+                                 {"from", {tau, 0, Relation::greater}},
+                                 {"to", {tau, 2 * periods * pi() / omega, Relation::less}}},
+                 .prove = by_zero_of_cosine({omega * tau / 2, assuming("0"), 0, half_turns})};
+  };
+  CHECK(proved(up_to(1, 1)).status == Status::as_printed);
+  CHECK(proved(up_to(2, 2)).outcome.verdict.truth == Truth::undecided);  // there is another zero
+  CHECK(proved(up_to(2, 1)).outcome.verdict.truth == Truth::undecided);  // it is not in that range
+  Claim anywhere = up_to(1, 1);
+  anywhere.assumptions.pop_back();
+  CHECK(proved(anywhere).outcome.verdict.truth == Truth::undecided);
+}
+
+TEST_CASE("nonzero follows from nonzero only by a multiple of it") {
+  const auto claim = [](const Term& printed, const Term& assumed, const Term& multiplier) {
+    return proved({.id = "c",
+                   .place = "test",
+                   .printed = {{printed, 0, Relation::not_equal}},
+                   .assumptions = {{"given", {assumed, 0, Relation::not_equal}}},
+                   .prove = by_nonzero_multiple("given", multiplier)})
+        .outcome.verdict.truth;
+  };
+  const Term squares = power(omega, 2) - power(omega1, 2);
+  CHECK(claim(omega - omega1, squares, squares * (omega + omega1)) == Truth::proved);
+  CHECK(claim(omega - omega1, squares, squares) == Truth::undecided);
+  CHECK(claim(sin(tau), cos(tau), 1) == Truth::undecided);
 }

@@ -19,8 +19,8 @@ Polynomial rest(const Statement& statement) {
   return residual(statement, symbolically());
 }
 
-Rule rule(const Statement& premise, const Term& lead, const std::string& source = "a") {
-  const auto solved = solve(rest(premise), poly(lead), source, {});
+Rule rule(const Statement& premise, const Term& lead) {
+  const auto solved = solve(rest(premise), poly(lead), {});
   REQUIRE(solved.has_value());
   return *solved;
 }
@@ -41,13 +41,19 @@ TEST_CASE("arguments are the same letter when they are the same time") {
   CHECK_FALSE(poly(H(t) - H(-t)).empty());
 }
 
-TEST_CASE("a premise is used from the left, and its source is remembered only if it was") {
-  const std::vector<Rule> rules{rule(equation(E * E, I4), E * E, "square"),
-                                rule(equation(H(-t) * E, E * H(t)), H(-t) * E, "reversal")};
+TEST_CASE("a premise is used from the left, and the trace says which and where") {
+  const std::vector<Rule> rules{rule(equation(E * E, I4), E * E),
+                                rule(equation(H(-t) * E, E * H(t)), H(-t) * E)};
   const Rewritten rewritten = rewrite(rest(equation(E * H(-t) * E, H(t))), rules);
   CHECK(rewritten.rest.empty());
-  CHECK(rewritten.sources == std::set<std::string>{"reversal", "square"});
-  CHECK(rewrite(rest(equation(E * E * E, E)), rules).sources == std::set<std::string>{"square"});
+  REQUIRE(rewritten.trace.size() == 2);
+  CHECK(rewritten.trace[0].rule == 1);
+  CHECK(rewritten.trace[0].before == Word{"E"});
+  CHECK(rewritten.trace[1].rule == 0);
+  const Rewritten squared = rewrite(rest(equation(E * E * E, E)), rules);
+  REQUIRE(squared.trace.size() == 1);
+  CHECK(squared.trace[0].rule == 0);
+  CHECK(squared.trace[0].after == Word{"E"});
 }
 
 TEST_CASE("without its premise nothing follows") {
@@ -57,10 +63,10 @@ TEST_CASE("without its premise nothing follows") {
 TEST_CASE("a premise is solved for what is asked, with its factor") {
   const Rule solved = rule(equation(2 * H(tau) * Z0 + F0, Z0), H(tau) * Z0);
   CHECK(rewrite(rest(equation(H(tau) * Z0, (Z0 - F0) / 2)), {solved}).rest.empty());
-  CHECK_FALSE(solve(rest(equation(E * Z0, F0)), poly(H(t) * Z0), "a", {}).has_value());
+  CHECK_FALSE(solve(rest(equation(E * Z0, F0)), poly(H(t) * Z0), {}).has_value());
   CHECK_FALSE(
-      solve(rest(equation(chi * E * Z0, F0)), poly(E * Z0), "a", {}).has_value());  // chi might be zero
-  CHECK_THROWS_AS((void)solve(rest(equation(E, H(t))), poly(E + H(t)), "a", {}), InternalError);
+      solve(rest(equation(chi * E * Z0, F0)), poly(E * Z0), {}).has_value());  // chi might be zero
+  CHECK_THROWS_AS((void)solve(rest(equation(E, H(t))), poly(E + H(t)), {}), InternalError);
 }
 
 TEST_CASE("rules that feed themselves are noticed") {

@@ -23,6 +23,17 @@ TEST_CASE("statements print in the order in which they stand") {
   CHECK(latex(determinant(H3(t))) == "\\det\\left(H_3(t)\\right)");
 }
 
+TEST_CASE("what is said of all times, or of almost all, says of which") {
+  const Statement law = equation(derivative(X(t)), sign(V - t) * X(t));
+  CHECK(text(during(0, tau, law)) == "X'(t) = sign(V - t)*X(t), 0 < t < tau");
+  CHECK(text(almost_always(0, tau, law)) == "X'(t) = sign(V - t)*X(t), 0 < t < tau but for finitely many t");
+  CHECK(latex(almost_always(0, tau, law)) ==
+        "X'(t) = \\operatorname{sign}(V - t) X(t), \\quad 0 < t < \\tau \\text{ but for finitely many } t");
+  CHECK(equal(almost_always(0, tau, law), almost_always(0, tau, law)));
+  CHECK(!equal(almost_always(0, tau, law), during(0, tau, law)));
+  CHECK(equal(substitute(almost_always(0, tau, law), {{"tau", T}, {"t", s}}), almost_always(0, T, law)));
+}
+
 TEST_CASE("formulas without meaning cannot be built") {
   CHECK_THROWS_AS((void)(H(t) + H1(t)), InternalError);
   CHECK_THROWS_AS((void)(H(t) * d0), InternalError);

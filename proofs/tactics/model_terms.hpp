@@ -4,7 +4,7 @@
 #include "model/scalar_traits.hpp"
 #include "proofs/kernel/term.hpp"
 
-namespace stickslip::proofs::methods {
+namespace stickslip::proofs::tactics {
 
 // A number as the model's templates want one.
 struct Symbolic {
@@ -51,12 +51,12 @@ template <class Derived>
   return kernel::matrix(static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), entries);
 }
 
-}  // namespace stickslip::proofs::methods
+}  // namespace stickslip::proofs::tactics
 
 namespace Eigen {
 
 template <>
-struct NumTraits<stickslip::proofs::methods::Symbolic>
-    : stickslip::model::ScalarTraits<stickslip::proofs::methods::Symbolic, 2, 100, 100> {};
+struct NumTraits<stickslip::proofs::tactics::Symbolic>
+    : stickslip::model::ScalarTraits<stickslip::proofs::tactics::Symbolic, 2, 100, 100> {};
 
 }  // namespace Eigen

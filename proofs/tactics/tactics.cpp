@@ -1,6 +1,8 @@
-#include "proofs/methods/tactics.hpp"
+#include "proofs/tactics/tactics.hpp"
 
-namespace stickslip::proofs::methods {
+#include "proofs/tactics/almost_always.hpp"
+
+namespace stickslip::proofs::tactics {
 
 using namespace kernel;
 
@@ -11,14 +13,10 @@ Theorem below(const Variable& x, const Term& upper) {
   return Theorem::assume(less(x, upper));
 }
 
-Theorem reflexive(const Term& number) {
-  return Theorem::consequence({Theorem::trichotomy(number, number)}, equal(number, number));
-}
-
 Theorem symmetric(const Theorem& equation) {
   const Term a = equation.conclusion().parts().at(0);
   const Variable x = fresh(a.type(), {equation.conclusion()});
-  return Theorem::replace(equation, x, equal(x, a), reflexive(a));
+  return Theorem::replace(equation, x, equal(x, a), Theorem::reflexive(a));
 }
 
 Theorem both(const std::vector<Theorem>& parts) {
@@ -80,28 +78,35 @@ Theorem by_positive_combination(const Formula& inequality, const std::vector<Pos
   return nonzero(Theorem::order(inequality, positives, multiples, unfolded), domain);
 }
 
-Theorem by_differential_equation(const Motion& motion, const Term& flow, const Term& forced,
+Theorem by_differential_equation(const Motion& motion, const Term& z, const Term& flow, const Term& forced,
                                  const Variable& t, const std::vector<Multiple>& because,
                                  const Definitions& unfolded, const Domain& domain) {
   const Formula& smooth = motion.continuity.conclusion();
-  const Term Z = smooth.parts().at(0), a = smooth.parts().at(1), b = smooth.parts().at(2);
-  const Term G = lambda(t, apply(flow, a - t) * (apply(Z, t) - apply(forced, t)));
+  const Term a = smooth.parts().at(1), b = smooth.parts().at(2);
+  const Term G = lambda(t, apply(flow, a - t) * (apply(z, t) - apply(forced, t)));
   // Inside, G' = 0.
+  const auto flat_by = [&](const Theorem& rate) {
+    const Theorem slope = Theorem::differentiate(G, t, {rate});
+    const Term value = slope.conclusion().parts()[2];
+    const Theorem nothing = Theorem::combination(equal(value, zero(value.type())), because, unfolded);
+    return nonzero(by_rewriting(slope, nothing), domain);
+  };
   const Formula inside_open = between(a, t, b);
-  const Theorem rate = at(motion.rate, t, Theorem::assume(inside_open));
-  const Theorem slope = Theorem::differentiate(G, t, {rate});
-  const Term value = slope.conclusion().parts()[2];
-  const Theorem nothing = Theorem::combination(equal(value, zero(value.type())), because, unfolded);
-  const Theorem flat = nonzero(by_rewriting(slope, nothing), domain);
+  const Theorem flat =
+      motion.rate.conclusion().kind() == Kind::finite
+          ? but_finitely_often(
+                {motion.rate}, a, b, t,
+                [&](const Theorem&, const std::vector<Theorem>& usually) { return flat_by(usually.front()); })
+          : for_every(t, inside_open, flat_by(at(motion.rate, t, Theorem::assume(inside_open))));
   // So G(t) = G(a), and flow(t - a) undoes flow(a - t).
   const Theorem continuous_G = nonzero(Theorem::continuity(G, a, b, {motion.continuity}), domain);
-  const Theorem constant = Theorem::constant(continuous_G, for_every(t, inside_open, flat));
+  const Theorem constant = Theorem::constant(continuous_G, flat);
   const Formula inside_closed = within(a, t, b);
   const Theorem kept = at(constant, t, Theorem::assume(inside_closed));
   const Formula closed_form =
-      equal(apply(Z, t), apply(flow, t - a) * (apply(Z, a) - apply(forced, a)) + apply(forced, t));
+      equal(apply(z, t), apply(flow, t - a) * (apply(z, a) - apply(forced, a)) + apply(forced, t));
   return for_every(t, inside_closed,
                    by_combination(closed_form, {{kept, apply(flow, t - a)}}, unfolded, domain));
 }
 
-}  // namespace stickslip::proofs::methods
+}  // namespace stickslip::proofs::tactics

@@ -2,11 +2,12 @@
 // with KernelError, it cannot make a false theorem.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "proofs/kernel/theorem.hpp"
 
-namespace stickslip::proofs::methods {
+namespace stickslip::proofs::tactics {
 
 using kernel::Definitions;
 using kernel::Formula;
@@ -24,8 +25,7 @@ using Domain = std::vector<Theorem>;
 [[nodiscard]] Theorem below(const Variable& x, const Term& upper);
 
 // ---- Logic
-[[nodiscard]] Theorem reflexive(const Term& number);            // ⊢ a = a, of numbers
-[[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a, of numbers
+[[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a
 [[nodiscard]] Theorem both(const std::vector<Theorem>& parts);  // their conjunction
 [[nodiscard]] Theorem part(const Theorem& conjunction, std::size_t index);
 // A ⇒ C and A give C.
@@ -45,8 +45,23 @@ using Domain = std::vector<Theorem>;
 // ---- Divisors
 // Hypotheses d ≠ 0 less what the domain implies: of each d the irreducible factors that may vanish remain,
 // each as a hypothesis of its own. A factor is discharged when it is one of the domain's, or a polynomial in
-// bounded variables and pi whose expansion in the distances from the bounds has coefficients of one sign.
-[[nodiscard]] Theorem nonzero(const Theorem& theorem, const Domain& domain);
+// bounded variables and pi whose expansion in the distances from the bounds has coefficients of one sign. The
+// hypotheses `kept` stay as they are.
+[[nodiscard]] Theorem nonzero(const Theorem& theorem, const Domain& domain,
+                              const kernel::Formulas& kept = {});
+
+// Whether it says d ≠ 0, of a number.
+[[nodiscard]] bool is_divisor(const Formula& formula);
+// a ≠ 0, for a sine or a cosine a, gives f ≠ 0, where a is 2 sin(u) cos(u) and f one of these, or f is linear
+// in a variable at whose zero a vanishes: sin(pi*x/y) for x - y. Nothing says nothing.
+[[nodiscard]] std::optional<Theorem> differs_too(const Term& f, const Theorem& known);
+// d ≠ 0 gives f ≠ 0 for the irreducible factors of d, as far as they are found.
+[[nodiscard]] std::vector<Theorem> factors_differ(const Theorem& differs);
+// 0 < a, as a product of powers of irreducible factors whose sign the domain gives; what occurs to even
+// powers only is a hypothesis f ≠ 0.
+[[nodiscard]] Theorem positive(const Term& a, const Domain& domain);
+// 0 < d gives 0 < 1/d.
+[[nodiscard]] Theorem inverse_is_positive(const Theorem& positive);
 
 // ---- Algebra: the kernel's rules, then nonzero().
 [[nodiscard]] Theorem by_normal_form(const Formula& equation, const Definitions& unfolded,
@@ -60,16 +75,17 @@ using Domain = std::vector<Theorem>;
 
 // ---- Motions
 // Z is continuous on [a, b] and Z' = w inside: ⊢ continuous(Z, a, b), ⊢ for all t: a < t < b ⇒ derivative(Z,
-// t, w).
+// t, w). Instead of the latter: finite t: a < t < b and not derivative(Z, t, w).
 struct Motion {
   Theorem continuity;
   Theorem rate;
 };
-// (5): if the derivative of flow(a - t) (Z(t) - forced(t)) is zero by normal form and these multiples, in
-// which the variable t is the time, ⊢ for all t: a ≤ t ≤ b ⇒ Z(t) = flow(t - a) (Z(a) - forced(a)) +
-// forced(t). flow and forced are functions of time.
-[[nodiscard]] Theorem by_differential_equation(const Motion& motion, const Term& flow, const Term& forced,
-                                               const Variable& t, const std::vector<Multiple>& because,
+// (5), for a function z of time in terms of Z: if the derivative of flow(a - t) (z(t) - forced(t)) is zero by
+// normal form and these multiples, in which the variable t is the time, ⊢ for all t: a ≤ t ≤ b ⇒ z(t) =
+// flow(t - a) (z(a) - forced(a)) + forced(t). flow and forced are functions of time.
+[[nodiscard]] Theorem by_differential_equation(const Motion& motion, const Term& z, const Term& flow,
+                                               const Term& forced, const Variable& t,
+                                               const std::vector<Multiple>& because,
                                                const Definitions& unfolded, const Domain& domain);
 
-}  // namespace stickslip::proofs::methods
+}  // namespace stickslip::proofs::tactics

@@ -1,0 +1,341 @@
+#include "proofs/methods/derivation.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/tactics/estimate.hpp"
+#include "symbolic/algebra/evaluate.hpp"
+#include "symbolic/algebra/hypotheses.hpp"
+#include "symbolic/algebra/symbols.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace kernel;
+using namespace tactics;
+using symbols::NoValue;
+
+bool occurs(const Term& part, const Term& term) {
+  if (part.kind() == kernel::Kind::variable) {
+    return term.variables().contains({part.name(), part.type()});
+  }
+  return !(replaced(term, part, fresh(part.type(), {term, part})) == term);
+}
+
+bool is_inequality(const Formula& formula) {
+  return formula.kind() == kernel::Kind::less || formula.kind() == kernel::Kind::at_most;
+}
+
+namespace {
+
+// About the number of symbols that it takes to write the term down with these definitions opened.
+std::size_t opened_size(const Term& term, const Definitions& definitions) {
+  std::size_t result = 1;
+  for (const Term& part : term.parts()) {
+    result += opened_size(part, definitions);
+  }
+  const bool opened = term.kind() == kernel::Kind::defined && definitions.contains(term.definition());
+  return opened ? result + opened_size(term.definition().body(), definitions) : result;
+}
+constexpr std::size_t longest_looked_into = 30000;
+
+// What the theorems of the domain suppose.
+const Formulas& domain_formulas() {
+  static const Formulas all = [] {
+    Formulas result;
+    for (const Theorem& one : parameters()) {
+      result.insert(one.hypotheses().begin(), one.hypotheses().end());
+    }
+    return result;
+  }();
+  return all;
+}
+
+}  // namespace
+
+Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), claim_(claim) {
+  for (const Assumption& assumption : claim.assumptions) {
+    try {
+      const Formula formula = read_(assumption.statement);
+      assumed_.emplace(formula, assumption.id);
+      if (is_divisor(formula)) {
+        stated_nonzero_.insert(formula);
+      }
+      if (is_substitution(assumption)) {
+        given_.push_back({assumption.id, Theorem::assume(formula)});
+      } else if (is_inequality(formula)) {
+        known_.push_back(Theorem::assume(formula));
+      } else if (formula.kind() == kernel::Kind::conjunction && !assumption.statement.during) {
+        known_.push_back(part(Theorem::assume(formula), 0));
+        known_.push_back(part(Theorem::assume(formula), 1));
+      }
+    } catch (const NoValue&) {
+      continue;
+    }
+  }
+  domain_ = parameters();
+  domain_.insert(domain_.end(), known_.begin(), known_.end());
+  for (const Theorem& known : known_) {
+    if (known.conclusion().kind() == kernel::Kind::less) {
+      const Term gap = known.conclusion().parts()[1] - known.conclusion().parts()[0];
+      know(different(Theorem::order(less(0, gap), {Positive{{known}}})));
+    }
+  }
+  for (const auto& entry : assumed_) {
+    if (is_divisor(entry.first)) {
+      know(Theorem::assume(entry.first));
+    }
+  }
+}
+
+void Derivation::know(const Theorem& nonzero) {
+  stated_.push_back(nonzero);
+}
+
+Theorem Derivation::without_divisors(const Theorem& theorem) {
+  const auto open_ones = [this](const Theorem& of) {
+    std::vector<Formula> result;
+    for (const Formula& one : of.hypotheses()) {
+      if (is_divisor(one) && !assumed_.contains(one)) {
+        result.push_back(one);
+      }
+    }
+    return result;
+  };
+  Theorem result = theorem;
+  for (const Formula& one : open_ones(theorem)) {
+    const Definitions definitions = openings({one}).in_parameters();
+    const Formula opened = unfold(one, definitions);
+    if (!(opened == one)) {
+      result = Theorem::cut(Theorem::convert(Theorem::assume(opened), one, definitions), result);
+    }
+  }
+  result = nonzero(result, domain_, stated_nonzero_);
+  if (open_ones(result).empty()) {
+    return result;
+  }
+  look_into_stated();
+  for (const Theorem& stated : opened_stated_) {
+    if (result.hypotheses().contains(stated.conclusion())) {
+      result = Theorem::cut(stated, result);
+    }
+  }
+  result = nonzero(result, domain_, stated_nonzero_);
+  const std::vector<Formula> left = open_ones(result);
+  for (const Formula& weak : left) {
+    for (const Formula& strong : left) {
+      const bool both_stand =
+          !(weak == strong) && result.hypotheses().contains(weak) && result.hypotheses().contains(strong);
+      const auto implied = both_stand ? differs_too(weak.parts()[0].parts()[0], Theorem::assume(strong))
+                                      : std::nullopt;
+      if (implied) {
+        result = Theorem::cut(nonzero(*implied, domain_, {strong}), result);
+      }
+    }
+  }
+  return result;
+}
+
+// What is stated with its definitions opened, with the given values put in and without, and its factors.
+void Derivation::look_into_stated() {
+  constexpr std::size_t most = 64;  // "Theta" may be given in two ways, and each by what is given again
+  std::vector<Theorem> all = std::exchange(stated_, {});
+  for (std::size_t i = 0; i < all.size() && i < most; ++i) {
+    const Openings open = openings({all[i].conclusion()});
+    const std::size_t length = opened_size(all[i].conclusion(), open.in_parameters());
+    const Definitions definitions = length < longest_looked_into ? open.in_parameters() : open.names;
+    const Theorem stated = Theorem::convert(all[i], unfold(all[i].conclusion(), definitions), definitions);
+    opened_stated_.push_back(stated);
+    if (length < longest_looked_into) {
+      const std::vector<Theorem> factors = factors_differ(stated);
+      domain_.insert(domain_.end(), factors.begin(), factors.end());
+    }
+    for (const Given& one : given_) {
+      if (occurs(one.symbol(), stated.conclusion())) {
+        all.push_back(tactics::by_rewriting(stated, one.equation));
+      }
+    }
+  }
+}
+
+Definitions Derivation::open(const std::vector<Formula>& formulas) {
+  const Openings open = openings(formulas);
+  for (const auto& entry : open.closed) {
+    uses_.insert(entry.first);
+  }
+  return open.all();
+}
+
+Formulas Derivation::assumed() const {
+  Formulas result;
+  for (const auto& entry : assumed_) {
+    result.insert(entry.first);
+  }
+  return result;
+}
+
+Theorem Derivation::premise(const Premise& premise, std::size_t which) {
+  if (premise.assumed) {
+    if (!premise.replacements.empty()) {
+      throw KernelError("what is assumed is assumed of its own symbols only");
+    }
+    for (const Assumption& assumption : claim_.assumptions) {
+      if (assumption.id == premise.id && which-- == 0) {
+        return Theorem::assume(read_(assumption.statement));
+      }
+    }
+    throw KernelError("nothing is assumed as " + premise.id);
+  }
+  uses_.insert(premise.id);
+  for (const auto& supplied : premise.supplied) {
+    uses_.insert(supplied.second);
+    for (const Theorem& theorem : final_outcome(prover_.prove(supplied.second)).theorems) {
+      supplied_.push_back(theorem);
+    }
+  }
+  const Record& record = prover_.prove(premise.id);
+  const std::vector<symbols::Statement>& form = proved_form(record);
+  if (which >= form.size()) {
+    throw KernelError(premise.id + " has no such statement");
+  }
+  const Formula wanted = read_(form[which]);
+  for (const Theorem& theorem : final_outcome(record).theorems) {
+    if (theorem.conclusion() == wanted) {
+      Substitution substitution;
+      for (const auto& [name, value] : premise.replacements) {
+        substitution.emplace(Variable{name}, read_(value));
+      }
+      return settled(Theorem::instantiate(theorem, substitution));
+    }
+  }
+  throw KernelError("there is no theorem of " + premise.id);
+}
+
+Theorem Derivation::settled(Theorem theorem) {
+  const Formulas hypotheses = theorem.hypotheses();
+  for (const Formula& one : hypotheses) {
+    const auto supplier = std::ranges::find_if(
+        supplied_, [&](const Theorem& supplied) { return supplied.conclusion() == one; });
+    if (assumed_.contains(one) || domain_formulas().contains(one) ||
+        (is_divisor(one) && supplier == supplied_.end())) {
+      continue;
+    }
+    try {
+      theorem = Theorem::cut(supplier != supplied_.end() ? settled(*supplier) : follows(one), theorem);
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  return without_divisors(theorem);
+}
+
+namespace {
+
+// The hypothesis that the factor does not vanish, as it reads with the values that the claim gives. Throws
+// KernelError where it is zero with these: then the theorem is of nothing.
+void record_under_given(Outcome& outcome, const Claim& claim, const GiNaC::ex& factor) {
+  GiNaC::exmap values;
+  const stickslip::proofs::methods::Given given(claim);
+  for (const auto& value : given.values) {
+    values[symbols::symbolically()(value.first)] = given.lookup()(value.first);
+  }
+  const GiNaC::ex here = factor.subs(values, GiNaC::subs_options::no_pattern);
+  if (here.is_equal(factor)) {
+    record_nonzero(outcome, claim, factor);
+    return;
+  }
+  if (here.normal().is_zero()) {
+    throw ZeroDivisor("what is divided by is zero where the claim's assumptions hold");
+  }
+  for (const GiNaC::ex& part : symbolic::algebra::vanishing_factors(here)) {
+    record_nonzero(outcome, claim, part);
+  }
+}
+
+}  // namespace
+
+void Derivation::record(Outcome& outcome, const Theorem& theorem) {
+  for (const Formula& one : theorem.hypotheses()) {
+    if (domain_formulas().contains(one)) {
+      continue;
+    }
+    if (const auto assumed = assumed_.find(one); assumed != assumed_.end()) {
+      outcome.assumed.insert(assumed->second);
+      continue;
+    }
+    if (!is_divisor(one)) {
+      throw KernelError("it rests on what the claim does not assume: " + to_string(one));
+    }
+    const GiNaC::ex divisor = expression(one.parts()[0].parts()[0])(0, 0);
+    if (divisor.normal().is_zero()) {
+      throw ZeroDivisor("what is divided by is zero: " + to_string(one.parts()[0].parts()[0]));
+    }
+    const auto factors = symbolic::algebra::vanishing_factors(divisor);
+    if (factors.empty()) {
+      throw KernelError("not discharged: " + to_string(one));
+    }
+    for (const GiNaC::ex& factor : factors) {
+      record_under_given(outcome, claim_, factor);
+    }
+  }
+}
+
+void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems) {
+  if (theorems.size() != claim_.printed.size()) {
+    throw KernelError("not one theorem for each statement");
+  }
+  for (std::size_t i = 0; i < theorems.size(); ++i) {
+    const symbols::Statement& printed = claim_.printed[i];
+    if (!(theorems[i].conclusion() == read_(printed))) {
+      throw KernelError("a theorem says something else than what is printed");
+    }
+    const Theorem theorem = settled(theorems[i]);
+    record(outcome, theorem);
+    outcome.theorems.push_back(theorem);
+    record_definitions(outcome, claim_, printed.left);
+    record_definitions(outcome, claim_, printed.right);
+    for (const Variable& variable : theorem.conclusion().variables()) {
+      if (variable.type.is_scalar()) {
+        outcome.free.push_back(variable.name);
+      }
+    }
+  }
+  std::ranges::sort(outcome.free);
+  outcome.free.erase(std::unique(outcome.free.begin(), outcome.free.end()), outcome.free.end());
+  outcome.uses.insert(uses_.begin(), uses_.end());
+  outcome.uses.erase(Openings::coefficients);
+  outcome.uses.erase(claim_.id);
+  outcome.by_kernel = true;
+  outcome.verdict = Verdict::proved();
+}
+
+Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {
+  Outcome outcome;
+  try {
+    if (claim.printed.empty()) {
+      throw KernelError("it prints nothing that could be proved");
+    }
+    Derivation derivation(prover, claim);
+    std::vector<Theorem> theorems;
+    for (std::size_t i = 0; i < claim.printed.size(); ++i) {
+      theorems.push_back(derive(derivation, i));
+    }
+    derivation.conclude(outcome, theorems);
+  } catch (const KernelError& error) {
+    outcome = {};
+    outcome.verdict = Verdict::undecided(error.what());
+  } catch (const NoValue& error) {
+    outcome = {};
+    outcome.verdict = Verdict::undecided(error.what());
+  }
+  outcome.route = route;
+  return outcome;
+}
+
+Proof by_kernel(const std::string& route, const Derive& derive) {
+  return [=](Prover& prover, const Claim& claim) { return derived(route, prover, claim, derive); };
+}
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,116 @@
+// A claim's proof in the kernel: what it assumes as formulas, its premises as theorems, what follows by
+// rules, and what that says of the claim.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/methods/methods.hpp"
+#include "proofs/methods/openings.hpp"
+#include "proofs/methods/translation.hpp"
+#include "proofs/tactics/tactics.hpp"
+
+namespace stickslip::proofs::methods {
+
+class Derivation {
+ public:
+  // What the claim assumes and no formula can say is not at hand.
+  Derivation(Prover& prover, const Claim& claim);
+
+  [[nodiscard]] Prover& prover() const { return prover_; }
+  [[nodiscard]] const Claim& claim() const { return claim_; }
+
+  [[nodiscard]] kernel::Term read(const symbols::Term& printed) { return read_(printed); }
+  [[nodiscard]] kernel::Formula read(const symbols::Statement& statement) { return read_(statement); }
+
+  // A rational function of scalars, their cosines and sines.
+  [[nodiscard]] kernel::Term read(const GiNaC::ex& scalar) { return term_of(scalar, read_); }
+
+  // The claim's assumptions.
+  [[nodiscard]] kernel::Formulas assumed() const;
+
+  // The premise's statement of this number, from 0, with what the premise replaces. Throws KernelError if its
+  // claim has no theorem that says so.
+  [[nodiscard]] kernel::Theorem premise(const Premise& premise, std::size_t which = 0);
+
+  // By the kernel's rules of these names, with as few definitions opened and as few of the given values
+  // ("tau = pi/omega") put in as it takes. Throw KernelError. The equation may hold with derivatives that
+  // there are (Reader).
+  [[nodiscard]] kernel::Theorem combination(const kernel::Formula& equation,
+                                            const std::vector<kernel::Multiple>& multiples = {});
+  [[nodiscard]] kernel::Theorem order(const kernel::Formula& inequality,
+                                      const std::vector<kernel::Positive>& positives = {},
+                                      const std::vector<kernel::Multiple>& multiples = {});
+  // An inequality or an equation, or several, from what the claim assumes.
+  [[nodiscard]] kernel::Theorem follows(const kernel::Formula& formula);
+  // All definitions in these formulas, to be looked into.
+  [[nodiscard]] kernel::Definitions open(const std::vector<kernel::Formula>& formulas);
+  // a = b: b is put in for a wherever that stands.
+  void give(const kernel::Theorem& equation) { given_.push_back({"", equation}); }
+  // Divisors are discharged with a theorem d ≠ 0, too.
+  void know(const kernel::Theorem& nonzero);
+  // 0 < a, under hypotheses that its factors are not zero.
+  [[nodiscard]] kernel::Theorem positive(const kernel::Term& a);
+
+  // Theorems of what the claim prints, in its order: the verdict, and what it assumes and divides by. Throws
+  // KernelError if one of them says something else or rests on what the claim does not assume.
+  void conclude(Outcome& outcome, const std::vector<kernel::Theorem>& theorems);
+  // Of a theorem that rests on no more than that: what it assumes and divides by.
+  void record(Outcome& outcome, const kernel::Theorem& theorem);
+  // The theorem without hypotheses that follow from what the claim assumes, or from claims that supply them.
+  [[nodiscard]] kernel::Theorem settled(kernel::Theorem theorem);
+  // The theorem with fewer and simpler hypotheses d ≠ 0: less what the parameters' domain and the claim's
+  // assumptions imply, the irreducible factors of the rest, and of these the strongest.
+  [[nodiscard]] kernel::Theorem without_divisors(const kernel::Theorem& theorem);
+
+ private:
+  struct Given {
+    std::string id;
+    kernel::Theorem equation;
+    [[nodiscard]] const kernel::Term& symbol() const { return equation.conclusion().parts()[0]; }
+    [[nodiscard]] const kernel::Term& value() const { return equation.conclusion().parts()[1]; }
+  };
+  struct Problem {
+    kernel::Formula goal;
+    std::vector<kernel::Multiple> multiples = {};
+    std::vector<kernel::Positive> positives = {};
+  };
+  using Rule = std::function<kernel::Theorem(const Problem&)>;
+
+  void look_into_stated();
+  [[nodiscard]] static std::vector<kernel::Term> residual(const Problem& problem);
+  [[nodiscard]] kernel::Theorem solved(const Problem& problem, bool is_order);
+  [[nodiscard]] kernel::Theorem with_fewest_given(const Problem& problem, const Rule& rule);
+  [[nodiscard]] kernel::Theorem with_given(const Problem& problem, const std::set<std::string>& ids,
+                                           const Rule& rule, std::set<std::string>& used, int depth = 0);
+
+  Prover& prover_;
+  const Claim& claim_;
+  Reader read_;
+  std::map<kernel::Formula, std::string> assumed_;  // formulas, and the ids of the assumptions
+  std::vector<Given> given_;
+  std::vector<kernel::Theorem> stated_;  // d ≠ 0, not looked into yet
+  std::vector<kernel::Theorem> opened_stated_;
+  kernel::Formulas stated_nonzero_;        // d ≠ 0 that the claim assumes
+  std::vector<kernel::Theorem> known_;     // inequalities that the claim assumes
+  std::vector<kernel::Theorem> supplied_;  // of claims that take the place of a premise's assumptions
+  tactics::Domain domain_;
+  std::set<std::string> uses_;  // claims that were premises, or whose definitions were looked into
+};
+
+// How one of the printed statements, by its number from 0, is derived.
+using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
+
+// What the claim prints, as the kernel derives it; undecided where it does not.
+[[nodiscard]] Outcome derived(const std::string& route, Prover& prover, const Claim& claim,
+                              const Derive& derive);
+[[nodiscard]] Proof by_kernel(const std::string& route, const Derive& derive);
+
+// Whether the part stands somewhere in the term.
+[[nodiscard]] bool occurs(const kernel::Term& part, const kernel::Term& term);
+[[nodiscard]] bool is_inequality(const kernel::Formula& formula);
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,258 @@
+// How a derivation finds which definitions to open and which given values to put in, and what follows from
+// what the claim assumes.
+#include <algorithm>
+#include <optional>
+
+#include "proofs/methods/derivation.hpp"
+#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/letters.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace kernel;
+using namespace tactics;
+
+Theorem Derivation::with_given(const Problem& problem, const std::set<std::string>& ids, const Rule& rule,
+                               std::set<std::string>& used, int depth) {
+  if (depth > 16) {
+    throw KernelError("what is given goes in circles");
+  }
+  for (const Given& one : given_) {
+    const auto has = [&](const Term& term) { return occurs(one.symbol(), term); };
+    const auto in_theorem = [&](const Theorem& theorem) { return has(theorem.conclusion()); };
+    const bool needed =
+        has(problem.goal) ||
+        std::ranges::any_of(problem.multiples,
+                            [&](const Multiple& multiple) {
+                              return in_theorem(multiple.equation) || has(multiple.left) ||
+                                     has(multiple.right);
+                            }) ||
+        std::ranges::any_of(problem.positives, [&](const Positive& positive) {
+          return has(positive.square) || std::ranges::any_of(positive.inequalities, in_theorem);
+        });
+    if (!(one.id.empty() || ids.contains(one.id)) || !needed) {
+      continue;
+    }
+    if (!one.id.empty()) {
+      used.insert(one.id);
+    }
+    const Theorem& equation = one.equation;
+    const bool is_variable = one.symbol().kind() == kernel::Kind::variable;
+    const auto put_in = [&](const Term& term) {
+      return is_variable ? substitute(term, {{{one.symbol().name(), one.symbol().type()}, one.value()}})
+                         : replaced(term, one.symbol(), one.value());
+    };
+    Problem inner{put_in(problem.goal), {}, {}};
+    for (const Multiple& multiple : problem.multiples) {
+      inner.multiples.push_back({tactics::by_rewriting(multiple.equation, equation), put_in(multiple.left),
+                                 put_in(multiple.right)});
+    }
+    for (const Positive& positive : problem.positives) {
+      Positive changed{{}, positive.factor, put_in(positive.square)};
+      for (const Theorem& inequality : positive.inequalities) {
+        changed.inequalities.push_back(tactics::by_rewriting(inequality, equation));
+      }
+      inner.positives.push_back(changed);
+    }
+    const Theorem theorem = with_given(inner, ids, rule, used, depth + 1);
+    const Variable place = fresh(one.symbol().type(), {problem.goal, one.symbol(), one.value()});
+    return Theorem::replace(symmetric(equation), place, replaced(problem.goal, one.symbol(), place), theorem);
+  }
+  return rule(problem);
+}
+
+Theorem Derivation::with_fewest_given(const Problem& problem, const Rule& rule) {
+  std::set<std::string> ids, used;
+  try {
+    return with_given(problem, ids, rule, used);
+  } catch (const KernelError&) {
+    for (const Given& one : given_) {
+      ids.insert(one.id);
+    }
+  }
+  Theorem theorem = with_given(problem, ids, rule, used);
+  if (used.empty()) {
+    throw KernelError("nothing is given that helps");
+  }
+  ids = used;
+  for (const std::string& id : std::set<std::string>(used)) {
+    ids.erase(id);
+    try {
+      if (!ids.empty()) {
+        std::set<std::string> still;
+        theorem = with_given(problem, ids, rule, still);
+      } else {
+        ids.insert(id);
+      }
+    } catch (const KernelError&) {
+      ids.insert(id);
+    }
+  }
+  return theorem;
+}
+
+// What is to be zero for the rules order and combination: the difference of the sides, less what it is to be.
+std::vector<Term> Derivation::residual(const Problem& problem) {
+  const auto difference = [](const Formula& relation) { return relation.parts()[1] - relation.parts()[0]; };
+  const bool equation = problem.goal.kind() == kernel::Kind::equal;
+  std::vector<Term> parts{equation ? -difference(problem.goal) : difference(problem.goal)};
+  for (const Multiple& multiple : problem.multiples) {
+    parts.push_back(multiple.left * difference(multiple.equation.conclusion()) * multiple.right);
+  }
+  for (const Positive& positive : problem.positives) {
+    Term product = Term(-positive.factor) * power(positive.square, 2);
+    for (const Theorem& inequality : positive.inequalities) {
+      product = product * difference(inequality.conclusion());
+    }
+    parts.push_back(product);
+  }
+  return parts;
+}
+
+namespace {
+
+const Variable time_variable{"t"};
+
+// An equation between formulas, or the existence of derivatives with which one holds.
+Theorem identity_of(const Formula& formula, const Definitions& unfolded) {
+  if (formula.kind() != kernel::Kind::exists) {
+    return Theorem::combination(formula, {}, unfolded);
+  }
+  const Variable D = fresh(formula.binds(), {formula});
+  const Formula open = opened(formula, D);
+  const Term f = opened(open.parts()[0], time_variable).parts()[0];
+  const Theorem slope = Theorem::differentiate(f, time_variable);
+  const Theorem at_all_times = Theorem::generalize(slope, time_variable);
+  const Term value = lambda(time_variable, slope.conclusion().parts()[2]);
+  const Theorem rest = identity_of(substitute(open.parts()[1], {{D, value}}), unfolded);
+  return Theorem::witness(both({at_all_times, rest}), formula, value);
+}
+
+}  // namespace
+
+Theorem Derivation::solved(const Problem& problem, bool is_order) {
+  std::vector<Formula> said{problem.goal};
+  for (const Multiple& multiple : problem.multiples) {
+    said.insert(said.end(), {multiple.equation.conclusion(), multiple.left, multiple.right});
+  }
+  for (const Positive& positive : problem.positives) {
+    said.push_back(positive.square);
+    for (const Theorem& inequality : positive.inequalities) {
+      said.push_back(inequality.conclusion());
+    }
+  }
+  for (const Given& one : given_) {
+    said.push_back(one.value());
+  }
+  const Openings open = openings(said);
+  std::vector<Definitions> ladder{{}, open.names, open.with({})};
+  for (const auto& entry : open.closed) {
+    ladder.push_back(open.with({entry.first}));
+  }
+  ladder.push_back(open.all());
+  ladder.erase(std::unique(ladder.begin(), ladder.end()), ladder.end());
+  for (const Definitions& unfolded : ladder) {
+    try {
+      const Rule rule = [&](const Problem& one) {
+        if (one.goal.kind() == kernel::Kind::exists) {
+          return identity_of(one.goal, unfolded);
+        }
+        if (!seems_zero(residual(one), unfolded)) {
+          throw KernelError("it does not come out, not even nearly at a point");
+        }
+        return is_order ? Theorem::order(one.goal, one.positives, one.multiples, unfolded)
+                        : Theorem::combination(one.goal, one.multiples, unfolded);
+      };
+      const Theorem theorem = without_divisors(with_fewest_given(problem, rule));
+      for (const auto& [id, definitions] : open.closed) {
+        if (std::ranges::includes(unfolded, definitions)) {
+          uses_.insert(id);
+        }
+      }
+      return theorem;
+    } catch (const KernelError&) {
+      if (unfolded == ladder.back()) {
+        throw;
+      }
+    }
+  }
+  throw KernelError("nothing to open");
+}
+
+Theorem Derivation::combination(const Formula& equation, const std::vector<Multiple>& multiples) {
+  return solved({equation, multiples, {}}, false);
+}
+
+Theorem Derivation::order(const Formula& inequality, const std::vector<Positive>& positives,
+                          const std::vector<Multiple>& multiples) {
+  return solved({inequality, multiples, positives}, true);
+}
+
+Theorem Derivation::positive(const Term& a) {
+  const Definitions definitions = openings({a}).all();
+  const Term opened = unfold(a, definitions);
+  return Theorem::convert(tactics::positive(opened, domain_), less(0, a), definitions);
+}
+
+// From what is known: as a sum of one or two of the inequalities, as a positive multiple of one, or as a
+// positive product.
+Theorem Derivation::follows(const Formula& formula) {
+  if (formula.kind() == kernel::Kind::equal) {
+    return combination(formula);
+  }
+  if (is_divisor(formula)) {
+    throw KernelError("a divisor is not zero because that is assumed");
+  }
+  if (formula.kind() == kernel::Kind::conjunction) {
+    std::vector<Theorem> parts;
+    for (const Formula& one : formula.parts()) {
+      parts.push_back(follows(one));
+    }
+    return both(parts);
+  }
+  if (!is_inequality(formula)) {
+    throw KernelError("there is no way to derive " + to_string(formula));
+  }
+  const auto attempt = [&](const std::vector<Positive>& positives) -> std::optional<Theorem> {
+    try {
+      return order(formula, positives);
+    } catch (const KernelError&) {
+      return std::nullopt;
+    }
+  };
+  if (const auto theorem = formula.kind() == kernel::Kind::at_most ? attempt({}) : std::nullopt) {
+    return *theorem;
+  }
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    if (const auto theorem = attempt({Positive{{known_[i]}}})) {
+      return *theorem;
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (const auto theorem = attempt({Positive{{known_[i]}}, Positive{{known_[j]}}})) {
+        return *theorem;
+      }
+    }
+  }
+  const auto difference = [](const Formula& inequality) {
+    return inequality.parts()[1] - inequality.parts()[0];
+  };
+  const Rule rule = [&](const Problem& one) {
+    for (const Positive& known : one.positives) {
+      try {
+        const Theorem factor =
+            positive(quotient(difference(one.goal), difference(known.inequalities[0].conclusion())));
+        return without_divisors(Theorem::order(one.goal, {Positive{{factor, known.inequalities[0]}}}));
+      } catch (const KernelError&) {
+        continue;
+      }
+    }
+    return without_divisors(Theorem::order(one.goal, {Positive{{positive(difference(one.goal))}}}));
+  };
+  Problem problem{formula};
+  for (const Theorem& known : known_) {
+    problem.positives.push_back({{known}});
+  }
+  return with_fewest_given(problem, rule);
+}
+
+}  // namespace stickslip::proofs::methods

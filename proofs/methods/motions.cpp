@@ -1,0 +1,292 @@
+#include "proofs/methods/motions.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/derivation.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/tactics/almost_always.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace tactics;
+using kernel::KernelError;
+
+namespace {
+
+using kernel::Formulas;
+using Terms = std::vector<kernel::Term>;
+using Theorems = std::vector<Theorem>;
+
+// A time of which no theorem and none of their hypotheses speaks.
+Variable moment(const Theorems& theorems, Terms also) {
+  for (const Theorem& theorem : theorems) {
+    also.push_back(theorem.conclusion());
+    also.insert(also.end(), theorem.hypotheses().begin(), theorem.hypotheses().end());
+  }
+  return fresh(kernel::real_number, also);
+}
+
+// A literal of what is to be shown, from those that hold.
+Theorem literal(Derivation& derivation, const Formula& goal, const Theorems& known) {
+  const auto same = std::ranges::find_if(known, [&](const Theorem& one) { return one.conclusion() == goal; });
+  if (same != known.end()) {
+    return *same;
+  }
+  if (goal.kind() == kernel::Kind::equal) {
+    return derivation.combination(goal);
+  }
+  if (goal.kind() == kernel::Kind::derivative) {
+    Theorems rates;
+    std::ranges::copy_if(known, std::back_inserter(rates), [](const Theorem& one) {
+      return one.conclusion().kind() == kernel::Kind::derivative;
+    });
+    const Theorem slope = Theorem::differentiate(goal.parts()[0], goal.parts()[1], rates);
+    const kernel::Term value = slope.conclusion().parts()[2];
+    return derivation.without_divisors(
+        tactics::by_rewriting(slope, derivation.combination(equal(value, goal.parts()[2]))));
+  }
+  for (const Theorem& one : known) {
+    if (one.conclusion().kind() == kernel::Kind::less) {
+      try {
+        return derivation.order(goal, {kernel::Positive{{one}}});
+      } catch (const KernelError&) {
+        continue;
+      }
+    }
+  }
+  throw KernelError("not known in this case: " + to_string(goal));
+}
+
+// What is to be shown, or that the case cannot be.
+Theorem in_case(Derivation& derivation, const Formula& goal, const Theorems& known) {
+  if (const auto excluded = absurd(known)) {
+    return *excluded;
+  }
+  std::string why;
+  for (const std::vector<Formula>& alternative : alternatives(goal)) {
+    Theorems assumed = known;
+    std::ranges::transform(alternative, std::back_inserter(assumed), Theorem::assume);
+    if (absurd(assumed)) {
+      continue;
+    }
+    try {
+      Theorems parts;
+      for (const Formula& one : alternative) {
+        parts.push_back(literal(derivation, one, known));
+      }
+      return Theorem::consequence(parts, goal);
+    } catch (const KernelError& error) {
+      why = error.what();
+    }
+  }
+  throw KernelError("no alternative holds in a case: " + why);
+}
+
+// The premises at t + later, where t is between the ends.
+AlmostAlways moved(Derivation& derivation, const AlmostAlways& premise, const kernel::Term& from,
+                   const kernel::Term& to, const kernel::Term& later) {
+  const auto [a, b] = interval(premise.few.conclusion());
+  return {premise.continuity,
+          but_finitely_often_later(premise.few, from, to, later, derivation.follows(at_most(a, from + later)),
+                                   derivation.follows(at_most(to + later, b)))};
+}
+
+// for all t: from ≤ t ≤ to ⇒ a ≤ t + later ≤ b.
+Theorem stays_inside(Derivation& derivation, const Theorem& continuity, const kernel::Term& from,
+                     const kernel::Term& to, const kernel::Term& later) {
+  const kernel::Term a = continuity.conclusion().parts()[1], b = continuity.conclusion().parts()[2];
+  const Theorem lower = derivation.follows(at_most(a, from + later)),
+                upper = derivation.follows(at_most(to + later, b));
+  const Variable t = moment({lower, upper}, {});
+  const Formula inside = within(from, t, to);
+  const Theorem here = Theorem::assume(inside);
+  const kernel::Term then = kernel::Term(t) + later;
+  return for_every(
+      t, inside,
+      both({Theorem::order(at_most(a, then), {kernel::Positive{{part(here, 0)}}, kernel::Positive{{lower}}}),
+            Theorem::order(at_most(then, b),
+                           {kernel::Positive{{part(here, 1)}}, kernel::Positive{{upper}}})}));
+}
+
+}  // namespace
+
+Proof by_differential_equation(ClosedForm solution) {
+  const auto derive = [solution = std::move(solution)](Derivation& derivation, std::size_t which) {
+    const Variable time{"t"};
+    const auto at_time = [&](const symbols::Term& term) {
+      return kernel::lambda(time, derivation.read(term));
+    };
+    const Theorem phase = derivation.premise(assuming(solution.phase));
+    const Motion motion{part(phase, 0), part(phase, 1)};
+    const kernel::Term from = motion.continuity.conclusion().parts()[1],
+                       flow = at_time(solution.flow(symbols::scalar("t"))), forced = at_time(solution.forced);
+    const Formula printed = derivation.read(derivation.claim().printed[which]);
+    const kernel::Term z = kernel::lambda(time, printed.parts()[0]);
+    const Theorem general = tactics::by_differential_equation(
+        motion, z, flow, forced, time, {}, derivation.open({flow, forced, phase.conclusion(), z}),
+        parameters());
+    const Theorem here = Theorem::specialize(general, time);
+    std::vector<kernel::Multiple> because{{detach(here, derivation.follows(here.conclusion().parts()[0]))}};
+    if (!solution.initial.empty()) {
+      because.push_back(
+          {derivation.premise(assuming(solution.initial)), apply(flow, kernel::Term(time) - from)});
+    }
+    return derivation.combination(printed, because);
+  };
+  return by_kernel("the flow, run backwards along the motion, gives what does not change", derive);
+}
+
+Proof by_mean_value(MeanValue step) {
+  const auto derive = [step = std::move(step)](Derivation& derivation, std::size_t which) {
+    const Variable time{"t"}, between_ends{"c"};
+    const Theorem phase = derivation.premise(assuming(step.phase)),
+                  bound = derivation.premise(assuming(step.slope)),
+                  lasts = derivation.premise(assuming(step.lasts));
+    const kernel::Term X = part(phase, 0).conclusion().parts()[0], a = part(phase, 0).conclusion().parts()[1],
+                       b = part(phase, 0).conclusion().parts()[2], row = derivation.read(step.row);
+    const kernel::Term f = kernel::lambda(time, row * apply(X, time));
+    // The slope as the left side of the bound has it.
+    const Formula inside = between(a, time, b);
+    const Theorem rate = at(part(phase, 1), time, Theorem::assume(inside));
+    const Theorem slope = Theorem::differentiate(f, time, {rate});
+    const kernel::Term speed = at(bound, time, Theorem::assume(inside)).conclusion().parts()[0];
+    const Theorem same = derivation.combination(equal(slope.conclusion().parts()[2], speed));
+    const Theorem order = derivation.follows(less(a, b));
+    const Theorem mean =
+        Theorem::mean_value(Theorem::continuity(f, a, b, {part(phase, 0)}),
+                            for_every(time, inside, tactics::by_rewriting(slope, same)), order);
+    const Theorem there = Theorem::assume(opened(mean.conclusion(), between_ends));
+    const Theorem bounded = at(bound, between_ends, part(there, 0));
+    return Theorem::choose(mean, between_ends,
+                           derivation.order(derivation.read(derivation.claim().printed[which]),
+                                            {kernel::Positive{{bounded, order}}},
+                                            {{part(there, 1), -1},
+                                             {derivation.premise(assuming(step.ends)), row},
+                                             {derivation.premise(assuming(step.begins)), -row}}));
+  };
+  return by_kernel("mean value theorem", derive);
+}
+
+Proof by_chain_rule(std::vector<Premise> premises, const std::optional<symbols::Term>& later) {
+  const auto derive = [premises, later](Derivation& derivation, std::size_t which) {
+    const symbols::Statement& printed = derivation.claim().printed[which];
+    const AlmostAlways goal = read_as_almost_always(Theorem::assume(derivation.read(printed)));
+    const auto [from, to] = interval(goal.few.conclusion());
+    Theorems few, continuities;
+    for (const Premise& premise : premises) {
+      const AlmostAlways one = read_as_almost_always(derivation.premise(premise));
+      few.push_back(later ? moved(derivation, one, from, to, derivation.read(*later)).few : one.few);
+      if (one.continuity) {
+        continuities.push_back(*one.continuity);
+      }
+      if (one.continuity && later) {
+        continuities.push_back(stays_inside(derivation, *one.continuity, from, to, derivation.read(*later)));
+      }
+    }
+    const Variable t = moment(few, {goal.few.conclusion(), from, to});
+    const Formula usually = usual(goal.few.conclusion(), t);
+    const Theorem rarely = but_finitely_often(few, from, to, t, [&](const Theorem&, const Theorems& known) {
+      return by_cases(known, usually,
+                      [&](const Theorems& literals) { return in_case(derivation, usually, literals); });
+    });
+    if (!goal.continuity) {
+      return rarely;
+    }
+    const Theorem smooth =
+        Theorem::continuity(goal.continuity->conclusion().parts()[0], from, to, continuities);
+    return both({derivation.without_divisors(smooth), rarely});
+  };
+  return by_kernel("the chain rule, in each case of signs that is left", derive);
+}
+
+namespace {
+
+// f(b) = f(a) by equations X(b) = X(a).
+Theorem returned(Derivation& derivation, const kernel::Term& f, const kernel::Term& a, const kernel::Term& b,
+                 const std::vector<std::string>& returns) {
+  Theorem same = Theorem::reflexive(apply(f, b));
+  for (const std::string& id : returns) {
+    const Theorem equation = derivation.premise(assuming(id));
+    const Terms& sides = same.conclusion().parts();
+    const Variable place =
+        fresh(equation.conclusion().parts()[0].type(), {same.conclusion(), equation.conclusion()});
+    same = Theorem::replace(
+        equation, place, equal(sides[0], replaced(sides[1], equation.conclusion().parts()[0], place)), same);
+  }
+  if (!(same.conclusion() == equal(apply(f, b), apply(f, a)))) {
+    throw KernelError("it is not known to return");
+  }
+  return same;
+}
+
+}  // namespace
+
+Proof by_periodic_decrease(PeriodicDecrease step) {
+  const auto derive = [step = std::move(step)](Derivation& derivation, std::size_t which) {
+    const symbols::Statement& printed = derivation.claim().printed[which];
+    const AlmostAlways rate = read_as_almost_always(derivation.premise(step.rate));
+    if (!rate.continuity) {
+      throw KernelError("the premise is of no rate");
+    }
+    const kernel::Term E = rate.continuity->conclusion().parts()[0];
+    const auto [a, b] = interval(rate.few.conclusion());
+    const Formula goal = derivation.read(printed);
+    const Variable t = moment({rate.few}, {E, a, b, goal});
+    const Theorem weight = derivation.positive(derivation.read(step.weight));
+    // In a case, the rate is zero or negative.
+    const auto sign_of = [&](const Theorems& literals) -> Theorem {
+      const kernel::Term r = literals.back().conclusion().parts()[2];
+      try {
+        return derivation.combination(equal(r, 0));
+      } catch (const KernelError&) {
+        std::vector<kernel::Positive> parts;
+        for (const Theorem& one : literals) {
+          if (one.conclusion().kind() == kernel::Kind::less) {
+            parts.push_back({{weight, one}});
+          }
+        }
+        return derivation.order(less(r, 0), parts);
+      }
+    };
+    const Formula falls = does_not_grow(E, t);
+    const Theorem never_grows =
+        but_finitely_often({rate.few}, a, b, t, [&](const Theorem&, const Theorems& known) {
+          return by_cases(known, falls, [&](const Theorems& literals) {
+            const kernel::Term r = literals.back().conclusion().parts()[2];
+            const Theorem not_positive =
+                Theorem::consequence({sign_of(literals), Theorem::trichotomy(r, 0)}, at_most(r, 0));
+            return Theorem::witness(both({literals.back(), not_positive}), falls, r);
+          });
+        });
+    const Theorem kept =
+        never_changes(*rate.continuity, never_grows, returned(derivation, E, a, b, step.returns));
+    // So the rate is zero, where there is one.
+    const kernel::Term start = apply(E, a);
+    return derivation.without_divisors(
+        but_finitely_often({rate.few}, a, b, t, [&](const Theorem& inside, const Theorems& known) {
+          const Variable s = moment({kept, inside}, {t});
+          const Formula between_ends = between(a, s, b);
+          const Theorem then = Theorem::assume(between_ends);
+          const Theorem in_range = both({Theorem::order(at_most(a, s), {kernel::Positive{{part(then, 0)}}}),
+                                         Theorem::order(at_most(s, b), {kernel::Positive{{part(then, 1)}}})});
+          const Theorem same = symmetric(at(kept, s, in_range));
+          const Theorem flat =
+              Theorem::same_derivative(Theorem::differentiate(kernel::lambda(s, start), t),
+                                       for_every(s, between_ends, same), part(inside, 0), part(inside, 1));
+          const Formula usually = usual(goal, t);
+          return by_cases(known, usually, [&](const Theorems& literals) {
+            Theorems all = literals;
+            all.push_back(Theorem::unique_derivative(literals.back(), flat));
+            all.push_back(sign_of(literals));
+            return in_case(derivation, usually, all);
+          });
+        }));
+  };
+  return by_kernel(
+      "a continuous function that never increases and returns does not change, so its rate of change is zero",
+      derive);
+}
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,13 @@
+// Terms in floating point at a point that is made up: what is not even nearly zero there need not be tried.
+#pragma once
+
+#include "proofs/kernel/term.hpp"
+
+namespace stickslip::proofs::tactics {
+
+// Whether the sum of the terms, of one shape, is nearly zero once these definitions are opened, beside the
+// largest of them. Variables, and applications of functions and of all other definitions, have values that
+// depend on nothing but their name and arguments. True proves nothing; false only advises against a proof.
+[[nodiscard]] bool seems_zero(const std::vector<kernel::Term>& parts, const kernel::Definitions& unfolded);
+
+}  // namespace stickslip::proofs::tactics

@@ -1,0 +1,395 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/tactics.hpp"
+#include "symbolic/algebra/evaluate.hpp"
+
+namespace stickslip::proofs::tactics {
+namespace {
+
+using namespace kernel;
+using GiNaC::ex;
+
+struct Bounds {
+  std::optional<Theorem> lower, upper;  // l < x, x < u
+  [[nodiscard]] Rational from() const { return lower->conclusion().parts()[0].value(); }
+  [[nodiscard]] Rational to() const { return upper->conclusion().parts()[1].value(); }
+};
+
+Bounds bounds_of(const Term& x, const Domain& domain) {
+  Bounds bounds;
+  if (x == pi()) {
+    bounds.lower = Theorem::sign(less(0, pi()));
+    return bounds;
+  }
+  for (const Theorem& known : domain) {
+    if (known.conclusion().kind() != Kind::less) {
+      continue;
+    }
+    const std::vector<Term>& ends = known.conclusion().parts();
+    if (ends[1] == x && ends[0].kind() == Kind::number) {
+      bounds.lower = known;
+    }
+    if (ends[0] == x && ends[1].kind() == Kind::number) {
+      bounds.upper = known;
+    }
+  }
+  return bounds;
+}
+
+// The sign of a polynomial by its expansion in the distances p from the bounds: x = l + p, x = u - p, or
+// between both x = (l + u p)/(1 + p), p = (x - l)/(u - x).
+std::optional<Theorem> signed_by_bounds(const ex& factor, const Letters& letters, const Domain& domain) {
+  std::vector<Bounds> bounds;
+  std::vector<int> degrees;
+  GiNaC::exmap moved;
+  for (std::size_t i = 0; i < letters.terms().size(); ++i) {
+    const GiNaC::symbol& x = letters.symbols()[i];
+    bounds.push_back(bounds_of(letters.terms()[i], domain));
+    degrees.push_back(factor.degree(x));
+    if (degrees[i] == 0) {
+      continue;
+    }
+    const Bounds& ends = bounds[i];
+    if (!ends.lower && !ends.upper) {
+      return std::nullopt;
+    }
+    const ex from = ends.lower ? symbolic::algebra::to_ex(ends.from()) : ex(0);
+    const ex to = ends.upper ? symbolic::algebra::to_ex(ends.to()) : ex(0);
+    moved[x] = ends.lower && ends.upper ? (from + to * x) / (1 + x) : ends.lower ? from + x : to - x;
+  }
+  const ex expansion = factor.subs(moved, GiNaC::subs_options::no_pattern).numer();
+  std::vector<Positive> positives;
+  int sign = 0;
+  for (const Letters::Monomial& monomial : letters.monomials(expansion)) {
+    const int here = sgn(monomial.coefficient);
+    if (sign != 0 && here != sign) {
+      return std::nullopt;
+    }
+    sign = here;
+    Positive positive{{}, abs(monomial.coefficient)};
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      const Bounds& ends = bounds[i];
+      const int near = monomial.degrees[i];
+      if (degrees[i] == 0) {
+        continue;
+      }
+      const std::size_t far = ends.lower && ends.upper ? static_cast<std::size_t>(degrees[i] - near) : 0;
+      const Theorem& first = ends.lower ? *ends.lower : *ends.upper;
+      positive.inequalities.insert(positive.inequalities.end(), static_cast<std::size_t>(near), first);
+      if (ends.lower && ends.upper) {
+        positive.inequalities.insert(positive.inequalities.end(), far, *ends.upper);
+        for (int k = 0; k < degrees[i]; ++k) {
+          positive.factor /= ends.to() - ends.from();
+        }
+      }
+    }
+    positives.push_back(positive);
+  }
+  const Term term = letters.term(factor);
+  try {  // numer() may have dropped a factor: then the rule says so
+    return Theorem::order(sign > 0 ? less(0, term) : less(term, 0), positives);
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
+}
+
+// a = b·f by normal form, where that is so nearly enough to be tried.
+std::optional<Theorem> vanishes_as_multiple(const Term& a, const Term& b, const Theorem& f_is_zero) {
+  const Term f = f_is_zero.conclusion().parts()[0];
+  if (!seems_zero({a, -(b * f)}, {})) {
+    return std::nullopt;
+  }
+  return Theorem::combination(equal(a, 0), {{f_is_zero, b}});
+}
+
+// a = 0 at the zero of f that is linear in a variable.
+std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const Theorem& f_is_zero) {
+  Letters letters;
+  const ex f = letters.expression(f_is_zero.conclusion().parts()[0]).expand();
+  const auto place = std::find(letters.terms().begin(), letters.terms().end(), Term(x));
+  if (place == letters.terms().end()) {
+    return std::nullopt;
+  }
+  const GiNaC::symbol& symbol = letters.symbols()[static_cast<std::size_t>(place - letters.terms().begin())];
+  const ex slope = f.coeff(symbol, 1);
+  if (f.degree(symbol) != 1 || !GiNaC::is_a<GiNaC::numeric>(slope)) {
+    return std::nullopt;
+  }
+  const Term root = letters.term((-f.coeff(symbol, 0) / slope).expand());
+  if (root.variables().contains(x)) {
+    return std::nullopt;
+  }
+  const Term there = substitute(a, {{x, root}});
+  if (!seems_zero({there}, {})) {
+    return std::nullopt;
+  }
+  const Theorem is_root =
+      Theorem::combination(equal(x, root), {{f_is_zero, letters.term(ex(1 / slope))}});
+  const Variable at = fresh(x.type, {a, root});
+  return Theorem::replace(symmetric(is_root), at, equal(substitute(a, {{x, at}}), 0),
+                          Theorem::combination(equal(there, 0)));
+}
+
+Theorem factor_differs(const ex& factor, const Letters& letters, const Domain& domain) {
+  if (const std::optional<Theorem> sign = signed_by_bounds(factor, letters, domain)) {
+    return different(*sign);
+  }
+  const Term f = letters.term(factor);
+  const Formula wanted = differ(f, 0);
+  for (const Theorem& known : domain) {
+    if (known.conclusion() == wanted && !known.hypotheses().contains(wanted)) {
+      return known;
+    }
+  }
+  for (const Theorem& known : domain) {
+    const bool of_use = is_divisor(known.conclusion()) && !known.hypotheses().contains(wanted);
+    if (const auto theorem = of_use ? differs_too(f, known) : std::nullopt) {
+      return *theorem;
+    }
+  }
+  return Theorem::assume(wanted);
+}
+
+bool has_sine(const Term& term) {
+  return term.kind() == Kind::cosine || term.kind() == Kind::sine ||
+         std::any_of(term.parts().begin(), term.parts().end(), has_sine);
+}
+
+// ⊢ d ≠ 0 where d m = 1 by normal form, as for a determinant with cos² + sin².
+std::optional<Theorem> is_invertible(const Term& divisor, const Term& multiplier) {
+  try {
+    const Formula zero = equal(divisor, 0);
+    const Theorem absurd =
+        Theorem::discharge(Theorem::combination(equal(1, 0), {{Theorem::assume(zero), multiplier}}), zero);
+    return Theorem::consequence({absurd, different(Theorem::sign(less(0, 1)))}, negation(zero));
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
+}
+
+// {factors that may vanish ≠ 0} ⊢ d ≠ 0; nothing if that is d itself again.
+std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain) {
+  if (has_sine(divisor)) {
+    if (const auto one = is_invertible(divisor, 1)) {
+      return one;
+    }
+  }
+  Letters letters;
+  const ex parts = letters.expression(divisor).normal().numer_denom();
+  letters.sort();
+  if (parts.op(0).is_zero()) {
+    return std::nullopt;
+  }
+  const Factored numerator = factored(parts.op(0), letters);
+  if (numerator.factors.empty()) {
+    return is_invertible(divisor, letters.term((parts.op(1) / parts.op(0)).expand()));
+  }
+  // d = 0 ⇒ Π factors = 0 ⇒ one of them is.
+  Term product = letters.term(numerator.factors[0]);
+  std::vector<Theorem> premises{factor_differs(numerator.factors[0], letters, domain)};
+  if (premises[0].conclusion() == differ(divisor, 0)) {
+    return premises[0].hypotheses().contains(premises[0].conclusion()) ? std::nullopt
+                                                                       : std::optional(premises[0]);
+  }
+  for (std::size_t i = 0; i < numerator.factors.size(); ++i) {
+    const Term factor = letters.term(numerator.factors[i]);
+    if (i > 0) {
+      premises.push_back(factor_differs(numerator.factors[i], letters, domain));
+    }
+    for (int k = i == 0 ? 1 : 0; k < numerator.exponents[i]; ++k) {
+      premises.push_back(Theorem::zero_product(product, factor));
+      product = product * factor;
+    }
+  }
+  const ex ratio = (numerator.product / parts.op(0)).normal() * parts.op(1);
+  const Formula zero = equal(divisor, 0);
+  const Theorem product_zero =
+      Theorem::combination(equal(product, 0), {{Theorem::assume(zero), letters.term(ratio)}});
+  premises.push_back(Theorem::discharge(product_zero, zero));
+  return Theorem::consequence(premises, differ(divisor, 0));
+}
+
+// ⊢ 0 < s for factors s whose product is f^k up to sign.
+std::vector<Theorem> positive_factors(const ex& factor, int exponent, const Letters& letters,
+                                      const Domain& domain) {
+  const Term f = letters.term(factor);
+  if (const auto sign = signed_by_bounds(factor, letters, domain)) {
+    const Theorem one =
+        sign->conclusion().parts()[0] == Term(0) ? *sign : Theorem::order(less(0, -f), {Positive{{*sign}}});
+    return std::vector<Theorem>(static_cast<std::size_t>(exponent), one);
+  }
+  if (exponent % 2 != 0) {
+    throw KernelError("no sign is known of " + to_string(f));
+  }
+  const auto square_if = [&](const Formula& sign) {
+    return Theorem::discharge(
+        Theorem::order(less(0, f * f), {Positive{{Theorem::assume(sign), Theorem::assume(sign)}}}), sign);
+  };
+  const Theorem square =
+      Theorem::consequence({square_if(less(0, f)), square_if(less(f, 0)), Theorem::trichotomy(f, 0),
+                            factor_differs(factor, letters, domain)},
+                           less(0, f * f));
+  return std::vector<Theorem>(static_cast<std::size_t>(exponent / 2), square);
+}
+
+}  // namespace
+
+bool is_divisor(const Formula& hypothesis) {
+  return hypothesis.kind() == Kind::negation && hypothesis.parts()[0].kind() == Kind::equal &&
+         hypothesis.parts()[0].parts()[0].type().is_scalar() && hypothesis.parts()[0].parts()[1] == Term(0);
+}
+
+std::optional<Theorem> differs_too(const Term& f, const Theorem& known) {
+  const Term a = known.conclusion().parts().at(0).parts().at(0);
+  if (a.kind() != Kind::cosine && a.kind() != Kind::sine) {
+    return std::nullopt;
+  }
+  const Formula zero = equal(f, 0);
+  const Theorem f_is_zero = Theorem::assume(zero);
+  const auto follows = [&](const std::optional<Theorem>& a_is_zero) {
+    return Theorem::consequence({Theorem::discharge(*a_is_zero, zero), known}, negation(zero));
+  };
+  try {
+    if (f.kind() == Kind::cosine || f.kind() == Kind::sine) {
+      const Term u = f.parts()[0], other = f.kind() == Kind::cosine ? sin(u) : cos(u);
+      if (const auto multiple = vanishes_as_multiple(a, 2 * other, f_is_zero)) {
+        return follows(multiple);
+      }
+    }
+    for (const Variable& x : f.variables()) {
+      const auto at_root = x.type == real_number ? vanishes_at_root(a, x, f_is_zero) : std::nullopt;
+      if (at_root) {
+        return follows(at_root);
+      }
+    }
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+Theorem inverse_is_positive(const Theorem& positive) {
+  const Term s = positive.conclusion().parts().at(1), x = inverse(s);
+  const Formula wrong = at_most(x, 0);
+  const Theorem absurd = Theorem::cut(
+      different(positive), Theorem::order(at_most(1, 0), {Positive{{positive, Theorem::assume(wrong)}}}));
+  return Theorem::consequence({Theorem::discharge(absurd, wrong), Theorem::trichotomy(x, 0),
+                               Theorem::sign(less(0, 1)), Theorem::trichotomy(1, 0)},
+                              less(0, x));
+}
+
+Theorem positive(const Term& a, const Domain& domain) {
+  Letters letters;
+  const ex parts = letters.expression(a).normal().numer_denom();
+  letters.sort();
+  if (parts.op(0).is_zero()) {
+    throw KernelError("0 is not positive");
+  }
+  Positive product{{}};
+  ex built = 1;
+  for (const int place : {0, 1}) {
+    const Factored all = factored(parts.op(static_cast<std::size_t>(place)), letters);
+    for (std::size_t i = 0; i < all.factors.size(); ++i) {
+      for (const Theorem& one : positive_factors(all.factors[i], all.exponents[i], letters, domain)) {
+        product.inequalities.push_back(place == 0 ? one : inverse_is_positive(one));
+        const ex s = letters.expression(one.conclusion().parts()[1]);
+        built *= place == 0 ? s : 1 / s;
+      }
+    }
+  }
+  const ex ratio = (parts.op(0) / parts.op(1) / built).normal();
+  if (!GiNaC::is_a<GiNaC::numeric>(ratio)) {
+    throw KernelError("the factors of " + to_string(a) + " are not found");
+  }
+  product.factor = symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>(ratio));
+  return nonzero(Theorem::order(less(0, a), {product}), domain);
+}
+
+std::vector<Theorem> factors_differ(const Theorem& differs) {
+  const Term a = differs.conclusion().parts().at(0).parts().at(0);
+  Letters letters;
+  const ex parts = letters.expression(a).normal().numer_denom();
+  letters.sort();
+  std::vector<Theorem> result;
+  for (const ex& factor :
+       parts.op(0).is_zero() ? std::vector<ex>{} : factored(parts.op(0), letters, 64).factors) {
+    const Term f = letters.term(factor);
+    const Formula zero = equal(f, 0);
+    const ex quotient = (parts.op(0) / factor).normal().expand();
+    const Term multiplier = letters.term(quotient) / letters.term(parts.op(1).expand());
+    try {
+      const Theorem absurd = Theorem::combination(equal(a, 0), {{Theorem::assume(zero), multiplier}});
+      const Theorem theorem =
+          Theorem::consequence({Theorem::discharge(absurd, zero), differs}, negation(zero));
+      if (!theorem.hypotheses().contains(theorem.conclusion())) {
+        result.push_back(theorem);
+      }
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  return result;
+}
+
+namespace {
+
+// The divisors' lemmas, each with what it rests on discharged as far as it goes.
+class Lemmas {
+ public:
+  Lemmas(const Domain& domain, const kernel::Formulas& kept) : domain_(domain), kept_(kept) {
+    std::copy_if(domain.begin(), domain.end(), std::back_inserter(bounds_),
+                 [](const Theorem& one) { return one.conclusion().kind() == Kind::less; });
+  }
+
+  const std::optional<Theorem>& operator()(const Formula& divisor) {
+    if (const auto known = lemmas_.find(divisor); known != lemmas_.end()) {
+      return known->second;
+    }
+    under_way_.insert(divisor);
+    const Term& d = divisor.parts()[0].parts()[0];
+    std::optional<Theorem> lemma = divisor_differs(d, domain_);
+    const auto turns_in_circle = [&](const Formula& one) { return under_way_.contains(one); };
+    if (lemma && std::any_of(lemma->hypotheses().begin(), lemma->hypotheses().end(), turns_in_circle)) {
+      lemma = divisor_differs(d, bounds_);
+    }
+    if (lemma) {
+      const Formulas hypotheses = lemma->hypotheses();
+      for (const Formula& one : hypotheses) {
+        if (is_divisor(one) && !turns_in_circle(one) && !kept_.contains(one)) {
+          if (const std::optional<Theorem>& inner = (*this)(one)) {
+            lemma = Theorem::cut(*inner, *lemma);
+          }
+        }
+      }
+    }
+    under_way_.erase(divisor);
+    return lemmas_.emplace(divisor, lemma).first->second;
+  }
+
+ private:
+  const Domain& domain_;
+  const kernel::Formulas& kept_;
+  Domain bounds_;
+  std::map<Formula, std::optional<Theorem>> lemmas_;
+  Formulas under_way_;
+};
+
+}  // namespace
+
+Theorem nonzero(const Theorem& theorem, const Domain& domain, const kernel::Formulas& kept) {
+  Lemmas lemmas(domain, kept);
+  Theorem result = theorem;
+  for (const Formula& one : Formulas(theorem.hypotheses())) {
+    if (const std::optional<Theorem> lemma =
+            is_divisor(one) && !kept.contains(one) ? lemmas(one) : std::nullopt) {
+      result = Theorem::cut(*lemma, result);
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs::tactics
