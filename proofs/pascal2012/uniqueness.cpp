@@ -109,6 +109,16 @@ std::vector<Claim> decrease() {
                 "load, changes at the rate $(x2' - y2')$ times the difference of the frictions",
        .assumptions = {law_x, law_y},
        .prove = by_chain_rule({assuming("4.x"), assuming("4.y")})},
+      {.id = "A5.stable",
+       .kind = Kind::theorem,
+       .printed = {{substitute(energy, {{"t", Theta}}), substitute(energy, {{"t", 0}}),
+                    Relation::less_or_equal}},
+       .words =
+           "two motions that do not stick do not move apart, in the norm of this energy, over any time "
+           "$Theta$: an orbit that never sticks may be neutral, but only the break-away from a stick can "
+           "make an orbit unstable",
+       .assumptions = {law_x, law_y, {"Theta.positive", {Theta, 0, Relation::greater}}},
+       .prove = by_decrease(from("A5.energy"), 2 * us)},
       {.id = "A5.sides",
        .kind = Kind::theorem,
        .printed = {almost_always(0, Theta, equation(side_x, side_y))},

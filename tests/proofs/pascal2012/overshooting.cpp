@@ -3,7 +3,6 @@
 
 #include "proofs/checks/edits.hpp"
 #include "proofs/methods/deciding.hpp"
-#include "proofs/methods/linear.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/paper.hpp"
