@@ -69,8 +69,8 @@ Verdict all_obey() {
   for (int k = -parts; k < parts; ++k) {
     const Rational unit = largest_epsilon / parts;
     const Motion here = with_mode(Ball::hull(Ball(Rational(unit * k)), Ball(Rational(unit * (k + 1)))));
-    verdicts.push_back(admissible(
-        decide_all(family.phases, families::requirements(family), here, all_waves(here), ur)));
+    verdicts.push_back(
+        admissible(decide_all(family.phases, families::requirements(family), here, all_waves(here), ur)));
   }
   return all_of(verdicts);
 }
@@ -78,9 +78,10 @@ Verdict all_obey() {
 Claim family_of_orbits() {
   return {.id = "33.even.orbits",
           .kind = Kind::theorem,
-          .words = "with $omega_1 = 7/10$, $omega_2 = 13/10$, $omega = 7/20$, $u_s = 0.1$, $u_r = 0.12$, $p = 3$, "
-                   "$V = 0$ these motions are orbits of the friction law for all $epsilon$ from $-1/20$ to "
-                   "$1/20$: a whole family at one and the same machine",
+          .words =
+              "with $omega_1 = 7/10$, $omega_2 = 13/10$, $omega = 7/20$, $u_s = 0.1$, $u_r = 0.12$, $p = 3$, "
+              "$V = 0$ these motions are orbits of the friction law for all $epsilon$ from $-1/20$ to "
+              "$1/20$: a whole family at one and the same machine",
           .prove = [](Prover&, const Claim&) {
             const WorkingPrecision precision(bits);
             Outcome outcome = at_the_data(
@@ -138,9 +139,10 @@ std::vector<Claim> even_resonance() {
 Claim always_symmetric() {
   return {.id = "7.always",
           .kind = Kind::theorem,
-          .words = "abstract and Section 7, said without exception: with the belt at rest every orbit that "
-                   "never sticks is symmetric in space and time; false at resonance, where a family of "
-                   "others exists (33.even.orbits); true for almost all $omega$ (7.symmetric)",
+          .words =
+              "abstract and Section 7, said without exception: with the belt at rest every orbit that "
+              "never sticks is symmetric in space and time; false at resonance, where a family of "
+              "others exists (33.even.orbits); true for almost all $omega$ (7.symmetric)",
           .prove = [](Prover&, const Claim&) {
             const WorkingPrecision precision(bits);
             Outcome outcome = at_the_data("$x_1(tau)$ is not $-x_1(0)$ on the orbit with $epsilon = 1/20$");

@@ -1,6 +1,7 @@
 // Appendix 5 on a moving belt: off resonance, of two slips per period the one below the belt's velocity lasts
 // longer than half a period. For with q = omega tau/2 A5.turn says omega (z2B - z20) cos(q) = 2 V sin(q),
-// A5.falls says z2B - z20 < V tau, and sin(q) > q cos(q); so cos(q) >= 0 would give 2 V sin(q) <= 2 V q cos(q).
+// A5.falls says z2B - z20 < V tau, and sin(q) > q cos(q); so cos(q) >= 0 would give 2 V sin(q) <= 2 V q
+// cos(q).
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/pascal2012/appendix5.hpp"
@@ -32,23 +33,25 @@ Theorem slope_of_chord(Derivation& derivation, std::size_t which) {
       tactics::for_every(t, kernel::between(0, t, q), tactics::by_rewriting(slope, same)), positive);
   const Theorem there = Theorem::assume(kernel::opened(mean.conclusion(), c));
   const Theorem inside = tactics::part(there, 0), c_positive = tactics::part(inside, 0);
-  const Theorem c_below =
-      derivation.order(kernel::less(c, kernel::pi()), {Positive{{tactics::part(inside, 1)}}, Positive{{below_pi}}});
+  const Theorem c_below = derivation.order(kernel::less(c, kernel::pi()),
+                                           {Positive{{tactics::part(inside, 1)}}, Positive{{below_pi}}});
   const Theorem sine = tactics::detach(Theorem::sine_is_positive(c), tactics::both({c_positive, c_below}));
-  return Theorem::choose(mean, c,
-                         derivation.order(goal, {Positive{{positive, c_positive, sine}}},
-                                          {Multiple{tactics::part(there, 1)}}));
+  return Theorem::choose(
+      mean, c,
+      derivation.order(goal, {Positive{{positive, c_positive, sine}}}, {Multiple{tactics::part(there, 1)}}));
 }
 
 // Γ, case ⊢ 0 < 0 gives Γ ⊢ not the case.
 Theorem excluded(const kernel::Formula& one, const Theorem& contradiction) {
   return Theorem::consequence(
-      {Theorem::discharge(contradiction, one), Theorem::trichotomy(0, 0), Theorem::reflexive(0)}, negation(one));
+      {Theorem::discharge(contradiction, one), Theorem::trichotomy(0, 0), Theorem::reflexive(0)},
+      negation(one));
 }
 
 // Theta/2 < tau, as each of the other cases gives 0 < 0.
 Theorem longer_than_half(Derivation& derivation, std::size_t which) {
-  const kernel::Formula goal = derivation.read(derivation.claim().printed[which]), absurd = kernel::less(0, 0);
+  const kernel::Formula goal = derivation.read(derivation.claim().printed[which]),
+                        absurd = kernel::less(0, 0);
   const kernel::Term half_period = goal.parts()[0], slip = goal.parts()[1], w = derivation.read(omega),
                      q = derivation.read(quarter), turn = kernel::pi() / 2;
   const auto assumed = [&](const char * id) { return derivation.premise(assuming(id)); };
@@ -73,8 +76,9 @@ Theorem longer_than_half(Derivation& derivation, std::size_t which) {
       kernel::less(0, kernel::cos(q)),
       {Positive{{tactics::detach(Theorem::sine_is_positive(turn - q), tactics::both({gap, within}))}}});
   const Theorem not_shorter = excluded(
-      shorter, derivation.order(absurd, {Positive{{frequency, cosine, falls_short}}, Positive{{moves, chord}, 2}},
-                                {Multiple{balance}}));
+      shorter,
+      derivation.order(absurd, {Positive{{frequency, cosine, falls_short}}, Positive{{moves, chord}, 2}},
+                       {Multiple{balance}}));
   // tau = Theta/2: q = pi/2, and A5.turn says 0 = 2 V.
   const kernel::Formula as_long = equal(half_period, slip);
   const Theorem quarter_turn = derivation.combination(
@@ -89,20 +93,13 @@ Theorem longer_than_half(Derivation& derivation, std::size_t which) {
 
 std::vector<Claim> longer_slip() {
   // Without F(Theta) = F_0, which follows from Theta = 2 pi/omega.
-  const std::vector<Assumption> moving{rest_of_period,
-                                       period,
-                                       begins,
-                                       slips_below,
-                                       overshoots,
-                                       named_B,
-                                       slip_takes_time,
-                                       overshoot_takes_time,
-                                       closes,
-                                       off_resonance,
-                                       starts_with_belt,
-                                       meets_belt,
-                                       goes_down,
-                                       {"A5.V.sign", {V, 0, Relation::greater}}};
+  const std::vector<Assumption> moving{rest_of_period,   period,
+                                       begins,           slips_below,
+                                       overshoots,       named_B,
+                                       slip_takes_time,  overshoot_takes_time,
+                                       closes,           off_resonance,
+                                       starts_with_belt, meets_belt,
+                                       goes_down,        {"A5.V.sign", {V, 0, Relation::greater}}};
   return {
       {.id = "A5.tan",
        .kind = Kind::step,
@@ -113,8 +110,9 @@ std::vector<Claim> longer_slip() {
       {.id = "A5.longer",
        .kind = Kind::theorem,
        .printed = {{Theta / 2, tau, Relation::less}},
-       .words = "on a moving belt, $V > 0$, off resonance: of two slips per period the one with $x2' < V$ lasts "
-                "longer than half a period; so no such motion is symmetric in time as for $V = 0$",
+       .words =
+           "on a moving belt, $V > 0$, off resonance: of two slips per period the one with $x2' < V$ lasts "
+           "longer than half a period; so no such motion is symmetric in time as for $V = 0$",
        .assumptions = moving,
        .prove = by_kernel("each other case contradicts A5.turn, A5.falls and A5.tan", longer_than_half)},
   };

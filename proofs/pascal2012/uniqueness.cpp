@@ -113,10 +113,8 @@ std::vector<Claim> decrease() {
        .kind = Kind::theorem,
        .printed = {{substitute(energy, {{"t", Theta}}), substitute(energy, {{"t", 0}}),
                     Relation::less_or_equal}},
-       .words =
-           "two motions that do not stick do not move apart, in the norm of this energy, over any time "
-           "$Theta$: an orbit that never sticks may be neutral, but only the break-away from a stick can "
-           "make an orbit unstable",
+       .words = "two motions that do not stick do not move apart, in the norm of this energy, over any time "
+                "$Theta$: an orbit that never sticks may be neutral, but is not linearly unstable",
        .assumptions = {law_x, law_y, {"Theta.positive", {Theta, 0, Relation::greater}}},
        .prove = by_decrease(from("A5.energy"), 2 * us)},
       {.id = "A5.sides",
