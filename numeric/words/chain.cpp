@@ -111,8 +111,8 @@ Motion Chain::motion(const Nodes& nodes) const {
   Motion motion{oscillator_, {}};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& u = nodes[i];
-    motion.phases.push_back({phases_[i], u(0) - nodes.front()(0), next(nodes, i)(0) - u(0),
-                             oscillator_.data.omega * u(0),
+    const Ball start = i == 0 ? Ball(0) : Ball(u(0) - nodes.front()(0));
+    motion.phases.push_back({phases_[i], start, next(nodes, i)(0) - u(0), oscillator_.data.omega * u(0),
                              Vector4<Ball>(u(1), u(2), u(3), oscillator_.data.V)});
   }
   return motion;
