@@ -47,6 +47,7 @@ std::vector<Claim> ends() {
        .prove = by_combination({{{assuming("25.V")}}, {{assuming("4.breaks"), 0, eta}}})},
       {.id = "12.back",
        .kind = Kind::condition,
+       .origin = Origin::converse,
        .printed = {breaks.statement},
        .words = "conversely (12) says $r = u_r$",
        .assumptions = {{"12", equation12}},
@@ -54,8 +55,9 @@ std::vector<Claim> ends() {
       {.id = "13",
        .kind = Kind::definition,
        .printed = {slip_ends.statement},
-       .words = "the slip ends in the state opposite in place and equal in velocity: a condition that selects the "
-                "family, and no consequence of anything",
+       .words =
+           "the slip ends in the state opposite in place and equal in velocity: a condition that selects the "
+           "family, and no consequence of anything",
        .assumptions = {slip_ends},
        .prove = by_premises({assuming("13")})},
       {.id = "13.E",
@@ -98,6 +100,7 @@ std::vector<Claim> lag() {
   return {
       {.id = "13.slip",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {slip13},
        .words = "(13) for the motion (5), with any phase $phi$ of the load",
        .assumptions = {slips_below, begins, slip_takes_time, slip_ends},
@@ -165,6 +168,7 @@ std::vector<Claim> closing() {
        .prove_converse = by_counterexample(spurious())},
       {.id = "16.back",
        .kind = Kind::step,
+       .origin = Origin::converse,
        .printed = {slip13, stick_ends.statement},
        .words = "conversely (16) gives (13) and (15), where $cos(omega_j tau/2)$ and $cos(T/2)$ are not zero",
        .assumptions = {time_lag, half_sine, half_cosine, {"16.slip", slip16}, {"16.stick", stick16}},
@@ -197,6 +201,7 @@ std::vector<Claim> stick_conditions() {
        .illegible = "the range, printed as $t < t_1 < T$"},
       {.id = "4.f.back",
        .kind = Kind::condition,
+       .origin = Origin::converse,
        .printed = {below.statement, above.statement},
        .words =
            "conversely $f_1 < 0 < f_2$ gives (11); $f_1 = 0$, which the paper allows, is where (11) ends",
@@ -205,6 +210,7 @@ std::vector<Claim> stick_conditions() {
                                          {.positive = {{1 / eta, {{assuming("4.f2")}}}}}})},
       {.id = "4.f.end",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {equation(chi * eta * (z20 - z10) + p * sin(omega * (T + tau / 2)) - eta * (ur - us), 0)},
        .words = "at the end of the stick, where $z = z_0$, $f_1 = 0$: the slip begins by (12)",
        .assumptions = {time_lag, {"4.T", equation(T, 2 * pi() / omega - tau)}, {"12", equation12}},

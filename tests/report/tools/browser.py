@@ -13,7 +13,7 @@ import pathlib
 import shutil
 import sys
 import tempfile
-from urllib.parse import urldefrag, urljoin
+from urllib.parse import urldefrag, urljoin, urlsplit
 
 WIDTHS = {"phone": 390, "desktop": 1280}
 
@@ -115,7 +115,7 @@ class Check:
             if not link:
                 self.fault(page, "a link without target")
             elif target.startswith("file:"):
-                path = pathlib.Path(target[len("file://"):])
+                path = pathlib.Path(urlsplit(target).path)  # what is asked of a page is not its name
                 if not path.is_file() or path.parent != self.directory:
                     self.fault(page, f"{link} leads to no file of the report")
                 elif fragment:
