@@ -1,6 +1,9 @@
 #include "numeric/orbits.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "core/error.hpp"
@@ -99,10 +102,35 @@ void require_understood(const OrbitQuestion& q) {
 void require_domain(const OrbitQuestion& q) {
   require_model_domain(each(q, lower).data);
   require_model_domain(each(q, upper).data);
+  if (has_stick(*q.family) && lower(q.parameters.V) <= 0) {
+    throw DomainError("V", stickslip::to_string(lower(q.parameters.V)),
+                      "V > 0 for orbits with a stick phase");
+  }
   if (q.ur && lower(*q.ur) <= upper(q.parameters.us)) {
     throw DomainError("ur", stickslip::to_string(lower(*q.ur)),
                       "ur > us = " + stickslip::to_string(upper(q.parameters.us)));
   }
+}
+
+// Where a natural frequency may be a multiple k omega for a member of the box: with k = 1 there is no Q (7),
+// and a motion that never sticks closes in no way or in many for every k.
+std::vector<Unresolved> resonances_inside(const OrbitQuestion& q) {
+  const WorkingPrecision scope(bits_for(fewest_digits));
+  const model::Parameters<Ball> a = each(q, ball).data;
+  const model::Modes<Ball> m = model::modes<Ball>(a.chi, a.eta);
+  std::vector<Unresolved> result;
+  for (const auto& [omega_j, name] : {std::pair(m.omega1, "omega1"), std::pair(m.omega2, "omega2")}) {
+    const Ball ratio = omega_j / a.omega;
+    const double last = has_stick(*q.family) ? 1 : std::ceil(ratio.upper().approximate());
+    for (double k = 1; k <= last; ++k) {
+      if (ratio.overlaps(Ball(k))) {
+        result.push_back(
+            {{{"omega", a.omega}},
+             fmt::format("a resonance may lie in the box of parameters: {} omega = {}", k, name)});
+      }
+    }
+  }
+  return result;
 }
 
 OrbitList concluded(const OrbitQuestion& q, const Found& found, int digits) {
@@ -120,6 +148,7 @@ OrbitList concluded(const OrbitQuestion& q, const Found& found, int digits) {
   }
   if (box) {
     list.remarks.push_back(Remark::searched_at_middle);
+    std::ranges::move(resonances_inside(q), std::back_inserter(list.unresolved));
   }
   return list;
 }

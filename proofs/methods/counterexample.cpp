@@ -139,7 +139,8 @@ bool says_where_it_starts(const Claim& claim, const Statement& statement) {
 // Whether what is assumed certainly holds, for some motion.
 bool holds(const Claim& claim, const Assumption& assumption, const Place& here) {
   const Statement& statement = assumption.statement;
-  const auto given = is_substitution(assumption) ? here.values.find(statement.left.name()) : here.values.end();
+  const auto given =
+      is_substitution(assumption) ? here.values.find(statement.left.name()) : here.values.end();
   if (given != here.values.end() && equal(given->second, statement.right)) {
     return true;
   }

@@ -128,8 +128,8 @@ Theorem Derivation::without_divisors(const Theorem& theorem) {
     for (const Formula& strong : left) {
       const bool both_stand =
           !(weak == strong) && result.hypotheses().contains(weak) && result.hypotheses().contains(strong);
-      const auto implied = both_stand ? differs_too(weak.parts()[0].parts()[0], Theorem::assume(strong))
-                                      : std::nullopt;
+      const auto implied =
+          both_stand ? differs_too(weak.parts()[0].parts()[0], Theorem::assume(strong)) : std::nullopt;
       if (implied) {
         result = Theorem::cut(nonzero(*implied, domain_, {strong}), result);
       }
@@ -309,6 +309,15 @@ void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems
   outcome.uses.erase(claim_.id);
   outcome.by_kernel = true;
   outcome.verdict = Verdict::proved();
+}
+
+std::optional<Theorem> contradiction(Prover& prover, const Claim& claim) {
+  Derivation derivation(prover, claim);
+  try {
+    return derivation.settled(derivation.follows(less(0, 0)));
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
 }
 
 Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {

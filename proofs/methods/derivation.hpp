@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -103,6 +104,9 @@ class Derivation {
 
 // How one of the printed statements, by its number from 0, is derived.
 using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
+
+// 0 < 0 from what the claim assumes: nothing obeys it. Nothing where no contradiction is found.
+[[nodiscard]] std::optional<kernel::Theorem> contradiction(Prover& prover, const Claim& claim);
 
 // What the claim prints, as the kernel derives it; undecided where it does not.
 [[nodiscard]] Outcome derived(const std::string& route, Prover& prover, const Claim& claim,

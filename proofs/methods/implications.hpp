@@ -50,8 +50,8 @@ struct Certificate {
 // The printed equation says "inverse(A) = B", the premise A B = I.
 [[nodiscard]] Proof by_inverse(Premise product);
 
-// The printed equation "variable = value" follows from `zero`, cos(angle) = 0, as lower*pi < angle < upper*pi;
-// the angle is a multiple of the variable.
+// The printed equation "variable = value" follows from `zero`, cos(angle) = 0, as lower*pi < angle <
+// upper*pi; the angle is a multiple of the variable.
 struct ZeroOfCosine {
   symbols::Term angle;
   Premise zero;

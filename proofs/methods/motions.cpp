@@ -221,51 +221,94 @@ Theorem returned(Derivation& derivation, const kernel::Term& f, const kernel::Te
   return same;
 }
 
+// E' by the premise `rate`, which is zero or, in each case of its signs, at most minus the weight times the
+// sum of |a_i|: so E does not grow.
+class Decrease {
+ public:
+  Decrease(Derivation& derivation, const Premise& rate, const symbols::Term& weight, const Formula& goal)
+      : derivation_(derivation),
+        rate_(read_as_almost_always(derivation.premise(rate))),
+        weight_(derivation.positive(derivation.read(weight))),
+        t_(moment({rate_.few}, {goal})) {
+    if (!rate_.continuity) {
+      throw KernelError("the premise is of no rate");
+    }
+  }
+
+  [[nodiscard]] const Theorem& continuity() const { return *rate_.continuity; }
+  [[nodiscard]] const Theorem& rate() const { return rate_.few; }
+  [[nodiscard]] const kernel::Term& E() const { return continuity().conclusion().parts()[0]; }
+  [[nodiscard]] std::pair<kernel::Term, kernel::Term> ends() const {
+    return interval(rate_.few.conclusion());
+  }
+  // A time that stands in nothing else.
+  [[nodiscard]] const Variable& time() const { return t_; }
+
+  // In a case, whose last literal is derivative(E, t, r): r = 0 or r < 0.
+  [[nodiscard]] Theorem sign_of(const Theorems& literals) const {
+    const kernel::Term r = literals.back().conclusion().parts()[2];
+    try {
+      return derivation_.combination(equal(r, 0));
+    } catch (const KernelError&) {
+      std::vector<kernel::Positive> parts;
+      for (const Theorem& one : literals) {
+        if (one.conclusion().kind() == kernel::Kind::less) {
+          parts.push_back({{weight_, one}});
+        }
+      }
+      return derivation_.order(less(r, 0), parts);
+    }
+  }
+
+  // finite t: a < t < b and not does_not_grow(E, t).
+  [[nodiscard]] Theorem never_grows() const {
+    const auto [a, b] = ends();
+    const Formula falls = does_not_grow(E(), t_);
+    return but_finitely_often({rate_.few}, a, b, t_, [&](const Theorem&, const Theorems& known) {
+      return by_cases(known, falls, [&](const Theorems& literals) {
+        const kernel::Term r = literals.back().conclusion().parts()[2];
+        const Theorem not_positive =
+            Theorem::consequence({sign_of(literals), Theorem::trichotomy(r, 0)}, at_most(r, 0));
+        return Theorem::witness(both({literals.back(), not_positive}), falls, r);
+      });
+    });
+  }
+
+ private:
+  Derivation& derivation_;
+  AlmostAlways rate_;
+  Theorem weight_;
+  Variable t_;
+};
+
 }  // namespace
+
+Proof by_decrease(Premise rate, symbols::Term weight) {
+  const auto derive = [=](Derivation& derivation, std::size_t which) {
+    const Formula goal = derivation.read(derivation.claim().printed[which]);
+    const Decrease decrease(derivation, rate, weight, goal);
+    const auto [a, b] = decrease.ends();
+    const Theorem less_at_last =
+        decreases(decrease.continuity(), derivation.without_divisors(decrease.never_grows()),
+                  derivation.follows(at_most(a, b)));
+    return derivation.order(goal, {kernel::Positive{{less_at_last}}});
+  };
+  return by_kernel("what never increases, and is continuous, is not larger at the end", derive);
+}
 
 Proof by_periodic_decrease(PeriodicDecrease step) {
   const auto derive = [step = std::move(step)](Derivation& derivation, std::size_t which) {
-    const symbols::Statement& printed = derivation.claim().printed[which];
-    const AlmostAlways rate = read_as_almost_always(derivation.premise(step.rate));
-    if (!rate.continuity) {
-      throw KernelError("the premise is of no rate");
-    }
-    const kernel::Term E = rate.continuity->conclusion().parts()[0];
-    const auto [a, b] = interval(rate.few.conclusion());
-    const Formula goal = derivation.read(printed);
-    const Variable t = moment({rate.few}, {E, a, b, goal});
-    const Theorem weight = derivation.positive(derivation.read(step.weight));
-    // In a case, the rate is zero or negative.
-    const auto sign_of = [&](const Theorems& literals) -> Theorem {
-      const kernel::Term r = literals.back().conclusion().parts()[2];
-      try {
-        return derivation.combination(equal(r, 0));
-      } catch (const KernelError&) {
-        std::vector<kernel::Positive> parts;
-        for (const Theorem& one : literals) {
-          if (one.conclusion().kind() == kernel::Kind::less) {
-            parts.push_back({{weight, one}});
-          }
-        }
-        return derivation.order(less(r, 0), parts);
-      }
-    };
-    const Formula falls = does_not_grow(E, t);
-    const Theorem never_grows =
-        but_finitely_often({rate.few}, a, b, t, [&](const Theorem&, const Theorems& known) {
-          return by_cases(known, falls, [&](const Theorems& literals) {
-            const kernel::Term r = literals.back().conclusion().parts()[2];
-            const Theorem not_positive =
-                Theorem::consequence({sign_of(literals), Theorem::trichotomy(r, 0)}, at_most(r, 0));
-            return Theorem::witness(both({literals.back(), not_positive}), falls, r);
-          });
-        });
-    const Theorem kept =
-        never_changes(*rate.continuity, never_grows, returned(derivation, E, a, b, step.returns));
+    const Formula goal = derivation.read(derivation.claim().printed[which]);
+    const Decrease decrease(derivation, step.rate, step.weight, goal);
+    const auto [a, b] = decrease.ends();
+    const kernel::Term E = decrease.E();
+    const Variable& t = decrease.time();
+    const Theorem kept = never_changes(decrease.continuity(), decrease.never_grows(),
+                                       returned(derivation, E, a, b, step.returns));
     // So the rate is zero, where there is one.
     const kernel::Term start = apply(E, a);
     return derivation.without_divisors(
-        but_finitely_often({rate.few}, a, b, t, [&](const Theorem& inside, const Theorems& known) {
+        but_finitely_often({decrease.rate()}, a, b, t, [&](const Theorem& inside, const Theorems& known) {
           const Variable s = moment({kept, inside}, {t});
           const Formula between_ends = between(a, s, b);
           const Theorem then = Theorem::assume(between_ends);
@@ -279,7 +322,7 @@ Proof by_periodic_decrease(PeriodicDecrease step) {
           return by_cases(known, usually, [&](const Theorems& literals) {
             Theorems all = literals;
             all.push_back(Theorem::unique_derivative(literals.back(), flat));
-            all.push_back(sign_of(literals));
+            all.push_back(decrease.sign_of(literals));
             return in_case(derivation, usually, all);
           });
         }));

@@ -37,9 +37,12 @@ struct MeanValue {
 [[nodiscard]] Proof by_chain_rule(std::vector<Premise> premises,
                                   const std::optional<symbols::Term>& later = {});
 
-// `rate` says "d/dt E = r" of almost all times of [a, b], and what is assumed under the ids `returns`, as
-// "X(b) = X(a)", that E is at b what it is at a. Where r is not zero by its signs sign(a_i), r is at most
-// minus the weight times the sum of |a_i|. So E does not change, r = 0, and the printed statement, of almost
+// `rate` says "d/dt E = r" of almost all times of [a, b], a <= b. Where r is not zero by its signs sign(a_i),
+// r is at most minus the weight times the sum of |a_i|. The printed inequality is E(b) <= E(a).
+[[nodiscard]] Proof by_decrease(Premise rate, symbols::Term weight);
+
+// The same, and what is assumed under the ids `returns`, as "X(b) = X(a)", says that E is at b what it is at
+// a. So E does not change, r = 0, and the printed statement, of almost
 // all times of [a, b], holds in the cases that this leaves.
 struct PeriodicDecrease {
   Premise rate;

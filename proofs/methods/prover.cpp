@@ -9,6 +9,7 @@
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/repair.hpp"
 #include "proofs/methods/deciding.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/progress.hpp"
 #include "proofs/symbols/point.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
@@ -118,6 +119,12 @@ void keep_strongest(std::vector<Hypothesis>& hypotheses) {
   });
 }
 
+// Whether it is said that the assumptions contradict one another: 0 > 0.
+bool says_contradiction(const std::vector<Statement>& form) {
+  return form.size() == 1 && equal(form[0].left, form[0].right) &&
+         (form[0].relation == Relation::less || form[0].relation == Relation::greater);
+}
+
 }  // namespace
 
 Prover::Prover(const std::vector<Claim>& claims) {
@@ -180,6 +187,10 @@ void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Sta
   Claim reading = claim;
   reading.printed = form;
   outcome.cross_check = cross_check(*this, reading, outcome);
+  const bool met = outcome.cross_check.formulas > 0;  // by a point at least
+  if (outcome.by_kernel && !met && !says_contradiction(form) && contradiction(*this, reading)) {
+    outcome.verdict = Verdict::undecided("vacuous: what is assumed contradicts itself, and nothing obeys it");
+  }
 }
 
 std::optional<std::string> Prover::origin_of(const std::string& hypothesis,

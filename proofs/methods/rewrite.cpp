@@ -181,8 +181,7 @@ Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules) {
   throw InternalError(fmt::format("rewriting does not end after {} steps", most_steps));
 }
 
-std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead,
-                          const std::vector<Rule>& rules) {
+std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead, const std::vector<Rule>& rules) {
   Rewritten simplified = rewrite(premise, rules);
   if (lead.size() != 1) {
     throw InternalError(fmt::format("{} is not a product of letters", text(lead)));

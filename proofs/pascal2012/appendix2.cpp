@@ -1,6 +1,6 @@
 // Appendix 2: the symmetry (17) of the orbits of Section 4, by (43)-(46). Where the paper writes Z(t_1) with
 // t_1 = t - tau, the argument here is the time t = tau + t_1 itself.
-#include "proofs/methods/methods.hpp"
+#include "proofs/methods/implications.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 
@@ -20,6 +20,17 @@ Assumption closing_state(const Term& z, const Term& row) {
 
 const Assumption from_0 = not_before(t, 0), to_tau = not_after(t, tau);
 const Assumption from_start = not_before(t1, 0), to_end = not_after(t1, T);
+
+// chi eta (z_2 - z_1) + p sin(omega (t_1 + tau/2)) at the time after the stick began.
+const Term gap = block(1, {-1, 1, 0, 0});
+Term pull(const Term& after) {
+  return chi * eta * gap * Z(tau + after) + p * sin(omega * (after + tau / 2));
+}
+// A stick that closes the motion, and one of its times.
+std::vector<Assumption> stick_and(std::vector<Assumption> more) {
+  more.insert(more.begin(), {period, stick_lasts, sticks, slip_ends, stick_ends, from_start, to_end});
+  return more;
+}
 
 std::vector<Claim> slip_part() {
   return {
@@ -98,6 +109,25 @@ std::vector<Claim> stick_part() {
        .prove = by_rewriting({from("4.stick").at("t", tau + t1), from("45"), from("46.group"),
                               from("41.commute").at("t", T).at("s", -t1).solved_for(Gamma(T) * Gamma(-t1)),
                               assuming("15"), from("46.E").at("t1", -t1).solved_for(Gamma(t1) * E)})},
+      {.id = "17.odd",
+       .kind = Kind::step,
+       .printed = {equation(pull(T - t1), -pull(t1))},
+       .words =
+           "on the stick $chi eta (z_2 - z_1) + p sin(omega (t_1 + tau/2))$ of Section 4 is odd about its "
+           "middle",
+       .assumptions = stick_and({}),
+       .prove = by_combination({{{from("17.stick"), 0, chi * eta * gap}}})},
+      {.id = "17.odd.f",
+       .kind = Kind::condition,
+       .printed = {{pull(T - t1) + eta * (ur + us), 0, Relation::greater}},
+       .words =
+           "so $f_1 < 0$ at all times of the stick gives $f_2 > 0$ at all of them: $f_2(T - t_1) = 2 eta "
+           "u_s - f_1(t_1)$",
+       .assumptions = stick_and(
+           {{"4.f1", {pull(t1) - eta * (ur - us), 0, Relation::less}}, {"4.us", {us, 0, Relation::greater}}}),
+       .prove =
+           by_positive_combination({{.positive = {{1, {{assuming("4.f1")}}}, {2 * eta, {{assuming("4.us")}}}},
+                                     .equations = {{from("17.odd")}}}})},
   };
 }
 

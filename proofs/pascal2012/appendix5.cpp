@@ -25,6 +25,14 @@ std::vector<Claim> motion() {
                    equation(zbarB, zB + 2 * d0)},
        .words = "the state seen from the place of rest under the friction $-u_s$",
        .prove = by_definition()},
+      {.id = "55.B",
+       .kind = Kind::step,
+       .printed = {equation(Zbar(tau), ZbarB), equation(Zbar(0), Zbar0)},
+       .words = "its values at $tau$ and at 0",
+       .assumptions = {begins, named_B},
+       .prove = by_rewriting({from("55.bar").at("t", tau).solved_for(Zbar(tau)),
+                              from("55.bar").at("t", 0).solved_for(Zbar(0)), from("55.bar").solved_for(ZbarB),
+                              from("55.bar").solved_for(Zbar0), assuming("28.ZB"), assuming("6.Z0")})},
       {.id = "55",
        .kind = Kind::step,
        .printed = {equation(Zbar(t), H(t - tau) * (ZbarB - FB) + F(t))},
@@ -161,6 +169,13 @@ std::vector<Claim> through_P() {
        .prove =
            by_rewriting({from("64.P"), from("61.blocks").solved_for(X2), from("61.blocks").solved_for(Y2),
                          from("63").solved_for(P1 * X1), from("63").solved_for(P2 * X1)})},
+      {.id = "64.back",
+       .kind = Kind::step,
+       .printed = {equation(Y2, P2 * X2)},
+       .words = "conversely (64) with the first of (63) gives the second",
+       .assumptions = {{"63", equation(Y1, P1 * X1)}, {"64", equation(P * X1, zero(2, 1))}},
+       .prove = by_combination(
+           {{{from("61.blocks"), 1, -1}, {assuming("63")}, {from("61.blocks"), 0, P2}, {assuming("64")}}})},
       {.id = "65",
        .kind = Kind::step,
        .printed = {equation(X1, zero(2, 1)), equation(X2, zero(2, 1)), equation(Y1, zero(2, 1)),
@@ -219,6 +234,13 @@ std::vector<Claim> symmetry() {
        .assumptions = cycle_and({off_resonance, first_case}),
        .prove =
            by_combination({{{from("66"), 0}, {assuming("67.case1"), 0, -2 * sin(omega * tau / 2) * Q}}})},
+      {.id = "67.opposite",
+       .kind = Kind::step,
+       .printed = {equation(zdotB, -zdot0)},
+       .words = "and with the opposite velocities",
+       .assumptions = cycle_and({off_resonance, first_case}),
+       .prove = by_combination(
+           {{{from("67")}, {assuming("67.case1"), 0, -2 * omega * cos(omega * tau / 2) * Q}}})},
       {.id = "67.impossible",
        .kind = Kind::step,
        .printed = {{0, 0, Relation::greater}},
@@ -238,7 +260,7 @@ std::vector<Claim> symmetry() {
                    equation(xB + Q * cos(phi), H1(tau) * (x0 - Q * cos(phi))),
                    equation(xB + Q * cos(phi), x0 - Q * cos(phi))},
        .words = "both slips together, with $tau = tau_1 = pi/omega$",
-       .assumptions = cycle_and({off_resonance, half, second_half}),
+       .assumptions = halves_and({}),
        .prove = by_combination({{{from("56.B"), 0, top}, {from("56"), 0, -top * H(-tau1)}},
                                 {{from("56.B"), 0, top / 2}, {from("56"), 0, -top * H(-tau1) / 2}},
                                 {{from("66"), 0}}}),
@@ -248,7 +270,7 @@ std::vector<Claim> symmetry() {
        .printed = {equation(x0, Q * cos(phi)), equation(xB, -Q * cos(phi)), equation(xB, -x0)},
        .words =
            "the places at both ends, if $det(H_1 - I)$ is not zero, which off resonance it is not (69.det)",
-       .assumptions = cycle_and({off_resonance, half, second_half, regular_H1}),
+       .assumptions = halves_and({regular_H1}),
        .prove =
            by_combination({{{from("68"), 2, inverse(H1(tau) - I2)}, {from("68"), 1, -inverse(H1(tau) - I2)}},
                            {{from("68"), 2},
@@ -273,7 +295,7 @@ std::vector<Claim> symmetry() {
        .kind = Kind::theorem,
        .printed = {equation(XB, -X0)},
        .words = "opposite states at both ends",
-       .assumptions = cycle_and({off_resonance, half, second_half, regular_H1}),
+       .assumptions = halves_and({regular_H1}),
        .prove = by_combination(
            {{{from("69"), 2, column({I2, zero(2, 2)})}, {from("67"), 0, column({zero(2, 2), I2})}}})},
       {.id = "69.motion",
@@ -281,7 +303,7 @@ std::vector<Claim> symmetry() {
        .origin = Origin::auxiliary,
        .printed = {equation(X(t), -X(t + tau))},
        .words = "half a period later the motion is the opposite one, as in Appendix 4",
-       .assumptions = cycle_and({period, off_resonance, half, second_half, regular_H1, from_0, to_tau}),
+       .assumptions = halves_and({regular_H1, from_0, to_tau}),
        .prove = by_rewriting(
            {from("52").solved_for(X(t)), from("52").solved_for(X(t + tau)), from("69.X"), from("53.F")})},
   };
@@ -331,6 +353,7 @@ std::vector<Claim> appendix5() {
   append(claims, weaker_hypotheses());
   append(claims, symmetry());
   append(claims, theorem());
+  append(claims, longer_slip());
   append(claims, resonance());
   append(claims, uniqueness());
   return claims;

@@ -36,6 +36,9 @@ inline const methods::Assumption off_resonance{
     "70.resonance", {sin(omega1 * Theta / 2) * sin(omega2 * Theta / 2), 0, symbols::Relation::not_equal}};
 inline const methods::Assumption at_rest{"A5.V", symbols::equation(V, 0)};
 inline const methods::Assumption falls{"25.slip", {z20, z2B, symbols::Relation::greater}};
+inline const methods::Assumption goes_down{
+    "25.slope",
+    symbols::during(0, tau, {symbols::block(1, {0, 0, 0, 1}) * X(t), V, symbols::Relation::less})};
 inline const methods::Assumption regular_H1{
     "69.H1", {symbols::determinant(H1(tau) - I2), 0, symbols::Relation::not_equal}};
 
@@ -48,6 +51,13 @@ inline const symbols::Term top = symbols::block(1, {I2, symbols::zero(2, 2)}),
   return more;
 }
 
+// Both slips last half a period: that they last, and that the load repeats, follows.
+[[nodiscard]] inline std::vector<methods::Assumption> halves_and(std::vector<methods::Assumption> more) {
+  more.insert(more.begin(), {rest_of_period, half, second_half, begins, slips_below, overshoots, named_B,
+                             closes, off_resonance});
+  return more;
+}
+
 // Off resonance both xi vanish, with no other hypothesis.
 [[nodiscard]] std::vector<methods::Claim> weaker_hypotheses();
 // What its theorem assumes: a cycle of two slips at V = 0, off resonance, with x2' < 0 on the first.
@@ -56,6 +66,8 @@ inline const symbols::Term top = symbols::block(1, {I2, symbols::zero(2, 2)}),
 [[nodiscard]] std::vector<methods::Assumption> in_first_half();
 // (66)-(69) put together.
 [[nodiscard]] std::vector<methods::Claim> theorem();
+// For V > 0: tau > Theta/2.
+[[nodiscard]] std::vector<methods::Claim> longer_slip();
 // At most one motion that never sticks, by the energy of differences.
 [[nodiscard]] std::vector<methods::Claim> uniqueness();
 

@@ -13,7 +13,6 @@ namespace {
 
 const Term quarter = omega * tau / 2;
 const Term second_place = block(1, {0, 1, 0, 0});
-const Assumption goes_down{"25.slope", during(0, tau, {block(1, {0, 0, 0, 1}) * X(t), V, Relation::less})};
 
 std::vector<Assumption> moving(std::vector<Assumption> more) {
   more.insert(more.begin(), {off_resonance, starts_with_belt, meets_belt});

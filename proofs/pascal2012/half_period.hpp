@@ -92,6 +92,10 @@ inline const symbols::Term speed_continued =
 
 // (36), (37): which loads keep the mass from sticking.
 [[nodiscard]] std::vector<methods::Claim> section6_load();
+// Orbits that never stick and are not symmetric, where omega_1 = 2 omega.
+[[nodiscard]] std::vector<methods::Claim> even_resonance();
+// So what the paper says of all of them has exceptions.
+[[nodiscard]] methods::Claim always_symmetric();
 // The orbit of Fig. 4.
 [[nodiscard]] std::vector<methods::Claim> example_P();
 

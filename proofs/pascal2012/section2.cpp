@@ -74,7 +74,7 @@ std::vector<Claim> equations() {
        .kind = Kind::definition,
        .printed = {equation(eta, m1 / m2), equation(chi, k2 / (k1 + k2)), equation(u, friction / (k1 + k2)),
                    equation(p, eta * load / (k1 + k2)), equation(t, Omega * time),
-                   equation(omega, frequency / Omega)},
+                   equation(omega, frequency / Omega), equation(V, belt / Omega)},
        .words = "the dimensionless quantities, $Omega = sqrt((k_1 + k_2)/m_1)$: $t$, $chi$, $eta$, $omega$ "
                 "are numbers, $x$, $u$, $p$ and $V$ lengths",
        .prove = by_definition()},

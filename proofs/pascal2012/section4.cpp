@@ -52,6 +52,14 @@ std::vector<Claim> ends() {
        .words = "conversely (12) says $r = u_r$",
        .assumptions = {{"12", equation12}},
        .prove = by_combination({{{assuming("12"), 0, 1 / eta}}})},
+      {.id = "12.begins",
+       .kind = Kind::condition,
+       .printed = {{eta * (us - friction_at_rest(z10, z20, phi)), 0, Relation::less}},
+       .words = "with (12) the slip really begins: $x2'' = eta (u_s - r) < 0$ takes the velocity below the "
+                "belt's",
+       .assumptions = {breaks, holds},
+       .prove = by_positive_combination(
+           {{.positive = {{eta, {{assuming("4.ur")}}}}, .equations = {{assuming("4.breaks"), 0, eta}}}})},
       {.id = "13",
        .kind = Kind::definition,
        .printed = {slip_ends.statement},
@@ -60,6 +68,12 @@ std::vector<Claim> ends() {
            "family, and no consequence of anything",
        .assumptions = {slip_ends},
        .prove = by_premises({assuming("13")})},
+      {.id = "13.matrix",
+       .kind = Kind::definition,
+       .printed = {equation(E, block(2, {-I2, zero(2, 2), zero(2, 2), I2}))},
+       .words = "$E$ turns places round and keeps velocities",
+       .prove = by_normal_form(),
+       .illegible = "the minus sign"},
       {.id = "13.E",
        .kind = Kind::identity,
        .printed = {equation(E * E, I4)},
@@ -160,8 +174,8 @@ std::vector<Claim> closing() {
        .kind = Kind::step,
        .printed = {slip16, stick16},
        .words = "the upper halves of (13) and (15); they do not give these back where $cos(omega_j tau/2) = "
-                "0$ or $cos(T/2) = 0$: at $tau = pi/omega_1$ (16) has a solution that does not close, for "
-                "all parameters",
+                "0$ or $cos(T/2) = 0$: at $tau = pi/omega_1$ (16) has a solution for all parameters, and at "
+                "those of the witness it does not close",
        .assumptions = {time_lag, half_sine, half_cosine, slips_below, begins, slip_takes_time, slip_ends,
                        stick_ends},
        .prove = by_combination({{{from("13.slip"), 0, top}}, {{assuming("15"), 0, -top}}}),

@@ -74,6 +74,14 @@ std::vector<Claim> conditions() {
        .words = "conversely (18) says that $r < -u_r$",
        .assumptions = {{"18", inequality18}},
        .prove = by_positive_combination({{.positive = {{1 / eta, {{assuming("18")}}}}}})},
+      {.id = "18.begins",
+       .kind = Kind::condition,
+       .printed = {{eta * (-us - rB), 0, Relation::greater}},
+       .words = "with (18) the overshoot really begins: $x2'' = eta (-u_s - r) > 0$ under $u = -u_s$ takes "
+                "the velocity above the belt's",
+       .assumptions = {leaves_up, step_of_friction},
+       .prove = by_positive_combination(
+           {{.positive = {{eta, {{assuming("4.up")}}}, {eta, {{assuming("4.ur")}}}}}})},
       {.id = "19",
        .kind = Kind::condition,
        .printed = {{-eta * (ur + us), printed19, Relation::less},

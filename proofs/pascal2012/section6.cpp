@@ -19,6 +19,7 @@ const Term I2_above = block(1, {I2, zero(2, 2)}), I2_below = block(1, {zero(2, 2
 
 const Assumption leaves_down{"4.down", {friction_at_rest(z10, z20, phi), ur, Relation::greater}};
 const Assumption leaves_up{"4.up", {friction_at_rest(z1B, z2B, omega * tau + phi), -ur, Relation::less}};
+const Assumption step_of_friction{"4.ur", {us, ur, Relation::less}};
 
 std::vector<Claim> conditions() {
   return {
@@ -36,6 +37,20 @@ std::vector<Claim> conditions() {
                 "belt's velocity upwards; $r < -u_r$ of (4) in $z = x - d_0$, and conversely",
        .assumptions = {leaves_up},
        .prove = by_positive_combination({{.positive = {{eta, {{assuming("4.up")}}}}}})},
+      {.id = "25.begins",
+       .kind = Kind::condition,
+       .printed = {{eta * (us - friction_at_rest(z10, z20, phi)), 0, Relation::less}},
+       .words = "with (25) the slip really begins: $x2'' = eta (u_s - r) < 0$ under $u = u_s$",
+       .assumptions = {leaves_down, step_of_friction},
+       .prove = by_positive_combination(
+           {{.positive = {{eta, {{assuming("4.down")}}}, {eta, {{assuming("4.ur")}}}}}})},
+      {.id = "26.begins",
+       .kind = Kind::condition,
+       .printed = {{eta * (-us - friction_at_rest(z1B, z2B, omega * tau + phi)), 0, Relation::greater}},
+       .words = "with (26) the overshoot really begins: $x2'' = eta (-u_s - r) > 0$ under $u = -u_s$",
+       .assumptions = {leaves_up, step_of_friction},
+       .prove = by_positive_combination(
+           {{.positive = {{eta, {{assuming("4.up")}}}, {eta, {{assuming("4.ur")}}}}}})},
       {.id = "26.tau",
        .kind = Kind::condition,
        .printed = {equation(p * cos(omega * tau + phi) - eta * (ur + us), -p * cos(phi) - eta * (ur + us))},
@@ -167,11 +182,13 @@ std::vector<Claim> states() {
        .illegible = "a minus sign in each equation"},
       {.id = "33",
        .kind = Kind::theorem,
-       .printed = {equation(z0, Q * cos(phi) - d0), equation(zdot0, -Q * omega * sin(phi) + rest)},
+       .printed = {equation(z0, Q * cos(phi) - d0), equation(x0, Q * cos(phi)),
+                   equation(zdot0, -Q * omega * sin(phi) + rest)},
        .words = "the state at $t = 0$",
        .assumptions = motion_and({regular}),
        .prove =
            by_combination({{{from("28"), 0, I2_above}, {from("31"), 0, H1(tau)}, {from("31"), 2, H2(tau)}},
+                           {{from("28"), 0, I2_above}, {from("31"), 0, H1(tau)}, {from("31"), 2, H2(tau)}},
                            {{from("28"), 0, I2_below},
                             {from("31"), 0, H3(tau)},
                             {from("31"), 2, H1(tau)},
@@ -182,7 +199,7 @@ std::vector<Claim> states() {
        .printed = {equation(x0, -xB), equation(zdot0, -zdotB)},
        .words = "the states at 0 and $tau$ are opposite",
        .assumptions = motion_and({regular}),
-       .prove = by_combination({{{from("33"), 0}, {from("31"), 0}}, {{from("33"), 1}, {from("31"), 2}}})},
+       .prove = by_combination({{{from("33"), 0}, {from("31"), 0}}, {{from("33"), 2}, {from("31"), 2}}})},
       {.id = "33.V",
        .kind = Kind::theorem,
        .printed = {equation(V, 0)},
@@ -237,14 +254,14 @@ std::vector<Claim> closed_forms() {
        .assumptions = motion_and({regular}),
        .prove = by_combination({{{from("33"), 0, first_row}},
                                 {{from("33"), 0, second_row}},
-                                {{from("33"), 1, first_row}, {from("34.H"), 0, first_row, d0}}}),
+                                {{from("33"), 2, first_row}, {from("34.H"), 0, first_row, d0}}}),
        .illegible = "minus signs in front of $d_01$, $d_02$, $a_1$ and $a_2$"},
       {.id = "35",
        .kind = Kind::step,
        .printed = {equation(sin(phi), -(b1 * d01 + b2 * d02) / (q2 * omega))},
        .words = "the load's phase; it is determined only if the load acts on the second mass $(q_2 != 0)$",
        .assumptions = motion_and({regular, starts_with_belt, meets_belt}),
-       .prove = by_combination({{{from("33"), 1, second_row / (q2 * omega)},
+       .prove = by_combination({{{from("33"), 2, second_row / (q2 * omega)},
                                  {from("34.H"), 0, second_row / (q2 * omega), d0},
                                  {from("33.V"), 0, -1 / (q2 * omega)}}})},
   };
@@ -262,6 +279,7 @@ std::vector<Claim> section6() {
   append(claims, states());
   append(claims, closed_forms());
   append(claims, section6_load());
+  append(claims, even_resonance());
   append(claims, example_P());
   return claims;
 }

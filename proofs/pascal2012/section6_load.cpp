@@ -181,7 +181,7 @@ std::vector<Claim> condition37() {
            "exceeds, for all $0 < t < pi/omega$, what the other terms give divided by $sin(omega t)$",
        .assumptions = moving_motion({}),
        .prove = by_combination({{{from("33"), 0, second_row * H3(t)},
-                                 {from("33"), 1, second_row * H1(t)},
+                                 {from("33"), 2, second_row * H1(t)},
                                  {from("35"), 0, -q2 * omega * cos(omega * t)}}})},
   };
 }

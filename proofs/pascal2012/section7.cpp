@@ -73,10 +73,64 @@ Outcome only_at_rest() {
   return outcome;
 }
 
+// The title: limit cycles. An orbit that Krawczyk's test proves is the only one in a box.
+Claim isolated() {
+  return {.id = "7.cycles",
+          .kind = Kind::theorem,
+          .words =
+              "title: the orbits of the three figures are limit cycles, that is, isolated: at their data "
+              "there are finitely many orbits of the family",
+          .prove = [](Prover&, const Claim&) {
+            Outcome outcome;
+            outcome.route = "the lists of all orbits of the three families are complete and finite";
+            std::vector<Verdict> each;
+            for (const char * name : {"S", "O", "P"}) {
+              outcome.uses.insert({name + std::string(".orbit"), name + std::string(".list")});
+              each.push_back(orbits_of(example_named(name)).list.complete()
+                                 ? printed_orbit(example_named(name)).admissible
+                                 : Verdict::undecided("a list is not complete"));
+            }
+            outcome.verdict = all_of(each);
+            return outcome;
+          }};
+}
+
+// What the response settles on attracts.
+Claim steady() {
+  return {
+      .id = "7.steady",
+      .kind = Kind::theorem,
+      .words =
+          "conclusion: the orbits of the three figures are steady-state responses: false of that of "
+          "Fig. 2, which repels; those of Figs. 3 and 4 attract",
+      .prove = [](Prover&, const Claim&) {
+        const Example& example = example_named("S");
+        Outcome outcome = at_the_data(example,
+                                      "a Floquet multiplier of the orbit is larger than 1, in "
+                                      "balls: motions that begin near it leave it");
+        outcome.uses = {"S.stability", "O.stability", "P.stability"};
+        const auto kind_of = [](const char * name) {
+          const std::optional<Stability>& found = printed_orbit(example_named(name)).stability;
+          return found ? found->kind : StabilityKind::undecided;
+        };
+        const bool others_attract =
+            kind_of("O") == StabilityKind::stable && kind_of("P") == StabilityKind::stable;
+        if (kind_of("S") != StabilityKind::unstable || !others_attract) {
+          outcome.verdict = Verdict::undecided("the stability of the orbits is not that");
+          return outcome;
+        }
+        const ComplexBall& largest = printed_orbit(example).stability->multipliers.front();
+        outcome.verdict = Verdict::refuted(Witness{outcome.at, {}, sqrt(largest.squared_modulus()), Ball(1)});
+        return outcome;
+      }};
+}
+
 }  // namespace
 
 std::vector<Claim> section7() {
   return {
+      isolated(),
+      steady(),
       exists("7.overshoot", "O",
              "abstract: periodic orbits exist on which the mass overtakes the belt for a time", {"O.orbit"}),
       exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest", {"P.orbit"}),
@@ -84,7 +138,7 @@ std::vector<Claim> section7() {
        .kind = Kind::theorem,
        .words = "Section 6: orbits that never stick are obtained only for $V = 0$; true for $tau = Theta/2$ "
                 "off resonance (33.V), which the paper assumes, and false without: for $V > 0$ they have "
-                "$tau > Theta/2$ (A5.turn)",
+                "$tau > Theta/2$ (A5.longer)",
        .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
       {.id = "7.symmetric",
        .kind = Kind::theorem,
@@ -95,6 +149,7 @@ std::vector<Claim> section7() {
            "space and time for almost all $omega$; the exceptions are $omega_j = k omega$, a countable set",
        .assumptions = two_slips::in_first_half(),
        .prove = by_premises({from("A5.theorem")})},
+      half_period::always_symmetric(),
   };
 }
 

@@ -212,8 +212,9 @@ std::string print(const Statement& statement, Style style) {
   }
   // What is differentiated is also continuous, with the ends.
   if (statement.left.op() == Op::derivative) {
-    result += fmt::format(fmt::runtime(latex ? R"(, \text{{ continuous on }} [{}, {}])" : ", continuous on [{}, {}]"),
-                          from, to);
+    result += fmt::format(
+        fmt::runtime(latex ? R"(, \text{{ continuous on }} [{}, {}])" : ", continuous on [{}, {}]"), from,
+        to);
   }
   return result;
 }

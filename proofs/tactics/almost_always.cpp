@@ -198,7 +198,8 @@ Theorem decreasing_in_general() {
   return Theorem::discharge(Theorem::order(at_most(apply(f, b), apply(f, a)), {Positive{{above}}}), lasts);
 }
 
-// From c to d, c ≤ d, where both are theorems of such an interval.
+}  // namespace
+
 Theorem decreases(const Theorem& continuity, const Theorem& never_grows, const Theorem& lasts) {
   static const Theorem general = decreasing_in_general();
   const Theorem here = Theorem::instantiate(general, {{f, continuity.conclusion().parts()[0]},
@@ -206,8 +207,6 @@ Theorem decreases(const Theorem& continuity, const Theorem& never_grows, const T
                                                       {b, continuity.conclusion().parts()[2]}});
   return detach(Theorem::cut(never_grows, Theorem::cut(continuity, here)), lasts);
 }
-
-}  // namespace
 
 Theorem never_changes(const Theorem& continuity, const Theorem& never_grows, const Theorem& returns) {
   const Term of = continuity.conclusion().parts().at(0), from = continuity.conclusion().parts().at(1),

@@ -45,8 +45,10 @@ using InCase = std::function<Theorem(const std::vector<Theorem>& literals)>;
 // That they exclude each other, if they do.
 [[nodiscard]] std::optional<Theorem> absurd(const std::vector<Theorem>& literals);
 
-// continuous(f, a, b), finite t: a < t < b and not there is v: derivative(f, t, v) and v ≤ 0, and f(b) = f(a)
-// give for all t: a ≤ t ≤ b ⇒ f(t) = f(a).
+// continuous(f, a, b), finite t: a < t < b and not there is v: derivative(f, t, v) and v ≤ 0, and a ≤ b give
+// f(b) ≤ f(a).
+[[nodiscard]] Theorem decreases(const Theorem& continuity, const Theorem& never_grows, const Theorem& lasts);
+// The first two and f(b) = f(a) give for all t: a ≤ t ≤ b ⇒ f(t) = f(a).
 [[nodiscard]] Theorem never_changes(const Theorem& continuity, const Theorem& never_grows,
                                     const Theorem& returns);
 // There is v: derivative(f, t, v) and v ≤ 0.

@@ -32,8 +32,7 @@ ex Letters::expression(const Term& term) {
     case Kind::entry:
       if (parts[0].kind() == Kind::matrix) {
         return expression(
-            parts[0]
-                .parts()[static_cast<std::size_t>(term.row() * parts[0].type().columns + term.column())]);
+            parts[0].parts()[static_cast<std::size_t>(term.row() * parts[0].type().columns + term.column())]);
       }
       return letter(term);
     default:

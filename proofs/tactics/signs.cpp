@@ -127,8 +127,7 @@ std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const 
   if (!seems_zero({there}, {})) {
     return std::nullopt;
   }
-  const Theorem is_root =
-      Theorem::combination(equal(x, root), {{f_is_zero, letters.term(ex(1 / slope))}});
+  const Theorem is_root = Theorem::combination(equal(x, root), {{f_is_zero, letters.term(ex(1 / slope))}});
   const Variable at = fresh(x.type, {a, root});
   return Theorem::replace(symmetric(is_root), at, equal(substitute(a, {{x, at}}), 0),
                           Theorem::combination(equal(there, 0)));
@@ -173,9 +172,11 @@ std::optional<Theorem> is_invertible(const Term& divisor, const Term& multiplier
 
 // {factors that may vanish ≠ 0} ⊢ d ≠ 0; nothing if that is d itself again.
 std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain) {
-  if (has_sine(divisor)) {
-    if (const auto one = is_invertible(divisor, 1)) {
-      return one;
+  if (has_sine(divisor)) {  // cos² + sin², or the cosine of a multiple of pi
+    for (const int unit : {1, -1}) {
+      if (const auto lemma = seems_zero({divisor, -unit}, {}) ? is_invertible(divisor, unit) : std::nullopt) {
+        return lemma;
+      }
     }
   }
   Letters letters;
@@ -256,8 +257,10 @@ std::optional<Theorem> differs_too(const Term& f, const Theorem& known) {
   try {
     if (f.kind() == Kind::cosine || f.kind() == Kind::sine) {
       const Term u = f.parts()[0], other = f.kind() == Kind::cosine ? sin(u) : cos(u);
-      if (const auto multiple = vanishes_as_multiple(a, 2 * other, f_is_zero)) {
-        return follows(multiple);
+      for (const Term& factor : {Term(1), Term(-1), 2 * other}) {
+        if (const auto multiple = vanishes_as_multiple(a, factor, f_is_zero)) {
+          return follows(multiple);
+        }
       }
     }
     for (const Variable& x : f.variables()) {
@@ -323,11 +326,7 @@ std::vector<Theorem> factors_differ(const Theorem& differs) {
     const Term multiplier = letters.term(quotient) / letters.term(parts.op(1).expand());
     try {
       const Theorem absurd = Theorem::combination(equal(a, 0), {{Theorem::assume(zero), multiplier}});
-      const Theorem theorem =
-          Theorem::consequence({Theorem::discharge(absurd, zero), differs}, negation(zero));
-      if (!theorem.hypotheses().contains(theorem.conclusion())) {
-        result.push_back(theorem);
-      }
+      result.push_back(Theorem::consequence({Theorem::discharge(absurd, zero), differs}, negation(zero)));
     } catch (const KernelError&) {
       continue;
     }

@@ -52,8 +52,9 @@ using Domain = std::vector<Theorem>;
 
 // Whether it says d ≠ 0, of a number.
 [[nodiscard]] bool is_divisor(const Formula& formula);
-// a ≠ 0, for a sine or a cosine a, gives f ≠ 0, where a is 2 sin(u) cos(u) and f one of these, or f is linear
-// in a variable at whose zero a vanishes: sin(pi*x/y) for x - y. Nothing says nothing.
+// a ≠ 0, for a sine or a cosine a, gives f ≠ 0, where a is f or -f by normal form, or 2 sin(u) cos(u) and f
+// one of these, or f is linear in a variable at whose zero a vanishes: sin(pi*x/y) for x - y. Nothing says
+// nothing.
 [[nodiscard]] std::optional<Theorem> differs_too(const Term& f, const Theorem& known);
 // d ≠ 0 gives f ≠ 0 for the irreducible factors of d, as far as they are found.
 [[nodiscard]] std::vector<Theorem> factors_differ(const Theorem& differs);

@@ -132,6 +132,20 @@ TEST_CASE(
   CHECK(wide.out.find("first ur") != std::string::npos);
 }
 
+TEST_CASE("a box of parameters that may hold a resonance is not decided, whatever its middle has") {
+  const Words data{"--chi", "9/13", "--eta", "169/36"};  // omega1 = 1/2, omega2 = 2
+  for (const auto& [family, example] :
+       {std::pair("symmetric", "S"), {"overshooting", "O"}, {"nonsticking", "P"}}) {
+    const Run near = orbits(with({family, "--example", example, "--omega", "0.51+-0.02"}, data));
+    CHECK(near.code == exit_undecided);
+    CHECK(near.out.find("1 omega = omega1") != std::string::npos);
+  }
+  const Run twice = orbits(with({"nonsticking", "--example", "P", "--omega", "0.2501+-0.001"}, data));
+  CHECK(twice.code == exit_undecided);
+  CHECK(twice.out.find("2 omega = omega1") != std::string::npos);
+  check_refused({{{"symmetric", "--example", "S", "--V", "0.5+-1"}, exit_domain, "V = -0.5"}});
+}
+
 TEST_CASE("degenerate data: a precise answer or a precise refusal, for each family") {
   const Words O{"overshooting", "--example", "O"};
   const Words S{"symmetric", "--example", "S"};

@@ -1,6 +1,7 @@
 // Each assumption that a claim is said to need, deleted: without it there is no theorem, or one with another
 // hypothesis.
 #include <doctest/doctest.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -59,7 +60,8 @@ TEST_CASE("no claim is proved without an assumption that it needs") {
       }
     }
   }
-  CHECK(survivors == std::vector<std::string>{});
+  CAPTURE(fmt::format("{}", survivors));
+  CHECK(survivors.empty());
   CHECK(deleted > 700);
   CHECK(by_kernel > 200);
 }

@@ -48,14 +48,14 @@ Mutants decide_mutants(const std::vector<Claim>& claims, const std::vector<std::
 }
 
 Mutants decide_mutants(const std::vector<Claim>& claims, const std::string& id, const Proof& how,
-                       const std::vector<Assumption>& more) {
+                       const std::vector<Assumption>& assumptions) {
   Mutants result;
   Prover prover(claims);
   for (const Statement& statement : claim_named(claims, id).printed) {
     for (const Edit& edit : edits(statement)) {
       Claim mutant = claim_named(claims, id);
       mutant.printed = {edit.statement};
-      mutant.assumptions.insert(mutant.assumptions.end(), more.begin(), more.end());
+      mutant.assumptions = assumptions;
       Outcome outcome = how(prover, mutant);
       look_for_witness(outcome, mutant);
       const Verdict& verdict = outcome.verdict;

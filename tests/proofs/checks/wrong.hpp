@@ -22,9 +22,10 @@ struct Mutants {
 // evaluation that confirms a witness does not pass through GiNaC.
 [[nodiscard]] Mutants decide_mutants(const std::vector<Claim>& claims, const std::vector<std::string>& ids);
 
-// The same for one claim by another method, under more assumptions; witnesses are not confirmed.
+// The same for one claim by another method, under these assumptions in place of its own; witnesses are not
+// confirmed.
 [[nodiscard]] Mutants decide_mutants(const std::vector<Claim>& claims, const std::string& id,
-                                     const Proof& how, const std::vector<Assumption>& more = {});
+                                     const Proof& how, const std::vector<Assumption>& assumptions = {});
 
 // All single edits that the claims' own methods prove.
 [[nodiscard]] std::vector<std::string> proved_mutants(const std::vector<Claim>& claims,

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
+#include "proofs/methods/implications.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/vocabulary.hpp"
@@ -133,4 +134,17 @@ TEST_CASE("a premise's own assumptions must be assumed, and stay as they were") 
   user.assumptions = {lag};
   user.prove = by_rewriting({from("F").at("tau", s)});
   CHECK(status(with_paper(), "user") == Status::undecided);
+}
+
+TEST_CASE("what contradicts itself proves nothing") {
+  Claim twice{.id = "2t",
+              .place = "test",
+              .printed = {{2 * tau, 0, Relation::greater}},
+              .assumptions = {{"+", {tau, 0, Relation::greater}}},
+              .prove = by_positive_combination({{.positive = {{2, {{assuming("+")}}}}}})};
+  const auto verdict_now = [&] { return audit({twice}).records.front().outcome.verdict; };
+  CHECK(verdict_now().truth == Truth::proved);
+  twice.assumptions.push_back({"-", {tau, 0, Relation::less}});
+  CHECK(verdict_now().truth == Truth::undecided);
+  CHECK(verdict_now().reason.find("vacuous") == 0);
 }

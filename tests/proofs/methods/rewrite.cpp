@@ -64,8 +64,7 @@ TEST_CASE("a premise is solved for what is asked, with its factor") {
   const Rule solved = rule(equation(2 * H(tau) * Z0 + F0, Z0), H(tau) * Z0);
   CHECK(rewrite(rest(equation(H(tau) * Z0, (Z0 - F0) / 2)), {solved}).rest.empty());
   CHECK_FALSE(solve(rest(equation(E * Z0, F0)), poly(H(t) * Z0), {}).has_value());
-  CHECK_FALSE(
-      solve(rest(equation(chi * E * Z0, F0)), poly(E * Z0), {}).has_value());  // chi might be zero
+  CHECK_FALSE(solve(rest(equation(chi * E * Z0, F0)), poly(E * Z0), {}).has_value());  // chi might be zero
   CHECK_THROWS_AS((void)solve(rest(equation(E, H(t))), poly(E + H(t)), {}), InternalError);
 }
 

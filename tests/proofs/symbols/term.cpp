@@ -25,10 +25,12 @@ TEST_CASE("statements print in the order in which they stand") {
 
 TEST_CASE("what is said of all times, or of almost all, says of which") {
   const Statement law = equation(derivative(X(t)), sign(V - t) * X(t));
-  CHECK(text(during(0, tau, law)) == "X'(t) = sign(V - t)*X(t), 0 < t < tau");
-  CHECK(text(almost_always(0, tau, law)) == "X'(t) = sign(V - t)*X(t), 0 < t < tau but for finitely many t");
+  CHECK(text(during(0, tau, law)) == "X'(t) = sign(V - t)*X(t), 0 < t < tau, continuous on [0, tau]");
+  CHECK(text(almost_always(0, tau, law)) ==
+        "X'(t) = sign(V - t)*X(t), 0 < t < tau but for finitely many t, continuous on [0, tau]");
   CHECK(latex(almost_always(0, tau, law)) ==
-        "X'(t) = \\operatorname{sign}(V - t) X(t), \\quad 0 < t < \\tau \\text{ but for finitely many } t");
+        "X'(t) = \\operatorname{sign}(V - t) X(t), \\quad 0 < t < \\tau \\text{ but for finitely many } t, "
+        "\\text{ continuous on } [0, \\tau]");
   CHECK(equal(almost_always(0, tau, law), almost_always(0, tau, law)));
   CHECK(!equal(almost_always(0, tau, law), during(0, tau, law)));
   CHECK(equal(substitute(almost_always(0, tau, law), {{"tau", T}, {"t", s}}), almost_always(0, T, law)));
