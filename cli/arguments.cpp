@@ -125,11 +125,13 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request, const
       "1 one of them is refuted;\n"
       "2 none is refuted, one is undecided.");
   command
-      ->add_option("ID", options.words,
-                   fmt::format("What to check: a statement ({}), an equation with all its\nparts ({}), a "
-                               "place in the paper\n({}),\na kind (theorem, condition, ...), a status "
-                               "(refuted,\ndigits_off, ...); everything if none is given",
-                               paper.part, paper.equation(), paper.places))
+      ->add_option(
+          "ID", options.words,
+          fmt::format("What to check: a statement ({}), an equation with all its\nparts ({}), a "
+                      "place in the paper\n({}),\na kind (theorem, condition, ...), an origin "
+                      "(paper, new,\n...), a status (refuted, digits_off, ...); everything if none is "
+                      "given",
+                      paper.part, paper.equation(), paper.places))
       ->type_name("");
   CLI::Option * list =
       command->add_flag("--list", options.list, "Only list the statements, without proving them");

@@ -78,9 +78,9 @@ ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper) {
   if (options.json) {
     print(report::tools::to_text(report::audit::to_json(paper, audit, command_line(options))));
   } else if (options.explain) {
-    print(report::audit::terminal_explanations(audit, terminal_style()));
+    print(report::audit::terminal_explanations(paper, audit, terminal_style()));
   } else {
-    print(report::audit::terminal_lines(audit, terminal_style()));
+    print(report::audit::terminal_lines(paper, audit, terminal_style()));
   }
   if (report::audit::any_refuted(audit)) {
     return exit_refuted;

@@ -20,10 +20,37 @@ std::string to_string(Kind kind) {
       return "condition";
     case Kind::numbers:
       return "numbers";
+    case Kind::words:
+      return "words";
+    case Kind::figure:
+      return "figure";
     case Kind::check:
       return "check";
   }
   return {};
+}
+
+const std::vector<OriginFacts>& origins() {
+  static const std::vector<OriginFacts> all{
+      {Origin::paper, "paper", "claim of the paper", "claims of the paper",
+       "printed: a statement of the paper names it"},
+      {Origin::reading, "reading", "reading", "readings",
+       "what the paper means or takes for granted, and does not print"},
+      {Origin::converse, "converse", "converse", "converses",
+       "the other direction of something printed, which the paper does not assert"},
+      {Origin::new_result, "new", "new result", "new results", "a result of this audit"},
+      {Origin::auxiliary, "auxiliary", "auxiliary claim", "auxiliary claims",
+       "a step of ours on the way to others, or a check of our own"},
+  };
+  return all;
+}
+
+const OriginFacts& facts(Origin origin) {
+  return origins()[static_cast<std::size_t>(origin)];
+}
+
+std::string to_string(Origin origin) {
+  return facts(origin).name;
 }
 
 namespace {
@@ -43,6 +70,15 @@ const std::vector<StatusFacts>& statuses() {
        .meaning = "proved as printed",
        .one = "is proved exactly as printed",
        .many = "are proved exactly as printed",
+       .lead = holds,
+       .tone = Tone::good,
+       .stands = true,
+       .finding = false},
+      {.status = Status::proved,
+       .name = "proved",
+       .meaning = "proved; it is not a statement of the paper",
+       .one = "is proved, and not printed",
+       .many = "are proved, and not printed",
        .lead = holds,
        .tone = Tone::good,
        .stands = true,
@@ -135,6 +171,24 @@ const std::vector<StatusFacts>& statuses() {
        .decided = false,
        .heading = open,
        .explanation = why_open},
+      {.status = Status::in_part,
+       .name = "in_part",
+       .meaning = "stated in part: what is proved says less",
+       .one = "is stated by our claims in part only",
+       .many = "are stated by our claims in part only",
+       .lead = not_everything,
+       .tone = Tone::quiet,
+       .decided = false,
+       .finding = false},
+      {.status = Status::not_stated,
+       .name = "not_stated",
+       .meaning = "stated by no claim, for the reason given",
+       .one = "is stated by no claim of ours",
+       .many = "are stated by no claim of ours",
+       .lead = not_everything,
+       .tone = Tone::quiet,
+       .decided = false,
+       .finding = false},
   };
   return all;
 }
@@ -148,7 +202,8 @@ std::string to_string(Status status) {
 }
 
 bool is_status(const std::string& word) {
-  return std::ranges::any_of(statuses(), [&](const StatusFacts& row) { return word == row.name; });
+  return std::ranges::any_of(
+      statuses(), [&](const StatusFacts& row) { return word == row.name && row.status < Status::in_part; });
 }
 
 }  // namespace stickslip::proofs::methods

@@ -15,10 +15,34 @@
 
 namespace stickslip::proofs::methods {
 
-// The paper's kinds of statement; and a check in floating point, which proves nothing.
-enum class Kind { definition, model, identity, step, theorem, condition, numbers, check };
+// The paper's kinds of statement, of which claims in words and figures are no claims of ours; and a check in
+// floating point, which proves nothing.
+enum class Kind { definition, model, identity, step, theorem, condition, numbers, words, figure, check };
 
 [[nodiscard]] std::string to_string(Kind kind);
+
+// Whose statement a claim is.
+enum class Origin {
+  paper,       // printed: a statement of the paper names it (PrintedStatement in paper.hpp)
+  reading,     // what the paper means or takes for granted, and does not print
+  converse,    // the other direction of something printed, which the paper does not assert
+  new_result,  // a result of the audit
+  auxiliary,   // a step of ours on the way to others, or a check of our own
+};
+
+// All that is known about an origin.
+struct OriginFacts {
+  Origin origin;
+  const char * name;     // "new": in data, on the command line
+  const char * one;      // "new result"
+  const char * many;     // "new results"
+  const char * meaning;  // in half a sentence
+};
+
+// In the order of the enumeration.
+[[nodiscard]] const std::vector<OriginFacts>& origins();
+[[nodiscard]] const OriginFacts& facts(Origin origin);
+[[nodiscard]] std::string to_string(Origin origin);
 
 // Something that is taken for granted by the statement itself: "(13)" and its equation.
 struct Assumption {
@@ -88,6 +112,7 @@ struct Claim {
   std::string id;          // "44.H": permanent
   std::string place = {};  // "sec3", "A1": that of the section in which it stands
   Kind kind = Kind::step;
+  Origin origin = Origin::paper;
   std::vector<symbols::Statement> printed = {};  // as printed: all of them are claimed
   std::string words = {};                        // one plain sentence: what it says
   std::vector<Assumption> assumptions = {};      // "if", as the paper states it
@@ -104,7 +129,8 @@ struct Claim {
 
 // Computed, never typed; from the best to the worst.
 enum class Status {
-  as_printed,                // proved as it stands
+  as_printed,                // proved as it stands in the paper
+  proved,                    // proved as it stands, and no one printed it
   model,                     // an equation of the model: taken as given
   checked,                   // a check in floating point that agrees
   needs_hypotheses,          // proved where something nonzero that the paper does not mention is nonzero
@@ -114,6 +140,9 @@ enum class Status {
   refuted,
   rests_on_unproved,  // proved, but something that it uses is not
   undecided,
+  // Of a statement of the paper alone, never of a claim:
+  in_part,     // its claims say less than it does
+  not_stated,  // no claim says it
 };
 
 // How a terminal shows a status.
@@ -140,7 +169,7 @@ struct StatusFacts {
 [[nodiscard]] const std::vector<StatusFacts>& statuses();
 [[nodiscard]] const StatusFacts& facts(Status status);
 [[nodiscard]] std::string to_string(Status status);
-// Whether the word is the name of some status.
+// Whether the word is the name of a status that a claim can have.
 [[nodiscard]] bool is_status(const std::string& word);
 
 // An edit of a refuted statement that makes it a theorem.

@@ -17,12 +17,51 @@ const PrintedResult& Example::result(const std::string& result_name) const {
   return *found;
 }
 
+namespace {
+
+const Record * record_of(const Audit& audit, const std::string& id) {
+  const auto found =
+      std::ranges::find_if(audit.records, [&](const Record& record) { return record.claim.id == id; });
+  return found == audit.records.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool is_whole(const Paper& paper, const Audit& audit) {
+  return std::ranges::all_of(paper.claims,
+                             [&](const Claim& claim) { return record_of(audit, claim.id) != nullptr; });
+}
+
+std::vector<const PrintedStatement *> statements_in(const Paper& paper, const Audit& audit) {
+  const auto known = [&](const std::string& id) { return record_of(audit, id) != nullptr; };
+  const bool whole = is_whole(paper, audit);
+  std::vector<const PrintedStatement *> statements;
+  for (const PrintedStatement& statement : paper.statements) {
+    if (whole || (!statement.claims.empty() && std::ranges::all_of(statement.claims, known))) {
+      statements.push_back(&statement);
+    }
+  }
+  return statements;
+}
+
+Status status_of(const PrintedStatement& statement, const Audit& audit) {
+  if (statement.claims.empty()) {
+    return Status::not_stated;
+  }
+  Status worst = Status::as_printed;
+  for (const std::string& id : statement.claims) {
+    const Record * record = record_of(audit, id);
+    worst = std::max(worst, record ? record->status : Status::undecided);
+  }
+  return statement.missing.empty() || worst > Status::needs_hypotheses ? worst : Status::in_part;
+}
+
 std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::string& word) {
   std::set<std::string> ids;
   std::vector<std::string> places;
   for (const Claim& claim : claims) {
     if (claim.id == word || claim.place == word || claim.id.starts_with(word + ".") ||
-        to_string(claim.kind) == word) {
+        to_string(claim.kind) == word || to_string(claim.origin) == word) {
       ids.insert(claim.id);
     }
     if (places.empty() || places.back() != claim.place) {
@@ -32,8 +71,8 @@ std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::str
   if (word.empty() || ids.empty()) {
     const std::string part = id_of_a_part(claims);
     throw UsageError(fmt::format(
-        "there is no claim '{}': name an equation such as {}, a claim such as {}, a kind such as theorem, a "
-        "status such as refuted, or one of the places {}",
+        "there is no claim '{}': name an equation such as {}, a claim such as {}, a kind such as theorem, an "
+        "origin such as paper or new, a status such as refuted, or one of the places {}",
         word, part.substr(0, part.find('.')), part, fmt::join(places, ", ")));
   }
   return ids;

@@ -52,16 +52,63 @@ struct Judgement {
   std::set<std::string> shown_by;  // ids of the claims that show that
 };
 
-struct Paper {
-  Bibliography bibliography;
-  std::vector<Section> sections;      // in the paper's order
-  std::vector<Claim> claims;          // section by section
-  std::vector<Example> examples;      // in the paper's order
-  std::vector<Judgement> judgements;  // one for each claim that brings in hypotheses
+// A statement of the paper in our own words, and the claims that state it. A numbered equation is one
+// statement, whatever its parts; a part of another kind, or with an argument of its own, is another.
+struct PrintedStatement {
+  std::string id;     // "S047": permanent
+  std::string place;  // "after (12)", "Fig. 2 caption"
+  Kind kind = Kind::step;
+  std::string words;
+  std::vector<std::string> claims = {};  // ids; they say all of it if nothing is missing
+  std::string missing = {};              // what they leave unsaid; without claims, why there is none
+  std::vector<std::string> see = {};     // ids of claims that touch it, and say something else
+  std::string section = {};              // "Section 4"
 };
 
+// What there is to say about a claim of the paper that does not hold as it stands: the statement apart from
+// its denial.
+struct Remark {
+  std::string claim;     // id
+  std::string place;     // "line after (37)": for who has the paper before her
+  std::string says;      // what the paper says
+  std::string fact;      // what is so
+  std::string because;   // why; may be empty
+  std::string see = {};  // a command that shows it; may be empty
+};
+
+// A result of the audit, to be cited.
+struct Result {
+  std::string id;                   // "uniqueness": permanent
+  std::string title;                // "Orbits that never stick are unique"
+  std::string theorem;              // with all hypotheses
+  std::string idea;                 // of the proof
+  std::string see;                  // the command that checks it
+  std::vector<std::string> claims;  // ids; the first is the theorem
+};
+
+struct Paper {
+  Bibliography bibliography;
+  std::vector<Section> sections;                  // in the paper's order
+  std::vector<Claim> claims;                      // section by section
+  std::vector<Example> examples;                  // in the paper's order
+  std::vector<Judgement> judgements;              // one for each claim that brings in hypotheses
+  std::vector<PrintedStatement> statements = {};  // in the paper's order
+  std::vector<Remark> remarks = {};               // the weightiest first
+  std::vector<Result> results = {};               // the strongest first
+};
+
+// Whether every claim of the paper is in the audit.
+[[nodiscard]] bool is_whole(const Paper& paper, const Audit& audit);
+
+// The statements that the audit answers: all if it is whole, else those whose claims all are in it.
+[[nodiscard]] std::vector<const PrintedStatement *> statements_in(const Paper& paper, const Audit& audit);
+
+// The worst status of the claims that state it, one that is not in the audit being undecided; in_part if
+// something is missing, and nothing worse is known than a hypothesis; not_stated without claims.
+[[nodiscard]] Status status_of(const PrintedStatement& statement, const Audit& audit);
+
 // The ids that a word names: a claim (47.c1), an equation with all its parts (47), a place (sec4, A3), a
-// kind. Throws UsageError naming the word and what there is.
+// kind, an origin (paper, new). Throws UsageError naming the word and what there is.
 [[nodiscard]] std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::string& word);
 
 // The first id of a claim about a part of an equation, to show what such ids look like: "44.H". Empty if

@@ -34,7 +34,10 @@ Status status_of(const Record& record, bool premises_stand) {
         return record.converse->verdict.truth == Truth::refuted ? Status::necessary_not_sufficient
                                                                 : Status::undecided;
       }
-      return record.outcome.hypotheses.empty() ? Status::as_printed : Status::needs_hypotheses;
+      if (!record.outcome.hypotheses.empty()) {
+        return Status::needs_hypotheses;
+      }
+      return record.claim.origin == Origin::paper ? Status::as_printed : Status::proved;
     case Truth::refuted:
       if (record.claim.kind == Kind::numbers) {
         return Status::digits_off;

@@ -121,6 +121,7 @@ std::vector<Derived> computed() {
 Claim formulas() {
   return {.id = "51.formulas",
           .kind = Kind::identity,
+          .origin = Origin::auxiliary,
           .words = "the program computes with the printed coefficients, but for the sign in $c_1$",
           .prove = by_comparison(
               "the formulas that the program computes with and the printed ones have the same normal form",

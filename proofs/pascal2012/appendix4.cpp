@@ -24,6 +24,7 @@ std::vector<Claim> appendix4() {
        .illegible = "the letter in $delta_0$"},
       {.id = "52.L",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(L(t) * d0, H(t) * delta0 - delta0)},
        .words = "$L(t) d_0$ is what $H(t)$ adds to $delta_0$",
        .prove = by_normal_form()},

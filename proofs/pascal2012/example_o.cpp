@@ -31,12 +31,12 @@ PrintedPlace where() {
   return {printed(), "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
 }
 
-Claim number(const std::string& id, const std::string& words, Proof prove) {
-  return {.id = id, .kind = Kind::numbers, .words = words, .prove = std::move(prove)};
+Claim number(const std::string& id, Origin origin, const std::string& words, Proof prove) {
+  return {.id = id, .kind = Kind::numbers, .origin = origin, .words = words, .prove = std::move(prove)};
 }
 
 Claim closes() {
-  return number("O.orbit",
+  return number("O.orbit", Origin::paper,
                 "an orbit with the data of Fig. 3 exists: it closes in all components of (20), with $z2' = "
                 "V$ at $tau$ (18) and $tau + tau_1$ (19)",
                 [](Prover&, const Claim&) {
@@ -79,7 +79,8 @@ Ball exactly(const std::string& name) {
 
 Claim printed_times() {
   return number(
-      "O.23", "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
+      "O.23", Origin::reading,
+      "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
       [](Prover&, const Claim&) {
         Outcome outcome = at_the_data(printed(),
                                       "$Delta$ over the printed intervals in balls: where it is not zero, a "
@@ -109,7 +110,7 @@ Decimal signed_decimal(const std::string& name) {
 }
 
 Claim printed_state_closes() {
-  return number("O.21",
+  return number("O.21", Origin::reading,
                 "the printed $tau$, $tau_1$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its "
                 "last place, close the motion",
                 [](Prover&, const Claim&) {
@@ -150,7 +151,7 @@ std::vector<Claim> origins() {
                     }),
       computed_from(where(), "T", "$Theta - tau - tau_1$",
                     [] { return exactly("Theta") - exactly("tau") - exactly("tau1"); }),
-      number("O.c1",
+      number("O.c1", Origin::auxiliary,
              "the printed $tau$ and $tau_1$ were not computed with the printed $c_1$: over their intervals "
              "it takes $F_1$ farther from zero than the derived one",
              [](Prover&, const Claim&) {
@@ -219,7 +220,7 @@ Ball unsolvable(const model::ClosingCoefficients<Ball>& k) {
 
 Claim spurious() {
   return number(
-      "23.spurious",
+      "23.spurious", Origin::new_result,
       "at the data of Fig. 3 a solution of (23) with $tau$, $tau_1$, $T > 0$ exists at which (21) has none: "
       "$Delta = 0$ there",
       [](Prover&, const Claim&) {

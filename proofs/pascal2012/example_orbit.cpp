@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/printed.hpp"
 #include "numeric/simulation/agreement.hpp"
+#include "proofs/pascal2012/statements.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -22,6 +23,7 @@ Claim list_claim(const PrintedPlace& where) {
   return {
       .id = where.example.name + ".list",
       .kind = Kind::numbers,
+      .origin = Origin::new_result,
       .words =
           fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
       .prove = [where](Prover&, const Claim&) {
@@ -44,6 +46,9 @@ Claim list_claim(const PrintedPlace& where) {
 Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
   return {.id = fmt::format("{}.if.{}", where.example.name, requirement.id),
           .kind = Kind::condition,
+          .origin = is_stated(fmt::format("{}.if.{}", where.example.name, requirement.id))
+                        ? Origin::paper
+                        : Origin::auxiliary,
           .words = fmt::format("{}, at the data of {}", requirement.statement, where.example.figure),
           .prove = [where, id = requirement.id](Prover&, const Claim&) {
             const std::vector<Condition>& conditions = printed_orbit(where.example).conditions;
@@ -74,6 +79,7 @@ std::string shown_complex(const ComplexBall& number) {
 Claim stability_claim(const PrintedPlace& where) {
   return {.id = where.example.name + ".stability",
           .kind = Kind::numbers,
+          .origin = Origin::new_result,
           .words = fmt::format("whether the orbit of {} is stable, which the paper leaves open",
                                where.example.figure),
           .prove = [where](Prover&, const Claim&) {
@@ -102,6 +108,7 @@ constexpr double raw_bound = 1e-8;
 Claim raw_law_claim(const PrintedPlace& where) {
   return {.id = where.example.name + ".raw",
           .kind = Kind::check,
+          .origin = Origin::auxiliary,
           .words = fmt::format(
               "the equations of motion (2) with the friction law (4), integrated over one period without any "
               "closed form from the orbit of {}, give its phases, their times and the same state to 1e-8",
@@ -158,6 +165,7 @@ Claim computed_from(const PrintedPlace& where, const std::string& name, const st
   return {
       .id = fmt::format("{}.from.{}", where.example.name, name),
       .kind = Kind::numbers,
+      .origin = Origin::auxiliary,
       .words = fmt::format("the printed ${}$ is {} of the other printed values, rounded", name, formula),
       .prove = [=, value = std::move(value)](Prover&, const Claim&) {
         const Ball computed = value();

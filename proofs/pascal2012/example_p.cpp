@@ -58,6 +58,7 @@ Claim friction_claim() {
   return {
       .id = "P.from.ur",
       .kind = Kind::numbers,
+      .origin = Origin::auxiliary,
       .words = "$u_r = 0.2996$ is the largest $u_r$ for which the orbit exists, cut off after four digits",
       .prove = [](Prover&, const Claim&) {
         const Example& example = example_named("P");
@@ -78,6 +79,7 @@ Claim friction_claim() {
 Claim least_load_claim() {
   return {.id = "P.least",
           .kind = Kind::condition,
+          .origin = Origin::new_result,
           .words =
               "the load of Fig. 4 exceeds the least one: $p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2)$, "
               "$B = b_1 d_01 + b_2 d_02$, which is necessary and sufficient; $S$ is the supremum over $0 < t "

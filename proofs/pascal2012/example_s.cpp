@@ -55,6 +55,7 @@ Claim closes() {
 Claim printed_values_close() {
   return {.id = "S.16",
           .kind = Kind::numbers,
+          .origin = Origin::reading,
           .words =
               "the printed $tau$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its last place, "
               "solve (16)",

@@ -2,6 +2,7 @@
 
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/judgement.hpp"
+#include "proofs/pascal2012/statements.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -37,7 +38,8 @@ Paper assembled() {
               {},
               {},
               printed_examples(),
-              judgements()};
+              judgements(),
+              printed_statements()};
   for (const Part& part : parts()) {
     paper.sections.push_back(part.section);
     for (Claim& claim : part.claims()) {

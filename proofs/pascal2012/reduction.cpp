@@ -130,6 +130,7 @@ Claim reduced(const std::string& id, const std::string& words, Compare compare,
               const std::vector<Assumption>& assumptions) {
   return {.id = id,
           .kind = Kind::step,
+          .origin = Origin::auxiliary,
           .words = words,
           .assumptions = assumptions,
           .prove = by_comparison(compare)};

@@ -80,6 +80,7 @@ std::vector<Claim> equations() {
        .prove = by_definition()},
       {.id = "3.domain",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {{chi, 0, Relation::greater}, {chi, 1, Relation::less}, {eta, 0, Relation::greater}},
        .words = "the domain of the model, $0 < chi < 1$ and $eta > 0$, from positive masses and stiffnesses",
        .assumptions = {ratios[0], ratios[1], stiff1, stiff2, stiff, heavy1, heavy2},
@@ -125,6 +126,7 @@ std::vector<Claim> friction_law() {
        .prove = by_combination({{{assuming("2"), 0, -1 / eta}}})},
       {.id = "4.defined",
        .kind = Kind::definition,
+       .origin = Origin::reading,
        .words =
            "the law gives a friction in every state: not where $x2' = V$ and $|r| = u_r$, where each slip of "
            "Sections 4 and 5 begins; every motion of the paper goes on from there with $u = u_s$",
@@ -135,6 +137,7 @@ std::vector<Claim> friction_law() {
                                                    {pull, ur, Relation::greater}}})},
       {.id = "4.unique",
        .kind = Kind::definition,
+       .origin = Origin::reading,
        .words = "the law continues every motion in one way: not where $x2' = V$ and $u_s < |r| < u_r$; "
                 "sticking obeys it, and so does slipping off with $u = u_s$, since then $x2'' = eta (u_s - "
                 "r) < 0$; the paper means the stick",
@@ -143,6 +146,7 @@ std::vector<Claim> friction_law() {
                                    .false_there = {{eta * (us - pull), 0, Relation::greater_or_equal}}})},
       {.id = "4.slips",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {equation(xddot2, eta * (u - pull))},
        .words = "(2) with $r$: a mass at the belt's velocity is accelerated by $eta (u - r)$",
        .assumptions = {motion},

@@ -72,6 +72,7 @@ std::vector<Claim> linear_equations() {
        .prove = by_combination(forward)},
       {.id = "21.back",
        .kind = Kind::step,
+       .origin = Origin::converse,
        .printed = {equation(ZC, Gamma(-T) * Z0), equation(scalar("zdot2B"), V), equation(speed_C, V)},
        .words = "conversely the five equations give the state at $tau + tau_1$ that closes the motion, all "
                 "four components of (20), and $z2' = V$ at $tau$ and $tau + tau_1$",
@@ -144,6 +145,7 @@ std::vector<Claim> solution() {
        .illegible = "the letter $Delta$, and the inequality sign in $Delta != 0$"},
       {.id = "22.back",
        .kind = Kind::step,
+       .origin = Origin::converse,
        .printed = {equation(closing_form(1), 0), equation(closing_form(2), 0), equation(closing_form(3), 0)},
        .words = "conversely (22) solves them",
        .assumptions = solved,
@@ -157,6 +159,7 @@ std::vector<Claim> solution() {
        .prove = by_combination({necessary(4), necessary(5)})},
       {.id = "23.back",
        .kind = Kind::step,
+       .origin = Origin::converse,
        .printed = {equation(closing_form(4), 0), equation(closing_form(5), 0)},
        .words = "conversely (22) and (23) solve the other two equations, if $Delta$ is not zero",
        .assumptions = compatible_too,
@@ -178,6 +181,7 @@ std::vector<Claim> exceptions() {
   return {
       {.id = "22.square",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(determinant_of_columns({"a", "b", "c"}),
                             -8 * power(even_determinant, 2) / power(lambda1 - lambda2, 2))},
        .words = "$Delta$ depends on $tau + tau_1$ alone and is a negative square: it touches zero and never "
@@ -186,6 +190,7 @@ std::vector<Claim> exceptions() {
        .prove = by_putting_in(coefficients)},
       {.id = "22.null",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation((H(tau + tau1) - Gamma(-T)) * even_state,
                             gap * column({sin2, lambda2 * sin2, cos2, lambda2 * cos2}))},
        .words = "where that square is zero, a state without $z2'$, even about the middle of the stick, "
@@ -194,6 +199,7 @@ std::vector<Claim> exceptions() {
        .prove = by_normal_form()},
       {.id = "23.tau",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(row(4) * (H(0) * (Z0 - F0) + F(0)) - V, 0)},
        .words = "at $tau = 0$ equation 4 of (21) is empty, $F_1 = 0$ for every $tau_1$: zeros of (23) there "
                 "are no orbits",
@@ -201,6 +207,7 @@ std::vector<Claim> exceptions() {
        .prove = by_normal_form()},
       {.id = "23.tau1",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(row(4) * (H(tau) * (Z0 - F0) + 2 * L(0) * d0 + F(tau)), row(4) * after_slip)},
        .words = "at $tau_1 = 0$ equations 4 and 5 of (21) are one, $F_1 = F_2$: zeros of (23) there are "
                 "motions without an overshoot",

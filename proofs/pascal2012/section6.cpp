@@ -119,6 +119,7 @@ std::vector<Claim> closing() {
        .illegible = "$Q omega$ in front of $sin(phi)$"},
       {.id = "30.back",
        .kind = Kind::step,
+       .origin = Origin::converse,
        .printed = {equation((H(tau) - H(-tau)) * (ZB - FB) + 2 * L(tau) * d0, zero(4, 1))},
        .words = "conversely (30) gives (29)",
        .assumptions = motion,
@@ -143,6 +144,7 @@ std::vector<Claim> states() {
        .illegible = "$Q omega$ in front of $sin(phi)$, and the inequality sign in $det(H_3) != 0$"},
       {.id = "31.det",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(determinant(H3(tau)), omega1 * omega2 * sin(omega1 * tau) * sin(omega2 * tau)),
                    equation(determinant(H2(tau)), sin(omega1 * tau) * sin(omega2 * tau) / (omega1 * omega2))},
        .words = "where (31) fails: at $tau = pi/omega$ both determinants vanish exactly if $omega_1$ or "
@@ -150,6 +152,7 @@ std::vector<Claim> states() {
        .prove = by_normal_form()},
       {.id = "31.modes",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {equation(sin(omega1 * tau) / omega1 * (first_row * modal_speed) +
                                 (cos(omega1 * tau) - 1) * (first_row * modal_rest),
                             0),
@@ -164,6 +167,7 @@ std::vector<Claim> states() {
                                 {{from("30"), 0, second_row * inverse(Lambda)}}})},
       {.id = "31.rest",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(modal_rest, us / (1 - chi) / (power(omega2, 2) - power(omega1, 2)) *
                                             column({power(omega2, 2), -power(omega1, 2)}))},
        .words = "the friction moves the place of rest of both modes, $Lambda^{-1} d_0$ has no zero component",
@@ -204,6 +208,7 @@ std::vector<Claim> states() {
        .prove = by_combination({{{from("33.symmetry"), 1, second_row / 2}}})},
       {.id = "33.back",
        .kind = Kind::theorem,
+       .origin = Origin::converse,
        .printed = {equation(Z0, H(tau) * H(tau) * (Z0 - F0) + 2 * L(tau) * d0 + F0)},
        .words = "conversely the states of (33) close by (28), with $H_2^{-1}(H_1 - I)$ continued to where "
                 "$det H_2$ is zero; only $cos(omega_j pi/(2 omega)) = 0$ is excluded, $omega_j$ an odd "
@@ -235,6 +240,7 @@ std::vector<Claim> closed_forms() {
        .illegible = "minus signs in $a_1$, $a_2$, $b_2$, $lambda_i$ and $d$"},
       {.id = "34.H",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(H2_inverse * (H1(tau) - I2), -block(2, {a1, a2, b1, b2}))},
        .words =
            "$H_2^{-1}(H_1 - I)$ in closed form: the numbers $a_i$, $b_i$ of (34) and (35) are its entries",

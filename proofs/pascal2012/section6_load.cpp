@@ -92,11 +92,13 @@ std::vector<Claim> condition36() {
             {.positive = {{1, {{assuming("36")}}}}, .equations = {{from("31"), 0, -lever}}}})},
       {.id = "36.q2",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(chi * eta * (q2 - q1) - p, power(omega, 2) * q2)},
        .words = "the second row of $(K - omega^2 I) Q = (0, p)$: (36) is $omega^2 q_2 cos(phi) > eta u_r$",
        .prove = by_normal_form()},
       {.id = "36.load",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {pushes},
        .words = "(36) holds only if $q_2$ is not zero: neither $p = 0$ nor $omega = 1$, where (35) would not "
                 "determine $phi$, allows a motion that never sticks",
@@ -106,6 +108,7 @@ std::vector<Claim> condition36() {
              .equations = {{from("36.q2"), 0, -cos(phi) / power(omega, 2)}}}})},
       {.id = "36.square",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {{power(push, 2), power(eta * ur, 2), Relation::greater}},
        .words = "the square of (36)",
        .assumptions = {both},
@@ -132,6 +135,7 @@ std::vector<Claim> condition37() {
   return {
       {.id = "37.p",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {equation(p, bound * q2 * omega)},
        .words = "(7) solved for the load amplitude",
        .prove = by_normal_form()},
@@ -147,6 +151,7 @@ std::vector<Claim> condition37() {
        .illegible = "the bars of the absolute value, the fraction bar and a factor $omega$ below it"},
       {.id = "37.sharp",
        .kind = Kind::condition,
+       .origin = Origin::new_result,
        .printed = {sharp},
        .words = "what (36) and (35) say about the load amplitude",
        .assumptions = moving_motion({both}),
@@ -154,6 +159,7 @@ std::vector<Claim> condition37() {
                                           .equations = {from_35(square), from_load(1)}}})},
       {.id = "37.sharp.back",
        .kind = Kind::condition,
+       .origin = Origin::new_result,
        .printed = {inequality36},
        .words = "conversely that amplitude gives (36), for the one of the two phases $phi$ allowed by (35) "
                 "for which $q_2 cos(phi)$ is positive",
@@ -166,6 +172,7 @@ std::vector<Claim> condition37() {
                                      .divisors = {{power(omega, 2), {{assuming("36.load")}}}, {eta * ur}}}})},
       {.id = "37.speed",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {equation(block(1, {0, 0, 0, 1}) * (H(t) * (Z0 - F0) + F(t)),
                             -q2 * omega * cos(phi) * sin(omega * t) + B * cos(omega * t) -
                                 second_row * (H3(t) * d0 - H1(t) * H2_inverse * (H1(tau) - I2) * d0))},

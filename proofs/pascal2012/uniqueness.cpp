@@ -103,6 +103,7 @@ std::vector<Claim> decrease() {
   return {
       {.id = "A5.energy",
        .kind = Kind::theorem,
+       .origin = Origin::auxiliary,
        .printed = {almost_always(0, Theta,
                                  equation(derivative(energy), us * (xdot2 - ydot2) * (side_x - side_y)))},
        .words = "the energy of the difference of two motions by (2) and (4) that never stick, under the same "
@@ -119,6 +120,7 @@ std::vector<Claim> decrease() {
        .prove = by_decrease(from("A5.energy"), 2 * us)},
       {.id = "A5.sides",
        .kind = Kind::theorem,
+       .origin = Origin::auxiliary,
        .printed = {almost_always(0, Theta, equation(side_x, side_y))},
        .words = "if both have the period $Theta$, they slip on the same side at almost all times: else their "
                 "energy would decrease and not come back",
@@ -142,12 +144,14 @@ std::vector<Claim> free_motion() {
   return {
       {.id = "A5.difference",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {equation(delta(t), H(t) * delta(0))},
        .words = "what moves freely at almost all times, and continuously, moves by $H$",
        .assumptions = {moves_freely, not_before(t, 0), not_after(t, Theta)},
        .prove = by_differential_equation({"A5.moves", "", H, zero(4, 1)})},
       {.id = "A5.free",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {equation(delta(t), zero(4, 1))},
        .words = "a difference that moves freely with period $Theta$ is zero off resonance",
        .assumptions = {moves_freely, returns, off_resonance, not_before(t, 0), not_after(t, Theta)},
@@ -161,6 +165,7 @@ std::vector<Claim> one_motion() {
   return {
       {.id = "A5.moves",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {almost_always(0, Theta,
                                  equation(derivative(X(t) - Y(t)), first_order(K) * (X(t) - Y(t))))},
        .words = "with equal frictions the difference of two motions moves freely",
@@ -168,6 +173,7 @@ std::vector<Claim> one_motion() {
        .prove = by_chain_rule({assuming("4.x"), assuming("4.y"), from("A5.sides")})},
       {.id = "A5.unique",
        .kind = Kind::theorem,
+       .origin = Origin::new_result,
        .printed = {equation(X(t), Y(t))},
        .words = "off resonance there is at most one motion of period $Theta$ that never sticks: for every "
                 "$V$, any finite number of transitions, any $omega$",
@@ -186,6 +192,7 @@ std::vector<Claim> mirror() {
   return {
       {.id = "A5.mirror",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {slips_with_friction("", -X(later), component(3, -X(later)), Theta).statement},
        .words = "for $V = 0$ the motion $-X(t + Theta/2)$ obeys (2) and (4), too: half a period later the "
                 "load is the opposite one",
@@ -193,6 +200,7 @@ std::vector<Claim> mirror() {
        .prove = by_chain_rule({assuming("4.x")}, Theta / 2)},
       {.id = "A5.symmetry",
        .kind = Kind::theorem,
+       .origin = Origin::new_result,
        .printed = {equation(X(t), -X(later))},
        .words = "$V = 0$, off resonance: every motion of period $Theta$ that never sticks is symmetric in "
                 "space and time, as $X(t)$ and $-X(t + Theta/2)$ are both such motions and there is one "
@@ -212,6 +220,7 @@ std::vector<Claim> weaker_hypotheses() {
   return {
       {.id = "65.modes",
        .kind = Kind::identity,
+       .origin = Origin::auxiliary,
        .printed = {relation1(first), relation1(second), relation2(first), relation2(second)},
        .words = "(60) mode by mode, with half the angles: nothing is divided by",
        .assumptions = cycle,
@@ -221,6 +230,7 @@ std::vector<Claim> weaker_hypotheses() {
                                 {{from("57"), 1, both_rows(second, -1)}}})},
       {.id = "65.sharp",
        .kind = Kind::theorem,
+       .origin = Origin::new_result,
        .printed = {equation(X1, zero(2, 1)), equation(Y1, zero(2, 1)), equation(X2, zero(2, 1)),
                    equation(Y2, zero(2, 1))},
        .words = "$xi_1 = xi_2 = 0$ off resonance, whatever $tau$: neither $det H_2$ nor $det P$ is needed",

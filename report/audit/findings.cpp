@@ -36,22 +36,44 @@ std::size_t weight(const HypothesisGroup& group) {
 
 }  // namespace
 
-std::string verdict_lead(const Audit& audit) {
-  const std::vector<StatusCount> counts = count_statuses(audit);
-  return (counts.empty() ? statuses().front() : facts(counts.back().status)).lead;
+std::string verdict_lead(const Paper& paper, const Audit& audit) {
+  Status worst = Status::as_printed;
+  for (const StatusCount& entry : count_statements(paper, audit)) {
+    if (entry.status < Status::in_part) {
+      worst = entry.status;
+    }
+  }
+  return facts(worst).lead;
 }
 
-std::string verdict_sentence(const Audit& audit) {
+std::string verdict_sentence(const Paper& paper, const Audit& audit) {
   std::vector<std::string> parts;
-  for (const StatusCount& entry : count_statuses(audit)) {
+  for (const StatusCount& entry : count_statements(paper, audit)) {
     const StatusFacts& known = facts(entry.status);
     parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
   }
   if (parts.empty()) {
     return {};
   }
-  const std::size_t total = audit.records.size();
-  return fmt::format("Of {} statement{}, {}.", total, total == 1 ? "" : "s", fmt::join(parts, "; "));
+  const std::size_t total = statements_in(paper, audit).size();
+  return fmt::format("Of {} statement{} of the paper, {}.", total, total == 1 ? "" : "s",
+                     fmt::join(parts, "; "));
+}
+
+std::string sentence_of_ours(const Audit& audit) {
+  std::vector<std::string> parts;
+  std::size_t total = 0;
+  for (const OriginCount& entry : count_origins(audit)) {
+    if (entry.origin != Origin::paper) {
+      const OriginFacts& known = facts(entry.origin);
+      parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
+      total += entry.count;
+    }
+  }
+  return parts.empty()
+             ? ""
+             : fmt::format("Beside these {} claim{} of our own {} counted apart: {}.", total,
+                           total == 1 ? "" : "s", total == 1 ? "is" : "are", fmt::join(parts, ", "));
 }
 
 std::vector<HypothesisGroup> hypothesis_groups(const Audit& audit) {

@@ -5,15 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::report::audit {
 
-// "The paper holds, with corrections.": what the worst status comes to.
-[[nodiscard]] std::string verdict_lead(const proofs::methods::Audit& audit);
+// "The paper holds, with corrections.": what the worst status of its statements comes to, as far as they are
+// stated by claims.
+[[nodiscard]] std::string verdict_lead(const proofs::methods::Paper& paper,
+                                       const proofs::methods::Audit& audit);
 
-// One sentence with the number of statements of each status; empty for an empty audit.
-[[nodiscard]] std::string verdict_sentence(const proofs::methods::Audit& audit);
+// One sentence with the number of the paper's statements of each status; empty if the audit answers none.
+[[nodiscard]] std::string verdict_sentence(const proofs::methods::Paper& paper,
+                                           const proofs::methods::Audit& audit);
+
+// One sentence with the number of claims that are not the paper's, by origin; empty if there are none.
+[[nodiscard]] std::string sentence_of_ours(const proofs::methods::Audit& audit);
 
 // The same things that must not vanish, brought in by the proofs of some claims and inherited by others.
 struct HypothesisGroup {

@@ -120,6 +120,7 @@ Json claim(const Record& record) {
   return {{"id", c.id},
           {"place", c.place},
           {"kind", proofs::methods::to_string(c.kind)},
+          {"origin", proofs::methods::to_string(c.origin)},
           {"words", plain(c.words)},
           {"status", proofs::methods::to_string(record.status)},
           {"meaning", proofs::methods::facts(record.status).meaning},
@@ -135,16 +136,46 @@ Json claim(const Record& record) {
           {"used_by", list_of(record.used_by, as_it_is)}};
 }
 
-Json summary(const Audit& audit) {
-  const auto status = [](const StatusCount& entry) -> Json {
-    return {{"status", proofs::methods::to_string(entry.status)},
-            {"meaning", proofs::methods::facts(entry.status).meaning},
-            {"count", entry.count}};
-  };
-  return {{"statements", audit.records.size()},
+Json status_count(const StatusCount& entry) {
+  return {{"status", proofs::methods::to_string(entry.status)},
+          {"meaning", proofs::methods::facts(entry.status).meaning},
+          {"count", entry.count}};
+}
+
+Json origin_count(const OriginCount& entry) {
+  const OriginFacts& known = proofs::methods::facts(entry.origin);
+  return {{"origin", known.name},
+          {"meaning", known.meaning},
+          {"count", entry.count},
+          {"statuses", list_of(entry.statuses, status_count)}};
+}
+
+Json summary(const Paper& paper, const Audit& audit) {
+  return {{"statements", statements_in(paper, audit).size()},
+          {"statuses", list_of(count_statements(paper, audit), status_count)},
+          {"claims", audit.records.size()},
+          {"origins", list_of(count_origins(audit), origin_count)},
           {"decided", all_decided(audit)},
-          {"line", summary_line(audit)},
-          {"statuses", list_of(count_statuses(audit), status)}};
+          {"line", summary_line(paper, audit)}};
+}
+
+Json printed_statement(const PrintedStatement& statement, const Audit& audit) {
+  const Status status = status_of(statement, audit);
+  return {{"id", statement.id},
+          {"section", statement.section},
+          {"place", statement.place},
+          {"kind", proofs::methods::to_string(statement.kind)},
+          {"words", plain(statement.words)},
+          {"status", proofs::methods::to_string(status)},
+          {"meaning", proofs::methods::facts(status).meaning},
+          {"claims", list_of(statement.claims, as_it_is)},
+          {"missing", plain(statement.missing)},
+          {"see", list_of(statement.see, as_it_is)}};
+}
+
+Json printed_statements(const Paper& paper, const Audit& audit) {
+  return list_of(statements_in(paper, audit),
+                 [&](const PrintedStatement * statement) { return printed_statement(*statement, audit); });
 }
 
 Json bibliography(const proofs::methods::Bibliography& b) {
@@ -173,7 +204,8 @@ Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
              const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate) {
   Json json = provenance(command);
   json["paper"] = bibliography(paper.bibliography);
-  json["summary"] = summary(audit);
+  json["summary"] = summary(paper, audit);
+  json["statements"] = printed_statements(paper, audit);
   json["places"] = list_of(by_place(paper, audit), place);
   json["examples"] = list_of(examples, example);
   json["mutants"] = gate ? to_json(*gate) : Json(nullptr);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "core/decimal.hpp"
 #include "report/audit/findings.hpp"
@@ -72,6 +73,7 @@ void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const
 void complete_claim(Json& claim, const Record& record, const std::string& place_title) {
   const std::string& id = record.claim.id;
   add_words(claim, "status");
+  claim["origin_words"] = facts(record.claim.origin).one;
   claim["examined"] = record.status != Status::model;
   claim["place_title"] = place_title;
   claim["words_sentence"] = sentence(record.claim.words);
@@ -89,6 +91,10 @@ void complete_claim(Json& claim, const Record& record, const std::string& place_
   claim["needs"] = claim.at(record.corrected ? "corrected_outcome" : "outcome").at("hypotheses");
 }
 
+const OriginFacts& origin_named(const std::string& name) {
+  return *std::ranges::find_if(origins(), [&](const OriginFacts& known) { return known.name == name; });
+}
+
 Json group(const StatusFacts& status) {
   return {
       {"title", status.heading}, {"explanation", status.explanation}, {"count", 0},
@@ -97,6 +103,57 @@ Json group(const StatusFacts& status) {
 
 bool compares(const Json& claim) {
   return !claim.at("outcome").at("comparisons").empty();
+}
+
+// The paper's statements that the audit answers, section by section.
+Json printed_sections(const Paper& paper, const proofs::methods::Audit& audit, const Json& statements) {
+  Json sections = Json::array();
+  const std::vector<const PrintedStatement *> answered = statements_in(paper, audit);
+  for (std::size_t i = 0; i < answered.size(); ++i) {
+    Json one = statements.at(i);
+    add_words(one, "status");
+    one["words"] = answered[i]->words;
+    one["words_sentence"] = sentence(answered[i]->words);
+    one["missing"] = answered[i]->missing;
+    if (sections.empty() || sections.back().at("title") != answered[i]->section) {
+      sections.push_back({{"title", answered[i]->section}, {"statements", Json::array()}});
+    }
+    sections.back()["statements"].push_back(std::move(one));
+  }
+  return sections;
+}
+
+// The statements of the paper that a claim states: {"id", "place"}.
+Json stated_by(const Paper& paper, const std::string& claim) {
+  Json found = Json::array();
+  for (const PrintedStatement& statement : paper.statements) {
+    if (std::ranges::find(statement.claims, claim) != statement.claims.end()) {
+      found.push_back({{"id", statement.id}, {"place", statement.place}});
+    }
+  }
+  return found;
+}
+
+// The statuses that occur, of statements and of claims, from the best to the worst.
+Json statuses_met(const Json& summary) {
+  std::set<std::string> names;
+  const auto add = [&names](const Json& counts) {
+    for (const Json& one : counts) {
+      names.insert(one.at("status"));
+    }
+  };
+  add(summary.at("statuses"));
+  for (const Json& origin : summary.at("origins")) {
+    add(origin.at("statuses"));
+  }
+  Json met = Json::array();
+  for (const StatusFacts& known : statuses()) {
+    if (names.contains(known.name)) {
+      met.push_back(
+          {{"status", known.name}, {"status_words", spaced(known.name)}, {"meaning", known.meaning}});
+    }
+  }
+  return met;
 }
 
 // What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
@@ -178,12 +235,20 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
   for (Json& status : data.at("summary").at("statuses")) {
     add_words(status, "status");
   }
+  for (Json& origin : data.at("summary").at("origins")) {
+    const bool one = origin.at("count") == 1;
+    const OriginFacts& known = origin_named(origin.at("origin"));
+    origin["words"] = one ? known.one : known.many;
+  }
+  data["statuses_met"] = statuses_met(data.at("summary"));
+  data["sections"] = printed_sections(paper, audit, data.at("statements"));
   const std::vector<PlaceRecords> places = by_place(paper, audit);
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t k = 0; k < places[i].records.size(); ++k) {
       const Record& record = *places[i].records[k];
       Json& claim = data.at("places").at(i).at("claims").at(k);
       complete_claim(claim, record, places[i].title);
+      claim["states"] = stated_by(paper, record.claim.id);
       claims.push_back(claim);
       if (compares(claim)) {
         data["numbers"].push_back(claim);
@@ -195,8 +260,9 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
     }
   }
   data["findings"] = findings(paper, audit, claims);
-  data["verdict_lead"] = verdict_lead(audit);
-  data["verdict_sentence"] = verdict_sentence(audit);
+  data["verdict_lead"] = verdict_lead(paper, audit);
+  data["verdict_sentence"] = verdict_sentence(paper, audit);
+  data["sentence_of_ours"] = sentence_of_ours(audit);
   return data;
 }
 

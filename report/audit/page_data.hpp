@@ -10,9 +10,11 @@ namespace stickslip::report::audit {
 
 // The JSON of the audit (json.hpp) and beside it: next to every "status" and "verdict" also "status_words"
 // and "verdict_words"; in every claim "examined", "place_title", "words_sentence" and "needs", the hypotheses
-// of the form that is proved, each hypothesis with "foreign" unless it is the claim's own; shortened balls;
-// in every comparison "rounded", the proved value with as many digits as are printed; "verdict_lead" and
-// "verdict_sentence"; "numbers", the claims that compare printed numbers; "errata", the misprints and the
+// of the form that is proved, "origin_words" and "states", the statements of the paper that it states; each
+// hypothesis with "foreign" unless it is the claim's own; shortened balls;
+// in every comparison "rounded", the proved value with as many digits as are printed; "sections", the paper's
+// statements section by section: [{"title", "statements"}]; "statuses_met", those that occur; "verdict_lead",
+// "verdict_sentence" and "sentence_of_ours"; "numbers", the claims that compare printed numbers; "errata", the misprints and the
 // digits to correct; and "findings", the groups in which a reader meets them, most important first: {"title",
 // "explanation", "count", "claims", "numbers", "hypotheses_groups": [{"hypotheses", "origins": [{"id",
 // "words"}], "inherited_by", "inherited_by_count"}]}.

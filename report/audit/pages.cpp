@@ -138,6 +138,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit,
   data["lists"] = data.at("examples");
   add_paper_and_pages(report, "audit", std::move(data), [](const Json& complete) {
     return with_formulas({{"index.html", render_file("index.html", complete, html_format)},
+                          {"paper.html", render_file("paper.html", complete, html_format)},
                           {"statements.html", render_file("statements.html", complete, html_format)},
                           {"orbits.html", render_file("orbits.html", complete, html_format)}});
   });

@@ -3,6 +3,7 @@
 #include "report/tools/layout.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -25,14 +26,48 @@ std::string title_of(const Paper& paper, const std::string& place) {
   return section == paper.sections.end() ? place : section->title;
 }
 
-}  // namespace
-
-std::vector<StatusCount> count_statuses(const Audit& audit) {
+std::vector<StatusCount> counted(const std::vector<Status>& found) {
   std::vector<StatusCount> counts;
   for (const StatusFacts& row : statuses()) {
-    const auto count = std::ranges::count(audit.records, row.status, &Record::status);
+    const auto count = std::ranges::count(found, row.status);
     if (count > 0) {
       counts.push_back({row.status, static_cast<std::size_t>(count)});
+    }
+  }
+  return counts;
+}
+
+// "2 converses: 1 proved, 1 refuted".
+std::string count_in_words(std::size_t total, const std::string& what,
+                           const std::vector<StatusCount>& counts) {
+  std::vector<std::string> parts;
+  for (const StatusCount& entry : counts) {
+    parts.push_back(fmt::format("{} {}", entry.count, spaced(to_string(entry.status))));
+  }
+  return fmt::format("{} {}{}{}", total, what, parts.empty() ? "" : ": ", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::vector<StatusCount> count_statements(const Paper& paper, const Audit& audit) {
+  std::vector<Status> found;
+  for (const PrintedStatement * statement : statements_in(paper, audit)) {
+    found.push_back(status_of(*statement, audit));
+  }
+  return counted(found);
+}
+
+std::vector<OriginCount> count_origins(const Audit& audit) {
+  std::vector<OriginCount> counts;
+  for (const OriginFacts& row : origins()) {
+    std::vector<Status> found;
+    for (const Record& record : audit.records) {
+      if (record.claim.origin == row.origin) {
+        found.push_back(record.status);
+      }
+    }
+    if (!found.empty()) {
+      counts.push_back({row.origin, found.size(), counted(found)});
     }
   }
   return counts;
@@ -90,14 +125,23 @@ std::string cross_check_line(const proofs::methods::CrossCheck& check) {
          (check.unchecked.empty() ? "" : "; " + check.unchecked);
 }
 
-std::string summary_line(const Audit& audit) {
-  std::string parts;
-  for (const StatusCount& entry : count_statuses(audit)) {
-    parts += fmt::format("{}{} {}", parts.empty() ? ": " : ", ", entry.count,
-                         spaced(proofs::methods::to_string(entry.status)));
+std::string summary_line(const Paper& paper, const Audit& audit) {
+  const bool whole = is_whole(paper, audit);
+  std::vector<std::string> ours;
+  for (const OriginCount& entry : count_origins(audit)) {
+    if (!whole || entry.origin != Origin::paper) {
+      const OriginFacts& known = facts(entry.origin);
+      ours.push_back(count_in_words(entry.count, entry.count == 1 ? known.one : known.many, entry.statuses));
+    }
   }
-  const std::size_t total = audit.records.size();
-  return fmt::format("{} statement{}{}.", total, total == 1 ? "" : "s", parts);
+  const std::string claims = fmt::format("{}", fmt::join(ours, "; "));
+  if (!whole) {
+    return (claims.empty() ? "no claims" : claims) + ".";
+  }
+  const std::size_t total = statements_in(paper, audit).size();
+  const std::string what = total == 1 ? "statement of the paper" : "statements of the paper";
+  return count_in_words(total, what, count_statements(paper, audit)) + "." +
+         (claims.empty() ? "" : " Beside them " + claims + ".");
 }
 
 std::vector<PlaceRecords> by_place(const Paper& paper, const Audit& audit) {

@@ -15,8 +15,19 @@ struct StatusCount {
   std::size_t count = 0;
 };
 
-// The statuses that occur, from the best to the worst.
-[[nodiscard]] std::vector<StatusCount> count_statuses(const proofs::methods::Audit& audit);
+// The statuses that occur among the paper's statements, from the best to the worst.
+[[nodiscard]] std::vector<StatusCount> count_statements(const proofs::methods::Paper& paper,
+                                                        const proofs::methods::Audit& audit);
+
+// The claims of one origin.
+struct OriginCount {
+  proofs::methods::Origin origin = proofs::methods::Origin::paper;
+  std::size_t count = 0;
+  std::vector<StatusCount> statuses;  // that occur, from the best to the worst
+};
+
+// The origins that occur among the claims.
+[[nodiscard]] std::vector<OriginCount> count_origins(const proofs::methods::Audit& audit);
 
 // Worth a reader's attention: everything that is neither proved as it stands nor part of the model. A claim
 // that only inherits another claim's hypothesis is not a finding of its own.
@@ -36,8 +47,11 @@ struct StatusCount {
 // 2 real points", or why they did not.
 [[nodiscard]] std::string cross_check_line(const proofs::methods::CrossCheck& check);
 
-// "64 statements: 57 as printed, 2 model, 5 misprint corrected."
-[[nodiscard]] std::string summary_line(const proofs::methods::Audit& audit);
+// "64 statements of the paper: 57 as printed, 2 model, 5 misprint corrected. Beside them 3 converses: 3
+// proved." Of an audit that is not whole, where a statement may have other claims as well: "4 claims of the
+// paper: 4 as printed; 1 converse: 1 proved."
+[[nodiscard]] std::string summary_line(const proofs::methods::Paper& paper,
+                                       const proofs::methods::Audit& audit);
 
 // The consecutive records of one place.
 struct PlaceRecords {

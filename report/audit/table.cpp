@@ -112,7 +112,7 @@ std::string tables_by_place(const Paper& paper, const Audit& audit, const Style&
     rows.clear();
     for (const Record * record : place.records) {
       rows.push_back({{record->claim.id},
-                      {proofs::methods::to_string(record->claim.kind)},
+                      {record->claim.origin == Origin::paper ? "" : to_string(record->claim.origin)},
                       status_cell(*record, style),
                       {record->claim.words}});
     }
@@ -155,9 +155,9 @@ std::string printed_numbers(const Audit& audit, const Style& style) {
   return rows.size() == 1 ? "" : heading("Printed numbers", style) + columns_of(rows, style.width) + "\n";
 }
 
-std::string summary_paragraph(const Audit& audit, const Style& style) {
+std::string summary_paragraph(const Paper& paper, const Audit& audit, const Style& style) {
   std::string result;
-  for (const std::string& line : wrapped(summary_line(audit), style.width)) {
+  for (const std::string& line : wrapped(summary_line(paper, audit), style.width)) {
     result += line + "\n";
   }
   return result;
@@ -166,6 +166,8 @@ std::string summary_paragraph(const Audit& audit, const Style& style) {
 std::string explanation(const Record& record, const Style& style) {
   Details details(style.width);
   details.add("kind", proofs::methods::to_string(record.claim.kind));
+  details.add("origin",
+              fmt::format("{}: {}", to_string(record.claim.origin), facts(record.claim.origin).meaning));
   details.add("says", record.claim.words);
   details.add("printed", record.claim.printed);
   details.add("lost", record.claim.illegible);
@@ -190,29 +192,32 @@ std::string explanation(const Record& record, const Style& style) {
 
 std::string terminal_report(const Paper& paper, const Audit& audit, const Style& style) {
   return tables_by_place(paper, audit, style) + findings(audit, style) + printed_numbers(audit, style) +
-         summary_paragraph(audit, style);
+         summary_paragraph(paper, audit, style);
 }
 
-std::string terminal_lines(const Audit& audit, const Style& style) {
+std::string terminal_lines(const Paper& paper, const Audit& audit, const Style& style) {
   std::vector<Row> rows;
   for (const Record& record : audit.records) {
     rows.push_back({{record.claim.id}, status_cell(record, style), {record.claim.words}});
   }
-  return columns_of(rows, unlimited) + summary_line(audit) + "\n";
+  return columns_of(rows, unlimited) + summary_line(paper, audit) + "\n";
 }
 
-std::string terminal_explanations(const Audit& audit, const Style& style) {
+std::string terminal_explanations(const Paper& paper, const Audit& audit, const Style& style) {
   std::string result;
   for (const Record& record : audit.records) {
     result += explanation(record, style) + "\n";
   }
-  return result + printed_numbers(audit, style) + summary_paragraph(audit, style);
+  return result + printed_numbers(audit, style) + summary_paragraph(paper, audit, style);
 }
 
 std::string terminal_list(const std::vector<proofs::methods::Claim>& claims) {
   std::vector<Row> rows;
   for (const proofs::methods::Claim& claim : claims) {
-    rows.push_back({{claim.id}, {proofs::methods::to_string(claim.kind)}, {claim.words}});
+    rows.push_back({{claim.id},
+                    {proofs::methods::to_string(claim.kind)},
+                    {proofs::methods::to_string(claim.origin)},
+                    {claim.words}});
   }
   return columns_of(rows, unlimited);
 }

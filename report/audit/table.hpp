@@ -10,19 +10,21 @@
 
 namespace stickslip::report::audit {
 
-// The table of all statements by place; the findings with their reasons; the printed numbers; the summary
-// line. No line is longer than the width of the style.
+// The table of all claims by place, each with its origin unless it is the paper's; the findings with their
+// reasons; the printed numbers; the summary line. No line is longer than the width of the style.
 [[nodiscard]] std::string terminal_report(const proofs::methods::Paper& paper,
                                           const proofs::methods::Audit& audit, const tools::Style& style);
 
-// One line per statement, however long: id, status, words; then the summary line.
-[[nodiscard]] std::string terminal_lines(const proofs::methods::Audit& audit, const tools::Style& style);
+// One line per claim, however long: id, status, words; then the summary line.
+[[nodiscard]] std::string terminal_lines(const proofs::methods::Paper& paper,
+                                         const proofs::methods::Audit& audit, const tools::Style& style);
 
-// Every statement with all that is known about it, then the summary line.
-[[nodiscard]] std::string terminal_explanations(const proofs::methods::Audit& audit,
+// Every claim with all that is known about it, then the summary line.
+[[nodiscard]] std::string terminal_explanations(const proofs::methods::Paper& paper,
+                                                const proofs::methods::Audit& audit,
                                                 const tools::Style& style);
 
-// The statements without verdicts: id, kind, words; one line each.
+// The claims without verdicts: id, kind, origin, words; one line each.
 [[nodiscard]] std::string terminal_list(const std::vector<proofs::methods::Claim>& claims);
 
 }  // namespace stickslip::report::audit

@@ -105,7 +105,7 @@ TEST_CASE("the audit writes its report, and says what it could not make") {
   CHECK(result.code == (json.at("summary").at("decided").get<bool>() ? exit_decided : exit_undecided));
   CHECK(result.err.find(out.string()) != std::string::npos);
   CHECK(content(out / "audit.json") == result.out);
-  for (const char * name : {"index.html", "statements.html", "orbits.html"}) {
+  for (const char * name : {"index.html", "paper.html", "statements.html", "orbits.html"}) {
     CHECK(content(out / name).ends_with("</html>\n"));
   }
   CHECK(content(out / "audit.tex").ends_with("\\end{document}\n"));
@@ -134,13 +134,25 @@ TEST_CASE("statements are named by kind and by status as well") {
   CHECK(count == 3);
 }
 
+TEST_CASE("claims are named by whose they are") {
+  const Run ours = stickslip_program({"check", "--list", "new"});
+  CHECK(ours.code == exit_decided);
+  CHECK(ours.out.find("A5.unique") != std::string::npos);
+  CHECK(ours.out.find("S.stability") != std::string::npos);
+  CHECK(ours.out.find("A5.theorem") == std::string::npos);
+  const Run converses = stickslip_program({"check", "converse"});
+  CHECK(converses.code == exit_decided);
+  CHECK(converses.out.find("12.back") != std::string::npos);
+  CHECK(converses.out.find("as printed") == std::string::npos);
+}
+
 TEST_CASE("check answers by its exit code, whatever the form of its output") {
   const Run json = stickslip_program({"check", "--json"});
   const int expected = code_of_check(Json::parse(json.out));
   CHECK(json.code == expected);
   const Run lines = stickslip_program({"check"});
   CHECK(lines.code == expected);
-  const auto statements = Json::parse(json.out).at("summary").at("statements").get<std::ptrdiff_t>();
-  CHECK(std::count(lines.out.begin(), lines.out.end(), '\n') == statements + 1);
+  const auto claims = Json::parse(json.out).at("summary").at("claims").get<std::ptrdiff_t>();
+  CHECK(std::count(lines.out.begin(), lines.out.end(), '\n') == claims + 1);
   CHECK(lines.out.find('\x1b') == std::string::npos);
 }

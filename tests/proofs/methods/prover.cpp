@@ -57,6 +57,19 @@ TEST_CASE("a status follows from the verdicts of the claim and of all that it us
   CHECK(audit(claims).records[0].used_by == std::set<std::string>{"on bad", "on good"});
 }
 
+TEST_CASE("only what the paper prints is proved as printed") {
+  for (const OriginFacts& row : origins()) {
+    CAPTURE(row.name);
+    Claim one = claim("one", verdict(Verdict::proved()));
+    one.origin = row.origin;
+    CHECK(status({one}, "one") == (row.origin == Origin::paper ? Status::as_printed : Status::proved));
+    one.prove = verdict(Verdict::undecided("perhaps"));
+    CHECK(status({one}, "one") == Status::undecided);
+    one.prove = verdict(Verdict::refuted("no"));
+    CHECK(status({one}, "one") == Status::refuted);
+  }
+}
+
 TEST_CASE("a misprint is one only if the corrected form is proved") {
   Claim misprint = claim("m", verdict(Verdict::refuted("no")));
   misprint.prove_corrected = verdict(Verdict::proved());

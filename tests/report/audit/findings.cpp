@@ -20,21 +20,27 @@ namespace {
 
 Audit with_status(Status status) {
   Audit audit = sample_audit();
-  audit.records.resize(2);
-  audit.records[1].status = status;
+  audit.records.resize(5);
+  for (Record& record : audit.records) {
+    record.status = record.claim.id == "5" ? status : Status::as_printed;
+  }
   return audit;
 }
 
 }  // namespace
 
 TEST_CASE("the verdict is that of the worst statement") {
-  CHECK(verdict_lead(with_status(Status::as_printed)) == "The paper holds as printed.");
-  CHECK(verdict_lead(with_status(Status::needs_hypotheses)).find("hypotheses") != std::string::npos);
-  CHECK(verdict_lead(with_status(Status::misprint_corrected)) == "The paper holds, with corrections.");
-  CHECK(verdict_lead(with_status(Status::digits_off)) == "The paper holds, with corrections.");
-  CHECK(verdict_lead(with_status(Status::refuted)) == "The paper does not hold everywhere.");
-  CHECK(verdict_lead(with_status(Status::rests_on_unproved)) == "Not everything is decided.");
-  CHECK(verdict_lead(sample_audit()) == "Not everything is decided.");
+  CHECK(verdict_lead(sample_paper(), with_status(Status::as_printed)) == "The paper holds as printed.");
+  CHECK(verdict_lead(sample_paper(), with_status(Status::needs_hypotheses)).find("hypotheses") !=
+        std::string::npos);
+  CHECK(verdict_lead(sample_paper(), with_status(Status::misprint_corrected)) ==
+        "The paper holds, with corrections.");
+  CHECK(verdict_lead(sample_paper(), with_status(Status::digits_off)) ==
+        "The paper holds, with corrections.");
+  CHECK(verdict_lead(sample_paper(), with_status(Status::refuted)) == "The paper does not hold everywhere.");
+  CHECK(verdict_lead(sample_paper(), with_status(Status::rests_on_unproved)) == "Not everything is decided.");
+  // What is undecided there is no statement of the paper.
+  CHECK(verdict_lead(sample_paper(), sample_audit()) == "The paper holds, with corrections.");
 }
 
 TEST_CASE("the table of statuses stands in the order of the statuses, and names each once") {
@@ -42,16 +48,21 @@ TEST_CASE("the table of statuses stands in the order of the statuses, and names 
   for (std::size_t i = 0; i < statuses().size(); ++i) {
     CHECK(statuses()[i].status == static_cast<Status>(i));
     CHECK(names.insert(statuses()[i].name).second);
-    CHECK(is_status(statuses()[i].name));
+    CHECK(is_status(statuses()[i].name) == (statuses()[i].status < Status::in_part));
   }
-  CHECK(statuses().back().status == Status::undecided);
-  CHECK_FALSE(is_status("proved"));
+  CHECK(statuses().back().status == Status::not_stated);
+  CHECK_FALSE(is_status("correct"));
 }
 
-TEST_CASE("the verdict counts every statement") {
-  CHECK(verdict_sentence(with_status(Status::refuted)) ==
-        "Of 2 statements, 1 belongs to the model and is taken as given; 1 is refuted.");
-  CHECK(verdict_sentence({}).empty());
+TEST_CASE("the verdict counts the paper's statements, each once, and what is not the paper's apart") {
+  CHECK(
+      verdict_sentence(sample_paper(), with_status(Status::refuted)) ==
+      "Of 5 statements of the paper, 3 are proved exactly as printed; 1 is refuted; 1 is stated by no claim "
+      "of ours.");
+  CHECK(verdict_sentence({}, {}).empty());
+  CHECK(sentence_of_ours(sample_audit()) ==
+        "Beside these 1 claim of our own is counted apart: 1 new result.");
+  CHECK(sentence_of_ours({}).empty());
 }
 
 TEST_CASE("a hypothesis is shown once, at its origin, with the claims that inherit it") {

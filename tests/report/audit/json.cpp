@@ -89,13 +89,34 @@ TEST_CASE("the paper is the one that is handed over, sentences are without marks
   CHECK(claim(json, "44").at("words") == "Time reversal, for x < y & y > \"0\".");
 }
 
-TEST_CASE("the summary counts every statement once") {
-  const Json summary = to_json(sample_paper(), sample_audit()).at("summary");
-  std::size_t total = 0;
-  for (const Json& status : summary.at("statuses")) {
-    total += status.at("count").get<std::size_t>();
-  }
-  CHECK(total == 6);
-  CHECK(summary.at("statements") == 6);
+TEST_CASE("the summary counts the paper's statements once, and the claims by their origin") {
+  const Json json = to_json(sample_paper(), sample_audit());
+  const Json summary = json.at("summary");
+  const auto total = [](const Json& counts) {
+    std::size_t sum = 0;
+    for (const Json& one : counts) {
+      sum += one.at("count").get<std::size_t>();
+    }
+    return sum;
+  };
+  CHECK(summary.at("statements") == 5);
+  CHECK(total(summary.at("statuses")) == 5);
+  CHECK(summary.at("claims") == 6);
+  CHECK(total(summary.at("origins")) == 6);
+  CHECK(summary.at("origins").at(0).at("origin") == "paper");
+  CHECK(summary.at("origins").at(0).at("count") == 5);
+  CHECK(summary.at("origins").at(1).at("origin") == "new");
+  CHECK(total(summary.at("origins").at(0).at("statuses")) == 5);
   CHECK(summary.at("decided") == false);
+}
+
+TEST_CASE("a statement of the paper says which claims state it, and its status is the worst of theirs") {
+  const Json json = to_json(sample_paper(), sample_audit());
+  const Json two = json.at("statements").at(1);
+  CHECK(two.at("claims") == Json::array({"5", "5.where"}));
+  CHECK(two.at("status") == "needs_hypotheses");
+  CHECK(json.at("statements").at(4).at("status") == "not_stated");
+  CHECK(json.at("statements").at(4).at("missing") == "a drawing");
+  CHECK(claim(json, "17").at("origin") == "new");
+  CHECK(claim(json, "5").at("origin") == "paper");
 }

@@ -58,7 +58,19 @@ Paper sample_paper() {
           {{"sec2", "Section 2: the model", "section2"}, {"sec3", "Section 3: phases", "section3"}},
           {},
           {},
-          {}};
+          {},
+          {{"S001", "(2)", Kind::model, "both masses obey Newton's law", {"2"}, "", {}, "Section 2"},
+           {"S002",
+            "(5)",
+            Kind::step,
+            "the motion while the second mass slips",
+            {"5", "5.where"},
+            "",
+            {},
+            "Section 3"},
+           {"S003", "(44)", Kind::identity, "time reversal, for $x < y$", {"44"}, "", {}, "Section 3"},
+           {"S004", "Fig. 2", Kind::numbers, "$tau = 7.749$", {"S.tau"}, "", {}, "Section 4"},
+           {"S005", "Fig. 2", Kind::figure, "a portrait is drawn", {}, "a drawing", {"17"}, "Section 4"}}};
 }
 
 Audit sample_audit() {
@@ -80,6 +92,7 @@ Audit sample_audit() {
   needs.outcome.hypotheses.back().origin = "5.where";
   Record open =
       record("17", "A2", Status::undecided, "The symmetry of the orbit in time.", equation(Z(t), Z0));
+  open.claim.origin = Origin::new_result;
   open.outcome.verdict = Verdict::undecided("the search ran out of its budget, " + std::string(120, 'x'));
   return {{model, proved, needs, digits(), misprint(), open}};
 }

@@ -5,11 +5,12 @@
 
 namespace stickslip::report {
 
-// A paper that does not exist, with two sections; its claims stand in the audit alone.
+// A paper that does not exist, with two sections and five statements, of which one has no claim; its claims
+// stand in the audit alone.
 [[nodiscard]] proofs::methods::Paper sample_paper();
 
 // Ids: 2 (model), 5 (as printed), 5.where (needs a hypothesis), 44 (misprint, witness), S.tau (digits off),
-// 17 (undecided). Words and reasons contain characters that HTML and TeX treat specially.
+// 17 (undecided, and not the paper's). Words and reasons contain characters that HTML and TeX treat specially.
 [[nodiscard]] proofs::methods::Audit sample_audit();
 
 }  // namespace stickslip::report

@@ -4,8 +4,8 @@
   browser.py DIRECTORY [--screenshots DIRECTORY]
 
 Fails when a link, an anchor or a picture leads nowhere, when anything is fetched that is not a local file, when the
-console has an error, when a formula is left as source, or when a page is wider than a telephone. Needs Debian's
-chromium-driver and python3-selenium.
+console has an error, when a formula is left as source, when a page is wider than a telephone, or when something keeps a
+reader from it (accessibility.js), in light and dark. Needs Debian's chromium-driver and python3-selenium.
 """
 import argparse
 import os
@@ -13,9 +13,12 @@ import pathlib
 import shutil
 import sys
 import tempfile
-from urllib.parse import urldefrag, urljoin
+from urllib.parse import urldefrag, urljoin, urlsplit
 
-WIDTHS = {"phone": 390, "desktop": 1280}
+WIDTHS = {"phone": 360, "desktop": 1400}
+SCHEMES = ("light", "dark")
+
+ACCESSIBILITY = pathlib.Path(__file__).with_name("accessibility.js").read_text()
 
 # What a page refers to, and what is wrong with it, found by the browser itself.
 INSPECT = r"""
@@ -103,10 +106,27 @@ class Check:
             self.fault(page, f"{found['wrong']} formulas are not set")
         if found["source"]:
             self.fault(page, f"source is left: {found['source']}")
-        self.open(page, "phone")
-        wide = self.driver.execute_script("return document.documentElement.scrollWidth - window.innerWidth")
+        for scheme in SCHEMES:
+            self.paint(scheme)
+            for name in WIDTHS:
+                self.open(page, name)
+                self.read(page, f"{name}, {scheme}")
+        self.paint("light")
+
+    def paint(self, scheme):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+
+    def read(self, page, where):
+        # All of the page, however far below.
+        self.driver.execute_script(
+            "document.head.insertAdjacentHTML('beforeend', '<style>* { content-visibility: visible !important }</style>')")
+        # What a page is laid out for: innerWidth grows with a page that is too wide.
+        wide = self.driver.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
         if wide > 0:
-            self.fault(page, f"it is {wide} pixels wider than a telephone")
+            self.fault(page, f"{where}: it is {wide} pixels wider than the window")
+        for sentence in self.driver.execute_script(ACCESSIBILITY):
+            self.fault(page, f"{where}: {sentence}")
 
     def follow(self, page):
         fragments = {}
@@ -115,7 +135,7 @@ class Check:
             if not link:
                 self.fault(page, "a link without target")
             elif target.startswith("file:"):
-                path = pathlib.Path(target[len("file://"):])
+                path = pathlib.Path(urlsplit(target).path)  # what is asked of a page is not its name
                 if not path.is_file() or path.parent != self.directory:
                     self.fault(page, f"{link} leads to no file of the report")
                 elif fragment:
@@ -138,9 +158,8 @@ class Check:
     def photograph(self, directory):
         directory.mkdir(exist_ok=True)
         for page in self.pages:
-            for scheme in ("light", "dark"):
-                self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-                    "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+            for scheme in SCHEMES:
+                self.paint(scheme)
                 for name, width in WIDTHS.items():
                     self.open(page, name)
                     height = self.driver.execute_script("return document.documentElement.scrollHeight")

@@ -1,0 +1,134 @@
+// The paper's statements and the claims that state them: nothing can be left out, or counted as the paper's
+// that it does not say.
+#include "proofs/pascal2012/statements.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "proofs/pascal2012/paper.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::pascal2012;
+
+namespace {
+
+std::map<std::string, Origin> origins_of_claims() {
+  std::map<std::string, Origin> result;
+  for (const Claim& claim : paper().claims) {
+    result[claim.id] = claim.origin;
+  }
+  return result;
+}
+
+Record with_status(const std::string& id, Status status) {
+  Record record;
+  record.claim.id = id;
+  record.status = status;
+  return record;
+}
+
+const PrintedStatement two_claims{"S001", "(1)", Kind::step, "it holds", {"a", "b"}};
+
+}  // namespace
+
+TEST_CASE("every statement of the paper has its claims, or the reason why it has none") {
+  const std::map<std::string, Origin> known = origins_of_claims();
+  std::size_t number = 0;
+  for (const PrintedStatement& statement : paper().statements) {
+    CAPTURE(statement.id);
+    CHECK(statement.id == fmt::format("S{:03}", ++number));
+    CHECK_FALSE(statement.section.empty());
+    CHECK_FALSE(statement.place.empty());
+    CHECK_FALSE(statement.words.empty());
+    CHECK((statement.claims.empty() ? !statement.missing.empty() : true));
+    for (const std::vector<std::string>& ids : {statement.claims, statement.see}) {
+      CHECK(std::set<std::string>(ids.begin(), ids.end()).size() == ids.size());
+      for (const std::string& id : ids) {
+        CAPTURE(id);
+        CHECK(known.contains(id));
+      }
+    }
+  }
+  CHECK(number == 180);
+}
+
+TEST_CASE("a claim is the paper's exactly if a statement of the paper names it") {
+  for (const auto& [id, origin] : origins_of_claims()) {
+    CAPTURE(id);
+    CHECK((origin == Origin::paper) == is_stated(id));
+  }
+}
+
+TEST_CASE("what the paper does not print is not counted as printed") {
+  const std::map<std::string, Origin> known = origins_of_claims();
+  for (const char * id : {"S.stability", "O.stability", "P.stability", "S.list", "A5.unique", "A5.symmetry",
+                          "37.sharp", "23.spurious"}) {
+    CHECK(known.at(id) == Origin::new_result);
+  }
+  for (const char * id : {"12.back", "16.back", "33.back"}) {
+    CHECK(known.at(id) == Origin::converse);
+  }
+  // That (4) gives one friction in each state is not said in the paper.
+  for (const char * id : {"4.defined", "4.unique"}) {
+    CHECK(known.at(id) == Origin::reading);
+  }
+  for (const char * id : {"S.from.T", "16.reduced", "38.group", "S.raw"}) {
+    CHECK(known.at(id) == Origin::auxiliary);
+  }
+}
+
+TEST_CASE("a statement stands as its worst claim does") {
+  for (const Status worst : {Status::as_printed, Status::needs_hypotheses, Status::digits_off,
+                             Status::refuted, Status::rests_on_unproved, Status::undecided}) {
+    const Audit audit{{with_status("a", Status::as_printed), with_status("b", worst)}};
+    CHECK(status_of(two_claims, audit) == worst);
+  }
+  CHECK(status_of(two_claims, {{with_status("a", Status::as_printed)}}) == Status::undecided);
+}
+
+TEST_CASE("what is stated in part is not proved, and a fault in that part is not hidden") {
+  PrintedStatement in_part = two_claims;
+  in_part.missing = "for one orbit only";
+  const auto status = [&](Status b) {
+    return status_of(in_part, {{with_status("a", Status::as_printed), with_status("b", b)}});
+  };
+  CHECK(status(Status::as_printed) == Status::in_part);
+  CHECK(status(Status::needs_hypotheses) == Status::in_part);
+  CHECK(status(Status::misprint_corrected) == Status::misprint_corrected);
+  CHECK(status(Status::refuted) == Status::refuted);
+  in_part.claims.clear();
+  CHECK(status_of(in_part, {}) == Status::not_stated);
+}
+
+TEST_CASE("an audit of some claims answers the statements that have no other") {
+  Paper two;
+  two.claims = {{.id = "a"}, {.id = "b"}, {.id = "c"}};
+  two.statements = {two_claims,
+                    {"S002", "(2)", Kind::step, "it holds", {"c"}},
+                    {"S003", "Fig. 1", Kind::figure, "it is drawn", {}, "a drawing"}};
+  const Record a = with_status("a", Status::as_printed), b = with_status("b", Status::as_printed),
+               c = with_status("c", Status::as_printed);
+  CHECK(statements_in(two, {{a, b, c}}).size() == 3);
+  CHECK(is_whole(two, {{a, b, c}}));
+  CHECK_FALSE(is_whole(two, {{a, c}}));
+  const std::vector<const PrintedStatement *> some = statements_in(two, {{a, c}});
+  REQUIRE(some.size() == 1);
+  CHECK(some.front()->id == "S002");
+}
+
+TEST_CASE("claims are named by their origin") {
+  const std::set<std::string> converses = ids_named(paper().claims, "converse");
+  CHECK(converses.contains("12.back"));
+  CHECK_FALSE(converses.contains("12"));
+  CHECK(ids_named(paper().claims, "new").contains("A5.unique"));
+  std::size_t all = 0;
+  for (const OriginFacts& origin : origins()) {
+    all += ids_named(paper().claims, origin.name).size();
+  }
+  CHECK(all == paper().claims.size());
+}
