@@ -111,6 +111,7 @@ std::vector<Claim> stick_part() {
                               assuming("15"), from("46.E").at("t1", -t1).solved_for(Gamma(t1) * E)})},
       {.id = "17.odd",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {equation(pull(T - t1), -pull(t1))},
        .words =
            "on the stick $chi eta (z_2 - z_1) + p sin(omega (t_1 + tau/2))$ of Section 4 is odd about its "
@@ -119,6 +120,7 @@ std::vector<Claim> stick_part() {
        .prove = by_combination({{{from("17.stick"), 0, chi * eta * gap}}})},
       {.id = "17.odd.f",
        .kind = Kind::condition,
+       .origin = Origin::reading,
        .printed = {{pull(T - t1) + eta * (ur + us), 0, Relation::greater}},
        .words =
            "so $f_1 < 0$ at all times of the stick gives $f_2 > 0$ at all of them: $f_2(T - t_1) = 2 eta "
