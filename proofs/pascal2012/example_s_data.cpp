@@ -1,5 +1,6 @@
-// Section 4, example S: u_r = 0.1607 is printed among the data of Fig. 2. For a symmetric orbit it is a result
-// and another number; at all the printed data there are orbits of slip and stick that do not obey (13).
+// Section 4, example S: u_r = 0.1607 is printed among the data of Fig. 2. For a symmetric orbit it is a
+// result and another number; at all the printed data there are orbits of slip and stick that do not obey
+// (13).
 #include <algorithm>
 #include <utility>
 
@@ -69,7 +70,8 @@ Claim friction_claim() {
       .kind = Kind::theorem,
       .words =
           "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit; at these data, with any "
-          "$u_r$ that rounds to it, there is none, since by (12) $u_r$ is a result; S.asymmetric says what there is",
+          "$u_r$ that rounds to it, there is none, since by (12) $u_r$ is a result; S.asymmetric says what "
+          "there is",
       .prove = [](Prover&, const Claim&) {
         const OrbitList& list = orbits_of(printed()).list;
         const Decimal given = printed().result("ur").value;
@@ -120,8 +122,9 @@ Claim asymmetric_claim() {
   return {.id = "S.asymmetric",
           .kind = Kind::theorem,
           .origin = Origin::new_result,
-          .words = "at the data of Fig. 2, $u_r = 0.1607$ included, two orbits of slip and stick exist that do "
-                   "not obey (13) and are not symmetric",
+          .words =
+              "at the data of Fig. 2, $u_r = 0.1607$ included, two orbits of slip and stick exist that do "
+              "not obey (13) and are not symmetric",
           .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(
                 printed(), "interval Newton in balls, with every condition along the motion; the slips last");
@@ -133,8 +136,8 @@ Claim asymmetric_claim() {
                 continue;
               }
               const Motion& motion = found.orbit.motion;
-              const auto slip =
-                  std::ranges::find(motion.phases, PhaseKind::slip, [](const Phase& phase) { return phase.kind; });
+              const auto slip = std::ranges::find(motion.phases, PhaseKind::slip,
+                                                  [](const Phase& phase) { return phase.kind; });
               outcome.route += (each.size() == 1 ? " " : " and ") + shown(slip->duration);
               each.push_back(found.orbit.admissible);
               each.push_back(not_symmetric(motion));

@@ -1,6 +1,6 @@
 #include "proofs/pascal2012/reduction.hpp"
 
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -22,40 +22,29 @@ Vector2 by_modes(const ex& force, const ex& shift) {
   return model::Lambda<ex>(m) * y;
 }
 
-// left = right, as: equal where all amplitudes and forces are zero, and equal derivatives with respect to
-// each. Everything here is linear in them, which makes many small identities of a large one.
-std::vector<Equal> split(const Equal& equal) {
-  std::vector<ex> sources;
-  for (const char * name : {"a", "C", "D", "V", "us", "p", "z10", "z20", "zdot10"}) {
-    sources.push_back(symbol(name));
-  }
-  const auto both = [&](const auto& f) { return Equal{equal.left.unaryExpr(f), equal.right.unaryExpr(f)}; };
-  GiNaC::exmap none;
-  for (const ex& source : sources) {
-    none[source] = 0;
-  }
-  std::vector<Equal> result{both([&](const ex& e) { return ex(e.subs(none)); })};
-  for (const ex& source : sources) {
-    result.push_back(both([&](const ex& e) { return ex(e.diff(GiNaC::ex_to<GiNaC::symbol>(source))); }));
-  }
-  return result;
-}
-
-// Every pair that `compare` builds from the model's own formulas is equal.
+// Every pair that `compare` builds from the model's own formulas is equal, entry by entry.
 Proof by_comparison(Compare compare) {
-  return [compare](Prover&, const Claim& claim) {
+  return [compare](Prover& prover, const Claim& claim) {
     Outcome outcome;
+    outcome.route = "the model's own formulas compared in the kernel, for all values of the symbols";
     Flows flows;
-    std::vector<Verdict> verdicts;
-    for (const Equal& equal : compare(flows)) {
-      for (const Equal& part : split(equal)) {
-        decide(outcome, claim, part.left, part.right);
-        verdicts.push_back(outcome.verdict);
+    Derivation derivation(prover, claim);
+    try {
+      for (const Equal& equal : compare(flows)) {
+        for (Eigen::Index i = 0; i < equal.left.size(); ++i) {
+          const kernel::Formula entry =
+              kernel::equal(derivation.read(equal.left(i)), derivation.read(equal.right(i)));
+          outcome.theorems.push_back(derivation.settled(derivation.combination(entry)));
+          derivation.record(outcome, outcome.theorems.back());
+        }
+        outcome.decided.push_back({std::nullopt, equal.left, equal.right, Truth::proved});
       }
+      outcome.verdict = Verdict::proved();
+    } catch (const kernel::KernelError& error) {
+      outcome.theorems.clear();
+      outcome.verdict = Verdict::undecided(error.what());
     }
     outcome.uses.merge(flows.used);
-    outcome.verdict = all_of(verdicts);
-    outcome.route = "the model's own formulas compared by normal form, for all values of the symbols";
     return outcome;
   };
 }

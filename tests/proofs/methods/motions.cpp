@@ -123,8 +123,7 @@ TEST_CASE("what takes the place of an assumption must say just that, and its own
 
 TEST_CASE("the theorem of Appendix 5 needs no more than it says") {
   const std::vector<Claim> claims = paper().claims;
-  for (const char * id : {"A5.theorem", "A5.unique", "A5.symmetry"}) {
-    CAPTURE(id);
-    CHECK(status(claims, id) == Status::as_printed);
-  }
+  CHECK(status(claims, "A5.theorem") == Status::as_printed);
+  CHECK(status(claims, "A5.unique") == Status::proved);
+  CHECK(status(claims, "A5.symmetry") == Status::proved);
 }
