@@ -28,9 +28,10 @@ constexpr const char * orbits_details =
     "A word of S (slip), O (overshoot), T (stick), such as OTS, in place of a family: the\n"
     "orbits through these phases in --period N periods of the load, at --ur, that a\n"
     "simulation finds, from --near at t = 0 or from random starts; the load is cos(omega t).\n"
-    "Each is proved; such a list is never complete.\n\n"
-    "Exit code: 0 the list is complete, or of a word not empty, and everything in it is\n"
-    "decided, also if no orbit is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, "
+    "Each is proved. For ST without --near the list is complete, for V > 0; for another word\n"
+    "it never is.\n\n"
+    "Exit code: 0 the list is complete, or not empty where it cannot be, and everything in it\n"
+    "is decided, also if no orbit is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, "
     "which ends\n"
     "the search: what it has found is still printed and written, marked as interrupted.";
 

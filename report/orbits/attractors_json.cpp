@@ -100,7 +100,10 @@ Json to_json(const WordOrbits& list) {
   json["word"] = q.word.letters();
   json["period"] = q.periods;
   json["parameters"] = parameters(q.machine);
-  json["complete"] = false;
+  json["complete"] = list.complete();
+  json["unresolved"] = list_of(list.unresolved, [&](const words::OpenPart& part) {
+    return Json{{"tau", to_json(part.tau, q.machine.digits)}, {"reason", plain(part.reason)}};
+  });
   json["orbits"] = list_of(list.orbits, [&](const WordOrbit& o) { return word_orbit(o, q.machine.digits); });
   if (!list.seen.empty()) {
     json["seen"] = list.seen;
