@@ -15,8 +15,8 @@ struct Exponent {
 
   [[nodiscard]] bool is_positive() const { return value > 3 * error && value > least; }
   [[nodiscard]] bool is_negative() const { return -value > 3 * error && -value > least; }
-  // It is neither, and known well enough for that to mean something.
-  [[nodiscard]] bool is_zero() const { return !is_positive() && !is_negative() && least + 3 * error < 0.003; }
+  // Zero as far as a long time tells: what it leaves is positive.
+  [[nodiscard]] bool is_zero() const { return -value < least / 3 && value < least && least < 0.0015; }
 };
 
 // From the motion and a neighbour that is brought back to a small distance after each of so many periods,

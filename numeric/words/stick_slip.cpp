@@ -23,6 +23,9 @@ constexpr long search_bits = 64;
 constexpr long guess_bits = 128;
 constexpr SearchLimits limits{.smallest = 0x1p-24, .cells = 6000};
 
+// A stick of n whole turns then brings z1 and z1' back.
+constexpr const char * dependent_at_origin =
+    "at $tau = 0$ the equations for the state are dependent, for $n/omega$ is a whole number";
 constexpr const char * dependent = "the equations for the state may be dependent";
 
 using BoxJet = scalars::Jet<Ball, 1>;
@@ -219,8 +222,10 @@ WordList all_stick_slip_orbits(const WordQuestion& question, long periods) {
     result = search<1>(
         {{0}, {1}}, [&](const Box<1>& X) { return contract(problem, X); },
         [&](const Box<1>& X) { return decide(problem, X); }, limits);
+    const bool whole = Rational(Rational(periods) / question.data.omega).get_den() == 1;
     for (const UnresolvedBox<1>& open : result.unresolved) {
-      list.unresolved.push_back({problem.total * open.box(0), open.reason});
+      const bool at_origin = whole && open.box(0).contains_zero();
+      list.unresolved.push_back({problem.total * open.box(0), at_origin ? dependent_at_origin : open.reason});
     }
   }
   list.cells = result.cells;

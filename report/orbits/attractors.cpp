@@ -148,14 +148,14 @@ std::string result_of(const WordOrbits& list) {
     return o.orbit.admissible.truth == Truth::proved;
   });
   if (list.orbits.empty() && !list.searched) {
-    return "no orbit found: " + list.seen;
+    return "no orbit found: " + list.seen + (list.interrupted ? "; interrupted" : "");
   }
   const std::string count =
       fmt::format("{} {}, {} admissible", list.orbits.empty() ? "no" : std::to_string(list.orbits.size()),
                   list.orbits.size() == 1 ? "orbit" : "orbits", good);
-  return !list.searched    ? count + "; others may exist"
-         : list.complete() ? "complete: " + count
-                           : "not complete: " + count;
+  const std::string completeness = !list.searched ? "" : list.complete() ? "complete: " : "not complete: ";
+  return completeness + count + (list.searched ? "" : "; others may exist") +
+         (list.interrupted ? "; interrupted" : "");
 }
 
 // "not admissible: slip", each kind of condition once.
@@ -216,7 +216,8 @@ std::string terminal_report(const WordOrbits& list, const Style& style) {
                         {{"searched"}, {searched(list)}},
                         {{"result"}, {result_of(list)}}};
   for (const words::OpenPart& part : list.unresolved) {
-    rows.push_back({{"unresolved"}, {fmt::format("tau = {}, {}", to_string(part.tau, 8), part.reason)}});
+    rows.push_back(
+        {{"unresolved"}, {fmt::format("tau = {}, {}", to_string(part.tau, 8), plain(part.reason))}});
   }
   const std::string title = fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
                                         q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods));
