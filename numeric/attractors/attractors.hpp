@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "numeric/attractors/settle.hpp"
+#include "numeric/words/pure_slip.hpp"
 
 namespace stickslip::numeric::attractors {
 

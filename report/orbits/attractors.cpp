@@ -66,9 +66,9 @@ std::string remark(const Attractor& a) {
     case Kind::quasi_periodic:
       return fmt::format("Lyapunov exponent {:.2g} per period of the load", a.lyapunov.value_or(0));
     case Kind::slides:
-      return "never touches the belt's speed again";
+      return "no contact with the belt any more";
     case Kind::stuck:
-      return "never leaves the belt again";
+      return "does not leave the belt any more";
     case Kind::unsettled:
       return "within the periods allowed";
   }
@@ -177,14 +177,21 @@ std::string in_words(const Attractor& a) {
 
 std::string terminal_report(const AttractorList& list, const Style& style) {
   const AttractorQuestion& q = list.question;
-  std::string text = columns_of({{{"What the machine does", bold(style)}}}, style.width) +
-                     columns_of({{{"parameters"}, {parameter_list(q.machine)}},
-                                 {{"starts"},
-                                  {fmt::format("{} at random, seed {}, each followed until it has settled or "
-                                               "for {} periods of the load; {} periods in all{}",
-                                               q.starts, q.seed, q.most_periods, list.simulated,
-                                               list.interrupted ? "; interrupted" : "")}}},
-                                style.width);
+  std::vector<Row> head{{{"parameters"}, {parameter_list(q.machine)}},
+                        {{"starts"},
+                         {fmt::format("{} at random, seed {}, each followed until it has settled or for {} "
+                                      "periods of the load; {} periods in all{}",
+                                      q.starts, q.seed, q.most_periods, list.simulated,
+                                      list.interrupted ? "; interrupted" : "")}}};
+  if (const words::PureSlip slip = words::pure_slip(q.machine.data); slip.exists.truth == Truth::proved) {
+    head.push_back(
+        {{"pure slip"},
+         {fmt::format("proved: some motions never touch the belt, for |q2| omega = {} < V; they are "
+                      "neutral, not stable",
+                      rounded(slip.forced, 4))}});
+  }
+  std::string text =
+      columns_of({{{"What the machine does", bold(style)}}}, style.width) + columns_of(head, style.width);
   std::vector<Row> rows{{{"   "}, {"share"}, {"95 %"}, {"motion"}, {"period"}, {"word"}, {""}}};
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     const Attractor& a = list.attractors[i];

@@ -89,6 +89,9 @@ Json to_json(const AttractorList& list) {
   json["seed"] = q.seed;
   json["most_periods"] = q.most_periods;
   json["simulated"] = list.simulated;
+  const words::PureSlip slip = words::pure_slip(q.machine.data);
+  json["pure_slip"] = {{"forced", to_json(slip.forced, q.machine.digits)},
+                       {"verdict", to_string(slip.exists.truth)}};
   json["attractors"] =
       list_of(list.attractors, [&](const Attractor& a) { return attractor(a, q.machine.digits); });
   return json;

@@ -8,6 +8,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/words/pure_slip.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 
@@ -156,4 +157,13 @@ TEST_CASE("every symmetric orbit is in the list at its own friction") {
 
 TEST_CASE("on a belt that stands still no complete list of ST is promised") {
   CHECK_THROWS_AS((void)all_stick_slip_orbits({P(), Rational(3, 10), 20}, 1), DomainError);
+}
+
+TEST_CASE(
+    "some motions slip for ever at S and O, and nothing is said at P, where the load alone is too fast") {
+  CHECK(pure_slip(S()).exists.truth == Truth::proved);
+  CHECK(near(pure_slip(S()).forced, "0.54", "0.01"));
+  CHECK(pure_slip(O()).exists.truth == Truth::proved);
+  CHECK(near(pure_slip(O()).forced, "0.22", "0.01"));
+  CHECK(pure_slip(P("0.1")).exists.truth == Truth::undecided);
 }
