@@ -28,11 +28,12 @@ constexpr const char * orbits_details =
     "A word of S (slip), O (overshoot), T (stick), such as OTS, in place of a family: the\n"
     "orbits through these phases in --period N periods of the load, at --ur, that a\n"
     "simulation finds, from --near at t = 0 or from random starts; the load is cos(omega t).\n"
-    "Each is proved; such a list is never complete.\n\n"
-    "Exit code: 0 the list is complete, or of a word not empty, and everything in it is\n"
-    "decided, also if no orbit is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, "
-    "which ends\n"
-    "the search: what it has found is still printed and written, marked as interrupted.";
+    "Each is proved. For ST without --near the list is complete, for V > 0; for another word\n"
+    "it never is.\n\n"
+    "Exit code: 0 the list is complete, or not empty where it cannot be, and everything in it\n"
+    "is decided, also if no orbit is admissible; 2 something is undecided or unresolved; 130\n"
+    "after Ctrl-C, which ends the search: what it has found is still printed and written,\n"
+    "marked as interrupted.";
 
 constexpr const char * attractors_details =
     "Follows many starts until they have settled, and says on what, and how many on each:\n"
@@ -61,16 +62,21 @@ void add_parameter(CLI::App& command, TypedParameters& parameters, const std::st
       ->type_name("NUMBER");
 }
 
-// Options --chi, --eta, … for all of them.
-void add_parameters(CLI::App& command, TypedParameters& parameters) {
+// Options --chi, --eta, … for those of a machine, whose load is cos(omega t).
+void add_machine(CLI::App& command, TypedParameters& parameters) {
   add_parameter(command, parameters, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
   add_parameter(command, parameters, "eta", "Mass ratio m1/m2 > 0");
   add_parameter(command, parameters, "us", "Slipping friction force > 0");
   add_parameter(command, parameters, "V", "Belt velocity; > 0 for orbits with a stick phase");
   add_parameter(command, parameters, "omega", "Frequency of the load > 0");
   add_parameter(command, parameters, "p", "Amplitude of the load >= 0");
-  add_parameter(command, parameters, "phi", "Phase of the load");
   add_parameter(command, parameters, "ur", "Friction force at rest > us");
+}
+
+// The same and --phi.
+void add_parameters(CLI::App& command, TypedParameters& parameters) {
+  add_machine(command, parameters);
+  add_parameter(command, parameters, "phi", "Phase of the load");
 }
 
 void add_jobs(CLI::App& command, std::string& text) {
@@ -220,7 +226,7 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
                     const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("attractors", "Find what a machine does, and prove it");
   command->footer(attractors_details);
-  add_parameters(*command, options.parameters);
+  add_machine(*command, options.parameters);
   const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
     command->add_option(name, value, words)->type_name(type);
   };

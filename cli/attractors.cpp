@@ -90,7 +90,8 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
     return exit_interrupted;
   }
   const bool decided = std::all_of(list.orbits.begin(), list.orbits.end(), is_decided);
-  return decided && !list.orbits.empty() ? exit_decided : exit_undecided;
+  const bool answered = list.searched ? list.complete() : !list.orbits.empty();
+  return decided && answered ? exit_decided : exit_undecided;
 }
 
 }  // namespace stickslip::cli

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "core/interruption.hpp"
 #include "numeric/simulation/record.hpp"
 #include "proofs/methods/example_orbits.hpp"
+#include "report/orbits/attractors.hpp"
 #include "report/orbits/simulation.hpp"
 #include "report/tools/files.hpp"
 
@@ -82,14 +84,19 @@ void replace(double& value, const TypedParameters& typed, const char * name) {
   }
 }
 
-Start start_of(const SimulateOptions& options, const Paper& paper) {
-  if (options.example.empty() && options.state.empty()) {
-    throw UsageError("a start is missing: give --state x1,x2,x1',x2' or --example");
-  }
+TypedParameters typed_of(const SimulateOptions& options) {
   TypedParameters typed = options.file.empty() ? TypedParameters() : read_parameters(options.file);
   for (const auto& [name, text] : options.parameters) {
     typed[name] = text;
   }
+  return typed;
+}
+
+Start start_of(const SimulateOptions& options, const Paper& paper) {
+  if (options.example.empty() && options.state.empty()) {
+    throw UsageError("a start is missing: give --state x1,x2,x1',x2' or --example");
+  }
+  const TypedParameters typed = typed_of(options);
   Start start;
   if (!options.example.empty()) {
     start = start_of_example(example_named(paper.examples, options.example));
@@ -151,6 +158,37 @@ Record simulate(const Start& start, const RecordPlan& plan) {
   });
 }
 
+// So many steps of a simulation, roughly, take a second.
+constexpr double enough_steps = 1e6;
+constexpr double fewest_periods = 100;
+// Beyond this a motion of the largest data could leave what a simulation can begin with.
+constexpr double greatest_state = 1e90;
+
+// What the motion settles on, if that can be seen within a second or so, when it goes on from its end.
+std::string settles_on(const Record& record, const SimulateOptions& options, const Paper& paper) {
+  TypedParameters typed = typed_of(options);
+  typed.erase("phi");
+  const double fastest =
+      std::max({1.0, model::modes<double>(record.start.data.chi, record.start.data.eta).omega2,
+                record.start.data.omega});
+  const double periods = std::min(enough_steps / (record.period * fastest),
+                                  static_cast<double>(AttractorsOptions::default_most_periods));
+  if (!(periods >= fewest_periods)) {
+    return "";
+  }
+  const words::WordQuestion data = machine(paper, typed, "", options.example, OrbitsOptions::default_digits);
+  // On to the next time when the load's phase is 0.
+  const Start& start = record.start;
+  const double turn = 2 * std::acos(-1.0);
+  const double phase = std::fmod(start.phi + start.data.omega * record.done, turn);
+  Simulation simulation(start.data, start.ur, phase, record.end.X);
+  simulation.advance((phase > 0 ? turn - phase : -phase) / start.data.omega);
+  const Interruptible scope;
+  const attractors::Attractor found =
+      attractors::find_attractor(data, simulation.state(), static_cast<long>(periods));
+  return interrupted() ? "" : report::orbits::in_words(found);
+}
+
 }  // namespace
 
 ExitCode run(const SimulateOptions& options, const Paper& paper) {
@@ -164,7 +202,9 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
   const Start start = start_of(options, paper);
   const Record record = simulate(start, plan_of(options, start));
   write(record, options);
-  print(report::orbits::terminal_report(record, terminal_style()));
+  const bool within = record.end.X.lpNorm<Eigen::Infinity>() < greatest_state;
+  const std::string settles = within && !record.interrupted ? settles_on(record, options, paper) : "";
+  print(report::orbits::terminal_report(record, settles, terminal_style()));
   return record.interrupted ? exit_interrupted : exit_decided;
 }
 

@@ -22,11 +22,11 @@ using words::WordOrbit;
 
 namespace {
 
-// How near a motion comes to where it was before a proof is tried, and what it is divided by when the proof
-// says that the motion cannot stay there.
+// How near a motion comes to where it was before a proof is tried; nearer when the proof has said that the
+// motion cannot stay there, but no nearer than rounding lets it.
 constexpr double first_nearness = 1e-6;
 constexpr double nearer = 1e-2;
-constexpr int most_attempts = 3;
+constexpr double last_nearness = 1e-10;
 // What a stable orbit needs at most; a motion that only seems to return is given up early.
 constexpr long most_bits = 1024;
 // Motions nearer to each other than this are on one orbit, if they go through one word in as many periods.
@@ -72,27 +72,26 @@ bool attracts(const Group& group) {
 
 class Survey {
  public:
-  explicit Survey(const AttractorQuestion& question) : question_(question) {
+  Survey(const AttractorQuestion& question, const std::vector<Vector4<double>>& starts)
+      : question_(question) {
     question_.machine.most_bits = std::max(most_bits, 2 * scalars::bits_for(question.machine.digits));
     const auto data = parameters_as<double>(question.machine.data);
     const double ur = scalars::scalar<double>(question.machine.ur);
-    for (const Vector4<double>& X :
-         random_starts(data, static_cast<std::size_t>(question.starts), question.seed)) {
+    for (const Vector4<double>& X : starts) {
       followers_.emplace_back(data, ur, X);
       open_.push_back(open_.size());
     }
   }
 
   void run() {
-    double nearness = first_nearness;
-    for (int attempt = 0; attempt < most_attempts && !open_.empty() && !interrupted(); ++attempt) {
+    for (double nearness = first_nearness; !open_.empty() && !interrupted();
+         nearness = std::max(nearer * nearness, last_nearness)) {
       follow(nearness);
-      prove(attempt + 1 == most_attempts);
-      nearness *= nearer;
+      prove();
     }
     (void)parallel_map(followers_.size(), [&](std::size_t i) {
       if (!interrupted()) {
-        followers_[i].classify();
+        followers_[i].classify(question_.most_periods / 4);
       }
       return true;
     });
@@ -110,7 +109,10 @@ class Survey {
 
   // Motions that return are put together, each sort is proved, and those that cannot stay where they are are
   // open again.
-  void prove(bool last);
+  void prove();
+  // Motions that seem to return where no orbit is proved to hold them are followed on. At the end of their
+  // time those have not settled whose orbit is proved not to hold them; the others are what is returned.
+  [[nodiscard]] std::vector<std::size_t> left_after_sending_on(const Group& group);
 
   AttractorQuestion question_;
   std::vector<Follower> followers_;
@@ -118,7 +120,22 @@ class Survey {
   std::vector<Group> groups_;
 };
 
-void Survey::prove(bool last) {
+std::vector<std::size_t> Survey::left_after_sending_on(const Group& group) {
+  const bool unproved = !group.orbit || group.orbit->existence.truth != Truth::proved;
+  std::vector<std::size_t> left;
+  for (const std::size_t i : group.members) {
+    if (2 * followers_[i].periods() < question_.most_periods) {
+      open_.push_back(i);
+    } else if (unproved) {
+      left.push_back(i);
+    } else {
+      followers_[i].reject();
+    }
+  }
+  return left;
+}
+
+void Survey::prove() {
   const std::vector<std::optional<Return>> seen =
       parallel_map(open_.size(), [&](std::size_t i) { return followers_[open_[i]].returned(); });
   std::vector<Group> fresh;
@@ -137,15 +154,17 @@ void Survey::prove(bool last) {
     }
     known->members.push_back(open_[i]);
   }
+  const bool provable = words::in_word_domain(question_.machine) && !interrupted();
   const auto orbits = parallel_map(fresh.size(), [&](std::size_t i) {
-    return interrupted() ? std::nullopt
-                         : std::optional(prove_word_orbit(question_.machine, fresh[i].seen.guess));
+    return provable ? std::optional(prove_word_orbit(question_.machine, fresh[i].seen.guess)) : std::nullopt;
   });
   open_.clear();
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     fresh[i].orbit = orbits[i];
-    if (!last && !attracts(fresh[i])) {
-      open_.insert(open_.end(), fresh[i].members.begin(), fresh[i].members.end());
+    if (provable && !attracts(fresh[i])) {
+      fresh[i].members = left_after_sending_on(fresh[i]);
+    }
+    if (fresh[i].members.empty()) {
       continue;
     }
     const auto known = std::find_if(groups_.begin(), groups_.end(), [&](const Group& group) {
@@ -266,9 +285,16 @@ std::string family_of(const WordOrbit& orbit) {
 
 AttractorList find_attractors(const AttractorQuestion& question) {
   words::require_word_domain(question.machine);
-  Survey survey(question);
+  Survey survey(question, random_starts(parameters_as<double>(question.machine.data),
+                                        static_cast<std::size_t>(question.starts), question.seed));
   survey.run();
   return survey.result();
+}
+
+Attractor find_attractor(const words::WordQuestion& machine, const Vector4<double>& X, long most_periods) {
+  Survey survey({machine, 1, 0, most_periods}, {X});
+  survey.run();
+  return survey.result().attractors.front();
 }
 
 }  // namespace stickslip::numeric::attractors

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "numeric/attractors/settle.hpp"
+#include "numeric/words/pure_slip.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -41,6 +42,11 @@ struct AttractorList {
 
 // Throws as words::require_word_domain and simulation::Simulation do.
 [[nodiscard]] AttractorList find_attractors(const AttractorQuestion& question);
+
+// What the motion from X at load phase 0 settles on, `count` being 1; the share says nothing. Outside the
+// domain of words a periodic motion is not proved. Throws as simulation::Simulation does.
+[[nodiscard]] Attractor find_attractor(const words::WordQuestion& machine, const model::Vector4<double>& X,
+                                       long most_periods = 20000);
 
 // "periodic", "quasi-periodic", "irregular", "slides", "stuck", "unsettled".
 [[nodiscard]] std::string to_string(Kind kind);

@@ -1,5 +1,6 @@
 #include "numeric/attractors/lyapunov.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip::numeric::attractors {
@@ -10,15 +11,13 @@ using simulation::Simulation;
 namespace {
 
 constexpr int blocks = 20;
-constexpr int periods_in_block = 250;
-// Periods in which the neighbour turns into the fastest direction. On a torus it goes away in proportion to
-// time, so what is left of that afterwards is log(6)/5000.
-constexpr int lead = 1000;
 constexpr double small = 1e-8;
 
 }  // namespace
 
-Exponent largest_exponent(Simulation simulation) {
+Exponent largest_exponent(Simulation simulation, long periods) {
+  const long in_block = std::max(1L, periods / blocks);
+  const long lead = blocks * in_block / 5;  // in which the neighbour turns into the fastest direction
   Vector4<double> X = simulation.state();
   const double size = small * std::max(X.norm(), 1e-100);
   Vector4<double> deviation = Vector4<double>(0.5, -0.5, 0.5, 0.5) * size;
@@ -38,21 +37,23 @@ Exponent largest_exponent(Simulation simulation) {
     deviation *= size / length;
     return std::log(length / size);
   };
-  for (int k = 0; k < lead; ++k) {
+  for (long k = 0; k < lead; ++k) {
     (void)growth();
   }
   double sum = 0;
   double squares = 0;
   for (int b = 0; b < blocks; ++b) {
     double mean = 0;
-    for (int k = 0; k < periods_in_block; ++k) {
-      mean += growth() / periods_in_block;
+    for (long k = 0; k < in_block; ++k) {
+      mean += growth() / static_cast<double>(in_block);
     }
     sum += mean;
     squares += mean * mean;
   }
   const double value = sum / blocks;
-  return {value, std::sqrt(std::max(0.0, squares / blocks - value * value) / (blocks - 1))};
+  // From a fifth of the time to six fifths of it a deviation in proportion to time grows by six.
+  const double least = 3 * std::log(6) / static_cast<double>(blocks * in_block);
+  return {value, std::sqrt(std::max(0.0, squares / blocks - value * value) / (blocks - 1)), least};
 }
 
 }  // namespace stickslip::numeric::attractors

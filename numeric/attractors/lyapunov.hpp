@@ -9,15 +9,18 @@ namespace stickslip::numeric::attractors {
 struct Exponent {
   double value = 0;
   double error = 0;  // its standard error, from blocks
+  // What a finite time may leave of an exponent that is zero: on a torus deviations grow in proportion to
+  // time.
+  double least = 0;
 
-  // Three standard errors from zero, and farther than what a finite time leaves of an exponent that is zero.
   [[nodiscard]] bool is_positive() const { return value > 3 * error && value > least; }
   [[nodiscard]] bool is_negative() const { return -value > 3 * error && -value > least; }
-  static constexpr double least = 0.001;
+  // Zero as far as a long time tells: what it leaves is positive.
+  [[nodiscard]] bool is_zero() const { return -value < least / 3 && value < least && least < 0.0015; }
 };
 
-// From the motion and a neighbour that is brought back to a small distance after each period. The simulation
-// is to be at a time when the load's phase is 0.
-[[nodiscard]] Exponent largest_exponent(simulation::Simulation simulation);
+// From the motion and a neighbour that is brought back to a small distance after each of so many periods,
+// after a lead of a fifth as many. The simulation is to be at a time when the load's phase is 0.
+[[nodiscard]] Exponent largest_exponent(simulation::Simulation simulation, long periods);
 
 }  // namespace stickslip::numeric::attractors

@@ -19,6 +19,8 @@ namespace {
 constexpr double certainly = 1 - 1e-9;
 // Fewer periods without an event say nothing.
 constexpr long long_time = 256;
+// An exponent from fewer periods says nothing.
+constexpr long fewest_periods = 100;
 // What rounding leaves of a return after hundreds of periods with transients that stretch it.
 constexpr double within_rounding = 2e-8;
 
@@ -83,6 +85,7 @@ void Follower::follow(long most_periods, double nearness) {
   Vector4<double> mark = simulation_.state();
   long marked = periods_;
   long next_mark = std::max(2 * periods_, 8L);
+  bool looks = periods_ == 0;
   std::vector<Transition> log;
   while (periods_ < most_periods) {
     log.clear();
@@ -96,7 +99,7 @@ void Follower::follow(long most_periods, double nearness) {
     }
     const Vector4<double> X = simulation_.state();
     // A motion without an event since the mark has its word to come, or none.
-    if (last_event_ > marked && distance(X, mark) < nearness &&
+    if (looks && last_event_ > marked && distance(X, mark) < nearness &&
         returns_again(simulation_, periods_ - marked, distance(X, mark))) {
       kind_ = Kind::periodic;
       period_ = periods_ - marked;
@@ -108,6 +111,7 @@ void Follower::follow(long most_periods, double nearness) {
       }
       mark = X;
       marked = periods_;
+      looks = true;
       next_mark *= 2;
     }
   }
@@ -145,15 +149,15 @@ std::optional<Return> Follower::returned() const {
   return words::is_word(result.word) ? std::optional(result) : std::nullopt;
 }
 
-void Follower::classify() {
-  if (kind_ != Kind::unsettled) {
+void Follower::classify(long periods) {
+  if (kind_ != Kind::unsettled || periods < fewest_periods) {
     return;
   }
-  const Exponent exponent = largest_exponent(simulation_);
+  const Exponent exponent = largest_exponent(simulation_, periods);
   lyapunov_ = exponent.value;
-  kind_ = exponent.is_positive()   ? Kind::irregular
-          : exponent.is_negative() ? Kind::unsettled
-                                   : Kind::quasi_periodic;
+  kind_ = exponent.is_positive() ? Kind::irregular
+          : exponent.is_zero()   ? Kind::quasi_periodic
+                                 : Kind::unsettled;
 }
 
 }  // namespace stickslip::numeric::attractors

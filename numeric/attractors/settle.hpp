@@ -41,11 +41,16 @@ class Follower {
   Follower(const model::Parameters<double>& a, double ur, const model::Vector4<double>& X);
 
   // Goes on until the motion has settled, or so many periods are over in all. `nearness` is the relative
-  // distance that counts as a return. Slides and stuck for good also when no event came in the last half.
+  // distance that counts as a return; a motion that was followed before is looked at again when it is twice
+  // as old. Slides and stuck for good also when no event came in the last half.
   void follow(long most_periods, double nearness);
 
-  // Unsettled after all periods: quasi-periodic or irregular then, by the largest Lyapunov exponent.
-  void classify();
+  // Unsettled after all periods: quasi-periodic or irregular by the largest Lyapunov exponent over so many
+  // more, if that tells.
+  void classify(long periods);
+
+  // The motion is not where it seemed to return.
+  void reject() { kind_ = Kind::unsettled; }
 
   [[nodiscard]] Kind kind() const { return kind_; }
   [[nodiscard]] long periods() const { return periods_; }

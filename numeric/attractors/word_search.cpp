@@ -95,6 +95,10 @@ WordOrbits from_random_starts(const WordSearch& q) {
 
 WordOrbits find_word_orbits(const WordSearch& question) {
   words::require_word_domain(question.machine);
+  if (!question.near && question.word.letters() == "ST" && question.machine.data.V > 0) {
+    const words::WordList list = words::all_stick_slip_orbits(question.machine, question.periods);
+    return {question, list.orbits, "", interrupted(), true, list.unresolved};
+  }
   return question.near ? from_start(question) : from_random_starts(question);
 }
 

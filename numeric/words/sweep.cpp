@@ -1,6 +1,8 @@
 #include "numeric/words/sweep.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
+#include <array>
 
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -11,64 +13,40 @@ using zeros::approximate_inverse;
 
 namespace {
 
-Matrix4<Ball> midpoint(const Matrix4<Ball>& A) {
-  return A.unaryExpr([](const Ball& entry) { return entry.midpoint(); });
-}
-
 bool is_finite(const Matrix4<Ball>& A) {
   return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
 }
 
-Ball dot(const Node& a, const Node& b) {
-  Ball sum(0);
-  for (int i = 0; i < 4; ++i) {
-    add_product(sum, a(i), b(i));
-  }
-  return sum.midpoint();
+Eigen::Matrix4d in_double(const Matrix4<Ball>& A) {
+  return A.unaryExpr([](const Ball& entry) { return entry.approximate(); });
 }
 
-// v without its parts along the first k columns of Q, twice for the sake of rounding.
-Node remainder(const Matrix4<Ball>& Q, int k, Node v) {
-  for (int pass = 0; pass < 2; ++pass) {
-    for (int j = 0; j < k; ++j) {
-      const Ball part = dot(Q.col(j), v);
-      for (int i = 0; i < 4; ++i) {
-        v(i) = Ball(v(i) - part * Q(i, j)).midpoint();
+// The product of the reflections I - 2 v vᵀ/(v v) that bring W to triangular form: exactly orthogonal,
+// however the vectors v were found, so its inverse is its transpose. Its first k columns span what those of W
+// do, as far as these span anything: a landing on the belt collapses a direction.
+Matrix4<Ball> orthogonal(const Eigen::Matrix4d& W) {
+  Matrix4<Ball> Q = Matrix4<Ball>::Identity();
+  const Eigen::HouseholderQR<Eigen::Matrix4d> qr(W);
+  if (!qr.matrixQR().allFinite()) {
+    return Q;
+  }
+  for (int k = 2; k >= 0; --k) {
+    std::array<Ball, 4> v;
+    v[static_cast<std::size_t>(k)] = Ball(1);
+    Ball square(1);
+    for (int i = k + 1; i < 4; ++i) {
+      v[static_cast<std::size_t>(i)] = Ball(qr.matrixQR()(i, k));
+      add_product(square, v[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(i)]);
+    }
+    for (int j = k; j < 4; ++j) {
+      Ball part(0);
+      for (int i = k; i < 4; ++i) {
+        add_product(part, v[static_cast<std::size_t>(i)], Q(i, j));
       }
-    }
-  }
-  return v;
-}
-
-// The one of the four directions that differs most from the first k columns of Q.
-Node another_direction(const Matrix4<Ball>& Q, int k) {
-  Node best = Node::Constant(Ball(0));
-  Ball largest(-1);
-  for (int j = 0; j < 4; ++j) {
-    const Node v = remainder(Q, k, Matrix4<Ball>(Matrix4<Ball>::Identity()).col(j));
-    if (const Ball size = dot(v, v); (size - largest).is_positive()) {
-      largest = size;
-      best = v;
-    }
-  }
-  return best;
-}
-
-// Nearly orthonormal columns, the first k of which span what the first k of W do, as far as these span
-// anything: a landing on the belt collapses a direction.
-Matrix4<Ball> orthonormal(const Matrix4<Ball>& W) {
-  Matrix4<Ball> Q = Matrix4<Ball>::Constant(Ball(0));
-  for (int k = 0; k < 4; ++k) {
-    const Node column = W.col(k);
-    Node v = remainder(Q, k, column);
-    Ball negligible = dot(column, column);
-    arb_mul_2exp_si(negligible.raw(), negligible.raw(), -WorkingPrecision::bits());
-    if (!(dot(v, v) - negligible).is_positive()) {
-      v = another_direction(Q, k);
-    }
-    const Ball length = Ball(sqrt(dot(v, v))).midpoint();
-    for (int i = 0; i < 4; ++i) {
-      Q(i, k) = Ball(v(i) / length).midpoint();
+      part = Ball(2) * part / square;
+      for (int i = k; i < 4; ++i) {
+        subtract_product(Q(i, j), part, v[static_cast<std::size_t>(i)]);
+      }
     }
   }
   return Q;
@@ -77,13 +55,18 @@ Matrix4<Ball> orthonormal(const Matrix4<Ball>& W) {
 // The frames of all nodes. The second time round the first frame is where the first time ended, so that the
 // return map, too, is nearly triangular, as far as its eigenvalues differ in size.
 std::vector<Matrix4<Ball>> frames(const std::vector<Link>& links) {
-  std::vector<Matrix4<Ball>> Q(links.size());
-  Matrix4<Ball> now = Matrix4<Ball>::Identity();
-  for (int round = 0; round < 2; ++round) {
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      Q[i] = now;
-      now = orthonormal(midpoint(links[i].M) * now);
-    }
+  std::vector<Eigen::Matrix4d> M;
+  for (const Link& link : links) {
+    M.push_back(in_double(link.M));
+  }
+  Eigen::Matrix4d now = Eigen::Matrix4d::Identity();
+  for (const Eigen::Matrix4d& factor : M) {
+    now = Eigen::HouseholderQR<Eigen::Matrix4d>(factor * now).householderQ();
+  }
+  std::vector<Matrix4<Ball>> Q;
+  for (const Eigen::Matrix4d& factor : M) {
+    Q.push_back(orthogonal(now));
+    now = factor * in_double(Q.back());
   }
   return Q;
 }
@@ -131,14 +114,10 @@ std::optional<Sweep> sweep(const std::vector<Link>& links, const Nodes& g) {
   std::vector<Matrix4<Ball>> P{Matrix4<Ball>::Identity()};
   Nodes h{Node::Constant(Ball(0))};
   for (std::size_t i = 0; i < count; ++i) {
-    const Matrix4<Ball>& to = Q[(i + 1) % count];
-    const auto inverse = enclosed_inverse(to, to.transpose());
-    if (!inverse) {
-      return std::nullopt;
-    }
-    const Matrix4<Ball> R = *inverse * (links[i].M * Q[i]);
+    const Matrix4<Ball> to = Q[(i + 1) % count].transpose();
+    const Matrix4<Ball> R = to * Matrix4<Ball>(links[i].M * Q[i]);
     P.emplace_back(R * P[i]);
-    h.emplace_back(R * h[i] + *inverse * g[i]);
+    h.emplace_back(R * h[i] + to * g[i]);
   }
   const Matrix4<Ball> closing = Matrix4<Ball>(Matrix4<Ball>::Identity()) - P.back();
   const auto Y = is_finite(closing) ? approximate_inverse<Ball, 4>(closing) : std::nullopt;

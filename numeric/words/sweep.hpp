@@ -3,9 +3,9 @@
 // in balls, in a time that grows with the length of the chain.
 //
 // A product of many ball matrices is useless when it is formed as it stands, for the balls grow as the norms
-// of the factors multiply. So each deviation is written in a frame of its own, d = Q e with Q nearly
-// orthonormal, chosen such that M Q = Q+ R with R nearly triangular (Lohner's method): then the balls grow as
-// the deviations do. Frames are proposals; their inverses are enclosed.
+// of the factors multiply. So each deviation is written in a frame of its own, d = Q e with Q orthogonal,
+// chosen such that M Q = Q+ R with R nearly triangular (Lohner's method): then the balls grow as the
+// deviations do.
 #pragma once
 
 #include <optional>

@@ -223,6 +223,15 @@ void require_word_domain(const WordQuestion& question) {
   }
 }
 
+bool in_word_domain(const WordQuestion& question) {
+  try {
+    require_word_domain(question);
+  } catch (const DomainError&) {
+    return false;
+  }
+  return true;
+}
+
 WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess) {
   require_word_domain(question);
   std::vector<PhaseKind> phases;

@@ -41,6 +41,7 @@ struct WordOrbit {
 // Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and no natural frequency, p > 0, ur > us:
 // there a closed motion is isolated, but for chance.
 void require_word_domain(const WordQuestion& question);
+[[nodiscard]] bool in_word_domain(const WordQuestion& question);
 
 // Proves the orbit that Newton's method reaches from the guess. When that is a shorter orbit taken several
 // times, the shorter one. A condition or the stability that the asked digits leave undecided is looked at

@@ -66,9 +66,9 @@ std::string remark(const Attractor& a) {
     case Kind::quasi_periodic:
       return fmt::format("Lyapunov exponent {:.2g} per period of the load", a.lyapunov.value_or(0));
     case Kind::slides:
-      return "never touches the belt's speed again";
+      return "no contact with the belt any more";
     case Kind::stuck:
-      return "never leaves the belt again";
+      return "does not leave the belt any more";
     case Kind::unsettled:
       return "within the periods allowed";
   }
@@ -134,6 +134,30 @@ std::string one_orbit(const WordOrbit& o, int digits, const Style& style) {
          stability_rows(o.orbit.stability, digits, style) + "\n" + condition_rows(worst(o), style);
 }
 
+std::string searched(const WordOrbits& list) {
+  const WordSearch& q = list.question;
+  if (list.searched) {
+    return fmt::format("0 <= tau <= {}Theta, every phase of the load; tau is the duration of the slip",
+                       q.periods == 1 ? "" : std::to_string(q.periods) + " ");
+  }
+  return q.near ? "near " + state_of(*q.near) : "where random starts settle";
+}
+
+std::string result_of(const WordOrbits& list) {
+  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const WordOrbit& o) {
+    return o.orbit.admissible.truth == Truth::proved;
+  });
+  if (list.orbits.empty() && !list.searched) {
+    return "no orbit found: " + list.seen + (list.interrupted ? "; interrupted" : "");
+  }
+  const std::string count =
+      fmt::format("{} {}, {} admissible", list.orbits.empty() ? "no" : std::to_string(list.orbits.size()),
+                  list.orbits.size() == 1 ? "orbit" : "orbits", good);
+  const std::string completeness = !list.searched ? "" : list.complete() ? "complete: " : "not complete: ";
+  return completeness + count + (list.searched ? "" : "; others may exist") +
+         (list.interrupted ? "; interrupted" : "");
+}
+
 // "not admissible: slip", each kind of condition once.
 std::string verdict_of(const WordOrbit& o) {
   Orbit brief;
@@ -153,14 +177,21 @@ std::string in_words(const Attractor& a) {
 
 std::string terminal_report(const AttractorList& list, const Style& style) {
   const AttractorQuestion& q = list.question;
-  std::string text = columns_of({{{"What the machine does", bold(style)}}}, style.width) +
-                     columns_of({{{"parameters"}, {parameter_list(q.machine)}},
-                                 {{"starts"},
-                                  {fmt::format("{} at random, seed {}, each followed until it has settled or "
-                                               "for {} periods of the load; {} periods in all{}",
-                                               q.starts, q.seed, q.most_periods, list.simulated,
-                                               list.interrupted ? "; interrupted" : "")}}},
-                                style.width);
+  std::vector<Row> head{{{"parameters"}, {parameter_list(q.machine)}},
+                        {{"starts"},
+                         {fmt::format("{} at random, seed {}, each followed until it has settled or for {} "
+                                      "periods of the load; {} periods in all{}",
+                                      q.starts, q.seed, q.most_periods, list.simulated,
+                                      list.interrupted ? "; interrupted" : "")}}};
+  if (const words::PureSlip slip = words::pure_slip(q.machine.data); slip.exists.truth == Truth::proved) {
+    head.push_back(
+        {{"pure slip"},
+         {fmt::format("proved: some motions never touch the belt, for |q2| omega = {} < V; they are "
+                      "neutral, not stable",
+                      rounded(slip.forced, 4))}});
+  }
+  std::string text =
+      columns_of({{{"What the machine does", bold(style)}}}, style.width) + columns_of(head, style.width);
   std::vector<Row> rows{{{"   "}, {"share"}, {"95 %"}, {"motion"}, {"period"}, {"word"}, {""}}};
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     const Attractor& a = list.attractors[i];
@@ -188,22 +219,16 @@ std::string terminal_report(const AttractorList& list, const Style& style) {
 
 std::string terminal_report(const WordOrbits& list, const Style& style) {
   const WordSearch& q = list.question;
-  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const WordOrbit& o) {
-    return o.orbit.admissible.truth == Truth::proved;
-  });
-  const std::string found = list.orbits.empty()
-                                ? fmt::format("no orbit found: {}", list.seen)
-                                : fmt::format("{} {}, {} admissible; others may exist", list.orbits.size(),
-                                              list.orbits.size() == 1 ? "orbit" : "orbits", good);
-  std::string text =
-      columns_of({{{fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
-                                q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods)),
-                    bold(style)}}},
-                 style.width) +
-      columns_of({{{"parameters"}, {parameter_list(q.machine)}},
-                  {{"searched"}, {q.near ? "near " + state_of(*q.near) : "where random starts settle"}},
-                  {{"result"}, {found}}},
-                 style.width);
+  std::vector<Row> rows{{{"parameters"}, {parameter_list(q.machine)}},
+                        {{"searched"}, {searched(list)}},
+                        {{"result"}, {result_of(list)}}};
+  for (const words::OpenPart& part : list.unresolved) {
+    rows.push_back(
+        {{"unresolved"}, {fmt::format("tau = {}, {}", to_string(part.tau, 8), plain(part.reason))}});
+  }
+  const std::string title = fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
+                                        q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods));
+  std::string text = columns_of({{{title, bold(style)}}}, style.width) + columns_of(rows, style.width);
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
     const WordOrbit& o = list.orbits[i];
     const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());

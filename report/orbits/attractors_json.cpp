@@ -89,6 +89,9 @@ Json to_json(const AttractorList& list) {
   json["seed"] = q.seed;
   json["most_periods"] = q.most_periods;
   json["simulated"] = list.simulated;
+  const words::PureSlip slip = words::pure_slip(q.machine.data);
+  json["pure_slip"] = {{"forced", to_json(slip.forced, q.machine.digits)},
+                       {"verdict", to_string(slip.exists.truth)}};
   json["attractors"] =
       list_of(list.attractors, [&](const Attractor& a) { return attractor(a, q.machine.digits); });
   return json;
@@ -100,7 +103,10 @@ Json to_json(const WordOrbits& list) {
   json["word"] = q.word.letters();
   json["period"] = q.periods;
   json["parameters"] = parameters(q.machine);
-  json["complete"] = false;
+  json["complete"] = list.complete();
+  json["unresolved"] = list_of(list.unresolved, [&](const words::OpenPart& part) {
+    return Json{{"tau", to_json(part.tau, q.machine.digits)}, {"reason", plain(part.reason)}};
+  });
   json["orbits"] = list_of(list.orbits, [&](const WordOrbit& o) { return word_orbit(o, q.machine.digits); });
   if (!list.seen.empty()) {
     json["seen"] = list.seen;

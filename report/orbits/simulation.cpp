@@ -59,9 +59,9 @@ std::string events(const Record& record, const Style& style) {
 
 }  // namespace
 
-std::string terminal_report(const Record& record, const Style& style) {
+std::string terminal_report(const Record& record, const std::string& settles, const Style& style) {
   const double periods = record.done / record.period;
-  const std::vector<Row> rows{
+  std::vector<Row> rows{
       {{"data"}, {data_of(record.start)}},
       {{"start"}, {state_of(record.start.X)}},
       {{"simulated"},
@@ -74,6 +74,9 @@ std::string terminal_report(const Record& record, const Style& style) {
                     record.greatest_energy)}},
       {{"events"},
        {fmt::format("{}, {:.4g} in a period", record.events, static_cast<double>(record.events) / periods)}}};
+  if (!settles.empty()) {
+    rows.push_back({{"settles"}, {settles}});
+  }
   return columns_of(rows, style.width) + events(record, style);
 }
 

@@ -9,9 +9,10 @@
 
 namespace stickslip::report::orbits {
 
-// The data; how long; shares of slip, overshoot and stick; energy; the first and the last events.
+// The data; how long; shares of slip, overshoot and stick; energy; what it settles on, if that is given in
+// words; the first and the last events.
 [[nodiscard]] std::string terminal_report(const numeric::simulation::Record& record,
-                                          const tools::Style& style);
+                                          const std::string& settles, const tools::Style& style);
 
 // A line of names and one line per sample: t, phase, x1, x2, x1', x2', r, u, E; numbers with 17 digits.
 [[nodiscard]] std::string to_csv(const numeric::simulation::Record& record);

@@ -128,6 +128,10 @@ TEST_CASE("an unstable orbit is found near a state on it, and called unstable; n
   CHECK(found.orbits[0].orbit.admissible.truth == Truth::proved);
   CHECK(found.orbits[0].orbit.stability->kind == StabilityKind::unstable);
   CHECK(found.seen.empty());
+  // A simulation of it seems to return for hundreds of periods.
+  const Attractor end = find_attractor({S(), ur, 20}, X, 5000);
+  CHECK(end.word != "ST");
+  CHECK((end.kind != Kind::periodic || end.orbit->orbit.stability->kind == StabilityKind::stable));
 }
 
 TEST_CASE("where there is no orbit of the word it is said what was met") {

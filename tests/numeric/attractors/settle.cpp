@@ -66,7 +66,7 @@ TEST_CASE("the period and the word of a motion that settles") {
 TEST_CASE("the exponent of a periodic motion is the logarithm of its largest multiplier, over its period") {
   Follower three(in_double(P()), 0.2996, {0.5, 1, 0, -0.2});
   three.follow(20000, 1e-6);
-  const Exponent exponent = largest_exponent(three.simulation());
+  const Exponent exponent = largest_exponent(three.simulation(), 5000);
   CHECK(exponent.is_negative());
   CHECK_FALSE(exponent.is_positive());
   CHECK(exponent.value == doctest::Approx(std::log(0.654462) / 3).epsilon(0.01));
@@ -78,10 +78,10 @@ TEST_CASE("a motion that neighbours leave exponentially is irregular") {
   for (const auto& X : starts) {
     Follower follower(in_double(O()), 0.4585, X);
     follower.follow(2000, 1e-6);
-    follower.classify();
+    follower.classify(5000);
     irregular += follower.kind() == Kind::irregular ? 1 : 0;
     if (follower.kind() == Kind::irregular) {
-      CHECK(*follower.lyapunov() > Exponent::least);
+      CHECK(*follower.lyapunov() > 0.001);
     }
   }
   CHECK(irregular > 0);

@@ -1,0 +1,138 @@
+// stickslip attractors and stickslip orbits WORD from outside: exit codes, sentences, JSON.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace stickslip;
+
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+struct Refusal {
+  Words arguments;
+  int code;
+  std::string named;
+};
+
+void check_refused(const std::vector<Refusal>& refusals) {
+  for (const Refusal& refusal : refusals) {
+    const Run result = stickslip_program(refusal.arguments);
+    CAPTURE(refusal.named);
+    CAPTURE(result.err);
+    CHECK(result.code == refusal.code);
+    CHECK(is_one_sentence(result.err, refusal.named));
+    CHECK(result.out.empty());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("words that are none, and options that do not go with them, are named") {
+  check_refused({
+      {{"orbits", "SOS", "--example", "O"}, exit_usage, "S follows S from its end to its start"},
+      {{"orbits", "TT", "--example", "O"}, exit_usage, "T follows T"},
+      {{"orbits", "S", "--example", "O"}, exit_usage, "one phase"},
+      {{"orbits", "OTX", "--example", "O"}, exit_usage, "'OTX'"},
+      {{"orbits", "OTS", "--example", "O", "--period", "0"}, exit_usage, "period: '0'"},
+      {{"orbits", "OTS", "--example", "O", "--period", "two"}, exit_usage, "period: 'two'"},
+      {{"orbits", "OTS", "--example", "O", "--near", "1,2,3"}, exit_usage, "near: '1,2,3'"},
+      {{"orbits", "OTS", "--example", "O", "--near", ""}, exit_usage, "near: ''"},
+      {{"orbits", "OTS", "--example", "O", "--phi", "0"}, exit_usage, "phi"},
+      {{"orbits", "OTS", "--example", "O", "--chi", "0.2+-1e-5"}, exit_usage, "interval"},
+      {{"orbits", "OTS", "--example", "O", "--plot", "a.svg"}, exit_usage, "--plot"},
+      {{"orbits", "OTS"}, exit_usage, "--chi"},
+      {{"orbits", "symmetric", "--example", "S", "--period", "2"}, exit_usage, "'symmetric'"},
+      {{"orbits", "OTS", "--example", "O", "--ur", "0.01"}, exit_domain, "ur = 0.01"},
+      {{"orbits", "OTS", "--example", "O", "--p", "0", "--ur", "1"}, exit_domain, "p = 0"},
+      {{"orbits", "OTS", "--example", "O", "--near", "1e200,0,0,0"}, exit_domain, "1e+200"},
+      {{"attractors"}, exit_usage, "--chi"},
+      {{"attractors", "--example", "O", "--starts", "0"}, exit_usage, "starts: '0'"},
+      {{"attractors", "--example", "O", "--starts", "-3"}, exit_usage, "starts: '-3'"},
+      {{"attractors", "--example", "O", "--seed", "east"}, exit_usage, "seed: 'east'"},
+      {{"attractors", "--example", "O", "--most-periods", "1e3"}, exit_usage, "most-periods: '1e3'"},
+      {{"attractors", "--example", "O", "--chi", "1"}, exit_domain, "chi = 1"},
+      {{"attractors", "--example", "O", "--us", "0"}, exit_domain, "us = 0"},
+      {{"attractors", "--chi", "0.375", "--eta", "4/3", "--us", "0.1", "--V", "1", "--omega", "0.5", "--p",
+        "1", "--ur", "0.2"},
+       exit_domain,
+       "omega = 0.5"},
+  });
+}
+
+TEST_CASE("attractors in JSON: all starts are placed, and what is periodic is proved") {
+  const Words question{"attractors", "--example", "P", "--starts", "40"};
+  Words as_json = question;
+  as_json.emplace_back("--json");
+  const Run result = stickslip_program(as_json);
+  CHECK(result.code == exit_decided);
+  CHECK(result.err.empty());
+  const Json json = Json::parse(result.out);
+  CHECK(json.at("starts") == 40);
+  CHECK(json.at("seed") == 1);
+  CHECK(json.at("parameters").at("ur") == "0.2996");
+  int count = 0;
+  for (const Json& a : json.at("attractors")) {
+    count += a.at("count").get<int>();
+    CHECK(a.at("state").size() == 4);
+    if (a.at("kind") == "periodic") {
+      CHECK(a.at("verdict") == "proved");
+      CHECK(a.at("stability") == "stable");
+      CHECK(a.at("durations").size() == a.at("word").get<std::string>().size());
+      CHECK(a.at("multipliers").size() == 4);
+    }
+  }
+  CHECK(count == 40);
+  CHECK(json.at("attractors").at(0).at("word") == "OSOTSOST");
+  CHECK(json.at("attractors").at(0).at("period") == 3);
+  const Run text = stickslip_program(question);
+  CHECK(text.code == exit_decided);
+  CHECK(text.out.find("OSOTSOST") != std::string::npos);
+  as_json.insert(as_json.end(), {"--jobs", "1"});
+  CHECK(stickslip_program(as_json).out == result.out);
+}
+
+TEST_CASE("an orbit of a word in JSON, any rotation of the word, and the command that gives it again") {
+  const Run result = stickslip_program({"orbits", "TSO", "--example", "O", "--json"});
+  CHECK(result.code == exit_decided);
+  const Json json = Json::parse(result.out);
+  CHECK(json.at("word") == "OTS");
+  CHECK(json.at("complete") == false);
+  REQUIRE(json.at("orbits").size() == 1);
+  const Json& orbit = json.at("orbits").at(0);
+  CHECK(orbit.at("period") == 1);
+  CHECK(orbit.at("durations").size() == 3);
+  CHECK(orbit.at("admissible") == true);
+  CHECK(orbit.at("stability") == "stable");
+  for (const char * key : {"Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur"}) {
+    CHECK(orbit.at(key).contains("mid"));
+  }
+  CHECK(orbit.at("conditions").at(0).contains("phase"));
+}
+
+TEST_CASE("a word without an orbit is exit code 2, with what was met instead") {
+  const Run result = stickslip_program({"orbits", "ST", "--example", "P", "--ur", "0.25"});
+  CHECK(result.code == exit_undecided);
+  CHECK(result.err.empty());
+  CHECK(result.out.find("OS with the period 1") != std::string::npos);
+}
+
+TEST_CASE("simulate ends with what the motion settles on") {
+  const Run orbit = stickslip_program({"simulate", "--example", "O", "--perturb", "0.01,0,0,0"});
+  CHECK(orbit.code == exit_decided);
+  CHECK(orbit.out.find("settles    OTS with the period 1: proved, stable") != std::string::npos);
+  // It begins on an unstable orbit, to the last digit, and does not stay there.
+  const Run left = stickslip_program({"simulate", "--example", "S", "--periods", "1"});
+  CHECK(left.out.find("settles") != std::string::npos);
+  CHECK(left.out.find("proved, unstable") == std::string::npos);
+  const Run stuck = stickslip_program({"simulate", "--example", "P", "--state", "0,0,0,0", "--phi", "2"});
+  CHECK(stuck.out.find("settles    stuck") != std::string::npos);
+  // Without load no orbit is alone: nothing is proved, and nothing is claimed.
+  const Run free = stickslip_program({"simulate", "--example", "O", "--p", "0", "--state", "0,0,0,0"});
+  CHECK(free.code == exit_decided);
+  CHECK(free.out.find("proved, stable") == std::string::npos);
+}
