@@ -96,6 +96,7 @@ bool phase_is_fixed(const model::Oscillator<Ball>& o, const Rational& from, cons
 Claim lag_claim() {
   return {.id = "S.lag",
           .kind = Kind::numbers,
+          .origin = Origin::auxiliary,
           .words =
               "at the data of Fig. 2 there is no slip, however long in the period, that leaves the load's "
               "phase free (4.lag.needed): the list of orbits, which has both phases of the time lag, is "
@@ -122,9 +123,7 @@ Claim friction_claim() {
   return {
       .id = "S.data",
       .kind = Kind::theorem,
-      .words =
-          "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit; at these data, with any "
-          "$u_r$ that rounds to it, there is none, since by (12) $u_r$ is a result",
+      .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
       .prove = [](Prover&, const Claim&) {
         const OrbitList& list = orbits_of(printed()).list;
         const Decimal given = printed().result("ur").value;

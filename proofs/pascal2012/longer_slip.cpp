@@ -103,12 +103,14 @@ std::vector<Claim> longer_slip() {
   return {
       {.id = "A5.tan",
        .kind = Kind::step,
+       .origin = Origin::auxiliary,
        .printed = {{s * cos(s), sin(s), Relation::less}},
        .words = "$tan(s) > s$ for $0 < s < pi/2$, in a form that holds up to $pi$",
        .assumptions = {{"s.positive", {s, 0, Relation::greater}}, {"s.pi", {s, pi(), Relation::less}}},
        .prove = by_kernel("mean value theorem", slope_of_chord)},
       {.id = "A5.longer",
        .kind = Kind::theorem,
+       .origin = Origin::new_result,
        .printed = {{Theta / 2, tau, Relation::less}},
        .words =
            "on a moving belt, $V > 0$, off resonance: of two slips per period the one with $x2' < V$ lasts "

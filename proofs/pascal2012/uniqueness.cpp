@@ -112,6 +112,7 @@ std::vector<Claim> decrease() {
        .prove = by_chain_rule({assuming("4.x"), assuming("4.y")})},
       {.id = "A5.stable",
        .kind = Kind::theorem,
+       .origin = Origin::new_result,
        .printed = {{substitute(energy, {{"t", Theta}}), substitute(energy, {{"t", 0}}),
                     Relation::less_or_equal}},
        .words = "two motions that do not stick do not move apart, in the norm of this energy, over any time "

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/decimal.hpp"
+#include "report/audit/finding_data.hpp"
 #include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
 #include "report/tools/layout.hpp"
@@ -88,6 +89,7 @@ void complete_claim(Json& claim, const Record& record, const std::string& place_
   if (record.converse) {
     complete_outcome(claim.at("converse"), *record.converse, id);
   }
+  claim["proof_summary"] = claim.at("examined") ? "proof, and what it rests on" : "what it is used for";
   claim["needs"] = claim.at(record.corrected ? "corrected_outcome" : "outcome").at("hypotheses");
 }
 
@@ -95,14 +97,14 @@ const OriginFacts& origin_named(const std::string& name) {
   return *std::ranges::find_if(origins(), [&](const OriginFacts& known) { return known.name == name; });
 }
 
-Json group(const StatusFacts& status) {
-  return {
-      {"title", status.heading}, {"explanation", status.explanation}, {"count", 0},
-      {"claims", Json::array()}, {"numbers", Json::array()},          {"hypotheses_groups", Json::array()}};
-}
-
-bool compares(const Json& claim) {
-  return !claim.at("outcome").at("comparisons").empty();
+// A remark with its sentences.
+Json remark_sentences(const Remark& remark, Origin origin) {
+  return {{"place", remark.place},
+          {"who", origin == Origin::paper ? "The paper says" : "The paper takes for granted"},
+          {"says", sentence(remark.says)},
+          {"fact", sentence(remark.fact)},
+          {"because", sentence(remark.because)},
+          {"see", remark.see}};
 }
 
 // The paper's statements that the audit answers, section by section.
@@ -156,73 +158,24 @@ Json statuses_met(const Json& summary) {
   return met;
 }
 
-// What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
-Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, const std::string& origin) {
-  const auto is_shown = [&](const Judgement& judgement) {
-    return std::ranges::all_of(judgement.shown_by, [&](const std::string& id) {
-      return std::ranges::any_of(audit.records, [&](const proofs::methods::Record& record) {
-        return record.claim.id == id && record.outcome.verdict.truth == Truth::proved;
-      });
-    });
-  };
-  Json json = Json::array();
-  for (const Judgement& judgement : paper.judgements) {
-    if (judgement.origin == origin && is_shown(judgement)) {
-      json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
-                      {"words", judgement.words},
-                      {"shown_by", judgement.shown_by}});
-    }
-  }
-  return json;
-}
-
-Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
-  Json json = {{"hypotheses", Json::array()},
-               {"origins", Json::array()},
-               {"inherited_by", g.inherited_by},
-               {"inherited_by_count", g.inherited_by.size()}};
-  for (const proofs::methods::Hypothesis& hypothesis : g.hypotheses) {
-    json["hypotheses"].push_back({{"latex", hypothesis.latex}});
-  }
-  for (const proofs::methods::Record * origin : g.origins) {
-    json["origins"].push_back({{"id", origin->claim.id},
-                               {"words", origin->claim.words},
-                               {"judgements", judgements_of(paper, audit, origin->claim.id)}});
-  }
-  return json;
-}
-
-// The groups of findings, from the worst status to the best; statuses with one heading make one group.
-Json findings(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
-  Json groups = Json::array();
-  for (auto status = statuses().rbegin(); status != statuses().rend(); ++status) {
-    if (groups.empty() || groups.back().at("title") != status->heading) {
-      groups.push_back(group(*status));
-    }
-    Json& found = groups.back();
-    const auto add = [&](const char * list, Json one) {
-      found[list].push_back(std::move(one));
-      found["count"] = found.at("count").get<int>() + 1;
-    };
-    if (status->status == Status::needs_hypotheses) {
-      for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-        add("hypotheses_groups", hypothesis_group(paper, audit, g));
-      }
-    } else if (status->finding) {
-      for (const Json& claim : claims) {
-        if (claim.at("status") == status->name) {
-          add(status->status == Status::digits_off && compares(claim) ? "numbers" : "claims", claim);
-        }
+Json results(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
+  Json all = Json::array();
+  for (const Result& result : results_in(paper, audit)) {
+    Json one = {{"id", result.id},
+                {"title", result.title},
+                {"theorem", sentence(result.theorem)},
+                {"idea", sentence(result.idea)},
+                {"see", result.see},
+                {"claims", result.claims},
+                {"formulas", Json::array()}};
+    for (const Json& claim : claims) {
+      if (claim.at("id") == result.claims.front() && claim.at("status") != "refuted") {
+        one["formulas"] = claim.at("printed");
       }
     }
+    all.push_back(std::move(one));
   }
-  Json found = Json::array();
-  for (Json& one : groups) {
-    if (one.at("count") != 0) {
-      found.push_back(std::move(one));
-    }
-  }
-  return found;
+  return all;
 }
 
 }  // namespace
@@ -249,6 +202,9 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       Json& claim = data.at("places").at(i).at("claims").at(k);
       complete_claim(claim, record, places[i].title);
       claim["states"] = stated_by(paper, record.claim.id);
+      if (!claim.at("remark").is_null()) {
+        claim["remark"] = remark_sentences(*remark_on(paper, record.claim.id), record.claim.origin);
+      }
       claims.push_back(claim);
       if (compares(claim)) {
         data["numbers"].push_back(claim);
@@ -259,7 +215,8 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       }
     }
   }
-  data["findings"] = findings(paper, audit, claims);
+  data["results"] = results(paper, audit, claims);
+  data["findings"] = finding_data(paper, audit, claims);
   data["verdict_lead"] = verdict_lead(paper, audit);
   data["verdict_sentence"] = verdict_sentence(paper, audit);
   data["sentence_of_ours"] = sentence_of_ours(audit);

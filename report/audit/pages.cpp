@@ -143,6 +143,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit,
                           {"orbits.html", render_file("orbits.html", complete, html_format)}});
   });
   add_style(report.files);
+  report.files.push_back({"filter.js", read_file(template_directory() / "filter.js")});
   return report;
 }
 

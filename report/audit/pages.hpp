@@ -18,9 +18,9 @@ struct Report {
   std::string note;
 };
 
-// index.html, paper.html, statements.html, orbits.html with style.css and katex.css; audit.json; audit.tex and, where
-// there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be read or a program
-// that draws is missing or fails.
+// index.html, paper.html, statements.html, orbits.html with style.css, katex.css and filter.js; audit.json; audit.tex
+// and, where there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be read or a
+// program that draws is missing or fails.
 [[nodiscard]] Report pages(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                            const std::vector<proofs::methods::ExampleOrbits>& examples,
                            const std::optional<proofs::checks::Gate>& gate = {});

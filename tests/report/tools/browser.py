@@ -120,7 +120,8 @@ class Check:
     def read(self, page, where):
         # All of the page, however far below.
         self.driver.execute_script(
-            "document.head.insertAdjacentHTML('beforeend', '<style>* { content-visibility: visible !important }</style>')")
+            "document.head.insertAdjacentHTML('beforeend', '<style>* { content-visibility: visible !important }</style>');"
+            "document.querySelectorAll('details').forEach((part) => { part.open = true; });")
         # What a page is laid out for: innerWidth grows with a page that is too wide.
         wide = self.driver.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
         if wide > 0:
