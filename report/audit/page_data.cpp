@@ -89,6 +89,7 @@ void complete_claim(Json& claim, const Record& record, const std::string& place_
   if (record.converse) {
     complete_outcome(claim.at("converse"), *record.converse, id);
   }
+  claim["without_formula"] = record.claim.printed.empty() && record.status != Status::model;
   claim["proof_summary"] = claim.at("examined") ? "proof, and what it rests on" : "what it is used for";
   claim["needs"] = claim.at(record.corrected ? "corrected_outcome" : "outcome").at("hypotheses");
 }
@@ -134,6 +135,21 @@ Json stated_by(const Paper& paper, const std::string& claim) {
     }
   }
   return found;
+}
+
+// Gives each assumption of a claim the anchor of the list in which it stands once.
+void add_assumptions(Json& list, Json& claim) {
+  for (Json& one : claim.at("assumptions")) {
+    const auto known = std::ranges::find_if(list, [&](const Json& other) {
+      return other.at("id") == one.at("id") && other.at("latex") == one.at("latex");
+    });
+    if (known == list.end()) {
+      one["anchor"] = fmt::format("if-{}", list.size() + 1);
+      list.push_back(one);
+    } else {
+      one["anchor"] = known->at("anchor");
+    }
+  }
 }
 
 // The statuses that occur, of statements and of claims, from the best to the worst.
@@ -185,6 +201,7 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
   std::vector<Json> claims;
   data["numbers"] = Json::array();
   data["errata"] = Json::array();
+  data["assumptions"] = Json::array();
   for (Json& status : data.at("summary").at("statuses")) {
     add_words(status, "status");
   }
@@ -194,6 +211,12 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
     origin["words"] = one ? known.one : known.many;
   }
   data["statuses_met"] = statuses_met(data.at("summary"));
+  data["claim_statuses"] = Json::array();
+  for (const Json& status : data.at("statuses_met")) {
+    if (is_status(status.at("status"))) {
+      data["claim_statuses"].push_back(status);
+    }
+  }
   data["sections"] = printed_sections(paper, audit, data.at("statements"));
   const std::vector<PlaceRecords> places = by_place(paper, audit);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -202,6 +225,7 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       Json& claim = data.at("places").at(i).at("claims").at(k);
       complete_claim(claim, record, places[i].title);
       claim["states"] = stated_by(paper, record.claim.id);
+      add_assumptions(data["assumptions"], claim);
       if (!claim.at("remark").is_null()) {
         claim["remark"] = remark_sentences(*remark_on(paper, record.claim.id), record.claim.origin);
       }

@@ -151,6 +151,7 @@ std::string findings(const Paper& paper, const Audit& audit, const Style& style)
       details.add("because", remark->because);
       details.add("see", remark->see);
       details.add("printed", record.claim.printed);
+      details.add("needs", final_outcome(record).hypotheses);
       details.add("corrected", record.claim.corrected);
       result += head(record, style) + details.text();
       continue;

@@ -155,6 +155,22 @@ TEST_CASE("remarks and results name claims that there are, and commands of the p
   }
 }
 
+TEST_CASE("every symbol of a formula has a LaTeX name") {
+  const auto is_set = [](const proofs::symbols::Statement& statement) {
+    return proofs::symbols::latex(statement).find("\\mathrm") == std::string::npos;
+  };
+  for (const Claim& claim : paper().claims) {
+    CAPTURE(claim.id);
+    for (const auto& form : {claim.printed, claim.corrected}) {
+      CHECK(std::ranges::all_of(form, is_set));
+    }
+    for (const Assumption& assumption : claim.assumptions) {
+      CAPTURE(assumption.id);
+      CHECK(is_set(assumption.statement));
+    }
+  }
+}
+
 TEST_CASE("claims are named by their origin") {
   const std::set<std::string> converses = ids_named(paper().claims, "converse");
   CHECK(converses.contains("12.back"));
