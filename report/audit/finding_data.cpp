@@ -47,11 +47,16 @@ Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, c
   Json json = {{"hypotheses", Json::array()},
                {"origins", Json::array()},
                {"inherited_by", g.inherited_by},
-               {"inherited_by_count", g.inherited_by.size()}};
+               {"inherited_by_count", g.inherited_by.size()},
+               {"matters", false}};
   for (const proofs::methods::Hypothesis& hypothesis : g.hypotheses) {
     json["hypotheses"].push_back({{"latex", hypothesis.latex}});
   }
   for (const proofs::methods::Record * origin : g.origins) {
+    json["matters"] = json.at("matters").get<bool>() ||
+                      std::ranges::any_of(paper.judgements, [&](const Judgement& judgement) {
+                        return judgement.origin == origin->claim.id && judgement.matters;
+                      });
     json["origins"].push_back({{"id", origin->claim.id},
                                {"words", origin->claim.words},
                                {"judgements", judgements_of(paper, audit, origin->claim.id)}});

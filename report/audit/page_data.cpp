@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <set>
 
 #include "core/decimal.hpp"
@@ -59,6 +60,7 @@ void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const
   add_words(json, "verdict");
   json["verdict_capital"] = capitalised(json.at("verdict_words"));
   json["route"] = outcome.route;
+  json["evaluated"] = outcome.cross_check.formulas > 0;
   json["reason"] = outcome.verdict.reason;
   for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
@@ -152,6 +154,45 @@ void add_assumptions(Json& list, Json& claim) {
   }
 }
 
+// The sentence without the ids of claims, which a letter does not know: "so it is (16.back)".
+std::string without_ids(const std::string& sentence) {
+  static const std::regex ids(R"( \((?:[0-9A-Z]+\.[A-Za-z0-9.]+(?:, )?)+\))");
+  return std::regex_replace(sentence, ids, "");
+}
+
+// A claim of the paper that has something to correct, as a letter to the journal says it.
+Json erratum(const Json& claim) {
+  Json one = {{"misprint", claim.at("status") == "misprint_corrected"},
+              {"printed", claim.at("printed")},
+              {"corrected", claim.at("corrected")},
+              {"numbers", claim.at("outcome").at("comparisons")}};
+  if (claim.at("remark").is_null()) {
+    one["place"] =
+        claim.at("states").empty() ? claim.at("place_title") : claim.at("states").at(0).at("place");
+    one["remark"] = nullptr;
+    return one;
+  }
+  one["place"] = claim.at("remark").at("place");
+  one["remark"] = claim.at("remark");
+  for (const char * part : {"says", "fact", "because"}) {
+    one["remark"][part] = without_ids(one.at("remark").at(part));
+  }
+  return one;
+}
+
+// Numbers of one place make one entry.
+void add_erratum(Json& errata, const Json& one) {
+  const bool numbers = !one.at("misprint").get<bool>() && one.at("remark").is_null();
+  if (numbers && !errata.empty() && errata.back().at("place") == one.at("place") &&
+      errata.back().at("remark").is_null() && !errata.back().at("misprint").get<bool>()) {
+    for (const Json& number : one.at("numbers")) {
+      errata.back()["numbers"].push_back(number);
+    }
+  } else {
+    errata.push_back(one);
+  }
+}
+
 // The statuses that occur, of statements and of claims, from the best to the worst.
 Json statuses_met(const Json& summary) {
   std::set<std::string> names;
@@ -233,9 +274,10 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       if (compares(claim)) {
         data["numbers"].push_back(claim);
       }
-      if (record.status == Status::misprint_corrected ||
-          (record.status == Status::digits_off && compares(claim))) {
-        data["errata"].push_back(claim);
+      const bool in_remark = !claim.at("remark").is_null() || record.status == Status::misprint_corrected;
+      if (record.claim.origin == Origin::paper &&
+          (in_remark || (record.status == Status::digits_off && compares(claim)))) {
+        add_erratum(data["errata"], erratum(claim));
       }
     }
   }
