@@ -172,6 +172,13 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
       ->excludes(list)
       ->excludes(names);
   command
+      ->add_option("--theorem", options.theorem,
+                   "A result of the audit as a theorem, with the idea of its proof,\nafter proving it")
+      ->type_name("ID")
+      ->excludes(list)
+      ->excludes(names)
+      ->excludes(command->get_option("--errata"));
+  command
       ->add_option_function<std::string>(
           "--in", [&options](const std::string& word) { options.in_frequencies = is_omega(word); },
           "chi (the default): with chi, eta and the abbreviations omega_j,\nlambda_j; omega: with the "

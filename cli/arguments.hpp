@@ -32,6 +32,7 @@ struct LatexOptions {
   bool in_frequencies = false;  // else with chi, eta and abbreviations
   bool list = false;
   bool errata = false;
+  std::string theorem;  // the id of a result; empty if none is asked for
 };
 
 struct OrbitsOptions {

@@ -76,7 +76,28 @@ std::string formulas(const LatexOptions& options, const std::vector<proofs::meth
 
 }  // namespace
 
+namespace {
+
+// A result of the audit, after the proofs of its claims. Throws UsageError naming those that there are.
+std::string theorem(const proofs::methods::Paper& paper, const std::string& id) {
+  std::vector<std::string> known;
+  for (const proofs::methods::Result& result : paper.results) {
+    if (result.id == id) {
+      const std::set<std::string> claims(result.claims.begin(), result.claims.end());
+      return report::audit::theorem(paper, prove(paper.claims, claims), id);
+    }
+    known.push_back(result.id);
+  }
+  throw UsageError(fmt::format("there is no result '{}': there are {}", id, fmt::join(known, ", ")));
+}
+
+}  // namespace
+
 ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper) {
+  if (!options.theorem.empty()) {
+    print(theorem(paper, options.theorem));
+    return exit_decided;
+  }
   print(options.errata ? report::audit::errata(paper, prove(paper.claims, {}))
         : options.list ? symbolic::objects::list_of_objects()
                        : formulas(options, paper.claims));

@@ -56,6 +56,11 @@ Status status_of(const PrintedStatement& statement, const Audit& audit) {
   return statement.missing.empty() || worst > Status::needs_hypotheses ? worst : Status::in_part;
 }
 
+const Remark * remark_on(const Paper& paper, const std::string& claim) {
+  const auto found = std::ranges::find(paper.remarks, claim, &Remark::claim);
+  return found == paper.remarks.end() ? nullptr : &*found;
+}
+
 std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::string& word) {
   std::set<std::string> ids;
   std::vector<std::string> places;

@@ -107,6 +107,9 @@ struct Paper {
 // something is missing, and nothing worse is known than a hypothesis; not_stated without claims.
 [[nodiscard]] Status status_of(const PrintedStatement& statement, const Audit& audit);
 
+// What there is to say about the claim, or null.
+[[nodiscard]] const Remark * remark_on(const Paper& paper, const std::string& claim);
+
 // The ids that a word names: a claim (47.c1), an equation with all its parts (47), a place (sec4, A3), a
 // kind, an origin (paper, new). Throws UsageError naming the word and what there is.
 [[nodiscard]] std::set<std::string> ids_named(const std::vector<Claim>& claims, const std::string& word);

@@ -79,7 +79,7 @@ std::vector<Claim> stick_part() {
       {.id = "45",
        .kind = Kind::step,
        .printed = {equation(Z(tau + t1), Gamma(T - t1) * E * Z0)},
-       .words = "the stick solution at the time $T - t_1$; printed with $Z(t)$ on the left, $t = tau + t_1$",
+       .words = "the stick solution at the time $T - t_1$",
        .assumptions = {slip_ends, closing_state(z10, block(1, {1, 0})), closing_state(z20, block(1, {0, 1})),
                        sticks, stick_lasts, from_start, to_end},
        .prove = by_normal_form({equation(Gamma(t1) * E * Z0, Gamma(T - t1) * E * Z0)}),
@@ -120,7 +120,7 @@ std::vector<Claim> stick_part() {
        .prove = by_combination({{{from("17.stick"), 0, chi * eta * gap}}})},
       {.id = "17.odd.f",
        .kind = Kind::condition,
-       .origin = Origin::reading,
+       .origin = Origin::auxiliary,
        .printed = {{pull(T - t1) + eta * (ur + us), 0, Relation::greater}},
        .words =
            "so $f_1 < 0$ at all times of the stick gives $f_2 > 0$ at all of them: $f_2(T - t_1) = 2 eta "

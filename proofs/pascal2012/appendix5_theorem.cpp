@@ -35,7 +35,7 @@ std::vector<Claim> theorem() {
   return {
       {.id = "A5.turn",
        .kind = Kind::step,
-       .origin = Origin::new_result,
+       .origin = Origin::auxiliary,
        .printed = {equation(omega * (z2B - z20) * cos(quarter), 2 * V * sin(quarter))},
        .words = "the second rows of (66), with nothing divided by: how far the slip goes and how long it "
                 "lasts; for $V > 0$ a slip that ends with $z2B < z20$ lasts longer than half a period",

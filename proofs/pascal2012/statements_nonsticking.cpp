@@ -40,8 +40,8 @@ std::vector<PrintedStatement> statements_of_nonsticking_orbits() {
        "after (25)",
        step,
        "on $(0, tau)$ the mass slips below belt velocity, by (5)",
-       {"25.begins"},
-       "that it slips on the whole of $(0, tau)$ is decided for the example alone; (25) is not enough for it",
+       {"5", "25.begins"},
+       "that it does so on all of $(0, tau)$ is decided for the example alone; (25) is not enough for it",
        {"37.speed", "P.if.slip"}},
       {"S095",
        "after (25)",
@@ -64,9 +64,8 @@ std::vector<PrintedStatement> statements_of_nonsticking_orbits() {
        "after (26)",
        step,
        "for $t > tau$ the mass overshoots",
-       {"26.begins"},
-       "that it overshoots until $Theta$ follows by symmetry from the slip, which is decided for the example "
-       "alone",
+       {"27", "26.begins"},
+       "that it does so until $Theta$ is decided for the example alone",
        {"54", "37.speed", "P.if.overshoot"}},
       {"S099", "(27)", step, "motion during the overshooting, from the state at $tau$", {"27"}},
       {"S100",
@@ -187,9 +186,9 @@ std::vector<PrintedStatement> statements_of_nonsticking_orbits() {
        "sec. 7",
        words,
        "what is considered is the steady-state response under dry friction and harmonic load",
-       {"7.steady"},
+       {},
        "which motions are steady is a question of stability, decided for the examples",
-       {"S.stability", "O.stability", "P.stability"}},
+       {"7.steady", "S.stability", "O.stability", "P.stability"}},
       {"S128",
        "sec. 7",
        theorem,
@@ -211,7 +210,7 @@ std::vector<PrintedStatement> statements_of_nonsticking_orbits() {
        "their symmetry in space and in time counts as proved; said without exception",
        {"7.always"},
        "",
-       {"7.symmetric", "A5.symmetry"}},
+       {"33.even.orbits", "7.symmetric", "A5.symmetry"}},
   };
 }
 

@@ -51,32 +51,39 @@ std::string application(const Term& function, const std::string& decoration, Sty
   return fmt::format("{}{}({})", name, decoration, argument);
 }
 
+// Whether the term is printed with a minus sign in front: -x, -2, and x y where x is.
+bool has_minus(const Term& term) {
+  return term.op() == Op::negate || (term.op() == Op::number && term.number() < 0) ||
+         (term.op() == Op::product && has_minus(term.arguments().front()));
+}
+
 Piece print_sum(const Term& sum, Style style) {
   std::string result;
   for (const Term& term : sum.arguments()) {
-    const bool minus = term.op() == Op::negate;
-    const Term& shown = minus ? term.arguments().front() : term;
-    if (!result.empty()) {
-      result += minus ? " - " : " + ";
-    } else if (minus) {
-      result += "-";
-    }
     // A sum inside a sum was printed in parentheses.
-    result += at_least(shown, product_binding, style);
+    const std::string shown =
+        has_minus(term) ? print(term, style).text.substr(1) : at_least(term, product_binding, style);
+    result += (result.empty() ? has_minus(term) ? "-" : "" : has_minus(term) ? " - " : " + ") + shown;
   }
   return {result, sum_binding};
 }
 
+// The sign of the first factor is that of the product.
 Piece print_product(const Term& product, Style style) {
   std::string result;
   for (const Term& factor : product.arguments()) {
-    if (!result.empty()) {
+    const bool first = result.empty();
+    if (first && has_minus(factor)) {
+      result += print(factor, style).text;
+      continue;
+    }
+    if (!first) {
       result += style == Style::latex ? " " : "*";
     }
-    const bool tight = style == Style::text && factor.op() == Op::quotient && !result.empty();
+    const bool tight = style == Style::text && factor.op() == Op::quotient && !first;
     result += at_least(factor, tight ? atom_binding : product_binding, style);
   }
-  return {result, product_binding};
+  return {result, has_minus(product) ? sum_binding : product_binding};
 }
 
 Piece print_quotient(const Term& quotient, Style style) {
@@ -97,7 +104,7 @@ Piece print_power(const Term& power, Style style) {
   if (base.op() == Op::function) {
     return {application(base, exponent, style), atom_binding};
   }
-  const bool simple = base.op() == Op::symbol || base.op() == Op::number;
+  const bool simple = base.op() == Op::symbol || (base.op() == Op::number && !has_minus(base));
   const std::string inside = print(base, style).text;
   return {(simple ? inside : parenthesised(inside, style)) + exponent, atom_binding};
 }

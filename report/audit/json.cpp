@@ -115,7 +115,27 @@ Json assumptions(const Record& record) {
   });
 }
 
-Json claim(const Record& record) {
+Json remark(const Remark * r) {
+  if (!r) {
+    return nullptr;
+  }
+  return {{"place", plain(r->place)},
+          {"says", plain(r->says)},
+          {"fact", plain(r->fact)},
+          {"because", plain(r->because)},
+          {"see", r->see}};
+}
+
+Json result(const Result& r) {
+  return {{"id", r.id},
+          {"title", plain(r.title)},
+          {"theorem", plain(r.theorem)},
+          {"idea", plain(r.idea)},
+          {"see", r.see},
+          {"claims", list_of(r.claims, as_it_is)}};
+}
+
+Json claim(const Paper& paper, const Record& record) {
   const Claim& c = record.claim;
   return {{"id", c.id},
           {"place", c.place},
@@ -133,6 +153,7 @@ Json claim(const Record& record) {
           {"converse", record.converse ? outcome(*record.converse) : Json(nullptr)},
           {"repairs", list_of(record.repairs, repair)},
           {"illegible", plain(c.illegible)},
+          {"remark", remark(is_finding(record) ? remark_on(paper, c.id) : nullptr)},
           {"used_by", list_of(record.used_by, as_it_is)}};
 }
 
@@ -182,10 +203,10 @@ Json bibliography(const proofs::methods::Bibliography& b) {
   return {{"author", b.author}, {"title", b.title}, {"journal", b.journal}, {"doi", b.doi}};
 }
 
-Json place(const PlaceRecords& p) {
+Json place(const Paper& paper, const PlaceRecords& p) {
   return {{"id", p.id},
           {"title", p.title},
-          {"claims", list_of(p.records, [](const Record * record) { return claim(*record); })}};
+          {"claims", list_of(p.records, [&](const Record * record) { return claim(paper, *record); })}};
 }
 
 Json example(const ExampleOrbits& e) {
@@ -206,7 +227,8 @@ Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
   json["paper"] = bibliography(paper.bibliography);
   json["summary"] = summary(paper, audit);
   json["statements"] = printed_statements(paper, audit);
-  json["places"] = list_of(by_place(paper, audit), place);
+  json["places"] = list_of(by_place(paper, audit), [&](const PlaceRecords& p) { return place(paper, p); });
+  json["results"] = list_of(results_in(paper, audit), result);
   json["examples"] = list_of(examples, example);
   json["mutants"] = gate ? to_json(*gate) : Json(nullptr);
   return json;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <set>
 
 #include "core/decimal.hpp"
+#include "report/audit/finding_data.hpp"
 #include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
 #include "report/tools/layout.hpp"
@@ -58,6 +60,7 @@ void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const
   add_words(json, "verdict");
   json["verdict_capital"] = capitalised(json.at("verdict_words"));
   json["route"] = outcome.route;
+  json["evaluated"] = outcome.cross_check.formulas > 0;
   json["reason"] = outcome.verdict.reason;
   for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
@@ -88,6 +91,8 @@ void complete_claim(Json& claim, const Record& record, const std::string& place_
   if (record.converse) {
     complete_outcome(claim.at("converse"), *record.converse, id);
   }
+  claim["without_formula"] = record.claim.printed.empty() && record.status != Status::model;
+  claim["proof_summary"] = claim.at("examined") ? "proof, and what it rests on" : "what it is used for";
   claim["needs"] = claim.at(record.corrected ? "corrected_outcome" : "outcome").at("hypotheses");
 }
 
@@ -95,14 +100,14 @@ const OriginFacts& origin_named(const std::string& name) {
   return *std::ranges::find_if(origins(), [&](const OriginFacts& known) { return known.name == name; });
 }
 
-Json group(const StatusFacts& status) {
-  return {
-      {"title", status.heading}, {"explanation", status.explanation}, {"count", 0},
-      {"claims", Json::array()}, {"numbers", Json::array()},          {"hypotheses_groups", Json::array()}};
-}
-
-bool compares(const Json& claim) {
-  return !claim.at("outcome").at("comparisons").empty();
+// A remark with its sentences.
+Json remark_sentences(const Remark& remark, Origin origin) {
+  return {{"place", remark.place},
+          {"who", origin == Origin::paper ? "The paper says" : "The paper takes for granted"},
+          {"says", sentence(remark.says)},
+          {"fact", sentence(remark.fact)},
+          {"because", sentence(remark.because)},
+          {"see", remark.see}};
 }
 
 // The paper's statements that the audit answers, section by section.
@@ -134,6 +139,60 @@ Json stated_by(const Paper& paper, const std::string& claim) {
   return found;
 }
 
+// Gives each assumption of a claim the anchor of the list in which it stands once.
+void add_assumptions(Json& list, Json& claim) {
+  for (Json& one : claim.at("assumptions")) {
+    const auto known = std::ranges::find_if(list, [&](const Json& other) {
+      return other.at("id") == one.at("id") && other.at("latex") == one.at("latex");
+    });
+    if (known == list.end()) {
+      one["anchor"] = fmt::format("if-{}", list.size() + 1);
+      list.push_back(one);
+    } else {
+      one["anchor"] = known->at("anchor");
+    }
+  }
+}
+
+// The sentence without the ids of claims, which a letter does not know: "so it is (16.back)".
+std::string without_ids(const std::string& sentence) {
+  static const std::regex ids(R"( \((?:[0-9A-Z]+\.[A-Za-z0-9.]+(?:, )?)+\))");
+  return std::regex_replace(sentence, ids, "");
+}
+
+// A claim of the paper that has something to correct, as a letter to the journal says it.
+Json erratum(const Json& claim) {
+  Json one = {{"misprint", claim.at("status") == "misprint_corrected"},
+              {"printed", claim.at("printed")},
+              {"corrected", claim.at("corrected")},
+              {"numbers", claim.at("outcome").at("comparisons")}};
+  if (claim.at("remark").is_null()) {
+    one["place"] =
+        claim.at("states").empty() ? claim.at("place_title") : claim.at("states").at(0).at("place");
+    one["remark"] = nullptr;
+    return one;
+  }
+  one["place"] = claim.at("remark").at("place");
+  one["remark"] = claim.at("remark");
+  for (const char * part : {"says", "fact", "because"}) {
+    one["remark"][part] = without_ids(one.at("remark").at(part));
+  }
+  return one;
+}
+
+// Numbers of one place make one entry.
+void add_erratum(Json& errata, const Json& one) {
+  const bool numbers = !one.at("misprint").get<bool>() && one.at("remark").is_null();
+  if (numbers && !errata.empty() && errata.back().at("place") == one.at("place") &&
+      errata.back().at("remark").is_null() && !errata.back().at("misprint").get<bool>()) {
+    for (const Json& number : one.at("numbers")) {
+      errata.back()["numbers"].push_back(number);
+    }
+  } else {
+    errata.push_back(one);
+  }
+}
+
 // The statuses that occur, of statements and of claims, from the best to the worst.
 Json statuses_met(const Json& summary) {
   std::set<std::string> names;
@@ -156,73 +215,24 @@ Json statuses_met(const Json& summary) {
   return met;
 }
 
-// What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
-Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, const std::string& origin) {
-  const auto is_shown = [&](const Judgement& judgement) {
-    return std::ranges::all_of(judgement.shown_by, [&](const std::string& id) {
-      return std::ranges::any_of(audit.records, [&](const proofs::methods::Record& record) {
-        return record.claim.id == id && record.outcome.verdict.truth == Truth::proved;
-      });
-    });
-  };
-  Json json = Json::array();
-  for (const Judgement& judgement : paper.judgements) {
-    if (judgement.origin == origin && is_shown(judgement)) {
-      json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
-                      {"words", judgement.words},
-                      {"shown_by", judgement.shown_by}});
-    }
-  }
-  return json;
-}
-
-Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
-  Json json = {{"hypotheses", Json::array()},
-               {"origins", Json::array()},
-               {"inherited_by", g.inherited_by},
-               {"inherited_by_count", g.inherited_by.size()}};
-  for (const proofs::methods::Hypothesis& hypothesis : g.hypotheses) {
-    json["hypotheses"].push_back({{"latex", hypothesis.latex}});
-  }
-  for (const proofs::methods::Record * origin : g.origins) {
-    json["origins"].push_back({{"id", origin->claim.id},
-                               {"words", origin->claim.words},
-                               {"judgements", judgements_of(paper, audit, origin->claim.id)}});
-  }
-  return json;
-}
-
-// The groups of findings, from the worst status to the best; statuses with one heading make one group.
-Json findings(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
-  Json groups = Json::array();
-  for (auto status = statuses().rbegin(); status != statuses().rend(); ++status) {
-    if (groups.empty() || groups.back().at("title") != status->heading) {
-      groups.push_back(group(*status));
-    }
-    Json& found = groups.back();
-    const auto add = [&](const char * list, Json one) {
-      found[list].push_back(std::move(one));
-      found["count"] = found.at("count").get<int>() + 1;
-    };
-    if (status->status == Status::needs_hypotheses) {
-      for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-        add("hypotheses_groups", hypothesis_group(paper, audit, g));
-      }
-    } else if (status->finding) {
-      for (const Json& claim : claims) {
-        if (claim.at("status") == status->name) {
-          add(status->status == Status::digits_off && compares(claim) ? "numbers" : "claims", claim);
-        }
+Json results(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
+  Json all = Json::array();
+  for (const Result& result : results_in(paper, audit)) {
+    Json one = {{"id", result.id},
+                {"title", result.title},
+                {"theorem", sentence(result.theorem)},
+                {"idea", sentence(result.idea)},
+                {"see", result.see},
+                {"claims", result.claims},
+                {"formulas", Json::array()}};
+    for (const Json& claim : claims) {
+      if (claim.at("id") == result.claims.front() && claim.at("status") != "refuted") {
+        one["formulas"] = claim.at("printed");
       }
     }
+    all.push_back(std::move(one));
   }
-  Json found = Json::array();
-  for (Json& one : groups) {
-    if (one.at("count") != 0) {
-      found.push_back(std::move(one));
-    }
-  }
-  return found;
+  return all;
 }
 
 }  // namespace
@@ -232,6 +242,7 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
   std::vector<Json> claims;
   data["numbers"] = Json::array();
   data["errata"] = Json::array();
+  data["assumptions"] = Json::array();
   for (Json& status : data.at("summary").at("statuses")) {
     add_words(status, "status");
   }
@@ -241,6 +252,12 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
     origin["words"] = one ? known.one : known.many;
   }
   data["statuses_met"] = statuses_met(data.at("summary"));
+  data["claim_statuses"] = Json::array();
+  for (const Json& status : data.at("statuses_met")) {
+    if (is_status(status.at("status"))) {
+      data["claim_statuses"].push_back(status);
+    }
+  }
   data["sections"] = printed_sections(paper, audit, data.at("statements"));
   const std::vector<PlaceRecords> places = by_place(paper, audit);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -249,17 +266,23 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       Json& claim = data.at("places").at(i).at("claims").at(k);
       complete_claim(claim, record, places[i].title);
       claim["states"] = stated_by(paper, record.claim.id);
+      add_assumptions(data["assumptions"], claim);
+      if (!claim.at("remark").is_null()) {
+        claim["remark"] = remark_sentences(*remark_on(paper, record.claim.id), record.claim.origin);
+      }
       claims.push_back(claim);
       if (compares(claim)) {
         data["numbers"].push_back(claim);
       }
-      if (record.status == Status::misprint_corrected ||
-          (record.status == Status::digits_off && compares(claim))) {
-        data["errata"].push_back(claim);
+      const bool in_remark = !claim.at("remark").is_null() || record.status == Status::misprint_corrected;
+      if (record.claim.origin == Origin::paper &&
+          (in_remark || (record.status == Status::digits_off && compares(claim)))) {
+        add_erratum(data["errata"], erratum(claim));
       }
     }
   }
-  data["findings"] = findings(paper, audit, claims);
+  data["results"] = results(paper, audit, claims);
+  data["findings"] = finding_data(paper, audit, claims);
   data["verdict_lead"] = verdict_lead(paper, audit);
   data["verdict_sentence"] = verdict_sentence(paper, audit);
   data["sentence_of_ours"] = sentence_of_ours(audit);

@@ -15,9 +15,8 @@ namespace stickslip::report::audit {
 // in every comparison "rounded", the proved value with as many digits as are printed; "sections", the paper's
 // statements section by section: [{"title", "statements"}]; "statuses_met", those that occur; "verdict_lead",
 // "verdict_sentence" and "sentence_of_ours"; "numbers", the claims that compare printed numbers; "errata",
-// the misprints and the digits to correct; and "findings", the groups in which a reader meets them, most
-// important first: {"title", "explanation", "count", "claims", "numbers", "hypotheses_groups":
-// [{"hypotheses", "origins": [{"id", "words"}], "inherited_by", "inherited_by_count"}]}.
+// what there is to correct, each {"place", "remark" or null, "misprint", "printed", "corrected", "numbers"};
+// "results"; and "findings" (finding_data.hpp).
 [[nodiscard]] tools::Json page_data(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                                     const tools::Json& json);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "report/audit/graph.hpp"
 #include "report/audit/json.hpp"
@@ -143,12 +144,28 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit,
                           {"orbits.html", render_file("orbits.html", complete, html_format)}});
   });
   add_style(report.files);
+  report.files.push_back({"filter.js", read_file(template_directory() / "filter.js")});
   return report;
 }
 
 std::string errata(const Paper& paper, const proofs::methods::Audit& audit) {
   Json data = page_data(paper, audit, to_json(paper, audit, "stickslip latex --errata", {}));
   return render_file("errata.tex", data, tex_format);
+}
+
+std::string theorem(const Paper& paper, const proofs::methods::Audit& audit, const std::string& id) {
+  const Json all = page_data(paper, audit, to_json(paper, audit, "stickslip latex --theorem " + id));
+  for (Json one : all.at("results")) {
+    if (one.at("id") == id) {
+      std::string lines;  // an empty one would end the environment
+      for (const Json& formula : one.at("formulas")) {
+        lines += (lines.empty() ? "" : " \\\\\n") + formula.at("latex").get<std::string>();
+      }
+      one["lines"] = lines;
+      return render_file("theorem.tex", one, tex_format);
+    }
+  }
+  throw InternalError("the claims of the result " + id + " are not all decided");
 }
 
 Report pages(const OrbitList& list) {

@@ -18,9 +18,9 @@ struct Report {
   std::string note;
 };
 
-// index.html, paper.html, statements.html, orbits.html with style.css and katex.css; audit.json; audit.tex
-// and, where there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be read or a
-// program that draws is missing or fails.
+// index.html, paper.html, statements.html, orbits.html with style.css, katex.css and filter.js; audit.json;
+// audit.tex and, where there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be
+// read or a program that draws is missing or fails.
 [[nodiscard]] Report pages(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                            const std::vector<proofs::methods::ExampleOrbits>& examples,
                            const std::optional<proofs::checks::Gate>& gate = {});
@@ -28,6 +28,11 @@ struct Report {
 // The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
 // if the template cannot be read.
 [[nodiscard]] std::string errata(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit);
+
+// One result of the audit as a LaTeX theorem with the idea of its proof. Throws InternalError if there is
+// none of that id, or if the audit does not have its claims decided.
+[[nodiscard]] std::string theorem(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
+                                  const std::string& id);
 
 // The same kind of report on one list of orbits: index.html with its style sheets, orbits.json, orbits.tex
 // and, where there is TeX, orbits.pdf; the figure.

@@ -82,6 +82,21 @@ bool is_finding(const Record& record) {
   return facts(record.status).finding;
 }
 
+std::vector<Result> results_in(const Paper& paper, const Audit& audit) {
+  const auto is_decided = [&](const std::string& id) {
+    return std::ranges::any_of(audit.records, [&](const Record& record) {
+      return record.claim.id == id && facts(record.status).decided;
+    });
+  };
+  std::vector<Result> results;
+  for (const Result& result : paper.results) {
+    if (std::ranges::all_of(result.claims, is_decided)) {
+      results.push_back(result);
+    }
+  }
+  return results;
+}
+
 std::set<std::string> inheriting(const Audit& audit, const Record& record) {
   std::set<std::string> ids;
   for (const Record& other : audit.records) {

@@ -33,6 +33,10 @@ struct OriginCount {
 // that only inherits another claim's hypothesis is not a finding of its own.
 [[nodiscard]] bool is_finding(const proofs::methods::Record& record);
 
+// The results whose claims all are in the audit, and none of them undecided.
+[[nodiscard]] std::vector<proofs::methods::Result> results_in(const proofs::methods::Paper& paper,
+                                                              const proofs::methods::Audit& audit);
+
 // The other claims that hold only under a hypothesis which this claim's proof brought in.
 [[nodiscard]] std::set<std::string> inheriting(const proofs::methods::Audit& audit,
                                                const proofs::methods::Record& record);

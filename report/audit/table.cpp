@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "proofs/methods/prover.hpp"
@@ -121,13 +123,39 @@ std::string tables_by_place(const Paper& paper, const Audit& audit, const Style&
   return result;
 }
 
-std::string findings(const Audit& audit, const Style& style) {
-  std::string result;
+// Those with remarks first, in the order of their weight, but for what the paper does not say, which is last.
+std::vector<const Record *> findings_by_weight(const Paper& paper, const Audit& audit) {
+  std::vector<const Record *> found;
   for (const Record& record : audit.records) {
-    if (!is_finding(record)) {
+    if (is_finding(record)) {
+      found.push_back(&record);
+    }
+  }
+  const auto last = static_cast<std::ptrdiff_t>(paper.remarks.size());
+  std::ranges::stable_sort(found, std::less<>(), [&](const Record * record) {
+    const Remark * remark = remark_on(paper, record->claim.id);
+    const bool taken_for_granted = remark && record->claim.origin != Origin::paper;
+    return !remark ? last : remark - paper.remarks.data() + (taken_for_granted ? last + 1 : 0);
+  });
+  return found;
+}
+
+std::string findings(const Paper& paper, const Audit& audit, const Style& style) {
+  std::string result;
+  for (const Record * finding : findings_by_weight(paper, audit)) {
+    const Record& record = *finding;
+    Details details(style.width);
+    if (const Remark * remark = remark_on(paper, record.claim.id)) {
+      details.add(record.claim.origin == Origin::paper ? "says" : "granted", remark->says);
+      details.add("in fact", remark->fact);
+      details.add("because", remark->because);
+      details.add("see", remark->see);
+      details.add("printed", record.claim.printed);
+      details.add("needs", final_outcome(record).hypotheses);
+      details.add("corrected", record.claim.corrected);
+      result += head(record, style) + details.text();
       continue;
     }
-    Details details(style.width);
     details.add("says", record.claim.words);
     details.add("printed", record.claim.printed);
     details.add("lost", record.claim.illegible);
@@ -191,8 +219,8 @@ std::string explanation(const Record& record, const Style& style) {
 }  // namespace
 
 std::string terminal_report(const Paper& paper, const Audit& audit, const Style& style) {
-  return tables_by_place(paper, audit, style) + findings(audit, style) + printed_numbers(audit, style) +
-         summary_paragraph(paper, audit, style);
+  return tables_by_place(paper, audit, style) + findings(paper, audit, style) +
+         printed_numbers(audit, style) + summary_paragraph(paper, audit, style);
 }
 
 std::string terminal_lines(const Paper& paper, const Audit& audit, const Style& style) {

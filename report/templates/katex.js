@@ -30,16 +30,16 @@ const rareFonts = {
   Caligraphic: "mathcal", Fraktur: "mathfrak", SansSerif: "mathsf", Script: "mathscr", Typewriter: "mathtt",
 };
 
-function isNeeded(font, html) {
+function isNeeded(font, classes) {
   const family = Object.keys(rareFonts).find((name) => font.startsWith(`KaTeX_${name}`));
-  return !family || html.includes(rareFonts[family]);
+  return !family || classes.has(rareFonts[family]);
 }
 
 // Each @font-face with its font inside; the faces of alphabets that no page uses left out.
-function selfContained({ css, directory }, html) {
+function selfContained({ css, directory }, classes) {
   return css.replace(/@font-face\{[^}]*\}/g, (face) => {
     const font = face.match(/fonts\/([\w-]+)\.woff2/)[1];
-    if (!isNeeded(font, html)) return "";
+    if (!isNeeded(font, classes)) return "";
     const data = fs.readFileSync(`${directory}/fonts/${font}.woff2`).toString("base64");
     return face.replace(/src:[^;}]*/, `src:url(data:font/woff2;base64,${data}) format("woff2")`);
   });
@@ -105,6 +105,44 @@ function breakable(source) {
   return result;
 }
 
+// KaTeX's HTML in fewer bytes: its classes have short names, its inline styles are classes; the source of a formula, which
+// stands beside its MathML, is left out. `css` gives its style sheet the same names.
+class Compact {
+  constructor() {
+    this.classes = new Map();
+    this.styles = new Map();
+    this.kept = new Set(["katex", "katex-mathml", "katex-html", "base"]);
+  }
+
+  short(name) {
+    if (this.kept.has(name)) return name;
+    if (!this.classes.has(name)) this.classes.set(name, `k${this.classes.size.toString(36)}`);
+    return this.classes.get(name);
+  }
+
+  style(text) {
+    if (!this.styles.has(text)) this.styles.set(text, `s${this.styles.size.toString(36)}`);
+    return this.styles.get(text);
+  }
+
+  html(source) {
+    return source
+      .replace(/<annotation[^>]*>[^<]*<\/annotation>|<\/?semantics>| xmlns="http:\/\/www.w3.org\/1998\/Math\/MathML"/g, "")
+      .replace(/<span((?: (?:class|style)="[^"]*")+)>/g, (_, attributes) => {
+        const names = (/class="([^"]*)"/.exec(attributes) || ["", ""])[1].split(/\s+/).filter(Boolean).map((name) => this.short(name));
+        const style = /style="([^"]*)"/.exec(attributes);
+        if (style) names.push(this.style(style[1]));
+        return names.length > 1 ? `<span class="${names.join(" ")}">` : names.length ? `<span class=${names[0]}>` : "<span>";
+      });
+  }
+
+  // An inline style is stronger than any rule of the sheet: so are four classes behind it.
+  css(sheet) {
+    const renamed = sheet.replace(/\.([a-zA-Z][\w-]*)/g, (whole, name) => (this.classes.has(name) ? `.${this.classes.get(name)}` : whole));
+    return renamed + [...this.styles].map(([text, name]) => `.katex ${`.${name}`.repeat(4)}{${text}}`).join("\n");
+  }
+}
+
 // For a formula that has to be scrolled for.
 function keys(source) {
   const matrices = (source.match(/begin/g) || []).length;
@@ -116,21 +154,26 @@ function main() {
   const { katex } = katexLibrary();
   const { pages } = JSON.parse(fs.readFileSync(0, "utf8"));
   const known = new Map();
+  const compact = new Compact();
   // A display is set as text is, which may be broken into lines.
   const set = (source, display) => {
     const key = `${display ? "\\displaystyle " : ""}${breakable(plain(source))}`;
     if (!known.has(key)) {
-      known.set(key, katex.renderToString(key, { displayMode: false, throwOnError: true, strict: "ignore" }));
+      known.set(key, compact.html(katex.renderToString(key, { displayMode: false, throwOnError: true, strict: "ignore" })));
     }
     return known.get(key);
   };
+  // One symbol, or two beside a sign: MathML alone, which browsers set well enough, in a fifth of the bytes.
+  const symbol = (source) =>
+    compact.html(katex.renderToString(plain(source), { output: "mathml", throwOnError: true })).replace(/<\/?span[^>]*>/g, "");
   for (const page of pages) {
     page.content = page.content
       .replace(/<tex>([^<]*)<\/tex>/g, (_, source) => set(source, false))
+      .replace(/<tex-symbol>([^<]*)<\/tex-symbol>/g, (_, source) => symbol(source))
       .replace(/<tex-display>([^<]*)<\/tex-display>/g, (_, source) => `<div class="formula"${keys(source)}>${set(source, true)}</div>`)
       .replace(/<katex-version>/g, katex.version);
   }
-  const css = selfContained(styleSheet(), pages.map((page) => page.content).join(""));
+  const css = compact.css(selfContained(styleSheet(), compact.classes));
   process.stdout.write(JSON.stringify({ pages, css }));
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/table.hpp"
 #include "symbolic/typeset/names.hpp"
 #include "tests/cli/program.hpp"
@@ -84,6 +85,24 @@ TEST_CASE("the errata compile and fit the page" * doctest::timeout(300)) {
   CAPTURE(result.out);
   CHECK(result.code == 0);
   CHECK(overfull(result.out).empty());
+}
+
+TEST_CASE("every result compiles as a theorem" * doctest::timeout(300)) {
+  const TemporaryDirectory temporary;
+  {
+    std::ofstream file(temporary.path() / "theorems.tex");
+    file << "\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage{amsmath,amsthm}\n"
+            "\\newtheorem{theorem}{Theorem}\n\\begin{document}\n";
+    for (const proofs::methods::Result& result : proofs::pascal2012::paper().results) {
+      const Run theorem = stickslip_program({"latex", "--theorem", result.id});
+      CHECK(theorem.code == exit_decided);
+      file << theorem.out;
+    }
+    file << "\\end{document}\n";
+  }
+  const Run result = pdflatex(temporary.path(), "theorems.tex");
+  CAPTURE(result.out);
+  CHECK(result.code == 0);
 }
 
 TEST_CASE("an interruption while LaTeX is compiled leaves no temporary directory") {

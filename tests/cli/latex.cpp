@@ -37,9 +37,29 @@ TEST_CASE("a statement is printed in the form that is proved, and what is refute
   CHECK(unknown.out.empty());
 }
 
-TEST_CASE("the errata name the misprint of (45) and the hypothesis of (7)") {
+TEST_CASE("the errata are by place, formulas and numbers alone, without the ids of claims") {
   const Run errata = stickslip_program({"latex", "--errata"});
   CHECK(errata.code == exit_decided);
-  CHECK(errata.out.find("\\textbf{(45)}") != std::string::npos);
+  for (const char * part : {"\\entry{(45)}", "\\entry{(47), $c_1$}", "should read", "$7.747$"}) {
+    CAPTURE(part);
+    CHECK(errata.out.find(part) != std::string::npos);
+  }
   CHECK(errata.out.find("\\omega-\\omega_1 \\neq 0") != std::string::npos);
+  for (const char * id : {"(16.back)", "(A5.longer)", "37.sharp", "S.tau", "does not matter"}) {
+    CAPTURE(id);
+    CHECK(errata.out.find(id) == std::string::npos);
+  }
+}
+
+TEST_CASE("a result is printed as a theorem, an unknown one names those that there are") {
+  const Run uniqueness = stickslip_program({"latex", "--theorem", "uniqueness"});
+  CHECK(uniqueness.code == exit_decided);
+  CHECK(uniqueness.out.find("\\begin{theorem}") != std::string::npos);
+  CHECK(uniqueness.out.find("u_s > 0") != std::string::npos);
+  CHECK(uniqueness.out.find("X(t) = Y(t)") != std::string::npos);
+  CHECK(uniqueness.out.find("<<") == std::string::npos);
+  const Run unknown = stickslip_program({"latex", "--theorem", "flat-earth"});
+  CHECK(unknown.code == exit_usage);
+  CHECK(unknown.out.empty());
+  CHECK(unknown.err.find("uniqueness") != std::string::npos);
 }

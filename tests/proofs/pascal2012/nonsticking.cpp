@@ -117,8 +117,8 @@ TEST_CASE("every single edit of the identities is refuted, or is no change at al
   // cos(omega tau ± phi) agree at omega tau = pi; F repeats itself after two half periods.
   CHECK(mutants.survivors ==
         std::vector<std::string>{
-            "26.tau: p*cos(-omega*tau + phi) - eta*(ur + us) = (-p)*cos(phi) - eta*(ur + us)",
-            "26.tau: p*cos(omega*tau - phi) - eta*(ur + us) = (-p)*cos(phi) - eta*(ur + us)",
+            "26.tau: p*cos(-omega*tau + phi) - eta*(ur + us) = -p*cos(phi) - eta*(ur + us)",
+            "26.tau: p*cos(omega*tau - phi) - eta*(ur + us) = -p*cos(phi) - eta*(ur + us)",
             "53.F: F(t - tau) = -F(t)"});
 }
 

@@ -42,6 +42,28 @@ TEST_CASE("nothing is left open, and what is proved says how") {
   }
 }
 
+TEST_CASE("what does not hold as the paper has it, and is no number, has a remark, and nothing else has") {
+  for (const Record& r : whole().records) {
+    CAPTURE(r.claim.id);
+    const bool fails = r.status == Status::refuted || r.status == Status::misprint_corrected ||
+                       r.status == Status::necessary_not_sufficient;
+    CHECK((remark_on(paper(), r.claim.id) != nullptr) == fails);
+  }
+}
+
+TEST_CASE("a result of the audit is a claim that stands, or the refutation of one of the paper's") {
+  for (const Result& result : paper().results) {
+    CAPTURE(result.id);
+    const Record theorem = record(result.claims.front());
+    CHECK((theorem.claim.origin == Origin::new_result ? theorem.outcome.verdict.truth == Truth::proved
+                                                      : theorem.status == Status::refuted));
+    for (const std::string& id : result.claims) {
+      CAPTURE(id);
+      CHECK(facts(record(id).status).decided);
+    }
+  }
+}
+
 TEST_CASE("every hypothesis that a proof brings in is judged, by claims that stand") {
   std::set<std::string> judged;
   for (const Judgement& judgement : paper().judgements) {

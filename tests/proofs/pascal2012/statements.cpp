@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "proofs/pascal2012/paper.hpp"
@@ -119,6 +120,55 @@ TEST_CASE("an audit of some claims answers the statements that have no other") {
   const std::vector<const PrintedStatement *> some = statements_in(two, {{a, c}});
   REQUIRE(some.size() == 1);
   CHECK(some.front()->id == "S002");
+}
+
+TEST_CASE("remarks and results name claims that there are, and commands of the program") {
+  const std::map<std::string, Origin> known = origins_of_claims();
+  const std::regex id("[0-9A-Z]+\\.[a-z][a-z0-9.]*");  // 16.back, S.from.ur
+  std::vector<std::string> texts, commands;
+  std::set<std::string> remarked, results;
+  for (const Remark& remark : paper().remarks) {
+    CHECK(known.contains(remark.claim));
+    CHECK(remarked.insert(remark.claim).second);
+    texts.insert(texts.end(), {remark.says, remark.fact, remark.because});
+    commands.push_back(remark.see);
+  }
+  for (const Result& result : paper().results) {
+    CHECK(results.insert(result.id).second);
+    for (const std::string& claim : result.claims) {
+      CAPTURE(claim);
+      CHECK(known.contains(claim));
+    }
+    texts.insert(texts.end(), {result.title, result.theorem, result.idea});
+    commands.push_back(result.see);
+  }
+  for (const std::string& text : texts) {
+    CHECK_FALSE(text.empty());
+    for (std::sregex_iterator found(text.begin(), text.end(), id), end; found != end; ++found) {
+      CAPTURE(found->str());
+      CHECK(known.contains(found->str()));
+    }
+  }
+  for (const std::string& command : commands) {
+    CAPTURE(command);
+    CHECK(command.starts_with("stickslip "));
+  }
+}
+
+TEST_CASE("every symbol of a formula has a LaTeX name") {
+  const auto is_set = [](const proofs::symbols::Statement& statement) {
+    return proofs::symbols::latex(statement).find("\\mathrm") == std::string::npos;
+  };
+  for (const Claim& claim : paper().claims) {
+    CAPTURE(claim.id);
+    for (const auto& form : {claim.printed, claim.corrected}) {
+      CHECK(std::ranges::all_of(form, is_set));
+    }
+    for (const Assumption& assumption : claim.assumptions) {
+      CAPTURE(assumption.id);
+      CHECK(is_set(assumption.statement));
+    }
+  }
 }
 
 TEST_CASE("claims are named by their origin") {

@@ -17,7 +17,14 @@ TEST_CASE("statements print in the order in which they stand") {
   CHECK(text(equation(phi, (pi() - omega * tau) / 2)) == "phi = (pi - omega*tau)/2");
   CHECK(latex(equation(phi, (pi() - omega * tau) / 2)) == "\\varphi = \\frac{\\pi - \\omega \\tau}{2}");
   CHECK(text(equation(derivative(derivative(B2(t))), B3(t))) == "B2''(t) = B3(t)");
-  CHECK(text(-(z10 - z20) * chi - (-chi)) == "(-(z10 - z20))*chi - (-chi)");
+  CHECK(text(-(z10 - z20) * chi - (-chi)) == "-(z10 - z20)*chi - (-chi)");
+  // The sign of the first factor is that of the product, and a minus sign subtracts.
+  CHECK(text((-chi) * (ur + us) + 1) == "-chi*(ur + us) + 1");
+  CHECK(text(1 + (-chi) * (ur + us)) == "1 - chi*(ur + us)");
+  CHECK(latex((-chi) * (ur + us)) == "-\\chi \\left(u_r + u_s\\right)");
+  CHECK(text(ur * ((-chi) * us)) == "ur*(-chi)*us");
+  CHECK(text(ur - (-chi) * us) == "ur - (-chi*us)");
+  CHECK(text(power(Term(-2), 2)) == "(-2)^2");
   CHECK(text(equation(Sigma, block(2, {1, chi, 0, 1}))) == "Sigma = [1, chi; 0, 1]");
   CHECK(text(Statement{ur, us, Relation::greater}) == "ur > us");
   CHECK(latex(determinant(H3(t))) == "\\det\\left(H_3(t)\\right)");

@@ -8,6 +8,7 @@ using namespace stickslip;
 using namespace stickslip::report::tools;
 using namespace stickslip::report;
 using namespace stickslip::report::audit;
+using namespace stickslip::proofs::methods;
 
 namespace {
 
@@ -108,6 +109,19 @@ TEST_CASE("the summary counts the paper's statements once, and the claims by the
   CHECK(summary.at("origins").at(1).at("origin") == "new");
   CHECK(total(summary.at("origins").at(0).at("statuses")) == 5);
   CHECK(summary.at("decided") == false);
+}
+
+TEST_CASE("a remark goes with a finding, a result with claims that are decided") {
+  const Json json = to_json(sample_paper(), sample_audit());
+  CHECK(claim(json, "44").at("remark").at("fact") == "it runs to -t");
+  CHECK(claim(json, "5").at("remark").is_null());
+  REQUIRE(json.at("results").size() == 1);
+  CHECK(json.at("results").at(0).at("theorem") == "for all t & x");
+  Paper open = sample_paper();
+  open.results.front().claims = {"5", "17"};
+  CHECK(to_json(open, sample_audit()).at("results").empty());
+  open.results.front().claims = {"not there"};
+  CHECK(to_json(open, sample_audit()).at("results").empty());
 }
 
 TEST_CASE("a statement of the paper says which claims state it, and its status is the worst of theirs") {

@@ -70,7 +70,10 @@ Paper sample_paper() {
             "Section 3"},
            {"S003", "(44)", Kind::identity, "time reversal, for $x < y$", {"44"}, "", {}, "Section 3"},
            {"S004", "Fig. 2", Kind::numbers, "$tau = 7.749$", {"S.tau"}, "", {}, "Section 4"},
-           {"S005", "Fig. 2", Kind::figure, "a portrait is drawn", {}, "a drawing", {"17"}, "Section 4"}}};
+           {"S005", "Fig. 2", Kind::figure, "a portrait is drawn", {}, "a drawing", {"17"}, "Section 4"}},
+          {{"44", "line after (44)", "time runs backwards, for $x < y$", "it runs to $-t$", "$E$ & $H$",
+            "stickslip check 44"}},
+          {{"time", "Time is reversed", "for all $t$ & $x$", "by $E$", "stickslip check 5", {"5"}}}};
 }
 
 Audit sample_audit() {

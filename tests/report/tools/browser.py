@@ -5,7 +5,8 @@
 
 Fails when a link, an anchor or a picture leads nowhere, when anything is fetched that is not a local file, when the
 console has an error, when a formula is left as source, when a page is wider than a telephone, or when something keeps a
-reader from it (accessibility.js), in light and dark. Needs Debian's chromium-driver and python3-selenium.
+reader from it (accessibility.js), in light and dark, or when a filter shows what it should not. Needs Debian's
+chromium-driver and python3-selenium.
 """
 import argparse
 import os
@@ -39,6 +40,29 @@ return {
   wrong: document.querySelectorAll("tex, tex-display, .katex-error, katex-version").length,
   source: source ? source[0] + " in: " + body.textContent.substr(Math.max(0, source.index - 40), 90) : "",
 };
+"""
+
+# For every choice that the page's form offers: what is shown, and what should be. None where there is no form.
+SIFT = r"""
+const form = document.querySelector("form.filter");
+if (!form) return null;
+const entries = [...document.querySelectorAll("article[data-status]")];
+const wrong = [];
+for (const control of [...form.elements].filter((one) => one.name)) {
+  const choices = control.tagName === "SELECT" ? [...control.options].map((one) => one.value) : ["no such words"];
+  for (const choice of choices) {
+    form.reset();
+    for (const other of form.elements) if (other.name) other.value = "";
+    control.value = choice;
+    form.dispatchEvent(new Event("input"));
+    const shown = entries.filter((entry) => entry.getClientRects().length > 0);
+    const due = entries.filter((entry) => !choice || entry.dataset[control.name] === choice);
+    if (shown.length !== due.length || due.some((entry) => !shown.includes(entry)) || (control.tagName === "SELECT" && !due.length)) {
+      wrong.push(`${control.name} ${choice}: ${shown.length} shown, ${due.length} due`);
+    }
+  }
+}
+return wrong;
 """
 
 LANDS = r"""
@@ -106,6 +130,8 @@ class Check:
             self.fault(page, f"{found['wrong']} formulas are not set")
         if found["source"]:
             self.fault(page, f"source is left: {found['source']}")
+        for sentence in self.driver.execute_script(SIFT) or []:
+            self.fault(page, f"the filter: {sentence}")
         for scheme in SCHEMES:
             self.paint(scheme)
             for name in WIDTHS:
@@ -120,7 +146,8 @@ class Check:
     def read(self, page, where):
         # All of the page, however far below.
         self.driver.execute_script(
-            "document.head.insertAdjacentHTML('beforeend', '<style>* { content-visibility: visible !important }</style>')")
+            "document.head.insertAdjacentHTML('beforeend', '<style>* { content-visibility: visible !important }</style>');"
+            "document.querySelectorAll('details').forEach((part) => { part.open = true; });")
         # What a page is laid out for: innerWidth grows with a page that is too wide.
         wide = self.driver.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
         if wide > 0:

@@ -1,0 +1,130 @@
+// What there is to say about the statements that do not hold as the paper has them, the weightiest first:
+// what it says, what is so, and why, each on its own.
+#include "proofs/pascal2012/remarks.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace methods;
+
+namespace {
+
+std::vector<Remark> on_orbits() {
+  return {
+      {.claim = "7.only",
+       .place = "Section 6, after (33)",
+       .says = "orbits that never stick are obtained for $V = 0$ and for no other $V$",
+       .fact = "such orbits exist on a moving belt: at $chi = 0.3$, $eta = 4$, $u_s = 0.1$, $u_r = 0.2$, $V "
+               "= 0.1$, $omega = 0.6$, $p = 1$ one is proved to exist and to obey every condition along the "
+               "whole motion",
+       .because = "(33) is deduced for slips that last half a period, and off resonance only $V = 0$ allows "
+                  "that (33.V); without this assumption the slip below the belt's velocity lasts longer than "
+                  "half a period where $V > 0$ (A5.longer)",
+       .see = "stickslip orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --ur 0.2 --V 0.1 --omega 0.6 --p 1"},
+      {.claim = "7.always",
+       .place = "abstract and Section 7",
+       .says = "with the belt at rest every orbit that never sticks is symmetric in space and time; said "
+               "without exception",
+       .fact =
+           "at resonance it is not: at $omega_1 = 7/10 = 2 omega$, $omega_2 = 13/10$ a whole family of "
+           "orbits of one and the same machine is proved, of which one alone is symmetric (33.even.orbits)",
+       .because = "a free motion of the first mode then has the load's period and vanishing velocity at both "
+                  "transitions, and may be added to the symmetric orbit; off resonance, which is all $omega$ "
+                  "but countably many, the statement is proved (7.symmetric, A5.symmetry)",
+       .see = "stickslip check 7.always 33.even --explain"},
+      {.claim = "S.data",
+       .place = "Section 4, example",
+       .says = "$u_r = 0.1607$ belongs to the data of the orbit of Fig. 2",
+       .fact =
+           "at the other data no symmetric orbit has a $u_r$ that rounds to it; at all of them, $u_r = "
+           "0.1607$ included, two orbits of slip and stick are proved that are not symmetric (S.asymmetric)",
+       .because = "by (12) $u_r$ is a result, and the one of the orbit of Fig. 2 is another in the last "
+                  "digits (S.ur); it was computed from the other printed numbers (S.from.ur)",
+       .see = "stickslip check S.data S.asymmetric --explain"},
+      {.claim = "16",
+       .place = "(16)",
+       .says = "orbits of the first family exist under the four equations (16)",
+       .fact = "(16) follows from (13) and (15), and gives them back where $cos(omega_1 tau/2)$, "
+               "$cos(omega_2 tau/2)$ and $cos(T/2)$ are not zero (16.back); at $tau = pi/omega_1$ it has a "
+               "solution for all parameters, and at $omega_1 = 1/2$, $omega_2 = 7/3$, $omega = 3/5$, $u_s = "
+               "0.1$, $V = 1$, $p = 1/2$ this does not close",
+       .because = "each equation is one half of (13) or (15), and the other half follows by dividing by "
+                  "these cosines",
+       .see = "stickslip check 16 16.back --explain"},
+      {.claim = "37",
+       .place = "(37)",
+       .says = "the least load amplitude against sticking is the right side of (37)",
+       .fact = "(37) is necessary and not sufficient: it leaves $u_r$ out. Necessary and sufficient for (36) "
+               "is the same bound with the root of $B^2 + (eta u_r/omega)^2$ in place of $|B|$, $B = b_1 "
+               "d_01 + b_2 d_02$ (37.sharp, 37.sharp.back)",
+       .because =
+           "(36) says $q_2 omega cos(phi) > eta u_r/omega$ and (35) says $q_2 omega sin(phi) = -B$: the "
+           "squares add up to $(q_2 omega)^2$; (37) keeps the second alone, which is that $phi$ exists",
+       .see = "stickslip check 37 37.sharp 37.sharp.back --explain"},
+  };
+}
+
+std::vector<Remark> on_misprints() {
+  return {
+      {.claim = "47.c",
+       .place = "(47), $c_1$",
+       .says = "$Gamma_13$ has the minus sign in $c_1$",
+       .fact = "it has the plus sign; the nineteen other coefficients of (47)-(51) are right",
+       .because = "the stick is run backwards there, and of $Gamma(-T)$ the entries of the upper right block "
+                  "have the opposite sign (20.C); the printed $tau$ and $tau_1$ were not computed with the "
+                  "minus sign (O.c1)",
+       .see = "stickslip check 47 --explain"},
+      {.claim = "19",
+       .place = "(19)",
+       .says = "the friction needed for sticking is compared at the time $tau + tau_2$, and without the "
+               "factor $eta$",
+       .fact = "the time is $tau + tau_1$, where the overshooting ends, and the factor is there",
+       .because = "(19) is $|r| < u_r$ of (4), multiplied by $eta$; with this factor and $tau_1$ it says the "
+                  "same as (4) (19.back). Its left inequality always holds (19.implied)",
+       .see = "stickslip check 19 --explain"},
+      {.claim = "45",
+       .place = "(45)",
+       .says = "the right side, with $Gamma(T - t_1)$, is the state at the time $t = tau + t_1$",
+       .fact = "it is the state at the time $tau + T - t_1$",
+       .because = "$T - t_1$ is the time that has passed since the stick began at $tau$",
+       .see = "stickslip check 45 --explain"},
+  };
+}
+
+std::vector<Remark> on_what_is_taken_for_granted() {
+  return {
+      {.claim = "7.steady",
+       .place = "Section 7",
+       .says = "the orbits of the three figures are steady-state responses: what a motion settles on",
+       .fact = "that of Fig. 2 is unstable, and motions that begin near it leave it; those of Figs. 3 and 4 "
+               "are stable",
+       .because = "a Floquet multiplier of the orbit of Fig. 2 is greater than 1, in balls",
+       .see = "stickslip orbits symmetric --example S"},
+      {.claim = "4.defined",
+       .place = "(4)",
+       .says = "the law gives a friction in every state",
+       .fact = "it gives none where $x2' = V$ and $|r| = u_r$, where each slip of Sections 4 and 5 begins; "
+               "every motion of the paper goes on from there with $u = u_s$",
+       .because = "its cases are $|r| < u_r$, $r > u_r$ and $r < -u_r$",
+       .see = "stickslip check 4.defined --explain"},
+      {.claim = "4.unique",
+       .place = "(4)",
+       .says = "the law continues every motion in one way",
+       .fact = "where $x2' = V$ and $u_s < r < u_r$ a stick obeys it, and so does a slip with $u = u_s$; the "
+               "paper means the stick",
+       .because = "with $u = u_s$ the acceleration $x2'' = eta (u_s - r)$ is negative there, and the mass "
+                  "has left the belt's velocity at once",
+       .see = "stickslip check 4.unique 4.slips --explain"},
+  };
+}
+
+}  // namespace
+
+std::vector<Remark> remarks() {
+  std::vector<Remark> all = on_orbits();
+  for (const std::vector<Remark>& more : {on_misprints(), on_what_is_taken_for_granted()}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+}  // namespace stickslip::proofs::pascal2012

@@ -1,0 +1,143 @@
+#include "report/audit/finding_data.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "report/audit/findings.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace proofs::methods;
+using namespace tools;
+
+namespace {
+
+using proofs::methods::Record;
+using proofs::methods::Status;
+
+const std::string not_so = "What does not hold as the paper has it",
+                  taken_for_granted = "What the paper takes for granted, and is not so";
+
+Json group(const std::string& title, const std::string& explanation) {
+  return {{"title", title},          {"explanation", explanation}, {"count", 0},
+          {"claims", Json::array()}, {"numbers", Json::array()},   {"hypotheses_groups", Json::array()}};
+}
+
+// What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
+Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, const std::string& origin) {
+  const auto is_shown = [&](const Judgement& judgement) {
+    return std::ranges::all_of(judgement.shown_by, [&](const std::string& id) {
+      return std::ranges::any_of(audit.records, [&](const proofs::methods::Record& record) {
+        return record.claim.id == id && record.outcome.verdict.truth == Truth::proved;
+      });
+    });
+  };
+  Json json = Json::array();
+  for (const Judgement& judgement : paper.judgements) {
+    if (judgement.origin == origin && is_shown(judgement)) {
+      json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
+                      {"words", judgement.words},
+                      {"shown_by", judgement.shown_by}});
+    }
+  }
+  return json;
+}
+
+Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
+  Json json = {{"hypotheses", Json::array()},
+               {"origins", Json::array()},
+               {"inherited_by", g.inherited_by},
+               {"inherited_by_count", g.inherited_by.size()},
+               {"matters", false}};
+  for (const proofs::methods::Hypothesis& hypothesis : g.hypotheses) {
+    json["hypotheses"].push_back({{"latex", hypothesis.latex}});
+  }
+  for (const proofs::methods::Record * origin : g.origins) {
+    json["matters"] = json.at("matters").get<bool>() ||
+                      std::ranges::any_of(paper.judgements, [&](const Judgement& judgement) {
+                        return judgement.origin == origin->claim.id && judgement.matters;
+                      });
+    json["origins"].push_back({{"id", origin->claim.id},
+                               {"words", origin->claim.words},
+                               {"judgements", judgements_of(paper, audit, origin->claim.id)}});
+  }
+  return json;
+}
+
+constexpr const char * open_questions = "Not decided";
+
+// The groups of findings in the order of their weight, without findings: what is open; what the paper says
+// and is not so; then by status, from the worst; last what the paper takes for granted. Statuses with one
+// heading make one group.
+Json empty_groups() {
+  Json groups = Json::array();
+  Json by_status = Json::array();
+  for (auto status = statuses().rbegin(); status != statuses().rend(); ++status) {
+    Json& list = status->heading == std::string(open_questions) ? groups : by_status;
+    if (status->finding && (list.empty() || list.back().at("title") != status->heading)) {
+      list.push_back(group(status->heading, status->explanation));
+    }
+  }
+  groups.push_back(group(not_so, "What the paper says, what is so, and why; the weightiest first."));
+  groups.insert(groups.end(), by_status.begin(), by_status.end());
+  groups.push_back(group(taken_for_granted, "Said nowhere in the paper, and needed by what it says."));
+  return groups;
+}
+
+// Where a reader finds the claim among the findings.
+std::string heading_of(const Record& record, const Remark * remark) {
+  return !remark                                ? facts(record.status).heading
+         : record.claim.origin == Origin::paper ? not_so
+                                                : taken_for_granted;
+}
+
+Json& group_of(Json& groups, const std::string& heading) {
+  return *std::ranges::find_if(groups, [&](const Json& one) { return one.at("title") == heading; });
+}
+
+// Remarks in their order, then all else in the paper's.
+std::vector<std::pair<const Record *, Json>> by_weight(const Paper& paper,
+                                                       const proofs::methods::Audit& audit,
+                                                       const std::vector<Json>& claims) {
+  std::vector<std::pair<const Record *, Json>> all;
+  for (const Json& claim : claims) {
+    const auto record = std::ranges::find_if(
+        audit.records, [&](const Record& one) { return one.claim.id == claim.at("id"); });
+    all.emplace_back(&*record, claim);
+  }
+  const auto rank = [&](const std::pair<const Record *, Json>& one) {
+    return std::ranges::find(paper.remarks, one.first->claim.id, &Remark::claim) - paper.remarks.begin();
+  };
+  std::ranges::stable_sort(all, std::less<>(), rank);
+  return all;
+}
+
+}  // namespace
+
+Json finding_data(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
+  Json groups = empty_groups();
+  const auto add = [&](const std::string& heading, const char * list, Json one) {
+    Json& found = group_of(groups, heading);
+    found[list].push_back(std::move(one));
+    found["count"] = found.at("count").get<int>() + 1;
+  };
+  for (const HypothesisGroup& g : hypothesis_groups(audit)) {
+    add(facts(Status::needs_hypotheses).heading, "hypotheses_groups", hypothesis_group(paper, audit, g));
+  }
+  for (auto& [record, claim] : by_weight(paper, audit, claims)) {
+    if (!facts(record->status).finding || record->status == Status::needs_hypotheses) {
+      continue;
+    }
+    const Remark * remark = remark_on(paper, record->claim.id);
+    const bool number = record->status == Status::digits_off && compares(claim);
+    add(heading_of(*record, remark), number ? "numbers" : "claims", std::move(claim));
+  }
+  std::erase_if(groups.get_ref<Json::array_t&>(), [](const Json& one) { return one.at("count") == 0; });
+  return groups;
+}
+
+bool compares(const Json& claim) {
+  return !claim.at("outcome").at("comparisons").empty();
+}
+
+}  // namespace stickslip::report::audit
