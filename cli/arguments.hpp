@@ -61,7 +61,8 @@ struct AttractorsOptions {
   bool json = false;
 
   static constexpr int default_starts = 500;
-  static constexpr int greatest_number = 1000000000;  // of starts, periods and seeds
+  static constexpr int most_starts = 100000;
+  static constexpr int greatest_number = 1000000000;  // of periods and seeds
   static constexpr int default_most_periods = 20000;
 };
 

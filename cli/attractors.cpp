@@ -47,7 +47,8 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   };
   const AttractorQuestion question{
       machine(paper, options.parameters, options.file, options.example, digits_of(options.digits)),
-      whole("starts", options.starts, AttractorsOptions::default_starts),
+      whole_number("starts", options.starts, AttractorsOptions::most_starts,
+                   AttractorsOptions::default_starts),
       static_cast<std::uint64_t>(whole("seed", options.seed, 1)),
       whole("most-periods", options.most_periods, AttractorsOptions::default_most_periods)};
   const Jobs limit = jobs(options.jobs);

@@ -53,6 +53,7 @@ TEST_CASE("words that are none, and options that do not go with them, are named"
       {{"attractors"}, exit_usage, "--chi"},
       {{"attractors", "--example", "O", "--starts", "0"}, exit_usage, "starts: '0'"},
       {{"attractors", "--example", "O", "--starts", "-3"}, exit_usage, "starts: '-3'"},
+      {{"attractors", "--example", "O", "--starts", "100001"}, exit_usage, "from 1 to 100000"},
       {{"attractors", "--example", "O", "--seed", "east"}, exit_usage, "seed: 'east'"},
       {{"attractors", "--example", "O", "--most-periods", "1e3"}, exit_usage, "most-periods: '1e3'"},
       {{"attractors", "--example", "O", "--chi", "1"}, exit_domain, "chi = 1"},
