@@ -36,7 +36,7 @@ std::vector<Remark> on_orbits() {
        .says = "$u_r = 0.1607$ belongs to the data of the orbit of Fig. 2",
        .fact =
            "at the other data no symmetric orbit has a $u_r$ that rounds to it; at all of them, $u_r = "
-           "0.1607$ included, two orbits of slip and stick are proved that are not symmetric (S.asymmetric)",
+           "0.1607$ included, there are two orbits of slip and stick, which are not symmetric (S.asymmetric)",
        .because = "by (12) $u_r$ is a result, and the one of the orbit of Fig. 2 is another in the last "
                   "digits (S.ur); it was computed from the other printed numbers (S.from.ur)",
        .see = "stickslip check S.data S.asymmetric --explain"},

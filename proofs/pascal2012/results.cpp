@@ -96,15 +96,16 @@ std::vector<Result> on_stability() {
        .see = "stickslip check S.stability O.stability P.stability --explain",
        .claims = {"S.stability", "O.stability", "P.stability"}},
       {.id = "asymmetric",
-       .title = "At all data of Fig. 2 two orbits of slip and stick are not symmetric",
-       .theorem = "At $chi = 0.5$, $eta = 3.8$, $u_s = 0.02$, $V = 1$, $omega = 0.6$, $p = 0.05$ and $u_r = "
-                  "0.1607$ the equations (2) with the law (4) have two motions of the load's period with one "
-                  "slip, of the durations $tau = 7.74666...$ and $tau = 7.62995...$, and one stick, which do "
-                  "not obey (13); no symmetric orbit has these data",
+       .title = "At all data of Fig. 2 there are two orbits of slip and stick, and they are not symmetric",
+       .theorem =
+           "At $chi = 0.5$, $eta = 3.8$, $u_s = 0.02$, $V = 1$, $omega = 0.6$, $p = 0.05$ and $u_r = "
+           "0.1607$ the equations (2) with the law (4) have exactly two motions of the load's period "
+           "with one slip, $tau = 7.74666...$ and $tau = 7.62995...$, and one stick; neither obeys (13)",
        .idea =
-           "the states at both events and their times solve eight equations, of which the interval Newton "
-           "operator proves a zero; each condition is decided in balls for all times of its phase",
-       .see = "stickslip check S.asymmetric S.data --explain",
+           "for a given $tau$ the closing conditions are linear in the state and in the cosine and sine of "
+           "the load's phase: one equation for $tau$ remains, whose zeros are isolated in balls",
+       .see = "stickslip orbits ST --period 1 --chi 0.5 --eta 3.8 --us 0.02 --V 1 --omega 0.6 --p 0.05 --ur "
+              "0.1607",
        .claims = {"S.asymmetric", "S.data", "S.lag"}},
       {.id = "lists",
        .title = "All orbits of each family at the data of the figures",
