@@ -25,9 +25,25 @@ constexpr const char * orbits_details =
     "overshooting  exactly one of --phi and --ur is given; the other is a result.\n"
     "nonsticking   phi is a result; without --ur the largest admissible one is, ur_max,\n"
     "              and \"admissible\" speaks of all other conditions.\n\n"
-    "Exit code: 0 the list is complete and everything in it is decided, also if no orbit\n"
-    "is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, which ends\n"
+    "A word of S (slip), O (overshoot), T (stick), such as OTS, in place of a family: the\n"
+    "orbits through these phases in --period N periods of the load, at --ur, that a\n"
+    "simulation finds, from --near at t = 0 or from random starts; the load is cos(omega t).\n"
+    "Each is proved; such a list is never complete.\n\n"
+    "Exit code: 0 the list is complete, or of a word not empty, and everything in it is\n"
+    "decided, also if no orbit is admissible; 2 something is undecided or unresolved; 130 after Ctrl-C, "
+    "which ends\n"
     "the search: what it has found is still printed and written, marked as interrupted.";
+
+constexpr const char * attractors_details =
+    "Follows many starts until they have settled, and says on what, and how many on each:\n"
+    "periodic motions with their period, in periods of the load, and their word of S (slip),\n"
+    "O (overshoot), T (stick); each of these is proved, and whether it is stable. What is\n"
+    "quasi-periodic or irregular is told by its largest Lyapunov exponent, which is a check\n"
+    "and no proof. A motion may also slide for ever, be stuck, or remain unsettled.\n\n"
+    "All parameters and --ur are given, or --example; the load is cos(omega t). At the data\n"
+    "of an example whose ur is a result, ur is that result to 17 digits.\n\n"
+    "Exit code: 0 each periodic motion is proved, and stable or not; 2 for some that is\n"
+    "undecided; 130 after Ctrl-C.";
 
 constexpr const char * simulate_details =
     "Follows x1, x2 under the friction law in closed form, in double; events are found with\n"
@@ -169,8 +185,13 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
 void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
   command->footer(orbits_details);
-  command->add_option("FAMILY", options.family, "symmetric, overshooting or nonsticking")->type_name("");
+  command->add_option("FAMILY", options.family, "symmetric, overshooting, nonsticking, or a word such as OTS")
+      ->type_name("");
   add_parameters(*command, options.parameters);
+  command->add_option("--period", options.period, "Of a word: periods of the load, 1 by default")
+      ->type_name("N");
+  CLI::Option * near = command->add_option("--near", options.near, "Of a word: start at x1,x2,x1',x2'");
+  near->type_name("X");
   command->add_option("--example", options.example, "Take the data of the paper's example " + paper.examples)
       ->type_name("NAME");
   command
@@ -194,11 +215,36 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
                           "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
                           "part is missing");
   out->type_name("DIR");
-  command->callback([&options, &request, plot, out] {
+  command->callback([&options, &request, near, plot, out] {
+    options.with_near = near->count() > 0;
     options.with_plot = plot->count() > 0;
     options.with_out = out->count() > 0;
     request = options;
   });
+}
+
+void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,
+                    const PaperInHelp& paper) {
+  CLI::App * command = program.add_subcommand("attractors", "Find what a machine does, and prove it");
+  command->footer(attractors_details);
+  add_parameters(*command, options.parameters);
+  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
+    command->add_option(name, value, words)->type_name(type);
+  };
+  add("--example", options.example, "NAME", "Take the data of the paper's example " + paper.examples);
+  add("--params", options.file, "FILE",
+      "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them");
+  add("--starts", options.starts, "N",
+      fmt::format("Random starts: {} by default", AttractorsOptions::default_starts));
+  add("--seed", options.seed, "N", "Of the random starts: 1 by default");
+  add("--most-periods", options.most_periods, "N",
+      fmt::format("Periods of the load that a start is followed for at most:\n{} by default",
+                  AttractorsOptions::default_most_periods));
+  add("--digits", options.digits, "N",
+      fmt::format("Significant digits of each value in JSON: {} by default", OrbitsOptions::default_digits));
+  add_jobs(*command, options.jobs);
+  command->add_flag("--json", options.json, "Print the result as JSON");
+  command->callback([&options, &request] { request = options; });
 }
 
 void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper) {
@@ -225,7 +271,8 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
 // The arguments that the program, as opposed to its commands, was given beyond its own.
 void require_command(const CLI::App& program) {
   const std::vector<std::string> strangers = program.remaining();
-  const std::string known = "the commands are audit, check, latex, orbits and simulate; see stickslip --help";
+  const std::string known =
+      "the commands are audit, check, latex, orbits, attractors and simulate; see stickslip --help";
   if (!strangers.empty()) {
     const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
     throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
@@ -242,6 +289,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   CheckOptions check;
   LatexOptions latex;
   OrbitsOptions orbits;
+  AttractorsOptions attractors;
   SimulateOptions simulate;
   Request request;
   CLI::App program(paper.about, "stickslip");
@@ -254,6 +302,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   add_check(program, check, request, paper);
   add_latex(program, latex, request, paper);
   add_orbits(program, orbits, request, paper);
+  add_attractors(program, attractors, request, paper);
   add_simulate(program, simulate, request, paper);
   program.allow_extras();
   try {

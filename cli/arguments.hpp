@@ -36,7 +36,10 @@ struct LatexOptions {
 };
 
 struct OrbitsOptions {
-  std::string family;
+  std::string family;  // or a word
+  std::string period;  // of a word
+  std::string near;
+  bool with_near = false;
   TypedParameters parameters;
   std::string file;
   std::string example;
@@ -52,6 +55,16 @@ struct OrbitsOptions {
   static constexpr int most_digits = 2000;
 };
 
+struct AttractorsOptions {
+  TypedParameters parameters;
+  std::string file, example, starts, seed, most_periods, digits, jobs;
+  bool json = false;
+
+  static constexpr int default_starts = 500;
+  static constexpr int greatest_number = 1000000000;  // of starts, periods and seeds
+  static constexpr int default_most_periods = 20000;
+};
+
 struct SimulateOptions {
   TypedParameters parameters;
   std::string file, example, state, perturb, periods, every, csv, plot;
@@ -65,8 +78,8 @@ struct HelpWanted {
 };
 struct VersionsWanted {};
 
-using Request = std::variant<AuditOptions, CheckOptions, LatexOptions, OrbitsOptions, SimulateOptions,
-                             HelpWanted, VersionsWanted>;
+using Request = std::variant<AuditOptions, CheckOptions, LatexOptions, OrbitsOptions, AttractorsOptions,
+                             SimulateOptions, HelpWanted, VersionsWanted>;
 
 // What the help says of the paper that the program is about.
 struct PaperInHelp {

@@ -6,7 +6,9 @@
 #include <charconv>
 #include <thread>
 
+#include "cli/typed_parameters.hpp"
 #include "core/error.hpp"
+#include "numeric/scalars/scalars.hpp"
 
 namespace stickslip::cli {
 namespace {
@@ -23,6 +25,40 @@ int whole_number(const std::string& name, const std::string& text, int most, int
     throw UsageError(fmt::format("{}: '{}' is not a whole number from 1 to {}", name, text, most));
   }
   return value;
+}
+
+Rational exact_number(const std::string& name, const std::string& text) {
+  const Range range = parse_range(name, text);
+  if (range.radius != 0) {
+    throw UsageError(fmt::format("{}: '{}' is an interval, but a simulation needs a number", name, text));
+  }
+  return range.middle;
+}
+
+double number(const std::string& name, const std::string& text) {
+  return numeric::scalars::scalar<double>(exact_number(name, text));
+}
+
+double positive(const std::string& name, const std::string& text) {
+  const double value = number(name, text);
+  if (!(value > 0)) {
+    throw UsageError(fmt::format("{}: '{}' is not a positive number", name, text));
+  }
+  return value;
+}
+
+model::Vector4<double> four_numbers(const std::string& name, const std::string& text) {
+  model::Vector4<double> X;
+  std::size_t from = 0;
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t comma = text.find(',', from);
+    if ((comma == std::string::npos) != (i == 3)) {
+      throw UsageError(fmt::format("{}: '{}' is not four numbers x1,x2,x1',x2'", name, text));
+    }
+    X(i) = number(name, text.substr(from, comma - from));
+    from = comma + 1;
+  }
+  return X;
 }
 
 Jobs jobs(const std::string& text) {

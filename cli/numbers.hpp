@@ -1,14 +1,24 @@
-// Whole numbers on the command line.
+// Numbers on the command line.
 #pragma once
 
 #include <string>
 
 #include "core/parallel.hpp"
+#include "core/rational.hpp"
+#include "model/linear.hpp"
 
 namespace stickslip::cli {
 
 // The number that was typed, from 1 to `most`; `otherwise` if nothing was. Throws UsageError naming `name`.
 [[nodiscard]] int whole_number(const std::string& name, const std::string& text, int most, int otherwise);
+
+// A number, exactly and in double, and one above zero; an interval is none. Throw UsageError naming `name`.
+[[nodiscard]] Rational exact_number(const std::string& name, const std::string& text);
+[[nodiscard]] double number(const std::string& name, const std::string& text);
+[[nodiscard]] double positive(const std::string& name, const std::string& text);
+
+// A state "x1,x2,x1',x2'". Throws likewise.
+[[nodiscard]] model::Vector4<double> four_numbers(const std::string& name, const std::string& text);
 
 // --jobs: how many threads may search for orbits and prove them; all cores if nothing was typed. Throws
 // UsageError.

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/numbers.hpp"
 #include "core/error.hpp"
+#include "proofs/methods/example_orbits.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {
@@ -82,6 +84,33 @@ OrbitQuestion question(const Paper& paper, const Family& family, const TypedPara
           optional_range(all, "phi"),
           optional_range(all, "ur"),
           digits};
+}
+
+words::WordQuestion machine(const Paper& paper, const TypedParameters& typed, const std::string& file,
+                            const std::string& example, int digits) {
+  constexpr int digits_of_ur = 17;
+  TypedParameters given = file.empty() ? TypedParameters() : read_parameters(file);
+  replace(given, typed);
+  if (given.contains("phi")) {
+    throw UsageError(
+        "phi is not given for a machine: its load is cos(omega t), and where in it an orbit begins is a "
+        "result");
+  }
+  TypedParameters all;
+  if (!example.empty()) {
+    const Example& known = example_named(paper.examples, example);
+    all = parameters_of(known, *known.family);
+    if (!all.contains("ur") && !given.contains("ur")) {
+      all["ur"] = to_text(printed_orbit(known).value("ur"), digits_of_ur).mid;
+    }
+  }
+  replace(all, given);
+  const auto exact = [&](const char * name) {
+    (void)required_range(all, name);
+    return exact_number(name, all.at(name));
+  };
+  return {
+      {exact("chi"), exact("eta"), exact("us"), exact("V"), exact("omega"), exact("p")}, exact("ur"), digits};
 }
 
 }  // namespace stickslip::cli

@@ -5,6 +5,7 @@
 
 #include "cli/typed_parameters.hpp"
 #include "numeric/orbits.hpp"
+#include "numeric/words/word_orbit.hpp"
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
@@ -19,5 +20,12 @@ namespace stickslip::cli {
                                               const numeric::Family& family, const TypedParameters& typed,
                                               const std::string& file, const std::string& example,
                                               int digits);
+
+// The machine whose motions are asked for: the same, with ur in any case, that of the example's own orbit to
+// 17 digits when none is given, and without phi, for the load is cos(omega t). Throws likewise, also for
+// intervals.
+[[nodiscard]] numeric::words::WordQuestion machine(const proofs::methods::Paper& paper,
+                                                   const TypedParameters& typed, const std::string& file,
+                                                   const std::string& example, int digits);
 
 }  // namespace stickslip::cli

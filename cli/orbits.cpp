@@ -9,6 +9,7 @@
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/interruption.hpp"
+#include "numeric/words/word.hpp"
 #include "report/audit/pages.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
@@ -42,6 +43,13 @@ void draw(const OrbitList& list, const std::string& file) {
 ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
   if (options.family.empty()) {
     throw UsageError("a family of orbits is missing: " + families::names_of_families());
+  }
+  if (words::looks_like_word(options.family)) {
+    return run_word(options, paper);
+  }
+  if (!options.period.empty() || options.with_near) {
+    throw UsageError(
+        fmt::format("--period and --near are for words of phases, not for the family '{}'", options.family));
   }
   const OrbitQuestion asked = question(
       paper, family_named(options.family), options.parameters, options.file, options.example,

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/decimal.hpp"
@@ -59,36 +60,6 @@ class Bar {
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-double number(const std::string& name, const std::string& text) {
-  const Range range = parse_range(name, text);
-  if (range.radius != 0) {
-    throw UsageError(fmt::format("{}: '{}' is an interval, but a simulation needs a number", name, text));
-  }
-  return scalars::scalar<double>(range.middle);
-}
-
-double positive(const std::string& name, const std::string& text) {
-  const double value = number(name, text);
-  if (!(value > 0)) {
-    throw UsageError(fmt::format("{}: '{}' is not a positive number", name, text));
-  }
-  return value;
-}
-
-model::Vector4<double> four_numbers(const std::string& name, const std::string& text) {
-  model::Vector4<double> X;
-  std::size_t from = 0;
-  for (int i = 0; i < 4; ++i) {
-    const std::size_t comma = text.find(',', from);
-    if ((comma == std::string::npos) != (i == 3)) {
-      throw UsageError(fmt::format("{}: '{}' is not four numbers x1,x2,x1',x2'", name, text));
-    }
-    X(i) = number(name, text.substr(from, comma - from));
-    from = comma + 1;
-  }
-  return X;
-}
 
 // The beginning of the example's orbit.
 Start start_of_example(const Example& example) {

@@ -157,26 +157,15 @@ OrbitList concluded(const OrbitQuestion& q, const Found& found, int digits) {
 
 Orbit decided_orbit(const Family& family, const ClosedMotion& closed, const std::optional<Ball>& ur) {
   const Motion& motion = closed.motion;
-  const Phase& first = motion.phases.front();
-  const model::Vector2<Ball>& d0 = motion.oscillator.d0;
-  const Ball two_pi = Ball(2) * Ball::pi();
   Orbit orbit;
   for (std::size_t k = 0; k < motion.phases.size(); ++k) {
     orbit.values.push_back({family.durations[k], motion.phases[k].duration});
   }
-  const Ball friction = ur.value_or(friction_of(family, closed));
-  for (const NamedBall& value :
-       {NamedBall{"Theta", two_pi / motion.oscillator.data.omega},
-        {"phi", (first.load + Ball::pi()).is_negative() ? first.load + two_pi : first.load},
-        {"z10", first.Z(0)},
-        {"z20", first.Z(1)},
-        {"zdot10", first.Z(2)},
-        {"x10", first.Z(0) + d0(0)},
-        {"x20", first.Z(1) + d0(1)},
-        {"xdot10", first.Z(2)},
-        {ur || has_stick(family) ? "ur" : "ur_max", friction}}) {
+  for (const NamedBall& value : start_values(motion)) {
     orbit.values.push_back(value);
   }
+  const Ball friction = ur.value_or(friction_of(family, closed));
+  orbit.values.push_back({ur || has_stick(family) ? "ur" : "ur_max", friction});
   orbit.motion = motion;
   orbit.conditions = families::conditions(family, closed, has_stick(family) ? friction : ur);
   orbit.admissible = admissible(orbit.conditions);

@@ -54,6 +54,20 @@ bool has_stick(const Family& family) {
   return std::find(family.phases.begin(), family.phases.end(), PhaseKind::stick) != family.phases.end();
 }
 
+std::vector<NamedBall> start_values(const Motion& motion) {
+  const Phase& first = motion.phases.front();
+  const model::Vector2<Ball>& d0 = motion.oscillator.d0;
+  const Ball two_pi = Ball(2) * Ball::pi();
+  return {{"Theta", two_pi / motion.oscillator.data.omega},
+          {"phi", (first.load + Ball::pi()).is_negative() ? first.load + two_pi : first.load},
+          {"z10", first.Z(0)},
+          {"z20", first.Z(1)},
+          {"zdot10", first.Z(2)},
+          {"x10", first.Z(0) + d0(0)},
+          {"x20", first.Z(1) + d0(1)},
+          {"xdot10", first.Z(2)}};
+}
+
 Requirements requirements(const Family& family, bool ur_given) {
   Requirements list = family.requirements;
   if (!ur_given) {

@@ -115,6 +115,9 @@ struct Family {
 
 [[nodiscard]] bool has_stick(const Family& family);
 
+// Theta, and where the first phase begins: phi, z10, z20, zdot10, x10, x20, xdot10.
+[[nodiscard]] std::vector<NamedBall> start_values(const motion::Motion& motion);
+
 // Its requirements; without ur those that do not need it.
 [[nodiscard]] motion::Requirements requirements(const Family& family, bool ur_given = true);
 

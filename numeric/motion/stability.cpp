@@ -9,6 +9,7 @@ namespace stickslip::numeric::motion {
 namespace {
 
 constexpr std::size_t states = 4;
+constexpr const char * not_enclosed = "the multipliers could not be enclosed";
 
 // The first phase that sticks, or the number of phases.
 std::size_t first_stick(const Motion& motion) {
@@ -27,15 +28,15 @@ SquareMatrix reduced_monodromy(const Motion& motion) {
   return M.topLeftCorner<3, 3>();
 }
 
-// mu = 1 is a multiplier: make the one enclosure that can hold it exact. False when several can.
-bool set_neutral(std::vector<ComplexBall>& multipliers) {
-  const auto may_be_one = [](const ComplexBall& mu) {
-    return mu.re.overlaps(Ball(1)) && mu.im.contains_zero();
+// The integer is a multiplier: make the one enclosure that can hold it exact. False when several can.
+bool set_exact(std::vector<ComplexBall>& multipliers, int value) {
+  const auto may_be_it = [value](const ComplexBall& mu) {
+    return mu.re.overlaps(Ball(value)) && mu.im.contains_zero();
   };
-  if (std::count_if(multipliers.begin(), multipliers.end(), may_be_one) != 1) {
+  if (std::count_if(multipliers.begin(), multipliers.end(), may_be_it) != 1) {
     return false;
   }
-  *std::find_if(multipliers.begin(), multipliers.end(), may_be_one) = {Ball(1), Ball(0)};
+  *std::find_if(multipliers.begin(), multipliers.end(), may_be_it) = {Ball(value), Ball(0)};
   return true;
 }
 
@@ -78,6 +79,21 @@ std::string to_string(StabilityKind kind) {
   throw InternalError("a stability of no known kind");
 }
 
+Stability stability_of(const SquareMatrix& return_map, bool collapses) {
+  Stability s;
+  const auto found = eigenvalues(return_map);
+  if (!found) {
+    s.reason = not_enclosed;
+    return s;
+  }
+  s.multipliers = *found;
+  if (collapses) {
+    set_exact(s.multipliers, 0);
+  }
+  classify(s, false);
+  return s;
+}
+
 Stability decide_stability(const Motion& motion) {
   Stability s;
   const SquareMatrix M = reduced_monodromy(motion);
@@ -87,13 +103,13 @@ Stability decide_stability(const Motion& motion) {
   }
   const auto found = eigenvalues(M);
   if (!found) {
-    s.reason = "the multipliers could not be enclosed";
+    s.reason = not_enclosed;
     return s;
   }
   s.multipliers = *found;
   const Ball& p = motion.oscillator.data.p;
   const bool without_load = p.is_exact() && p.contains_zero();
-  const bool neutral = without_load && set_neutral(s.multipliers);
+  const bool neutral = without_load && set_exact(s.multipliers, 1);
   s.multipliers.resize(states, {Ball(0), Ball(0)});
   classify(s, neutral);
   return s;

@@ -120,7 +120,7 @@ std::vector<Claim> stick_part() {
        .prove = by_combination({{{from("17.stick"), 0, chi * eta * gap}}})},
       {.id = "17.odd.f",
        .kind = Kind::condition,
-       .origin = Origin::auxiliary,
+       .origin = Origin::reading,
        .printed = {{pull(T - t1) + eta * (ur + us), 0, Relation::greater}},
        .words =
            "so $f_1 < 0$ at all times of the stick gives $f_2 > 0$ at all of them: $f_2(T - t_1) = 2 eta "

@@ -108,7 +108,7 @@ std::vector<Claim> motions_that_close() {
   return {
       {.id = "33.even",
        .kind = Kind::theorem,
-       .origin = Origin::auxiliary,
+       .origin = Origin::new_result,
        .printed = {equation(Z0, H(tau) * (slipped - F(tau)) + 2 * L(tau) * d0 + F0)},
        .words = "where $omega_1 = 2 omega$, the motion of (33) plus any multiple $epsilon cos(omega_1 t)$ of "
                 "the first mode closes, too",
@@ -116,14 +116,14 @@ std::vector<Claim> motions_that_close() {
        .prove = by_normal_form()},
       {.id = "33.even.speed",
        .kind = Kind::theorem,
-       .origin = Origin::auxiliary,
+       .origin = Origin::new_result,
        .printed = {equation(second_row * block(1, {zero(2, 2), I2}) * slipped, -zdot20)},
        .words = "it meets a belt at rest at $tau$ if it leaves it at 0",
        .assumptions = started,
        .prove = by_normal_form()},
       {.id = "33.even.places",
        .kind = Kind::theorem,
-       .origin = Origin::auxiliary,
+       .origin = Origin::new_result,
        .printed = {equation(slipped + delta0 + Z0 + delta0, 2 * column({mode, zero(2, 1)}))},
        .words = "it is symmetric in space for $epsilon = 0$ only: $x(tau) = -x(0)$ fails by $2 epsilon (1, "
                 "lambda_1)$",

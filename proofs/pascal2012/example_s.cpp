@@ -1,7 +1,4 @@
 // Section 4, example S: the orbit of Fig. 2, and the numbers that are printed for it.
-#include <algorithm>
-
-#include "core/sinc.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
@@ -77,74 +74,6 @@ Claim printed_values_close() {
           }};
 }
 
-// Where 13.slip leaves the load's phase free (4.lag.needed): omega_j tan(omega_j tau/2) = omega tan(omega
-// tau/2) for both j. Times the cosines these are omega_j^2 - omega^2 times tau/4 times s_j, where s_j =
-// sinc((omega_j + omega) tau/2) + sinc((omega_j - omega) tau/2). Whether in each part of [from, to] some s_j
-// has no zero.
-bool phase_is_fixed(const model::Oscillator<Ball>& o, const Rational& from, const Rational& to, int depth) {
-  const Ball half = Ball::hull(Ball(from), Ball(to)) / Ball(2);
-  const auto balance = [&](const Ball& omega_j) {
-    return sinc((omega_j + o.data.omega) * half) + sinc((omega_j - o.data.omega) * half);
-  };
-  if (balance(o.modes.omega1).is_nonzero() || balance(o.modes.omega2).is_nonzero()) {
-    return true;
-  }
-  const Rational middle = (from + to) / 2;
-  return depth > 0 && phase_is_fixed(o, from, middle, depth - 1) && phase_is_fixed(o, middle, to, depth - 1);
-}
-
-Claim lag_claim() {
-  return {.id = "S.lag",
-          .kind = Kind::numbers,
-          .origin = Origin::auxiliary,
-          .words =
-              "at the data of Fig. 2 there is no slip, however long in the period, that leaves the load's "
-              "phase free (4.lag.needed): the list of orbits, which has both phases of the time lag, is "
-              "that of all orbits that obey (13)",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome =
-                at_the_data(printed(),
-                            "at each time up to 11, which is beyond $Theta$, $omega_j tan(omega_j tau/2)$ is "
-                            "not $omega tan(omega tau/2)$ for one of the two $j$, in balls");
-            outcome.uses = {"4.lag.needed"};
-            const WorkingPrecision precision(128);
-            const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(printed().data));
-            const Rational last(11);
-            const bool beyond = (Ball(last) - Ball(2) * Ball::pi() / o.data.omega).is_positive();
-            outcome.verdict = beyond && phase_is_fixed(o, Rational(0), last, 20)
-                                  ? Verdict::proved()
-                                  : Verdict::undecided("both may hold at some time");
-            return outcome;
-          }};
-}
-
-// Fig. 2 gives u_r as a datum, beside the others.
-Claim friction_claim() {
-  return {
-      .id = "S.data",
-      .kind = Kind::theorem,
-      .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
-      .prove = [](Prover&, const Claim&) {
-        const OrbitList& list = orbits_of(printed()).list;
-        const Decimal given = printed().result("ur").value;
-        Outcome outcome = at_the_data(printed(), "the $u_r$ of each orbit in the complete list, in balls");
-        outcome.uses = {"S.list", "S.lag"};
-        outcome.verdict = Verdict::undecided("the list is not complete");
-        if (!list.complete() || list.orbits.empty()) {
-          return outcome;
-        }
-        const Ball stated = Ball::hull(Ball(given.lower()), Ball(given.upper()));
-        if (std::ranges::any_of(list.orbits,
-                                [&](const Orbit& orbit) { return value_of(orbit, "ur").overlaps(stated); })) {
-          outcome.verdict = Verdict::undecided("some orbit may have this u_r");
-          return outcome;
-        }
-        outcome.verdict = Verdict::refuted(
-            Witness{outcome.at, {}, value_of(printed_orbit(printed()), "ur"), Ball(given.value)});
-        return outcome;
-      }};
-}
-
 // Which printed numbers were computed from which.
 std::vector<Claim> origins() {
   const Example& example = printed();
@@ -177,10 +106,8 @@ std::vector<Claim> example_S() {
       orbit_value("zdot10"),
       orbit_value("ur"),
       printed_values_close(),
-      lag_claim(),
-      friction_claim(),
   };
-  for (std::vector<Claim> more : {origins(), orbit_claims(where())}) {
+  for (std::vector<Claim> more : {data_of_S(), origins(), orbit_claims(where())}) {
     std::move(more.begin(), more.end(), std::back_inserter(claims));
   }
   return claims;

@@ -34,7 +34,8 @@ std::vector<Remark> on_orbits() {
       {.claim = "S.data",
        .place = "Section 4, example",
        .says = "$u_r = 0.1607$ belongs to the data of the orbit of Fig. 2",
-       .fact = "at the other data no symmetric orbit has a $u_r$ that rounds to it",
+       .fact = "at the other data no symmetric orbit has a $u_r$ that rounds to it; with it there are two "
+               "orbits of slip and stick that are not symmetric (S.asymmetric)",
        .because = "by (12) $u_r$ is a result, and the one of the orbit of Fig. 2 is another in the last "
                   "digits (S.ur); it was computed from the other printed numbers (S.from.ur)",
        .see = "stickslip orbits symmetric --example S"},

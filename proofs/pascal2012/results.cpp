@@ -95,6 +95,16 @@ std::vector<Result> on_stability() {
                "and its eigenvalues are enclosed in balls",
        .see = "stickslip check S.stability O.stability P.stability --explain",
        .claims = {"S.stability", "O.stability", "P.stability"}},
+      {.id = "asymmetric",
+       .title = "At the printed data of Fig. 2 there are orbits that are not symmetric",
+       .theorem = "At the data of Fig. 2, $u_r = 0.1607$ included, the equations (2) with the law (4) have "
+                  "two orbits of the load's period, one slip and one stick each, that obey every condition "
+                  "and do not obey (13); a symmetric one they do not have",
+       .idea = "interval Newton in balls on the state and the time of both events proves each orbit, and "
+               "that the places at the ends of its slip are not opposite; in the complete list of symmetric "
+               "orbits none has this $u_r$",
+       .see = "stickslip check S.asymmetric S.data --explain",
+       .claims = {"S.asymmetric", "S.data", "S.list"}},
       {.id = "lists",
        .title = "All orbits of each family at the data of the figures",
        .theorem =

@@ -54,6 +54,7 @@ std::vector<Claim> ends() {
        .prove = by_combination({{{assuming("12"), 0, 1 / eta}}})},
       {.id = "12.begins",
        .kind = Kind::condition,
+       .origin = Origin::reading,
        .printed = {{eta * (us - friction_at_rest(z10, z20, phi)), 0, Relation::less}},
        .words = "with (12) the slip really begins: $x2'' = eta (u_s - r) < 0$ takes the velocity below the "
                 "belt's",

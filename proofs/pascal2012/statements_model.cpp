@@ -23,7 +23,7 @@ std::vector<PrintedStatement> statements_of_model() {
        words,
        "the periodic orbits found are limit cycles",
        {"7.cycles"},
-       "they are isolated among the orbits of their families; of other periodic motions nothing is said",
+       "at the data of the figures, among the orbits of their families",
        {"S.list", "O.list", "P.list", "S.stability", "O.stability", "P.stability"}},
       {"S002",
        "abstract",

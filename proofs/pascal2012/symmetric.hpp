@@ -31,5 +31,7 @@ namespace stickslip::proofs::pascal2012 {
 
 // The orbit of Fig. 2.
 [[nodiscard]] std::vector<methods::Claim> example_S();
+// What its data allow: u_r is one of them.
+[[nodiscard]] std::vector<methods::Claim> data_of_S();
 
 }  // namespace stickslip::proofs::pascal2012

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/orbits/orbit_words.hpp"
+#include "report/orbits/parts.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
 
@@ -16,6 +17,13 @@ namespace {
 
 constexpr int margin_digits = 5;
 
+// A margin or its time, if known.
+std::string shown(const std::optional<Ball>& ball) {
+  return ball ? rounded(*ball, margin_digits) : "";
+}
+
+}  // namespace
+
 std::string bold(const Style& style) {
   return style.colour ? "\x1b[1m" : "";
 }
@@ -26,6 +34,35 @@ std::string colour_of(Truth truth, const Style& style) {
   }
   return truth == Truth::proved ? "\x1b[32m" : truth == Truth::refuted ? "\x1b[31m" : "\x1b[33m";
 }
+
+std::string stability_rows(const std::optional<Stability>& stability, int digits, const Style& style) {
+  if (!stability) {
+    return {};
+  }
+  const Stability& s = *stability;
+  std::vector<Row> rows{{{"  stability"}, {to_string(s.kind) + (s.reason.empty() ? "" : ": " + s.reason)}}};
+  for (const ComplexBall& mu : s.multipliers) {
+    rows.push_back({{"  multiplier"}, {complex_text(mu, digits)}});
+  }
+  return "\n" + columns_of(rows, style.width);
+}
+
+std::string condition_rows(const std::vector<Condition>& conditions, const Style& style) {
+  std::vector<Row> rows{{{"  condition"}, {"verdict"}, {"margin"}, {"at t"}, {""}}};
+  for (const Condition& c : conditions) {
+    rows.push_back({{"  " + c.id},
+                    {spaced(to_string(c.verdict.truth)), colour_of(c.verdict.truth, style)},
+                    {shown(c.margin)},
+                    {shown(c.at)},
+                    {c.statement}});
+    if (c.verdict.truth != Truth::proved && c.verdict.truth != Truth::refuted) {
+      rows.push_back({{""}, {""}, {""}, {""}, {c.verdict.reason}});
+    }
+  }
+  return columns_of(rows, style.width);
+}
+
+namespace {
 
 std::string parameter_list(const OrbitQuestion& question) {
   std::string text;
@@ -66,38 +103,6 @@ std::string values(const Orbit& orbit, const OrbitQuestion& question, const Styl
   return columns_of(rows, style.width);
 }
 
-std::string stability(const Orbit& orbit, const OrbitQuestion& question, const Style& style) {
-  if (!orbit.stability) {
-    return {};
-  }
-  const Stability& s = *orbit.stability;
-  std::vector<Row> rows{{{"  stability"}, {to_string(s.kind) + (s.reason.empty() ? "" : ": " + s.reason)}}};
-  for (const ComplexBall& mu : s.multipliers) {
-    rows.push_back({{"  multiplier"}, {complex_text(mu, question.digits)}});
-  }
-  return "\n" + columns_of(rows, style.width);
-}
-
-// A margin or its time, if known.
-std::string shown(const std::optional<Ball>& ball) {
-  return ball ? rounded(*ball, margin_digits) : "";
-}
-
-std::string conditions(const Orbit& orbit, const Style& style) {
-  std::vector<Row> rows{{{"  condition"}, {"verdict"}, {"margin"}, {"at t"}, {""}}};
-  for (const Condition& c : orbit.conditions) {
-    rows.push_back({{"  " + c.id},
-                    {spaced(to_string(c.verdict.truth)), colour_of(c.verdict.truth, style)},
-                    {shown(c.margin)},
-                    {shown(c.at)},
-                    {c.statement}});
-    if (c.verdict.truth != Truth::proved && c.verdict.truth != Truth::refuted) {
-      rows.push_back({{""}, {""}, {""}, {""}, {c.verdict.reason}});
-    }
-  }
-  return columns_of(rows, style.width);
-}
-
 }  // namespace
 
 std::string terminal_report(const OrbitList& list, const Style& style) {
@@ -107,7 +112,8 @@ std::string terminal_report(const OrbitList& list, const Style& style) {
     const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
     const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
     text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style) +
-            stability(orbit, list.question, style) + "\n" + conditions(orbit, style);
+            stability_rows(orbit.stability, list.question.digits, style) + "\n" +
+            condition_rows(orbit.conditions, style);
   }
   return list.orbits.empty() ? text : text + "\n" + labelled(0, "margin", meaning_of_margin(), style.width);
 }

@@ -1,6 +1,7 @@
 #include "core/decimal.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
+#include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
 
 namespace stickslip::report::orbits {
@@ -14,11 +15,6 @@ namespace {
 // Digits of margins and of their times: as many as a reader may want, however many the orbit has.
 constexpr int margin_digits = 20;
 
-Json ball(const Ball& value, int digits) {
-  const BallText text = to_text(value, known_digits(value, digits));
-  return {{"mid", text.mid}, {"rad", text.rad}};
-}
-
 Json parameters(const OrbitQuestion& question) {
   Json json = Json::object();
   for (const NamedRange& parameter : named_parameters(question)) {
@@ -27,24 +23,37 @@ Json parameters(const OrbitQuestion& question) {
   return json;
 }
 
+}  // namespace
+
+Json to_json(const Ball& value, int digits) {
+  const BallText text = to_text(value, known_digits(value, digits));
+  return {{"mid", text.mid}, {"rad", text.rad}};
+}
+
 void add_values(Json& json, const std::vector<NamedBall>& values, int digits) {
   for (const NamedBall& value : values) {
-    json[value.name] = ball(value.value, digits);
+    json[value.name] = to_json(value.value, digits);
   }
 }
 
-Json condition(const Condition& c) {
+Json to_json(const Condition& c) {
   Json json = {{"id", c.id}, {"statement", plain(c.statement)}, {"verdict", to_string(c.verdict.truth)}};
   if (!c.verdict.reason.empty()) {
     json["reason"] = plain(c.verdict.reason);
   }
   if (c.margin && c.margin->is_finite()) {
-    json["margin"] = ball(*c.margin, margin_digits);
+    json["margin"] = to_json(*c.margin, margin_digits);
   }
   if (c.at && c.at->is_finite()) {
-    json["at"] = ball(*c.at, margin_digits);
+    json["at"] = to_json(*c.at, margin_digits);
   }
   return json;
+}
+
+Json to_json(const Verdict& admissible) {
+  return admissible.truth == Truth::proved    ? Json(true)
+         : admissible.truth == Truth::refuted ? Json(false)
+                                              : Json(nullptr);
 }
 
 void add_stability(Json& json, const std::optional<Stability>& stability, int digits) {
@@ -53,7 +62,7 @@ void add_stability(Json& json, const std::optional<Stability>& stability, int di
   }
   json["multipliers"] = Json::array();
   for (const ComplexBall& mu : stability->multipliers) {
-    json["multipliers"].push_back({{"re", ball(mu.re, digits)}, {"im", ball(mu.im, digits)}});
+    json["multipliers"].push_back({{"re", to_json(mu.re, digits)}, {"im", to_json(mu.im, digits)}});
   }
   json["stability"] = to_string(stability->kind);
   if (!stability->reason.empty()) {
@@ -61,19 +70,19 @@ void add_stability(Json& json, const std::optional<Stability>& stability, int di
   }
 }
 
+namespace {
+
 Json orbit(const Orbit& o, int digits) {
   Json json = Json::object();
   add_values(json, o.values, digits);
-  json["admissible"] = o.admissible.truth == Truth::proved    ? Json(true)
-                       : o.admissible.truth == Truth::refuted ? Json(false)
-                                                              : Json(nullptr);
+  json["admissible"] = to_json(o.admissible);
   if (!o.split.empty()) {
     json["split"] = o.split;
   }
   add_stability(json, o.stability, digits);
   json["conditions"] = Json::array();
   for (const Condition& c : o.conditions) {
-    json["conditions"].push_back(condition(c));
+    json["conditions"].push_back(to_json(c));
   }
   return json;
 }

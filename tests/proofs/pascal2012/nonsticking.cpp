@@ -74,6 +74,29 @@ TEST_CASE("det(H_1 - I) != 0 is stated for (69), and omega != 1 is an unstated h
   CHECK(hypotheses("67.sin").contains("1 - omega != 0"));
 }
 
+TEST_CASE(
+    "at omega_1 = 2 omega a family of orbits is not symmetric; the mode must be the first, at this "
+    "resonance") {
+  CHECK(record("33.even").outcome.by_kernel);
+  CHECK(record("33.even.orbits").outcome.verdict.truth == Truth::proved);
+  CHECK(record("7.always").status == Status::refuted);
+  const auto altered = [](const std::string& id, const Statement& statement) {
+    Claim claim = claim_named(paper().claims, "33.even");
+    for (Assumption& one : claim.assumptions) {
+      if (one.id == id && equal(one.statement.left, statement.left)) {
+        one.statement = statement;
+      }
+    }
+    Prover prover(paper().claims);
+    return claim.prove(prover, claim).verdict.truth;
+  };
+  const Term epsilon = scalar("epsilon");
+  CHECK(altered("31.even", equation(omega, omega1 / 2)) == Truth::proved);
+  CHECK(altered("31.even", equation(omega, omega1 / 3)) != Truth::proved);
+  CHECK(altered("33", equation(z20, q2 * cos(phi) - d02 + epsilon * lambda2)) != Truth::proved);
+  CHECK(altered("33", equation(z10, q1 * cos(phi) - d01 - epsilon)) != Truth::proved);
+}
+
 TEST_CASE("every claim of these places is decided") {
   for (const Claim& claim : paper().claims) {
     const bool here = claim.place == "sec6" || claim.place == "A4" || claim.place == "A5";

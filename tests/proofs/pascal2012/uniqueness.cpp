@@ -228,3 +228,20 @@ TEST_CASE("almost always is read with continuity, a finite set, and strict signs
   CHECK_THROWS_AS((void)read(almost_always(0, Theta, {derivative(speed_x), V, Relation::less})), NoValue);
   CHECK_THROWS_AS((void)read(almost_always(0, t, equation(X(t), Y(t)))), NoValue);
 }
+
+TEST_CASE("on a moving belt the slip below the belt's velocity is the longer one, and nothing else follows") {
+  for (const char * id : {"A5.tan", "A5.longer", "A5.stable"}) {
+    CHECK(outcome(claim_of(id)).by_kernel);
+  }
+  CHECK(refused(printing("A5.tan", {sin(s), s * cos(s), Relation::less})));
+  CHECK(refused(
+      assuming_instead("A5.tan", "s.pi", {s, 2 * pi(), Relation::less})));  // sin(s) < s cos(s) near 3/2 pi
+  CHECK(refused(printing("A5.longer", {tau, Theta / 2, Relation::less})));
+  CHECK(refused(printing("A5.longer", {2 * Theta / 3, tau, Relation::less})));
+  CHECK(refused(assuming_instead("A5.longer", "A5.V.sign", {V, 0, Relation::less})));
+  CHECK(refused(assuming_instead("A5.longer", "A5.V.sign", equation(V, 0))));
+  Claim grows = claim_of("A5.stable");
+  std::swap(grows.printed.front().left, grows.printed.front().right);
+  CHECK(refused(grows));
+  CHECK(refused(assuming_instead("A5.stable", "Theta.positive", {Theta, 0, Relation::less})));
+}

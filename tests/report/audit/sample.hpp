@@ -10,7 +10,8 @@ namespace stickslip::report {
 [[nodiscard]] proofs::methods::Paper sample_paper();
 
 // Ids: 2 (model), 5 (as printed), 5.where (needs a hypothesis), 44 (misprint, witness), S.tau (digits off),
-// 17 (undecided, and not the paper's). Words and reasons contain characters that HTML and TeX treat specially.
+// 17 (undecided, and not the paper's). Words and reasons contain characters that HTML and TeX treat
+// specially.
 [[nodiscard]] proofs::methods::Audit sample_audit();
 
 }  // namespace stickslip::report

@@ -1,0 +1,274 @@
+#include "numeric/attractors/attractors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/error.hpp"
+#include "core/interruption.hpp"
+#include "core/parallel.hpp"
+#include "numeric/attractors/starts.hpp"
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
+#include "numeric/families/symmetric.hpp"
+
+namespace stickslip::numeric::attractors {
+
+using namespace motion;
+using families::NamedBall;
+using model::Vector4;
+using words::Guess;
+using words::WordOrbit;
+
+namespace {
+
+// How near a motion comes to where it was before a proof is tried, and what it is divided by when the proof
+// says that the motion cannot stay there.
+constexpr double first_nearness = 1e-6;
+constexpr double nearer = 1e-2;
+constexpr int most_attempts = 3;
+// What a stable orbit needs at most; a motion that only seems to return is given up early.
+constexpr long most_bits = 1024;
+// Motions nearer to each other than this are on one orbit, if they go through one word in as many periods.
+constexpr double same_orbit = 1e-3;
+
+// Motions that return alike: one of them stands for all.
+struct Group {
+  Return seen;
+  std::vector<std::size_t> members;  // which starts
+  std::optional<WordOrbit> orbit;
+};
+
+bool same(const Return& a, const Return& b) {
+  return a.guess.periods == b.guess.periods && a.word == b.word &&
+         std::any_of(b.once.begin(), b.once.end(),
+                     [&](const Vector4<double>& X) { return distance(a.once.front(), X) < same_orbit; });
+}
+
+bool overlap(const WordOrbit& a, const WordOrbit& b) {
+  if (a.existence.truth != Truth::proved || b.existence.truth != Truth::proved || a.word != b.word ||
+      a.periods != b.periods) {
+    return false;
+  }
+  return std::all_of(a.orbit.values.begin(), a.orbit.values.end(),
+                     [&](const NamedBall& value) { return value.value.overlaps(b.orbit.value(value.name)); });
+}
+
+// Whether the proved orbit is where the motion was seen.
+bool is_there(const WordOrbit& found, const Return& seen) {
+  const families::Orbit& o = found.orbit;
+  const Vector4<double> begin(o.value("x10").approximate(), o.value("x20").approximate(),
+                              o.value("xdot10").approximate(), 0);
+  return std::any_of(seen.guess.events.begin(), seen.guess.events.end(), [&](const Guess::Event& e) {
+    return distance({e.x1, e.x2, e.xdot1, 0}, begin) < same_orbit;
+  });
+}
+
+bool attracts(const Group& group) {
+  const auto& found = group.orbit;
+  return found && found->existence.truth == Truth::proved && found->orbit.admissible.truth == Truth::proved &&
+         found->orbit.stability->kind == StabilityKind::stable && is_there(*found, group.seen);
+}
+
+class Survey {
+ public:
+  explicit Survey(const AttractorQuestion& question) : question_(question) {
+    question_.machine.most_bits = std::max(most_bits, 2 * scalars::bits_for(question.machine.digits));
+    const auto data = parameters_as<double>(question.machine.data);
+    const double ur = scalars::scalar<double>(question.machine.ur);
+    for (const Vector4<double>& X :
+         random_starts(data, static_cast<std::size_t>(question.starts), question.seed)) {
+      followers_.emplace_back(data, ur, X);
+      open_.push_back(open_.size());
+    }
+  }
+
+  void run() {
+    double nearness = first_nearness;
+    for (int attempt = 0; attempt < most_attempts && !open_.empty() && !interrupted(); ++attempt) {
+      follow(nearness);
+      prove(attempt + 1 == most_attempts);
+      nearness *= nearer;
+    }
+    (void)parallel_map(followers_.size(), [&](std::size_t i) {
+      if (!interrupted()) {
+        followers_[i].classify();
+      }
+      return true;
+    });
+  }
+
+  [[nodiscard]] AttractorList result() const;
+
+ private:
+  void follow(double nearness) {
+    (void)parallel_map(open_.size(), [&](std::size_t i) {
+      followers_[open_[i]].follow(question_.most_periods, nearness);
+      return true;
+    });
+  }
+
+  // Motions that return are put together, each sort is proved, and those that cannot stay where they are are
+  // open again.
+  void prove(bool last);
+
+  AttractorQuestion question_;
+  std::vector<Follower> followers_;
+  std::vector<std::size_t> open_;
+  std::vector<Group> groups_;
+};
+
+void Survey::prove(bool last) {
+  const std::vector<std::optional<Return>> seen =
+      parallel_map(open_.size(), [&](std::size_t i) { return followers_[open_[i]].returned(); });
+  std::vector<Group> fresh;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (!seen[i]) {
+      continue;
+    }
+    const auto is_it = [&](const Group& group) { return same(*seen[i], group.seen); };
+    auto known = std::find_if(groups_.begin(), groups_.end(), is_it);
+    if (known == groups_.end()) {
+      known = std::find_if(fresh.begin(), fresh.end(), is_it);
+      if (known == fresh.end()) {
+        fresh.push_back({*seen[i], {}, {}});
+        known = fresh.end() - 1;
+      }
+    }
+    known->members.push_back(open_[i]);
+  }
+  const auto orbits = parallel_map(fresh.size(), [&](std::size_t i) {
+    return interrupted() ? std::nullopt
+                         : std::optional(prove_word_orbit(question_.machine, fresh[i].seen.guess));
+  });
+  open_.clear();
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    fresh[i].orbit = orbits[i];
+    if (!last && !attracts(fresh[i])) {
+      open_.insert(open_.end(), fresh[i].members.begin(), fresh[i].members.end());
+      continue;
+    }
+    const auto known = std::find_if(groups_.begin(), groups_.end(), [&](const Group& group) {
+      return group.orbit && fresh[i].orbit && overlap(*group.orbit, *fresh[i].orbit);
+    });
+    if (known == groups_.end()) {
+      groups_.push_back(fresh[i]);
+    } else {
+      known->members.insert(known->members.end(), fresh[i].members.begin(), fresh[i].members.end());
+    }
+  }
+}
+
+Attractor periodic(const Group& group) {
+  Attractor a;
+  a.kind = Kind::periodic;
+  a.count = static_cast<long>(group.members.size());
+  a.orbit = group.orbit;
+  const bool proved = group.orbit && group.orbit->existence.truth == Truth::proved;
+  a.word = proved ? group.orbit->word.letters() : group.seen.word;
+  a.periods = proved ? group.orbit->periods : group.seen.guess.periods;
+  a.family = proved ? family_of(*group.orbit) : "";
+  a.state = group.seen.once.front();
+  return a;
+}
+
+AttractorList Survey::result() const {
+  AttractorList list{question_, {}, 0, interrupted()};
+  std::vector<bool> placed(followers_.size());
+  for (const Group& group : groups_) {
+    list.attractors.push_back(periodic(group));
+    for (const std::size_t i : group.members) {
+      placed[i] = true;
+    }
+  }
+  std::map<Kind, Attractor> others;
+  for (std::size_t i = 0; i < followers_.size(); ++i) {
+    const Follower& follower = followers_[i];
+    list.simulated += follower.periods();
+    if (placed[i]) {
+      continue;
+    }
+    // A return that no proof was tried for: interrupted, or no word.
+    const Kind kind = follower.kind() == Kind::periodic ? Kind::unsettled : follower.kind();
+    Attractor& a = others[kind];
+    a.kind = kind;
+    a.state = a.count == 0 ? follower.simulation().state() : a.state;
+    if (follower.lyapunov()) {
+      a.lyapunov = (a.lyapunov.value_or(0) * static_cast<double>(a.count) + *follower.lyapunov()) /
+                   static_cast<double>(a.count + 1);
+    }
+    ++a.count;
+  }
+  for (const auto& [kind, attractor] : others) {
+    list.attractors.push_back(attractor);
+  }
+  for (Attractor& a : list.attractors) {
+    const Interval interval = wilson(a.count, question_.starts);
+    a.share = static_cast<double>(a.count) / static_cast<double>(question_.starts);
+    a.least = interval.least;
+    a.most = interval.most;
+  }
+  std::stable_sort(list.attractors.begin(), list.attractors.end(),
+                   [](const Attractor& a, const Attractor& b) { return a.count > b.count; });
+  return list;
+}
+
+// Z(tau) = E Z(0), (13), as far as the balls tell.
+bool may_be_symmetric(const Motion& m) {
+  const model::Vector4<Ball>& Z = m.phases[0].Z;
+  const model::Vector4<Ball>& later = m.phases[1].Z;
+  return later(0).overlaps(-Z(0)) && later(1).overlaps(-Z(1)) && later(2).overlaps(Z(2));
+}
+
+}  // namespace
+
+std::string to_string(Kind kind) {
+  switch (kind) {
+    case Kind::periodic:
+      return "periodic";
+    case Kind::quasi_periodic:
+      return "quasi-periodic";
+    case Kind::irregular:
+      return "irregular";
+    case Kind::slides:
+      return "slides";
+    case Kind::stuck:
+      return "stuck";
+    case Kind::unsettled:
+      return "unsettled";
+  }
+  throw InternalError("an attractor of no known kind");
+}
+
+Interval wilson(long count, long total) {
+  constexpr double z = 1.959963984540054;  // the quantile of 97.5 % of the normal distribution
+  const auto n = static_cast<double>(total);
+  const double share = static_cast<double>(count) / n;
+  const double middle = (share + z * z / (2 * n)) / (1 + z * z / n);
+  const double half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  // Nothing but rounding keeps the ends of the certain shares from being exact.
+  return {count == 0 ? 0 : middle - half, count == total ? 1 : middle + half};
+}
+
+std::string family_of(const WordOrbit& orbit) {
+  if (orbit.periods != 1 || orbit.existence.truth != Truth::proved) {
+    return "";
+  }
+  const std::string& word = orbit.word.letters();
+  if (word == "OTS") {
+    return families::overshooting().name;
+  }
+  if (word == "OS") {
+    return families::nonsticking().name;
+  }
+  return word == "ST" && may_be_symmetric(orbit.orbit.motion) ? families::symmetric().name : "";
+}
+
+AttractorList find_attractors(const AttractorQuestion& question) {
+  words::require_word_domain(question.machine);
+  Survey survey(question);
+  survey.run();
+  return survey.result();
+}
+
+}  // namespace stickslip::numeric::attractors

@@ -1,0 +1,73 @@
+// What a simulated motion settles on. In doubles: it proposes, and proves nothing.
+//
+// The state is looked at once in a period of the load, when its phase is 0. A motion has settled when
+//   it slips, and the three harmonics of its speed can never again add up to the belt's,
+//   it sticks to a belt that stands still, and its friction at rest can never again reach ur,
+//   it comes back after n periods to where it was, up to a small part of its size.
+// The state is compared with the one at the last period whose number is a power of two (Brent's method), so
+// that transients go and n is found without being asked for.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "numeric/simulation/simulation.hpp"
+#include "numeric/words/word_orbit.hpp"
+
+namespace stickslip::numeric::attractors {
+
+enum class Kind {
+  periodic,        // after n periods of the load, with events in each n of them
+  quasi_periodic,  // does not return, and neighbours do not leave it exponentially
+  irregular,       // neighbours leave it exponentially
+  slides,          // never touches the belt's speed again
+  stuck,           // stays on a belt that does not move
+  unsettled,       // within the periods that were allowed
+};
+
+// A motion over n periods of the load.
+struct Return {
+  words::Guess guess;                        // its events, counted from a time of load phase 0
+  std::string word;                          // their letters, in the first rotation; perhaps no word
+  std::vector<model::Vector4<double>> once;  // the states at the beginning of each of the n periods
+};
+
+// The n periods that follow, from a time when the load's phase is 0.
+[[nodiscard]] Return over_periods(simulation::Simulation simulation, long n);
+
+class Follower {
+ public:
+  // From X at t = 0, the load being cos omega t. Throws as Simulation does.
+  Follower(const model::Parameters<double>& a, double ur, const model::Vector4<double>& X);
+
+  // Goes on until the motion has settled, or so many periods are over in all. `nearness` is the relative
+  // distance that counts as a return. Slides and stuck for good also when no event came in the last half.
+  void follow(long most_periods, double nearness);
+
+  // Unsettled after all periods: quasi-periodic or irregular then, by the largest Lyapunov exponent.
+  void classify();
+
+  [[nodiscard]] Kind kind() const { return kind_; }
+  [[nodiscard]] long periods() const { return periods_; }
+  // Of a motion that settled as periodic, over its own period; nothing when its events make no word.
+  [[nodiscard]] std::optional<Return> returned() const;
+  [[nodiscard]] std::optional<double> lyapunov() const { return lyapunov_; }
+  [[nodiscard]] const simulation::Simulation& simulation() const { return simulation_; }
+
+ private:
+  [[nodiscard]] bool slides_for_good() const;
+  [[nodiscard]] bool sticks_for_good() const;
+
+  simulation::Simulation simulation_;
+  model::Oscillator<double> oscillator_;
+  Kind kind_ = Kind::unsettled;
+  long periods_ = 0;
+  long period_ = 0;      // n
+  long last_event_ = 0;  // the period in which it was
+  std::optional<double> lyapunov_;
+};
+
+// The distance of two states in units of their size.
+[[nodiscard]] double distance(const model::Vector4<double>& X, const model::Vector4<double>& Y);
+
+}  // namespace stickslip::numeric::attractors

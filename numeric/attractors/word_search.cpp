@@ -1,0 +1,101 @@
+#include "numeric/attractors/word_search.hpp"
+
+#include <fmt/format.h>
+
+#include "core/interruption.hpp"
+
+namespace stickslip::numeric::attractors {
+
+using words::Word;
+using words::WordOrbit;
+
+namespace {
+
+constexpr long starts = 100;
+constexpr long most_periods = 4000;
+
+// A word for readers, shortened.
+std::string shown(const std::string& word) {
+  constexpr std::size_t most = 24;
+  return word.size() <= most ? word : fmt::format("{}... ({} phases)", word.substr(0, most), word.size());
+}
+
+// Whether the orbit is one of the word over n periods, taken as often as it needs.
+bool is_of(const WordOrbit& orbit, const WordSearch& q) {
+  if (q.periods % orbit.periods != 0) {
+    return false;
+  }
+  std::string letters;
+  for (long k = 0; k < q.periods / orbit.periods; ++k) {
+    letters += orbit.word.letters();
+  }
+  return letters == q.word.letters();
+}
+
+// The motion over the n periods that follow, if it has events that make a word.
+std::optional<Return> next_periods(const simulation::Simulation& simulation, long n) {
+  const Return next = over_periods(simulation, n);
+  return words::is_word(next.word) ? std::optional(next) : std::nullopt;
+}
+
+WordOrbits from_start(const WordSearch& q) {
+  WordOrbits result{q, {}, {}};
+  const auto data = motion::parameters_as<double>(q.machine.data);
+  Follower follower(data, scalars::scalar<double>(q.machine.ur), *q.near);
+  const auto attempt = [&](const std::optional<Return>& seen) {
+    if (!seen || seen->word != q.word.letters()) {
+      return false;
+    }
+    const WordOrbit orbit = prove_word_orbit(q.machine, seen->guess);
+    const bool found = orbit.existence.truth == Truth::proved && is_of(orbit, q);
+    if (found) {
+      result.orbits.push_back(orbit);
+    }
+    return found;
+  };
+  const std::optional<Return> at_once = next_periods(follower.simulation(), q.periods);
+  if (attempt(at_once)) {
+    return result;
+  }
+  follower.follow(most_periods, 1e-6);
+  const std::optional<Return> settled = follower.returned();
+  if (settled && q.periods % settled->guess.periods == 0 &&
+      attempt(next_periods(follower.simulation(), q.periods))) {
+    return result;
+  }
+  result.interrupted = interrupted();
+  result.seen = settled ? fmt::format("the motion from there settles on {} with the period {}",
+                                      shown(settled->word), settled->guess.periods)
+                        : fmt::format("the motion from there: {} after {} periods",
+                                      to_string(follower.kind()), follower.periods());
+  return result;
+}
+
+WordOrbits from_random_starts(const WordSearch& q) {
+  WordOrbits result{q, {}, {}};
+  const AttractorList list = find_attractors({q.machine, starts, 1, most_periods});
+  std::string others;
+  for (const Attractor& a : list.attractors) {
+    if (a.orbit && a.orbit->existence.truth == Truth::proved && is_of(*a.orbit, q)) {
+      result.orbits.push_back(*a.orbit);
+    } else {
+      others += others.empty() ? "" : ", ";
+      others += a.kind == Kind::periodic ? fmt::format("{} with the period {}", shown(a.word), a.periods)
+                                         : to_string(a.kind);
+    }
+  }
+  result.interrupted = list.interrupted;
+  if (result.orbits.empty()) {
+    result.seen = fmt::format("{} random starts end on: {}", starts, others);
+  }
+  return result;
+}
+
+}  // namespace
+
+WordOrbits find_word_orbits(const WordSearch& question) {
+  words::require_word_domain(question.machine);
+  return question.near ? from_start(question) : from_random_starts(question);
+}
+
+}  // namespace stickslip::numeric::attractors

@@ -1,0 +1,31 @@
+// Orbits of a given word: where simulations find them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/attractors/attractors.hpp"
+
+namespace stickslip::numeric::attractors {
+
+struct WordSearch {
+  words::WordQuestion machine;
+  words::Word word;
+  long periods = 1;                            // n
+  std::optional<model::Vector4<double>> near;  // (x1, x2, x1', x2') at load phase 0; else random starts
+};
+
+struct WordOrbits {
+  WordSearch question;
+  std::vector<words::WordOrbit> orbits;  // some of them may be of a shorter word that the asked one repeats
+  std::string seen;                      // what was met instead, in half a sentence; empty with an orbit
+  bool interrupted = false;
+};
+
+// With a start: the motion from there through n periods if it goes through the word, else what it settles on.
+// Without: all orbits of the word that some random starts settle on. No list is complete.
+// Throws as words::require_word_domain and simulation::Simulation do.
+[[nodiscard]] WordOrbits find_word_orbits(const WordSearch& question);
+
+}  // namespace stickslip::numeric::attractors

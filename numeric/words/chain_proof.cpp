@@ -1,0 +1,167 @@
+#include "numeric/words/chain_proof.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "numeric/words/sweep.hpp"
+#include "numeric/zeros/krawczyk.hpp"
+
+namespace stickslip::numeric::words {
+
+namespace {
+
+constexpr long fewest_bits = 128;
+// From where on Newton's method does not come back, as a power of two: states of a motion in units of its
+// own lengths.
+constexpr long far_away = 20;
+
+ChainProof open(const char * reason) {
+  return {Verdict::undecided(reason), 0, {}, {}, {}};
+}
+
+std::vector<Link> links_of(const Chain& chain, const Nodes& nodes) {
+  std::vector<Link> links;
+  links.reserve(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    links.push_back(chain.link(nodes, i));
+  }
+  return links;
+}
+
+Nodes responses(const std::vector<Link>& links, const Nodes& conditions) {
+  Nodes g;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    g.push_back(links[i].response(conditions[i]));
+  }
+  return g;
+}
+
+Nodes conditions_of(const Chain& chain, const Nodes& nodes) {
+  Nodes F;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    F.push_back(chain.conditions(nodes, i));
+  }
+  return F;
+}
+
+Node midpoint(const Node& u) {
+  return u.unaryExpr([](const Ball& x) { return x.midpoint(); });
+}
+
+// 2^result is not less than any component.
+long exponent(const Nodes& deviations) {
+  long largest = -1000000000L;
+  for (const Node& d : deviations) {
+    for (int i = 0; i < 4; ++i) {
+      const Ball size = abs(d(i)).upper();
+      if (!size.is_finite()) {
+        return far_away + 1;
+      }
+      if (size.is_positive()) {
+        largest = std::max(largest, fmpz_get_si(ARF_EXPREF(arb_midref(size.raw()))));
+      }
+    }
+  }
+  return largest;
+}
+
+// Where Newton's method led.
+struct Approach {
+  std::optional<Nodes> nodes;
+  bool astray = false;  // more bits would not help
+};
+
+// In floats, from as many bits as a guess deserves up to `bits`.
+Approach approximate(const ChainQuestion& question, Nodes nodes, long bits) {
+  constexpr int most_steps = 12;  // at one precision
+  long precision = std::min(fewest_bits, bits);
+  long before = far_away;
+  for (int k = 0; k < most_steps; ++k) {
+    const WorkingPrecision scope(precision);
+    const Chain chain(question);
+    const std::vector<Link> links = links_of(chain, nodes);
+    Nodes g = responses(links, conditions_of(chain, nodes));
+    std::transform(g.begin(), g.end(), g.begin(), midpoint);
+    const auto found = sweep(links, g);
+    if (!found) {
+      return {};
+    }
+    const long size = exponent(found->deviations);
+    if (size > far_away) {
+      return {{}, true};
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      nodes[i] = midpoint(nodes[i] + found->deviations[i]);
+    }
+    // The step after this one is the square of it, or as small as rounding allows.
+    if (-2 * size > precision || (size >= before && -size > precision / 4)) {
+      if (precision == bits) {
+        return {nodes};
+      }
+      precision = std::min(2 * precision, bits);
+      k = 0;
+    }
+    before = size;
+  }
+  return {{}, true};
+}
+
+// The boxes around the nodes with the radius 2^exponent in units of each component, max(1, |middle|).
+Nodes boxes(const Nodes& nodes, long exponent) {
+  Nodes X = nodes;
+  for (Node& u : X) {
+    for (int j = 0; j < 4; ++j) {
+      Ball r = (abs(u(j)) + Ball(1)).upper();
+      arb_mul_2exp_si(r.raw(), r.raw(), exponent);
+      u(j) += Ball::hull(-r, r);
+    }
+  }
+  return X;
+}
+
+// Newton's test for the box with that radius about m.
+ChainProof in_box(const ChainQuestion& question, const Nodes& m, long exponent) {
+  const Chain chain(question);
+  const Nodes X = boxes(m, exponent);
+  const std::vector<Link> links = links_of(chain, X);
+  const auto image = sweep(links, responses(links, conditions_of(chain, m)));
+  if (!image) {
+    return open("an event of the motion may not be transversal, or 1 may be a multiplier");
+  }
+  Nodes N = m;
+  for (std::size_t i = 0; i < N.size(); ++i) {
+    N[i] += image->deviations[i];
+    if (!zeros::is_interior<4>(N[i], X[i])) {
+      return open("no box around the guess passed Newton's test");
+    }
+  }
+  return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
+}
+
+}  // namespace
+
+ChainProof prove_chain(const ChainQuestion& question, const Nodes& guess, long bits, long most_bits) {
+  ChainProof proof = open("Newton's method leads to no closed motion from there");
+  Nodes nodes = guess;
+  for (long precision = std::max(bits, fewest_bits); precision <= most_bits; precision *= 4) {
+    const Approach approach = approximate(question, nodes, precision);
+    if (approach.astray) {
+      break;
+    }
+    if (!approach.nodes) {
+      continue;
+    }
+    nodes = *approach.nodes;
+    const WorkingPrecision scope(precision);
+    // Wide boxes have much of the motion's surroundings in them, narrow ones are the easiest.
+    for (const long exponent : {-precision * 3 / 4, -precision * 7 / 8}) {
+      proof = in_box(question, nodes, exponent);
+      if (proof.verdict.truth == Truth::proved) {
+        return proof;
+      }
+    }
+  }
+  return proof;
+}
+
+}  // namespace stickslip::numeric::words

@@ -1,0 +1,50 @@
+// The periodic orbit of a word at a given friction, proved near a guess, with everything decided about it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "numeric/families/family.hpp"
+#include "numeric/words/word.hpp"
+
+namespace stickslip::numeric::words {
+
+// The load is cos omega t: its phase is 0 at t = 0.
+struct WordQuestion {
+  motion::ExactParameters data;
+  Rational ur;
+  int digits = 20;            // significant ones, of every value
+  long most_bits = 1L << 14;  // that a proof is tried with
+};
+
+// A motion over n periods of the load, nearly closed, in floating point.
+struct Guess {
+  struct Event {
+    double t, x1, x2, xdot1;
+    motion::PhaseKind begins;
+  };
+  std::vector<Event> events;  // in their order, over less than n periods
+  long periods = 1;           // n
+};
+
+struct WordOrbit {
+  Word word;
+  long periods = 1;   // n, the least: the orbit is no repetition of a shorter one
+  Verdict existence;  // of "exactly one closed motion of the word lies near the guess"; else no more is known
+  families::Orbit orbit;       // its motion begins with the word's first phase
+  motion::Requirements asked;  // the conditions of `orbit`, in the same order
+};
+
+// The whole of the friction law for a motion through these phases, (4), with ur known.
+[[nodiscard]] motion::Requirements requirements_of(const std::vector<motion::PhaseKind>& phases);
+
+// Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and no natural frequency, p > 0, ur > us:
+// there a closed motion is isolated, but for chance.
+void require_word_domain(const WordQuestion& question);
+
+// Proves the orbit that Newton's method reaches from the guess. When that is a shorter orbit taken several
+// times, the shorter one. A condition or the stability that the asked digits leave undecided is looked at
+// with more. Throws as require_word_domain and Word::of do.
+[[nodiscard]] WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess);
+
+}  // namespace stickslip::numeric::words

@@ -1,0 +1,220 @@
+#include "report/orbits/attractors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/decimal.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/orbits/parts.hpp"
+#include "report/tools/numbers.hpp"
+
+namespace stickslip::report::orbits {
+
+using namespace numeric;
+using namespace numeric::attractors;
+using namespace numeric::motion;
+using namespace tools;
+using words::WordOrbit;
+using words::WordQuestion;
+
+namespace {
+
+constexpr std::size_t most_phases = 16;  // in a table
+
+std::string shortened(const std::string& word) {
+  constexpr std::size_t most = 18;
+  return word.size() <= most ? word : fmt::format("{}... ({})", word.substr(0, most), word.size());
+}
+
+std::string parameter_list(const WordQuestion& q) {
+  const ExactParameters& a = q.data;
+  return fmt::format("chi={}, eta={}, us={}, V={}, omega={}, p={}, ur={}", to_string(a.chi), to_string(a.eta),
+                     to_string(a.us), to_string(a.V), to_string(a.omega), to_string(a.p), to_string(q.ur));
+}
+
+// The largest modulus of a multiplier, rounded up.
+std::string spectral_radius(const Stability& s) {
+  Ball largest(0);
+  for (const ComplexBall& mu : s.multipliers) {
+    const Ball modulus = sqrt(mu.squared_modulus());
+    arb_max(largest.raw(), largest.raw(), modulus.raw(), WorkingPrecision::bits());
+  }
+  return fmt::format("{:.4g}", largest.upper().approximate());
+}
+
+// What is proved of a periodic motion.
+std::string proved(const std::optional<WordOrbit>& orbit) {
+  if (!orbit || orbit->existence.truth != Truth::proved) {
+    return "not proved" + (orbit ? ": " + plain(orbit->existence.reason) : std::string());
+  }
+  const families::Orbit& o = orbit->orbit;
+  if (o.admissible.truth != Truth::proved) {
+    return fmt::format("{}: {}", verdict_on(o), plain(o.admissible.reason));
+  }
+  const std::string radius =
+      o.stability->multipliers.empty() ? "" : fmt::format(", |mu| = {}", spectral_radius(*o.stability));
+  const std::string why = o.stability->reason.empty() ? "" : ": " + o.stability->reason;
+  return fmt::format("proved, {}{}{}", to_string(o.stability->kind), why, radius);
+}
+
+std::string remark(const Attractor& a) {
+  switch (a.kind) {
+    case Kind::periodic:
+      return proved(a.orbit) + (a.family.empty() ? "" : ", " + a.family);
+    case Kind::irregular:
+    case Kind::quasi_periodic:
+      return fmt::format("Lyapunov exponent {:.2g} per period of the load", a.lyapunov.value_or(0));
+    case Kind::slides:
+      return "never touches the belt's speed again";
+    case Kind::stuck:
+      return "never leaves the belt again";
+    case Kind::unsettled:
+      return "within the periods allowed";
+  }
+  return "";
+}
+
+std::string state_of(const model::Vector4<double>& X) {
+  return fmt::format("{:.10g},{:.10g},{:.10g},{:.10g}", X(0), X(1), X(2), X(3));
+}
+
+// Of the conditions of one kind the one with the worst verdict, then the least margin.
+std::vector<Condition> worst(const WordOrbit& o) {
+  const auto badness = [](const Condition& c) {
+    return c.verdict.truth == Truth::refuted ? 2 : c.verdict.truth == Truth::proved ? 0 : 1;
+  };
+  const auto is_worse = [&](const Condition& a, const Condition& b) {
+    if (badness(a) != badness(b)) {
+      return badness(a) > badness(b);
+    }
+    return a.margin && b.margin && (*b.margin - *a.margin).is_positive();
+  };
+  std::vector<Condition> result;
+  for (const Condition& c : o.orbit.conditions) {
+    const auto same =
+        std::find_if(result.begin(), result.end(), [&](const Condition& r) { return r.id == c.id; });
+    if (same == result.end()) {
+      result.push_back(c);
+    } else if (is_worse(c, *same)) {
+      *same = c;
+    }
+  }
+  return result;
+}
+
+std::string phases(const WordOrbit& o, const Style& style) {
+  const Motion& m = o.orbit.motion;
+  std::vector<Row> rows{{{"  phase"}, {"begins at t"}, {"lasts"}, {"x1"}, {"x2"}, {"x1'"}}};
+  for (std::size_t k = 0; k < std::min(m.phases.size(), most_phases); ++k) {
+    const Phase& f = m.phases[k];
+    rows.push_back({{fmt::format("  {} {}", words::letter(f.kind), to_string(f.kind))},
+                    {k == 0 ? "0" : rounded(f.start, 10)},
+                    {rounded(f.duration, 10)},
+                    {rounded(f.Z(0) + m.oscillator.d0(0), 10)},
+                    {rounded(f.Z(1) + m.oscillator.d0(1), 10)},
+                    {rounded(f.Z(2), 10)}});
+  }
+  if (m.phases.size() > most_phases) {
+    rows.push_back(
+        {{"  ..."}, {fmt::format("{} more", m.phases.size() - most_phases)}, {""}, {""}, {""}, {""}});
+  }
+  return columns_of(rows, style.width);
+}
+
+std::string one_orbit(const WordOrbit& o, int digits, const Style& style) {
+  std::vector<Row> rows{{{"  word"}, {o.word.letters()}},
+                        {{"  period"}, {fmt::format("{} of the load", o.periods)}}};
+  for (const NamedBall& value : o.orbit.values) {
+    if (value.name != "ur") {
+      rows.push_back({{"  " + value.name}, {to_string(value.value, known_digits(value.value, digits))}});
+    }
+  }
+  return columns_of(rows, style.width) + "\n" + phases(o, style) +
+         stability_rows(o.orbit.stability, digits, style) + "\n" + condition_rows(worst(o), style);
+}
+
+// "not admissible: slip", each kind of condition once.
+std::string verdict_of(const WordOrbit& o) {
+  Orbit brief;
+  brief.conditions = worst(o);
+  brief.admissible = o.orbit.admissible;
+  return verdict_on(brief);
+}
+
+}  // namespace
+
+std::string in_words(const Attractor& a) {
+  if (a.kind != Kind::periodic) {
+    return fmt::format("{}: {}", to_string(a.kind), remark(a));
+  }
+  return fmt::format("{} with the period {}: {}", shortened(a.word), a.periods, remark(a));
+}
+
+std::string terminal_report(const AttractorList& list, const Style& style) {
+  const AttractorQuestion& q = list.question;
+  std::string text = columns_of({{{"What the machine does", bold(style)}}}, style.width) +
+                     columns_of({{{"parameters"}, {parameter_list(q.machine)}},
+                                 {{"starts"},
+                                  {fmt::format("{} at random, seed {}, each followed until it has settled or "
+                                               "for {} periods of the load; {} periods in all{}",
+                                               q.starts, q.seed, q.most_periods, list.simulated,
+                                               list.interrupted ? "; interrupted" : "")}}},
+                                style.width);
+  std::vector<Row> rows{{{"   "}, {"share"}, {"95 %"}, {"motion"}, {"period"}, {"word"}, {""}}};
+  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
+    const Attractor& a = list.attractors[i];
+    const bool periodic = a.kind == Kind::periodic;
+    rows.push_back({{std::to_string(i + 1)},
+                    {fmt::format("{:.1f} %", 100 * a.share)},
+                    {fmt::format("{:.1f}-{:.1f}", 100 * a.least, 100 * a.most)},
+                    {to_string(a.kind)},
+                    {periodic ? std::to_string(a.periods) : ""},
+                    {periodic ? shortened(a.word) : ""},
+                    {remark(a)}});
+  }
+  text += "\n" + columns_of(rows, style.width);
+  rows = {{{"   "}, {"x1,x2,x1',x2' at load phase 0"}}};
+  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
+    rows.push_back({{std::to_string(i + 1)}, {state_of(list.attractors[i].state)}});
+  }
+  return text + "\n" + columns_of(rows, style.width) + "\n" +
+         labelled(
+             0, "share",
+             "of the starts, with Wilson's interval of 95 %; periodic motions are proved, everything else "
+             "is a check in floating point",
+             style.width);
+}
+
+std::string terminal_report(const WordOrbits& list, const Style& style) {
+  const WordSearch& q = list.question;
+  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const WordOrbit& o) {
+    return o.orbit.admissible.truth == Truth::proved;
+  });
+  const std::string found = list.orbits.empty()
+                                ? fmt::format("no orbit found: {}", list.seen)
+                                : fmt::format("{} {}, {} admissible; others may exist", list.orbits.size(),
+                                              list.orbits.size() == 1 ? "orbit" : "orbits", good);
+  std::string text =
+      columns_of({{{fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
+                                q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods)),
+                    bold(style)}}},
+                 style.width) +
+      columns_of({{{"parameters"}, {parameter_list(q.machine)}},
+                  {{"searched"}, {q.near ? "near " + state_of(*q.near) : "where random starts settle"}},
+                  {{"result"}, {found}}},
+                 style.width);
+  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
+    const WordOrbit& o = list.orbits[i];
+    const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
+    const Row heading{{label, bold(style)}, {verdict_of(o), colour_of(o.orbit.admissible.truth, style)}};
+    text += "\n" + columns_of({heading}, style.width) + one_orbit(o, q.machine.digits, style);
+  }
+  return list.orbits.empty()
+             ? text
+             : text + "\n" +
+                   labelled(0, "condition", "of all phases, the one nearest to a violation", style.width) +
+                   labelled(0, "margin", meaning_of_margin(), style.width);
+}
+
+}  // namespace stickslip::report::orbits

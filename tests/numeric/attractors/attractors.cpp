@@ -1,0 +1,161 @@
+// What machines do: the attractors of the paper's data, proved; the same whatever the number of threads.
+#include "numeric/attractors/attractors.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "numeric/attractors/word_search.hpp"
+#include "tests/numeric/examples.hpp"
+
+using namespace stickslip;
+using namespace stickslip::examples;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::attractors;
+using motion::StabilityKind;
+
+namespace {
+
+const Attractor * with_word(const AttractorList& list, const std::string& word, long periods) {
+  const auto found = std::find_if(list.attractors.begin(), list.attractors.end(),
+                                  [&](const Attractor& a) { return a.word == word && a.periods == periods; });
+  return found == list.attractors.end() ? nullptr : &*found;
+}
+
+// Each periodic attractor is proved and stable, all starts are placed, the shares are their shares.
+void check_sound(const AttractorList& list) {
+  long placed = 0;
+  for (const Attractor& a : list.attractors) {
+    placed += a.count;
+    CHECK(a.least <= a.share);
+    CHECK(a.share <= a.most);
+    CHECK((a.kind == Kind::periodic) == !a.word.empty());
+    if (a.kind == Kind::periodic) {
+      REQUIRE(a.orbit);
+      CHECK(a.orbit->existence.truth == Truth::proved);
+      CHECK(a.orbit->orbit.admissible.truth == Truth::proved);
+      CHECK(a.orbit->orbit.stability->kind == StabilityKind::stable);
+    }
+  }
+  CHECK(placed == list.question.starts);
+}
+
+}  // namespace
+
+TEST_CASE("at the paper's P no start ends on its orbit, at a smaller friction all do") {
+  const AttractorList list = find_attractors({{P(), parse_rational("0.2996"), 20}, 100, 1, 20000});
+  check_sound(list);
+  CHECK(with_word(list, "OS", 1) == nullptr);
+  const Attractor * three = with_word(list, "OSOTSOST", 3);
+  REQUIRE(three);
+  CHECK(three->count > 50);
+  CHECK(three->family.empty());
+  const AttractorList other = find_attractors({{P(), parse_rational("0.25"), 20}, 100, 1, 20000});
+  check_sound(other);
+  const Attractor * one = with_word(other, "OS", 1);
+  REQUIRE(one);
+  CHECK(one->count == 100);
+  CHECK(one->family == "nonsticking");
+}
+
+TEST_CASE("at the paper's O most starts end on its orbit and some on one of period 6") {
+  const AttractorList list = find_attractors({{O(), parse_rational("0.4585"), 20}, 100, 1, 2000});
+  check_sound(list);
+  const Attractor * one = with_word(list, "OTS", 1);
+  REQUIRE(one);
+  CHECK(one->count > 40);
+  CHECK(one->family == "overshooting");
+  CHECK(with_word(list, "OTSTSTSTSTS", 6));
+}
+
+TEST_CASE("an asymmetric orbit that no family lists") {
+  const ExactParameters data = parse_parameters("0.4", "10", "0.2", "1", "0.7", "2");
+  const AttractorList list = find_attractors({{data, Rational(1, 2), 20}, 40, 1, 5000});
+  check_sound(list);
+  const Attractor * one = with_word(list, "ST", 1);
+  REQUIRE(one);
+  CHECK(one->family.empty());
+  CHECK(near(one->orbit->orbit.motion.phases[0].duration, "4.90262", "1e-5"));
+  CHECK(near(one->orbit->orbit.motion.phases[1].duration, "4.07336", "1e-5"));
+}
+
+TEST_CASE("the number of threads changes nothing") {
+  const AttractorQuestion q{{P(), parse_rational("0.2996"), 20}, 60, 3, 5000};
+  const AttractorList all = find_attractors(q);
+  const AttractorList one = [&] {
+    const Jobs limit(1);
+    return find_attractors(q);
+  }();
+  REQUIRE(all.attractors.size() == one.attractors.size());
+  CHECK(all.simulated == one.simulated);
+  for (std::size_t i = 0; i < all.attractors.size(); ++i) {
+    CHECK(all.attractors[i].count == one.attractors[i].count);
+    CHECK(all.attractors[i].word == one.attractors[i].word);
+    CHECK(all.attractors[i].state == one.attractors[i].state);
+  }
+}
+
+TEST_CASE("Wilson's interval") {
+  CHECK(wilson(0, 500).least == 0);
+  CHECK(wilson(0, 500).most == doctest::Approx(0.007624).epsilon(1e-3));
+  CHECK(wilson(250, 500).least == doctest::Approx(0.456352).epsilon(1e-4));
+  CHECK(wilson(250, 500).most == doctest::Approx(0.543648).epsilon(1e-4));
+  CHECK(wilson(500, 500).most == 1);
+}
+
+TEST_CASE("an unstable orbit is found near a state on it, and called unstable; no start ends on it") {
+  const OrbitList family = listed(families::symmetric(), S(), 40);
+  const Orbit * orbit = nullptr;
+  for (const Orbit& o : family.orbits) {
+    orbit = o.admissible.truth == Truth::proved ? &o : orbit;
+  }
+  REQUIRE(orbit);
+  // The state when the load's phase is 0, so long after the slip began.
+  const motion::Motion& m = orbit->motion;
+  const Ball after = motion::period(m) - m.phases[0].load / m.oscillator.data.omega;
+  const Ball stuck = after - m.phases[0].duration;
+  const model::Vector4<Ball> Z =
+      stuck.is_positive() ? motion::state(m, 1, stuck) : motion::state(m, 0, after);
+  const model::Vector4<double> X(Ball(Z(0) + m.oscillator.d0(0)).approximate(),
+                                 Ball(Z(1) + m.oscillator.d0(1)).approximate(), Z(2).approximate(),
+                                 Z(3).approximate());
+  const Rational ur = parse_rational(to_text(orbit->value("ur"), 17).mid);
+  const WordOrbits found = find_word_orbits({{S(), ur, 20}, words::Word::parse("TS"), 1, X});
+  REQUIRE(found.orbits.size() == 1);
+  CHECK(found.orbits[0].orbit.admissible.truth == Truth::proved);
+  CHECK(found.orbits[0].orbit.stability->kind == StabilityKind::unstable);
+  CHECK(found.seen.empty());
+}
+
+TEST_CASE("where there is no orbit of the word it is said what was met") {
+  const WordOrbits far = find_word_orbits(
+      {{P(), parse_rational("0.25"), 20}, words::Word::parse("ST"), 1, model::Vector4<double>(9, 9, 9, 9)});
+  CHECK(far.orbits.empty());
+  CHECK(far.seen == "the motion from there settles on OS with the period 1");
+  const WordOrbits none =
+      find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("ST"), 1, {}});
+  CHECK(none.orbits.empty());
+  CHECK(none.seen == "100 random starts end on: OS with the period 1");
+}
+
+TEST_CASE("a word that repeats a shorter one is answered with that one's orbit") {
+  const WordOrbits found = find_word_orbits({{P(), parse_rational("0.25"), 20},
+                                             words::Word::parse("SOSO"),
+                                             2,
+                                             model::Vector4<double>(0.5, 1, 0, 0)});
+  REQUIRE(found.orbits.size() == 1);
+  CHECK(found.orbits[0].word.letters() == "OS");
+  CHECK(found.orbits[0].periods == 1);
+  // Two turns of the word in one period are another matter.
+  CHECK(find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("SOSO"), 1, {}})
+            .orbits.empty());
+}
+
+TEST_CASE("without a load no orbit is alone") {
+  ExactParameters data = O();
+  data.p = 0;
+  CHECK_THROWS_AS((void)find_attractors({{data, Rational(1, 2), 20}, 10, 1, 100}), DomainError);
+}

@@ -1,0 +1,101 @@
+// What single motions settle on, and the exponents of motions whose multipliers are known.
+#include "numeric/attractors/settle.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "core/decimal.hpp"
+#include "numeric/attractors/lyapunov.hpp"
+#include "numeric/attractors/starts.hpp"
+#include "tests/numeric/examples.hpp"
+
+using namespace stickslip;
+using namespace stickslip::examples;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::attractors;
+
+namespace {
+
+model::Parameters<double> in_double(const ExactParameters& a) {
+  return parameters_as<double>(a);
+}
+
+// On the forced slip, away from it by `more` in x2.
+model::Vector4<double> sliding(const model::Parameters<double>& a, double more) {
+  const model::Oscillator<double> o = model::oscillator<double>(a);
+  return {o.d0(0) + o.Q(0), o.d0(1) + o.Q(1) + more, 0, 0};
+}
+
+}  // namespace
+
+TEST_CASE("a slip whose speeds cannot add up to the belt's slides for ever, one whose speeds can does not") {
+  const model::Parameters<double> a = in_double(S());
+  Follower calm(a, 0.16, sliding(a, 0.01));
+  calm.follow(100, 1e-6);
+  CHECK(calm.kind() == Kind::slides);
+  CHECK(calm.periods() == 1);
+  // x2 = 3 away from rest oscillates with speeds above V = 1.
+  Follower wild(a, 0.16, sliding(a, 3));
+  wild.follow(1, 1e-6);
+  CHECK(wild.kind() == Kind::unsettled);
+}
+
+TEST_CASE("a mass on a belt that stands still is stuck if the load cannot move it, and is not if it can") {
+  const model::Parameters<double> a = in_double(P());  // p/eta = 0.25, V = 0
+  Follower held(a, 0.2996, {0, 0, 0, 0});
+  held.follow(100, 1e-6);
+  CHECK(held.kind() == Kind::stuck);
+  CHECK(held.periods() == 1);
+  Follower moved(a, 0.2499, {0, 0, 0, 0});
+  moved.follow(300, 1e-6);
+  CHECK(moved.kind() != Kind::stuck);
+}
+
+TEST_CASE("the period and the word of a motion that settles") {
+  Follower three(in_double(P()), 0.2996, {0.5, 1, 0, -0.2});
+  three.follow(20000, 1e-6);
+  REQUIRE(three.kind() == Kind::periodic);
+  const auto seen = three.returned();
+  REQUIRE(seen);
+  CHECK(seen->guess.periods == 3);
+  CHECK(seen->word == "OSOTSOST");
+  CHECK(seen->once.size() == 3);
+}
+
+TEST_CASE("the exponent of a periodic motion is the logarithm of its largest multiplier, over its period") {
+  Follower three(in_double(P()), 0.2996, {0.5, 1, 0, -0.2});
+  three.follow(20000, 1e-6);
+  const Exponent exponent = largest_exponent(three.simulation());
+  CHECK(exponent.is_negative());
+  CHECK_FALSE(exponent.is_positive());
+  CHECK(exponent.value == doctest::Approx(std::log(0.654462) / 3).epsilon(0.01));
+}
+
+TEST_CASE("a motion that neighbours leave exponentially is irregular") {
+  const auto starts = random_starts(in_double(O()), 12, 1);
+  int irregular = 0;
+  for (const auto& X : starts) {
+    Follower follower(in_double(O()), 0.4585, X);
+    follower.follow(2000, 1e-6);
+    follower.classify();
+    irregular += follower.kind() == Kind::irregular ? 1 : 0;
+    if (follower.kind() == Kind::irregular) {
+      CHECK(*follower.lyapunov() > Exponent::least);
+    }
+  }
+  CHECK(irregular > 0);
+}
+
+TEST_CASE("random starts are the same for the same seed, and the first ones for any number") {
+  const model::Parameters<double> a = in_double(O());
+  const auto few = random_starts(a, 10, 7);
+  const auto many = random_starts(a, 20, 7);
+  const auto others = random_starts(a, 10, 8);
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    CHECK(few[i] == many[i]);
+    CHECK(few[i] != others[i]);
+    CHECK(std::abs(few[i](2)) <= 1.5);  // V = 1 is the largest of the speeds
+    CHECK(std::abs(few[i](3)) <= 1.5);
+  }
+}
