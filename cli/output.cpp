@@ -1,8 +1,10 @@
 #include "cli/output.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -18,6 +20,10 @@ std::string_view variable(const char * name) {
   const char * value = std::getenv(name);
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
+
+// Columns of a terminal: tables have no room in fewer, sentences are hard to read in more.
+constexpr std::size_t narrowest = 60;
+constexpr std::size_t widest = 140;
 
 constexpr std::chrono::milliseconds patience{1000};
 constexpr std::chrono::milliseconds beat{200};
@@ -93,6 +99,10 @@ std::string report_line(const std::string& directory, const std::string& name,
 
 report::tools::Style terminal_style() {
   report::tools::Style style;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    style.width = std::clamp<std::size_t>(size.ws_col, narrowest, widest);
+  }
   style.colour = ::isatty(STDOUT_FILENO) != 0 && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
   return style;
 }

@@ -55,7 +55,8 @@ class Progress {
 [[nodiscard]] std::string report_line(const std::string& directory, const std::string& name,
                                       const report::audit::Report& report);
 
-// Eighty columns; coloured on a terminal, unless NO_COLOR is set to something or the terminal is dumb.
+// As wide as the terminal, within bounds, eighty columns elsewhere; coloured on a terminal, unless NO_COLOR
+// is set to something or the terminal is dumb.
 [[nodiscard]] report::tools::Style terminal_style();
 
 }  // namespace stickslip::cli

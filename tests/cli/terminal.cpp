@@ -1,7 +1,9 @@
 // What a person at a terminal sees, and a pipe does not: colour and progress.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 #include "core/error.hpp"
@@ -33,6 +35,33 @@ TEST_CASE("colour on a terminal, unless NO_COLOR is set") {
   ::unsetenv("NO_COLOR");
   CHECK(mentions(plain, "as printed"));
   CHECK_FALSE(mentions(plain, "\x1b[32m"));
+}
+
+TEST_CASE("tables are as wide as the terminal, and eighty columns elsewhere") {
+  ::setenv("NO_COLOR", "1", 1);
+  const auto widest = [](const std::string& text) {
+    std::size_t most = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      most = std::max(most, line.size() - (line.ends_with('\r') ? 1 : 0));
+    }
+    return most;
+  };
+  const auto at = [&](const char * columns) {
+    const Run result = run(
+        "/usr/bin/script",
+        {"-qec", std::string("stty cols ") + columns + "; " + STICKSLIP_PROGRAM + " check 40 41 --explain",
+         "/dev/null"});
+    return widest(result.out);
+  };
+  const std::size_t narrow = at("60"), wide = at("120");
+  const std::size_t piped = widest(stickslip_program({"check", "40", "41", "--explain"}).out);
+  ::unsetenv("NO_COLOR");
+  CHECK(narrow <= 60);
+  CHECK(wide > 80);
+  CHECK(wide <= 120);
+  CHECK(piped > 60);
+  CHECK(piped <= 80);
 }
 
 TEST_CASE("what takes over a second says how far it is, on a terminal only") {
