@@ -115,8 +115,8 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
   }
   const DataTaken taken = numeric::data_taken(machine_in_SI(parameters, file, at_rest));
   const numeric::motion::ExactParameters& a = taken.data;
-  TypedParameters dimensionless{{"chi", to_string(a.chi)}, {"eta", to_string(a.eta)},
-                                {"us", to_string(a.us)},   {"V", to_string(a.V)},
+  TypedParameters dimensionless{{"chi", to_string(a.chi)},     {"eta", to_string(a.eta)},
+                                {"us", to_string(a.us)},       {"V", to_string(a.V)},
                                 {"omega", to_string(a.omega)}, {"p", to_string(a.p)}};
   if (taken.ur) {
     dimensionless["ur"] = to_string(*taken.ur);

@@ -11,7 +11,7 @@
 namespace stickslip::cli {
 
 struct ParameterFile {
-  TypedParameters parameters;                  // dimensionless, without phi for a machine
+  TypedParameters parameters;                 // dimensionless, without phi for a machine
   std::optional<numeric::DataTaken> machine;  // in SI units
 };
 
@@ -22,9 +22,9 @@ enum class FrictionAtRest { needed, optional };
 [[nodiscard]] numeric::MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& file,
                                                  FrictionAtRest at_rest);
 
-// What is in the file; nothing if its name is empty. Of a machine in SI units neither an option but phi nor an
-// example may replace a part. Throws InputOutputError when the file cannot be read, and as parse_parameters
-// and machine_in_SI do.
+// What is in the file; nothing if its name is empty. Of a machine in SI units neither an option but phi nor
+// an example may replace a part. Throws InputOutputError when the file cannot be read, and as
+// parse_parameters and machine_in_SI do.
 [[nodiscard]] ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
                                             const std::string& example, FrictionAtRest at_rest);
 

@@ -32,9 +32,12 @@ template <class S>
 template <class S>
 [[nodiscard]] Parameters<S> dimensionless(const Machine<S>& m, const S& Omega) {
   const S eta = m.m1 / m.m2;
-  return {m.k2 / (m.k1 + m.k2),    eta,
-          length_of<S>(m, m.friction_sliding), m.belt_velocity / Omega,
-          m.angular_frequency / Omega,         eta * length_of<S>(m, m.load_amplitude)};
+  return {m.k2 / (m.k1 + m.k2),
+          eta,
+          length_of<S>(m, m.friction_sliding),
+          m.belt_velocity / Omega,
+          m.angular_frequency / Omega,
+          eta * length_of<S>(m, m.load_amplitude)};
 }
 
 }  // namespace stickslip::model

@@ -65,8 +65,14 @@ int readable_thousands(double largest) {
 template <class S>
 model::Machine<S> machine_over(const MachineInSI& m, const S& full_turn) {
   const auto in = [](const Rational& q) { return S(q); };
-  return {in(m.m1), in(m.m2), in(m.k1), in(m.k2), in(m.friction_sliding), in(m.belt_velocity),
-          in(m.load_amplitude), full_turn * in(m.load_frequency)};
+  return {in(m.m1),
+          in(m.m2),
+          in(m.k1),
+          in(m.k2),
+          in(m.friction_sliding),
+          in(m.belt_velocity),
+          in(m.load_amplitude),
+          full_turn * in(m.load_frequency)};
 }
 
 }  // namespace
@@ -98,8 +104,8 @@ DataTaken data_taken(const MachineInSI& machine) {
   if (machine.friction_at_rest) {
     ur = model::length_of<Rational>(exact, *machine.friction_at_rest);
   }
-  const int thousands = readable_thousands(std::max(
-      {enclosed.V.approximate(), enclosed.us.approximate(), ur.value_or(Rational(0)).get_d()}));
+  const int thousands = readable_thousands(
+      std::max({enclosed.V.approximate(), enclosed.us.approximate(), ur.value_or(Rational(0)).get_d()}));
   const Rational unit = power_of_1000(thousands);
   const bool rounded_V = !root && machine.belt_velocity != 0;
   data.V = rounded_V ? decimal_near(enclosed.V / Ball(unit)) : Rational(data.V / unit);

@@ -16,8 +16,8 @@ struct MachineInSI {
   Rational load_phase = 0;  // rad
 };
 
-// The data that are taken for a machine. (2) and (4) hold with x, us, ur, V and p multiplied by any number, so
-// the unit of these lengths is one in which the numbers are of a readable size.
+// The data that are taken for a machine. (2) and (4) hold with x, us, ur, V and p multiplied by any number,
+// so the unit of these lengths is one in which the numbers are of a readable size.
 struct DataTaken {
   static constexpr int digits = 20;
 
@@ -34,11 +34,11 @@ struct DataTaken {
   [[nodiscard]] Ball frequency() const;  // what omega = 1 is, in Hz
 };
 
-// By (3). chi, eta, us, ur and p are rational; Omega is a square root and omega has a factor 2 pi, so omega is
-// irrational and V mostly is: they are replaced by decimals next to them, which is to say that load_frequency
-// and belt_velocity are changed by less than one part in 10^19. (No resonance is lost by that: with rational
-// data and 2 pi there is none.) Throws DomainError unless masses, stiffnesses, friction and frequency are > 0,
-// velocity and amplitude >= 0, friction at rest > sliding.
+// By (3). chi, eta, us, ur and p are rational; Omega is a square root and omega has a factor 2 pi, so omega
+// is irrational and V mostly is: they are replaced by decimals next to them, which is to say that
+// load_frequency and belt_velocity are changed by less than one part in 10^19. (No resonance is lost by that:
+// with rational data and 2 pi there is none.) Throws DomainError unless masses, stiffnesses, friction and
+// frequency are > 0, velocity and amplitude >= 0, friction at rest > sliding.
 [[nodiscard]] DataTaken data_taken(const MachineInSI& machine);
 
 }  // namespace stickslip::numeric

@@ -22,13 +22,12 @@ std::string in_SI(const MachineInSI& m) {
   const std::string at_rest =
       m.friction_at_rest ? fmt::format(", {} N at rest", to_string(*m.friction_at_rest)) : "";
   const std::string phase =
-      m.load_phase == 0 ? ""
-                        : fmt::format(", phase {} at t = 0 in simulations", to_string(m.load_phase));
-  return fmt::format("m1 = {} kg, m2 = {} kg, k1 = {} N/m, k2 = {} N/m, friction {} N sliding{}, belt {} m/s, "
-                     "load {} N at {} Hz{}",
-                     to_string(m.m1), to_string(m.m2), to_string(m.k1), to_string(m.k2),
-                     to_string(m.friction_sliding), at_rest, to_string(m.belt_velocity),
-                     to_string(m.load_amplitude), to_string(m.load_frequency), phase);
+      m.load_phase == 0 ? "" : fmt::format(", phase {} at t = 0 in simulations", to_string(m.load_phase));
+  return fmt::format(
+      "m1 = {} kg, m2 = {} kg, k1 = {} N/m, k2 = {} N/m, friction {} N sliding{}, belt {} m/s, "
+      "load {} N at {} Hz{}",
+      to_string(m.m1), to_string(m.m2), to_string(m.k1), to_string(m.k2), to_string(m.friction_sliding),
+      at_rest, to_string(m.belt_velocity), to_string(m.load_amplitude), to_string(m.load_frequency), phase);
 }
 
 std::string dimensionless(const DataTaken& taken) {
@@ -53,9 +52,10 @@ std::string exactness(const DataTaken& taken) {
       taken.rounded_V ? fmt::format(" and belt_velocity by less than {}",
                                     change(taken.data.V, taken.velocity(), taken.machine.belt_velocity))
                       : "";
-  return fmt::format("{} rounded to {} digits, all else is exact: everything below holds for the data taken, "
-                     "which are this machine with {}{}",
-                     taken.rounded_V ? "omega and V are" : "omega is", DataTaken::digits, frequency, belt);
+  return fmt::format(
+      "{} rounded to {} digits, all else is exact: everything below holds for the data taken, "
+      "which are this machine with {}{}",
+      taken.rounded_V ? "omega and V are" : "omega is", DataTaken::digits, frequency, belt);
 }
 
 std::string unit_of_length(int thousands) {
@@ -73,11 +73,11 @@ std::string unit_of_length(int thousands) {
 
 std::string units(const DataTaken& taken) {
   const WorkingPrecision precision(bits);
-  return fmt::format("x, V, p, us, ur are in {}; t = 1 is {} s, x' = 1 is {} m/s, u = 1 is {} N, omega = 1 is "
-                     "{} Hz",
-                     unit_of_length(taken.thousands), rounded(Ball(1) / taken.Omega, digits),
-                     rounded(taken.velocity(), digits), rounded(taken.force(), digits),
-                     rounded(taken.frequency(), digits));
+  return fmt::format(
+      "x, V, p, us, ur are in {}; t = 1 is {} s, x' = 1 is {} m/s, u = 1 is {} N, omega = 1 is "
+      "{} Hz",
+      unit_of_length(taken.thousands), rounded(Ball(1) / taken.Omega, digits),
+      rounded(taken.velocity(), digits), rounded(taken.force(), digits), rounded(taken.frequency(), digits));
 }
 
 std::string natural_frequencies(const DataTaken& taken) {

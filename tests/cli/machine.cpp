@@ -54,9 +54,9 @@ Run run_with(const Machine& machine, Words arguments) {
 }
 
 Json parameters_of(const Machine& machine) {
-  const Run result = run_with(machine, {"orbits", "overshooting", "--json"});
+  const Run result = run_with(machine, {"orbits", "nonsticking", "--digits", "5", "--json"});
   CAPTURE(result.err);
-  REQUIRE(result.code == exit_decided);
+  REQUIRE((result.code == exit_decided || result.code == exit_undecided));
   return Json::parse(result.out).at("parameters");
 }
 
@@ -125,11 +125,12 @@ TEST_CASE("a machine that is none is named in one sentence") {
   };
   const Words attractors{"attractors"};
   const std::vector<Refusal> refusals{
-      {without(O, {"m2", "belt_velocity", "friction_at_rest"}),
-       attractors,
-       exit_usage,
+      {without(O, {"m2", "belt_velocity", "friction_at_rest"}), attractors, exit_usage,
        "missing for a machine in SI units: m2, friction_at_rest, belt_velocity"},
-      {{{"m1", "4"}}, {"orbits", "symmetric"}, exit_usage, "m2, k1, k2, normal_force, friction_sliding, belt"},
+      {{{"m1", "4"}},
+       {"orbits", "symmetric"},
+       exit_usage,
+       "m2, k1, k2, normal_force, friction_sliding, belt"},
       {with(O, "chi", "0.2"), attractors, exit_usage, "belt_velocity and chi do not go together"},
       {with(O, "mass", "1"), attractors, exit_usage, "'mass' is not a parameter"},
       {with(O, "friction_force_sliding", "1"), attractors, exit_usage, "normal_force does not go"},

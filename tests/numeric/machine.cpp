@@ -27,7 +27,8 @@ std::vector<MachineInSI> machines() {
   std::vector<MachineInSI> all{machine("1200", "450"), machine("600", "400")};
   for (const char * scale : {"1e-7", "1e5"}) {
     MachineInSI m = machine("1200", "450");
-    for (Rational * value : {&m.friction_sliding, &*m.friction_at_rest, &m.belt_velocity, &m.load_amplitude}) {
+    for (Rational * value :
+         {&m.friction_sliding, &*m.friction_at_rest, &m.belt_velocity, &m.load_amplitude}) {
       *value *= q(scale);
     }
     all.push_back(m);
@@ -64,8 +65,8 @@ TEST_CASE("the data taken move as the machine does") {
     CHECK(agree(rest, Ball(Rational(m.friction_sliding / m.k1 + m.friction_sliding / m.k2))));
     // Forced motion: (K - w^2 M) x = (0, load).
     const Ball w = Ball(2) * Ball::pi() * Ball(m.load_frequency);
-    const Ball forced = Ball(m.load_amplitude) *
-                        (Ball(Rational(m.k1 + m.k2)) - Ball(m.m1) * w * w) / determinant(m, w);
+    const Ball forced =
+        Ball(m.load_amplitude) * (Ball(Rational(m.k1 + m.k2)) - Ball(m.m1) * w * w) / determinant(m, w);
     CHECK(agree(model::Q<Ball>(data, modes)(1) * taken.length(), forced));
     CHECK(agree(data.V * taken.velocity(), Ball(m.belt_velocity)));
     CHECK(agree(data.omega * taken.frequency(), Ball(m.load_frequency)));
