@@ -202,7 +202,8 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
       ->type_name("NAME");
   command
       ->add_option("--params", options.file,
-                   "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them")
+                   "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a "
+                   "machine in SI units,\nas the README says")
       ->type_name("FILE");
   command
       ->add_option("--digits", options.digits,
@@ -239,7 +240,8 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
   };
   add("--example", options.example, "NAME", "Take the data of the paper's example " + paper.examples);
   add("--params", options.file, "FILE",
-      "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them");
+      "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a machine in "
+      "SI units,\nas the README says");
   add("--starts", options.starts, "N",
       fmt::format("Random starts: {} by default", AttractorsOptions::default_starts));
   add("--seed", options.seed, "N", "Of the random starts: 1 by default");
@@ -262,7 +264,8 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
   };
   add("--example", options.example, "NAME",
       "Start where the orbit of the paper's example " + paper.examples + " begins");
-  add("--params", options.file, "FILE", "Take parameters from a TOML file with lines chi = 0.5");
+  add("--params", options.file, "FILE",
+      "Take parameters from a TOML file with lines chi = 0.5;\nor a machine in SI units, as the README says");
   add("--state", options.state, "X", "Start at x1,x2,x1',x2'");
   add("--perturb", options.perturb, "X", "Add these four numbers to the start");
   add("--periods", options.periods, "N",

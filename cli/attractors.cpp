@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
@@ -34,9 +35,9 @@ bool is_decided(const WordOrbit& o) {
 }
 
 template <class Result>
-void print_result(const Result& result, bool json) {
-  print(json ? report::tools::to_text(report::orbits::to_json(result))
-             : report::orbits::terminal_report(result, terminal_style()));
+void print_result(const Result& result, const ParameterFile& file, bool json) {
+  print(json ? report::tools::to_text(with_machine(report::orbits::to_json(result), file))
+             : machine_report(file) + report::orbits::terminal_report(result, terminal_style()));
 }
 
 }  // namespace
@@ -45,8 +46,10 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   const auto whole = [](const char * name, const std::string& text, int otherwise) {
     return whole_number(name, text, AttractorsOptions::greatest_number, otherwise);
   };
+  const ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::needed);
   const AttractorQuestion question{
-      machine(paper, options.parameters, options.file, options.example, digits_of(options.digits)),
+      machine(paper, options.parameters, file.parameters, options.example, digits_of(options.digits)),
       whole_number("starts", options.starts, AttractorsOptions::most_starts,
                    AttractorsOptions::default_starts),
       static_cast<std::uint64_t>(whole("seed", options.seed, 1)),
@@ -57,7 +60,7 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
     const Progress progress("following the starts ...");
     return find_attractors(question);
   }();
-  print_result(list, options.json);
+  print_result(list, file, options.json);
   if (list.interrupted) {
     return exit_interrupted;
   }
@@ -72,8 +75,10 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   if (options.with_plot || options.with_out) {
     throw UsageError("--plot and --out draw the orbits of a family; those of a word are printed only");
   }
+  const ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::needed);
   WordSearch search{
-      machine(paper, options.parameters, options.file, options.example, digits_of(options.digits)),
+      machine(paper, options.parameters, file.parameters, options.example, digits_of(options.digits)),
       word,
       whole_number("period", options.period, most_periods_of_word, 1),
       {}};
@@ -86,7 +91,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
     const Progress progress("searching for orbits ...");
     return find_word_orbits(search);
   }();
-  print_result(list, options.json);
+  print_result(list, file, options.json);
   if (list.interrupted) {
     return exit_interrupted;
   }

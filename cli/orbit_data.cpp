@@ -5,7 +5,6 @@
 #include "cli/numbers.hpp"
 #include "core/error.hpp"
 #include "proofs/methods/example_orbits.hpp"
-#include "report/tools/files.hpp"
 
 namespace stickslip::cli {
 
@@ -64,19 +63,13 @@ std::optional<Range> optional_range(const TypedParameters& parameters, const std
 
 }  // namespace
 
-TypedParameters read_parameters(const std::string& file) {
-  return parse_parameters(report::tools::read_file(file), file);
-}
-
 OrbitQuestion question(const Paper& paper, const Family& family, const TypedParameters& typed,
-                       const std::string& file, const std::string& example, int digits) {
+                       const TypedParameters& from_file, const std::string& example, int digits) {
   TypedParameters all;
   if (!example.empty()) {
     all = parameters_of(example_named(paper.examples, example), family);
   }
-  if (!file.empty()) {
-    replace(all, read_parameters(file));
-  }
+  replace(all, from_file);
   replace(all, typed);
   return {&family,
           {required_range(all, "chi"), required_range(all, "eta"), required_range(all, "us"),
@@ -86,10 +79,10 @@ OrbitQuestion question(const Paper& paper, const Family& family, const TypedPara
           digits};
 }
 
-words::WordQuestion machine(const Paper& paper, const TypedParameters& typed, const std::string& file,
-                            const std::string& example, int digits) {
+words::WordQuestion machine(const Paper& paper, const TypedParameters& typed,
+                            const TypedParameters& from_file, const std::string& example, int digits) {
   constexpr int digits_of_ur = 17;
-  TypedParameters given = file.empty() ? TypedParameters() : read_parameters(file);
+  TypedParameters given = from_file;
   replace(given, typed);
   if (given.contains("phi")) {
     throw UsageError(

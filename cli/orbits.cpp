@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
@@ -51,8 +52,15 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     throw UsageError(
         fmt::format("--period and --near are for words of phases, not for the family '{}'", options.family));
   }
+  const ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
+  const Family& family = family_named(options.family);
+  if (file.machine && file.machine->ur && !family.why_no_ur.empty()) {
+    throw UsageError(
+        fmt::format("{}: leave the friction at rest out, for {}", options.file, family.why_no_ur));
+  }
   const OrbitQuestion asked = question(
-      paper, family_named(options.family), options.parameters, options.file, options.example,
+      paper, family, options.parameters, file.parameters, options.example,
       whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits));
   const Jobs limit = jobs(options.jobs);
   if (options.with_plot) {
@@ -73,8 +81,8 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     made = report::audit::pages(list);
     report::tools::write_files(options.out, made.files);
   }
-  print(options.json ? report::tools::to_text(report::orbits::to_json(list))
-                     : report::orbits::terminal_report(list, terminal_style()));
+  print(options.json ? report::tools::to_text(with_machine(report::orbits::to_json(list), file))
+                     : machine_report(file) + report::orbits::terminal_report(list, terminal_style()));
   if (options.with_out) {
     tell(report_line(options.out, "orbits", made));
   }

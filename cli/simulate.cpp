@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
@@ -84,19 +85,22 @@ void replace(double& value, const TypedParameters& typed, const char * name) {
   }
 }
 
-TypedParameters typed_of(const SimulateOptions& options) {
-  TypedParameters typed = options.file.empty() ? TypedParameters() : read_parameters(options.file);
+// What the options say goes before what the file says.
+TypedParameters typed_of(const SimulateOptions& options, const ParameterFile& file) {
+  TypedParameters typed = file.parameters;
+  if (file.machine) {
+    typed["phi"] = to_string(file.machine->machine.load_phase);
+  }
   for (const auto& [name, text] : options.parameters) {
     typed[name] = text;
   }
   return typed;
 }
 
-Start start_of(const SimulateOptions& options, const Paper& paper) {
+Start start_of(const SimulateOptions& options, const TypedParameters& typed, const Paper& paper) {
   if (options.example.empty() && options.state.empty()) {
     throw UsageError("a start is missing: give --state x1,x2,x1',x2' or --example");
   }
-  const TypedParameters typed = typed_of(options);
   Start start;
   if (!options.example.empty()) {
     start = start_of_example(example_named(paper.examples, options.example));
@@ -165,8 +169,8 @@ constexpr double fewest_periods = 100;
 constexpr double greatest_state = 1e90;
 
 // What the motion settles on, if that can be seen within a second or so, when it goes on from its end.
-std::string settles_on(const Record& record, const SimulateOptions& options, const Paper& paper) {
-  TypedParameters typed = typed_of(options);
+std::string settles_on(const Record& record, const SimulateOptions& options, TypedParameters typed,
+                       const Paper& paper) {
   typed.erase("phi");
   const double fastest =
       std::max({1.0, model::modes<double>(record.start.data.chi, record.start.data.eta).omega2,
@@ -176,7 +180,7 @@ std::string settles_on(const Record& record, const SimulateOptions& options, con
   if (!(periods >= fewest_periods)) {
     return "";
   }
-  const words::WordQuestion data = machine(paper, typed, "", options.example, OrbitsOptions::default_digits);
+  const words::WordQuestion data = machine(paper, typed, {}, options.example, OrbitsOptions::default_digits);
   // On to the next time when the load's phase is 0.
   const Start& start = record.start;
   const double turn = 2 * std::acos(-1.0);
@@ -199,12 +203,15 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
     (void)report::tools::plot_format(options.plot);
     report::tools::require_plot(options.plot);
   }
-  const Start start = start_of(options, paper);
+  const ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::needed);
+  const TypedParameters typed = typed_of(options, file);
+  const Start start = start_of(options, typed, paper);
   const Record record = simulate(start, plan_of(options, start));
   write(record, options);
   const bool within = record.end.X.lpNorm<Eigen::Infinity>() < greatest_state;
-  const std::string settles = within && !record.interrupted ? settles_on(record, options, paper) : "";
-  print(report::orbits::terminal_report(record, settles, terminal_style()));
+  const std::string settles = within && !record.interrupted ? settles_on(record, options, typed, paper) : "";
+  print(machine_report(file) + report::orbits::terminal_report(record, settles, terminal_style()));
   return record.interrupted ? exit_interrupted : exit_decided;
 }
 

@@ -11,6 +11,21 @@ namespace stickslip::cli {
 
 inline constexpr std::array parameter_names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
 
+// In kg, N/m, N, m/s, Hz and rad; friction_at_rest and friction_sliding are multiples of normal_force.
+inline constexpr std::array names_in_SI{"m1",
+                                        "m2",
+                                        "k1",
+                                        "k2",
+                                        "normal_force",
+                                        "friction_at_rest",
+                                        "friction_sliding",
+                                        "friction_force_at_rest",
+                                        "friction_force_sliding",
+                                        "belt_velocity",
+                                        "load_amplitude",
+                                        "load_frequency",
+                                        "load_phase"};
+
 // Texts under the parameters' names.
 using TypedParameters = std::map<std::string, std::string>;
 
@@ -18,8 +33,12 @@ using TypedParameters = std::map<std::string, std::string>;
 // the parameter and the text.
 [[nodiscard]] Range parse_range(const std::string& name, const std::string& text);
 
-// The parameters in TOML, lines such as chi = 0.5; each value is taken as text, exactly. Throws UsageError
-// naming the file and what is not a parameter.
+// The parameters in TOML, lines such as chi = 0.5; each value is taken as text, exactly. They are either
+// dimensionless or those of a machine in SI units. Throws UsageError naming the file and what is not a
+// parameter.
 [[nodiscard]] TypedParameters parse_parameters(const std::string& text, const std::string& file);
+
+// Whether they are those of a machine in SI units.
+[[nodiscard]] bool are_in_SI(const TypedParameters& parameters);
 
 }  // namespace stickslip::cli

@@ -1,0 +1,138 @@
+#include "cli/machine_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "cli/output.hpp"
+#include "core/error.hpp"
+#include "report/orbits/machine.hpp"
+#include "report/tools/files.hpp"
+
+namespace stickslip::cli {
+
+using numeric::DataTaken;
+using numeric::MachineInSI;
+
+namespace {
+
+constexpr const char * friction_forces[] = {"friction_force_sliding", "friction_force_at_rest"};
+constexpr const char * coefficients[] = {"normal_force", "friction_sliding", "friction_at_rest"};
+
+bool has_forces(const TypedParameters& parameters) {
+  return parameters.contains(friction_forces[0]) || parameters.contains(friction_forces[1]);
+}
+
+void require_one_kind_of_friction(const TypedParameters& parameters, const std::string& file) {
+  for (const char * name : coefficients) {
+    if (has_forces(parameters) && parameters.contains(name)) {
+      throw UsageError(fmt::format(
+          "{}: {} does not go with a friction force in N: friction is either normal_force with two "
+          "coefficients, friction_sliding and friction_at_rest, or friction_force_sliding and "
+          "friction_force_at_rest",
+          file, name));
+    }
+  }
+}
+
+void require_complete(const TypedParameters& parameters, const std::string& file, FrictionAtRest at_rest) {
+  std::vector<std::string> needed{"m1", "m2", "k1", "k2"};
+  if (has_forces(parameters)) {
+    needed.emplace_back("friction_force_sliding");
+  } else {
+    needed.insert(needed.end(), {"normal_force", "friction_sliding"});
+  }
+  if (at_rest == FrictionAtRest::needed) {
+    needed.emplace_back(has_forces(parameters) ? "friction_force_at_rest" : "friction_at_rest");
+  }
+  needed.insert(needed.end(), {"belt_velocity", "load_amplitude", "load_frequency"});
+  std::erase_if(needed, [&](const std::string& name) { return parameters.contains(name); });
+  if (!needed.empty()) {
+    throw UsageError(fmt::format("{}: missing for a machine in SI units: {}", file, fmt::join(needed, ", ")));
+  }
+}
+
+}  // namespace
+
+MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& file,
+                          FrictionAtRest at_rest) {
+  require_one_kind_of_friction(parameters, file);
+  require_complete(parameters, file, at_rest);
+  const auto value = [&](const std::string& name) {
+    const Range range = parse_range(name, parameters.at(name));
+    if (range.radius != 0) {
+      throw UsageError(fmt::format("{}: '{}' is an interval, but a machine in SI units is given by numbers",
+                                   name, parameters.at(name)));
+    }
+    return range.middle;
+  };
+  const auto force = [&](const std::string& name) {
+    const Rational friction = value(name);
+    if (friction <= 0) {
+      throw DomainError(name, to_string(friction), name + " > 0");
+    }
+    return friction;
+  };
+  const Rational normal = has_forces(parameters) ? Rational(1) : force("normal_force");
+  const bool forces = has_forces(parameters);
+  const char * const rest = forces ? friction_forces[1] : coefficients[2];
+  MachineInSI machine{value("m1"),
+                      value("m2"),
+                      value("k1"),
+                      value("k2"),
+                      force(forces ? friction_forces[0] : coefficients[1]) * normal,
+                      std::nullopt,
+                      value("belt_velocity"),
+                      value("load_amplitude"),
+                      value("load_frequency")};
+  if (parameters.contains(rest)) {
+    machine.friction_at_rest = force(rest) * normal;
+  }
+  if (parameters.contains("load_phase")) {
+    machine.load_phase = value("load_phase");
+  }
+  return machine;
+}
+
+ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
+                              const std::string& example, FrictionAtRest at_rest) {
+  if (file.empty()) {
+    return {};
+  }
+  const TypedParameters parameters = parse_parameters(report::tools::read_file(file), file);
+  if (!are_in_SI(parameters)) {
+    return {parameters, std::nullopt};
+  }
+  if (!example.empty()) {
+    throw UsageError(fmt::format("--example does not go with the machine of {}: both give all data", file));
+  }
+  for (const auto& [name, text] : options) {
+    if (name != "phi") {
+      throw UsageError(fmt::format(
+          "--{} does not go with the machine of {}, which is in SI units: change it there", name, file));
+    }
+  }
+  const DataTaken taken = numeric::data_taken(machine_in_SI(parameters, file, at_rest));
+  const numeric::motion::ExactParameters& a = taken.data;
+  TypedParameters dimensionless{{"chi", to_string(a.chi)},     {"eta", to_string(a.eta)},
+                                {"us", to_string(a.us)},       {"V", to_string(a.V)},
+                                {"omega", to_string(a.omega)}, {"p", to_string(a.p)}};
+  if (taken.ur) {
+    dimensionless["ur"] = to_string(*taken.ur);
+  }
+  return {dimensionless, taken};
+}
+
+std::string machine_report(const ParameterFile& file) {
+  return file.machine ? report::orbits::terminal_report(*file.machine, terminal_style()) : "";
+}
+
+report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file) {
+  if (file.machine) {
+    json["machine"] = report::orbits::to_json(*file.machine);
+  }
+  return json;
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,35 @@
+// A file of parameters: dimensionless ones, or a machine in SI units.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/typed_parameters.hpp"
+#include "numeric/machine.hpp"
+#include "report/tools/json.hpp"
+
+namespace stickslip::cli {
+
+struct ParameterFile {
+  TypedParameters parameters;                 // dimensionless, without phi for a machine
+  std::optional<numeric::DataTaken> machine;  // in SI units
+};
+
+enum class FrictionAtRest { needed, optional };
+
+// The machine of which these are the parameters. Throws UsageError naming all that is missing and what does
+// not go together, DomainError as numeric::data_taken does.
+[[nodiscard]] numeric::MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& file,
+                                                 FrictionAtRest at_rest);
+
+// What is in the file; nothing if its name is empty. Of a machine in SI units neither an option but phi nor
+// an example may replace a part. Throws InputOutputError when the file cannot be read, and as
+// parse_parameters and machine_in_SI do.
+[[nodiscard]] ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
+                                            const std::string& example, FrictionAtRest at_rest);
+
+// What goes before a report, and into its JSON as "machine": nothing for dimensionless parameters.
+[[nodiscard]] std::string machine_report(const ParameterFile& file);
+[[nodiscard]] report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file);
+
+}  // namespace stickslip::cli

@@ -1,0 +1,121 @@
+#include "numeric/machine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+
+namespace stickslip::numeric {
+namespace {
+
+constexpr long bits = 256;
+
+void require_positive(const char * name, const Rational& value) {
+  if (value <= 0) {
+    throw DomainError(name, to_string(value), std::string(name) + " > 0");
+  }
+}
+
+void require_not_negative(const char * name, const Rational& value) {
+  if (value < 0) {
+    throw DomainError(name, to_string(value), std::string(name) + " >= 0");
+  }
+}
+
+void require_machine(const MachineInSI& m) {
+  require_positive("m1", m.m1);
+  require_positive("m2", m.m2);
+  require_positive("k1", m.k1);
+  require_positive("k2", m.k2);
+  require_positive("friction_sliding", m.friction_sliding);
+  require_not_negative("belt_velocity", m.belt_velocity);
+  require_not_negative("load_amplitude", m.load_amplitude);
+  require_positive("load_frequency", m.load_frequency);
+  if (m.friction_at_rest && *m.friction_at_rest <= m.friction_sliding) {
+    throw DomainError("friction_at_rest", to_string(*m.friction_at_rest) + " N",
+                      "greater than the sliding friction, " + to_string(m.friction_sliding) + " N");
+  }
+}
+
+// The square root where it is rational.
+std::optional<Rational> rational_root(const Rational& q) {
+  if (mpz_perfect_square_p(q.get_num_mpz_t()) == 0 || mpz_perfect_square_p(q.get_den_mpz_t()) == 0) {
+    return std::nullopt;
+  }
+  return Rational(mpz_class(sqrt(q.get_num())), mpz_class(sqrt(q.get_den())));
+}
+
+Rational decimal_near(const Ball& value) {
+  return parse_rational(to_text(value, DataTaken::digits).mid);
+}
+
+Rational power_of_1000(int exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 1000, static_cast<unsigned long>(std::abs(exponent)));
+  return exponent < 0 ? Rational(mpz_class(1), power) : Rational(power);
+}
+
+// With it the largest of the lengths is between 0.1 and 100.
+int readable_thousands(double largest) {
+  constexpr double most = 300;
+  return static_cast<int>(std::floor((std::clamp(std::log10(largest), -most, most) + 1) / 3));
+}
+
+template <class S>
+model::Machine<S> machine_over(const MachineInSI& m, const S& full_turn) {
+  const auto in = [](const Rational& q) { return S(q); };
+  return {in(m.m1),
+          in(m.m2),
+          in(m.k1),
+          in(m.k2),
+          in(m.friction_sliding),
+          in(m.belt_velocity),
+          in(m.load_amplitude),
+          full_turn * in(m.load_frequency)};
+}
+
+}  // namespace
+
+Ball DataTaken::length() const {
+  return Ball(power_of_1000(thousands));
+}
+Ball DataTaken::velocity() const {
+  return length() * Omega;
+}
+Ball DataTaken::force() const {
+  return length() * Ball(Rational(machine.k1 + machine.k2));
+}
+Ball DataTaken::frequency() const {
+  return Omega / (Ball(2) * Ball::pi());
+}
+
+DataTaken data_taken(const MachineInSI& machine) {
+  require_machine(machine);
+  const WorkingPrecision precision(bits);
+  const model::Machine<Ball> balls = machine_over<Ball>(machine, Ball(2) * Ball::pi());
+  const Ball Omega = sqrt(model::Omega_squared<Ball>(balls));
+  const model::Parameters<Ball> enclosed = model::dimensionless<Ball>(balls, Omega);
+  // What a root or pi enters is taken from the balls, everything else from the rationals.
+  const model::Machine<Rational> exact = machine_over<Rational>(machine, Rational(0));
+  const std::optional<Rational> root = rational_root(model::Omega_squared<Rational>(exact));
+  model::Parameters<Rational> data = model::dimensionless<Rational>(exact, root.value_or(Rational(1)));
+  std::optional<Rational> ur;
+  if (machine.friction_at_rest) {
+    ur = model::length_of<Rational>(exact, *machine.friction_at_rest);
+  }
+  const int thousands = readable_thousands(
+      std::max({enclosed.V.approximate(), enclosed.us.approximate(), ur.value_or(Rational(0)).get_d()}));
+  const Rational unit = power_of_1000(thousands);
+  const bool rounded_V = !root && machine.belt_velocity != 0;
+  data.V = rounded_V ? decimal_near(enclosed.V / Ball(unit)) : Rational(data.V / unit);
+  data.us /= unit;
+  data.p /= unit;
+  data.omega = decimal_near(enclosed.omega);
+  if (ur) {
+    *ur /= unit;
+  }
+  return {machine, data, ur, thousands, rounded_V, Omega};
+}
+
+}  // namespace stickslip::numeric

@@ -1,0 +1,159 @@
+// A machine in SI units, from outside: the data taken, and what is refused.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
+
+using namespace stickslip;
+
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+using Machine = std::map<std::string, std::string>;
+
+// Example O with Omega = 10 and lengths in mm, but for the last digits of omega.
+const Machine O{{"m1", "4"},
+                {"m2", "1"},
+                {"k1", "320"},
+                {"k2", "80"},
+                {"normal_force", "0.1"},
+                {"friction_at_rest", "1.834"},
+                {"friction_sliding", "0.2"},
+                {"belt_velocity", "0.01"},
+                {"load_amplitude", "0.005"},
+                {"load_frequency", "1.0009254372"}};
+
+Machine with(Machine machine, const std::string& name, const std::string& value) {
+  machine[name] = value;
+  return machine;
+}
+
+Machine without(Machine machine, const Words& names) {
+  for (const std::string& name : names) {
+    machine.erase(name);
+  }
+  return machine;
+}
+
+Run run_with(const Machine& machine, Words arguments) {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "machine.toml";
+  std::ofstream stream(file);
+  for (const auto& [name, value] : machine) {
+    stream << name << " = " << value << "\n";
+  }
+  stream.close();
+  arguments.insert(arguments.end(), {"--params", file});
+  return stickslip_program(arguments);
+}
+
+Json parameters_of(const Machine& machine) {
+  const Run result = run_with(machine, {"orbits", "nonsticking", "--digits", "5", "--json"});
+  CAPTURE(result.err);
+  REQUIRE((result.code == exit_decided || result.code == exit_undecided));
+  return Json::parse(result.out).at("parameters");
+}
+
+}  // namespace
+
+TEST_CASE("a machine in SI units has the orbits of the data that are taken for it") {
+  const Run result = run_with(O, {"orbits", "overshooting", "--json"});
+  REQUIRE(result.code == exit_decided);
+  CHECK(result.err.empty());
+  const Json json = Json::parse(result.out);
+  const Json& taken = json.at("parameters");
+  CHECK(taken.at("chi") == "0.2");
+  CHECK(taken.at("eta") == "4");
+  CHECK(taken.at("us") == "0.05");
+  CHECK(taken.at("V") == "1");
+  CHECK(taken.at("p") == "0.05");
+  CHECK(taken.at("ur") == "0.4585");
+  // 2 pi times 1.0009254372/10.
+  CHECK(taken.at("omega") == "0.62890000005973438933");
+  CHECK(json.at("machine").at("rounded") == Json{"omega"});
+  CHECK(json.at("machine").at("si").at("friction_at_rest") == "0.1834");
+  Words options{"orbits", "overshooting", "--json"};
+  for (const auto& [name, value] : taken.items()) {
+    options.push_back("--" + name);
+    options.push_back(value.get<std::string>());
+  }
+  const Json same = Json::parse(stickslip_program(options).out);
+  CHECK(same.at("orbits") == json.at("orbits"));
+  CHECK_FALSE(same.contains("machine"));
+}
+
+TEST_CASE("friction in N is the same machine, and every value counts") {
+  Machine forces = without(O, {"normal_force", "friction_at_rest", "friction_sliding"});
+  forces["friction_force_at_rest"] = "0.1834";
+  forces["friction_force_sliding"] = "0.02";
+  const Json taken = parameters_of(O);
+  CHECK(parameters_of(forces) == taken);
+  CHECK(parameters_of(with(O, "load_phase", "0.3")) == taken);
+  for (const auto& [name, value] : O) {
+    CAPTURE(name);
+    CHECK(parameters_of(with(O, name, value + "1")) != taken);
+  }
+}
+
+TEST_CASE("attractors, words and simulations take the machine and say which data they took") {
+  const std::string data = "data taken  chi=0.2, eta=4, us=0.05, V=1, omega=0.62890000005973438933, p=0.05";
+  const Run attractors = run_with(O, {"attractors", "--starts", "10", "--most-periods", "300"});
+  CHECK(attractors.out.find(data) != std::string::npos);
+  const Run word = run_with(O, {"orbits", "OTS"});
+  CHECK(word.code == exit_decided);
+  CHECK(word.out.find(data) != std::string::npos);
+  const Run motion = run_with(with(O, "load_phase", "0.25"), {"simulate", "--state", "0,0,0,0"});
+  CHECK(motion.code == exit_decided);
+  CHECK(motion.out.find(data) != std::string::npos);
+  CHECK(motion.out.find("phi=0.25") != std::string::npos);
+  // Friction at rest is a result for this family, and is not given.
+  CHECK(run_with(without(O, {"friction_at_rest"}), {"orbits", "symmetric"}).code == exit_decided);
+}
+
+TEST_CASE("a machine that is none is named in one sentence") {
+  struct Refusal {
+    Machine machine;
+    Words arguments;
+    int code;
+    std::string named;
+  };
+  const Words attractors{"attractors"};
+  const std::vector<Refusal> refusals{
+      {without(O, {"m2", "belt_velocity", "friction_at_rest"}), attractors, exit_usage,
+       "missing for a machine in SI units: m2, friction_at_rest, belt_velocity"},
+      {{{"m1", "4"}},
+       {"orbits", "symmetric"},
+       exit_usage,
+       "m2, k1, k2, normal_force, friction_sliding, belt"},
+      {with(O, "chi", "0.2"), attractors, exit_usage, "belt_velocity and chi do not go together"},
+      {with(O, "mass", "1"), attractors, exit_usage, "'mass' is not a parameter"},
+      {with(O, "friction_force_sliding", "1"), attractors, exit_usage, "normal_force does not go"},
+      {with(O, "m1", "heavy"), attractors, exit_usage, "m1: "},
+      {with(O, "k1", "\"320+-1\""), attractors, exit_usage, "is an interval"},
+      {with(O, "m1", "-4"), attractors, exit_domain, "m1 = -4"},
+      {with(O, "k2", "0"), attractors, exit_domain, "k2 = 0"},
+      {with(O, "normal_force", "-1"), attractors, exit_domain, "normal_force = -1"},
+      {with(O, "friction_sliding", "0"), attractors, exit_domain, "friction_sliding = 0"},
+      {with(O, "friction_at_rest", "0.1"), attractors, exit_domain, "friction_at_rest = 0.01 N"},
+      {with(O, "belt_velocity", "-0.01"), attractors, exit_domain, "belt_velocity = -0.01"},
+      {with(O, "load_frequency", "0"), {"simulate", "--state", "0,0,0,0"}, exit_domain, "load_frequency = 0"},
+      {O, {"attractors", "--chi", "0.3"}, exit_usage, "--chi does not go with the machine"},
+      {O, {"attractors", "--example", "O"}, exit_usage, "--example does not go with the machine"},
+      {O, {"simulate", "--example", "O"}, exit_usage, "--example does not go with the machine"},
+      {O, {"orbits", "symmetric"}, exit_usage, "leave the friction at rest out"},
+  };
+  for (const Refusal& refusal : refusals) {
+    const Run result = run_with(refusal.machine, refusal.arguments);
+    CAPTURE(refusal.named);
+    CAPTURE(result.err);
+    CHECK(result.code == refusal.code);
+    CHECK(is_one_sentence(result.err, refusal.named));
+    CHECK(result.out.empty());
+  }
+}
