@@ -173,7 +173,8 @@ std::string escape_tex(std::string_view text) {
     const CodePoint c = code_point(text, i);
     const std::string tex = tex_of(c.value);
     if (!tex.empty()) {
-      result += tex;
+      // Two hyphens are those of an option: LaTeX would join them to a dash, which no shell understands.
+      result += c.value == '-' && result.ends_with('-') ? "{}-" : tex;
     } else if (is_latin_letter(c.value)) {
       result += text.substr(i, c.length);
     } else {

@@ -18,6 +18,12 @@ TEST_CASE("TeX: what is special is printed as it looks") {
   CHECK(escape_tex("").empty());
 }
 
+TEST_CASE("TeX: hyphens stay hyphens, which can be copied to a shell") {
+  CHECK(escape_tex("audit --mutants") == "audit -{}-mutants");
+  CHECK(escape_tex("---x") == "-{}-{}-x");
+  CHECK(escape_tex("stick-slip - and") == "stick-slip - and");
+}
+
 TEST_CASE("TeX: mathematics and letters beyond ASCII") {
   CHECK(escape_tex("ω₁ ± 2²") == "$\\omega$$_{1}$ $\\pm$ 2$^{2}$");
   CHECK(escape_tex("Poincaré – “x”…") == "Poincaré -- ``x''\\ldots{}");
