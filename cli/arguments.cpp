@@ -79,6 +79,13 @@ void add_parameters(CLI::App& command, TypedParameters& parameters) {
   add_parameter(command, parameters, "phi", "Phase of the load");
 }
 
+void add_units(CLI::App& command, std::string& text) {
+  command
+      .add_option("--units", text,
+                  "si: say times, lengths, velocities and forces in SI units, for a\nmachine in SI units")
+      ->type_name("UNITS");
+}
+
 void add_jobs(CLI::App& command, std::string& text) {
   command
       .add_option("--jobs", text,
@@ -210,6 +217,7 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
                    fmt::format("Significant digits of each value: {} by default, {} at most",
                                OrbitsOptions::default_digits, OrbitsOptions::most_digits))
       ->type_name("N");
+  add_units(*command, options.units);
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the list as JSON");
   CLI::Option * plot = command->add_option("--plot", options.plot,
@@ -250,6 +258,7 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
                   AttractorsOptions::default_most_periods));
   add("--digits", options.digits, "N",
       fmt::format("Significant digits of each value in JSON: {} by default", OrbitsOptions::default_digits));
+  add_units(*command, options.units);
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the result as JSON");
   command->callback([&options, &request] { request = options; });

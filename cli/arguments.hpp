@@ -42,6 +42,7 @@ struct OrbitsOptions {
   bool with_near = false;
   TypedParameters parameters;
   std::string file;
+  std::string units;
   std::string example;
   std::string digits;
   std::string plot;
@@ -57,7 +58,7 @@ struct OrbitsOptions {
 
 struct AttractorsOptions {
   TypedParameters parameters;
-  std::string file, example, starts, seed, most_periods, digits, jobs;
+  std::string file, units, example, starts, seed, most_periods, digits, jobs;
   bool json = false;
 
   static constexpr int default_starts = 500;

@@ -35,9 +35,10 @@ bool is_decided(const WordOrbit& o) {
 }
 
 template <class Result>
-void print_result(const Result& result, const ParameterFile& file, bool json) {
+void print_result(const Result& result, const ParameterFile& file, const report::orbits::Units& units,
+                  bool json) {
   print(json ? report::tools::to_text(with_machine(report::orbits::to_json(result), file))
-             : machine_report(file) + report::orbits::terminal_report(result, terminal_style()));
+             : machine_report(file) + report::orbits::terminal_report(result, terminal_style(), units));
 }
 
 }  // namespace
@@ -48,6 +49,7 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   };
   const ParameterFile file =
       read_parameters(options.file, options.parameters, options.example, FrictionAtRest::needed);
+  const report::orbits::Units units = units_of(options.units, file, options.json);
   const AttractorQuestion question{
       machine(paper, options.parameters, file.parameters, options.example, digits_of(options.digits)),
       whole_number("starts", options.starts, AttractorsOptions::most_starts,
@@ -60,7 +62,7 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
     const Progress progress("following the starts ...");
     return find_attractors(question);
   }();
-  print_result(list, file, options.json);
+  print_result(list, file, units, options.json);
   if (list.interrupted) {
     return exit_interrupted;
   }
@@ -77,6 +79,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   }
   const ParameterFile file =
       read_parameters(options.file, options.parameters, options.example, FrictionAtRest::needed);
+  const report::orbits::Units units = units_of(options.units, file, options.json);
   WordSearch search{
       machine(paper, options.parameters, file.parameters, options.example, digits_of(options.digits)),
       word,
@@ -91,7 +94,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
     const Progress progress("searching for orbits ...");
     return find_word_orbits(search);
   }();
-  print_result(list, file, options.json);
+  print_result(list, file, units, options.json);
   if (list.interrupted) {
     return exit_interrupted;
   }

@@ -7,7 +7,6 @@
 
 #include "cli/output.hpp"
 #include "core/error.hpp"
-#include "report/orbits/machine.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {
@@ -133,6 +132,22 @@ report::tools::Json with_machine(report::tools::Json json, const ParameterFile& 
     json["machine"] = report::orbits::to_json(*file.machine);
   }
   return json;
+}
+
+report::orbits::Units units_of(const std::string& text, const ParameterFile& file, bool json) {
+  if (text.empty()) {
+    return {};
+  }
+  if (text != "si") {
+    throw UsageError(fmt::format("units: '{}' is not si", text));
+  }
+  if (!file.machine) {
+    throw UsageError("--units si needs a machine in SI units: give its file by --params");
+  }
+  if (json) {
+    throw UsageError("--units si is for text: JSON is in the units that stand in it under machine");
+  }
+  return report::orbits::Units(*file.machine);
 }
 
 }  // namespace stickslip::cli

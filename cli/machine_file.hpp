@@ -6,6 +6,7 @@
 
 #include "cli/typed_parameters.hpp"
 #include "numeric/machine.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/tools/json.hpp"
 
 namespace stickslip::cli {
@@ -31,5 +32,9 @@ enum class FrictionAtRest { needed, optional };
 // What goes before a report, and into its JSON as "machine": nothing for dimensionless parameters.
 [[nodiscard]] std::string machine_report(const ParameterFile& file);
 [[nodiscard]] report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file);
+
+// What --units says: "si", or nothing for the units of (2). Throws UsageError for anything else, for "si"
+// without a machine in SI units, and with JSON, which says in any case what its units are.
+[[nodiscard]] report::orbits::Units units_of(const std::string& text, const ParameterFile& file, bool json);
 
 }  // namespace stickslip::cli

@@ -54,6 +54,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
   }
   const ParameterFile file =
       read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
+  const report::orbits::Units units = units_of(options.units, file, options.json);
   const Family& family = family_named(options.family);
   if (file.machine && file.machine->ur && !family.why_no_ur.empty()) {
     throw UsageError(
@@ -82,7 +83,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     report::tools::write_files(options.out, made.files);
   }
   print(options.json ? report::tools::to_text(with_machine(report::orbits::to_json(list), file))
-                     : machine_report(file) + report::orbits::terminal_report(list, terminal_style()));
+                     : machine_report(file) + report::orbits::terminal_report(list, terminal_style(), units));
   if (options.with_out) {
     tell(report_line(options.out, "orbits", made));
   }

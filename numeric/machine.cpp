@@ -1,5 +1,7 @@
 #include "numeric/machine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,15 +13,27 @@ namespace {
 
 constexpr long bits = 256;
 
+// Of a number of thousands of digits the first ones.
+std::string brief(const Rational& value) {
+  constexpr std::size_t most = 40;
+  const std::string text = to_string(value);
+  return text.size() <= most ? text : text.substr(0, most) + "...";
+}
+
+// Powers of ten that no machine needs, within which everything is representable.
 void require_positive(const char * name, const Rational& value) {
-  if (value <= 0) {
-    throw DomainError(name, to_string(value), std::string(name) + " > 0");
+  static const Rational least = parse_rational("1e-50"), most = parse_rational("1e50");
+  if (value < least || value > most) {
+    throw DomainError(name, brief(value), fmt::format("{0} > 0, from 1e-50 to 1e50", name));
   }
 }
 
 void require_not_negative(const char * name, const Rational& value) {
   if (value < 0) {
-    throw DomainError(name, to_string(value), std::string(name) + " >= 0");
+    throw DomainError(name, brief(value), fmt::format("{} >= 0", name));
+  }
+  if (value > 0) {
+    require_positive(name, value);
   }
 }
 
@@ -58,8 +72,7 @@ Rational power_of_1000(int exponent) {
 
 // With it the largest of the lengths is between 0.1 and 100.
 int readable_thousands(double largest) {
-  constexpr double most = 300;
-  return static_cast<int>(std::floor((std::clamp(std::log10(largest), -most, most) + 1) / 3));
+  return static_cast<int>(std::floor((std::log10(largest) + 1) / 3));
 }
 
 template <class S>
@@ -77,17 +90,20 @@ model::Machine<S> machine_over(const MachineInSI& m, const S& full_turn) {
 
 }  // namespace
 
+Ball DataTaken::Omega() const {
+  return sqrt(Ball(Rational((machine.k1 + machine.k2) / machine.m1)));
+}
 Ball DataTaken::length() const {
   return Ball(power_of_1000(thousands));
 }
 Ball DataTaken::velocity() const {
-  return length() * Omega;
+  return length() * Omega();
 }
 Ball DataTaken::force() const {
   return length() * Ball(Rational(machine.k1 + machine.k2));
 }
 Ball DataTaken::frequency() const {
-  return Omega / (Ball(2) * Ball::pi());
+  return Omega() / (Ball(2) * Ball::pi());
 }
 
 DataTaken data_taken(const MachineInSI& machine) {
@@ -115,7 +131,7 @@ DataTaken data_taken(const MachineInSI& machine) {
   if (ur) {
     *ur /= unit;
   }
-  return {machine, data, ur, thousands, rounded_V, Omega};
+  return {machine, data, ur, thousands, rounded_V};
 }
 
 }  // namespace stickslip::numeric

@@ -26,8 +26,9 @@ struct DataTaken {
   std::optional<Rational> ur;    // exact
   int thousands = 0;             // the unit of length is 1000^thousands m
   bool rounded_V = false;        // to so many significant digits; omega always is
-  Ball Omega;                    // contains sqrt((k1 + k2)/m1), per second
 
+  // At the working precision.
+  [[nodiscard]] Ball Omega() const;      // sqrt((k1 + k2)/m1), per second
   [[nodiscard]] Ball length() const;     // the unit, in m
   [[nodiscard]] Ball velocity() const;   // what x' = 1 is, in m/s
   [[nodiscard]] Ball force() const;      // what u = 1 is, in N

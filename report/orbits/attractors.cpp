@@ -103,17 +103,24 @@ std::vector<Condition> worst(const WordOrbit& o) {
   return result;
 }
 
-std::string phases(const WordOrbit& o, const Style& style) {
+std::string phases(const WordOrbit& o, const Style& style, const Units& units) {
   const Motion& m = o.orbit.motion;
-  std::vector<Row> rows{{{"  phase"}, {"begins at t"}, {"lasts"}, {"x1"}, {"x2"}, {"x1'"}}};
+  const bool si = units.are_SI();
+  const int digits = si ? 8 : 10;
+  std::vector<Row> rows{{{"  phase"},
+                         {si ? "from t in s" : "begins at t"},
+                         {si ? "lasts in s" : "lasts"},
+                         {si ? "x1 in m" : "x1"},
+                         {si ? "x2 in m" : "x2"},
+                         {si ? "x1' in m/s" : "x1'"}}};
   for (std::size_t k = 0; k < std::min(m.phases.size(), most_phases); ++k) {
     const Phase& f = m.phases[k];
     rows.push_back({{fmt::format("  {} {}", words::letter(f.kind), to_string(f.kind))},
-                    {k == 0 ? "0" : rounded(f.start, 10)},
-                    {rounded(f.duration, 10)},
-                    {rounded(f.Z(0) + m.oscillator.d0(0), 10)},
-                    {rounded(f.Z(1) + m.oscillator.d0(1), 10)},
-                    {rounded(f.Z(2), 10)}});
+                    {k == 0 ? "0" : rounded(units.time(f.start), digits)},
+                    {rounded(units.time(f.duration), digits)},
+                    {rounded(units.length(f.Z(0) + m.oscillator.d0(0)), digits)},
+                    {rounded(units.length(f.Z(1) + m.oscillator.d0(1)), digits)},
+                    {rounded(units.velocity(f.Z(2)), digits)}});
   }
   if (m.phases.size() > most_phases) {
     rows.push_back(
@@ -122,15 +129,15 @@ std::string phases(const WordOrbit& o, const Style& style) {
   return columns_of(rows, style.width);
 }
 
-std::string one_orbit(const WordOrbit& o, int digits, const Style& style) {
+std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const Units& units) {
   std::vector<Row> rows{{{"  word"}, {o.word.letters()}},
                         {{"  period"}, {fmt::format("{} of the load", o.periods)}}};
   for (const NamedBall& value : o.orbit.values) {
     if (value.name != "ur") {
-      rows.push_back({{"  " + value.name}, {to_string(value.value, known_digits(value.value, digits))}});
+      rows.push_back({{"  " + value.name}, {units.text(value, digits)}});
     }
   }
-  return columns_of(rows, style.width) + "\n" + phases(o, style) +
+  return columns_of(rows, style.width) + "\n" + phases(o, style, units) +
          stability_rows(o.orbit.stability, digits, style) + "\n" + condition_rows(worst(o), style);
 }
 
@@ -175,7 +182,7 @@ std::string in_words(const Attractor& a) {
   return fmt::format("{} with the period {}: {}", shortened(a.word), a.periods, remark(a));
 }
 
-std::string terminal_report(const AttractorList& list, const Style& style) {
+std::string terminal_report(const AttractorList& list, const Style& style, const Units& units) {
   const AttractorQuestion& q = list.question;
   std::vector<Row> head{{{"parameters"}, {parameter_list(q.machine)}},
                         {{"starts"},
@@ -205,9 +212,9 @@ std::string terminal_report(const AttractorList& list, const Style& style) {
                     {remark(a)}});
   }
   text += "\n" + columns_of(rows, style.width);
-  rows = {{{"   "}, {"x1,x2,x1',x2' at load phase 0"}}};
+  rows = {{{"   "}, {fmt::format("x1,x2,x1',x2'{} at load phase 0", units.are_SI() ? " in m and m/s" : "")}}};
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
-    rows.push_back({{std::to_string(i + 1)}, {state_of(list.attractors[i].state)}});
+    rows.push_back({{std::to_string(i + 1)}, {state_of(units.state(list.attractors[i].state))}});
   }
   return text + "\n" + columns_of(rows, style.width) + "\n" +
          labelled(
@@ -217,7 +224,7 @@ std::string terminal_report(const AttractorList& list, const Style& style) {
              style.width);
 }
 
-std::string terminal_report(const WordOrbits& list, const Style& style) {
+std::string terminal_report(const WordOrbits& list, const Style& style, const Units& units) {
   const WordSearch& q = list.question;
   std::vector<Row> rows{{{"parameters"}, {parameter_list(q.machine)}},
                         {{"searched"}, {searched(list)}},
@@ -233,13 +240,14 @@ std::string terminal_report(const WordOrbits& list, const Style& style) {
     const WordOrbit& o = list.orbits[i];
     const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
     const Row heading{{label, bold(style)}, {verdict_of(o), colour_of(o.orbit.admissible.truth, style)}};
-    text += "\n" + columns_of({heading}, style.width) + one_orbit(o, q.machine.digits, style);
+    text += "\n" + columns_of({heading}, style.width) + one_orbit(o, q.machine.digits, style, units);
   }
   return list.orbits.empty()
              ? text
              : text + "\n" +
                    labelled(0, "condition", "of all phases, the one nearest to a violation", style.width) +
-                   labelled(0, "margin", meaning_of_margin(), style.width);
+                   labelled(0, "margin", meaning_of_margin() + (units.are_SI() ? units_of_conditions() : ""),
+                            style.width);
 }
 
 }  // namespace stickslip::report::orbits

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "numeric/attractors/word_search.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 
@@ -27,12 +28,13 @@ namespace stickslip::report::orbits {
 // what was met instead of an orbit.
 [[nodiscard]] tools::Json to_json(const numeric::attractors::WordOrbits& list);
 
-// A line for each attractor, then where they are.
+// A line for each attractor, then where they are. The parameters are those of (2) in any units, and so are
+// margins.
 [[nodiscard]] std::string terminal_report(const numeric::attractors::AttractorList& list,
-                                          const tools::Style& style);
+                                          const tools::Style& style, const Units& units = {});
 // Each orbit with its values, phases, stability and, of all phases, the least margin of each condition.
 [[nodiscard]] std::string terminal_report(const numeric::attractors::WordOrbits& list,
-                                          const tools::Style& style);
+                                          const tools::Style& style, const Units& units = {});
 
 // "settles on OTS with the period 1: stable, |mu| <= 0.916".
 [[nodiscard]] std::string in_words(const numeric::attractors::Attractor& attractor);

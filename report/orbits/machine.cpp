@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/decimal.hpp"
+#include "core/error.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
 
@@ -76,7 +77,7 @@ std::string units(const DataTaken& taken) {
   return fmt::format(
       "x, V, p, us, ur are in {}; t = 1 is {} s, x' = 1 is {} m/s, u = 1 is {} N, omega = 1 is "
       "{} Hz",
-      unit_of_length(taken.thousands), rounded(Ball(1) / taken.Omega, digits),
+      unit_of_length(taken.thousands), rounded(Ball(1) / taken.Omega(), digits),
       rounded(taken.velocity(), digits), rounded(taken.force(), digits), rounded(taken.frequency(), digits));
 }
 
@@ -119,7 +120,7 @@ Json to_json(const DataTaken& taken) {
   Json json = {{"si", si},
                {"units",
                 {{"length", ball(taken.length())},
-                 {"time", ball(Ball(1) / taken.Omega)},
+                 {"time", ball(Ball(1) / taken.Omega())},
                  {"velocity", ball(taken.velocity())},
                  {"force", ball(taken.force())},
                  {"frequency", ball(taken.frequency())}}},
@@ -128,6 +129,49 @@ Json to_json(const DataTaken& taken) {
     json["rounded"].push_back("V");
   }
   return json;
+}
+
+Ball Units::time(const Ball& t) const {
+  return si_ ? t / si_->Omega() : t;
+}
+Ball Units::length(const Ball& x) const {
+  return si_ ? x * si_->length() : x;
+}
+Ball Units::velocity(const Ball& v) const {
+  return si_ ? v * si_->velocity() : v;
+}
+
+model::Vector4<double> Units::state(const model::Vector4<double>& X) const {
+  if (!si_) {
+    return X;
+  }
+  const double length = si_->length().approximate(), velocity = si_->velocity().approximate();
+  return {length * X(0), length * X(1), velocity * X(2), velocity * X(3)};
+}
+
+std::string Units::text(const families::NamedBall& value, int digits) const {
+  // So that the factor does not take any of the digits.
+  const WorkingPrecision precision(static_cast<long>(3.33 * digits) + bits);
+  const auto shown = [digits](const Ball& ball, const char * unit) {
+    return to_string(ball, known_digits(ball, digits)) + unit;
+  };
+  const std::string& name = value.name;
+  if (!si_ || name == "phi") {
+    return shown(value.value, "");
+  }
+  if (name.starts_with("ur")) {
+    return shown(value.value * si_->force(), " N");
+  }
+  if (name.starts_with("t") || name.starts_with("T")) {
+    return shown(time(value.value), " s");
+  }
+  if (name.find("dot") != std::string::npos) {
+    return shown(velocity(value.value), " m/s");
+  }
+  if (name.starts_with("x") || name.starts_with("z")) {
+    return shown(length(value.value), " m");
+  }
+  throw InternalError("a value of an orbit without a unit: " + name);
 }
 
 }  // namespace stickslip::report::orbits

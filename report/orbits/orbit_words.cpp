@@ -116,6 +116,10 @@ std::string meaning_of_margin() {
          "phase by construction, the smallest quotient of it and min(1, time to that end)";
 }
 
+std::string units_of_conditions() {
+  return "; margins and their times t are in the units of the data taken";
+}
+
 std::string latex_of_value(const std::string& name) {
   return name == "ur_max" ? "u_{r,\\max}" : symbolic::typeset::latex_name(name);
 }

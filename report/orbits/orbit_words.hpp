@@ -39,6 +39,8 @@ struct NamedRange {
 
 // What the margin of a condition is, in half a sentence.
 [[nodiscard]] std::string meaning_of_margin();
+// What follows it where values are in SI.
+[[nodiscard]] std::string units_of_conditions();
 
 // The LaTeX of the name of an orbit's value: those of symbolic/typeset/names.hpp and ur_max.
 [[nodiscard]] std::string latex_of_value(const std::string& name);

@@ -91,31 +91,35 @@ std::string head(const OrbitList& list, const Style& style) {
 }
 
 // Without those that are given: they stand in the head.
-std::string values(const Orbit& orbit, const OrbitQuestion& question, const Style& style) {
+std::string values(const Orbit& orbit, const OrbitQuestion& question, const Style& style,
+                   const Units& units) {
   std::vector<Row> rows;
   for (const NamedBall& value : orbit.values) {
     if ((value.name == "phi" && question.phi) || (value.name == "ur" && question.ur)) {
       continue;
     }
-    const int digits = known_digits(value.value, question.digits);
-    rows.push_back({{"  " + value.name}, {to_string(value.value, digits)}});
+    rows.push_back({{"  " + value.name}, {units.text(value, question.digits)}});
   }
   return columns_of(rows, style.width);
 }
 
 }  // namespace
 
-std::string terminal_report(const OrbitList& list, const Style& style) {
+std::string terminal_report(const OrbitList& list, const Style& style, const Units& units) {
   std::string text = head(list, style);
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
     const Orbit& orbit = list.orbits[i];
     const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
     const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
-    text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style) +
+    text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style, units) +
             stability_rows(orbit.stability, list.question.digits, style) + "\n" +
             condition_rows(orbit.conditions, style);
   }
-  return list.orbits.empty() ? text : text + "\n" + labelled(0, "margin", meaning_of_margin(), style.width);
+  return list.orbits.empty()
+             ? text
+             : text + "\n" +
+                   labelled(0, "margin", meaning_of_margin() + (units.are_SI() ? units_of_conditions() : ""),
+                            style.width);
 }
 
 }  // namespace stickslip::report::orbits

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "numeric/orbits.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 
@@ -24,7 +25,9 @@ namespace stickslip::report::orbits {
 [[nodiscard]] tools::Json to_json(const numeric::OrbitList& list);
 
 // The parameters; how complete the search is; each orbit with its values to the asked digits and its
-// conditions. No line is longer than the width of the style, except for what cannot be broken.
-[[nodiscard]] std::string terminal_report(const numeric::OrbitList& list, const tools::Style& style);
+// conditions; parameters and conditions are those of (2) in any units. No line is longer than the width of
+// the style, except for what cannot be broken.
+[[nodiscard]] std::string terminal_report(const numeric::OrbitList& list, const tools::Style& style,
+                                          const Units& units = {});
 
 }  // namespace stickslip::report::orbits

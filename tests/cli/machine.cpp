@@ -116,6 +116,39 @@ TEST_CASE("attractors, words and simulations take the machine and say which data
   CHECK(run_with(without(O, {"friction_at_rest"}), {"orbits", "symmetric"}).code == exit_decided);
 }
 
+TEST_CASE("values in SI units are those of the table in other units") {
+  // Omega = 10: a time of 1 is 0.1 s, a length 1 mm, a velocity 0.01 m/s, a force 0.4 N.
+  const Run word = run_with(O, {"orbits", "OTS", "--units", "si", "--digits", "8"});
+  CHECK(word.code == exit_decided);
+  const Json orbit = Json::parse(run_with(O, {"orbits", "OTS", "--json"}).out).at("orbits").at(0);
+  const auto in_table = [](const Run& run, const std::string& name) {
+    const std::size_t at = run.out.find("\n  " + name + " ");
+    REQUIRE(at != std::string::npos);
+    return std::stod(run.out.substr(at + name.size() + 3));
+  };
+  const auto in_json = [&](const char * name) {
+    return std::stod(orbit.at(name).at("mid").get<std::string>());
+  };
+  CHECK(in_table(word, "Theta") == doctest::Approx(0.1 * in_json("Theta")).epsilon(1e-6));
+  CHECK(in_table(word, "z20") == doctest::Approx(1e-3 * in_json("z20")).epsilon(1e-6));
+  CHECK(in_table(word, "zdot10") == doctest::Approx(1e-2 * in_json("zdot10")).epsilon(1e-6));
+  CHECK(in_table(word, "phi") == doctest::Approx(in_json("phi")).epsilon(1e-6));
+  // Example S, where the friction at rest is a result; a force of 1 is 0.38 N.
+  const Machine S{{"m1", "3.8"},
+                  {"m2", "1"},
+                  {"k1", "190"},
+                  {"k2", "190"},
+                  {"friction_force_sliding", "0.0076"},
+                  {"belt_velocity", "0.01"},
+                  {"load_amplitude", "0.005"},
+                  {"load_frequency", "0.954929658551372"}};
+  const Run plain = run_with(S, {"orbits", "symmetric"});
+  const Run in_SI = run_with(S, {"orbits", "symmetric", "--units", "si"});
+  CHECK(plain.out.find("us=0.02, V=1") != std::string::npos);
+  CHECK(in_table(in_SI, "ur") == doctest::Approx(0.38 * in_table(plain, "ur")).epsilon(1e-6));
+  CHECK(in_table(in_SI, "tau") == doctest::Approx(0.1 * in_table(plain, "tau")).epsilon(1e-6));
+}
+
 TEST_CASE("a machine that is none is named in one sentence") {
   struct Refusal {
     Machine machine;
@@ -146,6 +179,10 @@ TEST_CASE("a machine that is none is named in one sentence") {
       {O, {"attractors", "--chi", "0.3"}, exit_usage, "--chi does not go with the machine"},
       {O, {"attractors", "--example", "O"}, exit_usage, "--example does not go with the machine"},
       {O, {"simulate", "--example", "O"}, exit_usage, "--example does not go with the machine"},
+      {O, {"attractors", "--units", "imperial"}, exit_usage, "units: 'imperial'"},
+      {O, {"orbits", "OTS", "--units", "si", "--json"}, exit_usage, "--units si is for text"},
+      {{{"chi", "0.2"}}, {"orbits", "symmetric", "--units", "si"}, exit_usage, "needs a machine"},
+      {with(O, "k1", "1e60"), attractors, exit_domain, "k1 = "},
       {O, {"orbits", "symmetric"}, exit_usage, "leave the friction at rest out"},
   };
   for (const Refusal& refusal : refusals) {

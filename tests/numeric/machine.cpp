@@ -58,8 +58,8 @@ TEST_CASE("the data taken move as the machine does") {
     const motion::ExactParameters& a = taken.data;
     const model::Parameters<Ball> data = motion::parameters_as<Ball>(a);
     const model::Modes<Ball> modes = model::modes<Ball>(data.chi, data.eta);
-    CHECK(determinant(m, modes.omega1 * taken.Omega).contains_zero());
-    CHECK(determinant(m, modes.omega2 * taken.Omega).contains_zero());
+    CHECK(determinant(m, modes.omega1 * taken.Omega()).contains_zero());
+    CHECK(determinant(m, modes.omega2 * taken.Omega()).contains_zero());
     // At rest under the friction alone both springs carry it.
     const Ball rest = data.us / (data.chi * (Ball(1) - data.chi)) * taken.length();
     CHECK(agree(rest, Ball(Rational(m.friction_sliding / m.k1 + m.friction_sliding / m.k2))));
@@ -108,4 +108,6 @@ TEST_CASE("machines that are none are refused") {
   refused([](MachineInSI& m) { m.belt_velocity = -1; });
   refused([](MachineInSI& m) { m.load_amplitude = -1; });
   refused([](MachineInSI& m) { m.load_frequency = 0; });
+  refused([](MachineInSI& m) { m.k1 = q("1e51"); });
+  refused([](MachineInSI& m) { m.load_amplitude = q("1e-9999"); });
 }
