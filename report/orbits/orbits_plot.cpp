@@ -20,6 +20,7 @@ namespace {
 
 constexpr int samples = 240;  // per phase
 constexpr double pixels_per_inch = 96;
+constexpr double arrow_pixels = 15;  // the length of a head: wider than the heaviest line
 
 // In pixels of the SVG: the width of the picture, the height of a panel, and the rows of an orbit's panels.
 struct Page {
@@ -215,6 +216,7 @@ std::string plot_script(const OrbitList& list, PlotFormat format, PlotShape shap
                      {"rows", std::to_string(rows)},
                      {"columns", std::to_string(4 / page.rows)},
                      {"narrow", shape == PlotShape::narrow},
+                     {"arrow_size", fmt::format("{:.3f}", arrow_pixels / page.width)},
                      {"parameters", parameter_text(list.question)},
                      {"orbits", orbits}};
   return render_file("orbits.gp", data, plain_format);
