@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"
@@ -185,7 +186,9 @@ std::string picture_in_words(const OrbitList& list, std::optional<std::size_t> o
   std::string text =
       "Closed curves of velocity over displacement for each mass, and both over one period of time.";
   for (const std::size_t i : drawn(list, only)) {
-    text += " " + described(list, i);
+    std::string orbit = described(list, i);
+    orbit.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(orbit.front())));
+    text += " " + orbit;
   }
   return text;
 }

@@ -53,7 +53,7 @@ TEST_CASE("a portrait has an arrow in each phase, which points the way of the mo
 TEST_CASE("a picture is told in words, of the orbits that are drawn") {
   const std::string words = report::orbits::picture_in_words(example_list());
   CHECK(words.find("orbit 1 of 2") == std::string::npos);
-  for (const char * part : {"overshooting orbit 2 of 2, admissible, ur = 0.4590", "slip from t = 0 to 4.909,",
+  for (const char * part : {"Overshooting orbit 2 of 2, admissible, ur = 0.4590", "slip from t = 0 to 4.909,",
                             "the belt's is 1."}) {
     CHECK_MESSAGE(words.find(part) != std::string::npos, words);
   }
