@@ -10,6 +10,7 @@
 #include "report/orbits/orbit_data.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
+#include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/pictures.hpp"
 #include "report/tools/katex.hpp"
 #include "report/tools/latex.hpp"
@@ -44,6 +45,7 @@ Json list_data(const OrbitList& list, const std::string& anchor, const std::stri
   data["anchor"] = anchor;
   data["heading"] = heading;
   data["picture"] = drawn ? Json(stem) : Json(nullptr);
+  data["picture_in_words"] = drawn ? picture_in_words(list) : "";
   return data;
 }
 
@@ -98,7 +100,9 @@ Json example_data(const ExampleOrbits& e) {
   Json data = list_data(e.list, e.example.name, e.example.figure, picture_of_list(e), !e.list.orbits.empty());
   data["figure"] = nullptr;
   if (const std::optional<std::size_t> shown = printed_orbit(e)) {
-    data["figure"] = {{"picture", picture_of_figure(e)}, {"orbit", data.at("orbits").at(*shown)}};
+    data["figure"] = {{"picture", picture_of_figure(e)},
+                      {"picture_in_words", picture_in_words(e.list, shown)},
+                      {"orbit", data.at("orbits").at(*shown)}};
   }
   return data;
 }
@@ -129,6 +133,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit,
   add_provenance(data, true);
   data["precision"] = digits_in_words(OrbitQuestion{}.digits);
   data["meaning_of_margin"] = meaning_of_margin();
+  data["meaning_of_picture"] = meaning_of_picture();
   data["examples"] = Json::array();
   for (const ExampleOrbits& e : examples) {
     data["examples"].push_back(example_data(e));
@@ -181,6 +186,7 @@ Report pages(const OrbitList& list) {
   data["page_title"] = fmt::format("Orbits: {}", list.question.family->name);
   data["paper"] = nullptr;
   data["meaning_of_margin"] = meaning_of_margin();
+  data["meaning_of_picture"] = meaning_of_picture();
   add_paper_and_pages(report, "orbits", std::move(data), [](const Json& complete) {
     return with_formulas({{"index.html", render_file("orbits.html", complete, html_format)}});
   });

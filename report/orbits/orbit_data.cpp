@@ -99,6 +99,9 @@ Json orbit_data(const OrbitList& list) {
   for (const Remark remark : list.remarks) {
     json["remarks"].push_back(describe(remark));
   }
+  if (const std::string on_ur = remark_on_ur(list); !on_ur.empty()) {
+    json["remarks"].push_back(on_ur);
+  }
   for (const Unresolved& part : list.unresolved) {
     json["unresolved"].push_back(unresolved(part));
   }

@@ -71,6 +71,24 @@ std::string describe(Remark remark) {
   throw InternalError("a remark of no known kind");
 }
 
+std::string remark_on_ur(const OrbitList& list) {
+  std::vector<Ball> found;
+  bool apart = true;
+  for (const Orbit& orbit : list.orbits) {
+    for (const NamedBall& value : orbit.values) {
+      if (value.name == "ur" && !list.question.ur) {
+        apart = apart && std::none_of(found.begin(), found.end(),
+                                      [&](const Ball& other) { return other.overlaps(value.value); });
+        found.push_back(value.value);
+      }
+    }
+  }
+  return found.size() < 2 ? ""
+         : apart ? "Each of these orbits belongs to another $u_r$, which is a result: they are no orbits of "
+                   "one machine."
+                 : "$u_r$ is a result, and may be another for each of these orbits.";
+}
+
 std::string searched(const OrbitQuestion& q) {
   if (asks_for_box(q)) {
     return "the orbits at the middle of the parameters, each for all members of the box";

@@ -25,6 +25,10 @@ struct NamedRange {
 // One sentence.
 [[nodiscard]] std::string describe(numeric::Remark remark);
 
+// What is to be said of u_r where it is a result, one sentence; none where it is given, or there are not two
+// orbits. That each orbit has another u_r is said only if the balls are pairwise disjoint.
+[[nodiscard]] std::string remark_on_ur(const numeric::OrbitList& list);
+
 // The domain that was searched.
 [[nodiscard]] std::string searched(const numeric::OrbitQuestion& question);
 

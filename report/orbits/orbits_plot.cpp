@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "report/orbits/orbit_words.hpp"
+#include "report/tools/numbers.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
@@ -19,6 +21,7 @@ namespace {
 
 constexpr int samples = 240;  // per phase
 constexpr double pixels_per_inch = 96;
+constexpr double arrow_pixels = 15;  // the length of a head: wider than the heaviest line
 
 // In pixels of the SVG: the width of the picture, the height of a panel, and the rows of an orbit's panels.
 struct Page {
@@ -45,9 +48,35 @@ std::string table(const MotionOf<double>& motion, const PhaseOf<double>& phase,
   return text;
 }
 
+// z + shift; z' at the fraction of the phase.
+model::Vector4<double> state(const MotionOf<double>& motion, const PhaseOf<double>& phase,
+                             const model::Vector2<double>& shift, double fraction) {
+  model::Vector4<double> Z =
+      flow<double>(motion.oscillator, phase.kind, phase.load, phase.Z, fraction * phase.duration);
+  Z(0) += shift(0);
+  Z(1) += shift(1);
+  return Z;
+}
+
+// An arrow along the portrait of each mass, in the middle of the phase.
+Json arrows(const MotionOf<double>& motion, const PhaseOf<double>& phase,
+            const model::Vector2<double>& shift) {
+  const model::Vector4<double> from = state(motion, phase, shift, 0.5);
+  const model::Vector4<double> to = state(motion, phase, shift, 0.51);
+  Json both;
+  for (int mass = 0; mass < 2; ++mass) {
+    both[fmt::format("arrow{}", mass + 1)] = fmt::format("from first {:.8g},{:.8g} to first {:.8g},{:.8g}",
+                                                         from(mass), from(mass + 2), to(mass), to(mass + 2));
+  }
+  return both;
+}
+
+model::Vector2<double> shift_of(const Family& family, const MotionOf<double>& motion) {
+  return has_stick(family) ? model::Vector2<double>(0, 0) : motion.oscillator.d0;
+}
+
 Json phases_of(const MotionOf<double>& motion, const Family& family, std::size_t orbit) {
-  const bool absolute = !has_stick(family);
-  const model::Vector2<double> shift = absolute ? motion.oscillator.d0 : model::Vector2<double>(0, 0);
+  const model::Vector2<double> shift = shift_of(family, motion);
   Json phases = Json::array();
   for (std::size_t k = 0; k < motion.phases.size(); ++k) {
     const PhaseOf<double>& phase = motion.phases[k];
@@ -59,6 +88,7 @@ Json phases_of(const MotionOf<double>& motion, const Family& family, std::size_t
                       {"middle", fmt::format("{:.8g}", phase.start + phase.duration / 2)},
                       {"first", k == 0},
                       {"table", table(motion, phase, shift)}});
+    phases.back().update(arrows(motion, phase, shift));
   }
   return phases;
 }
@@ -77,12 +107,73 @@ std::string tell(const Orbit& orbit) {
                                                     : "undecided";
 }
 
-Json orbit_data(const OrbitList& list, std::size_t i) {
+// "symmetric orbit 2 of 4, admissible", and its ur where that is a result, another for each orbit.
+std::string title(const OrbitList& list, std::size_t i) {
   const Orbit& orbit = list.orbits[i];
-  const MotionOf<double> motion = in_double(orbit.motion);
+  std::string text = fmt::format("{} orbit {} of {}, {}", list.question.family->name, i + 1,
+                                 list.orbits.size(), tell(orbit));
+  for (const NamedBall& value : orbit.values) {
+    if (value.name == "ur" && !list.question.ur) {
+      text += fmt::format(", ur = {}", rounded(value.value, 4));
+    }
+  }
+  return text;
+}
+
+// The orbits to draw: the admissible ones, or all if none is, or the one named.
+std::vector<std::size_t> drawn(const OrbitList& list, std::optional<std::size_t> only) {
+  const auto admissible = [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; };
+  const bool any = std::any_of(list.orbits.begin(), list.orbits.end(), admissible);
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
+    if (only ? i == *only : !any || admissible(list.orbits[i])) {
+      found.push_back(i);
+    }
+  }
+  return found;
+}
+
+struct Extent {
+  double least;
+  double greatest;
+};
+
+// Of one component over the period, at the points that are drawn.
+Extent extent(const MotionOf<double>& motion, const model::Vector2<double>& shift, int component) {
+  const double first = state(motion, motion.phases.front(), shift, 0)(component);
+  Extent found{first, first};
+  for (const PhaseOf<double>& phase : motion.phases) {
+    for (int i = 0; i <= samples; ++i) {
+      const double value = state(motion, phase, shift, static_cast<double>(i) / samples)(component);
+      found = {std::min(found.least, value), std::max(found.greatest, value)};
+    }
+  }
+  return found;
+}
+
+// What a reader sees of the orbit, for one who does not.
+std::string described(const OrbitList& list, std::size_t i) {
+  const MotionOf<double> motion = in_double(list.orbits[i].motion);
+  const model::Vector2<double> shift = shift_of(*list.question.family, motion);
+  const char q = has_stick(*list.question.family) ? 'z' : 'x';
+  std::string text = title(list, i) + ":";
+  for (const PhaseOf<double>& phase : motion.phases) {
+    text += fmt::format(" {} from t = {:.4g} to {:.4g},", to_string(phase.kind), phase.start,
+                        phase.start + phase.duration);
+  }
+  for (int mass = 0; mass < 2; ++mass) {
+    const Extent place = extent(motion, shift, mass);
+    const Extent velocity = extent(motion, shift, mass + 2);
+    text += fmt::format(" {}{} goes from {:.3g} to {:.3g}, its velocity from {:.3g} to {:.3g}{}", q, mass + 1,
+                        place.least, place.greatest, velocity.least, velocity.greatest, mass == 0 ? "," : "");
+  }
+  return text + fmt::format("; the belt's is {:.3g}.", motion.oscillator.data.V);
+}
+
+Json orbit_data(const OrbitList& list, std::size_t i) {
+  const MotionOf<double> motion = in_double(list.orbits[i].motion);
   const PhaseOf<double>& last = motion.phases.back();
-  return {{"title", fmt::format("{} orbit {} of {}, {}", list.question.family->name, i + 1,
-                                list.orbits.size(), tell(orbit))},
+  return {{"title", title(list, i)},
           {"q", has_stick(*list.question.family) ? "z" : "x"},
           {"period", fmt::format("{:.8g}", last.start + last.duration)},
           {"V", fmt::format("{:.8g}", motion.oscillator.data.V)},
@@ -91,17 +182,27 @@ Json orbit_data(const OrbitList& list, std::size_t i) {
 
 }  // namespace
 
+std::string picture_in_words(const OrbitList& list, std::optional<std::size_t> only) {
+  std::string text =
+      "Closed curves of velocity over displacement for each mass, and both over one period of time.";
+  for (const std::size_t i : drawn(list, only)) {
+    std::string orbit = described(list, i);
+    orbit.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(orbit.front())));
+    text += " " + orbit;
+  }
+  return text;
+}
+
+std::string meaning_of_picture() {
+  return "an arrow shows the direction of motion, a dot where a phase begins; the line is thick in an "
+         "overshoot, medium in a slip, thin in a stick; displacements are lengths, $t$ is dimensionless";
+}
+
 std::string plot_script(const OrbitList& list, PlotFormat format, PlotShape shape,
                         std::optional<std::size_t> only) {
-  const bool any_admissible = std::any_of(list.orbits.begin(), list.orbits.end(), [](const Orbit& orbit) {
-    return orbit.admissible.truth == Truth::proved;
-  });
   Json orbits = Json::array();
-  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    const bool wanted = !any_admissible || list.orbits[i].admissible.truth == Truth::proved;
-    if (only ? i == *only : wanted) {
-      orbits.push_back(orbit_data(list, i));
-    }
+  for (const std::size_t i : drawn(list, only)) {
+    orbits.push_back(orbit_data(list, i));
   }
   if (orbits.empty()) {
     return "";
@@ -118,6 +219,7 @@ std::string plot_script(const OrbitList& list, PlotFormat format, PlotShape shap
                      {"rows", std::to_string(rows)},
                      {"columns", std::to_string(4 / page.rows)},
                      {"narrow", shape == PlotShape::narrow},
+                     {"arrow_size", fmt::format("{:.3f}", arrow_pixels / page.width)},
                      {"parameters", parameter_text(list.question)},
                      {"orbits", orbits}};
   return render_file("orbits.gp", data, plain_format);

@@ -1,7 +1,9 @@
 #!/bin/sh
 # Compiles NAME.tex of a report with plain latexmk, in a copy; fails when LaTeX has anything to remark.
 #
-#   paper.sh DIRECTORY NAME
+#   paper.sh DIRECTORY NAME [PAGES]
+#
+# With PAGES also when it has more of them, or no contents to find one's way by.
 #
 # Debian's latexmk makes that possible, with texlive-latex-recommended and lmodern.
 set -eu
@@ -17,5 +19,13 @@ latexmk -pdf -interaction=nonstopmode -halt-on-error "$2.tex" >output 2>&1 || {
 }
 test -s "$2.pdf"
 if grep -aE 'Warning|Overfull' "$2.log" >&2; then exit 1; fi
+if [ $# -gt 2 ]; then
+  pages=$(sed -n "s/^Output written on $2.pdf (\([0-9]*\) page.*/\1/p" "$2.log")
+  if [ "$pages" -gt "$3" ]; then
+    echo "$2.pdf has $pages pages, more than $3" >&2
+    exit 1
+  fi
+  grep -q 'contentsline {section}' "$2.toc" || { echo "$2.pdf has no contents" >&2; exit 1; }
+fi
 # The report has the same document, made by the program.
 cmp "$2.pdf" "$report/$2.pdf"
