@@ -88,7 +88,7 @@ TEST_CASE("an interrupted search stops and loses nothing") {
   SearchResult<1> part;
   {
     const Interruptible scope;
-    int asked = 0;
+    std::atomic<int> asked = 0;  // by the threads that examine a batch
     const KrawczykContractor<1, Wave> contractor{};
     const auto interrupted_contractor = [&](const Box<1>& X) {
       if (++asked == 4) {
@@ -97,7 +97,8 @@ TEST_CASE("an interrupted search stops and loses nothing") {
       return contractor(X);
     };
     part = search<1>({{0}, {2}}, interrupted_contractor, KrawczykDecider<1, Wave>{});
-    CHECK(asked == 4);
+    CHECK(asked >= 4);
+    CHECK(asked < whole.cells);
   }
   CHECK_FALSE(interrupted());
   CHECK_FALSE(part.complete());
