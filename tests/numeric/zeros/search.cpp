@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <csignal>
+
 using namespace stickslip;
 using namespace stickslip::numeric::zeros;
 
