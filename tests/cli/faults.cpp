@@ -48,7 +48,7 @@ TEST_CASE("an interrupted search tells what it has found, and that it is not all
   std::vector<std::string> arguments = long_search;
   arguments.emplace_back("--json");
   const int process = start(arguments, output);
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  std::this_thread::sleep_for(std::chrono::seconds(2));
   ::kill(process, SIGINT);
   CHECK(wait_for(process) == exit_interrupted);
   ::close(output);
@@ -100,6 +100,9 @@ TEST_CASE("a directory that vanishes while the program works is an error") {
   const int process = start(
       {"simulate", "--example", "O", "--periods", "1e8", "--every", "1e4", "--csv", directory / "a.csv"},
       output);
+  for (int wait = 0; wait < 200 && std::filesystem::is_empty(directory); ++wait) {  // until it writes
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
   std::this_thread::sleep_for(std::chrono::seconds(1));
   std::filesystem::remove_all(directory.parent_path());
   ::kill(process, SIGINT);
