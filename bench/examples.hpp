@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "numeric/families/family.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 

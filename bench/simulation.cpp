@@ -8,6 +8,7 @@
 #include "bench/cvode_peer.hpp"
 #include "bench/odeint_peer.hpp"
 #include "numeric/simulation/agreement.hpp"
+#include "numeric/simulation/simulation.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 

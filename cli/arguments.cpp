@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "core/error.hpp"
 
 namespace stickslip::cli {
@@ -15,84 +14,6 @@ constexpr const char * exit_codes =
     "undecided, 64 the command line is not understood, 65 parameters outside the domain,\n"
     "70 fault of the program or out of memory, 74 input or output failed, 130 interrupted.";
 
-constexpr const char * orbits_details =
-    "Searches the whole closed domain of the family and lists every orbit, each proved to\n"
-    "exist, with every condition decided along the whole motion; what could not be decided\n"
-    "is listed too.\n\n"
-    "A number is a decimal or a fraction and is taken exactly: 0.1607, 2.5e-3, 1/3. With\n"
-    "0.5+-1e-4 for some parameters, each orbit is proved for all values in the box.\n\n"
-    "symmetric     ur and phi are results and are not given.\n"
-    "overshooting  exactly one of --phi and --ur is given; the other is a result.\n"
-    "nonsticking   phi is a result; without --ur the largest admissible one is, ur_max,\n"
-    "              and \"admissible\" speaks of all other conditions.\n\n"
-    "A word of S (slip), O (overshoot), T (stick), such as OTS, in place of a family: the\n"
-    "orbits through these phases in --period N periods of the load, at --ur, that a\n"
-    "simulation finds, from --near at t = 0 or from random starts; the load is cos(omega t).\n"
-    "Each is proved. For ST without --near the list is complete, for V > 0; for another word\n"
-    "it never is.\n\n"
-    "Exit code: 0 the list is complete, or not empty where it cannot be, and everything in it\n"
-    "is decided, also if no orbit is admissible; 2 something is undecided or unresolved; 130\n"
-    "after Ctrl-C, which ends the search: what it has found is still printed and written,\n"
-    "marked as interrupted.";
-
-constexpr const char * attractors_details =
-    "Follows many starts until they have settled, and says on what, and how many on each:\n"
-    "periodic motions with their period, in periods of the load, and their word of S (slip),\n"
-    "O (overshoot), T (stick); each of these is proved, and whether it is stable. What is\n"
-    "quasi-periodic or irregular is told by its largest Lyapunov exponent, which is a check\n"
-    "and no proof. A motion may also slide for ever, be stuck, or remain unsettled.\n\n"
-    "All parameters and --ur are given, or --example; the load is cos(omega t). At the data\n"
-    "of an example whose ur is a result, ur is that result to 17 digits.\n\n"
-    "Exit code: 0 each periodic motion is proved, and stable or not; 2 for some that is\n"
-    "undecided; 130 after Ctrl-C.";
-
-constexpr const char * simulate_details =
-    "Follows x1, x2 under the friction law in closed form, in double; events are found with\n"
-    "certainty, not by signs at the ends of steps. A simulation proves nothing.\n\n"
-    "It starts at --state at t = 0, with all parameters, --phi and --ur given; or with\n"
-    "--example where the orbit of an example begins, proved, plus --perturb. A state is four\n"
-    "numbers x1,x2,x1',x2'.\n\n"
-    "Ctrl-C ends the simulation; what was computed is still written, with exit code 130.";
-
-void add_parameter(CLI::App& command, TypedParameters& parameters, const std::string& name,
-                   const std::string& description) {
-  command
-      .add_option_function<std::string>(
-          "--" + name, [&parameters, name](const std::string& text) { parameters[name] = text; }, description)
-      ->type_name("NUMBER");
-}
-
-// Options --chi, --eta, … for those of a machine, whose load is cos(omega t).
-void add_machine(CLI::App& command, TypedParameters& parameters) {
-  add_parameter(command, parameters, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
-  add_parameter(command, parameters, "eta", "Mass ratio m1/m2 > 0");
-  add_parameter(command, parameters, "us", "Slipping friction force > 0");
-  add_parameter(command, parameters, "V", "Belt velocity; > 0 for orbits with a stick phase");
-  add_parameter(command, parameters, "omega", "Frequency of the load > 0");
-  add_parameter(command, parameters, "p", "Amplitude of the load >= 0");
-  add_parameter(command, parameters, "ur", "Friction force at rest > us");
-}
-
-// The same and --phi.
-void add_parameters(CLI::App& command, TypedParameters& parameters) {
-  add_machine(command, parameters);
-  add_parameter(command, parameters, "phi", "Phase of the load");
-}
-
-void add_units(CLI::App& command, std::string& text) {
-  command
-      .add_option("--units", text,
-                  "si: say times, lengths, velocities and forces in SI units, for a\nmachine in SI units")
-      ->type_name("UNITS");
-}
-
-void add_jobs(CLI::App& command, std::string& text) {
-  command
-      .add_option("--jobs", text,
-                  "Search and prove with at most N threads, all cores by default;\nthe results are the same")
-      ->type_name("N");
-}
-
 bool is_omega(const std::string& word) {
   if (word != "chi" && word != "omega") {
     throw CLI::ValidationError("--in", "'" + word + "' is neither chi nor omega");
@@ -100,7 +21,6 @@ bool is_omega(const std::string& word) {
   return word == "omega";
 }
 
-// Each adds one command: parsing it fills its options and makes them the request.
 void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
   CLI::App * command = program.add_subcommand("audit", "Examine every statement of the paper and report");
   command->footer(
@@ -108,7 +28,8 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
       "reasons, then the printed numbers beside the proved ones.\n\n"
       "Exit code: 0 everything is decided, also if the paper has misprints;\n"
       "1 with --mutants: a wrong statement is proved;\n"
-      "2 something is undecided.");
+      "2 something is undecided;\n"
+      "130 after Ctrl-C, which ends it: what is done is printed, and no report written.");
   CLI::Option * out = command->add_option("--out", options.out,
                                           "Also write the report into DIR: pages for a browser that begin\n"
                                           "with index.html, audit.pdf where there is TeX, audit.tex and\n"
@@ -124,6 +45,11 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
       ->check(CLI::PositiveNumber)
       ->needs(mutants);
   command->add_option("--seed", options.seed, "The seed of that sample")->type_name("N")->needs(mutants);
+  command
+      ->add_option("--certificates", options.certificates,
+                   "The directory in which script/certify had Coq check the\nproofs: say of each claim "
+                   "whether it is certified")
+      ->type_name("DIR");
   command->callback([&options, &request, out] {
     options.with_out = out->count() > 0;
     request = options;
@@ -157,6 +83,43 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request, const
   command->callback([&options, &request] { request = options; });
 }
 
+void add_certify(CLI::App& program, CertifyOptions& options, Request& request, const PaperInHelp& paper) {
+  CLI::App * command = program.add_subcommand("certify", "Write proofs that the proof assistant Coq checks");
+  command->footer(
+      "Writes a file for each statement, with its theorem in full and the proof, what they stand\n"
+      "on, and a Makefile: make -k -j in DIR has Coq check them. script/certify does all of it.\n\n"
+      "Exit code: 0 every statement asked for that the kernel proves has a certificate;\n"
+      "1 with --record: one is not accepted;\n"
+      "2 one has none.");
+  CLI::Option * ids =
+      command
+          ->add_option(
+              "ID", options.words,
+              fmt::format("What to certify: as for check ({}, {}, {}, ...); everything if\nnone is given",
+                          paper.part, paper.equation(), paper.places.substr(0, paper.places.find(','))))
+          ->type_name("");
+  CLI::Option * out =
+      command
+          ->add_option(
+              "--out", options.out,
+              "Where to: a new directory, an empty one, or one with\ncertificates; files that are the "
+              "same stay as they are")
+          ->type_name("DIR");
+  command
+      ->add_option("--record", options.record,
+                   "Instead: look at what Coq said of the certificates in DIR,\nprint it, and write it to "
+                   "DIR/certificates.json")
+      ->type_name("DIR")
+      ->excludes(out)
+      ->excludes(ids);
+  command->callback([&options, &request] {
+    if (options.out.empty() && options.record.empty()) {
+      throw CLI::RequiredError("--out");
+    }
+    request = options;
+  });
+}
+
 void add_latex(CLI::App& program, LatexOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("latex", "Print derived expressions as LaTeX");
   command->footer(
@@ -167,8 +130,9 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
       command
           ->add_option(
               "NAME", options.names,
-              fmt::format("What to print: a derived expression (H, Gamma, Q, ...) or a\nstatement as it is "
-                          "proved ({}, {}, ...); all derived\nexpressions if none is given",
+              fmt::format("What to print: a derived expression (H, Gamma, Q, ...), with its\nvalues where "
+                          "parameters are given; or a statement as it is proved\n({}, {}, ...); all "
+                          "derived expressions if none is given",
                           paper.equation(), paper.part))
           ->type_name("");
   CLI::Option * list = command->add_flag("--list", options.list, "List the names, with equation numbers");
@@ -192,97 +156,23 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
           "natural "
           "frequencies alone")
       ->type_name("WORD");
-  command->callback([&options, &request] { request = options; });
-}
-
-void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, const PaperInHelp& paper) {
-  CLI::App * command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
-  command->footer(orbits_details);
-  command->add_option("FAMILY", options.family, "symmetric, overshooting, nonsticking, or a word such as OTS")
-      ->type_name("");
-  add_parameters(*command, options.parameters);
-  command->add_option("--period", options.period, "Of a word: periods of the load, 1 by default")
-      ->type_name("N");
-  CLI::Option * near = command->add_option("--near", options.near, "Of a word: start at x1,x2,x1',x2'");
-  near->type_name("X");
-  command->add_option("--example", options.example, "Take the data of the paper's example " + paper.examples)
-      ->type_name("NAME");
   command
-      ->add_option("--params", options.file,
-                   "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a "
-                   "machine in SI units,\nas the README says")
-      ->type_name("FILE");
+      ->add_option("--orbit", options.orbit,
+                   "The closed forms of orbit K of a family, phase by phase, with its\nnumbers, at the "
+                   "parameters below: " +
+                       paper.family_names)
+      ->type_name("FAMILY:K")
+      ->excludes(list)
+      ->excludes(names)
+      ->excludes(command->get_option("--errata"))
+      ->excludes(command->get_option("--theorem"))
+      ->excludes(command->get_option("--in"));
+  add_parameters(*command, options.parameters);
+  add_sources(*command, options.example, options.file, paper);
   command
       ->add_option("--digits", options.digits,
-                   fmt::format("Significant digits of each value: {} by default, {} at most",
-                               OrbitsOptions::default_digits, OrbitsOptions::most_digits))
+                   fmt::format("Significant digits of numbers: {} by default", LatexOptions::default_digits))
       ->type_name("N");
-  add_units(*command, options.units);
-  add_jobs(*command, options.jobs);
-  command->add_flag("--json", options.json, "Print the list as JSON");
-  CLI::Option * plot = command->add_option("--plot", options.plot,
-                                           "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
-                                           "FILE.pdf: phase portraits and time histories");
-  plot->type_name("FILE");
-  CLI::Option * out =
-      command->add_option("--out", options.out,
-                          "Also write a report into DIR: index.html, orbits.pdf where there is\n"
-                          "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
-                          "part is missing");
-  out->type_name("DIR");
-  command->callback([&options, &request, near, plot, out] {
-    options.with_near = near->count() > 0;
-    options.with_plot = plot->count() > 0;
-    options.with_out = out->count() > 0;
-    request = options;
-  });
-}
-
-void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,
-                    const PaperInHelp& paper) {
-  CLI::App * command = program.add_subcommand("attractors", "Find what a machine does, and prove it");
-  command->footer(attractors_details);
-  add_machine(*command, options.parameters);
-  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
-    command->add_option(name, value, words)->type_name(type);
-  };
-  add("--example", options.example, "NAME", "Take the data of the paper's example " + paper.examples);
-  add("--params", options.file, "FILE",
-      "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a machine in "
-      "SI units,\nas the README says");
-  add("--starts", options.starts, "N",
-      fmt::format("Random starts: {} by default", AttractorsOptions::default_starts));
-  add("--seed", options.seed, "N", "Of the random starts: 1 by default");
-  add("--most-periods", options.most_periods, "N",
-      fmt::format("Periods of the load that a start is followed for at most:\n{} by default",
-                  AttractorsOptions::default_most_periods));
-  add("--digits", options.digits, "N",
-      fmt::format("Significant digits of each value in JSON: {} by default", OrbitsOptions::default_digits));
-  add_units(*command, options.units);
-  add_jobs(*command, options.jobs);
-  command->add_flag("--json", options.json, "Print the result as JSON");
-  command->callback([&options, &request] { request = options; });
-}
-
-void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper) {
-  CLI::App * command = program.add_subcommand("simulate", "Follow the motion under the friction law");
-  command->footer(simulate_details);
-  add_parameters(*command, options.parameters);
-  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
-    command->add_option(name, value, words)->type_name(type);
-  };
-  add("--example", options.example, "NAME",
-      "Start where the orbit of the paper's example " + paper.examples + " begins");
-  add("--params", options.file, "FILE",
-      "Take parameters from a TOML file with lines chi = 0.5;\nor a machine in SI units, as the README says");
-  add("--state", options.state, "X", "Start at x1,x2,x1',x2'");
-  add("--perturb", options.perturb, "X", "Add these four numbers to the start");
-  add("--periods", options.periods, "N",
-      fmt::format("Periods of the load: {} by default", SimulateOptions::default_periods));
-  add("--every", options.every, "TIME",
-      fmt::format("Time between two samples: by default {} in a period", SimulateOptions::samples_in_period));
-  add("--csv", options.csv, "FILE", "Write the samples, with r, u and the energy");
-  add("--plot", options.plot, "FILE", "Draw phase portraits, speed and energy into FILE.svg or FILE.pdf");
   command->callback([&options, &request] { request = options; });
 }
 
@@ -290,7 +180,7 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
 void require_command(const CLI::App& program) {
   const std::vector<std::string> strangers = program.remaining();
   const std::string known =
-      "the commands are audit, check, latex, orbits, attractors and simulate; see stickslip --help";
+      "the commands are audit, check, certify, latex, orbits, attractors and simulate; see stickslip --help";
   if (!strangers.empty()) {
     const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
     throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
@@ -305,6 +195,7 @@ void require_command(const CLI::App& program) {
 Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   AuditOptions audit;
   CheckOptions check;
+  CertifyOptions certify;
   LatexOptions latex;
   OrbitsOptions orbits;
   AttractorsOptions attractors;
@@ -314,10 +205,13 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   program.footer(exit_codes);
   program.set_version_flag(
       "--version", [] { return std::string(); }, "Print the versions of the program and of its libraries");
+  std::string directory_of_manual;
+  program.add_option("--manual", directory_of_manual)->group("");
   program.require_subcommand(0, 1);
   program.get_formatter()->column_width(16);
   add_audit(program, audit, request);
   add_check(program, check, request, paper);
+  add_certify(program, certify, request, paper);
   add_latex(program, latex, request, paper);
   add_orbits(program, orbits, request, paper);
   add_attractors(program, attractors, request, paper);
@@ -331,6 +225,9 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
     return HelpWanted{program.help()};
   } catch (const CLI::ParseError& error) {
     throw UsageError(fmt::format("{}; see stickslip --help", error.what()));
+  }
+  if (!directory_of_manual.empty()) {
+    return ManualWanted{directory_of_manual, manual(program)};
   }
   require_command(program);
   return request;

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "cli/manual.hpp"
 #include "cli/typed_parameters.hpp"
 
 namespace stickslip::cli {
@@ -15,8 +16,9 @@ struct AuditOptions {
   bool with_out = false;
   bool json = false;
   bool mutants = false;
-  unsigned one_in = 1;  // of the mutants
-  unsigned seed = 0;    // of that sample
+  unsigned one_in = 1;       // of the mutants
+  unsigned seed = 0;         // of that sample
+  std::string certificates;  // a record, or its directory; empty if there is none
 };
 
 struct CheckOptions {
@@ -27,12 +29,23 @@ struct CheckOptions {
   bool json = false;
 };
 
+struct CertifyOptions {
+  std::vector<std::string> words;  // as those of check
+  std::string out;
+  std::string record;  // a directory whose certificates were checked; then the others are empty
+};
+
 struct LatexOptions {
   std::vector<std::string> names;
   bool in_frequencies = false;  // else with chi, eta and abbreviations
   bool list = false;
   bool errata = false;
   std::string theorem;  // the id of a result; empty if none is asked for
+  std::string orbit;    // FAMILY:K; empty if none is asked for, and then all that follows
+  TypedParameters parameters;
+  std::string file, example, digits;
+
+  static constexpr int default_digits = 10;
 };
 
 struct OrbitsOptions {
@@ -47,21 +60,32 @@ struct OrbitsOptions {
   std::string digits;
   std::string plot;
   std::string jobs;
+  std::string cells, time;  // limits of the search
   bool with_plot = false;
   std::string out;
   bool with_out = false;
+  std::string certify;  // a directory, or nothing
+  bool all = false;
   bool json = false;
 
   static constexpr int default_digits = 20;
   static constexpr int most_digits = 2000;
+  static constexpr int most_cells = 1000000000;
 };
 
 struct AttractorsOptions {
   TypedParameters parameters;
   std::string file, units, example, starts, seed, most_periods, digits, jobs;
+  std::vector<std::string> along;  // a parameter and A..B, or nothing
+  std::string values, plane, pixels, through, csv, plot;
   bool json = false;
 
   static constexpr int default_starts = 500;
+  static constexpr int default_starts_at_value = 50;
+  static constexpr int default_values = 41;
+  static constexpr int most_values = 10000;
+  static constexpr int default_pixels = 60;
+  static constexpr int most_pixels = 1000;
   static constexpr int most_starts = 100000;
   static constexpr int greatest_number = 1000000000;  // of periods and seeds
   static constexpr int default_most_periods = 20000;
@@ -69,7 +93,8 @@ struct AttractorsOptions {
 
 struct SimulateOptions {
   TypedParameters parameters;
-  std::string file, example, state, perturb, periods, every, csv, plot;
+  std::string file, example, orbit, state, perturb, periods, every, csv, plot;
+  bool with_csv = false, with_plot = false, json = false;
 
   static constexpr double default_periods = 100;
   static constexpr double samples_in_period = 200;
@@ -79,16 +104,23 @@ struct HelpWanted {
   std::string text;
 };
 struct VersionsWanted {};
+// What a package installs beside the program: --manual DIR, which the help does not name.
+struct ManualWanted {
+  std::string directory;
+  std::vector<ManualFile> files;
+};
 
-using Request = std::variant<AuditOptions, CheckOptions, LatexOptions, OrbitsOptions, AttractorsOptions,
-                             SimulateOptions, HelpWanted, VersionsWanted>;
+using Request = std::variant<AuditOptions, CheckOptions, CertifyOptions, LatexOptions, OrbitsOptions,
+                             AttractorsOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
 
-// What the help says of the paper that the program is about.
+// What the help says of the paper that the program is about, and of the families of orbits.
 struct PaperInHelp {
-  std::string about;     // what the program does with it, in lines
-  std::string places;    // "sec2, sec3, A1"
-  std::string part;      // a statement that is part of an equation: "44.H"
-  std::string examples;  // "S, O or P"
+  std::string about;         // what the program does with it, in lines
+  std::string places;        // "sec2, sec3, A1"
+  std::string part;          // a statement that is part of an equation: "44.H"
+  std::string examples;      // "S, O or P"
+  std::string family_names;  // "symmetric, overshooting or nonsticking"
+  std::string families;      // what each is given and what it finds, in lines
 
   [[nodiscard]] std::string equation() const { return part.substr(0, part.find('.')); }
 };

@@ -2,14 +2,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "cli/commands.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "proofs/checks/mutants.hpp"
 #include "proofs/methods/example_orbits.hpp"
+#include "report/audit/certificates.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/mutants.hpp"
 #include "report/audit/pages.hpp"
@@ -36,11 +40,56 @@ std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options, const P
     return std::nullopt;
   }
   Progress line("making wrong statements ...");
-  return proofs::checks::mutant_gate(
-      paper.claims, {}, {options.seed, options.one_in},
-      [&line](const std::string& id, std::size_t done, std::size_t all) {
-        line.show(fmt::format("wrong statements of {} ({} of {})", id, done, all));
-      });
+  struct Stopped {};
+  try {
+    return proofs::checks::mutant_gate(
+        paper.claims, {}, {options.seed, options.one_in},
+        [&line](const std::string& id, std::size_t done, std::size_t all) {
+          if (interrupted()) {
+            throw Stopped();
+          }
+          line.show(fmt::format("wrong statements of {} ({} of {})", id, done, all));
+        });
+  } catch (const Stopped&) {
+    return std::nullopt;
+  }
+}
+
+std::string command_of(const AuditOptions& options) {
+  return options.mutants ? "stickslip audit --mutants" : "stickslip audit";
+}
+
+// What was examined, all of it unless that was interrupted.
+struct Examined {
+  proofs::methods::Audit audit;
+  std::optional<proofs::checks::Gate> gate;
+  bool interrupted = false;
+};
+
+Examined examine(const AuditOptions& options, const Paper& paper) {
+  const Interruptible scope;
+  Examined examined{prove(paper.claims, {}), {}, false};
+  if (!interrupted()) {
+    examined.gate = gate_of(options, paper);
+  }
+  examined.interrupted = interrupted();
+  return examined;
+}
+
+// Without a report in a directory: it would be taken for a whole one.
+ExitCode print_interrupted(const Examined& examined, const AuditOptions& options, const Paper& paper) {
+  const proofs::methods::Audit& audit = examined.audit;
+  if (options.json) {
+    report::tools::Json json = report::audit::to_json(paper, audit, command_of(options));
+    json["interrupted"] = true;
+    print(report::tools::to_text(json));
+  } else {
+    const std::string also = options.mutants ? "; wrong statements are not told" : "";
+    print(report::audit::terminal_report(paper, audit, terminal_style()) +
+          fmt::format("Interrupted: {} of {} claims were examined{}.\n", audit.records.size(),
+                      paper.claims.size(), also));
+  }
+  return exit_interrupted;
 }
 
 // A wrong statement is proved.
@@ -50,26 +99,47 @@ bool any_survived(const std::optional<proofs::checks::Gate>& gate) {
          });
 }
 
+namespace fs = std::filesystem;
+
+// The record of certificates: in the directory, if one was named.
+fs::path record_of(const AuditOptions& options) {
+  const fs::path path(options.certificates);
+  if (path.empty()) {
+    return path;
+  }
+  if (!fs::exists(path / report::audit::certificate_record)) {
+    throw InputOutputError(fmt::format("--certificates '{}' has no {}; script/certify makes it",
+                                       options.certificates, report::audit::certificate_record));
+  }
+  return path / report::audit::certificate_record;
+}
+
 }  // namespace
 
 ExitCode run(const AuditOptions& options, const Paper& paper) {
   const Jobs limit = jobs(options.jobs);
+  const fs::path record = record_of(options);
   if (options.with_out) {
     report::tools::require_writable(options.out);
     report::orbits::require_page_tools(true);
   }
-  const proofs::methods::Audit audit = prove(paper.claims, {});
+  const Examined examined = examine(options, paper);
+  if (examined.interrupted) {
+    return print_interrupted(examined, options, paper);
+  }
+  const proofs::methods::Audit& audit = examined.audit;
+  const std::optional<proofs::checks::Gate>& gate = examined.gate;
+  const report::audit::Certification certificates = report::audit::certification(audit, record);
   const std::vector<ExampleOrbits> examples = example_orbits(paper);
-  const std::optional<proofs::checks::Gate> gate = gate_of(options, paper);
   report::audit::Report made;
   if (options.with_out) {
     const Progress progress("making the pages ...");
-    made = report::audit::pages(paper, audit, examples, gate);
+    made = report::audit::pages(paper, audit, examples, gate, certificates);
     report::tools::write_files(options.out, made.files);
   }
-  const std::string command = options.mutants ? "stickslip audit --mutants" : "stickslip audit";
-  print(options.json ? report::tools::to_text(report::audit::to_json(paper, audit, command, examples, gate))
-                     : report::audit::terminal_report(paper, audit, terminal_style()) +
+  print(options.json ? report::tools::to_text(report::audit::to_json(paper, audit, command_of(options),
+                                                                     examples, gate, certificates))
+                     : report::audit::terminal_report(paper, audit, terminal_style(), certificates) +
                            (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
   if (options.with_out) {
     tell(report_line(options.out, "audit", made));

@@ -9,9 +9,12 @@ namespace stickslip::cli {
 
 [[nodiscard]] ExitCode run(const AuditOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const CertifyOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& paper);
+// Of `attractors` with --along or --plane.
+[[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);
 // Of `orbits` with a word in place of a family.
 [[nodiscard]] ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const SimulateOptions& options, const proofs::methods::Paper& paper);

@@ -2,15 +2,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/named_orbit.hpp"
+#include "cli/numbers.hpp"
+#include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "proofs/methods/prover.hpp"
 #include "report/audit/pages.hpp"
+#include "report/orbits/object_values.hpp"
+#include "report/orbits/orbit_latex.hpp"
+#include "report/tools/prose.hpp"
 #include "symbolic/objects/objects.hpp"
 
 namespace stickslip::cli {
@@ -28,6 +35,12 @@ std::set<std::string> named(const std::vector<proofs::methods::Claim>& claims, c
   }
 }
 
+// "\paragraph{First block of $H$ (38)}" for the sentence and the number of the paper's equation.
+std::string heading(const std::string& sentence, const std::string& number) {
+  return fmt::format("\\paragraph{{{} {}}}\n", report::tools::capitalised(report::tools::prose_tex(sentence)),
+                     number);
+}
+
 // The statements with these ids in the form that is proved, each after a comment that says what is known of
 // it; a refuted one is only spoken of.
 std::string statements(const std::vector<proofs::methods::Claim>& claims, const std::set<std::string>& ids) {
@@ -42,29 +55,77 @@ std::string statements(const std::vector<proofs::methods::Claim>& claims, const 
       lines.push_back(proofs::symbols::latex(statement));
     }
     if (!lines.empty()) {
+      result += heading(record.claim.words, fmt::format("({})", record.claim.id));
       result += fmt::format("\\begin{{gather*}}\n{}\n\\end{{gather*}}\n", fmt::join(lines, " \\\\\n"));
     }
   }
   return result;
 }
 
+std::string derived(const symbolic::objects::Object& object, symbolic::objects::Unknowns unknowns) {
+  return heading(object.title, object.number) + symbolic::objects::displayed(object, unknowns);
+}
+
+bool gives_parameters(const LatexOptions& options) {
+  return !options.parameters.empty() || !options.file.empty() || !options.example.empty();
+}
+
+int digits_of(const LatexOptions& options) {
+  return whole_number("digits", options.digits, OrbitsOptions::most_digits, LatexOptions::default_digits);
+}
+
+// What is added to an expression: its values at the parameters that are given, if any are. Throws UsageError
+// for intervals, and naming all parameters that the expressions asked for need and that are missing.
+std::function<std::string(const symbolic::objects::Object&)> values(
+    const LatexOptions& options, const proofs::methods::Paper& paper,
+    const std::vector<const symbolic::objects::Object *>& asked) {
+  if (!gives_parameters(options)) {
+    return [](const symbolic::objects::Object&) { return std::string(); };
+  }
+  const ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
+  const TypedParameters typed = given_parameters(paper, options.parameters, file.parameters, options.example);
+  report::orbits::GivenParameters given;
+  for (const auto& [name, text] : typed) {
+    given[name] = exact_number(name, text);
+  }
+  require_given(typed, report::orbits::parameters_of(asked));
+  return [given, digits = digits_of(options)](const symbolic::objects::Object& object) {
+    return report::orbits::values_latex(object, given, digits);
+  };
+}
+
 // What the names ask for, or all objects. They are looked up first, so that an unknown one prints nothing.
-std::string formulas(const LatexOptions& options, const std::vector<proofs::methods::Claim>& claims) {
+std::string formulas(const LatexOptions& options, const proofs::methods::Paper& paper) {
+  const std::vector<proofs::methods::Claim>& claims = paper.claims;
+  std::vector<const symbolic::objects::Object *> asked;
+  for (const symbolic::objects::Object& object : symbolic::objects::objects()) {
+    if (options.names.empty() || std::ranges::find(options.names, object.name) != options.names.end()) {
+      asked.push_back(&object);
+    }
+  }
+  const auto at_parameters = values(options, paper, asked);
   const symbolic::objects::Unknowns unknowns =
       options.in_frequencies ? symbolic::objects::Unknowns::omega : symbolic::objects::Unknowns::chi;
   std::vector<std::function<std::string()>> parts;
   bool any_statement = false;
   for (const std::string& name : options.names) {
     if (const symbolic::objects::Object * object = symbolic::objects::find_object(name)) {
-      parts.emplace_back([=] { return symbolic::objects::displayed(*object, unknowns); });
+      parts.emplace_back([=] { return derived(*object, unknowns) + at_parameters(*object); });
     } else {
+      if (gives_parameters(options)) {
+        throw UsageError(
+            fmt::format("{} is a statement, for all parameters: values are those of derived "
+                        "expressions, which stickslip latex --list names",
+                        name));
+      }
       parts.emplace_back([&claims, ids = named(claims, name)] { return statements(claims, ids); });
       any_statement = true;
     }
   }
   if (parts.empty()) {
-    for (const symbolic::objects::Object& object : symbolic::objects::objects()) {
-      parts.emplace_back([&object, unknowns] { return symbolic::objects::displayed(object, unknowns); });
+    for (const symbolic::objects::Object * object : asked) {
+      parts.emplace_back([=] { return derived(*object, unknowns) + at_parameters(*object); });
     }
   }
   std::string result;
@@ -91,16 +152,37 @@ std::string theorem(const proofs::methods::Paper& paper, const std::string& id) 
   throw UsageError(fmt::format("there is no result '{}': there are {}", id, fmt::join(known, ", ")));
 }
 
+std::string orbit(const proofs::methods::Paper& paper, const LatexOptions& options) {
+  const int digits = digits_of(options);
+  ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
+  const NamedOrbit named = named_orbit(options.orbit, paper, options.parameters, file, options.example,
+                                       std::max(digits + 2, OrbitsOptions::default_digits));
+  tell_left_out(file);
+  return report::orbits::orbit_latex(named.list, named.index, digits);
+}
+
 }  // namespace
 
 ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper) {
+  if (!options.orbit.empty()) {
+    print(orbit(paper, options));
+    return exit_decided;
+  }
+  const bool names_expressions = options.theorem.empty() && !options.errata && !options.list;
+  if (gives_parameters(options) && !names_expressions) {
+    throw UsageError("parameters are for derived expressions and --orbit: theorems and errata have none");
+  }
+  if (!options.digits.empty() && !gives_parameters(options)) {
+    throw UsageError("--digits is for values: it needs parameters");
+  }
   if (!options.theorem.empty()) {
     print(theorem(paper, options.theorem));
     return exit_decided;
   }
   print(options.errata ? report::audit::errata(paper, prove(paper.claims, {}))
         : options.list ? symbolic::objects::list_of_objects()
-                       : formulas(options, paper.claims));
+                       : formulas(options, paper));
   return exit_decided;
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <vector>
-
 #include "cli/output.hpp"
+#include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/families/family.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {
@@ -101,7 +101,7 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
   }
   const TypedParameters parameters = parse_parameters(report::tools::read_file(file), file);
   if (!are_in_SI(parameters)) {
-    return {parameters, std::nullopt};
+    return {file, parameters, std::nullopt, {}};
   }
   if (!example.empty()) {
     throw UsageError(fmt::format("--example does not go with the machine of {}: both give all data", file));
@@ -120,7 +120,47 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
   if (taken.ur) {
     dimensionless["ur"] = to_string(*taken.ur);
   }
-  return {dimensionless, taken};
+  return {file, dimensionless, taken, {}};
+}
+
+void leave_out(ParameterFile& file, const std::string& parameter, const std::string& why) {
+  const auto found = file.parameters.find(parameter);
+  if (found == file.parameters.end()) {
+    return;
+  }
+  (void)parse_range(parameter, found->second);  // nonsense is refused even where it does not matter
+  file.parameters.erase(found);
+  if (file.machine) {
+    file.machine->ur.reset();
+    file.machine->machine.friction_at_rest.reset();
+  }
+  file.left_out.push_back(fmt::format("{}: {} is not taken: {}.", file.name,
+                                      file.machine ? "the friction at rest" : parameter, why));
+}
+
+void leave_results_out(ParameterFile& file, const numeric::Family& family, const TypedParameters& typed) {
+  if (!family.why_no_phi.empty()) {
+    leave_out(file, "phi", family.why_no_phi);
+  }
+  if (!family.why_no_ur.empty()) {
+    leave_out(file, "ur", family.why_no_ur);
+  }
+  if (family.why_one_of_phi_ur.empty()) {
+    return;
+  }
+  const bool by_phi = typed.contains("phi");
+  if (by_phi && !typed.contains("ur")) {
+    leave_out(file, "ur", "with --phi it is a result");
+  }
+  if (!by_phi && (typed.contains("ur") || file.parameters.contains("ur"))) {
+    leave_out(file, "phi", "with ur it is a result");
+  }
+}
+
+void tell_left_out(const ParameterFile& file) {
+  for (const std::string& sentence : file.left_out) {
+    tell(sentence);
+  }
 }
 
 std::string machine_report(const ParameterFile& file) {

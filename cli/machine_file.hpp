@@ -3,17 +3,21 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/typed_parameters.hpp"
 #include "numeric/machine.hpp"
+#include "numeric/orbits.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/tools/json.hpp"
 
 namespace stickslip::cli {
 
 struct ParameterFile {
+  std::string name;                           // empty if there is none
   TypedParameters parameters;                 // dimensionless, without phi for a machine
   std::optional<numeric::DataTaken> machine;  // in SI units
+  std::vector<std::string> left_out;          // a sentence for each
 };
 
 enum class FrictionAtRest { needed, optional };
@@ -28,6 +32,15 @@ enum class FrictionAtRest { needed, optional };
 // parse_parameters and machine_in_SI do.
 [[nodiscard]] ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
                                             const std::string& example, FrictionAtRest at_rest);
+
+// Leaves out what is a result of the question, if it is in the file: one file serves every question about its
+// machine. Throws UsageError for what is no number.
+void leave_out(ParameterFile& file, const std::string& parameter, const std::string& why);
+// The same for phi and ur where they are results of this family; `typed` goes before the file.
+void leave_results_out(ParameterFile& file, const numeric::Family& family, const TypedParameters& typed);
+
+// Says on standard error what was left out, and why; once there is an answer.
+void tell_left_out(const ParameterFile& file);
 
 // What goes before a report, and into its JSON as "machine": nothing for dimensionless parameters.
 [[nodiscard]] std::string machine_report(const ParameterFile& file);

@@ -14,7 +14,10 @@
 #include "cli/commands.hpp"
 #include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
+#include "numeric/families/family.hpp"
+#include "numeric/orbits.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
 
@@ -32,9 +35,33 @@ std::string versions() {
   return text + fmt::format("  CLI11 {}\n", CLI11_VERSION);
 }
 
+constexpr std::size_t width_of_help = 88;
+
 // The paper that this program is about.
 const Paper& paper() {
   return proofs::pascal2012::paper();
+}
+
+// What is given for an orbit of the family besides the data, and what is a result.
+std::string given_and_found(const numeric::Family& family) {
+  if (!family.why_one_of_phi_ur.empty()) {
+    return "exactly one of --phi and --ur is given; the other is a result.";
+  }
+  const std::string phi = family.why_no_phi.empty() ? "--phi is given" : "phi is a result";
+  if (!family.why_no_ur.empty()) {
+    return phi + ", and so is ur.";
+  }
+  return phi +
+         "; without --ur the largest admissible one is, ur_max, and \"admissible\" speaks of all other "
+         "conditions.";
+}
+
+std::string families() {
+  std::vector<report::tools::Row> rows;
+  for (const numeric::Family * family : numeric::all_families()) {
+    rows.push_back({{family->name}, {given_and_found(*family)}});
+  }
+  return report::tools::columns_of(rows, width_of_help);
 }
 
 PaperInHelp in_help() {
@@ -48,9 +75,12 @@ PaperInHelp in_help() {
   for (const Section& section : paper().sections) {
     places.push_back(section.id);
   }
-  return {fmt::format("{}", fmt::join(report::tools::wrapped(about, 88), "\n")),
-          fmt::format("{}", fmt::join(places, ", ")), id_of_a_part(paper().claims),
-          names_of(paper().examples)};
+  return {fmt::format("{}", fmt::join(report::tools::wrapped(about, width_of_help), "\n")),
+          fmt::format("{}", fmt::join(places, ", ")),
+          id_of_a_part(paper().claims),
+          names_of(paper().examples),
+          numeric::families::names_of_families(),
+          families()};
 }
 
 ExitCode run(const HelpWanted& help, const Paper& /*paper*/) {
@@ -59,6 +89,15 @@ ExitCode run(const HelpWanted& help, const Paper& /*paper*/) {
 }
 ExitCode run(const VersionsWanted& /*versions*/, const Paper& /*paper*/) {
   print(versions());
+  return exit_decided;
+}
+
+ExitCode run(const ManualWanted& manual, const Paper& /*paper*/) {
+  std::vector<report::tools::File> files;
+  for (const ManualFile& file : manual.files) {
+    files.push_back({file.name, file.text});
+  }
+  report::tools::write_files(manual.directory, files);
   return exit_decided;
 }
 

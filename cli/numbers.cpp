@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "cli/typed_parameters.hpp"
+#include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/scalars/scalars.hpp"
 
@@ -30,7 +31,7 @@ int whole_number(const std::string& name, const std::string& text, int most, int
 Rational exact_number(const std::string& name, const std::string& text) {
   const Range range = parse_range(name, text);
   if (range.radius != 0) {
-    throw UsageError(fmt::format("{}: '{}' is an interval, but a simulation needs a number", name, text));
+    throw UsageError(fmt::format("{}: '{}' is an interval, but a number is needed here", name, text));
   }
   return range.middle;
 }

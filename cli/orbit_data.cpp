@@ -1,9 +1,14 @@
 #include "cli/orbit_data.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "cli/numbers.hpp"
+#include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/families/family.hpp"
 #include "proofs/methods/example_orbits.hpp"
 
 namespace stickslip::cli {
@@ -13,6 +18,9 @@ using namespace numeric::motion;
 using namespace proofs::methods;
 
 namespace {
+
+// Those of (2) that every question needs.
+const std::vector<std::string> data_names{"chi", "eta", "us", "V", "omega", "p"};
 
 void set(TypedParameters& parameters, const char * name, const std::optional<Rational>& value) {
   if (value) {
@@ -47,13 +55,16 @@ void replace(TypedParameters& old, const TypedParameters& with) {
   }
 }
 
-Range required_range(const TypedParameters& parameters, const std::string& name) {
-  const auto found = parameters.find(name);
-  if (found == parameters.end()) {
-    throw UsageError(fmt::format(
-        "the parameter {0} is missing: give --{0}, or all of them by --params or --example", name));
+// Of the family: also phi or ur, as far as it is not all that is missing.
+void require_data(const TypedParameters& parameters, const Family& family) {
+  std::vector<std::string> names = data_names;
+  const bool complete = std::all_of(names.begin(), names.end(),
+                                    [&](const std::string& name) { return parameters.contains(name); });
+  const bool neither = !parameters.contains("phi") && !parameters.contains("ur");
+  if (!complete && neither && !family.why_one_of_phi_ur.empty()) {
+    names.emplace_back("phi or --ur");
   }
-  return parse_range(name, found->second);
+  require_given(parameters, names);
 }
 
 std::optional<Range> optional_range(const TypedParameters& parameters, const std::string& name) {
@@ -63,6 +74,31 @@ std::optional<Range> optional_range(const TypedParameters& parameters, const std
 
 }  // namespace
 
+void require_given(const TypedParameters& parameters, const std::vector<std::string>& names) {
+  std::vector<std::string> missing;
+  for (const std::string& name : names) {
+    if (!parameters.contains(name)) {
+      missing.push_back("--" + name);
+    }
+  }
+  if (!missing.empty()) {
+    throw UsageError(fmt::format("missing: {}; give {}, or all parameters by --params or --example",
+                                 fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
+  }
+}
+
+TypedParameters given_parameters(const Paper& paper, const TypedParameters& typed,
+                                 const TypedParameters& from_file, const std::string& example) {
+  TypedParameters all;
+  if (!example.empty()) {
+    const Example& known = example_named(paper.examples, example);
+    all = parameters_of(known, *known.family);
+  }
+  replace(all, from_file);
+  replace(all, typed);
+  return all;
+}
+
 OrbitQuestion question(const Paper& paper, const Family& family, const TypedParameters& typed,
                        const TypedParameters& from_file, const std::string& example, int digits) {
   TypedParameters all;
@@ -71,9 +107,10 @@ OrbitQuestion question(const Paper& paper, const Family& family, const TypedPara
   }
   replace(all, from_file);
   replace(all, typed);
+  require_data(all, family);
+  const auto range = [&](const char * name) { return parse_range(name, all.at(name)); };
   return {&family,
-          {required_range(all, "chi"), required_range(all, "eta"), required_range(all, "us"),
-           required_range(all, "V"), required_range(all, "omega"), required_range(all, "p")},
+          {range("chi"), range("eta"), range("us"), range("V"), range("omega"), range("p")},
           optional_range(all, "phi"),
           optional_range(all, "ur"),
           digits};
@@ -94,16 +131,26 @@ words::WordQuestion machine(const Paper& paper, const TypedParameters& typed,
     const Example& known = example_named(paper.examples, example);
     all = parameters_of(known, *known.family);
     if (!all.contains("ur") && !given.contains("ur")) {
-      all["ur"] = to_text(printed_orbit(known).value("ur"), digits_of_ur).mid;
+      all["ur"] = to_text(printed_orbit(known).ur(), digits_of_ur).mid;
     }
   }
   replace(all, given);
-  const auto exact = [&](const char * name) {
-    (void)required_range(all, name);
-    return exact_number(name, all.at(name));
-  };
+  std::vector<std::string> names = data_names;
+  names.emplace_back("ur");
+  require_given(all, names);
+  const auto exact = [&](const char * name) { return exact_number(name, all.at(name)); };
   return {
       {exact("chi"), exact("eta"), exact("us"), exact("V"), exact("omega"), exact("p")}, exact("ur"), digits};
+}
+
+numeric::zeros::Effort effort(const OrbitsOptions& options) {
+  std::optional<long> cells;
+  if (!options.cells.empty()) {
+    cells = whole_number("cells", options.cells, OrbitsOptions::most_cells, 1);
+  }
+  const std::optional<double> seconds =
+      options.time.empty() ? std::nullopt : std::optional(positive("time", options.time));
+  return {cells, seconds};
 }
 
 }  // namespace stickslip::cli

@@ -3,12 +3,24 @@
 
 #include <string>
 
+#include "cli/arguments.hpp"
 #include "cli/typed_parameters.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/words/word_orbit.hpp"
+#include "numeric/zeros/effort.hpp"
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
+
+// Throws UsageError naming all of the names that are not among the parameters.
+void require_given(const TypedParameters& parameters, const std::vector<std::string>& names);
+
+// What is typed, in the file and of the example, none of which need be all that a question needs; `typed`
+// replaces what the file says, which replaces the data of the example. Throws UsageError for an unknown
+// example.
+[[nodiscard]] TypedParameters given_parameters(const proofs::methods::Paper& paper,
+                                               const TypedParameters& typed, const TypedParameters& from_file,
+                                               const std::string& example);
 
 // The question about the family. `typed` replaces what the file says, which replaces the data of the example;
 // the file's parameters and the example may be empty. The example's phi or ur counts only for its own family
@@ -25,5 +37,8 @@ namespace stickslip::cli {
                                                    const TypedParameters& typed,
                                                    const TypedParameters& from_file,
                                                    const std::string& example, int digits);
+
+// --cells and --time: how long searches go on. Throws UsageError.
+[[nodiscard]] numeric::zeros::Effort effort(const OrbitsOptions& options);
 
 }  // namespace stickslip::cli

@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <string>
 
+#include "cli/certify.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/interruption.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/words/word.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
 #include "report/audit/pages.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
@@ -21,6 +25,7 @@
 namespace stickslip::cli {
 
 using namespace numeric;
+using report::orbits::InFull;
 
 namespace {
 
@@ -39,6 +44,53 @@ void draw(const OrbitList& list, const std::string& file) {
   report::tools::write_plot(file, script);
 }
 
+// One claim for each admissible orbit: that it exists.
+std::vector<proofs::methods::Claim> claims_of(const OrbitList& list) {
+  using namespace proofs;
+  std::vector<methods::Claim> claims;
+  for (std::size_t k = 0; k < list.orbits.size(); ++k) {
+    if (list.orbits[k].admissible.truth != Truth::proved) {
+      continue;
+    }
+    methods::Claim claim{.id = fmt::format("{}.{}", list.question.family->name, k + 1)};
+    claim.kind = methods::Kind::numbers;
+    claim.origin = methods::Origin::new_result;
+    claim.words = fmt::format("orbit {} of the list exists", k + 1);
+    claim.prove = [&list, k](methods::Prover&, const methods::Claim&) {
+      methods::Outcome outcome;
+      const motion::Motion& motion = list.orbits[k].motion;
+      try {
+        outcome.theorems = {orbits::orbit_theorem(orbits::question_of(list.question, motion), motion)};
+        outcome.verdict = Verdict::proved();
+      } catch (const kernel::KernelError& error) {
+        outcome.verdict = Verdict::undecided(error.what());
+      }
+      return outcome;
+    };
+    claims.push_back(std::move(claim));
+  }
+  return claims;
+}
+
+void certify(const OrbitList& list, const std::string& directory) {
+  const std::vector<proofs::methods::Claim> claims = claims_of(list);
+  if (claims.empty()) {
+    tell(fmt::format("There is no admissible orbit to certify: {} is not written.", directory));
+    return;
+  }
+  proofs::certificates::Certificates made;
+  {
+    const Progress progress("writing certificates ...");
+    made = proofs::certificates::certificates(claims);
+  }
+  write_certificates(directory, made);
+  tell(fmt::format("Certificates of {} orbits are in {}: make -k -j there has Coq check them.",
+                   made.certificates.size(), directory));
+  for (const proofs::certificates::Uncertified& one : made.uncertified) {
+    tell(fmt::format("{} has none: {}.", one.claim, one.reason));
+  }
+}
+
 }  // namespace
 
 ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
@@ -46,24 +98,25 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     throw UsageError("a family of orbits is missing: " + families::names_of_families());
   }
   if (words::looks_like_word(options.family)) {
+    if (!options.certify.empty()) {
+      throw UsageError("--certify is for a family, not for a word of phases");
+    }
     return run_word(options, paper);
   }
   if (!options.period.empty() || options.with_near) {
     throw UsageError(
         fmt::format("--period and --near are for words of phases, not for the family '{}'", options.family));
   }
-  const ParameterFile file =
-      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
-  const report::orbits::Units units = units_of(options.units, file, options.json);
   const Family& family = family_named(options.family);
-  if (file.machine && file.machine->ur && !family.why_no_ur.empty()) {
-    throw UsageError(
-        fmt::format("{}: leave the friction at rest out, for {}", options.file, family.why_no_ur));
-  }
+  ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
+  leave_results_out(file, family, options.parameters);
+  const report::orbits::Units units = units_of(options.units, file, options.json);
   const OrbitQuestion asked = question(
       paper, family, options.parameters, file.parameters, options.example,
       whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits));
   const Jobs limit = jobs(options.jobs);
+  const zeros::Effort patience = effort(options);
   if (options.with_plot) {
     (void)report::tools::plot_format(options.plot);
     report::tools::require_plot(options.plot);
@@ -72,7 +125,17 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     report::tools::require_writable(options.out);
     report::orbits::require_page_tools(false);
   }
+  if (!options.certify.empty()) {
+    if (asks_for_box(asked)) {
+      throw UsageError("--certify is for exact parameters, not for a box of them");
+    }
+    report::tools::require_writable(options.certify);
+    require_certificates_only(options.certify);
+  }
   const OrbitList list = search(asked);
+  if (!options.certify.empty()) {
+    certify(list, options.certify);
+  }
   if (options.with_plot) {
     draw(list, options.plot);
   }
@@ -82,8 +145,11 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     made = report::audit::pages(list);
     report::tools::write_files(options.out, made.files);
   }
+  tell_left_out(file);
   print(options.json ? report::tools::to_text(with_machine(report::orbits::to_json(list), file))
-                     : machine_report(file) + report::orbits::terminal_report(list, terminal_style(), units));
+                     : machine_report(file) +
+                           report::orbits::terminal_report(list, terminal_style(), units,
+                                                           options.all ? InFull::all : InFull::admissible));
   if (options.with_out) {
     tell(report_line(options.out, "orbits", made));
   }

@@ -5,20 +5,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
-#include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
-#include "core/decimal.hpp"
+#include "cli/simulation_start.hpp"
 #include "core/interruption.hpp"
 #include "numeric/simulation/record.hpp"
-#include "proofs/methods/example_orbits.hpp"
-#include "report/orbits/attractors.hpp"
+#include "numeric/simulation/simulation.hpp"
 #include "report/orbits/simulation.hpp"
 #include "report/tools/files.hpp"
 
@@ -27,8 +26,9 @@ namespace stickslip::cli {
 using namespace numeric;
 using namespace numeric::motion;
 using namespace numeric::simulation;
-using proofs::methods::Example;
 using proofs::methods::Paper;
+using report::orbits::PictureSamples;
+using report::orbits::Simulated;
 
 namespace {
 
@@ -64,102 +64,113 @@ class Bar {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// The beginning of the example's orbit.
-Start start_of_example(const Example& example) {
-  const Orbit& orbit = printed_orbit(example);
-  const MotionOf<double> motion = in_double(orbit.motion);
-  const PhaseOf<double>& first = motion.phases.front();
-  Start start{motion.oscillator.data, 0, first.load, first.Z};
-  start.X.head<2>() += motion.oscillator.d0;
-  for (const NamedBall& value : orbit.values) {
-    if (value.name == "ur") {
-      start.ur = value.value.approximate();
+// What becomes of the samples while the motion is followed.
+class Samples {
+ public:
+  // Throws InputOutputError where they cannot go.
+  Samples(const SimulateOptions& options, double period) {
+    if (options.with_plot) {
+      picture_.emplace(period);
+    }
+    to_output_ = options.with_csv && options.csv == standard_output;
+    if (options.with_csv && !to_output_) {
+      file_.emplace(options.csv);
+    }
+    if (options.with_csv) {
+      write(report::orbits::csv_names());
     }
   }
-  return start;
-}
 
-void replace(double& value, const TypedParameters& typed, const char * name) {
-  if (const auto found = typed.find(name); found != typed.end()) {
-    value = number(name, found->second);
-  }
-}
+  [[nodiscard]] bool wanted() const { return picture_ || file_ || to_output_; }
 
-// What the options say goes before what the file says.
-TypedParameters typed_of(const SimulateOptions& options, const ParameterFile& file) {
-  TypedParameters typed = file.parameters;
-  if (file.machine) {
-    typed["phi"] = to_string(file.machine->machine.load_phase);
-  }
-  for (const auto& [name, text] : options.parameters) {
-    typed[name] = text;
-  }
-  return typed;
-}
-
-Start start_of(const SimulateOptions& options, const TypedParameters& typed, const Paper& paper) {
-  if (options.example.empty() && options.state.empty()) {
-    throw UsageError("a start is missing: give --state x1,x2,x1',x2' or --example");
-  }
-  Start start;
-  if (!options.example.empty()) {
-    start = start_of_example(example_named(paper.examples, options.example));
-  } else {
-    for (const char * name : parameter_names) {
-      if (!typed.contains(name)) {
-        throw UsageError(
-            fmt::format("the parameter {0} is missing: give --{0}, or all by --params or --example", name));
-      }
+  void add(const Sample& sample) {
+    if (picture_) {
+      picture_->add(sample);
+    }
+    if (file_ || to_output_) {
+      write(report::orbits::csv_line(sample));
     }
   }
-  model::Parameters<double>& a = start.data;
-  replace(a.chi, typed, "chi");
-  replace(a.eta, typed, "eta");
-  replace(a.us, typed, "us");
-  replace(a.V, typed, "V");
-  replace(a.omega, typed, "omega");
-  replace(a.p, typed, "p");
-  replace(start.phi, typed, "phi");
-  replace(start.ur, typed, "ur");
-  if (!options.state.empty()) {
-    start.X = four_numbers("state", options.state);
+
+  void write_rest(const Record& record, const SimulateOptions& options) {
+    if (to_output_) {
+      print(output_);
+    }
+    if (file_) {
+      file_->complete();
+    }
+    if (picture_) {
+      report::tools::write_plot(
+          options.plot,
+          report::orbits::plot_script(record, *picture_, report::tools::plot_format(options.plot)));
+    }
+    if (file_) {
+      file_->take_place();
+    }
   }
-  if (!options.perturb.empty()) {
-    start.X += four_numbers("perturb", options.perturb);
+
+  static constexpr std::string_view standard_output = "-";
+
+ private:
+  void write(std::string_view text) {
+    if (file_) {
+      file_->append(text);
+      return;
+    }
+    output_ += text;
+    if (output_.size() >= chunk) {
+      print(output_);
+      output_.clear();
+    }
   }
-  return start;
+
+  static constexpr std::size_t chunk = 1 << 16;
+
+  std::optional<PictureSamples> picture_;
+  std::optional<report::tools::PendingFile> file_;
+  std::string output_;
+  bool to_output_ = false;
+};
+
+void require_places(const SimulateOptions& options) {
+  if (options.with_csv && options.csv == Samples::standard_output && options.json) {
+    throw UsageError("--csv - and --json do not go together: both are for standard output");
+  }
+  if (options.with_csv && options.csv.empty()) {
+    throw UsageError("csv: '' is not the name of a file");
+  }
+  if (options.with_csv && options.csv != Samples::standard_output) {
+    report::tools::require_writable_file(options.csv);
+  }
+  if (options.with_plot) {
+    (void)report::tools::plot_format(options.plot);
+    report::tools::require_plot(options.plot);
+  }
 }
 
-RecordPlan plan_of(const SimulateOptions& options, const Start& start) {
+// Without settling.
+Simulated simulate(const Start& start, const SimulateOptions& options) {
   const double period = 2 * std::acos(-1.0) / start.data.omega;
-  const double periods =
+  Simulated simulated;
+  simulated.periods =
       options.periods.empty() ? SimulateOptions::default_periods : positive("periods", options.periods);
-  const bool keep = !options.csv.empty() || !options.plot.empty();
-  return {
-      periods * period,
-      options.every.empty() ? period / SimulateOptions::samples_in_period : positive("every", options.every),
-      keep};
-}
-
-void write(const Record& record, const SimulateOptions& options) {
-  if (!options.csv.empty()) {
-    const std::filesystem::path file = options.csv;
-    report::tools::write_files(file.has_parent_path() ? file.parent_path() : ".",
-                               {{file.filename().string(), report::orbits::to_csv(record)}});
-  }
-  if (!options.plot.empty()) {
-    report::tools::write_plot(options.plot,
-                              report::orbits::plot_script(record, report::tools::plot_format(options.plot)));
-  }
-}
-
-Record simulate(const Start& start, const RecordPlan& plan) {
+  const double every =
+      options.every.empty() ? period / SimulateOptions::samples_in_period : positive("every", options.every);
   const Interruptible scope;
+  Samples samples(options, period);
+  if (samples.wanted()) {
+    simulated.every = every;
+  }
   Bar bar;
-  return record_motion(start, plan, [&bar](double share) {
-    bar.show(share);
-    return !interrupted();
-  });
+  simulated.record = record_motion(
+      start, {simulated.periods * period, simulated.every},
+      [&bar](double share) {
+        bar.show(share);
+        return !interrupted();
+      },
+      [&samples](const Sample& sample) { samples.add(sample); });
+  samples.write_rest(simulated.record, options);
+  return simulated;
 }
 
 // So many steps of a simulation, roughly, take a second.
@@ -169,18 +180,18 @@ constexpr double fewest_periods = 100;
 constexpr double greatest_state = 1e90;
 
 // What the motion settles on, if that can be seen within a second or so, when it goes on from its end.
-std::string settles_on(const Record& record, const SimulateOptions& options, TypedParameters typed,
-                       const Paper& paper) {
-  typed.erase("phi");
+std::optional<attractors::Attractor> settles_on(const Record& record, const words::WordQuestion& machine) {
+  if (record.interrupted || !(record.end.X.lpNorm<Eigen::Infinity>() < greatest_state)) {
+    return std::nullopt;
+  }
   const double fastest =
       std::max({1.0, model::modes<double>(record.start.data.chi, record.start.data.eta).omega2,
                 record.start.data.omega});
   const double periods = std::min(enough_steps / (record.period * fastest),
                                   static_cast<double>(AttractorsOptions::default_most_periods));
   if (!(periods >= fewest_periods)) {
-    return "";
+    return std::nullopt;
   }
-  const words::WordQuestion data = machine(paper, typed, {}, options.example, OrbitsOptions::default_digits);
   // On to the next time when the load's phase is 0.
   const Start& start = record.start;
   const double turn = 2 * std::acos(-1.0);
@@ -188,31 +199,28 @@ std::string settles_on(const Record& record, const SimulateOptions& options, Typ
   Simulation simulation(start.data, start.ur, phase, record.end.X);
   simulation.advance((phase > 0 ? turn - phase : -phase) / start.data.omega);
   const Interruptible scope;
-  const attractors::Attractor found =
-      attractors::find_attractor(data, simulation.state(), static_cast<long>(periods));
-  return interrupted() ? "" : report::orbits::in_words(found);
+  attractors::Attractor found =
+      attractors::find_attractor(machine, simulation.state(), static_cast<long>(periods));
+  return interrupted() ? std::nullopt : std::optional(std::move(found));
 }
 
 }  // namespace
 
 ExitCode run(const SimulateOptions& options, const Paper& paper) {
-  if (!options.csv.empty()) {
-    report::tools::require_writable_file(options.csv);
+  require_places(options);
+  ParameterFile file =
+      read_parameters(options.file, options.parameters, options.example,
+                      options.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
+  const SimulationStart from = simulation_start(options, file, paper);
+  Simulated simulated = simulate(from.start, options);
+  if (options.csv == Samples::standard_output) {
+    return simulated.record.interrupted ? exit_interrupted : exit_decided;
   }
-  if (!options.plot.empty()) {
-    (void)report::tools::plot_format(options.plot);
-    report::tools::require_plot(options.plot);
-  }
-  const ParameterFile file =
-      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::needed);
-  const TypedParameters typed = typed_of(options, file);
-  const Start start = start_of(options, typed, paper);
-  const Record record = simulate(start, plan_of(options, start));
-  write(record, options);
-  const bool within = record.end.X.lpNorm<Eigen::Infinity>() < greatest_state;
-  const std::string settles = within && !record.interrupted ? settles_on(record, options, typed, paper) : "";
-  print(machine_report(file) + report::orbits::terminal_report(record, settles, terminal_style()));
-  return record.interrupted ? exit_interrupted : exit_decided;
+  simulated.settles = settles_on(simulated.record, from.machine);
+  tell_left_out(file);
+  print(options.json ? report::tools::to_text(with_machine(report::orbits::to_json(simulated), file))
+                     : machine_report(file) + report::orbits::terminal_report(simulated, terminal_style()));
+  return simulated.record.interrupted ? exit_interrupted : exit_decided;
 }
 
 }  // namespace stickslip::cli

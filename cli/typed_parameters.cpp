@@ -12,35 +12,12 @@
 namespace stickslip::cli {
 namespace {
 
-Rational parse_named(const std::string& name, const std::string& text) {
-  try {
-    return parse_rational(text);
-  } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{}: {}", name, error.what()));
-  }
-}
-
 template <class Names>
 bool has(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
-
-Range parse_range(const std::string& name, const std::string& text) {
-  for (const std::string separator : {"+-", "±"}) {
-    const std::size_t place = text.find(separator);
-    if (place != std::string::npos) {
-      const Range range{parse_named(name, text.substr(0, place)),
-                        parse_named(name, text.substr(place + separator.size()))};
-      if (range.radius < 0) {
-        throw UsageError(fmt::format("{}: '{}' has a negative half width", name, text));
-      }
-      return range;
-    }
-  }
-  return {parse_named(name, text)};
-}
 
 TypedParameters parse_parameters(const std::string& text, const std::string& file) {
   std::istringstream stream(text);

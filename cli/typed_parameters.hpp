@@ -5,8 +5,6 @@
 #include <map>
 #include <string>
 
-#include "core/decimal.hpp"
-
 namespace stickslip::cli {
 
 inline constexpr std::array parameter_names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
@@ -28,10 +26,6 @@ inline constexpr std::array names_in_SI{"m1",
 
 // Texts under the parameters' names.
 using TypedParameters = std::map<std::string, std::string>;
-
-// A number as core/decimal.hpp reads it, or an interval "0.5+-1e-4" ("0.5±1e-4"). Throws UsageError naming
-// the parameter and the text.
-[[nodiscard]] Range parse_range(const std::string& name, const std::string& text);
 
 // The parameters in TOML, lines such as chi = 0.5; each value is taken as text, exactly. They are either
 // dimensionless or those of a machine in SI units. Throws UsageError naming the file and what is not a

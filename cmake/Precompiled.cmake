@@ -9,7 +9,7 @@ set(stickslip_precompiled_source ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
 function(stickslip_precompiled name)
   cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES" ${ARGN})
   add_library(${name} OBJECT EXCLUDE_FROM_ALL ${stickslip_precompiled_source})
-  target_link_libraries(${name} PRIVATE stickslip::options ${arg_LIBRARIES})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES})
   target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <set>
     <sstream> <string> <utility> <vector> ${arg_HEADERS})
 endfunction()

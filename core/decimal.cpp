@@ -64,6 +64,14 @@ long take_exponent(std::string_view& rest, std::string_view text) {
   return sign * std::stol(digits);
 }
 
+Rational parse_named(const std::string& name, const std::string& text) {
+  try {
+    return parse_rational(text);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
 }  // namespace
 
 DomainError::DomainError(const std::string& name, const std::string& value, const std::string& range)
@@ -106,6 +114,21 @@ Rational parse_rational(std::string_view text) {
     not_a_number(text);
   }
   return sign * Rational(mpz_class(above, 10)) / Rational(mpz_class(below, 10));
+}
+
+Range parse_range(const std::string& name, const std::string& text) {
+  for (const std::string separator : {"+-", "±"}) {
+    const std::size_t place = text.find(separator);
+    if (place != std::string::npos) {
+      const Range range{parse_named(name, text.substr(0, place)),
+                        parse_named(name, text.substr(place + separator.size()))};
+      if (range.radius < 0) {
+        throw UsageError(fmt::format("{}: '{}' has a negative half width", name, text));
+      }
+      return range;
+    }
+  }
+  return {parse_named(name, text)};
 }
 
 std::string to_string(const Rational& value) {

@@ -32,6 +32,10 @@ struct Range {
 // Reads a decimal as above, or a fraction of two integers such as 1/3. Throws UsageError likewise.
 [[nodiscard]] Rational parse_rational(std::string_view text);
 
+// The value of the named parameter: a number as above, or an interval "0.5+-1e-4" ("0.5±1e-4"). Throws
+// UsageError naming the parameter and the text.
+[[nodiscard]] Range parse_range(const std::string& name, const std::string& text);
+
 // The shortest exact notation: a terminating decimal when there is one of at most 40 digits, else a fraction.
 [[nodiscard]] std::string to_string(const Rational& value);
 

@@ -22,8 +22,6 @@ std::string to_string(Truth truth) {
       return "refuted";
     case Truth::undecided:
       return "undecided";
-    case Truth::out_of_domain:
-      return "out_of_domain";
     case Truth::assumed:
       return "assumed";
     case Truth::checked:
@@ -46,8 +44,7 @@ Verdict Verdict::refuted(Witness witness) {
 }
 
 Verdict all_of(const std::vector<Verdict>& verdicts) {
-  for (const Truth truth :
-       {Truth::refuted, Truth::out_of_domain, Truth::undecided, Truth::checked, Truth::assumed}) {
+  for (const Truth truth : {Truth::refuted, Truth::undecided, Truth::checked, Truth::assumed}) {
     const auto found = std::find_if(verdicts.begin(), verdicts.end(),
                                     [truth](const Verdict& verdict) { return verdict.truth == truth; });
     if (found != verdicts.end()) {

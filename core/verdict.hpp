@@ -16,11 +16,10 @@ namespace stickslip {
 
 enum class Truth {
   proved,
-  refuted,        // with a witness
-  undecided,      // with the reason
-  out_of_domain,  // with the reason
-  assumed,        // an equation of the model: there is nothing to decide
-  checked,        // a computation in floating point agrees, which proves nothing; the reason says how well
+  refuted,    // with a witness
+  undecided,  // with the reason
+  assumed,    // an equation of the model: there is nothing to decide
+  checked,    // a computation in floating point agrees, which proves nothing; the reason says how well
 };
 
 [[nodiscard]] std::string to_string(Truth truth);
@@ -51,16 +50,12 @@ struct Verdict {
   [[nodiscard]] static Verdict undecided(std::string reason) {
     return {Truth::undecided, std::move(reason), {}};
   }
-  [[nodiscard]] static Verdict out_of_domain(std::string reason) {
-    return {Truth::out_of_domain, std::move(reason), {}};
-  }
   [[nodiscard]] static Verdict assumed(std::string reason) { return {Truth::assumed, std::move(reason), {}}; }
   [[nodiscard]] static Verdict checked(std::string reason) { return {Truth::checked, std::move(reason), {}}; }
 };
 
-// The verdict on "all of them hold": the first refuted one, else the first out of domain, undecided, checked,
-// assumed, else proved. The conjunction of nothing is undecided: a proof that looked at nothing proves
-// nothing.
+// The verdict on "all of them hold": the first refuted one, else the first undecided, checked, assumed, else
+// proved. The conjunction of nothing is undecided: a proof that looked at nothing proves nothing.
 [[nodiscard]] Verdict all_of(const std::vector<Verdict>& verdicts);
 
 }  // namespace stickslip

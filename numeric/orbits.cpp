@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
+#include "numeric/families/family.hpp"
 
 namespace stickslip::numeric {
 
@@ -113,7 +114,8 @@ void require_domain(const OrbitQuestion& q) {
 }
 
 // Where a natural frequency may be a multiple k omega for a member of the box: with k = 1 there is no Q (7),
-// and a motion that never sticks closes in no way or in many for every k.
+// and a motion that never sticks closes in no way or in many for every k. The first two multiples stand for
+// all: next to omega = 0 there are too many to list, or no bound for them.
 std::vector<Unresolved> resonances_inside(const OrbitQuestion& q) {
   const WorkingPrecision scope(bits_for(fewest_digits));
   const model::Parameters<Ball> a = each(q, ball).data;
@@ -121,12 +123,18 @@ std::vector<Unresolved> resonances_inside(const OrbitQuestion& q) {
   std::vector<Unresolved> result;
   for (const auto& [omega_j, name] : {std::pair(m.omega1, "omega1"), std::pair(m.omega2, "omega2")}) {
     const Ball ratio = omega_j / a.omega;
-    const double last = has_stick(*q.family) ? 1 : std::ceil(ratio.upper().approximate());
-    for (double k = 1; k <= last; ++k) {
-      if (ratio.overlaps(Ball(k))) {
-        result.push_back(
-            {{{"omega", a.omega}},
-             fmt::format("a resonance may lie in the box of parameters: {} omega = {}", k, name)});
+    Ball first = ratio.lower();
+    arb_ceil(first.raw(), first.raw(), WorkingPrecision::bits());
+    first = (first - Ball(1)).is_positive() ? first : Ball(1);
+    const int listed = has_stick(*q.family) ? 1 : 2;
+    for (int i = 0; i < listed; ++i) {
+      const Ball k = first + Ball(i);
+      const bool concerns = !has_stick(*q.family) || k.overlaps(Ball(1));
+      if (concerns && ratio.overlaps(k)) {
+        const bool more = i == 1 && ratio.overlaps(k + Ball(1));
+        result.push_back({{{"omega", a.omega}},
+                          fmt::format("a resonance may lie in the box of parameters: {} omega = {}{}",
+                                      k.approximate(), name, more ? ", and further multiples" : "")});
       }
     }
   }
@@ -134,7 +142,7 @@ std::vector<Unresolved> resonances_inside(const OrbitQuestion& q) {
 }
 
 OrbitList concluded(const OrbitQuestion& q, const Found& found, int digits) {
-  OrbitList list{q, {}, found.unresolved, found.remarks, found.cells};
+  OrbitList list{q, {}, found.unresolved, found.remarks, found.cells, 0};
   const bool box = asks_for_box(q);
   for (Entry& entry : parallel_map(found.candidates.size(), [&](std::size_t i) {
          const Candidate& candidate = found.candidates[i];
@@ -144,6 +152,7 @@ OrbitList concluded(const OrbitQuestion& q, const Found& found, int digits) {
       list.orbits.push_back(std::move(*orbit));
     } else {
       list.unresolved.push_back(std::get<Unresolved>(std::move(entry)));
+      list.open_at_middle += box ? 1 : 0;
     }
   }
   if (box) {

@@ -1,11 +1,17 @@
 // All orbits of one family at given parameters, with everything that is decided about them.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "numeric/families/family.hpp"
+#include "numeric/families/orbit.hpp"
 
 namespace stickslip::numeric {
+
+namespace motion {
+struct ClosedMotion;
+}
 
 using families::all_families;
 using families::asks_for_box;
@@ -23,6 +29,8 @@ struct OrbitList {
   std::vector<Unresolved> unresolved;
   std::vector<Remark> remarks;
   long cells = 0;  // that the search examined
+  // Of the unresolved: orbits at the middle of a box, not proved for the whole of it.
+  std::size_t open_at_middle = 0;
 
   // No orbit of the family is missing; never so for a box.
   [[nodiscard]] bool complete() const { return unresolved.empty() && !asks_for_box(question); }

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
+#include "numeric/attractors/settle.hpp"
 #include "numeric/attractors/starts.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
@@ -74,6 +75,7 @@ class Survey {
  public:
   Survey(const AttractorQuestion& question, const std::vector<Vector4<double>>& starts)
       : question_(question) {
+    question_.starts = static_cast<long>(starts.size());
     question_.machine.most_bits = std::max(most_bits, 2 * scalars::bits_for(question.machine.digits));
     const auto data = parameters_as<double>(question.machine.data);
     const double ur = scalars::scalar<double>(question.machine.ur);
@@ -181,6 +183,7 @@ void Survey::prove() {
 Attractor periodic(const Group& group) {
   Attractor a;
   a.kind = Kind::periodic;
+  a.members = group.members;
   a.count = static_cast<long>(group.members.size());
   a.orbit = group.orbit;
   const bool proved = group.orbit && group.orbit->existence.truth == Truth::proved;
@@ -216,6 +219,8 @@ AttractorList Survey::result() const {
       a.lyapunov = (a.lyapunov.value_or(0) * static_cast<double>(a.count) + *follower.lyapunov()) /
                    static_cast<double>(a.count + 1);
     }
+    a.members.push_back(i);
+    a.is_too_slow = a.is_too_slow || follower.is_too_slow();
     ++a.count;
   }
   for (const auto& [kind, attractor] : others) {
@@ -283,12 +288,18 @@ std::string family_of(const WordOrbit& orbit) {
   return word == "ST" && may_be_symmetric(orbit.orbit.motion) ? families::symmetric().name : "";
 }
 
-AttractorList find_attractors(const AttractorQuestion& question) {
+AttractorList find_attractors_from(const AttractorQuestion& question,
+                                   const std::vector<Vector4<double>>& starts) {
   words::require_word_domain(question.machine);
-  Survey survey(question, random_starts(parameters_as<double>(question.machine.data),
-                                        static_cast<std::size_t>(question.starts), question.seed));
+  Survey survey(question, starts);
   survey.run();
   return survey.result();
+}
+
+AttractorList find_attractors(const AttractorQuestion& question) {
+  return find_attractors_from(question,
+                              random_starts(parameters_as<double>(question.machine.data),
+                                            static_cast<std::size_t>(question.starts), question.seed));
 }
 
 Attractor find_attractor(const words::WordQuestion& machine, const Vector4<double>& X, long most_periods) {

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "numeric/attractors/settle.hpp"
+#include "numeric/attractors/kind.hpp"
 #include "numeric/words/pure_slip.hpp"
+#include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -20,7 +21,8 @@ struct AttractorQuestion {
 
 struct Attractor {
   Kind kind = Kind::unsettled;
-  long count = 0;                         // of the starts that end on it
+  std::vector<std::size_t> members;       // which starts end on it
+  long count = 0;                         // how many
   double share = 0, least = 0, most = 0;  // with Wilson's interval of 95 %
   std::string word;                       // periodic: its letters, in the first rotation
   long periods = 0;                       // periodic: n
@@ -28,6 +30,7 @@ struct Attractor {
   std::optional<words::WordOrbit> orbit;
   std::string family;              // periodic: that of the paper that it belongs to, if any
   model::Vector4<double> state;    // (x1, x2, x1', x2') on it at load phase 0
+  bool is_too_slow = false;        // unsettled: a period of the load takes too many steps to be followed
   std::optional<double> lyapunov;  // irregular, quasi-periodic: a check, the mean over its starts
 };
 
@@ -43,13 +46,15 @@ struct AttractorList {
 // Throws as words::require_word_domain and simulation::Simulation do.
 [[nodiscard]] AttractorList find_attractors(const AttractorQuestion& question);
 
+// What the motions from these starts at load phase 0 settle on; the question's number of starts and seed say
+// nothing. Throws likewise.
+[[nodiscard]] AttractorList find_attractors_from(const AttractorQuestion& question,
+                                                 const std::vector<model::Vector4<double>>& starts);
+
 // What the motion from X at load phase 0 settles on, `count` being 1; the share says nothing. Outside the
 // domain of words a periodic motion is not proved. Throws as simulation::Simulation does.
 [[nodiscard]] Attractor find_attractor(const words::WordQuestion& machine, const model::Vector4<double>& X,
                                        long most_periods = 20000);
-
-// "periodic", "quasi-periodic", "irregular", "slides", "stuck", "unsettled".
-[[nodiscard]] std::string to_string(Kind kind);
 
 // Wilson's interval of 95 % for a share of which `count` of `total` are a sample.
 struct Interval {

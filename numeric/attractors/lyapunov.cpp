@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/interruption.hpp"
+
 namespace stickslip::numeric::attractors {
 
 using model::Vector4;
@@ -37,7 +39,7 @@ Exponent largest_exponent(Simulation simulation, long periods) {
     deviation *= size / length;
     return std::log(length / size);
   };
-  for (long k = 0; k < lead; ++k) {
+  for (long k = 0; k < lead && !interrupted(); ++k) {
     (void)growth();
   }
   double sum = 0;
@@ -45,6 +47,9 @@ Exponent largest_exponent(Simulation simulation, long periods) {
   for (int b = 0; b < blocks; ++b) {
     double mean = 0;
     for (long k = 0; k < in_block; ++k) {
+      if (interrupted()) {
+        return {};
+      }
       mean += growth() / static_cast<double>(in_block);
     }
     sum += mean;

@@ -24,6 +24,11 @@ constexpr long fewest_periods = 100;
 // What rounding leaves of a return after hundreds of periods with transients that stretch it.
 constexpr double within_rounding = 2e-8;
 
+// A period of the load is gone through in so many pieces of so many steps at most: a slower load is not
+// followed.
+constexpr int most_pieces = 20;
+constexpr long steps_in_piece = 100000;
+
 // The mass touches the belt's speed and leaves it again to the same side: no event of a word.
 bool is_event(const Transition& t) {
   return t.before != t.after;
@@ -80,6 +85,26 @@ bool Follower::sticks_for_good() const {
   return most < certainly * simulation_.ur();
 }
 
+bool Follower::goes_through_period(std::vector<Transition>& log) {
+  double left = simulation_.period();
+  for (int piece = 0; piece < most_pieces; ++piece) {
+    const std::size_t before = log.size();
+    left = simulation_.advance(left, &log, steps_in_piece);
+    if (left <= 0) {
+      return true;
+    }
+    if (interrupted()) {
+      return false;
+    }
+    if (log.size() == before && sticks_for_good()) {
+      kind_ = Kind::stuck;
+      return false;
+    }
+  }
+  is_too_slow_ = true;
+  return false;
+}
+
 void Follower::follow(long most_periods, double nearness) {
   kind_ = Kind::unsettled;
   Vector4<double> mark = simulation_.state();
@@ -87,9 +112,11 @@ void Follower::follow(long most_periods, double nearness) {
   long next_mark = std::max(2 * periods_, 8L);
   bool looks = periods_ == 0;
   std::vector<Transition> log;
-  while (periods_ < most_periods) {
+  while (periods_ < most_periods && !is_too_slow_) {
     log.clear();
-    simulation_.advance(simulation_.period(), &log);
+    if (!goes_through_period(log)) {
+      return;
+    }
     ++periods_;
     if (std::any_of(log.begin(), log.end(), is_event)) {
       last_event_ = periods_;
@@ -150,7 +177,7 @@ std::optional<Return> Follower::returned() const {
 }
 
 void Follower::classify(long periods) {
-  if (kind_ != Kind::unsettled || periods < fewest_periods) {
+  if (kind_ != Kind::unsettled || periods < fewest_periods || is_too_slow_) {
     return;
   }
   const Exponent exponent = largest_exponent(simulation_, periods);

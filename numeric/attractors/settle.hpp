@@ -11,19 +11,11 @@
 #include <optional>
 #include <vector>
 
+#include "numeric/attractors/kind.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric::attractors {
-
-enum class Kind {
-  periodic,        // after n periods of the load, with events in each n of them
-  quasi_periodic,  // does not return, and neighbours do not leave it exponentially
-  irregular,       // neighbours leave it exponentially
-  slides,          // never touches the belt's speed again
-  stuck,           // stays on a belt that does not move
-  unsettled,       // within the periods that were allowed
-};
 
 // A motion over n periods of the load.
 struct Return {
@@ -43,6 +35,7 @@ class Follower {
   // Goes on until the motion has settled, or so many periods are over in all. `nearness` is the relative
   // distance that counts as a return; a motion that was followed before is looked at again when it is twice
   // as old. Slides and stuck for good also when no event came in the last half.
+  // Stops when it is interrupted, and where a period of the load takes more than two million steps.
   void follow(long most_periods, double nearness);
 
   // Unsettled after all periods: quasi-periodic or irregular by the largest Lyapunov exponent over so many
@@ -54,6 +47,8 @@ class Follower {
 
   [[nodiscard]] Kind kind() const { return kind_; }
   [[nodiscard]] long periods() const { return periods_; }
+  // A period of the load takes too many steps to be followed.
+  [[nodiscard]] bool is_too_slow() const { return is_too_slow_; }
   // Of a motion that settled as periodic, over its own period; nothing when its events make no word.
   [[nodiscard]] std::optional<Return> returned() const;
   [[nodiscard]] std::optional<double> lyapunov() const { return lyapunov_; }
@@ -62,6 +57,8 @@ class Follower {
  private:
   [[nodiscard]] bool slides_for_good() const;
   [[nodiscard]] bool sticks_for_good() const;
+  // False when it was stopped, or has settled, before the period was over.
+  [[nodiscard]] bool goes_through_period(std::vector<simulation::Transition>& log);
 
   simulation::Simulation simulation_;
   model::Oscillator<double> oscillator_;
@@ -69,6 +66,7 @@ class Follower {
   long periods_ = 0;
   long period_ = 0;      // n
   long last_event_ = 0;  // the period in which it was
+  bool is_too_slow_ = false;
   std::optional<double> lyapunov_;
 };
 

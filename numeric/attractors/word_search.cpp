@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/interruption.hpp"
+#include "numeric/attractors/settle.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -95,9 +96,9 @@ WordOrbits from_random_starts(const WordSearch& q) {
 
 WordOrbits find_word_orbits(const WordSearch& question) {
   words::require_word_domain(question.machine);
-  if (!question.near && question.word.letters() == "ST" && question.machine.data.V > 0) {
-    const words::WordList list = words::all_stick_slip_orbits(question.machine, question.periods);
-    return {question, list.orbits, "", interrupted(), true, list.unresolved};
+  if (!question.near && words::has_complete_list(question.machine, question.word, question.periods)) {
+    const words::WordList list = words::all_orbits(question.machine, question.word, question.periods);
+    return {question, list.orbits, list.why_none, interrupted(), true, list.unresolved};
   }
   return question.near ? from_start(question) : from_random_starts(question);
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "numeric/attractors/attractors.hpp"
-#include "numeric/words/stick_slip.hpp"
+#include "numeric/words/complete_list.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -20,16 +20,16 @@ struct WordSearch {
 struct WordOrbits {
   WordSearch question;
   std::vector<words::WordOrbit> orbits;  // some of them may be of a shorter word that the asked one repeats
-  std::string seen;                      // what was met instead, in half a sentence; empty with an orbit
+  std::string seen;  // what was met instead, or why there is none, in half a sentence; empty with an orbit
   bool interrupted = false;
   bool searched = false;  // the whole domain: nothing is missing but what is unresolved
-  std::vector<words::OpenPart> unresolved = {};
+  std::vector<families::Unresolved> unresolved = {};
 
   [[nodiscard]] bool complete() const { return searched && unresolved.empty(); }
 };
 
 // With a start: the motion from there through n periods if it goes through the word, else what it settles on.
-// Without: for ST and V > 0 all orbits; for another word those that some random starts settle on.
+// Without: all orbits where words/complete_list.hpp has them; else those that some random starts settle on.
 // Throws as words::require_word_domain and simulation::Simulation do.
 [[nodiscard]] WordOrbits find_word_orbits(const WordSearch& question);
 

@@ -17,59 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "core/decimal.hpp"
+#include "numeric/families/orbit.hpp"
 #include "numeric/motion/closing.hpp"
-#include "numeric/motion/conditions.hpp"
-#include "numeric/motion/stability.hpp"
 
 namespace stickslip::numeric::families {
-
-struct Family;
-
-// What is asked for: one set of parameters, or a whole box of them when some radius is not zero.
-struct OrbitQuestion {
-  const Family * family = nullptr;
-  model::Parameters<Range> parameters;
-  std::optional<Range> phi;  // overshooting: exactly one of phi and ur
-  std::optional<Range> ur;   // non-sticking: optional
-  int digits = 20;           // significant ones, of every value of an orbit
-};
-
-[[nodiscard]] bool asks_for_box(const OrbitQuestion& question);
-
-// A number under the paper's symbol in ASCII: tau, tau1, T, Theta, phi, z10, z20, zdot10, x10, x20, xdot10,
-// ur, ur_max.
-struct NamedBall {
-  std::string name;
-  Ball value;
-};
-
-// An orbit that is proved to exist, for all members of the parameters, with everything decided about it.
-struct Orbit {
-  std::vector<NamedBall> values;  // those that the family has, in the order above
-  motion::Motion motion;
-  std::vector<motion::Condition> conditions;
-  Verdict admissible;                          // of "all conditions hold"
-  std::optional<motion::Stability> stability;  // of an admissible orbit
-  std::string split;  // for a box, when something is undecided: the parameter to split first
-
-  // Throws InternalError when the family has no such value.
-  [[nodiscard]] const Ball& value(const std::string& name) const;
-};
-
-// A part of the search's domain that it could not decide.
-struct Unresolved {
-  std::vector<NamedBall> where;
-  std::string reason;
-};
-
-// What else there is to know about a list.
-enum class Remark {
-  load_absent,           // p = 0: the load's phase means nothing
-  closes_without_stick,  // omega_j = k omega, k > 1: at T = 0 a motion closes that never sticks; not listed
-  interrupted,           // the search was told to stop: the list is what it had found
-  searched_at_middle,    // a box: other orbits were searched for at the middle of the parameters only
-};
 
 // A zero of a family's reduced equations, proved to be one.
 struct Candidate {
@@ -104,14 +55,6 @@ struct Family {
   std::vector<motion::Condition> (*further)(const motion::Motion&, const Ball& ur_max,
                                             const std::optional<Ball>& ur) = nullptr;
 };
-
-// The table: symmetric, overshooting, nonsticking.
-[[nodiscard]] const std::vector<const Family *>& all_families();
-
-// The family of that name. Throws UsageError naming those that there are.
-[[nodiscard]] const Family& family_named(const std::string& name);
-// "symmetric, overshooting or nonsticking".
-[[nodiscard]] std::string names_of_families();
 
 [[nodiscard]] bool has_stick(const Family& family);
 

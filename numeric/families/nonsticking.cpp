@@ -109,10 +109,7 @@ Found search_nonsticking(const Given<Rational>& given) {
   Found result;
   if (a.p == 0 || a.omega == 1) {
     if (a.V == 0) {
-      const Ball pi = Ball::pi(), share = Ball::hull(Ball(0), Ball(1));
-      result.unresolved.push_back(
-          {{{"tau", Ball(2) * pi / Ball(a.omega) * share}, {"phi", Ball::hull(-pi, pi) - pi * share}},
-           "$q2 = 0$: the load does not act on $x2$ and its phase is free"});
+      result.remarks.push_back(Remark::nothing_drives);
     }
     return result;
   }

@@ -21,7 +21,9 @@ namespace stickslip::numeric::families {
 // For any V and, if it is given, any ur: without it ur_max, the largest for which (25) and (26) hold, is a
 // result. The search throws DomainError at resonance, omega_j = k omega with an integer k, where closed
 // motions are not isolated or do not exist. When the load does not act on x2 (q2 = 0: p = 0 or omega = 1)
-// there is none for V ≠ 0; for V = 0 the load's phase is then free and the whole domain is left unresolved.
+// there is none for V ≠ 0. For V = 0 there is none that obeys the friction law, and others are not looked
+// for: w = x - Q cos(omega t + phi) moves without load and has w2' = x2', so with E as above E' = -eta us
+// |x2'|, and E returns only if x2' = 0 always.
 [[nodiscard]] const Family& nonsticking();
 
 // The reduced equations at balls around the parameters.

@@ -47,10 +47,14 @@ void require_model_domain(const ExactParameters& a) {
   require(a.p >= 0, "p", a.p, "p >= 0");
 }
 
-void require_stick_slip_domain(const ExactParameters& a) {
+void require_response(const ExactParameters& a) {
   require_model_domain(a);
-  require(a.V > 0, "V", a.V, "V > 0 for orbits with a stick phase");
   require(!is_resonant(a), "omega", a.omega, "not a natural frequency: omega ≠ omega1, omega2");
+}
+
+void require_stick_slip_domain(const ExactParameters& a) {
+  require_response(a);
+  require(a.V > 0, "V", a.V, "V > 0 for orbits with a stick phase");
 }
 
 }  // namespace stickslip::numeric::motion

@@ -24,8 +24,10 @@ template <class S>
 // Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and p >= 0: the domain of (2), (4).
 void require_model_domain(const ExactParameters& a);
 
-// The same, and V > 0 (an orbit that sticks travels with the belt), and omega not a natural frequency, where
-// (7) has no Q.
+// The same, and omega not a natural frequency, where (7) has no Q.
+void require_response(const ExactParameters& a);
+
+// The same, and V > 0: an orbit that sticks travels with the belt.
 void require_stick_slip_domain(const ExactParameters& a);
 
 // omega² is a root of (39): decided in rationals.

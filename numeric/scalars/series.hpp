@@ -18,37 +18,37 @@ namespace stickslip::numeric::scalars {
 template <class S>
 class Series {
  public:
-  Series() : coefficients_{S(0)} {}
-  Series(int constant) : coefficients_{S(constant)} {}        // NOLINT: scalars convert from int
-  Series(S constant) : coefficients_{std::move(constant)} {}  // NOLINT: a constant has no derivative
+  Series() : first_(0) {}
+  Series(int constant) : first_(constant) {}           // NOLINT: scalars convert from int
+  Series(S constant) : first_(std::move(constant)) {}  // NOLINT: a constant has no derivative
 
   // The variable at t0, to the order n.
   [[nodiscard]] static Series variable(S t0, std::size_t order) {
     Series t(std::move(t0));
-    t.coefficients_.resize(order + 1, S(0));
+    t.rest_.resize(order, S(0));
     if (order > 0) {
-      t.coefficients_[1] = S(1);
+      t.rest_[0] = S(1);
     }
     return t;
   }
 
-  [[nodiscard]] std::size_t size() const { return coefficients_.size(); }
+  [[nodiscard]] std::size_t size() const { return rest_.size() + 1; }
   // c_k; 0 beyond the last.
-  [[nodiscard]] S operator[](std::size_t k) const { return k < size() ? coefficients_[k] : S(0); }
+  [[nodiscard]] S operator[](std::size_t k) const { return k < size() ? at(k) : S(0); }
   // The derivative, known to one order less.
   [[nodiscard]] Series derivative() const {
     Series slope;
-    slope.coefficients_.resize(std::max<std::size_t>(size(), 2) - 1, S(0));
+    slope.rest_.resize(std::max<std::size_t>(size(), 2) - 2, S(0));
     for (std::size_t k = 1; k < size(); ++k) {
-      slope.coefficients_[k - 1] = S(static_cast<int>(k)) * coefficients_[k];
+      slope.at(k - 1) = S(static_cast<int>(k)) * at(k);
     }
     return slope;
   }
 
   Series& operator+=(const Series& b) {
-    coefficients_.resize(std::max(size(), b.size()), S(0));
+    rest_.resize(std::max(size(), b.size()) - 1, S(0));
     for (std::size_t k = 0; k < b.size(); ++k) {
-      coefficients_[k] += b.coefficients_[k];
+      at(k) += b.at(k);
     }
     return *this;
   }
@@ -60,8 +60,8 @@ class Series {
   friend Series operator-(Series a, const Series& b) { return std::move(a -= b); }
   friend Series operator+(const Series& a) { return a; }
   friend Series operator-(Series a) {
-    for (S& c : a.coefficients_) {
-      c = -c;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      a.at(k) = -a.at(k);
     }
     return a;
   }
@@ -69,7 +69,7 @@ class Series {
     Series product = sized(a, b);
     for (std::size_t i = 0; i < a.size(); ++i) {
       for (std::size_t j = 0; j < b.size() && i + j < product.size(); ++j) {
-        product.coefficients_[i + j] += a.coefficients_[i] * b.coefficients_[j];
+        product.at(i + j) += a.at(i) * b.at(j);
       }
     }
     return product;
@@ -79,21 +79,21 @@ class Series {
     for (std::size_t k = 0; k < quotient.size(); ++k) {
       S rest = a[k];
       for (std::size_t j = 1; j <= k && j < b.size(); ++j) {
-        rest -= b.coefficients_[j] * quotient.coefficients_[k - j];
+        rest -= b.at(j) * quotient.at(k - j);
       }
-      quotient.coefficients_[k] = rest / b.coefficients_[0];
+      quotient.at(k) = rest / b.at(0);
     }
     return quotient;
   }
   // From s' = u' c, c' = -u' s.
   friend std::pair<Series, Series> sin_cos(const Series& u) {
     Series s = sized(u, u), c = s;
-    std::tie(s.coefficients_[0], c.coefficients_[0]) = sin_cos(u.coefficients_[0]);
+    std::tie(s.at(0), c.at(0)) = sin_cos(u.at(0));
     for (std::size_t k = 1; k < u.size(); ++k) {
       for (std::size_t j = 1; j <= k; ++j) {
-        const S slope = S(static_cast<int>(j)) * u.coefficients_[j] / S(static_cast<int>(k));
-        s.coefficients_[k] += slope * c.coefficients_[k - j];
-        c.coefficients_[k] -= slope * s.coefficients_[k - j];
+        const S slope = S(static_cast<int>(j)) * u.at(j) / S(static_cast<int>(k));
+        s.at(k) += slope * c.at(k - j);
+        c.at(k) -= slope * s.at(k - j);
       }
     }
     return {s, c};
@@ -102,17 +102,21 @@ class Series {
   friend Series cos(const Series& u) { return sin_cos(u).second; }
   // Exactly zero with all its derivatives, so that what it multiplies can be skipped.
   friend bool is_zero(const Series& a) {
-    return std::all_of(a.coefficients_.begin(), a.coefficients_.end(), [](const S& c) { return is_zero(c); });
+    return is_zero(a.first_) &&
+           std::all_of(a.rest_.begin(), a.rest_.end(), [](const S& c) { return is_zero(c); });
   }
 
  private:
   [[nodiscard]] static Series sized(const Series& a, const Series& b) {
     Series zeros;
-    zeros.coefficients_.resize(std::max(a.size(), b.size()), S(0));
+    zeros.rest_.resize(std::max(a.size(), b.size()) - 1, S(0));
     return zeros;
   }
+  [[nodiscard]] const S& at(std::size_t k) const { return k == 0 ? first_ : rest_[k - 1]; }
+  [[nodiscard]] S& at(std::size_t k) { return k == 0 ? first_ : rest_[k - 1]; }
 
-  std::vector<S> coefficients_;
+  S first_;              // most series are constants, and take no memory of their own
+  std::vector<S> rest_;  // c_1, c_2, …
 };
 
 }  // namespace stickslip::numeric::scalars

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "model/energy.hpp"
+#include "numeric/simulation/simulation.hpp"
 
 namespace stickslip::numeric::simulation {
 
@@ -27,14 +28,26 @@ Sample sample_of(const Simulation& s) {
           model::energy<double>(s.data().chi, s.data().eta, X)};
 }
 
-void add_sample(Record& record, const Sample& sample, bool keep) {
-  record.least_energy = std::min(record.least_energy, sample.energy);
-  record.greatest_energy = std::max(record.greatest_energy, sample.energy);
-  record.end = sample;
-  if (keep) {
-    record.samples.push_back(sample);
+// Hands the samples on and remembers the extremes of their energy.
+class Sampler {
+ public:
+  Sampler(Record& record, const std::function<void(const Sample&)>& take) : record_(record), take_(take) {}
+
+  void operator()(const Sample& sample) {
+    ++record_.samples;
+    Extremes& energy =
+        record_.energy ? *record_.energy : record_.energy.emplace(sample.energy, sample.energy);
+    energy.least = std::min(energy.least, sample.energy);
+    energy.greatest = std::max(energy.greatest, sample.energy);
+    if (take_) {
+      take_(sample);
+    }
   }
-}
+
+ private:
+  Record& record_;
+  const std::function<void(const Sample&)>& take_;
+};
 
 void add_events(Record& record, const std::vector<Transition>& events) {
   for (const Transition& event : events) {
@@ -54,27 +67,30 @@ void require_plan(const RecordPlan& plan) {
   if (!(plan.duration > 0) || !std::isfinite(plan.duration)) {
     throw DomainError("the duration", fmt::format("{}", plan.duration), "a finite number > 0");
   }
-  if (!(plan.every > 0) || !(plan.duration / plan.every <= most_samples)) {
-    throw DomainError("every", fmt::format("{}", plan.every),
+  if (plan.every && (!(*plan.every > 0) || !(plan.duration / *plan.every <= most_samples))) {
+    throw DomainError("every", fmt::format("{}", *plan.every),
                       fmt::format("every > 0, at most {:.0g} samples", most_samples));
   }
 }
 
 }  // namespace
 
-Record record_motion(const Start& start, const RecordPlan& plan, const std::function<bool(double)>& go_on) {
+Record record_motion(const Start& start, const RecordPlan& plan, const std::function<bool(double)>& go_on,
+                     const std::function<void(const Sample&)>& take) {
   Simulation simulation(start.data, start.ur, start.phi, start.X);
   require_plan(plan);
   Record record;
   record.start = start;
   record.period = simulation.period();
-  const Sample first = sample_of(simulation);
-  record.least_energy = record.greatest_energy = first.energy;
-  add_sample(record, first, plan.keep_samples);
+  Sampler sampler(record, take);
+  if (plan.every) {
+    sampler(sample_of(simulation));
+  }
+  const double every = plan.every.value_or(plan.duration);
   std::vector<Transition> events;
-  const long count = std::max(1L, std::lround(std::ceil(plan.duration / plan.every * (1 - 1e-12))));
+  const long count = std::max(1L, std::lround(std::ceil(plan.duration / every * (1 - 1e-12))));
   for (long k = 1; k <= count && !record.interrupted; ++k) {
-    const double until = std::min(plan.duration, static_cast<double>(k) * plan.every);
+    const double until = std::min(plan.duration, static_cast<double>(k) * every);
     double left = until - record.done;
     while (left > 0 && !record.interrupted) {
       events.clear();
@@ -83,8 +99,11 @@ Record record_motion(const Start& start, const RecordPlan& plan, const std::func
       record.done = until - left;
       record.interrupted = record.done < plan.duration && !go_on(record.done / plan.duration);
     }
-    add_sample(record, sample_of(simulation), plan.keep_samples);
+    if (plan.every) {
+      sampler(sample_of(simulation));
+    }
   }
+  record.end = sample_of(simulation);
   for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
     record.time_in[static_cast<std::size_t>(kind)] = simulation.time_in(kind);
   }

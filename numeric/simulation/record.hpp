@@ -3,9 +3,10 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
-#include "numeric/simulation/simulation.hpp"
+#include "numeric/simulation/run.hpp"
 
 namespace stickslip::numeric::simulation {
 
@@ -18,9 +19,12 @@ struct Sample {
 };
 
 struct RecordPlan {
-  double duration = 0;       // > 0
-  double every = 0;          // time between samples, > 0
-  bool keep_samples = true;  // else they only feed the extremes of the energy
+  double duration = 0;          // > 0
+  std::optional<double> every;  // time between samples, > 0; without it there are none
+};
+
+struct Extremes {
+  double least, greatest;
 };
 
 struct Record {
@@ -28,20 +32,22 @@ struct Record {
   double period = 0;  // of the load
   double done = 0;    // the time simulated: less than planned after an interruption
   bool interrupted = false;
-  std::vector<Sample> samples;                        // at 0, every, 2 every, … and at the end
+  long samples = 0;
   std::vector<Transition> first_events, last_events;  // at most `shown` each, without overlap
   long events = 0;
   std::array<double, 3> time_in{};  // by PhaseKind
-  double least_energy = 0, greatest_energy = 0;
+  std::optional<Extremes> energy;   // of the samples, if there are any
   Sample end{};
 
   static constexpr std::size_t shown = 12;
 };
 
 // Simulates until the duration is over or `go_on`, asked with the share that is done after each
-// sample and after some ten thousand steps without one, says no. Throws DomainError as Simulation does, and
-// for a plan that is not positive or has more than 10⁹ samples.
+// sample and after some ten thousand steps without one, says no. Each sample is handed to `take`, if there is
+// one, and not kept: at 0, every, 2 every, … and at the end. Throws DomainError as Simulation does, and for a
+// plan that is not positive or has more than 10⁹ samples.
 [[nodiscard]] Record record_motion(const Start& start, const RecordPlan& plan,
-                                   const std::function<bool(double)>& go_on);
+                                   const std::function<bool(double)>& go_on,
+                                   const std::function<void(const Sample&)>& take = {});
 
 }  // namespace stickslip::numeric::simulation

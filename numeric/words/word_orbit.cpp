@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/words/chain_proof.hpp"
 
 namespace stickslip::numeric::words {
@@ -209,11 +210,7 @@ Requirements requirements_of(const std::vector<PhaseKind>& phases) {
 
 void require_word_domain(const WordQuestion& question) {
   const ExactParameters& a = question.data;
-  require_model_domain(a);
-  if (is_resonant(a)) {
-    throw DomainError("omega", stickslip::to_string(a.omega),
-                      "not a natural frequency: omega ≠ omega1, omega2");
-  }
+  require_response(a);
   if (a.p == 0) {
     throw DomainError("p", "0",
                       "p > 0: without load each shift in time of an orbit is an orbit, so none is alone");

@@ -4,7 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "numeric/families/family.hpp"
+#include "numeric/families/orbit.hpp"
+#include "numeric/motion/domain.hpp"
 #include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::words {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "numeric/scalars/jet.hpp"
 #include "numeric/zeros/krawczyk.hpp"
@@ -16,11 +17,10 @@ namespace stickslip::numeric::zeros {
 
 // The combinations of rows that do so for these entries, nearly: a proposal in double, by Gauss and Jordan
 // with row pivoting. Nothing when the first U columns are dependent or not finite.
-template <int R, int C>
-[[nodiscard]] std::optional<Eigen::Matrix<Ball, R, R>> row_combinations(
-    const Eigen::Matrix<Ball, R, C>& rows) {
+template <int R, int C, class S>
+[[nodiscard]] std::optional<Eigen::Matrix<S, R, R>> row_combinations(const Eigen::Matrix<S, R, C>& rows) {
   constexpr int U = C - 1;
-  Eigen::Matrix<double, R, C> m = rows.unaryExpr([](const Ball& x) { return x.approximate(); });
+  Eigen::Matrix<double, R, C> m = rows.unaryExpr([](const S& x) { return x.approximate(); });
   Eigen::Matrix<double, R, R> combined = Eigen::Matrix<double, R, R>::Identity();
   for (int k = 0; k < U; ++k) {
     int pivot = k;
@@ -42,12 +42,12 @@ template <int R, int C>
       }
     }
   }
-  return combined.template cast<Ball>();
+  return combined.template cast<S>();
 }
 
 // combinations · rows, over balls or jets over balls.
-template <class T, int R, int C>
-[[nodiscard]] Eigen::Matrix<T, R, C> combined_rows(const Eigen::Matrix<Ball, R, R>& combinations,
+template <class T, int R, int C, class S>
+[[nodiscard]] Eigen::Matrix<T, R, C> combined_rows(const Eigen::Matrix<S, R, R>& combinations,
                                                    const Eigen::Matrix<T, R, C>& rows) {
   Eigen::Matrix<T, R, C> result;
   for (int i = 0; i < R; ++i) {
@@ -99,12 +99,12 @@ template <class T, int R, int C>
 }
 
 // The jets' values replaced by their mean value forms about m, where those are narrower.
-template <int R, int C, int N>
-void sharpen(Eigen::Matrix<scalars::Jet<Ball, N>, R, C>& jets, const Eigen::Matrix<Ball, R, C>& at_m,
-             const Box<N>& spread) {
+template <int R, int C, int N, class S>
+void sharpen(Eigen::Matrix<scalars::Jet<S, N>, R, C>& jets, const Eigen::Matrix<S, R, C>& at_m,
+             const Eigen::Matrix<std::type_identity_t<S>, N, 1>& spread) {
   for (int i = 0; i < R; ++i) {
     for (int j = 0; j < C; ++j) {
-      Ball form = at_m(i, j);
+      S form = at_m(i, j);
       for (int k = 0; k < N; ++k) {
         add_product(form, jets(i, j).partials[static_cast<std::size_t>(k)], spread(k));
       }

@@ -13,6 +13,7 @@
 
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
+#include "numeric/zeros/effort.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 
 namespace stickslip::numeric::zeros {
@@ -87,7 +88,7 @@ struct Decision {
 
 struct SearchLimits {
   double smallest = 0x1p-24;  // cells whose sides are all below this are left unresolved
-  long cells = 4000;          // and so is what remains after this many
+  long cells = 4000;          // and so is what remains after this many, or when effort.hpp says so
 };
 
 template <int N>
@@ -103,11 +104,13 @@ inline constexpr const char * no_progress = "the zero cannot be told from a mult
 
 namespace detail {
 
-// Whether a contractor got so far that a proof of uniqueness is worth trying.
+// Whether a contractor got so far that a proof of uniqueness is worth trying. A side that is small enough to
+// be given up need not shrink any more: it may be as short as doubles allow while the others are still long.
 template <int N>
-[[nodiscard]] bool shrunk(const Cell<N>& part, const Cell<N>& whole) {
+[[nodiscard]] bool shrunk(const Cell<N>& part, const Cell<N>& whole, double smallest) {
   for (std::size_t i = 0; i < N; ++i) {
-    if (part.upper[i] - part.lower[i] > 0.9 * (whole.upper[i] - whole.lower[i])) {
+    const double side = part.upper[i] - part.lower[i];
+    if (side >= smallest && side > 0.9 * (whole.upper[i] - whole.lower[i])) {
       return false;
     }
   }
@@ -192,8 +195,12 @@ template <int N, class Contract, class Decide>
     if (!cell || is_known(*cell)) {
       return {};
     }
-    return {cell,
-            detail::shrunk<N>(*cell, whole) ? decide(to_box<N>(*cell)) : Decision<N>{{}, false, no_progress}};
+    Decision<N> decision{{}, false, no_progress};
+    if (detail::shrunk<N>(*cell, whole, limits.smallest)) {
+      decision = decide(to_box<N>(*cell));
+      decision.reason = detail::shrunk<N>(*cell, whole, 0) ? decision.reason : no_progress;
+    }
+    return {cell, decision};
   };
   std::deque<Cell<N>> open{domain};
   const auto settle = [&](const detail::Examined<N>& examined) {
@@ -225,10 +232,11 @@ template <int N, class Contract, class Decide>
     open.push_back(right);
     open.push_back(left);
   };
-  while (!open.empty() && result.cells < limits.cells) {
+  const Limit limit(limits.cells);
+  while (!open.empty() && !limit.reached(result.cells)) {
     // A batch's cells know the zeros of earlier batches only, however many threads examine them.
     const auto size =
-        std::min<long>({detail::batch, static_cast<long>(open.size()), limits.cells - result.cells});
+        std::min<long>({detail::batch, static_cast<long>(open.size()), limit.cells() - result.cells});
     const std::vector<Cell<N>> batch(open.begin(), open.begin() + size);
     open.erase(open.begin(), open.begin() + size);
     result.cells += size;
@@ -238,7 +246,7 @@ template <int N, class Contract, class Decide>
     }
   }
   for (const Cell<N>& cell : open) {
-    detail::leave_open<N>(result, to_box<N>(cell), "the search was stopped at its limit of cells");
+    detail::leave_open<N>(result, to_box<N>(cell), *limit.reached(result.cells));
   }
   return result;
 }

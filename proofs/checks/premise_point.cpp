@@ -96,8 +96,11 @@ struct PremisePoint::Point {
   Premises premises;
   ExactPoint numbers;
   std::map<std::string, Ball> solved;
+  mutable std::optional<Sample<Ball>> scalars;  // all that follows from these
 
   Point(Premises all, unsigned seed) : premises(std::move(all)), numbers(seed) {}
+  Point(const Point&) = delete;
+  Point& operator=(const Point&) = delete;
 
   [[nodiscard]] Ball free(const std::string& name) const {
     const auto found = solved.find(name);
@@ -105,9 +108,14 @@ struct PremisePoint::Point {
            : name == "pi"        ? Ball::pi()
                                  : Ball(numbers.symbol(name).value());
   }
+  [[nodiscard]] Lookup<Ball> lookup() const {
+    if (!scalars) {
+      scalars.emplace(premises.values, [this](const std::string& name) { return free(name); });
+    }
+    return scalars->lookup();
+  }
   [[nodiscard]] Value<Ball> value(const Term& side, const Term& other) const {
-    Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
-    return evaluate_beside<Ball>(side, other, at.lookup());
+    return evaluate_beside<Ball>(side, other, lookup());
   }
   // For a state of either sign, the others positive.
   [[nodiscard]] Rational any_sign(const std::string& name) const {
@@ -120,6 +128,7 @@ struct PremisePoint::Point {
     return {d.data(), d.data() + d.size()};
   }
   void set(const Column& u) {
+    scalars.reset();
     for (std::size_t i = 0; i < u.size(); ++i) {
       solved.insert_or_assign(solved_for()[i], u[i]);
     }
@@ -163,10 +172,10 @@ struct PremisePoint::Point {
                          [](const Ball& x) { return x.contains_zero() && is_small(x); });
     });
   }
-  // Whether equation k may change with unknown i. Only states are in no formula of the model.
+  // Whether equation k may change with unknown i. Only u_s is in formulas of the model, that of d_0.
   [[nodiscard]] bool mentions(std::size_t k, std::size_t i) const {
     const Statement& equation = premises.equations[k];
-    return !solved_for()[i].starts_with("z") || premises.reaches(equation.left, solved_for()[i]) ||
+    return solved_for()[i] == "us" || premises.reaches(equation.left, solved_for()[i]) ||
            premises.reaches(equation.right, solved_for()[i]);
   }
 
@@ -213,8 +222,7 @@ struct PremisePoint::Point {
     });
   }
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
-    Sample<Ball> at(premises.values, [this](const std::string& name) { return free(name); });
-    return evaluate(hypothesis.nonzero, at.lookup()).is_nonzero();
+    return evaluate(hypothesis.nonzero, lookup()).is_nonzero();
   }
   // Whether the inequalities between what is not solved for hold.
   [[nodiscard]] bool is_in_range() const {

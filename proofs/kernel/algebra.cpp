@@ -92,6 +92,14 @@ Theorem Theorem::order(const Formula& inequality, const std::vector<Positive>& p
   return {step, hypotheses, inequality};
 }
 
+Theorem Theorem::square_root(const Term& a) {
+  require(a.type().is_scalar(), "only numbers have square roots");
+  const Variable x = fresh(real_number, {a});
+  return {{.rule = "square_root", .data = {a}},
+          {},
+          implies(at_most(0, a), kernel::exists(x, all({at_most(0, x), equal(power(x, 2), a)})))};
+}
+
 Theorem Theorem::trichotomy(const Term& a, const Term& b) {
   const Formula below = less(a, b), same = equal(a, b), above = less(b, a);
   const auto iff = [](const Formula& left, const Formula& right) {

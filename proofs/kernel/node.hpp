@@ -22,12 +22,13 @@ struct Node {
   Type type = {};
   std::uint64_t hash = 0;
   long loose = 0;  // no index in it reaches further than this many binders outside
-  Variables variables = {};
+  std::shared_ptr<const Variables> variables = {};
 
   // The only way to a Term: checks sorts and shapes and throws KernelError; applies a lambda that is applied,
   // and takes λt. f(t) for f, so that equal functions look alike.
   [[nodiscard]] static Term make(Node node);
   [[nodiscard]] static const Node& of(const Term& term) { return *term.node_; }
+  [[nodiscard]] static bool is_same(const Term& a, const Term& b) { return a.node_ == b.node_; }
 };
 
 [[nodiscard]] inline bool is_binder(Kind kind) {

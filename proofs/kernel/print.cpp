@@ -1,4 +1,6 @@
 // Text for messages. No rule looks at it.
+#include <algorithm>
+
 #include "proofs/kernel/theorem.hpp"
 
 namespace stickslip::proofs::kernel {
@@ -14,6 +16,29 @@ std::string joined(const Term& term, const std::string& separator) {
 
 std::string of_parts(const std::string& name, const Term& term) {
   return name + joined(term, ", ");
+}
+
+// "there are a, b: …", with names that are free in nothing that is bound.
+std::string binding(const std::string& one, const std::string& many, Term term) {
+  if (!term.is_closed()) {
+    return one + " " + term.name() + ": " + to_string(term.parts()[0]);
+  }
+  const Kind kind = term.kind();
+  std::vector<std::string> names;
+  while (term.kind() == kind) {
+    std::string name = term.name().empty() ? "x" : term.name();
+    while (std::any_of(term.variables().begin(), term.variables().end(),
+                       [&](const Variable& free) { return free.name == name; })) {
+      name += "'";
+    }
+    names.push_back(name);
+    term = opened(term, Variable{name, term.binds()});
+  }
+  std::string text = (names.size() == 1 ? one : many) + " " + names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    text += ", " + names[i];
+  }
+  return text + ": " + to_string(term);
 }
 
 }  // namespace
@@ -65,13 +90,13 @@ std::string to_string(const Term& term) {
     case Kind::implication:
       return joined(term, " => ");
     case Kind::lambda:
-      return of_parts("lambda", term);
+      return binding("lambda", "lambda", term);
     case Kind::for_all:
-      return of_parts("for all " + term.name() + ": ", term);
+      return binding("for all", "for all", term);
     case Kind::exists:
-      return of_parts("there is " + term.name() + ": ", term);
+      return binding("there is", "there are", term);
     case Kind::finite:
-      return of_parts("finitely many " + term.name() + ": ", term);
+      return binding("finitely many", "finitely many", term);
     case Kind::derivative:
       return of_parts("derivative", term);
     case Kind::continuous:

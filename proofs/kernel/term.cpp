@@ -1,8 +1,10 @@
 #include "proofs/kernel/term.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "proofs/kernel/node.hpp"
+#include "proofs/kernel/pool.hpp"
 
 namespace stickslip::proofs::kernel {
 namespace {
@@ -181,6 +183,29 @@ std::uint64_t hash_of(const Node& node) {
   return hash;
 }
 
+// The free variables of the parts: mostly those of one of them.
+std::shared_ptr<const Variables> variables_of(const Node& node) {
+  if (node.kind == Kind::variable) {
+    require(!node.name.empty(), "a variable has a name");
+    return std::make_shared<const Variables>(Variables{{node.name, node.type}});
+  }
+  static const auto none = std::make_shared<const Variables>();
+  std::shared_ptr<const Variables> most = none;
+  for (const Term& part : node.parts) {
+    const std::shared_ptr<const Variables>& here = Node::of(part).variables;
+    most = here->size() > most->size() ? here : most;
+  }
+  std::optional<Variables> more;
+  for (const Term& part : node.parts) {
+    const Variables& here = part.variables();
+    if (&here != most.get() && !std::includes(most->begin(), most->end(), here.begin(), here.end())) {
+      more = more ? more : std::optional(*most);
+      more->insert(here.begin(), here.end());
+    }
+  }
+  return more ? std::make_shared<const Variables>(*std::move(more)) : most;
+}
+
 }  // namespace
 
 Term Node::make(Node node) {
@@ -197,16 +222,18 @@ Term Node::make(Node node) {
     }
   }
   node.hash = hash_of(node);
-  if (node.kind == Kind::variable) {
-    require(!node.name.empty(), "a variable has a name");
-    node.variables.insert({node.name, node.type});
+  static thread_local Pool pool;
+  if (auto known = pool.find(node)) {
+    return Term(std::move(known));
   }
+  node.variables = variables_of(node);
   node.loose = node.kind == Kind::bound ? node.value.get_num().get_si() + 1 : 0;
   for (const Term& part : node.parts) {
-    node.variables.insert(part.variables().begin(), part.variables().end());
     node.loose = std::max(node.loose, of(part).loose - (is_binder(node.kind) ? 1 : 0));
   }
-  return Term(std::make_shared<const Node>(std::move(node)));
+  const auto made = std::make_shared<const Node>(std::move(node));
+  pool.add(made);
+  return Term(made);
 }
 
 Kind Term::kind() const {
@@ -238,7 +265,7 @@ const Definition& Term::definition() const {
   return *node_->definition;
 }
 const Variables& Term::variables() const {
-  return node_->variables;
+  return *node_->variables;
 }
 bool Term::is_closed() const {
   return node_->loose == 0;
@@ -250,9 +277,12 @@ std::strong_ordering operator<=>(const Term& a, const Term& b) {
   }
   const Node& m = *a.node_;
   const Node& n = *b.node_;
-  for (const auto order : {m.hash <=> n.hash, m.kind <=> n.kind, m.type <=> n.type, m.binds <=> n.binds,
-                           m.row <=> n.row, m.column <=> n.column, cmp(m.value, n.value) <=> 0,
-                           is_binder(m.kind) ? std::strong_ordering::equal : m.name <=> n.name}) {
+  if (m.hash != n.hash) {  // almost always
+    return m.hash <=> n.hash;
+  }
+  for (const auto order :
+       {m.kind <=> n.kind, m.type <=> n.type, m.binds <=> n.binds, m.row <=> n.row, m.column <=> n.column,
+        cmp(m.value, n.value) <=> 0, is_binder(m.kind) ? std::strong_ordering::equal : m.name <=> n.name}) {
     if (order != 0) {
       return order;
     }

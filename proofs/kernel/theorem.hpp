@@ -75,8 +75,8 @@ class Theorem final {
   // ---- Algebra (algebra.cpp). All definitions in `unfolded` are looked into; every divisor
   // (normal_form.hpp) of what was given becomes a hypothesis d ≠ 0. Γk ⊢ ak = bk give Γ1, Γ2, …, divisors ⊢ a
   // = b where a - b = Σ Lk (ak - bk) Rk by normal form. With none: an identity.
-  [[nodiscard]] static Theorem combination(const Formula& equation,
-                                           const std::vector<Multiple>& multiples = {},
+  [[nodiscard]] static Theorem combination(const Formula& equation);
+  [[nodiscard]] static Theorem combination(const Formula& equation, const std::vector<Multiple>& multiples,
                                            const Definitions& unfolded = {});
   // Γ ⊢ A B = I gives Γ ⊢ inverse(A) = B, for square matrices A, B.
   [[nodiscard]] static Theorem inverse_of(const Theorem& product);
@@ -84,9 +84,12 @@ class Theorem final {
   [[nodiscard]] static Theorem zero_product(const Term& a, const Term& b);
   // Inequalities and equations give a ≤ b or a < b where b - a = Σ q s² Π (upper - lower) + Σ Lk (ak - bk) Rk
   // by normal form, q > 0 rational; a < b only if all inequalities of one product with s = 1 are strict.
+  [[nodiscard]] static Theorem order(const Formula& inequality, const std::vector<Positive>& positives);
   [[nodiscard]] static Theorem order(const Formula& inequality, const std::vector<Positive>& positives,
-                                     const std::vector<Multiple>& multiples = {},
+                                     const std::vector<Multiple>& multiples,
                                      const Definitions& unfolded = {});
+  // ⊢ 0 ≤ a ⇒ there is x: 0 ≤ x and x² = a.
+  [[nodiscard]] static Theorem square_root(const Term& a);
   // ⊢ exactly one of a < b, a = b, b < a holds; a ≤ b if the first or the second does, b ≤ a if the second or
   // third.
   [[nodiscard]] static Theorem trichotomy(const Term& a, const Term& b);
@@ -151,10 +154,11 @@ class Theorem final {
   // hypotheses l ≤ x, x ≤ u. Only where no divisor can be zero there and the balls are disjoint.
   [[nodiscard]] static Theorem sign(const Formula& relation, const std::map<Variable, Interval>& ranges = {},
                                     long bits = 128);
-  // ⊢ exactly one X in the box solves f = 0: Krawczyk's test. X is a column of 1 to 4, f a column of as many,
-  // with no other variable.
+  // ⊢ exactly one X in the box solves f = 0: Krawczyk's test. X is a column, f a column of as many, with no
+  // other variable.
   [[nodiscard]] static Theorem one_zero(const Variable& X, const Term& f, const Box& box, long bits = 128);
-  // ⊢ every X in the box that solves f = 0 lies in one of these boxes: an exhaustive search.
+  // ⊢ every X in the box that solves f = 0 lies in one of these boxes: an exhaustive search. X is a column of
+  // 1 to 4.
   [[nodiscard]] static Theorem every_zero(const Variable& X, const Term& f, const Box& box,
                                           const std::vector<Box>& boxes);
   // ⊢ every complex zero of the polynomial lies inside the unit circle: Jury's test in balls.
@@ -190,6 +194,13 @@ struct Positive {
   Rational factor = 1;
   Term square = 1;
 };
+
+inline Theorem Theorem::combination(const Formula& equation) {
+  return combination(equation, {});
+}
+inline Theorem Theorem::order(const Formula& inequality, const std::vector<Positive>& positives) {
+  return order(inequality, positives, {});
+}
 
 // x in the box: the entries of a column between their ends, ends included.
 [[nodiscard]] Formula inside(const Term& x, const Box& box);

@@ -20,6 +20,7 @@ struct System {
   Eigen::Matrix<T, N, 1> operator()(const Eigen::Matrix<T, N, 1>& x) const {
     const std::vector<T> values = evaluated<T>(f, {{X, std::vector<T>(x.begin(), x.end())}}, strict);
     Eigen::Matrix<T, N, 1> result;
+    result.resize(x.size());
     std::copy(values.begin(), values.end(), result.begin());
     return result;
   }
@@ -32,23 +33,21 @@ bool lies_in(const Ball& ball, const Interval& side) {
 
 template <int N>
 bool lies_in(const numeric::zeros::Box<N>& balls, const Box& box) {
-  for (int i = 0; i < N; ++i) {
-    if (!lies_in(balls(i), box[static_cast<std::size_t>(i)])) {
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (!lies_in(balls(static_cast<Eigen::Index>(i)), box[i])) {
       return false;
     }
   }
   return true;
 }
 
-template <int N>
 bool has_one_zero(const Variable& X, const Term& f, const Box& box) {
-  numeric::zeros::Box<N> balls;
-  for (int i = 0; i < N; ++i) {
-    const Interval& side = box[static_cast<std::size_t>(i)];
-    balls(i) = Ball::from_interval(side.first, side.second);
-  }
-  const ZeroProof<N> proof = krawczyk_test<N>(System<N>{X, f, true}, balls);
-  return proof.verdict.truth == Truth::proved && lies_in<N>(proof.box, box);
+  constexpr int any_number = Eigen::Dynamic;
+  numeric::zeros::Box<any_number> balls(static_cast<Eigen::Index>(box.size()));
+  std::transform(box.begin(), box.end(), balls.begin(),
+                 [](const Interval& side) { return Ball::from_interval(side.first, side.second); });
+  const auto proof = krawczyk_test<any_number>(System<any_number>{X, f, true}, balls);
+  return proof.verdict.truth == Truth::proved && lies_in<any_number>(proof.box, box);
 }
 
 // The domain in doubles, a little larger.
@@ -79,7 +78,6 @@ bool holds_all_zeros(const Variable& X, const Term& f, const Box& box, const std
 
 void check_system(const Variable& X, const Term& f, const Box& box) {
   check(box, X);
-  require(box.size() <= 4, "a system has at most 4 unknowns");
   require(f.is_closed() && f.type().is_numeric() && f.type().rows == X.type.rows && f.type().columns == 1,
           "a system has as many equations as unknowns");
   require(std::all_of(f.variables().begin(), f.variables().end(), [&](const Variable& v) { return v == X; }),
@@ -92,12 +90,7 @@ Theorem Theorem::one_zero(const Variable& X, const Term& f, const Box& box, long
   check_system(X, f, box);
   require(bits >= 2 && bits <= 100000, "the precision is 2 to 100000 bits");
   const WorkingPrecision scope(bits);
-  const std::size_t n = box.size();
-  require(n == 1   ? has_one_zero<1>(X, f, box)
-          : n == 2 ? has_one_zero<2>(X, f, box)
-          : n == 3 ? has_one_zero<3>(X, f, box)
-                   : has_one_zero<4>(X, f, box),
-          "Krawczyk's test does not prove that the box holds exactly one zero");
+  require(has_one_zero(X, f, box), "Krawczyk's test does not prove that the box holds exactly one zero");
   Step step{.rule = "one_zero", .data = {X, f, bits}};
   const std::vector<Term> ends = flattened(box);
   step.data.insert(step.data.end(), ends.begin(), ends.end());
@@ -106,6 +99,7 @@ Theorem Theorem::one_zero(const Variable& X, const Term& f, const Box& box, long
 
 Theorem Theorem::every_zero(const Variable& X, const Term& f, const Box& box, const std::vector<Box>& boxes) {
   check_system(X, f, box);
+  require(box.size() <= 4, "a search has at most 4 unknowns");
   std::vector<Formula> cases;
   Step step{.rule = "every_zero", .data = {X, f}};
   std::vector<Term> ends = flattened(box);

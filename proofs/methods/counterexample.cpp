@@ -6,6 +6,8 @@
 #include "core/error.hpp"
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/refutation.hpp"
+#include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/point.hpp"
 
 namespace stickslip::proofs::methods {
@@ -13,29 +15,6 @@ namespace stickslip::proofs::methods {
 using namespace symbols;
 
 namespace {
-
-// +1, -1 if the relation between the sides certainly holds or certainly fails, else 0. Balls that are exact
-// decide equality too.
-int decided(Relation relation, const Ball& left, const Ball& right) {
-  const Ball gap = left - right;
-  const bool same = gap.is_exact() && !gap.is_nonzero();
-  const auto sign = [same](bool yes, bool no) { return yes ? 1 : no || same ? -1 : 0; };
-  switch (relation) {
-    case Relation::equal:
-      return same ? 1 : gap.is_nonzero() ? -1 : 0;
-    case Relation::not_equal:
-      return sign(gap.is_nonzero(), false);
-    case Relation::less:
-      return sign(gap.is_negative(), gap.is_positive());
-    case Relation::greater:
-      return sign(gap.is_positive(), gap.is_negative());
-    case Relation::less_or_equal:
-      return gap.is_positive() ? -1 : gap.is_negative() || same ? 1 : 0;
-    case Relation::greater_or_equal:
-      return gap.is_negative() ? -1 : gap.is_positive() || same ? 1 : 0;
-  }
-  return 0;
-}
 
 // The scalars at the point, with the values given in terms of them.
 struct Place {
@@ -50,118 +29,74 @@ struct Place {
   }
 };
 
-struct Sides {
-  int decided = 0;  // of all entries: 1 if each holds, -1 if one fails
-  Ball left, right;
-};
-
-Sides sides_of(const Statement& statement, const Place& here) {
-  const Value<Ball> left = here(statement.left), right = here(statement.right);
-  Sides result{1, left(0, 0), right(0, 0)};
-  for (Eigen::Index i = 0; i < left.size(); ++i) {
-    const int entry = decided(statement.relation, left(i), right(i));
-    if (entry == -1) {
-      return {-1, left(i), right(i)};
-    }
-    result.decided = std::min(result.decided, entry);
+// Both sides, in balls, of an entry in which they certainly differ, or of the first.
+Witness witness_of(const Statement& statement, const Scene& scene) {
+  Place here{at_point(scene.point), {}};
+  for (const Statement& value : scene.values) {
+    here.values.emplace(value.left.name(), value.right);
   }
-  return result;
+  const Value<Ball> left = here(statement.left), right = here(statement.right);
+  Eigen::Index shown = 0;
+  for (Eigen::Index i = left.size() - 1; i >= 0; --i) {
+    shown = left(i).overlaps(right(i)) ? shown : i;
+  }
+  return {scene.point, {}, left(shown), right(shown)};
 }
 
-// Identities that hold once the values are put in, the point left open.
-void require_identities(Outcome& outcome, const Claim& claim, const Counterexample& example) {
-  Claim reading = claim;
-  reading.assumptions.clear();
-  for (const Statement& value : example.values) {
-    reading.assumptions.push_back({"value", value});
+// The verdict refuted, with its theorem; undecided where the kernel does not say so.
+void refute(Outcome& outcome, Prover& prover, const Scene& scene, const std::vector<Statement>& holding,
+            const std::vector<Statement>& failing) {
+  const auto open = [&](const std::exception& error) {
+    outcome.verdict = Verdict::undecided(fmt::format("no counterexample: {}", error.what()));
+  };
+  try {
+    outcome.theorems = {refutation(prover, scene, holding, failing)};
+    outcome.by_kernel = true;
+    outcome.verdict.truth = Truth::refuted;
+  } catch (const kernel::KernelError& error) {
+    open(error);
+  } catch (const NoValue& error) {
+    open(error);
   }
-  for (const Statement& statement : example.true_identically) {
-    decide(outcome, reading, statement);
-    if (outcome.verdict.truth != Truth::proved) {
-      throw InternalError(
-          fmt::format("claim {}: {} is no identity at the counterexample", claim.id, text(statement)));
-    }
-  }
-  outcome.hypotheses.clear();
-  outcome.assumed.clear();
 }
 
 }  // namespace
 
 Proof by_counterexample(Counterexample example) {
-  return [example = std::move(example)](Prover&, const Claim& claim) {
+  return [example = std::move(example)](Prover& prover, const Claim&) {
     const WorkingPrecision precision(256);
     Outcome outcome;
-    require_identities(outcome, claim, example);
-    outcome.route = "a point where all that is assumed holds and the conclusion does not, in balls";
-    Place here{at_point(example.point), {}};
-    for (const Statement& value : example.values) {
-      here.values.emplace(value.left.name(), value.right);
-    }
-    for (const Statement& statement : example.true_there) {
-      if (sides_of(statement, here).decided != 1) {
-        throw InternalError(
-            fmt::format("claim {}: {} does not hold at the counterexample", claim.id, text(statement)));
-      }
+    std::vector<Statement> holding = example.values;
+    holding.insert(holding.end(), example.true_there.begin(), example.true_there.end());
+    const Scene scene{example.point, example.values};
+    refute(outcome, prover, scene, holding, example.false_there);
+    if (outcome.verdict.truth == Truth::refuted) {
+      outcome.verdict = Verdict::refuted(witness_of(example.false_there.back(), scene));
     }
     std::vector<std::string> failed;
     for (const Statement& failing : example.false_there) {
-      const Sides sides = sides_of(failing, here);
-      if (sides.decided != -1) {
-        outcome.verdict =
-            Verdict::undecided(fmt::format("{} is not refuted at the counterexample", text(failing)));
-        return outcome;
-      }
-      outcome.verdict = Verdict::refuted(Witness{example.point, {}, sides.left, sides.right});
       failed.push_back("$" + text(failing) + "$");
     }
-    outcome.route += fmt::format("; what fails there: {}", fmt::join(failed, "; "));
+    outcome.route = fmt::format(
+        "a point where all that is assumed holds and the conclusion does not; what fails there: {}",
+        fmt::join(failed, "; "));
     return outcome;
   };
 }
 
-namespace {
-
-bool is_phase(const Assumption& assumption) {
-  return assumption.statement.during && assumption.statement.left.op() == Op::derivative;
-}
-
-// Whether there is a motion as the claim assumes it, wherever it starts: it moves in one phase, whose first
-// state is named, for a linear differential equation has a solution from every state.
-bool says_where_it_starts(const Claim& claim, const Statement& statement) {
-  const auto phases = std::ranges::count_if(claim.assumptions, is_phase);
-  const auto phase = std::ranges::find_if(claim.assumptions, is_phase);
-  return phases == 1 && statement.relation == Relation::equal && statement.left.op() == Op::function &&
-         statement.left.name() == "Z" && is_in_field(statement.right) &&
-         equal(statement.left.arguments().front(), phase->statement.during->from);
-}
-
-// Whether what is assumed certainly holds, for some motion.
-bool holds(const Claim& claim, const Assumption& assumption, const Place& here) {
-  const Statement& statement = assumption.statement;
-  const auto given =
-      is_substitution(assumption) ? here.values.find(statement.left.name()) : here.values.end();
-  if (given != here.values.end() && equal(given->second, statement.right)) {
-    return true;
-  }
-  if (says_where_it_starts(claim, statement) ||
-      (is_phase(assumption) && std::ranges::count_if(claim.assumptions, is_phase) == 1)) {
-    return true;
-  }
-  try {
-    return !statement.during && sides_of(statement, here).decided == 1;
-  } catch (const InternalError&) {  // it has no value at the point
-    return false;
-  }
-}
-
-}  // namespace
-
-void look_for_witness(Outcome& outcome, const Claim& claim) {
+void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim) {
   if (outcome.verdict.truth != Truth::undecided) {
     return;
   }
   const WorkingPrecision precision(256);
+  Scene scene;
+  std::vector<Statement> holding;
+  for (const Assumption& assumption : claim.assumptions) {
+    holding.push_back(assumption.statement);
+    if (is_substitution(assumption)) {
+      scene.values.push_back(assumption.statement);
+    }
+  }
   for (const Statement& equation : std::vector<Statement>(outcome.doubted)) {
     Outcome decision;
     try {
@@ -172,15 +107,24 @@ void look_for_witness(Outcome& outcome, const Claim& claim) {
     if (decision.verdict.truth != Truth::refuted) {
       continue;
     }
-    const Place here{at_point(decision.verdict.witness->point), Given(claim).values};
-    if (std::ranges::all_of(claim.assumptions,
-                            [&](const Assumption& one) { return holds(claim, one, here); })) {
-      decision.route = outcome.route;
-      outcome = decision;
-      return;
+    // There the equation fails; whether what is printed does is for the kernel to say.
+    scene.point = decision.verdict.witness->point;
+    for (const Statement& printed : claim.printed) {
+      Outcome refuted = decision;
+      refute(refuted, prover, scene, holding, {printed});
+      if (refuted.verdict.truth == Truth::refuted) {
+        refuted.route =
+            "values with which all that is assumed holds and what is printed does not, in balls; equations "
+            "by normal form, motions by their closed form";
+        refuted.hypotheses.clear();  // the theorem has none
+        refuted.free.clear();
+        outcome = refuted;
+        return;
+      }
+      outcome.verdict = Verdict::undecided(
+          fmt::format("{} is false at a point at which the assumptions are not known to hold: {}",
+                      text(equation), refuted.verdict.reason));
     }
-    outcome.verdict = Verdict::undecided(
-        fmt::format("{} is false at a point at which the assumptions are not known to hold", text(equation)));
   }
 }
 

@@ -43,8 +43,8 @@ void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matri
             const symbolic::algebra::Matrix& right);
 void decide(Outcome& outcome, const Claim& claim, const symbols::Statement& statement);
 
-// Where the outcome is undecided: refuted, if the values of an equation that it doubts differ at a point
-// where all that the claim assumes holds (counterexample.cpp).
-void look_for_witness(Outcome& outcome, const Claim& claim);
+// Where the outcome is undecided: refuted, if it is a theorem that there are values with which all that the
+// claim assumes holds and an equation that the outcome doubts does not (counterexample.cpp).
+void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim);
 
 }  // namespace stickslip::proofs::methods

@@ -66,14 +66,16 @@ struct ZeroOfCosine {
 // all that is printed has to be a theorem.
 [[nodiscard]] Proof by_definition();
 
+// A theorem of the kernel that rests on nothing but the ranges of its variables, and says what the words do:
+// that is for the reader to compare.
+[[nodiscard]] Proof by_theorem(const std::string& route, kernel::Theorem (*make)());
+
 // At the point, where the symbols of `values` take the values given (in terms of one another and of the
-// point), every statement of `true_there` holds and none of `false_there` does, in balls; those of
-// `true_identically` hold by normal form for every point. A refutation of what says that the former imply one
-// of the latter.
+// point), every statement of `true_there` holds and none of `false_there` does: the theorem says that there
+// are such values (refutation.hpp). A refutation of what says that the former imply one of the latter.
 struct Counterexample {
   std::vector<Coordinate> point;
   std::vector<symbols::Statement> values = {};  // "symbol = value"
-  std::vector<symbols::Statement> true_identically = {};
   std::vector<symbols::Statement> true_there = {};
   std::vector<symbols::Statement> false_there;
 };

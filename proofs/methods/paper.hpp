@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/decimal.hpp"
-#include "numeric/families/family.hpp"
+#include "numeric/families/orbit.hpp"
 #include "numeric/motion/domain.hpp"
 #include "proofs/methods/claim.hpp"
 

@@ -14,7 +14,7 @@ namespace stickslip::proofs::methods {
 // Called before each claim: its id, how many are done, how many there are.
 using Progress = std::function<void(const std::string& id, std::size_t done, std::size_t all)>;
 
-// The audit of claim.hpp.
+// The audit of claim.hpp; after an interruption the records made before it.
 [[nodiscard]] Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids,
                           const Progress& progress);
 

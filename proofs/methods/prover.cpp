@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/repair.hpp"
 #include "proofs/methods/deciding.hpp"
@@ -48,7 +49,6 @@ Status status_of(const Record& record, bool premises_stand) {
     case Truth::checked:
       return Status::checked;
     case Truth::undecided:
-    case Truth::out_of_domain:
       break;
   }
   return Status::undecided;
@@ -153,7 +153,7 @@ const Record& Prover::prove(const std::string& id) {
   under_way_.push_back(id);
   Record record{claim(id), {}, {}, {}, {}};
   record.outcome = record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given();
-  look_for_witness(record.outcome, record.claim);
+  look_for_witness(record.outcome, *this, record.claim);
   if (record.outcome.verdict.truth == Truth::refuted && record.claim.prove_corrected) {
     Claim reading = record.claim;
     reading.printed = reading.corrected;
@@ -260,7 +260,18 @@ Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progr
   Audit result;
   for (const std::string& id : ids) {
     progress(id, result.records.size(), ids.size());
-    result.records.push_back(prover.prove(id));
+    try {
+      const Record& record = prover.prove(id);
+      if (interrupted()) {
+        break;  // what this claim rests on may have been cut short
+      }
+      result.records.push_back(record);
+    } catch (const Error&) {
+      if (!interrupted()) {
+        throw;
+      }
+      break;
+    }
   }
   for (Record& record : result.records) {
     for (const Record& other : result.records) {

@@ -1,6 +1,7 @@
 // Appendix 1: the modes, H and Gamma, (38)-(42).
 #include "proofs/methods/derivations.hpp"
-#include "proofs/methods/methods.hpp"
+#include "proofs/methods/implications.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -118,6 +119,14 @@ std::vector<Claim> modes() {
                 "positive, 1 separates the roots, their product is positive; conversely $chi eta$, $1 - chi$ "
                 "and $chi$ come out positive",
        .prove = by_normal_form()},
+      {.id = "39.range",
+       .kind = Kind::step,
+       .origin = Origin::auxiliary,
+       .printed = {{chi, 0, Relation::greater}, {chi, 1, Relation::less}, {eta, 0, Relation::greater}},
+       .words = "$0 < omega_1 < 1 < omega_2$ gives $0 < chi < 1$ and $eta > 0$",
+       .prove = by_positive_combination(
+           {{.positive = {{chi}}}, {.positive = {{1 - chi}}}, {.positive = {{eta}}}})},
+      frequencies_exist(),
   };
 }
 

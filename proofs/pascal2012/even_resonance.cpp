@@ -8,7 +8,8 @@
 #include "core/error.hpp"
 #include "model/nonsticking_closed_form.hpp"
 #include "numeric/families/nonsticking.hpp"
-#include "proofs/methods/methods.hpp"
+#include "proofs/methods/implications.hpp"
+#include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 
 namespace stickslip::proofs::pascal2012::half_period {
@@ -87,11 +88,27 @@ Claim family_of_orbits() {
             const WorkingPrecision precision(bits);
             Outcome outcome = at_the_data(
                 "(25), (26) and the sign of $x2'$ for all times of both slips and all $epsilon$, in balls; "
-                "they close, and meet the belt at $tau$, by 33.even and 33.even.speed");
-            outcome.uses = {"5", "27", "33.even", "33.even.speed", "35"};
+                "they begin as 33.even.start says, close, and meet the belt at $tau$, by 33.even and "
+                "33.even.speed");
+            outcome.uses = {"5", "27", "33.even", "33.even.speed", "33.even.start"};
             outcome.verdict = all_obey();
             return outcome;
           }};
+}
+
+// What with_mode starts from, (34), is what 33.even starts from: with the phase of (35) the belt is at rest.
+Claim start_of_the_motion() {
+  return {.id = "33.even.start",
+          .kind = Kind::step,
+          .origin = Origin::auxiliary,
+          .printed = {equation(first_row * speed_continued, -q1 * omega * sin(phi) - a1 * d01 - a2 * d02),
+                      equation(second_row * speed_continued, 0)},
+          .words =
+              "the load's phase of (35) lets these motions leave a belt at rest, $z2'(0) = 0$, and then "
+              "$z1'(0)$ is that of (34); that the phase must be so is deduced where $det H_3$ is not "
+              "zero, and here it is zero",
+          .assumptions = {{"35", equation(q2 * omega * sin(phi), -(b1 * d01 + b2 * d02))}},
+          .prove = by_combination({{}, {{assuming("35"), 0, -1}}})};
 }
 
 std::vector<Claim> motions_that_close() {
@@ -136,6 +153,7 @@ std::vector<Claim> motions_that_close() {
 
 std::vector<Claim> even_resonance() {
   std::vector<Claim> claims = motions_that_close();
+  claims.push_back(start_of_the_motion());
   claims.push_back(family_of_orbits());
   return claims;
 }
@@ -146,7 +164,7 @@ Claim always_symmetric() {
           .words =
               "abstract and Section 7, said without exception: with the belt at rest every orbit that never "
               "sticks is symmetric in space and time",
-          .prove = [](Prover&, const Claim&) {
+          .prove = [](Prover& prover, const Claim&) {
             const WorkingPrecision precision(bits);
             Outcome outcome = at_the_data("$x_1(tau)$ is not $-x_1(0)$ on the orbit with $epsilon = 1/20$");
             outcome.uses = {"33.even.orbits", "33.even.places"};
@@ -155,7 +173,7 @@ Claim always_symmetric() {
                        at_tau = here.phases[1].Z(0) + here.oscillator.d0(0);
             std::vector<Coordinate> point = outcome.at;
             point.push_back({"epsilon", largest_epsilon});
-            outcome.verdict = all_obey();
+            outcome.verdict = prover.prove("33.even.orbits").outcome.verdict;
             if (outcome.verdict.truth == Truth::proved) {
               outcome.verdict = (at_0 + at_tau).is_nonzero()
                                     ? Verdict::refuted(Witness{point, {}, at_tau, -at_0})

@@ -7,7 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/printed.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/simulation/agreement.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/statements.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -142,6 +144,25 @@ std::string shown(const Ball& ball) {
 
 const Ball& value_of(const Orbit& orbit, const std::string& name) {
   return orbit.value(name);
+}
+
+Claim existence_claim(const PrintedPlace& where, const std::string& words) {
+  return {.id = where.orbit, .kind = Kind::numbers, .words = words, .prove = [where](Prover&, const Claim&) {
+            Outcome outcome = at_the_data(
+                where.example,
+                "the phases in closed form, their equations at the ends by Krawczyk's test, the inequalities "
+                "between the ends by signs in balls, and by mean values where the two sides meet");
+            try {
+              const Motion& motion = printed_orbit(where.example).motion;
+              outcome.theorems = {
+                  orbits::orbit_theorem(orbits::question_of(question_of(where.example), motion), motion)};
+              outcome.by_kernel = true;
+              outcome.verdict = Verdict::proved();
+            } catch (const kernel::KernelError& error) {
+              outcome.verdict = Verdict::undecided(error.what());
+            }
+            return outcome;
+          }};
 }
 
 std::vector<Claim> orbit_claims(const PrintedPlace& where) {

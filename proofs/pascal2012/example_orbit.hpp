@@ -13,6 +13,9 @@ namespace stickslip::proofs::pascal2012 {
 // "7.74669 ± 3.1e-6".
 [[nodiscard]] std::string shown(const Ball& ball);
 
+// "S.orbit": the printed orbit exists, as a theorem of the kernel.
+[[nodiscard]] methods::Claim existence_claim(const PrintedPlace& where, const std::string& words);
+
 // "S.list": the list is complete; "S.if.14.lower", …: each condition along the printed orbit; "S.stability";
 // "S.raw": the friction law integrated without closed forms agrees.
 [[nodiscard]] std::vector<methods::Claim> orbit_claims(const PrintedPlace& where);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/families/least_load.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/half_period.hpp"
@@ -23,31 +24,14 @@ Claim value(const std::string& name) {
   return printed_value(where(), name, [name] { return value_of(printed_orbit(example_named("P")), name); });
 }
 
-Claim closes_claim() {
-  return {.id = "P.orbit",
-          .kind = Kind::numbers,
-          .words = "a motion with the data of Fig. 4 closes, (28), and obeys every condition",
-          .prove = [](Prover&, const Claim&) {
-            const Orbit& orbit = printed_orbit(example_named("P"));
-            Outcome outcome = at_the_data(example_named("P"), where().route);
-            outcome.uses = {"5", "27", "28.reduced"};
-            outcome.verdict =
-                all_of({orbit.admissible,
-                        closes(example_named("P").family->phases, orbit.motion).truth == Truth::refuted
-                            ? Verdict::refuted("the phases leave gaps")
-                            : Verdict::proved()});
-            return outcome;
-          }};
-}
-
 // ur_max of the orbit, which the data do not depend on.
 Ball largest_friction(const Example& example) {
-  const Ball& phi = value_of(printed_orbit(example), "phi");
+  const Ball& phi = printed_orbit(example).phi();
   OrbitQuestion without = question_of(example, 30);
   without.ur.reset();
   for (const Orbit& orbit : list_orbits(without).orbits) {
-    if (value_of(orbit, "phi").overlaps(phi)) {
-      return value_of(orbit, "ur_max");
+    if (orbit.phi().overlaps(phi)) {
+      return orbit.ur_max();
     }
   }
   throw InternalError("the orbit of Fig. 4 is not in the list without u_r");
@@ -104,7 +88,10 @@ Claim least_load_claim() {
 }  // namespace
 
 std::vector<Claim> half_period::example_P() {
-  std::vector<Claim> claims{closes_claim()};
+  std::vector<Claim> claims{existence_claim(
+      where(),
+      "an orbit with the data of Fig. 4 exists: a slip and an overshoot that close, (28), and "
+      "obey the friction law at all times")};
   for (const char * name : {"Theta", "x10", "x20", "xdot10", "phi"}) {
     claims.push_back(value(name));
   }

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/sinc.hpp"
-#include "numeric/words/stick_slip.hpp"
+#include "numeric/words/complete_list.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 
@@ -51,8 +51,9 @@ Claim lag_claim() {
             Outcome outcome =
                 at_the_data(printed(),
                             "at each time up to 11, which is beyond $Theta$, $omega_j tan(omega_j tau/2)$ is "
-                            "not $omega tan(omega tau/2)$ for one of the two $j$, in balls");
-            outcome.uses = {"4.lag.needed"};
+                            "not $omega tan(omega tau/2)$ for one of the two $j$, in balls; the load acts on "
+                            "both modes, by 7.modal");
+            outcome.uses = {"4.lag.needed", "7.modal"};
             const WorkingPrecision precision(128);
             const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(printed().data));
             const Rational last(11);
@@ -66,29 +67,29 @@ Claim lag_claim() {
 
 // Fig. 2 gives u_r as a datum, beside the others.
 Claim friction_claim() {
-  return {
-      .id = "S.data",
-      .kind = Kind::theorem,
-      .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
-      .prove = [](Prover&, const Claim&) {
-        const OrbitList& list = orbits_of(printed()).list;
-        const Decimal given = printed().result("ur").value;
-        Outcome outcome = at_the_data(printed(), "the $u_r$ of each orbit in the complete list, in balls");
-        outcome.uses = {"S.list", "S.lag"};
-        outcome.verdict = Verdict::undecided("the list is not complete");
-        if (!list.complete() || list.orbits.empty()) {
-          return outcome;
-        }
-        const Ball stated = Ball::hull(Ball(given.lower()), Ball(given.upper()));
-        if (std::ranges::any_of(list.orbits,
-                                [&](const Orbit& orbit) { return value_of(orbit, "ur").overlaps(stated); })) {
-          outcome.verdict = Verdict::undecided("some orbit may have this u_r");
-          return outcome;
-        }
-        outcome.verdict = Verdict::refuted(
-            Witness{outcome.at, {}, value_of(printed_orbit(printed()), "ur"), Ball(given.value)});
-        return outcome;
-      }};
+  return {.id = "S.data",
+          .kind = Kind::theorem,
+          .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
+          .prove = [](Prover&, const Claim&) {
+            const OrbitList& list = orbits_of(printed()).list;
+            const Decimal given = printed().result("ur").value;
+            Outcome outcome =
+                at_the_data(printed(), "the $u_r$ of each orbit in the complete list, in balls");
+            outcome.uses = {"S.list", "S.lag"};
+            outcome.verdict = Verdict::undecided("the list is not complete");
+            if (!list.complete() || list.orbits.empty()) {
+              return outcome;
+            }
+            const Ball stated = Ball::hull(Ball(given.lower()), Ball(given.upper()));
+            if (std::ranges::any_of(list.orbits,
+                                    [&](const Orbit& orbit) { return orbit.ur().overlaps(stated); })) {
+              outcome.verdict = Verdict::undecided("some orbit may have this u_r");
+              return outcome;
+            }
+            outcome.verdict = Verdict::refuted(
+                Witness{outcome.at, {}, value_of(printed_orbit(printed()), "ur"), Ball(given.value)});
+            return outcome;
+          }};
 }
 
 // Z(tau) is not E Z_0.
@@ -111,7 +112,7 @@ Claim asymmetric_claim() {
       .prove = [](Prover&, const Claim&) {
         const Rational ur = printed().result("ur").value.value;
         const words::WordList list =
-            words::all_stick_slip_orbits({.data = printed().data, .ur = ur, .digits = 20}, 1);
+            words::all_orbits({.data = printed().data, .ur = ur, .digits = 20}, words::Word::parse("ST"), 1);
         Outcome outcome = at_the_data(printed(), "exhaustive search in balls; the slips last");
         outcome.at.push_back({"ur", ur});
         std::vector<Verdict> each;

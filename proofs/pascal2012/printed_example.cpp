@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "core/printed.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
 #include "symbolic/typeset/names.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -50,12 +53,25 @@ Claim printed_value(const PrintedPlace& where, const std::string& name, std::fun
           .kind = Kind::numbers,
           .words = fmt::format("${} = {}${}", name, result.value.text,
                                result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
-          .prove = [=, value = std::move(value)](Prover&, const Claim&) {
+          .prove = [=, value = std::move(value)](Prover& prover, const Claim&) {
             const Ball proved = value();
+            const Decimal printed = as_printed(result, proved);
             Outcome outcome = at_the_data(where.example, where.route);
             outcome.uses = {where.orbit};
-            outcome.comparisons = {compared(name, as_printed(result, proved), proved)};
+            outcome.comparisons = {compared(name, printed, proved)};
             outcome.verdict = outcome.comparisons.front().verdict;
+            try {
+              const std::vector<kernel::Theorem>& orbit = prover.prove(where.orbit).outcome.theorems;
+              if (!orbit.empty() && outcome.verdict.truth != Truth::undecided) {
+                outcome.theorems = {orbits::value_theorem(
+                    orbit.front(),
+                    orbits::question_of(question_of(where.example), printed_orbit(where.example).motion),
+                    name, printed.lower(), printed.upper(), outcome.verdict.truth == Truth::refuted)};
+                outcome.by_kernel = true;
+              }
+            } catch (const kernel::KernelError& error) {
+              outcome.verdict = Verdict::undecided(error.what());
+            }
             return outcome;
           }};
 }

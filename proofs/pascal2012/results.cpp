@@ -42,7 +42,8 @@ std::vector<Result> on_orbits_that_never_stick() {
                "keeps its "
                "sign on both slips is decided in balls for all $epsilon$ at once",
        .see = "stickslip check 33.even --explain",
-       .claims = {"33.even.orbits", "33.even", "33.even.speed", "33.even.places", "7.always"}},
+       .claims = {"33.even.orbits", "33.even", "33.even.speed", "33.even.start", "33.even.places",
+                  "7.always"}},
       {.id = "uniqueness",
        .title = "There is at most one orbit that never sticks",
        .theorem =
@@ -138,14 +139,18 @@ std::vector<Result> on_equations() {
        .claims = {"37.sharp", "37.sharp.back", "P.least"}},
       {.id = "spurious",
        .title = "(16) and (23) have zeros that are no orbits",
-       .theorem = "At $omega_1 = 1/2$, $omega_2 = 7/3$, $omega = 3/5$, $u_s = 0.1$, $V = 1$, $p = 1/2$ "
-                  "(16) has, with $tau = pi/omega_1$, a solution that does not fulfil (13). At the data of "
-                  "Fig. 3 (23) has a solution with $tau$, $tau_1$, $T > 0$ at which (21) has none",
+       .theorem =
+           "At $omega_1 = 1/2$, $omega_2 = 7/3$, $omega = 3/5$, $u_s = 0.1$, $V = 1$, $p = 1/2$ "
+           "(16) has, with $tau = pi/omega_1$, a solution that does not fulfil (13). At the data of "
+           "Fig. 2 the determinant of (16) vanishes at eight $tau$ between 0 and $Theta$, of which two "
+           "are orbits. At the data of "
+           "Fig. 3 (23) has a solution with $tau$, $tau_1$, $T > 0$ at which (21) has none",
        .idea = "where $cos(omega_1 tau/2) = 0$ the half of (13) that (16) keeps does not give back the other "
-               "one; "
+               "one; the determinant is $cos(omega_1 tau/2) cos(omega_2 tau/2) cos(T/2)$ times the one that "
+               "orbits need; "
                "(23) is deduced by dividing by $Delta$, which is zero along lines $tau + tau_1$ = constant",
        .see = "stickslip check 16 23.spurious --explain",
-       .claims = {"23.spurious", "16", "22.square", "22.null"}},
+       .claims = {"23.spurious", "16", "16.det", "16.orbits", "S.det", "22.square", "22.null"}},
   };
 }
 

@@ -2,6 +2,7 @@
 #include "proofs/methods/implications.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "proofs/pascal2012/units.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -78,6 +79,15 @@ std::vector<Claim> equations() {
        .words = "the dimensionless quantities, $Omega = sqrt((k_1 + k_2)/m_1)$: $t$, $chi$, $eta$, $omega$ "
                 "are numbers, $x$, $u$, $p$ and $V$ lengths",
        .prove = by_definition()},
+      {.id = "3.load",
+       .kind = Kind::step,
+       .origin = Origin::auxiliary,
+       .printed = {equation(omega * t, frequency * time),
+                   equation(p * cos(omega * t + phi),
+                            eta / (k1 + k2) * (load * cos(frequency * time + phi)))},
+       .words = "the load of (2) is that of (1): the same angle, and $eta/(k_1 + k_2)$ times the force",
+       .assumptions = {rescaled[1], rescaled[2], rescaled[3], stiff, quick},
+       .prove = by_normal_form()},
       {.id = "3.domain",
        .kind = Kind::step,
        .origin = Origin::auxiliary,
@@ -95,11 +105,11 @@ std::vector<Claim> equations() {
 
 const Term pull = chi * (x2 - x1) - p / eta * cos(omega * t + phi);
 
-// A state at rest on the belt with load phase 0: r = chi (x2 - x1) - p/eta.
+// A state at rest on the belt without load: r = chi (x2 - x1), with chi = 9/13.
 std::vector<Coordinate> at_rest(const Rational& gap) {
-  return {{"chi", Rational(1, 2)}, {"eta", Rational(2)},   {"us", Rational(1, 4)}, {"ur", Rational(1, 2)},
-          {"V", Rational(1)},      {"xdot2", Rational(1)}, {"x1", Rational(0)},    {"x2", gap},
-          {"p", Rational(0)},      {"omega", Rational(1)}, {"phi", Rational(0)},   {"t", Rational(0)}};
+  return {{"omega1", Rational(1, 2)}, {"omega2", Rational(2)}, {"us", Rational(1, 4)}, {"ur", Rational(1, 2)},
+          {"V", Rational(1)},         {"xdot2", Rational(1)},  {"x1", Rational(0)},    {"x2", gap},
+          {"p", Rational(0)},         {"omega", Rational(1)},  {"phi", Rational(0)},   {"t", Rational(0)}};
 }
 
 // (4) as a definition.
@@ -128,7 +138,7 @@ std::vector<Claim> friction_law() {
        .kind = Kind::definition,
        .origin = Origin::reading,
        .words = "the law gives a friction in every state",
-       .prove = by_counterexample({.point = at_rest(Rational(1)),
+       .prove = by_counterexample({.point = at_rest(Rational(13, 18)),
                                    .false_there = {{xdot2, V, Relation::not_equal},
                                                    {pull, -ur, Relation::less},
                                                    {abs(pull), ur, Relation::less},
@@ -137,7 +147,7 @@ std::vector<Claim> friction_law() {
        .kind = Kind::definition,
        .origin = Origin::reading,
        .words = "the law continues every motion in one way",
-       .prove = by_counterexample({.point = at_rest(Rational(3, 4)),
+       .prove = by_counterexample({.point = at_rest(Rational(1, 2)),
                                    .true_there = {{abs(pull), ur, Relation::less}},
                                    .false_there = {{eta * (us - pull), 0, Relation::greater_or_equal}}})},
       {.id = "4.slips",
@@ -154,8 +164,8 @@ std::vector<Claim> friction_law() {
 
 std::vector<Claim> section2() {
   std::vector<Claim> claims = equations();
-  for (Claim& claim : friction_law()) {
-    claims.push_back(std::move(claim));
+  for (std::vector<Claim> more : {unit_of_time(), friction_law()}) {
+    std::move(more.begin(), more.end(), std::back_inserter(claims));
   }
   return claims;
 }

@@ -150,8 +150,7 @@ Counterexample spurious() {
                      equation(z20, V * T / 2), equation(z10, chi * z20 + turn * (zdot10 - chi * V)),
                      equation(zdot10, (cos(angle) * second_place + sin(angle) / omega2 * second_speed) /
                                           (lambda1 * (cos(angle) * turn + sin(angle) / omega2)))},
-          .true_identically = {slip16, stick16},
-          .true_there = {{T, 0, Relation::greater}},
+          .true_there = {slip16, stick16, {T, 0, Relation::greater}},
           .false_there = {slip13}};
 }
 
@@ -235,7 +234,7 @@ std::vector<Claim> stick_conditions() {
 
 std::vector<Claim> section4() {
   std::vector<Claim> claims = ends();
-  for (std::vector<Claim> more : {lag(), closing(), stick_conditions(), example_S()}) {
+  for (std::vector<Claim> more : {lag(), closing(), determinant_of_16(), stick_conditions(), example_S()}) {
     std::move(more.begin(), more.end(), std::back_inserter(claims));
   }
   return claims;

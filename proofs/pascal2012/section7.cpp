@@ -58,7 +58,7 @@ Outcome only_at_rest() {
   outcome.route = fmt::format(
       "a counterexample proved in balls, with every condition along the motion: $tau = {}$, $Theta = {}$, "
       "$phi = {}$",
-      shown(value_of(*found, "tau")), shown(value_of(*found, "Theta")), shown(value_of(*found, "phi")));
+      shown(found->tau()), shown(found->Theta()), shown(found->phi()));
   const model::Parameters<Range>& a = question.parameters;
   outcome.verdict = Verdict::refuted(Witness{{{"chi", a.chi.middle},
                                               {"eta", a.eta.middle},

@@ -20,7 +20,7 @@ std::vector<PrintedStatement> statements_of_appendices() {
        "natural frequencies are roots of the characteristic equation of $K$; $K$ written out",
        {"39"},
        "",
-       {"39.domain"}},
+       {"39.domain", "39.range", "39.frequencies"}},
       {"S134",
        "after (39)",
        definition,

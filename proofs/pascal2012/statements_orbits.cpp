@@ -62,7 +62,7 @@ std::vector<PrintedStatement> statements_of_orbits() {
        "such orbits exist under four scalar equations, halves of (13) and (15), with $s_0$ and $c_0$",
        {"16"},
        "",
-       {"16.back"}},
+       {"16.back", "16.det", "16.orbits", "S.det"}},
       {"S048",
        "after (16)",
        words,

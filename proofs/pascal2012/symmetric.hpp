@@ -29,6 +29,8 @@ inline const methods::Assumption sticks = half_period::sticks(tau, Theta);
 
 namespace stickslip::proofs::pascal2012 {
 
+// Where (16) can be solved, and where that is an orbit.
+[[nodiscard]] std::vector<methods::Claim> determinant_of_16();
 // The orbit of Fig. 2.
 [[nodiscard]] std::vector<methods::Claim> example_S();
 // What its data allow: u_r is one of them.

@@ -1,5 +1,7 @@
 #include "proofs/tactics/tactics.hpp"
 
+#include <optional>
+
 #include "proofs/tactics/almost_always.hpp"
 
 namespace stickslip::proofs::tactics {
@@ -63,6 +65,17 @@ Theorem refuted(const Formula& claim, const Term& t, const Theorem& counterexamp
   return Theorem::consequence({one, counterexample}, negation(claim));
 }
 
+Theorem below_by_squares(const Theorem& squares, const Theorem& not_negative, const Term& a, const Term& b) {
+  const Formula wrong = at_most(b, a);
+  const Theorem assumed = Theorem::assume(wrong);
+  const Theorem too_large =
+      Theorem::order(at_most(power(b, 2), power(a, 2)),
+                     {Positive{{assumed, assumed}}, Positive{{assumed, not_negative}, 2}});
+  return Theorem::consequence({Theorem::discharge(too_large, wrong), squares,
+                               Theorem::trichotomy(power(a, 2), power(b, 2)), Theorem::trichotomy(a, b)},
+                              less(a, b));
+}
+
 Theorem by_normal_form(const Formula& equation, const Definitions& unfolded, const Domain& domain) {
   return nonzero(Theorem::combination(equation, {}, unfolded), domain);
 }
@@ -78,6 +91,38 @@ Theorem by_positive_combination(const Formula& inequality, const std::vector<Pos
   return nonzero(Theorem::order(inequality, positives, multiples, unfolded), domain);
 }
 
+namespace {
+
+// The matrix A of a rate A x + f.
+std::optional<Term> linear_part(const Term& rate, const Term& x) {
+  const Term& first = rate.kind() == Kind::sum ? rate.parts()[0] : rate;
+  return first.kind() == Kind::product && first.parts()[1] == x ? std::optional(first.parts()[0])
+                                                                : std::nullopt;
+}
+
+// (flow (z - forced))' = 0, from flow' = -flow A and (z - forced)' = A (z - forced), each by normal form: two
+// small identities in the place of a large one. Nothing if they are not so simple.
+std::optional<Theorem> flat_in_two_steps(const Term& value, const Theorem& rate,
+                                         const Definitions& unfolded) {
+  const std::optional<Term> A = linear_part(
+      rate.conclusion().parts()[2], apply(rate.conclusion().parts()[0], rate.conclusion().parts()[1]));
+  if (!A || value.kind() != Kind::sum || value.parts().size() != 2 ||
+      value.parts()[0].kind() != Kind::product || value.parts()[1].kind() != Kind::product) {
+    return std::nullopt;
+  }
+  const Term &flow_rate = value.parts()[0].parts()[0], &w = value.parts()[0].parts()[1],
+             &flow = value.parts()[1].parts()[0], &w_rate = value.parts()[1].parts()[1];
+  try {
+    const Theorem backward = Theorem::combination(equal(flow_rate, -(flow * *A)), {}, unfolded);
+    const Theorem forward = Theorem::combination(equal(w_rate, *A * w), {}, unfolded);
+    return Theorem::combination(equal(value, zero(value.type())), {{backward, 1, w}, {forward, flow, 1}});
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 Theorem by_differential_equation(const Motion& motion, const Term& z, const Term& flow, const Term& forced,
                                  const Variable& t, const std::vector<Multiple>& because,
                                  const Definitions& unfolded, const Domain& domain) {
@@ -88,7 +133,9 @@ Theorem by_differential_equation(const Motion& motion, const Term& z, const Term
   const auto flat_by = [&](const Theorem& rate) {
     const Theorem slope = Theorem::differentiate(G, t, {rate});
     const Term value = slope.conclusion().parts()[2];
-    const Theorem nothing = Theorem::combination(equal(value, zero(value.type())), because, unfolded);
+    const std::optional<Theorem> two_steps = flat_in_two_steps(value, rate, unfolded);
+    const Theorem nothing =
+        two_steps ? *two_steps : Theorem::combination(equal(value, zero(value.type())), because, unfolded);
     return nonzero(by_rewriting(slope, nothing), domain);
   };
   const Formula inside_open = between(a, t, b);
@@ -105,8 +152,20 @@ Theorem by_differential_equation(const Motion& motion, const Term& z, const Term
   const Theorem kept = at(constant, t, Theorem::assume(inside_closed));
   const Formula closed_form =
       equal(apply(z, t), apply(flow, t - a) * (apply(z, a) - apply(forced, a)) + apply(forced, t));
-  return for_every(t, inside_closed,
-                   by_combination(closed_form, {{kept, apply(flow, t - a)}}, unfolded, domain));
+  const Term forth = apply(flow, t - a), back = apply(flow, a - t), still = apply(flow, a - a);
+  const auto is_identity = [&](const Term& matrix) {
+    return Theorem::combination(equal(matrix, identity(matrix.type().rows)), {}, unfolded);
+  };
+  try {
+    return for_every(t, inside_closed,
+                     by_combination(closed_form,
+                                    {{kept, forth},
+                                     {is_identity(forth * back), -1, apply(z, t) - apply(forced, t)},
+                                     {is_identity(still), forth, apply(z, a) - apply(forced, a)}},
+                                    {}, domain));
+  } catch (const KernelError&) {  // then all at once
+    return for_every(t, inside_closed, by_combination(closed_form, {{kept, forth}}, unfolded, domain));
+  }
 }
 
 }  // namespace stickslip::proofs::tactics

@@ -64,6 +64,10 @@ using Domain = std::vector<Theorem>;
 // 0 < d gives 0 < 1/d.
 [[nodiscard]] Theorem inverse_is_positive(const Theorem& positive);
 
+// a² < b² and 0 ≤ b (or 0 < b) give a < b.
+[[nodiscard]] Theorem below_by_squares(const Theorem& squares, const Theorem& not_negative, const Term& a,
+                                       const Term& b);
+
 // ---- Algebra: the kernel's rules, then nonzero().
 [[nodiscard]] Theorem by_normal_form(const Formula& equation, const Definitions& unfolded,
                                      const Domain& domain = {});

@@ -1,10 +1,17 @@
 #include "report/audit/graph.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "report/audit/summary.hpp"
 #include "report/tools/graphviz.hpp"
+#include "report/tools/layout.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::audit {
@@ -15,51 +22,53 @@ using namespace tools;
 namespace {
 
 using proofs::methods::Audit;
+using proofs::methods::Outcome;
 using proofs::methods::Record;
 
-// By id of a claim: the ids of the claims of the audit that its proofs use.
-using Uses = std::map<std::string, std::set<std::string>>;
-
-Uses uses_in(const Audit& audit) {
-  Uses uses;
-  for (const Record& record : audit.records) {
-    uses[record.claim.id];
-  }
-  for (const Record& record : audit.records) {
-    std::set<std::string> all = record.outcome.uses;
-    if (record.corrected) {
-      all.insert(record.corrected->uses.begin(), record.corrected->uses.end());
+// All claims that the proofs of a record use.
+std::set<std::string> used_by_proofs_of(const Record& record) {
+  std::set<std::string> all = record.outcome.uses;
+  for (const std::optional<Outcome>& further : {record.corrected, record.converse}) {
+    if (further) {
+      all.insert(further->uses.begin(), further->uses.end());
     }
-    for (const std::string& id : all) {
-      if (uses.contains(id) && id != record.claim.id) {
-        uses[record.claim.id].insert(id);
+  }
+  return all;
+}
+
+// How many claims of one place are used by proofs of another, by both.
+using Uses = std::map<std::pair<std::string, std::string>, std::size_t>;
+
+Uses uses_between(const std::vector<PlaceRecords>& places) {
+  std::map<std::string, std::string> place_of;
+  for (const PlaceRecords& place : places) {
+    for (const Record * record : place.records) {
+      place_of[record->claim.id] = place.id;
+    }
+  }
+  std::set<std::array<std::string, 3>> found;  // place of the used claim, place of the user, the claim
+  for (const PlaceRecords& place : places) {
+    for (const Record * record : place.records) {
+      for (const std::string& id : used_by_proofs_of(*record)) {
+        if (const auto other = place_of.find(id); other != place_of.end() && other->second != place.id) {
+          found.insert({other->second, place.id, id});
+        }
       }
     }
+  }
+  Uses uses;
+  for (const auto& [from, to, id] : found) {
+    ++uses[{from, to}];
   }
   return uses;
 }
 
-void collect(const Uses& uses, const std::string& id, std::set<std::string>& reached) {
-  for (const std::string& next : uses.at(id)) {
-    if (reached.insert(next).second) {
-      collect(uses, next, reached);
-    }
-  }
-}
-
-// What is used and is not used, however indirectly, by something else that is.
-std::set<std::string> direct(const Uses& uses, const std::string& id) {
-  std::set<std::string> indirect;
-  for (const std::string& next : uses.at(id)) {
-    collect(uses, next, indirect);
-  }
-  std::set<std::string> result;
-  for (const std::string& next : uses.at(id)) {
-    if (!indirect.contains(next)) {
-      result.insert(next);
-    }
-  }
-  return result;
+// A sentence over several lines of a node.
+std::vector<std::string> label(const PlaceRecords& place) {
+  constexpr std::size_t width = 26;
+  std::vector<std::string> lines = wrapped(place.title, width);
+  lines.push_back(fmt::format("{} claim{}", place.records.size(), place.records.size() == 1 ? "" : "s"));
+  return lines;
 }
 
 std::string escape_dot(std::string_view text) {
@@ -76,24 +85,18 @@ std::string escape_dot(std::string_view text) {
 }  // namespace
 
 std::string graph_script(const Paper& paper, const Audit& audit) {
-  Json places = Json::array();
-  for (const PlaceRecords& place : by_place(paper, audit)) {
-    Json nodes = Json::array();
-    for (const Record * record : place.records) {
-      nodes.push_back({{"id", record->claim.id},
-                       {"status", proofs::methods::to_string(record->status)},
-                       {"words", plain(record->claim.words)}});
-    }
-    places.push_back({{"id", place.id}, {"title", place.title}, {"nodes", nodes}});
-  }
-  Json edges = Json::array();
-  const Uses uses = uses_in(audit);
-  for (const auto& [id, ignored] : uses) {
-    for (const std::string& used : direct(uses, id)) {
-      edges.push_back({{"from", used}, {"to", id}});
-    }
-  }
-  return render_file("claims.dot", {{"places", places}, {"edges", edges}}, {escape_dot, escape_dot});
+  const std::vector<PlaceRecords> places = by_place(paper, audit);
+  const Json nodes = list_of(places, [](const PlaceRecords& place) -> Json {
+    return {{"id", place.id}, {"title", place.title}, {"lines", label(place)}};
+  });
+  const Uses uses = uses_between(places);
+  const Json edges = list_of(uses, [](const auto& use) -> Json {
+    const auto& [ends, count] = use;
+    return {{"from", ends.first},
+            {"to", ends.second},
+            {"width", fmt::format("{:.2f}", 0.6 + 0.4 * std::sqrt(static_cast<double>(count)))}};
+  });
+  return render_file("claims.dot", {{"places", nodes}, {"edges", edges}}, {escape_dot, escape_dot});
 }
 
 std::string graph_svg(const Paper& paper, const Audit& audit) {

@@ -1,4 +1,4 @@
-// Which claim uses which, as a picture.
+// Which part of the paper rests on which, as a picture; which claim uses which stands with the claims.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace stickslip::report::audit {
 
-// The graph for Graphviz: a node for every claim, in a frame for its place, its class the status, its link
-// the claim on the page of statements; an arrow from what is used to what uses it, unless a longer way says
-// so already.
+// The graph for Graphviz: a node for every place, with the count of its claims, its link the place on the
+// page of claims; an arrow from a place to another whose proofs use claims of it, the wider the more they
+// use.
 [[nodiscard]] std::string graph_script(const proofs::methods::Paper& paper,
                                        const proofs::methods::Audit& audit);
 

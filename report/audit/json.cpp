@@ -135,7 +135,7 @@ Json result(const Result& r) {
           {"claims", list_of(r.claims, as_it_is)}};
 }
 
-Json claim(const Paper& paper, const Record& record) {
+Json claim(const Paper& paper, const Record& record, const Certification& certificates) {
   const Claim& c = record.claim;
   return {{"id", c.id},
           {"place", c.place},
@@ -154,7 +154,8 @@ Json claim(const Paper& paper, const Record& record) {
           {"repairs", list_of(record.repairs, repair)},
           {"illegible", plain(c.illegible)},
           {"remark", remark(is_finding(record) ? remark_on(paper, c.id) : nullptr)},
-          {"used_by", list_of(record.used_by, as_it_is)}};
+          {"used_by", list_of(record.used_by, as_it_is)},
+          {"certificate", to_json(certificates, c.id)}};
 }
 
 Json status_count(const StatusCount& entry) {
@@ -203,10 +204,10 @@ Json bibliography(const proofs::methods::Bibliography& b) {
   return {{"author", b.author}, {"title", b.title}, {"journal", b.journal}, {"doi", b.doi}};
 }
 
-Json place(const Paper& paper, const PlaceRecords& p) {
-  return {{"id", p.id},
-          {"title", p.title},
-          {"claims", list_of(p.records, [&](const Record * record) { return claim(paper, *record); })}};
+Json place(const Paper& paper, const PlaceRecords& p, const Certification& certificates) {
+  return {{"id", p.id}, {"title", p.title}, {"claims", list_of(p.records, [&](const Record * record) {
+                                               return claim(paper, *record, certificates);
+                                             })}};
 }
 
 Json example(const ExampleOrbits& e) {
@@ -222,12 +223,15 @@ Json example(const ExampleOrbits& e) {
 }  // namespace
 
 Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
-             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate) {
+             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate,
+             const Certification& certificates) {
   Json json = provenance(command);
   json["paper"] = bibliography(paper.bibliography);
   json["summary"] = summary(paper, audit);
+  json["summary"]["certificates"] = certificates.line;
   json["statements"] = printed_statements(paper, audit);
-  json["places"] = list_of(by_place(paper, audit), [&](const PlaceRecords& p) { return place(paper, p); });
+  json["places"] =
+      list_of(by_place(paper, audit), [&](const PlaceRecords& p) { return place(paper, p, certificates); });
   json["results"] = list_of(results_in(paper, audit), result);
   json["examples"] = list_of(examples, example);
   json["mutants"] = gate ? to_json(*gate) : Json(nullptr);

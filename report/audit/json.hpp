@@ -7,6 +7,7 @@
 #include "proofs/checks/mutants.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/methods/paper.hpp"
+#include "report/audit/certificates.hpp"
 #include "report/tools/json.hpp"
 
 namespace stickslip::report::audit {
@@ -17,6 +18,7 @@ namespace stickslip::report::audit {
 [[nodiscard]] tools::Json to_json(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                                   const std::string& command = "stickslip audit",
                                   const std::vector<proofs::methods::ExampleOrbits>& examples = {},
-                                  const std::optional<proofs::checks::Gate>& gate = {});
+                                  const std::optional<proofs::checks::Gate>& gate = {},
+                                  const Certification& certificates = {});
 
 }  // namespace stickslip::report::audit

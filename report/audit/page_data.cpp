@@ -3,16 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <regex>
 #include <set>
 
 #include "core/decimal.hpp"
+#include "report/audit/errata_data.hpp"
 #include "report/audit/finding_data.hpp"
 #include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
+#include "report/orbits/orbit_words.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
+#include "report/tools/prose.hpp"
 
 namespace stickslip::report::audit {
 
@@ -37,13 +38,6 @@ void add_words(Json& object, const std::string& key) {
   object[key + "_words"] = spaced(object.at(key));
 }
 
-std::string capitalised(std::string words) {
-  if (!words.empty()) {
-    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-  }
-  return words;
-}
-
 // With a capital and a full stop, unless it begins with a formula.
 std::string sentence(const std::string& words) {
   return words.empty() || words.ends_with('.') ? capitalised(words) : capitalised(words) + ".";
@@ -51,6 +45,7 @@ std::string sentence(const std::string& words) {
 
 void complete_comparison(Json& json, const proofs::methods::Comparison& comparison) {
   const std::string proved = readable(comparison.proved, number_digits);
+  json["unit"] = orbits::unit_of(comparison.name);
   json["proved_short"] = proved;
   json["rounded"] = rounded_like(parse_decimal(comparison.printed), comparison.proved).value_or(proved);
   json["units_off_short"] = units_off(comparison.units_off);
@@ -91,6 +86,8 @@ void complete_claim(Json& claim, const Record& record, const std::string& place_
   if (record.converse) {
     complete_outcome(claim.at("converse"), *record.converse, id);
   }
+  claim["certified"] = claim.at("certificate").at("state") == "certified";
+  claim["stale"] = claim.at("certificate").at("state") == "stale";
   claim["without_formula"] = record.claim.printed.empty() && record.status != Status::model;
   claim["proof_summary"] = claim.at("examined") ? "proof, and what it rests on" : "what it is used for";
   claim["needs"] = claim.at(record.corrected ? "corrected_outcome" : "outcome").at("hypotheses");
@@ -154,45 +151,6 @@ void add_assumptions(Json& list, Json& claim) {
   }
 }
 
-// The sentence without the ids of claims, which a letter does not know: "so it is (16.back)".
-std::string without_ids(const std::string& sentence) {
-  static const std::regex ids(R"( \((?:[0-9A-Z]+\.[A-Za-z0-9.]+(?:, )?)+\))");
-  return std::regex_replace(sentence, ids, "");
-}
-
-// A claim of the paper that has something to correct, as a letter to the journal says it.
-Json erratum(const Json& claim) {
-  Json one = {{"misprint", claim.at("status") == "misprint_corrected"},
-              {"printed", claim.at("printed")},
-              {"corrected", claim.at("corrected")},
-              {"numbers", claim.at("outcome").at("comparisons")}};
-  if (claim.at("remark").is_null()) {
-    one["place"] =
-        claim.at("states").empty() ? claim.at("place_title") : claim.at("states").at(0).at("place");
-    one["remark"] = nullptr;
-    return one;
-  }
-  one["place"] = claim.at("remark").at("place");
-  one["remark"] = claim.at("remark");
-  for (const char * part : {"says", "fact", "because"}) {
-    one["remark"][part] = without_ids(one.at("remark").at(part));
-  }
-  return one;
-}
-
-// Numbers of one place make one entry.
-void add_erratum(Json& errata, const Json& one) {
-  const bool numbers = !one.at("misprint").get<bool>() && one.at("remark").is_null();
-  if (numbers && !errata.empty() && errata.back().at("place") == one.at("place") &&
-      errata.back().at("remark").is_null() && !errata.back().at("misprint").get<bool>()) {
-    for (const Json& number : one.at("numbers")) {
-      errata.back()["numbers"].push_back(number);
-    }
-  } else {
-    errata.push_back(one);
-  }
-}
-
 // The statuses that occur, of statements and of claims, from the best to the worst.
 Json statuses_met(const Json& summary) {
   std::set<std::string> names;
@@ -241,7 +199,6 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
   Json data = json;
   std::vector<Json> claims;
   data["numbers"] = Json::array();
-  data["errata"] = Json::array();
   data["assumptions"] = Json::array();
   for (Json& status : data.at("summary").at("statuses")) {
     add_words(status, "status");
@@ -274,13 +231,9 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       if (compares(claim)) {
         data["numbers"].push_back(claim);
       }
-      const bool in_remark = !claim.at("remark").is_null() || record.status == Status::misprint_corrected;
-      if (record.claim.origin == Origin::paper &&
-          (in_remark || (record.status == Status::digits_off && compares(claim)))) {
-        add_erratum(data["errata"], erratum(claim));
-      }
     }
   }
+  data["errata"] = errata_data(paper, claims);
   data["results"] = results(paper, audit, claims);
   data["findings"] = finding_data(paper, audit, claims);
   data["verdict_lead"] = verdict_lead(paper, audit);

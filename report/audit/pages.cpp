@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "numeric/families/family.hpp"
 #include "report/audit/graph.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/page_data.hpp"
@@ -125,14 +126,16 @@ std::vector<File> example_pictures(const std::vector<ExampleOrbits>& examples) {
 }  // namespace
 
 Report pages(const Paper& paper, const proofs::methods::Audit& audit,
-             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate) {
-  const Json json =
-      to_json(paper, audit, gate ? "stickslip audit --mutants" : "stickslip audit", examples, gate);
+             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate,
+             const Certification& certificates) {
+  const Json json = to_json(paper, audit, gate ? "stickslip audit --mutants" : "stickslip audit", examples,
+                            gate, certificates);
   Report report{{{"audit.json", to_text(json)}}, {}};
   Json data = page_data(paper, audit, json);
   add_provenance(data, true);
   data["precision"] = digits_in_words(OrbitQuestion{}.digits);
   data["meaning_of_margin"] = meaning_of_margin();
+  data["meaning_of_units"] = meaning_of_units();
   data["meaning_of_picture"] = meaning_of_picture();
   data["examples"] = Json::array();
   for (const ExampleOrbits& e : examples) {
@@ -186,6 +189,7 @@ Report pages(const OrbitList& list) {
   data["page_title"] = fmt::format("Orbits: {}", list.question.family->name);
   data["paper"] = nullptr;
   data["meaning_of_margin"] = meaning_of_margin();
+  data["meaning_of_units"] = meaning_of_units();
   data["meaning_of_picture"] = meaning_of_picture();
   add_paper_and_pages(report, "orbits", std::move(data), [](const Json& complete) {
     return with_formulas({{"index.html", render_file("orbits.html", complete, html_format)}});

@@ -8,6 +8,7 @@
 #include "proofs/checks/mutants.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/methods/paper.hpp"
+#include "report/audit/certificates.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::report::audit {
@@ -23,7 +24,8 @@ struct Report {
 // read or a program that draws is missing or fails.
 [[nodiscard]] Report pages(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                            const std::vector<proofs::methods::ExampleOrbits>& examples,
-                           const std::optional<proofs::checks::Gate>& gate = {});
+                           const std::optional<proofs::checks::Gate>& gate = {},
+                           const Certification& certificates = {});
 
 // The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
 // if the template cannot be read.

@@ -8,6 +8,7 @@
 
 #include "proofs/methods/prover.hpp"
 #include "report/audit/summary.hpp"
+#include "report/orbits/orbit_words.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
 
@@ -180,13 +181,31 @@ std::string printed_numbers(const Audit& audit, const Style& style) {
                       {readable(comparison.units_off, 3)}});
     }
   }
-  return rows.size() == 1 ? "" : heading("Printed numbers", style) + columns_of(rows, style.width) + "\n";
+  return rows.size() == 1 ? ""
+                          : heading("Printed numbers", style) + columns_of(rows, style.width) +
+                                labelled(0, "units", orbits::meaning_of_units(), style.width) + "\n";
 }
 
-std::string summary_paragraph(const Paper& paper, const Audit& audit, const Style& style) {
+std::string paragraph(const std::string& text, const Style& style) {
   std::string result;
-  for (const std::string& line : wrapped(summary_line(paper, audit), style.width)) {
+  for (const std::string& line : wrapped(text, style.width)) {
     result += line + "\n";
+  }
+  return result;
+}
+
+// What Coq does not certify, though it might, by reason.
+std::string uncertified(const Certification& certificates, const Style& style) {
+  std::map<std::string, std::string> ids;
+  for (const auto& [id, one] : certificates.claims) {
+    if (one.state == Certified::State::stale || one.state == Certified::State::refused) {
+      std::string& list = ids[one.words];
+      list += (list.empty() ? "" : ", ") + id;
+    }
+  }
+  std::string result;
+  for (const auto& [reason, list] : ids) {
+    result += paragraph(fmt::format("Not certified, {}: {}.", reason, list), style);
   }
   return result;
 }
@@ -218,9 +237,12 @@ std::string explanation(const Record& record, const Style& style) {
 
 }  // namespace
 
-std::string terminal_report(const Paper& paper, const Audit& audit, const Style& style) {
+std::string terminal_report(const Paper& paper, const Audit& audit, const Style& style,
+                            const Certification& certificates) {
   return tables_by_place(paper, audit, style) + findings(paper, audit, style) +
-         printed_numbers(audit, style) + summary_paragraph(paper, audit, style);
+         printed_numbers(audit, style) + paragraph(summary_line(paper, audit), style) +
+         uncertified(certificates, style) +
+         (certificates.line.empty() ? "" : paragraph(certificates.line, style));
 }
 
 std::string terminal_lines(const Paper& paper, const Audit& audit, const Style& style) {
@@ -236,7 +258,7 @@ std::string terminal_explanations(const Paper& paper, const Audit& audit, const 
   for (const Record& record : audit.records) {
     result += explanation(record, style) + "\n";
   }
-  return result + printed_numbers(audit, style) + summary_paragraph(paper, audit, style);
+  return result + printed_numbers(audit, style) + paragraph(summary_line(paper, audit), style);
 }
 
 std::string terminal_list(const std::vector<proofs::methods::Claim>& claims) {

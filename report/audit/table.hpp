@@ -6,14 +6,17 @@
 #include <vector>
 
 #include "proofs/methods/paper.hpp"
+#include "report/audit/certificates.hpp"
 #include "report/tools/layout.hpp"
 
 namespace stickslip::report::audit {
 
 // The table of all claims by place, each with its origin unless it is the paper's; the findings with their
-// reasons; the printed numbers; the summary line. No line is longer than the width of the style.
+// reasons; the printed numbers; the summary line; what Coq certified. No line is longer than the width of the
+// style.
 [[nodiscard]] std::string terminal_report(const proofs::methods::Paper& paper,
-                                          const proofs::methods::Audit& audit, const tools::Style& style);
+                                          const proofs::methods::Audit& audit, const tools::Style& style,
+                                          const Certification& certificates = {});
 
 // One line per claim, however long: id, status, words; then the summary line.
 [[nodiscard]] std::string terminal_lines(const proofs::methods::Paper& paper,

@@ -22,17 +22,6 @@ namespace {
 
 constexpr std::size_t most_phases = 16;  // in a table
 
-std::string shortened(const std::string& word) {
-  constexpr std::size_t most = 18;
-  return word.size() <= most ? word : fmt::format("{}... ({})", word.substr(0, most), word.size());
-}
-
-std::string parameter_list(const WordQuestion& q) {
-  const ExactParameters& a = q.data;
-  return fmt::format("chi={}, eta={}, us={}, V={}, omega={}, p={}, ur={}", to_string(a.chi), to_string(a.eta),
-                     to_string(a.us), to_string(a.V), to_string(a.omega), to_string(a.p), to_string(q.ur));
-}
-
 // The largest modulus of a multiplier, rounded up.
 std::string spectral_radius(const Stability& s) {
   Ball largest(0);
@@ -70,7 +59,10 @@ std::string remark(const Attractor& a) {
     case Kind::stuck:
       return "does not leave the belt any more";
     case Kind::unsettled:
-      return "within the periods allowed";
+      return a.is_too_slow
+                 ? "a period of the load takes more than two million steps of simulation: too slow to be "
+                   "followed"
+                 : "within the periods allowed";
   }
   return "";
 }
@@ -138,14 +130,13 @@ std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const 
     }
   }
   return columns_of(rows, style.width) + "\n" + phases(o, style, units) +
-         stability_rows(o.orbit.stability, digits, style) + "\n" + condition_rows(worst(o), style);
+         stability_rows(o.orbit, digits, style) + "\n" + condition_rows(worst(o), style);
 }
 
 std::string searched(const WordOrbits& list) {
   const WordSearch& q = list.question;
   if (list.searched) {
-    return fmt::format("0 <= tau <= {}Theta, every phase of the load; tau is the duration of the slip",
-                       q.periods == 1 ? "" : std::to_string(q.periods) + " ");
+    return "all durations of the phases, every phase of the load";
   }
   return q.near ? "near " + state_of(*q.near) : "where random starts settle";
 }
@@ -157,12 +148,15 @@ std::string result_of(const WordOrbits& list) {
   if (list.orbits.empty() && !list.searched) {
     return "no orbit found: " + list.seen + (list.interrupted ? "; interrupted" : "");
   }
+  if (list.orbits.empty() && !list.seen.empty()) {
+    return "complete: no orbit: " + list.seen;
+  }
   const std::string count =
       fmt::format("{} {}, {} admissible", list.orbits.empty() ? "no" : std::to_string(list.orbits.size()),
                   list.orbits.size() == 1 ? "orbit" : "orbits", good);
   const std::string completeness = !list.searched ? "" : list.complete() ? "complete: " : "not complete: ";
   return completeness + count + (list.searched ? "" : "; others may exist") +
-         (list.interrupted ? "; interrupted" : "");
+         (list.seen.empty() ? "" : ": " + list.seen) + (list.interrupted ? "; interrupted" : "");
 }
 
 // "not admissible: slip", each kind of condition once.
@@ -174,6 +168,17 @@ std::string verdict_of(const WordOrbit& o) {
 }
 
 }  // namespace
+
+std::string shortened(const std::string& word) {
+  constexpr std::size_t most = 18;
+  return word.size() <= most ? word : fmt::format("{}... ({})", word.substr(0, most), word.size());
+}
+
+std::string parameter_list(const WordQuestion& q) {
+  const ExactParameters& a = q.data;
+  return fmt::format("chi={}, eta={}, us={}, V={}, omega={}, p={}, ur={}", to_string(a.chi), to_string(a.eta),
+                     to_string(a.us), to_string(a.V), to_string(a.omega), to_string(a.p), to_string(q.ur));
+}
 
 std::string in_words(const Attractor& a) {
   if (a.kind != Kind::periodic) {
@@ -229,9 +234,12 @@ std::string terminal_report(const WordOrbits& list, const Style& style, const Un
   std::vector<Row> rows{{{"parameters"}, {parameter_list(q.machine)}},
                         {{"searched"}, {searched(list)}},
                         {{"result"}, {result_of(list)}}};
-  for (const words::OpenPart& part : list.unresolved) {
-    rows.push_back(
-        {{"unresolved"}, {fmt::format("tau = {}, {}", to_string(part.tau, 8), plain(part.reason))}});
+  for (const families::Unresolved& part : list.unresolved) {
+    std::string where;
+    for (const NamedBall& value : part.where) {
+      where += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
+    }
+    rows.push_back({{"unresolved"}, {where + plain(part.reason)}});
   }
   const std::string title = fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
                                         q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods));
@@ -246,8 +254,8 @@ std::string terminal_report(const WordOrbits& list, const Style& style, const Un
              ? text
              : text + "\n" +
                    labelled(0, "condition", "of all phases, the one nearest to a violation", style.width) +
-                   labelled(0, "margin", meaning_of_margin() + (units.are_SI() ? units_of_conditions() : ""),
-                            style.width);
+                   labelled(0, "margin", meaning_of_margin(), style.width) +
+                   labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
 }
 
 }  // namespace stickslip::report::orbits

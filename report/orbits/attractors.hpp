@@ -21,7 +21,7 @@ namespace stickslip::report::orbits {
 [[nodiscard]] tools::Json to_json(const numeric::attractors::AttractorList& list);
 
 // What provenance() says, and {"word", "period", "parameters", "complete", "unresolved":
-// [{"tau": BALL, "reason"}], "orbits": [{"word",
+// [{"tau": BALL, "tau1", "phi", "reason"}], "orbits": [{"word",
 // "period", "durations": [BALL], "Theta": BALL, "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur",
 // "admissible", "multipliers", "stability", "stability_reason", "conditions": [{"phase", "id", "statement",
 // "verdict", "reason", "margin", "at"}]}], "seen"}, as of the families; "phase" counts from 1, "seen" says

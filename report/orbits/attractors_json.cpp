@@ -14,19 +14,35 @@ using words::WordQuestion;
 
 namespace {
 
-Json parameters(const WordQuestion& q) {
+Json durations(const WordOrbit& orbit, int digits) {
+  return list_of(orbit.orbit.motion.phases,
+                 [digits](const motion::Phase& phase) { return to_json(phase.duration, digits); });
+}
+
+Json word_orbit(const WordOrbit& o, int digits) {
+  Json json = {{"word", o.word.letters()}, {"period", o.periods}, {"durations", durations(o, digits)}};
+  add_values(json, o.orbit.values, digits);
+  json["admissible"] = to_json(o.orbit.admissible);
+  add_stability(json, o.orbit, digits);
+  json["conditions"] = Json::array();
+  for (std::size_t k = 0; k < o.orbit.conditions.size(); ++k) {
+    Json condition = to_json(o.orbit.conditions[k]);
+    condition["phase"] = o.asked[k].phase + 1;
+    json["conditions"].push_back(condition);
+  }
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const WordQuestion& q) {
   const motion::ExactParameters& a = q.data;
   return {{"chi", to_string(a.chi)}, {"eta", to_string(a.eta)},     {"us", to_string(a.us)},
           {"V", to_string(a.V)},     {"omega", to_string(a.omega)}, {"p", to_string(a.p)},
           {"ur", to_string(q.ur)}};
 }
 
-Json durations(const WordOrbit& orbit, int digits) {
-  return list_of(orbit.orbit.motion.phases,
-                 [digits](const motion::Phase& phase) { return to_json(phase.duration, digits); });
-}
-
-Json attractor(const Attractor& a, int digits) {
+Json to_json(const Attractor& a, int digits) {
   Json json = {{"kind", to_string(a.kind)},
                {"share", a.share},
                {"share_interval", {a.least, a.most}},
@@ -51,40 +67,24 @@ Json attractor(const Attractor& a, int digits) {
     if (!a.family.empty()) {
       json["family"] = a.family;
     }
-    add_stability(json, a.orbit->orbit.stability, digits);
+    add_stability(json, a.orbit->orbit, digits);
   }
   return json;
 }
 
-Json word_orbit(const WordOrbit& o, int digits) {
-  Json json = {{"word", o.word.letters()}, {"period", o.periods}, {"durations", durations(o, digits)}};
-  add_values(json, o.orbit.values, digits);
-  json["admissible"] = to_json(o.orbit.admissible);
-  add_stability(json, o.orbit.stability, digits);
-  json["conditions"] = Json::array();
-  for (std::size_t k = 0; k < o.orbit.conditions.size(); ++k) {
-    Json condition = to_json(o.orbit.conditions[k]);
-    condition["phase"] = o.asked[k].phase + 1;
-    json["conditions"].push_back(condition);
-  }
-  return json;
-}
-
-std::string options(const WordQuestion& q) {
+std::string options_of(const WordQuestion& q) {
   std::string text;
-  const Json all = parameters(q);
+  const Json all = to_json(q);
   for (const auto& [name, value] : all.items()) {
     text += fmt::format(" --{}={}", name, value.get<std::string>());
   }
   return text;
 }
 
-}  // namespace
-
 Json to_json(const AttractorList& list) {
   const AttractorQuestion& q = list.question;
   Json json = provenance(command_of(q));
-  json["parameters"] = parameters(q.machine);
+  json["parameters"] = to_json(q.machine);
   json["starts"] = q.starts;
   json["seed"] = q.seed;
   json["most_periods"] = q.most_periods;
@@ -93,7 +93,7 @@ Json to_json(const AttractorList& list) {
   json["pure_slip"] = {{"forced", to_json(slip.forced, q.machine.digits)},
                        {"verdict", to_string(slip.exists.truth)}};
   json["attractors"] =
-      list_of(list.attractors, [&](const Attractor& a) { return attractor(a, q.machine.digits); });
+      list_of(list.attractors, [&](const Attractor& a) { return to_json(a, q.machine.digits); });
   return json;
 }
 
@@ -102,10 +102,12 @@ Json to_json(const WordOrbits& list) {
   Json json = provenance(command_of(q));
   json["word"] = q.word.letters();
   json["period"] = q.periods;
-  json["parameters"] = parameters(q.machine);
+  json["parameters"] = to_json(q.machine);
   json["complete"] = list.complete();
-  json["unresolved"] = list_of(list.unresolved, [&](const words::OpenPart& part) {
-    return Json{{"tau", to_json(part.tau, q.machine.digits)}, {"reason", plain(part.reason)}};
+  json["unresolved"] = list_of(list.unresolved, [&](const families::Unresolved& part) {
+    Json where = {{"reason", plain(part.reason)}};
+    add_values(where, part.where, q.machine.digits);
+    return where;
   });
   json["orbits"] = list_of(list.orbits, [&](const WordOrbit& o) { return word_orbit(o, q.machine.digits); });
   if (!list.seen.empty()) {
@@ -116,7 +118,7 @@ Json to_json(const WordOrbits& list) {
 
 std::string command_of(const AttractorQuestion& q) {
   return fmt::format("stickslip attractors{} --starts {} --seed {} --most-periods {} --digits {}",
-                     options(q.machine), q.starts, q.seed, q.most_periods, q.machine.digits);
+                     options_of(q.machine), q.starts, q.seed, q.most_periods, q.machine.digits);
 }
 
 std::string command_of(const WordSearch& q) {
@@ -124,7 +126,7 @@ std::string command_of(const WordSearch& q) {
                                                 (*q.near)(1), (*q.near)(2), (*q.near)(3))
                                   : "";
   return fmt::format("stickslip orbits {} --period {}{}{} --digits {}", q.word.letters(), q.periods,
-                     options(q.machine), near, q.machine.digits);
+                     options_of(q.machine), near, q.machine.digits);
 }
 
 }  // namespace stickslip::report::orbits

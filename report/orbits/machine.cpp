@@ -149,29 +149,40 @@ model::Vector4<double> Units::state(const model::Vector4<double>& X) const {
   return {length * X(0), length * X(1), velocity * X(2), velocity * X(3)};
 }
 
+Units::Measured Units::measured(const families::NamedBall& value) const {
+  const std::string& name = value.name;
+  if (name == "phi") {
+    return {value.value, " rad"};
+  }
+  if (!si_) {
+    return {value.value, ""};
+  }
+  if (name.starts_with("ur")) {
+    return {value.value * si_->force(), " N"};
+  }
+  if (name.starts_with("t") || name.starts_with("T")) {
+    return {time(value.value), " s"};
+  }
+  if (name.find("dot") != std::string::npos) {
+    return {velocity(value.value), " m/s"};
+  }
+  if (name.starts_with("x") || name.starts_with("z")) {
+    return {length(value.value), " m"};
+  }
+  throw InternalError("a value of an orbit without a unit: " + name);
+}
+
 std::string Units::text(const families::NamedBall& value, int digits) const {
   // So that the factor does not take any of the digits.
   const WorkingPrecision precision(static_cast<long>(3.33 * digits) + bits);
-  const auto shown = [digits](const Ball& ball, const char * unit) {
-    return to_string(ball, known_digits(ball, digits)) + unit;
-  };
-  const std::string& name = value.name;
-  if (!si_ || name == "phi") {
-    return shown(value.value, "");
-  }
-  if (name.starts_with("ur")) {
-    return shown(value.value * si_->force(), " N");
-  }
-  if (name.starts_with("t") || name.starts_with("T")) {
-    return shown(time(value.value), " s");
-  }
-  if (name.find("dot") != std::string::npos) {
-    return shown(velocity(value.value), " m/s");
-  }
-  if (name.starts_with("x") || name.starts_with("z")) {
-    return shown(length(value.value), " m");
-  }
-  throw InternalError("a value of an orbit without a unit: " + name);
+  const Measured m = measured(value);
+  return to_string(m.value, known_digits(m.value, digits)) + m.unit;
+}
+
+std::string Units::short_text(const families::NamedBall& value, int digits) const {
+  const WorkingPrecision precision(bits);
+  const Measured m = measured(value);
+  return rounded(m.value, digits) + m.unit;
 }
 
 }  // namespace stickslip::report::orbits

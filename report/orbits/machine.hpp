@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "numeric/families/family.hpp"
+#include "numeric/families/orbit.hpp"
 #include "numeric/machine.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
@@ -26,8 +26,11 @@ class Units {
   explicit Units(const numeric::DataTaken& si) : si_(si) {}  // s, m, m/s, N
 
   [[nodiscard]] bool are_SI() const { return si_.has_value(); }
-  // A value of an orbit by its name, z10, tau, ur, ..., to at most so many digits, with its unit in SI.
+  // A value of an orbit by its name, z10, tau, ur, ..., to at most so many digits, with its unit:
+  // rad, and those of SI.
   [[nodiscard]] std::string text(const numeric::families::NamedBall& value, int digits) const;
+  // The same without its radius, each digit right to one unit of the last one.
+  [[nodiscard]] std::string short_text(const numeric::families::NamedBall& value, int digits) const;
   // A state (x1, x2, x1', x2').
   [[nodiscard]] model::Vector4<double> state(const model::Vector4<double>& X) const;
   [[nodiscard]] Ball time(const Ball& t) const;
@@ -35,6 +38,12 @@ class Units {
   [[nodiscard]] Ball velocity(const Ball& v) const;
 
  private:
+  struct Measured {
+    Ball value;
+    const char * unit;
+  };
+  [[nodiscard]] Measured measured(const numeric::families::NamedBall& value) const;
+
   std::optional<numeric::DataTaken> si_;
 };
 

@@ -1,5 +1,6 @@
 #include "report/orbits/orbit_data.hpp"
 
+#include "numeric/families/family.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
@@ -27,6 +28,7 @@ Json value(const NamedBall& named, int digits) {
   return {{"latex", latex_of_value(named.name)},
           {"mid", text.mid},
           {"rad", text.rad},
+          {"unit", unit_of(named.name)},
           {"short", to_string(named.value, known_digits(named.value, std::min(digits, short_digits)))}};
 }
 

@@ -1,11 +1,13 @@
 #include "report/orbits/orbit_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/families/family.hpp"
 #include "report/tools/numbers.hpp"
 #include "symbolic/typeset/names.hpp"
 
@@ -61,6 +63,9 @@ std::string describe(Remark remark) {
     case Remark::closes_without_stick:
       return "A natural frequency is a multiple of $omega$: there are also closed motions that slip all the "
              "time, which are not in this list.";
+    case Remark::nothing_drives:
+      return "$V = 0$ and the load does not act on $x2$, for $p = 0$ or $omega = 1$: friction takes energy "
+             "whenever $x2$ moves and nothing gives it back, so no such motion obeys the law.";
     case Remark::interrupted:
       return "The search was interrupted: orbits may be missing, and the unresolved boxes are where.";
     case Remark::searched_at_middle:
@@ -99,13 +104,34 @@ std::string searched(const OrbitQuestion& q) {
 std::string result_of_search(const OrbitList& list) {
   const auto good = std::count_if(list.orbits.begin(), list.orbits.end(),
                                   [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
-  const std::string orbits = counted(list.orbits.size(), "orbit", "orbits");
-  const std::string admissible = list.orbits.empty() ? "" : fmt::format(", {} admissible", good);
-  const std::string open = counted(list.unresolved.size(), "unresolved box", "unresolved boxes");
+  const std::size_t at_middle = list.open_at_middle;
+  std::vector<std::string> parts;
+  if (!list.orbits.empty() || at_middle == 0) {
+    parts.push_back(counted(list.orbits.size(), "orbit", "orbits"));
+  }
+  if (!list.orbits.empty()) {
+    parts.push_back(fmt::format("{} admissible", good));
+  }
+  if (at_middle > 0) {
+    parts.push_back(counted(at_middle, "orbit", "orbits") + " not proved for the whole box");
+  }
+  if (at_middle == 0 || at_middle < list.unresolved.size()) {
+    parts.push_back(counted(list.unresolved.size() - at_middle, "unresolved box", "unresolved boxes"));
+  }
   const char * completeness = asks_for_box(list.question) ? ""
                               : list.complete()           ? "complete: "
                                                           : "not complete: ";
-  return fmt::format("{}{}{}, {}", completeness, orbits, admissible, open);
+  return fmt::format("{}{}", completeness, fmt::join(parts, ", "));
+}
+
+std::vector<std::string> decisive_conditions(const Orbit& orbit) {
+  std::vector<std::string> ids;
+  for (const Condition& condition : orbit.conditions) {
+    if (condition.verdict.truth == orbit.admissible.truth) {
+      ids.push_back(condition.id);
+    }
+  }
+  return ids;
 }
 
 std::string verdict_on(const Orbit& orbit) {
@@ -113,14 +139,9 @@ std::string verdict_on(const Orbit& orbit) {
     return "admissible";
   }
   const bool refuted = orbit.admissible.truth == Truth::refuted;
-  std::string ids;
-  for (const Condition& condition : orbit.conditions) {
-    if (condition.verdict.truth == orbit.admissible.truth) {
-      ids += (ids.empty() ? "" : ", ") + condition.id;
-    }
-  }
   const std::string split = orbit.split.empty() ? "" : fmt::format("; split {} first", orbit.split);
-  return fmt::format("{}: {}{}", refuted ? "not admissible" : "undecided", ids, split);
+  return fmt::format("{}: {}{}", refuted ? "not admissible" : "undecided",
+                     fmt::join(decisive_conditions(orbit), ", "), split);
 }
 
 std::string complex_text(const ComplexBall& mu, int digits) {
@@ -134,12 +155,24 @@ std::string meaning_of_margin() {
          "phase by construction, the smallest quotient of it and min(1, time to that end)";
 }
 
-std::string units_of_conditions() {
-  return "; margins and their times t are in the units of the data taken";
+std::string meaning_of_units(bool in_SI) {
+  return in_SI ? "margins and their times t are in the units of the data taken"
+               : "by (3), $x$, $z$, their rates of change, $V$, $p$, $u_s$, $u_r$ are lengths, all in one "
+                 "unit; "
+                 "times and $omega$ have none; $phi$ is in radians";
+}
+
+std::string unit_of(const std::string& name) {
+  return name == "phi" ? "rad" : "";
 }
 
 std::string latex_of_value(const std::string& name) {
   return name == "ur_max" ? "u_{r,\\max}" : symbolic::typeset::latex_name(name);
+}
+
+std::string latex_of_value(const std::string& name, const std::string& value) {
+  const std::string unit = unit_of(name);
+  return fmt::format("${} = {}${}{}", latex_of_value(name), value, unit.empty() ? "" : " ", unit);
 }
 
 std::string command_of(const OrbitQuestion& question) {

@@ -32,8 +32,12 @@ struct NamedRange {
 // The domain that was searched.
 [[nodiscard]] std::string searched(const numeric::OrbitQuestion& question);
 
-// "complete: 2 orbits, 1 admissible, no unresolved boxes".
+// "complete: 2 orbits, 1 admissible, no unresolved boxes"; for a box of parameters "1 orbit, 1 admissible,
+// 2 orbits not proved for the whole box, no unresolved boxes".
 [[nodiscard]] std::string result_of_search(const numeric::OrbitList& list);
+
+// The ids of the conditions that decide that the orbit is not admissible, or leave it open.
+[[nodiscard]] std::vector<std::string> decisive_conditions(const numeric::Orbit& orbit);
 
 // "admissible", or why it is not known to be: "not admissible: ur, 12".
 [[nodiscard]] std::string verdict_on(const numeric::Orbit& orbit);
@@ -43,11 +47,18 @@ struct NamedRange {
 
 // What the margin of a condition is, in half a sentence.
 [[nodiscard]] std::string meaning_of_margin();
-// What follows it where values are in SI.
-[[nodiscard]] std::string units_of_conditions();
+// The units of values and conditions, one sentence: those of (3), or which of them are in those of the data
+// taken where values are in SI.
+[[nodiscard]] std::string meaning_of_units(bool in_SI = false);
+
+// The unit of a value by its name, "rad" or none, where values are not in SI.
+[[nodiscard]] std::string unit_of(const std::string& name);
 
 // The LaTeX of the name of an orbit's value: those of symbolic/typeset/names.hpp and ur_max.
 [[nodiscard]] std::string latex_of_value(const std::string& name);
+
+// "$\varphi = 0.5$ rad", the value in LaTeX.
+[[nodiscard]] std::string latex_of_value(const std::string& name, const std::string& value);
 
 // The command that lists the same orbits.
 [[nodiscard]] std::string command_of(const numeric::OrbitQuestion& question);

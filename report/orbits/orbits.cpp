@@ -1,7 +1,12 @@
 #include "report/orbits/orbits.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "numeric/families/family.hpp"
+#include "numeric/motion/contact.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/layout.hpp"
@@ -16,6 +21,7 @@ using namespace tools;
 namespace {
 
 constexpr int margin_digits = 5;
+constexpr int short_digits = 6;
 
 // A margin or its time, if known.
 std::string shown(const std::optional<Ball>& ball) {
@@ -35,14 +41,21 @@ std::string colour_of(Truth truth, const Style& style) {
   return truth == Truth::proved ? "\x1b[32m" : truth == Truth::refuted ? "\x1b[31m" : "\x1b[33m";
 }
 
-std::string stability_rows(const std::optional<Stability>& stability, int digits, const Style& style) {
-  if (!stability) {
+std::string stability_rows(const Orbit& orbit, int digits, const Style& style) {
+  if (!orbit.stability) {
     return {};
   }
-  const Stability& s = *stability;
+  const Stability& s = *orbit.stability;
   std::vector<Row> rows{{{"  stability"}, {to_string(s.kind) + (s.reason.empty() ? "" : ": " + s.reason)}}};
   for (const ComplexBall& mu : s.multipliers) {
     rows.push_back({{"  multiplier"}, {complex_text(mu, digits)}});
+  }
+  const std::optional<Contact> contact = contact_of(orbit.conditions);
+  if (s.kind == StabilityKind::stable && contact) {
+    rows.push_back({{"  nearest"},
+                    {fmt::format("{}, by {} at t = {}: a disturbance that reaches as far may lead to another "
+                                 "motion",
+                                 contact->condition, shown(contact->margin), shown(contact->at))}});
   }
   return "\n" + columns_of(rows, style.width);
 }
@@ -79,6 +92,9 @@ std::string head(const OrbitList& list, const Style& style) {
   for (const Remark remark : list.remarks) {
     rows.push_back({{"remark"}, {describe(remark)}});
   }
+  if (const std::string on_ur = remark_on_ur(list); !on_ur.empty()) {
+    rows.push_back({{"remark"}, {on_ur}});
+  }
   for (const Unresolved& part : list.unresolved) {
     std::string where;
     for (const NamedBall& value : part.where) {
@@ -90,36 +106,97 @@ std::string head(const OrbitList& list, const Style& style) {
   return columns_of({heading}, style.width) + columns_of(rows, style.width);
 }
 
+bool is_given(const NamedBall& value, const OrbitQuestion& question) {
+  return (value.name == "phi" && question.phi) || (value.name == "ur" && question.ur);
+}
+
 // Without those that are given: they stand in the head.
 std::string values(const Orbit& orbit, const OrbitQuestion& question, const Style& style,
                    const Units& units) {
   std::vector<Row> rows;
   for (const NamedBall& value : orbit.values) {
-    if ((value.name == "phi" && question.phi) || (value.name == "ur" && question.ur)) {
-      continue;
+    if (!is_given(value, question)) {
+      rows.push_back({{"  " + value.name}, {units.text(value, question.digits)}});
     }
-    rows.push_back({{"  " + value.name}, {units.text(value, question.digits)}});
   }
   return columns_of(rows, style.width);
 }
 
+std::string all_about(const OrbitList& list, std::size_t i, const Style& style, const Units& units) {
+  const Orbit& orbit = list.orbits[i];
+  const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
+  const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
+  return "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style, units) +
+         stability_rows(orbit, list.question.digits, style) + "\n" + condition_rows(orbit.conditions, style);
+}
+
+// What tells formal solutions apart: how long their phases last, and what else is a result.
+bool tells_apart(const NamedBall& value, const OrbitQuestion& question) {
+  const std::vector<std::string>& durations = question.family->durations;
+  const bool result = value.name == "phi" || value.name.starts_with("ur");
+  return !is_given(value, question) &&
+         (result || std::find(durations.begin(), durations.end(), value.name) != durations.end());
+}
+
+// The first of the violated conditions.
+std::string violated(const Orbit& orbit) {
+  constexpr std::size_t most = 3;
+  const std::vector<std::string> ids = decisive_conditions(orbit);
+  const std::vector<std::string> first(ids.begin(),
+                                       ids.begin() + static_cast<std::ptrdiff_t>(std::min(most, ids.size())));
+  const std::string more = ids.size() > most ? fmt::format(" and {} more", ids.size() - most) : "";
+  return fmt::format("{}{}", fmt::join(first, ", "), more);
+}
+
+// In a line each.
+std::string formal_solutions(const OrbitList& list, const std::vector<std::size_t>& which, const Style& style,
+                             const Units& units) {
+  if (which.empty()) {
+    return {};
+  }
+  Row names{{"  orbit"}};
+  for (const NamedBall& value : list.orbits[which.front()].values) {
+    if (tells_apart(value, list.question)) {
+      names.push_back({value.name});
+    }
+  }
+  names.push_back({"violates"});
+  std::vector<Row> rows{names};
+  for (const std::size_t i : which) {
+    Row row{{fmt::format("  {}", i + 1)}};
+    for (const NamedBall& value : list.orbits[i].values) {
+      if (tells_apart(value, list.question)) {
+        row.push_back({units.short_text(value, short_digits)});
+      }
+    }
+    row.push_back({violated(list.orbits[i]), colour_of(Truth::refuted, style)});
+    rows.push_back(row);
+  }
+  return "\n" +
+         columns_of({{{"Formal solutions, not admissible", bold(style)}, {"(--all says all about them)"}}},
+                    style.width) +
+         columns_of(rows, style.width);
+}
+
 }  // namespace
 
-std::string terminal_report(const OrbitList& list, const Style& style, const Units& units) {
-  std::string text = head(list, style);
+std::string terminal_report(const OrbitList& list, const Style& style, const Units& units, InFull in_full) {
+  std::vector<std::size_t> told, formal;
+  const auto is = [&](std::size_t i, Truth truth) { return list.orbits[i].admissible.truth == truth; };
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    const Orbit& orbit = list.orbits[i];
-    const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
-    const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
-    text += "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style, units) +
-            stability_rows(orbit.stability, list.question.digits, style) + "\n" +
-            condition_rows(orbit.conditions, style);
+    (is(i, Truth::refuted) && in_full == InFull::admissible ? formal : told).push_back(i);
   }
-  return list.orbits.empty()
-             ? text
-             : text + "\n" +
-                   labelled(0, "margin", meaning_of_margin() + (units.are_SI() ? units_of_conditions() : ""),
-                            style.width);
+  const auto refuted =
+      std::stable_partition(told.begin(), told.end(), [&](std::size_t i) { return !is(i, Truth::refuted); });
+  std::stable_partition(told.begin(), refuted, [&](std::size_t i) { return is(i, Truth::proved); });
+  std::string text = head(list, style);
+  for (const std::size_t i : told) {
+    text += all_about(list, i, style, units);
+  }
+  text += formal_solutions(list, formal, style, units);
+  return told.empty() ? text
+                      : text + "\n" + labelled(0, "margin", meaning_of_margin(), style.width) +
+                            labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
 }
 
 }  // namespace stickslip::report::orbits

@@ -24,10 +24,14 @@ namespace stickslip::report::orbits {
 // undecided; "split" is then, for a box of parameters, the one to divide first.
 [[nodiscard]] tools::Json to_json(const numeric::OrbitList& list);
 
+// Which orbits are told in full: those that may be admissible, or all.
+enum class InFull { admissible, all };
+
 // The parameters; how complete the search is; each orbit with its values to the asked digits and its
-// conditions; parameters and conditions are those of (2) in any units. No line is longer than the width of
-// the style, except for what cannot be broken.
+// conditions, admissible ones first; formal solutions, which are not admissible, in a line each unless all
+// are asked for in full. An orbit keeps its number in the list. Parameters and conditions are those of (2) in
+// any units. No line is longer than the width of the style, except for what cannot be broken.
 [[nodiscard]] std::string terminal_report(const numeric::OrbitList& list, const tools::Style& style,
-                                          const Units& units = {});
+                                          const Units& units = {}, InFull in_full = InFull::admissible);
 
 }  // namespace stickslip::report::orbits

@@ -1,4 +1,6 @@
 #include "core/decimal.hpp"
+#include "numeric/families/family.hpp"
+#include "numeric/motion/contact.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/parts.hpp"
@@ -56,7 +58,8 @@ Json to_json(const Verdict& admissible) {
                                               : Json(nullptr);
 }
 
-void add_stability(Json& json, const std::optional<Stability>& stability, int digits) {
+void add_stability(Json& json, const Orbit& orbit, int digits) {
+  const std::optional<Stability>& stability = orbit.stability;
   if (!stability) {
     return;
   }
@@ -67,6 +70,12 @@ void add_stability(Json& json, const std::optional<Stability>& stability, int di
   json["stability"] = to_string(stability->kind);
   if (!stability->reason.empty()) {
     json["stability_reason"] = plain(stability->reason);
+  }
+  const std::optional<Contact> contact = contact_of(orbit.conditions);
+  if (stability->kind == StabilityKind::stable && contact) {
+    json["contact"] = {{"condition", contact->condition},
+                       {"margin", to_json(contact->margin, digits)},
+                       {"at", to_json(contact->at, digits)}};
   }
 }
 
@@ -79,7 +88,7 @@ Json orbit(const Orbit& o, int digits) {
   if (!o.split.empty()) {
     json["split"] = o.split;
   }
-  add_stability(json, o.stability, digits);
+  add_stability(json, o, digits);
   json["conditions"] = Json::array();
   for (const Condition& c : o.conditions) {
     json["conditions"].push_back(to_json(c));

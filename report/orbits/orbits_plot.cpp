@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 
+#include "numeric/families/family.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/templates.hpp"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "numeric/attractors/attractors.hpp"
 #include "numeric/orbits.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
@@ -19,14 +20,24 @@ void add_values(tools::Json& json, const std::vector<numeric::NamedBall>& values
 [[nodiscard]] tools::Json to_json(const numeric::motion::Condition& condition);
 // true, false, or null when it is neither proved nor refuted.
 [[nodiscard]] tools::Json to_json(const Verdict& admissible);
-// "multipliers", "stability", "stability_reason", if it is known.
-void add_stability(tools::Json& json, const std::optional<numeric::motion::Stability>& stability, int digits);
+// "multipliers", "stability", "stability_reason", if it is known; of a stable orbit "contact" {"condition",
+// "margin", "at"} of numeric/motion/contact.hpp.
+void add_stability(tools::Json& json, const numeric::Orbit& orbit, int digits);
+
+// Of an attractor, what report/orbits/attractors.hpp says; of the data, {"chi", ..., "p", "ur"}.
+[[nodiscard]] tools::Json to_json(const numeric::attractors::Attractor& attractor, int digits);
+[[nodiscard]] tools::Json to_json(const numeric::words::WordQuestion& machine);
+
+// A word as a table bears it, "OSOSOSTOTSOSTOSOSO... (34)", and the data, "chi=0.3, ...".
+[[nodiscard]] std::string shortened(const std::string& word);
+[[nodiscard]] std::string parameter_list(const numeric::words::WordQuestion& machine);
+// What the program's options say of the data: " --chi=0.3 ...".
+[[nodiscard]] std::string options_of(const numeric::words::WordQuestion& machine);
 
 // For a terminal: the escape sequences, empty without colours; lines that begin with two spaces.
 [[nodiscard]] std::string bold(const tools::Style& style);
 [[nodiscard]] std::string colour_of(Truth truth, const tools::Style& style);
-[[nodiscard]] std::string stability_rows(const std::optional<numeric::motion::Stability>& stability,
-                                         int digits, const tools::Style& style);
+[[nodiscard]] std::string stability_rows(const numeric::Orbit& orbit, int digits, const tools::Style& style);
 [[nodiscard]] std::string condition_rows(const std::vector<numeric::motion::Condition>& conditions,
                                          const tools::Style& style);
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/tools/layout.hpp"
+#include "report/orbits/attractors.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -59,7 +59,8 @@ std::string events(const Record& record, const Style& style) {
 
 }  // namespace
 
-std::string terminal_report(const Record& record, const std::string& settles, const Style& style) {
+std::string terminal_report(const Simulated& simulated, const Style& style) {
+  const Record& record = simulated.record;
   const double periods = record.done / record.period;
   std::vector<Row> rows{
       {{"data"}, {data_of(record.start)}},
@@ -70,24 +71,25 @@ std::string terminal_report(const Record& record, const std::string& settles, co
       {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X))}},
       {{"shares"}, {shares(record)}},
       {{"energy"},
-       {fmt::format("{:.6g} at the end; between {:.6g} and {:.6g}", record.end.energy, record.least_energy,
-                    record.greatest_energy)}},
+       {fmt::format("{:.6g} at the end", record.end.energy) +
+        (record.energy
+             ? fmt::format("; between {:.6g} and {:.6g}", record.energy->least, record.energy->greatest)
+             : "")}},
       {{"events"},
        {fmt::format("{}, {:.4g} in a period", record.events, static_cast<double>(record.events) / periods)}}};
-  if (!settles.empty()) {
-    rows.push_back({{"settles"}, {settles}});
+  if (simulated.settles) {
+    rows.push_back({{"settles"}, {in_words(*simulated.settles)}});
   }
   return columns_of(rows, style.width) + events(record, style);
 }
 
-std::string to_csv(const Record& record) {
-  std::string text = "t,phase,x1,x2,x1',x2',r,u,E\n";
-  for (const Sample& s : record.samples) {
-    fmt::format_to(std::back_inserter(text),
-                   "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.time,
-                   to_string(s.phase), s.X(0), s.X(1), s.X(2), s.X(3), s.r, s.u, s.energy);
-  }
-  return text;
+std::string csv_names() {
+  return "t,phase,x1,x2,x1',x2',r,u,E\n";
+}
+
+std::string csv_line(const Sample& s) {
+  return fmt::format("{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.time,
+                     to_string(s.phase), s.X(0), s.X(1), s.X(2), s.X(3), s.r, s.u, s.energy);
 }
 
 }  // namespace stickslip::report::orbits

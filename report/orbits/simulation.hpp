@@ -1,25 +1,70 @@
-// A simulated motion for readers: text, CSV, picture.
+// A simulated motion for readers: text, JSON, CSV, picture.
 #pragma once
 
+#include <cstddef>
+#include <deque>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "numeric/attractors/attractors.hpp"
 #include "numeric/simulation/record.hpp"
+#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
 
 namespace stickslip::report::orbits {
 
-// The data; how long; shares of slip, overshoot and stick; energy; what it settles on, if that is given in
-// words; the first and the last events.
-[[nodiscard]] std::string terminal_report(const numeric::simulation::Record& record,
-                                          const std::string& settles, const tools::Style& style);
+// A record, how many periods of the load it was to have, and what the motion settles on, if that was seen.
+struct Simulated {
+  numeric::simulation::Record record;
+  double periods = 0;
+  std::optional<double> every;
+  std::optional<numeric::attractors::Attractor> settles;
+};
 
-// A line of names and one line per sample: t, phase, x1, x2, x1', x2', r, u, E; numbers with 17 digits.
-[[nodiscard]] std::string to_csv(const numeric::simulation::Record& record);
+// The data; how long; shares of slip, overshoot and stick; energy; what it settles on; the first and the last
+// events.
+[[nodiscard]] std::string terminal_report(const Simulated& simulated, const tools::Style& style);
 
-// The script for gnuplot: phase portraits of both masses, the motion (its last 20000 samples) thin and its
-// last three periods in the colours of their phases; the speed of mass 2 against the belt's in those; the
-// energy over all times.
-[[nodiscard]] std::string plot_script(const numeric::simulation::Record& record, tools::PlotFormat format);
+// As report/schema/simulation.schema.json says: what provenance() says, and {"parameters": {"chi", "eta",
+// "us", "V", "omega", "p", "phi", "ur"}, "start": [x1, x2, x1', x2'], "periods", "done": {"periods", "t"},
+// "interrupted", "end": {"phase", "state", "r", "u", "energy"}, "shares": {"slip", "overshoot", "stick"},
+// "samples", "energy": {"least", "greatest"}, "events": {"count", "first": [{"t", "from", "to", "r",
+// "state"}], "last"}, "settles"}. Numbers are in double. Absent: the energy without samples, `settles` where
+// it was not seen; that is an attractor of attractors.schema.json without shares.
+[[nodiscard]] tools::Json to_json(const Simulated& simulated);
+
+// A line of names; a line for a sample: t, phase, x1, x2, x1', x2', r, u, E; numbers with 17 digits.
+[[nodiscard]] std::string csv_names();
+[[nodiscard]] std::string csv_line(const numeric::simulation::Sample& sample);
+
+// The samples that a picture shows, a bounded number of them whatever the length of the motion: the last
+// ones, and some from the beginning to the end.
+class PictureSamples {
+ public:
+  explicit PictureSamples(double period) : period_(period) {}
+
+  void add(const numeric::simulation::Sample& sample);
+  // Those of the last periods, and before them up to most_points in all.
+  [[nodiscard]] const std::deque<numeric::simulation::Sample>& last() const { return last_; }
+  // Each as far from the next.
+  [[nodiscard]] const std::vector<numeric::simulation::Sample>& all_times() const { return all_times_; }
+
+  static constexpr std::size_t most_points = 20000;  // of a curve
+  static constexpr double periods_at_end = 3;
+
+ private:
+  double period_;
+  std::deque<numeric::simulation::Sample> last_;
+  std::vector<numeric::simulation::Sample> all_times_;
+  std::size_t count_ = 0, stride_ = 1;
+};
+
+// The script for gnuplot: phase portraits of both masses, the motion (its last samples) thin and its last
+// three periods in the colours of their phases; the speed of mass 2 against the belt's in those; the energy
+// over all times.
+[[nodiscard]] std::string plot_script(const numeric::simulation::Record& record,
+                                      const PictureSamples& samples, tools::PlotFormat format);
 
 }  // namespace stickslip::report::orbits

@@ -16,40 +16,26 @@ using namespace tools;
 
 namespace {
 
-constexpr std::size_t most_points = 20000;  // of a curve
-constexpr double periods_at_end = 3;
-
 std::string line(const Sample& s) {
   return fmt::format("{:.8g} {:.8g} {:.8g} {:.8g} {:.8g} {:.8g}\n", s.time, s.X(0), s.X(1), s.X(2), s.X(3),
                      s.energy);
 }
 
-// The last samples, as many as a picture bears.
-std::string portrait(const Record& record) {
-  const std::size_t count = record.samples.size();
+template <class Samples>
+std::string lines(const Samples& samples) {
   std::string text;
-  for (std::size_t k = count > most_points ? count - most_points : 0; k < count; ++k) {
-    text += line(record.samples[k]);
-  }
-  return text;
-}
-
-// From the beginning to the end, if need be with gaps between the samples.
-std::string history(const Record& record) {
-  const std::size_t stride = record.samples.size() / most_points + 1;
-  std::string text;
-  for (std::size_t k = 0; k < record.samples.size(); k += stride) {
-    text += line(record.samples[k]);
+  for (const Sample& s : samples) {
+    text += line(s);
   }
   return text;
 }
 
 // The samples from the time on that are in one kind of phase; a blank line ends each stretch, which goes on
 // to the first sample after it, so that the curve has no gaps.
-std::string stretches(const Record& record, double from, PhaseKind kind) {
+std::string stretches(const std::deque<Sample>& samples, double from, PhaseKind kind) {
   std::string text;
   bool inside = false;
-  for (const Sample& s : record.samples) {
+  for (const Sample& s : samples) {
     if (s.time < from) {
       continue;
     }
@@ -67,11 +53,30 @@ std::string stretches(const Record& record, double from, PhaseKind kind) {
 
 }  // namespace
 
-std::string plot_script(const Record& record, PlotFormat format) {
-  const double from = std::max(0.0, record.done - periods_at_end * record.period);
+void PictureSamples::add(const Sample& sample) {
+  last_.push_back(sample);
+  const double from = sample.time - periods_at_end * period_;
+  while (last_.size() > most_points && last_.front().time < from) {
+    last_.pop_front();
+  }
+  if (count_++ % stride_ == 0) {
+    all_times_.push_back(sample);
+  }
+  if (all_times_.size() > most_points) {  // every second one from now on
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < all_times_.size(); k += 2) {
+      all_times_[kept++] = all_times_[k];
+    }
+    all_times_.resize(kept);
+    stride_ *= 2;
+  }
+}
+
+std::string plot_script(const Record& record, const PictureSamples& samples, PlotFormat format) {
+  const double from = std::max(0.0, record.done - PictureSamples::periods_at_end * record.period);
   Json phases = Json::array();
   for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
-    const std::string table = stretches(record, from, kind);
+    const std::string table = stretches(samples.last(), from, kind);
     if (!table.empty()) {
       phases.push_back({{"block", "$" + to_string(kind)},
                         {"kind", to_string(kind)},
@@ -84,8 +89,8 @@ std::string plot_script(const Record& record, PlotFormat format) {
   const Json data = {
       {"svg", format == PlotFormat::svg},
       {"pdf", format == PlotFormat::pdf},
-      {"portrait", portrait(record)},
-      {"history", history(record)},
+      {"portrait", lines(samples.last())},
+      {"history", lines(samples.all_times())},
       {"phases", phases},
       {"from", fmt::format("{:.8g}", from)},
       {"to", fmt::format("{:.8g}", record.done)},

@@ -51,9 +51,10 @@ function plain(escaped) {
   return escaped.replace(/&(?:lt|gt|quot|#39|amp);/g, (reference) => references[reference]);
 }
 
-// Characters of LaTeX: what is shorter needs no break; what is longer, in a fraction or a matrix, may find none.
+// Characters of LaTeX: what is shorter needs no break.
 const long = 50;
-const huge = 600;
+// Characters as they are seen: a matrix or a fraction that is wider than this does not fit the page of a telephone.
+const wide = 32;
 
 // Where the pair that begins with \left at `start` ends: just behind its \right and the bracket.
 function pairEnd(source, start) {
@@ -78,7 +79,8 @@ function breakable(source) {
     if (open) {
       const { at, end, bracket } = pairEnd(source, i);
       const body = source.slice(i + open[0].length, at);
-      const matrix = /\\begin\{/.test(body) && body.trim().startsWith("\\begin{");
+      const inside = pieces(body).filter((one) => one.trim() && one !== "\\allowbreak");
+      const matrix = inside.length === 1 && inside[0].startsWith("\\begin");
       const size = /\\frac|\\begin/.test(body) ? "\\Big" : "\\big";
       result += matrix
         ? source.slice(i, end)
@@ -105,75 +107,194 @@ function breakable(source) {
   return result;
 }
 
-// KaTeX's HTML in fewer bytes: its classes have short names, its inline styles are classes; the source of a formula, which
-// stands beside its MathML, is left out. `css` gives its style sheet the same names.
+// What stands at `start`: a group in braces, a matrix, a command or a character; and where it ends.
+function piece(source, start) {
+  const ends = (open, close) => {
+    let depth = 0;
+    for (let i = start; i < source.length; ) {
+      const here = source.startsWith(open, i) ? open : source.startsWith(close, i) ? close : source[i] === "\\" ? source.slice(i, i + 2) : source[i];
+      depth += here === open ? 1 : here === close ? -1 : 0;
+      i += here.length;
+      if (depth === 0) return i;
+    }
+    throw new Error(`nothing ends ${open} in ${source}`);
+  };
+  const [begin, end] = ["\\begin{pmatrix}", "\\end{pmatrix}"];
+  if (source.startsWith(begin, start)) return source.slice(start, ends(begin, end));
+  if (source[start] === "{") return source.slice(start, ends("{", "}"));
+  return /^(?:\\(?:[a-zA-Z]+|.)|.)/s.exec(source.slice(start))[0];
+}
+
+function pieces(source) {
+  const result = [];
+  for (let i = 0; i < source.length; i += result[result.length - 1].length) result.push(piece(source, i));
+  return result;
+}
+
+// The rows of a matrix, each a list of entries.
+function rowsOf(matrix) {
+  const rows = [[""]];
+  for (const one of pieces(matrix.slice("\\begin{pmatrix}".length, -"\\end{pmatrix}".length))) {
+    const row = rows[rows.length - 1];
+    if (one === "\\\\") rows.push([""]);
+    else if (one === "&") row.push("");
+    else row[row.length - 1] += one;
+  }
+  return rows;
+}
+
+// About how many characters are seen side by side.
+function widthOf(source) {
+  let result = 0;
+  const all = pieces(source);
+  for (let i = 0; i < all.length; i += 1) {
+    const one = all[i];
+    if (one === "\\frac") {
+      const bare = all.slice(i + 1).filter((next) => next.startsWith("{"));
+      result += Math.max(widthOf(bare[0]), widthOf(bare[1]));
+      for (let skipped = 0; skipped < 2; i += 1) skipped += all[i + 1].startsWith("{") ? 1 : 0;
+    } else if (one.startsWith("\\begin")) {
+      const widths = rowsOf(one).map((row) => row.map((entry) => 2 + widthOf(entry)));
+      result += widths[0].reduce((sum, _, k) => sum + Math.max(...widths.map((row) => row[k])), 2);
+    } else if (one.startsWith("{")) {
+      result += widthOf(one.slice(1, -1));
+    } else if (/^\\(?:cos|sin|det)$/.test(one)) {
+      result += 3;
+    } else if (!/^[\s_^]$|^\\(?:left|right|tilde|hat|dot|ddot|operatorname|text)$/.test(one)) {
+      result += 1;
+    }
+  }
+  return result;
+}
+
+// A matrix or fraction that is too wide on one line as a terminal has it, [a, b; c, d] and (a)/b, which can be broken.
+function unfolded(source) {
+  const all = pieces(source);
+  let result = "";
+  for (let i = 0; i < all.length; i += 1) {
+    const one = all[i];
+    if (one.startsWith("\\begin")) {
+      const rows = rowsOf(one).map((row) => row.map((entry) => unfolded(entry.trim())).join(",\\allowbreak\\ "));
+      result += widthOf(one) > wide ? `\\left[${rows.join(";\\allowbreak\\ ")}\\right]` : one;
+      result += "\\allowbreak ";
+    } else if (one === "\\frac" && widthOf(`\\frac${all[i + 1]}${all[i + 2]}`) > wide) {
+      const [above, below] = [all[i + 1].slice(1, -1), all[i + 2].slice(1, -1)];
+      const sum = pieces(below).some((sign) => sign === "+" || sign === "-") && !below.startsWith("\\left");
+      result += `\\left(${unfolded(above)}\\right)/${sum ? `\\left(${below}\\right)` : below}\\allowbreak `;
+      i += 2;
+    } else {
+      result += /^\\(?:cos|sin|det)$/.test(one) ? `\\allowbreak ${one}` : one;
+    }
+  }
+  return result;
+}
+
+// Attributes of a tag of KaTeX's: its classes, and its inline style, as names of one list.
+function namesOf(attributes) {
+  const classes = (/class="([^"]*)"/.exec(attributes) || ["", ""])[1].split(/\s+/).filter(Boolean);
+  const style = /style="([^"]*)"/.exec(attributes);
+  return style ? [...classes, `style:${style[1]}`] : classes;
+}
+
+const tag = /<span((?: (?:class|style|aria-hidden)="[^"]*")*)>/g;
+
+// KaTeX's HTML in fewer bytes: its classes and inline styles are classes with names that are the shorter the more often
+// they are met, its tags are <i>; the source of a formula, which stands beside its MathML, is left out. First every formula
+// is counted, as often as it is set; then `html` gives it its form, and `css` gives the style sheet the same names.
 class Compact {
   constructor() {
-    this.classes = new Map();
-    this.styles = new Map();
-    this.kept = new Set(["katex", "katex-mathml", "katex-html", "base"]);
+    this.counts = new Map();
+    this.kept = new Set(["katex", "katex-mathml"]);
+  }
+
+  count(source) {
+    for (const [, attributes] of source.matchAll(tag)) {
+      for (const name of namesOf(attributes)) this.counts.set(name, (this.counts.get(name) || 0) + 1);
+    }
+  }
+
+  // a, b, ..., Z, a0, ..., without what the pages have as names of their own, which are longer.
+  name() {
+    const letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    const often = [...this.counts].filter(([name]) => !this.kept.has(name)).sort(([a, n], [b, m]) => m - n || (a < b ? -1 : 1));
+    this.names = new Map(often.map(([name], k) => [name, letters[k % 52] + (k < 52 ? "" : (Math.floor(k / 52) - 1).toString(36))]));
   }
 
   short(name) {
-    if (this.kept.has(name)) return name;
-    if (!this.classes.has(name)) this.classes.set(name, `k${this.classes.size.toString(36)}`);
-    return this.classes.get(name);
+    return this.names.get(name) || name;
   }
 
-  style(text) {
-    if (!this.styles.has(text)) this.styles.set(text, `s${this.styles.size.toString(36)}`);
-    return this.styles.get(text);
-  }
-
-  html(source) {
+  // MathML that is only read aloud needs no attributes, which are about its look.
+  html(source, shown = false) {
     return source
       .replace(/<annotation[^>]*>[^<]*<\/annotation>|<\/?semantics>| xmlns="http:\/\/www.w3.org\/1998\/Math\/MathML"/g, "")
-      .replace(/<span((?: (?:class|style)="[^"]*")+)>/g, (_, attributes) => {
-        const names = (/class="([^"]*)"/.exec(attributes) || ["", ""])[1].split(/\s+/).filter(Boolean).map((name) => this.short(name));
-        const style = /style="([^"]*)"/.exec(attributes);
-        if (style) names.push(this.style(style[1]));
-        return names.length > 1 ? `<span class="${names.join(" ")}">` : names.length ? `<span class=${names[0]}>` : "<span>";
-      });
+      .replace(/<math><mrow>(.*?)<\/mrow><\/math>/gs, "<math>$1</math>")
+      .replace(/<math>.*?<\/math>/gs, (math) => (shown ? math : math.replace(/(<[a-z]+) [^>]*>/g, "$1>")))
+      .replace(tag, (_, attributes) => {
+        const names = namesOf(attributes).map((name) => this.short(name));
+        const hidden = attributes.includes("aria-hidden") ? " aria-hidden=true" : "";
+        return names.length > 1 ? `<i class="${names.join(" ")}"${hidden}>` : names.length ? `<i class=${names[0]}${hidden}>` : "<i>";
+      })
+      .replaceAll("</span>", "</i>");
   }
 
-  // An inline style is stronger than any rule of the sheet: so are four classes behind it.
+  // An <i> is then what a <span> is. An inline style is stronger than any rule of the sheet: so are four classes behind it.
   css(sheet) {
-    const renamed = sheet.replace(/\.([a-zA-Z][\w-]*)/g, (whole, name) => (this.classes.has(name) ? `.${this.classes.get(name)}` : whole));
-    return renamed + [...this.styles].map(([text, name]) => `.katex ${`.${name}`.repeat(4)}{${text}}`).join("\n");
+    const renamed = sheet
+      .replace(/\.([a-zA-Z][\w-]*)(?=[^{}]*\{)/g, (_, name) => `.${this.short(name)}`)
+      .replaceAll(">span", ">i");
+    const styles = [...this.names].filter(([name]) => name.startsWith("style:"));
+    const mathml =
+      "math{font-family:KaTeX_Main}math mi{font-family:KaTeX_Math;font-style:italic;text-transform:none}" +
+      "math mi.n{font-family:KaTeX_Main;font-style:normal}";
+    return `${renamed}.katex i{font-style:inherit}${mathml}` + styles.map(([text, name]) => `.katex ${`.${name}`.repeat(4)}{${text.slice(6)}}`).join("\n");
   }
 }
 
-// For a formula that has to be scrolled for.
-function keys(source) {
-  const matrices = (source.match(/begin/g) || []).length;
-  const wide = source.length > huge ? /frac|begin/.test(source) : source.length > huge / 2 && matrices > 2;
-  return wide ? ' tabindex="0" role="region" aria-label="A wide formula"' : "";
+// What MathML alone says well enough: one symbol; in a sentence or a list what needs no break and stands on one line.
+function isShort(kind, source) {
+  return kind === "-symbol" || (source.length < 40 && !/\\(?:frac|sqrt|begin|left|sum|int|text|tilde|hat|bar|d?dot)(?![a-z])/.test(source));
 }
+
+// With the punctuation behind it, which is not to stand on the next line alone.
+const formulas = /<tex(-display|-symbol|)>([^<]*)<\/tex\1>([.,;:]?)/g;
 
 function main() {
   const { katex } = katexLibrary();
   const { pages } = JSON.parse(fs.readFileSync(0, "utf8"));
+  const options = { displayMode: false, throwOnError: true, strict: "ignore" };
   const known = new Map();
-  const compact = new Compact();
   // A display is set as text is, which may be broken into lines.
-  const set = (source, display) => {
-    const key = `${display ? "\\displaystyle " : ""}${breakable(plain(source))}`;
-    if (!known.has(key)) {
-      known.set(key, compact.html(katex.renderToString(key, { displayMode: false, throwOnError: true, strict: "ignore" })));
-    }
+  const set = (kind, source) => {
+    const key = kind === "-display" ? `\\displaystyle ${breakable(unfolded(plain(source)))}` : breakable(plain(source));
+    if (!known.has(key)) known.set(key, katex.renderToString(key, options));
     return known.get(key);
   };
-  // One symbol, or two beside a sign: MathML alone, which browsers set well enough, in a fifth of the bytes.
-  const symbol = (source) =>
-    compact.html(katex.renderToString(plain(source), { output: "mathml", throwOnError: true })).replace(/<\/?span[^>]*>/g, "");
+  const compact = new Compact();
+  // In a fifth of the bytes. A name of one letter is italic and one of several upright, as the style sheet sees it.
+  const mathml = (source) =>
+    compact
+      .html(katex.renderToString(plain(source), { ...options, output: "mathml" }), true)
+      .replace(/<\/?i(?= |>)[^>]*>/g, "")
+      .replace(/<mi( mathvariant="normal")?>([^<]*)<\/mi>/g, (_, upright, name) =>
+        [...name].length > 1 || upright ? `<mi class=n>${name}</mi>` : `<mi>${name}</mi>`);
+  for (const { content } of pages) {
+    for (const [, kind, source] of content.matchAll(formulas)) {
+      if (!isShort(kind, plain(source))) compact.count(set(kind, source));
+    }
+  }
+  compact.name();
   for (const page of pages) {
     page.content = page.content
-      .replace(/<tex>([^<]*)<\/tex>/g, (_, source) => set(source, false))
-      .replace(/<tex-symbol>([^<]*)<\/tex-symbol>/g, (_, source) => symbol(source))
-      .replace(/<tex-display>([^<]*)<\/tex-display>/g, (_, source) => `<div class="formula"${keys(source)}>${set(source, true)}</div>`)
+      .replace(formulas, (_, kind, source, mark) => {
+        const short = isShort(kind, plain(source));
+        const html = short ? mathml(source) : compact.html(set(kind, source));
+        if (kind === "-display") return `<div class="formula">${html}</div>${mark}`;
+        return short && mark ? `<span class=whole>${html}${mark}</span>` : html + mark;
+      })
       .replace(/<katex-version>/g, katex.version);
   }
-  const css = compact.css(selfContained(styleSheet(), compact.classes));
+  const css = compact.css(selfContained(styleSheet(), new Set(compact.counts.keys())));
   process.stdout.write(JSON.stringify({ pages, css }));
 }
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
@@ -54,67 +55,13 @@ void require_replaceable(const fs::path& place) {
   }
 }
 
-// A complete file under a temporary name beside its place; gone at the end unless it took that place.
-class PendingFile {
- public:
-  PendingFile(const fs::path& directory, const File& file)
-      : place_(directory / file.name), path_(directory / fmt::format(".{}.{}.tmp", file.name, ::getpid())) {
-    require_replaceable(place_);
-    ::unlink(path_.c_str());
-    const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0) {
-      fail("write", place_, errno);
-    }
-    const int error = write_all(descriptor, file.content);
-    const int close_error = ::close(descriptor) == 0 ? 0 : errno;
-    if (error != 0 || close_error != 0) {
-      ::unlink(path_.c_str());
-      fail("write", place_, error != 0 ? error : close_error);
-    }
-  }
-  PendingFile(PendingFile&& other) noexcept : place_(std::move(other.place_)), path_(std::move(other.path_)) {
-    other.path_.clear();
-  }
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-  PendingFile& operator=(PendingFile&&) = delete;
-  ~PendingFile() {
-    if (!path_.empty()) {
-      ::unlink(path_.c_str());
-    }
-  }
-
-  void take_place() {
-    if (::rename(path_.c_str(), place_.c_str()) != 0) {
-      fail("write", place_, errno);
-    }
-    path_.clear();
-  }
-
- private:
-  // 0 or the error number. Returns only when the system has taken the data (fsync), so that a full disk
-  // shows.
-  static int write_all(int descriptor, const std::string& content) {
-    for (std::size_t done = 0; done < content.size();) {
-      const ssize_t count = ::write(descriptor, content.data() + done, content.size() - done);
-      if (count < 0 && errno != EINTR) {
-        return errno;
-      }
-      done += count < 0 ? 0 : static_cast<std::size_t>(count);
-    }
-    // EINVAL: the file system has nothing to synchronise.
-    return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-  }
-
-  fs::path place_;
-  fs::path path_;
-};
-
 void place_files(const fs::path& directory, const std::vector<File>& files) {
   std::vector<PendingFile> pending;
   pending.reserve(files.size());
   for (const File& file : files) {
-    pending.emplace_back(directory, file);
+    pending.emplace_back(directory / file.name);
+    pending.back().append(file.content);
+    pending.back().complete();
   }
   for (PendingFile& file : pending) {
     file.take_place();
@@ -122,6 +69,70 @@ void place_files(const fs::path& directory, const std::vector<File>& files) {
 }
 
 }  // namespace
+
+PendingFile::PendingFile(const fs::path& place)
+    : place_(place),
+      path_(parent_of(place) / fmt::format(".{}.{}.tmp", place.filename().string(), ::getpid())) {
+  require_replaceable(place_);
+  ::unlink(path_.c_str());
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) {
+    fail("write", place_, errno);
+  }
+}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : place_(std::move(other.place_)),
+      path_(std::exchange(other.path_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      buffer_(std::move(other.buffer_)) {}
+
+PendingFile::~PendingFile() {
+  if (descriptor_ >= 0) {
+    ::close(descriptor_);
+  }
+  if (!path_.empty()) {
+    ::unlink(path_.c_str());
+  }
+}
+
+void PendingFile::append(std::string_view text) {
+  constexpr std::size_t enough = 1 << 16;
+  buffer_ += text;
+  if (buffer_.size() >= enough) {
+    write(buffer_);
+    buffer_.clear();
+  }
+}
+
+void PendingFile::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor_, text.data(), text.size());
+    if (count < 0 && errno != EINTR) {
+      fail("write", place_, errno);
+    }
+    text.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
+  }
+}
+
+void PendingFile::complete() {
+  write(buffer_);
+  buffer_.clear();
+  // EINVAL: the file system has nothing to synchronise.
+  if (::fsync(descriptor_) != 0 && errno != EINVAL) {
+    fail("write", place_, errno);
+  }
+  if (::close(std::exchange(descriptor_, -1)) != 0) {
+    fail("write", place_, errno);
+  }
+}
+
+void PendingFile::take_place() {
+  if (::rename(path_.c_str(), place_.c_str()) != 0) {
+    fail("write", place_, errno);
+  }
+  path_.clear();
+}
 
 void require_writable(const fs::path& given) {
   const fs::path directory = without_trailing_slash(given);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <regex>
 
 #include "report/tools/escape.hpp"
@@ -17,8 +18,8 @@ std::string name(const std::string& text) {
       return "\\" + text;
     }
   }
-  if (text == "sqrt" || text == "sign") {
-    return "\\operatorname{" + text + "}";
+  if (text == "sign") {
+    return "\\operatorname{sign}";
   }
   // As symbolic/typeset/names.hpp reads it: z2B is z with the index 2B.
   static const std::regex indexed("[a-z][0-9][A-Z]");
@@ -37,6 +38,21 @@ std::string sign(const std::string& text) {
 }
 
 std::string latex_of(const std::string& formula) {
+  // A root is a group, whose end the bracket says.
+  if (const std::size_t root = formula.find("sqrt("); root != std::string::npos) {
+    const std::size_t inside = root + 5;
+    std::size_t end = inside;
+    for (int depth = 1; end < formula.size(); ++end) {
+      depth += formula[end] == '(' ? 1 : formula[end] == ')' ? -1 : 0;
+      if (depth == 0) {
+        break;
+      }
+    }
+    if (end < formula.size()) {
+      return fmt::format("{} \\sqrt{{{}}} {}", latex_of(formula.substr(0, root)),
+                         latex_of(formula.substr(inside, end - inside)), latex_of(formula.substr(end + 1)));
+    }
+  }
   // A name with primes, a number with an exponent, a sign.
   static const std::regex token(
       "([A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*)('*)|([0-9]+(?:\\.[0-9]+)?)(?:e(-?[0-9]+))?|<=|>=|!=|[^ "
@@ -80,6 +96,13 @@ std::string prose_html(std::string_view sentence) {
 std::string prose_tex(std::string_view sentence) {
   return written(std::string(sentence), escape_tex,
                  [](const std::string& formula) { return "$" + latex_of(formula) + "$"; });
+}
+
+std::string capitalised(std::string words) {
+  if (!words.empty()) {
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  }
+  return words;
 }
 
 }  // namespace stickslip::report::tools

@@ -13,4 +13,7 @@ namespace stickslip::report::tools {
 [[nodiscard]] std::string prose_html(std::string_view sentence);
 [[nodiscard]] std::string prose_tex(std::string_view sentence);
 
+// With a capital.
+[[nodiscard]] std::string capitalised(std::string words);
+
 }  // namespace stickslip::report::tools

@@ -108,23 +108,36 @@ model::Vector2<ex> d0_symbols() {
   return {symbol("d01"), symbol("d02")};
 }
 
-Line scalar(const std::string& left, const ex& value, Unknowns unknowns) {
-  return {left, latex(unknowns == Unknowns::omega ? in_frequencies(value) : value)};
+ex written_in(const ex& value, Unknowns unknowns) {
+  return unknowns == Unknowns::omega ? in_frequencies(value) : value;
 }
 
-Line sum(const std::string& left, const std::vector<ex>& terms) {
+Line scalar(const std::string& left, const ex& value, Unknowns unknowns) {
+  return {left, latex(written_in(value, unknowns)), {value}};
+}
+
+Line broken(const std::string& left, const std::vector<std::string>& terms) {
   Line line{left, ""};
   std::size_t used = width(left) + 3;
-  for (const ex& term : narrow(terms)) {
-    const std::string text = latex(term);
-    const std::string joined = (line.right.empty() || text.starts_with("-") ? "" : "+") + text;
-    if (!line.right.empty() && used + width(joined) > page) {
+  for (const std::string& term : terms) {
+    if (!line.right.empty() && used + width(term) > page) {
       line.right += " \\\\\n{}";
       used = 2;
     }
-    line.right += joined;
-    used += width(joined);
+    line.right += term;
+    used += width(term);
   }
+  return line;
+}
+
+Line sum(const std::string& left, const std::vector<ex>& terms) {
+  std::vector<std::string> texts;
+  for (const ex& term : narrow(terms)) {
+    const std::string text = latex(term);
+    texts.push_back((texts.empty() || text.starts_with("-") ? "" : "+") + text);
+  }
+  Line line = broken(left, texts);
+  line.entries = {GiNaC::add(GiNaC::exvector(terms.begin(), terms.end()))};
   return line;
 }
 

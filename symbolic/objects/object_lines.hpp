@@ -7,6 +7,7 @@
 #include "model/flows.hpp"
 #include "symbolic/algebra/symbols.hpp"
 #include "symbolic/objects/objects.hpp"
+#include "symbolic/typeset/latex.hpp"
 
 namespace stickslip::symbolic::objects {
 
@@ -23,7 +24,19 @@ using Lines = std::vector<Line>;
 [[nodiscard]] model::Vector2<GiNaC::ex> d0_symbols();
 
 // left = value, in these unknowns.
+[[nodiscard]] GiNaC::ex written_in(const GiNaC::ex& value, Unknowns unknowns);
 [[nodiscard]] Line scalar(const std::string& left, const GiNaC::ex& value, Unknowns unknowns);
+template <class Derived>
+[[nodiscard]] Line matrix(const std::string& left, const Eigen::MatrixBase<Derived>& value,
+                          Unknowns unknowns) {
+  const auto written =
+      value.unaryExpr([unknowns](const GiNaC::ex& entry) { return written_in(entry, unknowns); });
+  Line line{left, typeset::latex(written), {}, static_cast<std::size_t>(value.cols())};
+  for (const auto& row : value.rowwise()) {
+    line.entries.insert(line.entries.end(), row.begin(), row.end());
+  }
+  return line;
+}
 // left = the sum of the values, term by term, broken into lines that fit a page.
 [[nodiscard]] Line sum(const std::string& left, const std::vector<GiNaC::ex>& terms);
 // The terms of a sum, in an order that does not depend on how it was built.

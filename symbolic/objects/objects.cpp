@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "core/error.hpp"
+#include "core/verdict.hpp"
 #include "model/flows.hpp"
 #include "symbolic/algebra/derive.hpp"
 #include "symbolic/objects/object_lines.hpp"
@@ -27,14 +28,6 @@ using Vector4 = model::Vector4<ex>;
 
 ex t() {
   return symbol("t");
-}
-ex written_in(const ex& value, Unknowns unknowns) {
-  return unknowns == Unknowns::omega ? in_frequencies(value) : value;
-}
-
-template <class Derived>
-Line matrix(const std::string& left, const Eigen::MatrixBase<Derived>& value, Unknowns unknowns) {
-  return {left, latex(value.unaryExpr([unknowns](const ex& entry) { return written_in(entry, unknowns); }))};
 }
 
 // Name_1(t), Name_2(t), Name_3(t).
@@ -129,7 +122,7 @@ Lines natural_frequencies(Unknowns unknowns) {
   const ex sum = -D.coeff(s, 2);
   const ex product = D.coeff(s, 0);
   const ex root = GiNaC::sqrt((sum * sum - 4 * product).expand());
-  return {{left, fmt::format("s^{{4}}-({})s^{{2}}+{}", latex(sum), latex(product))},
+  return {{left, fmt::format("s^{{4}}-({})s^{{2}}+{}", latex(sum), latex(product)), {D}},
           scalar("\\omega_1^2", (sum - root) / 2, unknowns),
           scalar("\\omega_2^2", (sum + root) / 2, unknowns)};
 }
@@ -224,13 +217,13 @@ std::vector<Object> flow_objects() {
        [](Unknowns u) { return three("B", model::B(modes(), t()), u); }},
       {"H", "(6)", "flow of the slip without load, by blocks",
        [](Unknowns u) { return fitted(assembled("H", H_blocks(), u), u); }},
-      {"H1", "(38)", "first block of H",
+      {"H1", "(38)", "first block of $H$",
        [](Unknowns u) { return fitted({matrix("H_1(t)", H_blocks().first, u)}, u); }},
-      {"H2", "(38)", "second block of H",
+      {"H2", "(38)", "second block of $H$",
        [](Unknowns u) { return fitted({matrix("H_2(t)", H_blocks().second, u)}, u); }},
-      {"H3", "(38)", "third block of H",
+      {"H3", "(38)", "third block of $H$",
        [](Unknowns u) { return fitted({matrix("H_3(t)", H_blocks().third, u)}, u); }},
-      {"L", "(8)", "what the reversed friction adds in an overshooting slip, per 2 d_0",
+      {"L", "(8)", "what the reversed friction adds in an overshooting slip, per $2 d0$",
        [](Unknowns u) { return fitted({matrix("L(t)", model::L(modes(), t()), u)}, u); }},
       {"Sigma", "(41)", "matrix of the eigenvectors during stick",
        [](Unknowns u) { return Lines{matrix("\\Sigma", model::Sigma(chi()), u)}; }},
@@ -238,11 +231,11 @@ std::vector<Object> flow_objects() {
        [](Unknowns u) { return three("\\gamma", model::gamma(t()), u); }},
       {"Gamma", "(10)", "flow of the stick, by blocks",
        [](Unknowns u) { return assembled("\\Gamma", Gamma_blocks(), u); }},
-      {"Gamma1", "(41)", "first block of Gamma",
+      {"Gamma1", "(41)", "first block of $Gamma$",
        [](Unknowns u) { return Lines{matrix("\\Gamma_1(t)", Gamma_blocks().first, u)}; }},
-      {"Gamma2", "(41)", "second block of Gamma",
+      {"Gamma2", "(41)", "second block of $Gamma$",
        [](Unknowns u) { return Lines{matrix("\\Gamma_2(t)", Gamma_blocks().second, u)}; }},
-      {"Gamma3", "(41)", "third block of Gamma",
+      {"Gamma3", "(41)", "third block of $Gamma$",
        [](Unknowns u) { return Lines{matrix("\\Gamma_3(t)", Gamma_blocks().third, u)}; }},
       {"d0", "(6)", "equilibrium under the slipping friction",
        [](Unknowns u) { return Lines{matrix("d_0", model::d0(chi(), parameters().us), u)}; }},
@@ -257,6 +250,8 @@ std::vector<Object> flow_objects() {
       {"stick", "(10)", "motion during stick from any state", stick},
   };
 }
+
+}  // namespace
 
 std::string displayed(const Lines& lines) {
   constexpr std::ptrdiff_t page = 18;  // lines of one display, which does not break
@@ -280,7 +275,9 @@ std::string displayed(const Lines& lines) {
   return result;
 }
 
-}  // namespace
+std::string displayed(const Object& object, Unknowns unknowns) {
+  return displayed(object.lines(unknowns));
+}
 
 const std::vector<Object>& objects() {
   static const std::vector<Object> all = [] {
@@ -297,10 +294,6 @@ const Object * find_object(const std::string& name) {
   return object == objects().end() ? nullptr : &*object;
 }
 
-std::string displayed(const Object& object, Unknowns unknowns) {
-  return displayed(object.lines(unknowns));
-}
-
 std::string meanings(Unknowns unknowns) {
   Lines lines;
   append_meanings(lines, unknowns);
@@ -310,7 +303,7 @@ std::string meanings(Unknowns unknowns) {
 std::string list_of_objects() {
   std::string result;
   for (const Object& object : objects()) {
-    result += fmt::format("{:<11}  {:<4}  {}\n", object.name, object.number, object.title);
+    result += fmt::format("{:<11}  {:<4}  {}\n", object.name, object.number, plain(object.title));
   }
   return result;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/algebra/scalar.hpp"
+
 namespace stickslip::symbolic::objects {
 
 // In what an object is written: chi, eta and the abbreviations omega_j, lambda_j (39); or omega_1, omega_2
@@ -14,13 +16,17 @@ enum class Unknowns { chi, omega };
 struct Line {
   std::string left;
   std::string right;
+  // What the right side is, a number or a matrix row by row; nothing where it is only words for the lines
+  // that follow.
+  std::vector<GiNaC::ex> entries = {};
+  std::size_t columns = 1;
 };
 
 // A named expression of the paper, built from the templates of model/.
 struct Object {
   std::string name;    // "H1"
   std::string number;  // of the paper's equation, "(38)"
-  std::string title;   // "first block of H"
+  std::string title;   // "first block of $H$", formulas between dollars
   // What it is equal to, and what the abbreviations introduced by that line stand for.
   std::vector<Line> (*lines)(Unknowns unknowns);
 };
@@ -31,9 +37,13 @@ struct Object {
 // The object of that name, or nullptr.
 [[nodiscard]] const Object * find_object(const std::string& name);
 
-// Its displayed equation, \[ ... \] or, if it has several lines, one gather* or more, for a document with
+// A displayed equation, \[ ... \] or, if it has several lines, one gather* or more, for a document with
 // amsmath: the same characters on every run, ending with a line feed.
+[[nodiscard]] std::string displayed(const std::vector<Line>& lines);
 [[nodiscard]] std::string displayed(const Object& object, Unknowns unknowns);
+
+// left = the terms, each with its sign but for the first, broken into lines that fit a page.
+[[nodiscard]] Line broken(const std::string& left, const std::vector<std::string>& terms);
 
 // What chi, eta and lambda_j are in the frequencies, displayed; nothing where they are what is written in.
 [[nodiscard]] std::string meanings(Unknowns unknowns);

@@ -133,8 +133,9 @@ Lines symmetry_matrix(Unknowns unknowns) {
   const ex rho1 = symbol("rho1");
   const ex rho2 = symbol("rho2");
   const model::Matrix2<ex> Lambda = model::Lambda<ex>(modes());
-  lines.push_back({"P", latex(model::Matrix2<ex>(Lambda * model::matrix<ex>(rho1, 0, 0, rho2) *
-                                                 model::inverse<ex>(Lambda)))});
+  lines.push_back(matrix(
+      "P", model::Matrix2<ex>(Lambda * model::matrix<ex>(rho1, 0, 0, rho2) * model::inverse<ex>(Lambda)),
+      Unknowns::chi));
   lines.push_back(scalar("\\rho_1", model::rho<ex>(modes().omega1, tau(), tau1()), Unknowns::chi));
   lines.push_back(scalar("\\rho_2", model::rho<ex>(modes().omega2, tau(), tau1()), Unknowns::chi));
   append_meanings(lines, unknowns);
@@ -152,14 +153,14 @@ std::vector<Object> orbit_objects() {
   return {
       {"symmetric", "(16)", "closing equations of the symmetric orbit", symmetric},
       {"friction", "(24)", "friction at rest of an orbit", friction_at_rest},
-      {"closing", "(47)", "coefficients (47)-(51) of the closing equations (21), with the right sign in c_1",
+      {"closing", "(47)", "coefficients (47)-(51) of the closing equations (21), with the right sign in $c1$",
        closing_coefficients},
       {"cramer", "(22)", "determinants that give the initial state of an overshooting orbit", cramer},
-      {"nonsticking", "(34)", "states of the non-sticking orbit, (31), (33), (34)", nonsticking_states},
+      {"nonsticking", "(34)", "states of the non-sticking orbit, by (31) and (33)", nonsticking_states},
       {"phase", "(35)", "phase of the load at a non-sticking orbit", nonsticking_phase},
       {"load", "(37)", "sharp bound for the load of a non-sticking orbit", least_load},
       {"P", "(64)", "matrix that decides whether a non-sticking orbit is symmetric", symmetry_matrix},
-      {"rho", "(70)", "eigenvalues of P", eigenvalues},
+      {"rho", "(70)", "eigenvalues of $P$", eigenvalues},
   };
 }
 

@@ -1,36 +1,16 @@
 // stickslip attractors and stickslip orbits WORD from outside: exit codes, sentences, JSON.
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
 
 using namespace stickslip;
-
-namespace {
-
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
-
-struct Refusal {
-  Words arguments;
-  int code;
-  std::string named;
-};
-
-void check_refused(const std::vector<Refusal>& refusals) {
-  for (const Refusal& refusal : refusals) {
-    const Run result = stickslip_program(refusal.arguments);
-    CAPTURE(refusal.named);
-    CAPTURE(result.err);
-    CHECK(result.code == refusal.code);
-    CHECK(is_one_sentence(result.err, refusal.named));
-    CHECK(result.out.empty());
-  }
-}
-
-}  // namespace
 
 TEST_CASE("words that are none, and options that do not go with them, are named") {
   check_refused({
@@ -102,9 +82,10 @@ TEST_CASE("an orbit of a word in JSON, any rotation of the word, and the command
   CHECK(result.code == exit_decided);
   const Json json = Json::parse(result.out);
   CHECK(json.at("word") == "OTS");
-  CHECK(json.at("complete") == false);
-  REQUIRE(json.at("orbits").size() == 1);
-  const Json& orbit = json.at("orbits").at(0);
+  CHECK(json.at("complete") == true);
+  REQUIRE(json.at("orbits").size() == 2);
+  CHECK(json.at("orbits").at(0).at("admissible") == false);
+  const Json& orbit = json.at("orbits").at(1);
   CHECK(orbit.at("period") == 1);
   CHECK(orbit.at("durations").size() == 3);
   CHECK(orbit.at("admissible") == true);
@@ -116,10 +97,89 @@ TEST_CASE("an orbit of a word in JSON, any rotation of the word, and the command
 }
 
 TEST_CASE("a word without an orbit is exit code 2, with what was met instead") {
-  const Run result = stickslip_program({"orbits", "ST", "--example", "P", "--ur", "0.25"});
+  const Run result = stickslip_program({"orbits", "OSOT", "--example", "P", "--ur", "0.25"});
   CHECK(result.code == exit_undecided);
   CHECK(result.err.empty());
   CHECK(result.out.find("OS with the period 1") != std::string::npos);
+}
+
+TEST_CASE("a complete list of a word is an answer, also where no motion goes through it") {
+  const Run none = stickslip_program({"orbits", "ST", "--example", "P"});
+  CHECK(none.code == exit_decided);
+  CHECK(none.out.find("complete: no orbit: x2' <= V <= 0 all along") != std::string::npos);
+  const Run three = stickslip_program({"orbits", "SOT", "--example", "O", "--ur", "0.45899365993320057"});
+  CHECK(three.code == exit_decided);
+  CHECK(three.out.find("complete: 2 orbits, 1 admissible") != std::string::npos);
+  const Run two = stickslip_program({"orbits", "OS", "--example", "P", "--period", "2"});
+  CHECK(two.code == exit_decided);
+  CHECK(two.out.find("a motion that never sticks") != std::string::npos);
+}
+
+TEST_CASE("--cells and --time say how long a search goes on") {
+  const std::vector<std::string> asked{"orbits", "SOT", "--example", "O"};
+  const auto with = [&](const char * name, const char * value) {
+    std::vector<std::string> all = asked;
+    all.insert(all.end(), {name, value});
+    return stickslip_program(all);
+  };
+  const Run few = with("--cells", "100");
+  CHECK(few.code == exit_undecided);
+  CHECK(few.out.find("not complete") != std::string::npos);
+  CHECK(with("--time", "60").code == exit_decided);
+  for (const auto& [name, value] : {std::pair("--cells", "0"), std::pair("--cells", "many"),
+                                    std::pair("--time", "-1"), std::pair("--time", "x")}) {
+    const Run wrong = with(name, value);
+    CHECK(wrong.code == exit_usage);
+    CHECK(wrong.err.find(std::string(name).substr(2)) != std::string::npos);
+  }
+}
+
+TEST_CASE("attractors along a parameter and in a plane: table, CSV, JSON") {
+  const TemporaryDirectory directory;
+  const std::string csv = (directory.path() / "t.csv").string();
+  const Run along = stickslip_program({"attractors", "--example", "P", "--along", "ur", "0.25..0.3",
+                                       "--values", "3", "--starts", "5", "--json", "--csv", csv});
+  CHECK(along.code == exit_decided);
+  const Json json = Json::parse(along.out);
+  REQUIRE(json.at("points").size() == 3);
+  CHECK(json.at("points").at(1).at("value") == "0.275");
+  CHECK(json.at("points").at(0).at("attractors").at(0).at("word") == "OS");
+  CHECK(json.at("points").at(2).at("attractors").at(0).at("once").size() == 3);
+  std::ifstream file(csv);
+  const std::string table(std::istreambuf_iterator<char>(file), {});
+  CHECK(table.starts_with(
+      "ur,attractor,share,kind,period,word,stable,x1,x2,x1',x2'\n0.25,1,1,periodic,1,OS,yes,"));
+  const Run plane =
+      stickslip_program({"attractors", "--example", "P", "--plane", "x2,x1'", "--pixels", "3", "--json"});
+  CHECK(plane.code == exit_decided);
+  const Json basins = Json::parse(plane.out);
+  REQUIRE(basins.at("at").size() == 3);
+  CHECK(basins.at("at").at(2).size() == 3);
+  CHECK(basins.at("plane").at(1) == "x1'");
+}
+
+TEST_CASE("what makes no sense with --along and --plane is named") {
+  const auto at_P = [](const Words& options) {
+    Words all{"attractors", "--example", "P"};
+    all.insert(all.end(), options.begin(), options.end());
+    return all;
+  };
+  check_refused({
+      {at_P({"--along", "ur", "3"}), exit_usage, "A..B"},
+      {at_P({"--along", "ur", "0.5..0.1"}), exit_usage, "does not rise"},
+      {at_P({"--along", "tau", "1..2"}), exit_usage, "tau"},
+      {at_P({"--along", "ur", "0.2..0.3", "--values", "1"}), exit_usage, "values"},
+      {at_P({"--along", "ur", "0.2..0.3", "--pixels", "9"}), exit_usage, "--pixels"},
+      {at_P({"--along", "ur", "0.2..0.3", "--plane", "x1,x2"}), exit_usage, "--plane"},
+      {at_P({"--along", "ur", "0.01..0.05"}), exit_domain, "ur > us"},
+      {at_P({"--plane", "x1,x3"}), exit_usage, "x1,x3"},
+      {at_P({"--plane", "x1,x1"}), exit_usage, "twice"},
+      {at_P({"--plane", "x1,x2", "--pixels", "1"}), exit_usage, "pixels"},
+      {at_P({"--plane", "x1,x2", "--seed", "3"}), exit_usage, "--seed"},
+      {at_P({"--plane", "x1,x2", "--plot", "a.png"}), exit_usage, "a.png"},
+      {at_P({"--plane", "x1,x2", "--csv", "/no/such/place/a.csv"}), exit_io, "/no/such/place"},
+      {at_P({"--csv", "a.csv"}), exit_usage, "--csv"},
+  });
 }
 
 TEST_CASE("simulate ends with what the motion settles on") {

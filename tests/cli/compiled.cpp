@@ -40,11 +40,14 @@ std::string overfull(const std::string& log) {
 }  // namespace
 
 TEST_CASE("every derived expression compiles without edits and fits the page" * doctest::timeout(300)) {
-  for (const char * form : {"chi", "omega"}) {
+  for (const Words& form : {Words{"--in", "chi"},
+                            {"--in", "omega"},
+                            {"--example", "P"},
+                            {"--example", "O", "--phi", "1/3", "--digits", "15"}}) {
     const TemporaryDirectory temporary;
     std::ofstream(temporary.path() / "all.tex")
         << "\\documentclass[a4paper]{article}\n\\usepackage{amsmath}\n\\begin{document}\n"
-        << stickslip_program({"latex", "--in", form}).out << "\\end{document}\n";
+        << stickslip_program(with({"latex"}, form)).out << "\\end{document}\n";
     const Run result = pdflatex(temporary.path(), "all.tex");
     CAPTURE(result.out);
     CHECK(result.code == 0);
@@ -85,6 +88,37 @@ TEST_CASE("the errata compile and fit the page" * doctest::timeout(300)) {
   CAPTURE(result.out);
   CHECK(result.code == 0);
   CHECK(overfull(result.out).empty());
+}
+
+TEST_CASE("orbits of every family compile and fit the page" * doctest::timeout(300)) {
+  const TemporaryDirectory temporary;
+  {
+    std::ofstream file(temporary.path() / "orbits.tex");
+    file << "\\documentclass[a4paper]{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
+    for (const Words& orbit : {Words{"overshooting:2", "--example", "O"},
+                               {"overshooting:1", "--example", "O"},
+                               {"symmetric:2", "--example", "S", "--p", "0"},
+                               {"nonsticking:1", "--example", "P", "--digits", "15"}}) {
+      const Run printed = stickslip_program(with({"latex", "--orbit"}, orbit));
+      CHECK(printed.code == exit_decided);
+      file << printed.out;
+    }
+    file << "\\end{document}\n";
+  }
+  const Run result = pdflatex(temporary.path(), "orbits.tex");
+  CAPTURE(result.out);
+  CHECK(result.code == 0);
+  CHECK(overfull(result.out).empty());
+}
+
+TEST_CASE("statements compile with their headings" * doctest::timeout(300)) {
+  const TemporaryDirectory temporary;
+  std::ofstream(temporary.path() / "statements.tex")
+      << "\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage{amsmath}\n\\begin{document}\n"
+      << stickslip_program({"latex", "sec2", "sec3", "A1", "A2", "A3"}).out << "\\end{document}\n";
+  const Run result = pdflatex(temporary.path(), "statements.tex");
+  CAPTURE(result.out);
+  CHECK(result.code == 0);
 }
 
 TEST_CASE("every result compiles as a theorem" * doctest::timeout(300)) {

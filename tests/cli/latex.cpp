@@ -7,8 +7,7 @@
 using namespace stickslip;
 
 TEST_CASE("ten runs print the same characters") {
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"latex", "H"}, {"latex"}, {"latex", "--in", "omega"}}) {
+  for (const Words& arguments : {Words{"latex", "H"}, {"latex"}, {"latex", "--in", "omega"}}) {
     const std::string first = stickslip_program(arguments).out;
     CHECK(first.find("\\cos") != std::string::npos);
     for (int i = 1; i < 10; ++i) {
@@ -44,6 +43,17 @@ TEST_CASE("the errata are by place, formulas and numbers alone, without the ids 
     CAPTURE(part);
     CHECK(errata.out.find(part) != std::string::npos);
   }
+  // In the order of the paper.
+  const std::vector<const char *> places{"Abstract and", "(16)", "Section 4,",   "(19)", "Section 5,",
+                                         "Section 6, a", "(37)", "Section 6, e", "(45)", "(47)"};
+  std::size_t last = 0;
+  for (const char * place : places) {
+    const std::size_t at = errata.out.find(std::string("\\entry{") + place);
+    CAPTURE(place);
+    REQUIRE(at != std::string::npos);
+    CHECK(at > last);
+    last = at;
+  }
   CHECK(errata.out.find("\\omega-\\omega_1 \\neq 0") != std::string::npos);
   for (const char * id : {"(16.back)", "(A5.longer)", "37.sharp", "S.tau", "does not matter"}) {
     CAPTURE(id);
@@ -62,4 +72,56 @@ TEST_CASE("a result is printed as a theorem, an unknown one names those that the
   CHECK(unknown.code == exit_usage);
   CHECK(unknown.out.empty());
   CHECK(unknown.err.find("uniqueness") != std::string::npos);
+}
+
+TEST_CASE("an expression has a heading with the number of its equation") {
+  CHECK(stickslip_program({"latex", "H1"})
+            .out.starts_with("\\paragraph{First block of $H$ (38)}\n\\begin{gather*}"));
+  CHECK(stickslip_program({"latex", "44.H"}).out.find(" (44.H)}\n\\begin{gather*}") != std::string::npos);
+  CHECK(stickslip_program({"latex", "--list"}).out.find("first block of H\n") != std::string::npos);
+}
+
+TEST_CASE("an expression is printed with its values at parameters of one's own") {
+  const std::string general = stickslip_program({"latex", "H2"}).out;
+  const Run own = stickslip_program({"latex", "H2", "--chi", "0.3", "--eta", "4", "--digits", "6"});
+  CHECK(own.code == exit_decided);
+  CHECK(own.out.starts_with(general));
+  CHECK(own.out.find("At $\\chi = 0.3$, $\\eta = 4$, $\\omega_1 = 0.701230$") != std::string::npos);
+  const Run of_example = stickslip_program({"latex", "Q", "--example", "P", "--omega", "0.5"});
+  CHECK(of_example.out.find("$\\omega = 0.5$, $p = 1$") != std::string::npos);
+  check_refused({
+      {{"latex", "H2", "Q", "d0", "--chi", "0.3"}, exit_usage, "missing: --eta, --us, --omega, --p"},
+      {{"latex", "H2", "--chi", "0.3", "--eta", "4+-1e-3"}, exit_usage, "interval"},
+      {{"latex", "H2", "--chi", "1.3", "--eta", "4"}, exit_domain, "0 < chi < 1"},
+      {{"latex", "44.H", "--chi", "0.3"}, exit_usage, "44.H is a statement"},
+      {{"latex", "H2", "44.H", "--chi", "0.3", "--eta", "4"}, exit_usage, "44.H is a statement"},
+  });
+}
+
+TEST_CASE("an orbit is printed phase by phase, with numbers that are those of the list") {
+  const Words orbit{"latex", "--orbit", "overshooting:2", "--example", "O"};
+  const Run printed = stickslip_program(orbit);
+  CHECK(printed.code == exit_decided);
+  CHECK(printed.err.empty());
+  // By hand: x_i(0) is the sum of the constant and of the cosines, and x_2'(0) = V.
+  for (const char * part :
+       {"$\\tau = 4.909122803$", "\\paragraph{Slip, $0 \\le t \\le \\tau$.} With $s = t$,",
+        "\\paragraph{Stick, $\\tau + \\tau_1 \\le t \\le \\Theta$.}", "x_2 ={}& 1.447798361 + 1.000000000s\n",
+        "Proved to exist, and admissible; stability: stable."}) {
+    CAPTURE(part);
+    CHECK(printed.out.find(part) != std::string::npos);
+  }
+  CHECK(stickslip_program(with(orbit, {"--digits", "40"})).out.find("4.90912280332345146") !=
+        std::string::npos);
+  check_refused({
+      {{"latex", "--orbit", "overshooting:3", "--example", "O"},
+       exit_usage,
+       "there is no orbit overshooting:3"},
+      {{"latex", "--orbit", "symmetric:1", "--example", "S", "--p", "0.05+-1e-9"}, exit_usage, "interval"},
+      {{"latex", "--orbit", "symmetric:1"}, exit_usage, "missing: --chi"},
+      {{"latex", "--orbit", "symmetric:1", "H"}, exit_usage, "--orbit"},
+      {{"latex", "--theorem", "uniqueness", "--chi", "0.5"}, exit_usage, "theorems and errata have none"},
+      {{"latex", "H", "--digits", "5"}, exit_usage, "--digits is for values"},
+      {{"latex", "--orbit", "symmetric:1", "--example", "S", "--digits", "0"}, exit_usage, "digits: '0'"},
+  });
 }

@@ -14,7 +14,6 @@ using namespace stickslip;
 namespace {
 
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 using Machine = std::map<std::string, std::string>;
 
 // Example O with Omega = 10 and lengths in mm, but for the last digits of omega.
@@ -149,15 +148,31 @@ TEST_CASE("values in SI units are those of the table in other units") {
   CHECK(in_table(in_SI, "tau") == doctest::Approx(0.1 * in_table(plain, "tau")).epsilon(1e-6));
 }
 
+TEST_CASE("one file of a machine serves every question, which says what of it is a result") {
+  const Words told{"the friction at rest is not taken", "ur is not given for symmetric orbits"};
+  const Run symmetric = run_with(O, {"orbits", "symmetric"});
+  const Run without_it = run_with(without(O, {"friction_at_rest"}), {"orbits", "symmetric"});
+  CHECK(symmetric.code == exit_decided);
+  CHECK(symmetric.out == without_it.out);
+  CHECK(without_it.err.empty());
+  for (const std::string& part : told) {
+    CHECK(symmetric.err.find(part) != std::string::npos);
+  }
+  const Run by_phase = run_with(O, {"orbits", "overshooting", "--phi", "1"});
+  CHECK(by_phase.err.find("the friction at rest is not taken: with --phi it is a result") !=
+        std::string::npos);
+  CHECK(by_phase.out.find("ur=") == std::string::npos);
+}
+
 TEST_CASE("a machine that is none is named in one sentence") {
-  struct Refusal {
+  struct RefusedMachine {
     Machine machine;
     Words arguments;
     int code;
     std::string named;
   };
   const Words attractors{"attractors"};
-  const std::vector<Refusal> refusals{
+  const std::vector<RefusedMachine> refusals{
       {without(O, {"m2", "belt_velocity", "friction_at_rest"}), attractors, exit_usage,
        "missing for a machine in SI units: m2, friction_at_rest, belt_velocity"},
       {{{"m1", "4"}},
@@ -183,14 +198,9 @@ TEST_CASE("a machine that is none is named in one sentence") {
       {O, {"orbits", "OTS", "--units", "si", "--json"}, exit_usage, "--units si is for text"},
       {{{"chi", "0.2"}}, {"orbits", "symmetric", "--units", "si"}, exit_usage, "needs a machine"},
       {with(O, "k1", "1e60"), attractors, exit_domain, "k1 = "},
-      {O, {"orbits", "symmetric"}, exit_usage, "leave the friction at rest out"},
   };
-  for (const Refusal& refusal : refusals) {
-    const Run result = run_with(refusal.machine, refusal.arguments);
-    CAPTURE(refusal.named);
-    CAPTURE(result.err);
-    CHECK(result.code == refusal.code);
-    CHECK(is_one_sentence(result.err, refusal.named));
-    CHECK(result.out.empty());
+  for (const RefusedMachine& refused : refusals) {
+    check_refused({{refused.arguments, refused.code, refused.named}},
+                  [&](const Words& arguments) { return run_with(refused.machine, arguments); });
   }
 }

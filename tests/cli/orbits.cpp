@@ -15,43 +15,26 @@ namespace {
 
 using Json = nlohmann::json;
 
-Run orbits(std::vector<std::string> arguments) {
+Run orbits(Words arguments) {
   arguments.insert(arguments.begin(), "orbits");
   return stickslip_program(arguments);
 }
 
-using Words = std::vector<std::string>;
-
-Words with(Words arguments, const Words& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-struct Refusal {
-  Words arguments;
-  int code;
-  std::string named;
-};
-
-// Each is refused in one sentence that says what is wrong, and nothing is printed.
-void check_refused(const std::vector<Refusal>& refusals) {
-  for (const Refusal& refusal : refusals) {
-    const Run result = orbits(refusal.arguments);
-    CAPTURE(refusal.named);
-    CAPTURE(result.err);
-    CHECK(result.code == refusal.code);
-    CHECK(is_one_sentence(result.err, refusal.named));
-    CHECK(result.out.empty());
-  }
+void check_orbits_refused(const std::vector<Refusal>& refusals) {
+  check_refused(refusals, orbits);
 }
 
 }  // namespace
 
 TEST_CASE("what is missing, misplaced or no number is a usage error that names it") {
-  check_refused({
+  check_orbits_refused({
       {{}, exit_usage, "family"},
       {{"frob"}, exit_usage, "frob"},
-      {{"symmetric"}, exit_usage, "--chi"},
+      {{"symmetric"}, exit_usage, "missing: --chi, --eta, --us, --V, --omega, --p; give them"},
+      {{"overshooting", "--chi", "1/2", "--V", "1"}, exit_usage, "--eta, --us, --omega, --p, --phi or --ur;"},
+      {{"symmetric", "--chi", "1/2", "--eta", "2", "--us", "1", "--V", "1", "--p", "1"},
+       exit_usage,
+       "missing: --omega; give it"},
       {{"symmetric", "--example", "Q"}, exit_usage, "'Q'"},
       {{"symmetric", "--example", "S", "--ur", "0.2"}, exit_usage, "ur"},
       {{"symmetric", "--example", "S", "--phi", "0"}, exit_usage, "phi"},
@@ -74,7 +57,7 @@ TEST_CASE("what is missing, misplaced or no number is a usage error that names i
 
 TEST_CASE("parameters outside the domain are named with value and allowed range") {
   const Words S{"symmetric", "--example", "S"};
-  check_refused({
+  check_orbits_refused({
       {with(S, {"--chi", "1.5"}), exit_domain, "chi = 1.5 is outside the allowed range: 0 < chi < 1"},
       {with(S, {"--chi", "0"}), exit_domain, "chi = 0"},
       {with(S, {"--chi", "0.5+-0.5"}), exit_domain, "chi = 0"},
@@ -88,13 +71,13 @@ TEST_CASE("parameters outside the domain are named with value and allowed range"
 }
 
 TEST_CASE("the examples are complete and decided, and JSON is all that is printed") {
-  const std::vector<std::vector<std::string>> questions = {
+  const std::vector<Words> questions = {
       {"symmetric", "--example", "S"},
       {"overshooting", "--example", "O"},
       {"nonsticking", "--example", "P"},
       {"nonsticking", "--example", "P", "--ur", "0.2"},
   };
-  for (std::vector<std::string> question : questions) {
+  for (Words question : questions) {
     CHECK(orbits(question).code == exit_decided);
     question.emplace_back("--json");
     const Run result = orbits(question);
@@ -143,7 +126,18 @@ TEST_CASE("a box of parameters that may hold a resonance is not decided, whateve
   const Run twice = orbits(with({"nonsticking", "--example", "P", "--omega", "0.2501+-0.001"}, data));
   CHECK(twice.code == exit_undecided);
   CHECK(twice.out.find("2 omega = omega1") != std::string::npos);
-  check_refused({{{"symmetric", "--example", "S", "--V", "0.5+-1"}, exit_domain, "V = -0.5"}});
+  check_orbits_refused({{{"symmetric", "--example", "S", "--V", "0.5+-1"}, exit_domain, "V = -0.5"}});
+}
+
+TEST_CASE("a box that reaches down to omega = 0, where there are resonances without number") {
+  for (const char * omega : {"0.5+-0.49999999999999", "0.5+-0.4999999999999999999999999999999999999999999"}) {
+    const Run result = orbits({"nonsticking", "--example", "P", "--omega", omega});
+    CHECK(result.code == exit_undecided);
+    CHECK(result.out.find("1 omega = omega1") != std::string::npos);
+    CHECK(result.out.find("2 omega = omega1, and further multiples") != std::string::npos);
+    CHECK(result.out.find("3 omega = omega1") == std::string::npos);
+    CHECK(orbits({"symmetric", "--example", "S", "--omega", omega}).code == exit_undecided);
+  }
 }
 
 TEST_CASE("degenerate data: a precise answer or a precise refusal, for each family") {
@@ -152,7 +146,7 @@ TEST_CASE("degenerate data: a precise answer or a precise refusal, for each fami
   const Words P{"nonsticking", "--example", "P"};
   // omega1 = 1/2, omega2 = 2.
   const Words half{"--chi", "9/13", "--eta", "169/36", "--omega", "1/2"};
-  check_refused({
+  check_orbits_refused({
       {with(S, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},
       {with(O, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},
       {with(P, half), exit_domain, "1 omega is a natural frequency"},
@@ -168,18 +162,18 @@ TEST_CASE("degenerate data: a precise answer or a precise refusal, for each fami
       {with(O, {"--phi", "east"}), exit_usage, "phi: 'east'"},
   });
   struct Answer {
-    std::vector<std::string> arguments;
+    Words arguments;
     int code;
     std::size_t count;
   };
   const std::vector<Answer> answers = {
       {with(S, {"--p", "0"}), exit_decided, 2},
       {with(O, {"--p", "0"}), exit_decided, 2},
-      {with(P, {"--p", "0"}), exit_undecided, 0},
+      {with(P, {"--p", "0"}), exit_decided, 0},
       {with(P, {"--p", "0", "--V", "0.1"}), exit_decided, 0},
       {with(S, {"--omega", "1"}), exit_decided, 0},
       {with(O, {"--omega", "1"}), exit_decided, 0},
-      {with(P, {"--omega", "1"}), exit_undecided, 0},
+      {with(P, {"--omega", "1"}), exit_decided, 0},
       {with(S, {"--chi", "0.0001"}), exit_decided, 0},
       {with(S, {"--chi", "0.9999"}), exit_decided, 4},
       {with(O, {"--chi", "0.0001"}), exit_decided, 0},
@@ -214,6 +208,67 @@ TEST_CASE("a parameter file gives the same answer as options, and options go bef
     CHECK(is_one_sentence(result.err, named));
   }
   CHECK(orbits({"symmetric", "--params", temporary.path() / "missing"}).code == exit_io);
+}
+
+TEST_CASE(
+    "one file with phi and ur serves every family; what is a result of one is said, on options refused") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "p.toml", plain = temporary.path() / "q.toml";
+  const std::string data = "chi = 0.2\neta = 4\nus = 0.05\nV = 1\nomega = 0.6289\np = 0.05\n";
+  std::ofstream(plain) << data;
+  std::ofstream(file) << data << "phi = 1\nur = 0.4589\n";
+  struct Question {
+    Words arguments, same;
+    std::string said;
+  };
+  const std::vector<Question> questions{
+      {{"symmetric"}, {}, ": ur is not taken: ur is not given for symmetric orbits"},
+      {{"symmetric"}, {}, ": phi is not taken: phi is not given for symmetric orbits"},
+      {{"overshooting"}, {"--ur", "0.4589"}, ": phi is not taken: with ur it is a result"},
+      {{"overshooting", "--ur", "0.45"}, {}, ": phi is not taken: with ur it is a result"},
+      {{"overshooting", "--phi", "1"}, {}, ": ur is not taken: with --phi it is a result"},
+      {{"nonsticking"}, {"--ur", "0.4589"}, ": phi is not taken: phi is not given for non-sticking"},
+      {{"OTS"}, {"--ur", "0.4589"}, ": phi is not taken: the load is cos(omega t)"},
+  };
+  for (const Question& question : questions) {
+    const Run result = orbits(with(question.arguments, {"--params", file, "--json"}));
+    CAPTURE(result.err);
+    CHECK(result.err.find(question.said) != std::string::npos);
+    const Run same = orbits(with(with(question.arguments, question.same), {"--params", plain, "--json"}));
+    CHECK(same.err.empty());
+    CHECK(result.out == same.out);
+    CHECK(result.code == same.code);
+  }
+  check_orbits_refused({
+      {{"symmetric", "--params", plain, "--ur", "1"}, exit_usage, "ur is not given for symmetric"},
+      {{"nonsticking", "--params", plain, "--phi", "1"}, exit_usage, "phi is not given for non-sticking"},
+      {{"OTS", "--params", file, "--phi", "1"}, exit_usage, "phi is not given"},
+  });
+  std::ofstream(file) << data << "phi = east\nur = 0.4589\n";
+  check_orbits_refused({{{"symmetric", "--params", file}, exit_usage, "phi: 'east'"}});
+}
+
+TEST_CASE(
+    "admissible orbits come first and in full, formal solutions in a line each unless all are asked for") {
+  const Words O{"overshooting", "--example", "O"};
+  const Run brief = orbits(O), full = orbits(with(O, {"--all"}));
+  CHECK(brief.code == exit_decided);
+  CHECK(full.code == exit_decided);
+  const auto has = [](const Run& run, const std::string& part) {
+    return run.out.find(part) != std::string::npos;
+  };
+  CHECK(has(brief, "Orbit 2 of 2:  admissible"));
+  CHECK_FALSE(has(brief, "Orbit 1 of 2"));
+  CHECK(has(brief, "\n  1      2.63206  4.84765  2.51104  -0.205576  ur, 12, slip and 5 more\n"));
+  CHECK(has(full, "Orbit 1 of 2:  not admissible: ur, 12, slip, 18,"));
+  CHECK(full.out.find("Orbit 2 of 2") < full.out.find("Orbit 1 of 2"));
+  CHECK_FALSE(has(full, "Formal solutions"));
+  CHECK(orbits(with(O, {"--all", "--json"})).out == orbits(with(O, {"--json"})).out);
+  CHECK(has(orbits({"symmetric", "--example", "S"}), "belongs to another u_r"));
+  const Run wide = orbits(with(O, {"--ur", "0.4589+-1e-1"}));
+  CHECK(wide.code == exit_undecided);
+  CHECK(has(wide, "not proved for the whole box\n"));
+  CHECK_FALSE(has(wide, "no orbits"));
 }
 
 TEST_CASE("a plot is written whole or not at all") {

@@ -19,11 +19,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string content(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 // The exit code that `check` owes for these results.
 int code_of_check(const Json& audit) {
   bool refuted = false;
@@ -43,8 +38,7 @@ TEST_CASE("a place for the report that does not exist is named, and nothing is w
   const TemporaryDirectory temporary;
   const std::string file = temporary.path() / "file";
   std::ofstream(file) << "content";
-  const std::vector<std::string> places = {temporary.path() / "missing" / "out", file, file + "/out",
-                                           "/proc/stickslip", ""};
+  const Words places = {temporary.path() / "missing" / "out", file, file + "/out", "/proc/stickslip", ""};
   for (const std::string& place : places) {
     const Run result = stickslip_program({"audit", "--out", place});
     CAPTURE(result.err);
@@ -57,11 +51,8 @@ TEST_CASE("a place for the report that does not exist is named, and nothing is w
 }
 
 TEST_CASE("standard output that is full or closed is an error") {
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"latex"},
-                                                    {"latex", "--list"},
-                                                    {"check", "--list"},
-                                                    {"--help"},
-                                                    {"--version"}}) {
+  for (const Words& arguments :
+       {Words{"latex"}, {"latex", "--list"}, {"check", "--list"}, {"--help"}, {"--version"}}) {
     const Run full = run_into(STICKSLIP_PROGRAM, arguments, "/dev/full");
     CHECK(full.code == exit_io);
     CHECK(is_one_sentence(full.err, "standard output"));

@@ -1,5 +1,6 @@
 #include "tests/cli/program.hpp"
 
+#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,17 +14,12 @@
 namespace stickslip {
 namespace {
 
-std::string content(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 int open_for_writing(const std::string& path) {
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
 }
 
 // A negative descriptor closes the stream.
-int spawn(const std::string& program, const std::vector<std::string>& arguments, int output, int error) {
+int spawn(const std::string& program, const Words& arguments, int output, int error) {
   std::vector<char *> argv = {const_cast<char *>(program.c_str())};
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char *>(argument.c_str()));
@@ -45,14 +41,23 @@ int spawn(const std::string& program, const std::vector<std::string>& arguments,
 
 }  // namespace
 
+Words with(Words arguments, const Words& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
 int wait_for(int process) {
   int status = 0;
   ::waitpid(process, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-Run run_into(const std::string& program, const std::vector<std::string>& arguments,
-             const std::string& output) {
+Run run_into(const std::string& program, const Words& arguments, const std::string& output) {
   const TemporaryDirectory temporary;
   const std::string err = temporary.path() / "err";
   const int output_descriptor = output.empty() ? -1 : open_for_writing(output);
@@ -68,16 +73,16 @@ Run run_into(const std::string& program, const std::vector<std::string>& argumen
   return result;
 }
 
-Run run(const std::string& program, const std::vector<std::string>& arguments) {
+Run run(const std::string& program, const Words& arguments) {
   const TemporaryDirectory temporary;
   return run_into(program, arguments, temporary.path() / "out");
 }
 
-Run stickslip_program(const std::vector<std::string>& arguments) {
+Run stickslip_program(const Words& arguments) {
   return run(STICKSLIP_PROGRAM, arguments);
 }
 
-int start(const std::vector<std::string>& arguments, int output) {
+int start(const Words& arguments, int output) {
   const int error = open_for_writing("/dev/null");
   const int process = spawn(STICKSLIP_PROGRAM, arguments, output, error);
   ::close(error);
@@ -87,6 +92,17 @@ int start(const std::vector<std::string>& arguments, int output) {
 bool is_one_sentence(const std::string& text, const std::string& part) {
   return text.starts_with("stickslip: ") && text.ends_with(".\n") && text.find(part) != std::string::npos &&
          std::count(text.begin(), text.end(), '\n') == 1;
+}
+
+void check_refused(const std::vector<Refusal>& refusals, const std::function<Run(const Words&)>& program) {
+  for (const Refusal& refusal : refusals) {
+    const Run result = program(refusal.arguments);
+    CAPTURE(refusal.named);
+    CAPTURE(result.err);
+    CHECK(result.code == refusal.code);
+    CHECK(is_one_sentence(result.err, refusal.named));
+    CHECK(result.out.empty());
+  }
 }
 
 }  // namespace stickslip

@@ -18,3 +18,5 @@ wait $!
 "$1" attractors --example O --starts 40 --most-periods 2000 --json >"$2/attractors.json"
 "$1" orbits ST --example S --json >"$2/list.json"
 "$1" orbits OSOTSOST --period 3 --example P --json >"$2/word.json"
+"$1" simulate --example O --perturb 0.01,0,0,0 --json >"$2/simulation.json"
+"$1" simulate --orbit nonsticking:1 --example P --periods 3 --csv "$2/samples.csv" --json >"$2/sampled.json"

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -15,16 +16,17 @@
 #include "tests/report/temporary.hpp"
 
 using namespace stickslip;
+using Json = nlohmann::json;
 
 namespace {
 
-Run simulate(std::vector<std::string> arguments) {
+Run simulate(Words arguments) {
   arguments.insert(arguments.begin(), "simulate");
   return stickslip_program(arguments);
 }
 
-std::vector<std::vector<std::string>> read_csv(const std::string& file) {
-  std::vector<std::vector<std::string>> rows;
+std::vector<Words> read_csv(const std::string& file) {
+  std::vector<Words> rows;
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
     std::istringstream cells(line);
@@ -36,41 +38,33 @@ std::vector<std::vector<std::string>> read_csv(const std::string& file) {
   return rows;
 }
 
-const std::vector<std::string> own_state{"--chi", "0.5",  "--eta", "2", "--us",    "0.1",
-                                         "--ur",  "0.25", "--V",   "1", "--omega", "0.6",
-                                         "--p",   "0.3",  "--phi", "0", "--state", "0,0.5,0,1"};
+const Words own_state{"--chi", "0.5",     "--eta", "2",   "--us", "0.1",   "--ur", "0.25",    "--V",
+                      "1",     "--omega", "0.6",   "--p", "0.3",  "--phi", "0",    "--state", "0,0.5,0,1"};
 
 }  // namespace
 
 TEST_CASE("what is missing or malformed is a usage error that names it") {
-  const std::vector<std::pair<std::vector<std::string>, std::string>> refusals = {
-      {{}, "--state"},
-      {{"--state", "0,0,0,0"}, "--chi"},
-      {{"--example", "Q"}, "'Q'"},
-      {{"--example", "S", "--periods", "-1"}, "periods: '-1'"},
-      {{"--example", "S", "--every", "0"}, "every: '0'"},
-      {{"--example", "S", "--perturb", "1,2,3"}, "perturb: '1,2,3'"},
-      {{"--example", "S", "--perturb", "1,2,3,4,5"}, "perturb"},
-      {{"--example", "S", "--state", "a,2,3,4"}, "state: 'a'"},
-      {{"--example", "S", "--chi", "0.5+-0.1"}, "interval"},
-      {{"--example", "S", "--plot", "a.png"}, "a.png"},
-  };
-  for (const auto& [arguments, named] : refusals) {
-    const Run result = simulate(arguments);
-    CAPTURE(result.err);
-    CHECK(result.code == exit_usage);
-    CHECK(is_one_sentence(result.err, named));
-    CHECK(result.out.empty());
-  }
-  const Run domain = simulate({"--example", "S", "--ur", "0.001"});
-  CHECK(domain.code == exit_domain);
-  CHECK(is_one_sentence(domain.err, "ur = 0.001"));
-  CHECK(is_one_sentence(simulate({"--example", "S", "--omega", "0"}).err, "omega = 0"));
-  CHECK(simulate({"--example", "S", "--csv", "/no/such/directory/a.csv"}).code == exit_io);
+  check_refused(
+      {
+          {{}, exit_usage, "--state"},
+          {{"--state", "0,0,0,0"}, exit_usage, "--chi"},
+          {{"--example", "Q"}, exit_usage, "'Q'"},
+          {{"--example", "S", "--periods", "-1"}, exit_usage, "periods: '-1'"},
+          {{"--example", "S", "--every", "0"}, exit_usage, "every: '0'"},
+          {{"--example", "S", "--perturb", "1,2,3"}, exit_usage, "perturb: '1,2,3'"},
+          {{"--example", "S", "--perturb", "1,2,3,4,5"}, exit_usage, "perturb"},
+          {{"--example", "S", "--state", "a,2,3,4"}, exit_usage, "state: 'a'"},
+          {{"--example", "S", "--chi", "0.5+-0.1"}, exit_usage, "interval"},
+          {{"--example", "S", "--plot", "a.png"}, exit_usage, "a.png"},
+          {{"--example", "S", "--ur", "0.001"}, exit_domain, "ur = 0.001"},
+          {{"--example", "S", "--omega", "0"}, exit_domain, "omega = 0"},
+          {{"--example", "S", "--csv", "/no/such/directory/a.csv"}, exit_io, "/no/such/directory"},
+      },
+      simulate);
 }
 
 TEST_CASE("data whose squares overflow are refused by name, with the range") {
-  const std::vector<std::vector<std::string>> refusals = {
+  const std::vector<Words> refusals = {
       {"--state", "0,0.5,1e155,1", "the state = 1e+155", "from -1e100 to 1e100"},
       {"--state", "-1e101,0.5,0,1", "the state = -1e+101", "from -1e100 to 1e100"},
       {"--perturb", "0,0,0,1e200", "the state = 1e+200", "from -1e100 to 1e100"},
@@ -83,7 +77,7 @@ TEST_CASE("data whose squares overflow are refused by name, with the range") {
       {"--eta", "1e155", "eta = 1e+155", "1e-20 <= eta <= 1e20"},
       {"--chi", "1e-155", "chi = 1e-155", "1e-100 <= chi < 1"},
   };
-  for (const std::vector<std::string>& refusal : refusals) {
+  for (const Words& refusal : refusals) {
     const Run result = simulate({"--example", "O", refusal[0], refusal[1]});
     CAPTURE(result.err);
     CHECK(result.code == exit_domain);
@@ -94,24 +88,23 @@ TEST_CASE("data whose squares overflow are refused by name, with the range") {
 }
 
 TEST_CASE("the largest data are simulated, and an interruption is noticed whatever they are") {
-  for (const std::vector<std::string>& data : {std::vector<std::string>{"--state", "1e100,-1e100,1e100,1"},
-                                               {"--p", "1e100"},
-                                               {"--V", "1e100"},
-                                               {"--perturb", "1e-300,0,0,1e99"},
-                                               {"--us", "1e100", "--ur", "1e100"},
-                                               {"--phi", "1e300"}}) {
-    std::vector<std::string> arguments{"--example", "O", "--periods", "3"};
+  for (const Words& data : {Words{"--state", "1e100,-1e100,1e100,1"},
+                            {"--p", "1e100"},
+                            {"--V", "1e100"},
+                            {"--perturb", "1e-300,0,0,1e99"},
+                            {"--us", "1e100", "--ur", "1e100"},
+                            {"--phi", "1e300"}}) {
+    Words arguments{"--example", "O", "--periods", "3"};
     arguments.insert(arguments.end(), data.begin(), data.end());
     CAPTURE(data[1]);
     CHECK(simulate(arguments).code == exit_decided);
   }
   const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  for (const std::vector<std::string>& data :
-       {std::vector<std::string>{"--omega", "1e-100"},
-        {"--eta", "1e18", "--us", "1e-3", "--ur", "1e-3", "--V", "0", "--p", "1e19"},
-        {"--omega", "1e-12", "--p", "1e100"},
-        {"--V", "-1e100", "--us", "1e-300", "--ur", "1e-300", "--periods", "1e6"}}) {
-    std::vector<std::string> arguments{"simulate", "--example", "O"};
+  for (const Words& data : {Words{"--omega", "1e-100"},
+                            {"--eta", "1e18", "--us", "1e-3", "--ur", "1e-3", "--V", "0", "--p", "1e19"},
+                            {"--omega", "1e-12", "--p", "1e100"},
+                            {"--V", "-1e100", "--us", "1e-300", "--ur", "1e-300", "--periods", "1e8"}}) {
+    Words arguments{"simulate", "--example", "O"};
     arguments.insert(arguments.end(), data.begin(), data.end());
     CAPTURE(data[1]);
     const int process = start(arguments, output);
@@ -145,7 +138,7 @@ TEST_CASE("an example's orbit returns to where it began, and the CSV tells so") 
 
 TEST_CASE("any state, any parameters; samples at the asked times") {
   const TemporaryDirectory temporary;
-  std::vector<std::string> arguments = own_state;
+  Words arguments = own_state;
   const std::string file = temporary.path() / "a.csv";
   arguments.insert(arguments.end(), {"--periods", "3", "--every", "0.25", "--csv", file});
   CHECK(simulate(arguments).code == exit_decided);
@@ -181,7 +174,7 @@ TEST_CASE("an interruption leaves what was computed") {
   const TemporaryDirectory temporary;
   const std::string csv = temporary.path() / "a.csv";
   const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  std::vector<std::string> arguments = own_state;
+  Words arguments = own_state;
   arguments.insert(arguments.begin(), "simulate");
   arguments.insert(arguments.end(), {"--periods", "100000000", "--every", "1000", "--csv", csv});
   const int process = start(arguments, output);
@@ -193,3 +186,74 @@ TEST_CASE("an interruption leaves what was computed") {
   CHECK(rows.size() > 10);
   CHECK(rows.back().size() == 9);
 }
+
+TEST_CASE("a simulation starts from any orbit of a list, and stays on it if it is stable") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "machine.toml";
+  std::ofstream(file)
+      << "chi = 0.2\neta = 4\nus = 0.05\nV = 1\nomega = 0.6289\np = 0.05\nur = 0.4589936599332\n"
+         "phi = 3\n";
+  const Run overshooting =
+      simulate({"--orbit", "overshooting:2", "--params", file, "--periods", "3", "--json"});
+  CHECK(overshooting.code == exit_decided);
+  CHECK(overshooting.err.find("phi is not taken: with ur it is a result") != std::string::npos);
+  const Json json = Json::parse(overshooting.out);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(json.at("end").at("state").at(i).get<double>() ==
+          doctest::Approx(json.at("start").at(i).get<double>()).epsilon(1e-10));
+  }
+  CHECK(json.at("parameters").at("ur") == 0.4589936599332);
+  CHECK(json.at("events").at("count") == 9);
+  CHECK(json.at("settles").at("word") == "OTS");
+  CHECK(json.at("settles").at("verdict") == "proved");
+  CHECK_FALSE(json.contains("energy"));
+  // What it says to give the same result again does.
+  Words again;
+  std::istringstream words(json.at("command").get<std::string>());
+  for (std::string word; words >> word;) {
+    again.push_back(word);
+  }
+  const Json same = Json::parse(stickslip_program(with({again.begin() + 1, again.end()}, {"--json"})).out);
+  CHECK(same == json);
+  const Run formal = simulate({"--orbit", "overshooting:1", "--params", file, "--periods", "3"});
+  CHECK(formal.code == exit_decided);
+  CHECK(formal.err.find("overshooting:1 is not admissible: 18; the motion leaves it") != std::string::npos);
+  check_refused(
+      {
+          {{"--orbit", "overshooting:99", "--params", file}, exit_usage, "there is no orbit overshooting:99"},
+          {{"--orbit", "overshooting:0", "--params", file}, exit_usage, "orbit: '0'"},
+          {{"--orbit", "overshooting", "--params", file}, exit_usage, "'overshooting' is not FAMILY:K"},
+          {{"--orbit", "sideways:1", "--params", file}, exit_usage, "'sideways'"},
+          {{"--orbit", "symmetric:1"}, exit_usage, "missing: --chi, --eta"},
+          {{"--orbit", "symmetric:1", "--params", file, "--state", "0,0,0,0"}, exit_usage, "--state"},
+          {{"--orbit", "symmetric:1", "--params", file, "--p", "0.05+-0.01"}, exit_usage, "interval"},
+          {{"--orbit", "symmetric:1", "--params", file, "--ur", "1"}, exit_usage, "ur is not given"},
+          {{"--orbit", "nonsticking:1", "--example", "P", "--us", "0.2996"}, exit_domain, "ur = 0.2996"},
+      },
+      simulate);
+}
+
+TEST_CASE("samples go to standard output alone, and only where they are asked for") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "o.csv";
+  const Words question{"--example", "O", "--periods", "2"};
+  const Run report = simulate(with(question, {"--csv", file}));
+  const Run samples = simulate(with(question, {"--csv", "-"}));
+  CHECK(samples.code == exit_decided);
+  CHECK(samples.err.empty());
+  CHECK(samples.out == content(file));
+  CHECK(report.out.find("; between") != std::string::npos);
+  CHECK(simulate(question).out.find("; between") == std::string::npos);
+  check_refused({{{"--example", "O", "--csv", "-", "--json"}, exit_usage, "--csv - and --json"},
+                 {{"--example", "O", "--csv", ""}, exit_usage, "csv: ''"}},
+                simulate);
+}
+
+#ifndef __SANITIZE_ADDRESS__
+TEST_CASE("samples without number need no memory") {
+  const Run result =
+      run("/bin/sh", {"-c", "ulimit -v 400000; exec \"$@\" | tail -n 1", "sh", STICKSLIP_PROGRAM, "simulate",
+                      "--example", "O", "--periods", "20000", "--csv", "-"});
+  CHECK(result.out.starts_with("199815.08"));
+}
+#endif

@@ -6,47 +6,30 @@
 
 using namespace stickslip;
 
-namespace {
-
-struct Misuse {
-  std::vector<std::string> arguments;
-  std::string named;  // what the sentence has to name
-};
-
-}  // namespace
-
 TEST_CASE("what is not understood is named in one sentence") {
-  const std::vector<Misuse> misuses = {
-      {{}, "a command is missing"},
-      {{"frobnicate"}, "frobnicate"},
-      {{"--frob"}, "--frob"},
-      {{""}, "command"},
-      {{"audit", "--frob"}, "--frob"},
-      {{"audit", "extra"}, "extra"},
-      {{"audit", "--out"}, "--out"},
-      {{"check", "nonsense"}, "nonsense"},
-      {{"check", "99.x"}, "99.x"},
-      {{"check", "--frob"}, "--frob"},
-      {{"check", "--list", "--json"}, "--json"},
-      {{"check", "--list", "refuted"}, "refuted"},
-      {{"latex", "Nonsense"}, "Nonsense"},
-      {{"latex", "H", "Nonsense"}, "Nonsense"},
-      {{"latex", "--in", "tau"}, "tau"},
-  };
-  for (const Misuse& misuse : misuses) {
-    const Run result = stickslip_program(misuse.arguments);
-    CAPTURE(misuse.named);
-    CAPTURE(result.err);
-    CHECK(result.code == exit_usage);
-    CHECK(is_one_sentence(result.err, misuse.named));
-    CHECK(result.out.empty());
-  }
+  check_refused({
+      {{}, exit_usage, "a command is missing"},
+      {{"frobnicate"}, exit_usage, "frobnicate"},
+      {{"--frob"}, exit_usage, "--frob"},
+      {{""}, exit_usage, "command"},
+      {{"audit", "--frob"}, exit_usage, "--frob"},
+      {{"audit", "extra"}, exit_usage, "extra"},
+      {{"audit", "--out"}, exit_usage, "--out"},
+      {{"check", "nonsense"}, exit_usage, "nonsense"},
+      {{"check", "99.x"}, exit_usage, "99.x"},
+      {{"check", "--frob"}, exit_usage, "--frob"},
+      {{"check", "--list", "--json"}, exit_usage, "--json"},
+      {{"check", "--list", "refuted"}, exit_usage, "refuted"},
+      {{"latex", "Nonsense"}, exit_usage, "Nonsense"},
+      {{"latex", "H", "Nonsense"}, exit_usage, "Nonsense"},
+      {{"latex", "--in", "tau"}, exit_usage, "tau"},
+  });
 }
 
 TEST_CASE("help and versions are answers, on standard output") {
-  const std::vector<std::vector<std::string>> questions = {
+  const std::vector<Words> questions = {
       {"--help"}, {"-h"}, {"--version"}, {"audit", "--help"}, {"check", "--help"}, {"latex", "--help"}};
-  for (const std::vector<std::string>& question : questions) {
+  for (const Words& question : questions) {
     const Run result = stickslip_program(question);
     CAPTURE(question.front());
     CHECK(result.code == exit_decided);

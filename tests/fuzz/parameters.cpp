@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "cli/typed_parameters.hpp"
+#include "core/decimal.hpp"
 #include "core/error.hpp"
 
 using namespace stickslip;
@@ -11,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t siz
   const std::string text(reinterpret_cast<const char *>(data), size);
   try {
     for (const auto& [name, value] : cli::parse_parameters(text, "FILE")) {
-      (void)cli::parse_range(name, value);
+      (void)stickslip::parse_range(name, value);
     }
   } catch (const UsageError&) {
   }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/decimal.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"

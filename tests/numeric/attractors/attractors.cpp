@@ -9,6 +9,8 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "numeric/attractors/word_search.hpp"
+#include "numeric/motion/contact.hpp"
+#include "numeric/simulation/simulation.hpp"
 #include "tests/numeric/examples.hpp"
 
 using namespace stickslip;
@@ -140,9 +142,14 @@ TEST_CASE("where there is no orbit of the word it is said what was met") {
   CHECK(far.orbits.empty());
   CHECK(far.seen == "the motion from there settles on OS with the period 1");
   const WordOrbits none =
-      find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("ST"), 1, {}});
+      find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("OSOT"), 1, {}});
   CHECK(none.orbits.empty());
+  CHECK_FALSE(none.complete());
   CHECK(none.seen == "100 random starts end on: OS with the period 1");
+  const WordOrbits all =
+      find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("ST"), 1, {}});
+  CHECK(all.complete());
+  CHECK(all.seen == "x2' <= V <= 0 all along, so x2 falls and does not return");
 }
 
 TEST_CASE("a word that repeats a shorter one is answered with that one's orbit") {
@@ -162,4 +169,26 @@ TEST_CASE("without a load no orbit is alone") {
   ExactParameters data = O();
   data.p = 0;
   CHECK_THROWS_AS((void)find_attractors({{data, Rational(1, 2), 20}, 10, 1, 100}), DomainError);
+}
+
+TEST_CASE("the paper's P is left by a disturbance a little larger than its contact margin") {
+  const OrbitList list = listed(families::nonsticking(), P(), 20, {}, parse_rational("0.2996"));
+  const auto P_orbit = std::find_if(list.orbits.begin(), list.orbits.end(),
+                                    [](const Orbit& o) { return o.admissible.truth == Truth::proved; });
+  REQUIRE(P_orbit != list.orbits.end());
+  const std::optional<Contact> contact = contact_of(P_orbit->conditions);
+  REQUIRE(contact.has_value());
+  CHECK(near(contact->margin, "2.8859e-4", "1e-8"));
+  // From the beginning of the orbit on to the next time when the load's phase is 0.
+  const double phi = P_orbit->value("phi").approximate();
+  const auto end = [&](double disturbance) {
+    const model::Vector4<double> X(P_orbit->value("x10").approximate() + disturbance,
+                                   P_orbit->value("x20").approximate(),
+                                   P_orbit->value("xdot10").approximate(), 0);
+    simulation::Simulation motion(parameters_as<double>(P()), 0.2996, phi, X);
+    motion.advance((2 * std::acos(-1.0) - phi) / 0.6);
+    return find_attractor({P(), parse_rational("0.2996"), 20}, motion.state()).word;
+  };
+  CHECK(end(1e-4) == "OS");
+  CHECK(end(1e-3) == "OSOTSOST");
 }

@@ -99,3 +99,18 @@ TEST_CASE("random starts are the same for the same seed, and the first ones for 
     CHECK(std::abs(few[i](3)) <= 1.5);
   }
 }
+
+TEST_CASE("a load that is too slow to be followed is given up, and what sticks for good is seen at once") {
+  ExactParameters slow = O();
+  slow.omega = parse_rational("1e-44");
+  Follower slips(parameters_as<double>(slow), 0.45, {0.1, 0.2, 0, 0});
+  slips.follow(100, 1e-6);
+  CHECK(slips.is_too_slow());
+  CHECK(slips.kind() == Kind::unsettled);
+  slips.classify(1000);
+  CHECK(slips.kind() == Kind::unsettled);
+  slow.V = 0;
+  Follower sticks(parameters_as<double>(slow), 0.45, {0.1, 0.2, 0, 0});
+  sticks.follow(100, 1e-6);
+  CHECK(sticks.kind() == Kind::stuck);
+}

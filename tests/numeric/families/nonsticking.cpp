@@ -239,8 +239,24 @@ TEST_CASE("degenerate data: resonance and a bad domain are refused, no load on x
   const OrbitList none = list_nonsticking(parse_parameters("0.3", "4", "0.1", "0.1", "1", "1"), 20);
   CHECK(none.complete());
   CHECK(none.orbits.empty());
-  CHECK_FALSE(list_nonsticking(parse_parameters("0.3", "4", "0.1", "0", "0.6", "0"), 20).complete());
+  for (const char * omega : {"0.6", "1"}) {
+    const OrbitList still =
+        list_nonsticking(parse_parameters("0.3", "4", "0.1", "0", omega, *omega == '1' ? "1" : "0"), 20);
+    CHECK(still.complete());
+    CHECK(still.orbits.empty());
+    CHECK(still.remarks == std::vector{families::Remark::nothing_drives});
+  }
   CHECK(list_nonsticking(parse_parameters("0.3", "4", "0.1", "0.1", "0.6", "0"), 20).orbits.empty());
+}
+
+TEST_CASE("simple zeros at one of whose coordinates doubles end are told from multiple ones") {
+  const OrbitList list =
+      list_nonsticking(parse_parameters("0.645302", "12.2157", "0.679586", "0", "0.101344", "0.0498587"), 20);
+  CHECK(list.complete());
+  for (const char * tau : {"55.6521559", "55.7233098"}) {
+    CHECK(std::any_of(list.orbits.begin(), list.orbits.end(),
+                      [&](const Orbit& orbit) { return near(orbit.value("tau"), tau, "1e-6"); }));
+  }
 }
 
 TEST_CASE("digits as asked, precisions overlap") {

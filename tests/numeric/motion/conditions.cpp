@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "numeric/motion/contact.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;
@@ -208,5 +209,25 @@ TEST_CASE("precisions agree") {
       CHECK(conditions[i].margin->overlaps(*narrow[i].margin));
       CHECK(conditions[i].verdict.truth == narrow[i].verdict.truth);
     }
+  }
+}
+
+TEST_CASE(
+    "how little it takes to leave a stable orbit is the least margin along it, never that of the data") {
+  const auto proved = [](const char * id, double margin, std::optional<Ball> at) {
+    return Condition{id, "", Verdict::proved(), Ball(margin), std::move(at), {}};
+  };
+  const std::vector<Condition> all{proved("us", 0.001, {}), proved("slip", 0.3, Ball(2)),
+                                   proved("25", 0.25, Ball(0)), proved("26", 0.7, Ball(5))};
+  const std::optional<Contact> contact = contact_of(all);
+  REQUIRE(contact.has_value());
+  CHECK(contact->condition == "25");
+  CHECK(contact->margin.contains(Rational(1, 4)));
+  CHECK(contact->at.contains(Rational(0)));
+  CHECK_FALSE(contact_of({all[0]}).has_value());
+  for (const Verdict& verdict : {Verdict::refuted("no"), Verdict::undecided("open")}) {
+    std::vector<Condition> open = all;
+    open[3].verdict = verdict;
+    CHECK_FALSE(contact_of(open).has_value());
   }
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/error.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/motion/monodromy.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "numeric/simulation/simulation.hpp"
 #include "tests/numeric/simulation/start.hpp"
 
 using namespace stickslip;

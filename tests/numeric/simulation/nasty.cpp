@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "numeric/simulation/simulation.hpp"
 #include "tests/numeric/simulation/start.hpp"
 
 using namespace stickslip;

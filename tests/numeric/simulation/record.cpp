@@ -20,34 +20,53 @@ constexpr auto always = [](double) { return true; };
 
 TEST_CASE("a record has its samples at the asked times, all events, and shares that add up") {
   const Start s = lively();
-  const Record record = record_motion(s, {200, 0.3, true}, always);
+  std::vector<Sample> samples;
+  const Record record =
+      record_motion(s, {200, 0.3}, always, [&](const Sample& sample) { samples.push_back(sample); });
   const Run run = follow(s, 200);
-  CHECK(record.samples.size() == 668);
-  CHECK(record.samples[7].time == doctest::Approx(2.1).epsilon(1e-14));
-  CHECK(record.samples.back().time == doctest::Approx(200).epsilon(1e-14));
+  CHECK(record.samples == 668);
+  REQUIRE(samples.size() == 668);
+  CHECK(samples[7].time == doctest::Approx(2.1).epsilon(1e-14));
+  CHECK(samples.back().time == doctest::Approx(200).epsilon(1e-14));
   CHECK((record.end.X - run.end).lpNorm<Eigen::Infinity>() < 1e-9);
   CHECK(record.events == static_cast<long>(run.transitions.size()));
   CHECK(record.time_in[0] + record.time_in[1] + record.time_in[2] == doctest::Approx(200).epsilon(1e-12));
   REQUIRE(record.events > static_cast<long>(2 * Record::shown));
   CHECK(record.first_events.front().time == doctest::Approx(run.transitions.front().time));
   CHECK(record.last_events.back().time == doctest::Approx(run.transitions.back().time));
-  for (const Sample& sample : record.samples) {
-    CHECK(sample.energy >= record.least_energy);
-    CHECK(sample.energy <= record.greatest_energy);
+  REQUIRE(record.energy);
+  for (const Sample& sample : samples) {
+    CHECK(sample.energy >= record.energy->least);
+    CHECK(sample.energy <= record.energy->greatest);
     CHECK(std::abs(sample.u) <= s.ur);
   }
 }
 
+TEST_CASE("a record without samples has the same events, shares and end") {
+  const Record with = record_motion(lively(), {200, 0.3}, always);
+  const Record without = record_motion(lively(), {200, std::nullopt}, always);
+  CHECK(without.samples == 0);
+  CHECK_FALSE(without.energy);
+  CHECK(without.done == doctest::Approx(200).epsilon(1e-14));
+  CHECK(without.events == with.events);
+  CHECK(without.last_events.back().time == doctest::Approx(with.last_events.back().time).epsilon(1e-12));
+  CHECK((without.end.X - with.end.X).lpNorm<Eigen::Infinity>() < 1e-9);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(without.time_in[k] == doctest::Approx(with.time_in[k]).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("an interrupted record says how far it came") {
-  const Record record = record_motion(lively(), {1e6, 1, false}, [](double share) { return share < 0.01; });
+  const Record record =
+      record_motion(lively(), {1e6, std::nullopt}, [](double share) { return share < 0.01; });
   CHECK(record.interrupted);
   CHECK(record.done >= 1e4);
-  CHECK(record.done < 2e4);
-  CHECK(record.samples.empty());
+  CHECK(record.done < 1e5);
+  CHECK(record.samples == 0);
   CHECK(record.end.time == doctest::Approx(record.done));
-  const Record rare = record_motion(lively(), {1e6, 1e6, true}, [](double) { return false; });
+  const Record rare = record_motion(lively(), {1e6, 1e6}, [](double) { return false; });
   CHECK(rare.done < 2e4);
-  CHECK(rare.samples.size() == 2);
+  CHECK(rare.samples == 2);
 }
 
 TEST_CASE("plans that make no sense are refused") {

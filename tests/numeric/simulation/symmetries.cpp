@@ -1,5 +1,6 @@
 // Symmetries of the motion under the friction law, events included. STICKSLIP_SEED in the environment sets
 // the random data.
+#include "numeric/simulation/simulation.hpp"
 #include "tests/numeric/families/random_data.hpp"
 #include "tests/numeric/simulation/start.hpp"
 

@@ -20,6 +20,15 @@ struct Wave {
   }
 };
 
+// sin(10 x) and y - 1: one coordinate of a zero is known at once, as far as doubles go.
+struct HalfKnown {
+  template <class T>
+  Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& v) const {
+    using std::sin;
+    return {T(sin(T(T(10) * v(0)))), T(v(1) - T(1))};
+  }
+};
+
 // x² + y² = 1 and x = y: two zeros, one in each quadrant; (x - y)² = 0 instead makes both double.
 struct Diagonal {
   bool doubled = false;
@@ -54,6 +63,12 @@ TEST_CASE("a zero on the face between cells is found once") {
   CHECK(result.zeros.size() == 2);
 }
 
+TEST_CASE("a zero is told from a multiple one where one of its coordinates can shrink no more") {
+  const SearchResult<2> result = search_all<2>(HalfKnown{}, {{0.1, 0.3}, {2, 1.7}});
+  CHECK(result.complete());
+  CHECK(result.zeros.size() == 6);
+}
+
 TEST_CASE("double zeros stay unresolved, covered and with a reason") {
   const SearchResult<2> result = search_all<2>(Diagonal{true}, {{0, 0}, {1, 1}});
   CHECK(result.zeros.empty());
@@ -84,6 +99,33 @@ TEST_CASE("the limit of cells loses nothing") {
   SearchLimits limits;
   limits.cells = 3;
   check_that_nothing_is_lost(search_all<1>(Wave{}, {{0}, {2}}, limits));
+}
+
+TEST_CASE("a person's limits are taken in place of the search's own") {
+  const long needed = search_all<1>(Wave{}, {{0}, {2}}).cells;
+  {
+    const Effort little(3, {});
+    const SearchResult<1> part = search_all<1>(Wave{}, {{0}, {2}});
+    CHECK(part.cells == 3);
+    CHECK(part.unresolved.front().reason == "the search was stopped at its limit of cells");
+    check_that_nothing_is_lost(part);
+  }
+  {
+    const Effort no_time({}, 1e-9);
+    const SearchResult<1> part = search_all<1>(Wave{}, {{0}, {2}});
+    CHECK(part.cells < needed);
+    CHECK(part.unresolved.front().reason == "the search was stopped at its limit of time");
+    check_that_nothing_is_lost(part);
+  }
+  {
+    const Effort more({}, 1e300);
+    SearchLimits limits;
+    limits.cells = 3;
+    CHECK(search_all<1>(Wave{}, {{0}, {2}}, limits).complete());
+  }
+  SearchLimits limits;
+  limits.cells = 3;
+  CHECK_FALSE(search_all<1>(Wave{}, {{0}, {2}}, limits).complete());
 }
 
 TEST_CASE("an interrupted search stops and loses nothing") {

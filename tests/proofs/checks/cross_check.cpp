@@ -142,6 +142,8 @@ TEST_CASE("every identity of Appendices 1 and 3 is looked at by both engines") {
   const std::vector<Claim> claims = paper().claims;
   std::set<std::string> ids = ids_named(claims, "A1");
   ids.merge(ids_named(claims, "A3"));
+  ids.erase("39.frequencies");  // says that something exists
+  ids.erase("39.range");        // inequalities
   for (const Record& one : audit(claims, ids).records) {
     CAPTURE(one.claim.id);
     CHECK(one.outcome.cross_check.exact_points > 0);

@@ -24,7 +24,7 @@ Outcome decide(const Statement& statement) {
   const Claim claim = claiming(statement);
   Prover nothing_else({});
   Outcome outcome = claim.prove(nothing_else, claim);
-  look_for_witness(outcome, claim);
+  look_for_witness(outcome, nothing_else, claim);
   return outcome;
 }
 

@@ -32,7 +32,7 @@ Mutants decide_mutants(const std::vector<Claim>& claims, const std::vector<std::
         Claim mutant = claim_named(claims, id);
         mutant.printed = {edit.statement};
         Outcome outcome = by_normal_form()(nothing_else, mutant);
-        look_for_witness(outcome, mutant);
+        look_for_witness(outcome, nothing_else, mutant);
         const Verdict& verdict = outcome.verdict;
         if (verdict.truth == Truth::proved) {
           result.survivors.push_back(id + ": " + text(edit.statement));
@@ -57,7 +57,7 @@ Mutants decide_mutants(const std::vector<Claim>& claims, const std::string& id, 
       mutant.printed = {edit.statement};
       mutant.assumptions = assumptions;
       Outcome outcome = how(prover, mutant);
-      look_for_witness(outcome, mutant);
+      look_for_witness(outcome, prover, mutant);
       const Verdict& verdict = outcome.verdict;
       if (verdict.truth == Truth::refuted && verdict.witness) {
         ++result.refuted;

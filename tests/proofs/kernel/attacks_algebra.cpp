@@ -7,6 +7,44 @@ using namespace stickslip::proofs::kernel::attacks;
 using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
+TEST_CASE("a square root is of a number that is not negative, and is some number of which no more is known") {
+  const Theorem root = Theorem::square_root(x);
+  CHECK(root.hypotheses().empty());
+  const Variable r{"r"};
+  CHECK(root.conclusion() == implies(at_most(0, x), exists(r, all({at_most(0, r), equal(power(r, 2), x)}))));
+  REFUSES(Theorem::square_root(M));
+  REFUSES(Theorem::square_root(f));
+  REFUSES(Theorem::square_root(less(0, x)));
+  // No root of -1 without 0 ≤ -1.
+  const Theorem minus = Theorem::square_root(-1);
+  REFUSES(detach(minus, assume(at_most(0, 1))));
+  REFUSES(Theorem::consequence({minus}, minus.conclusion().parts()[1]));
+  // What is bound is not what the number is made of: x² = x would be 0 or 1.
+  for (const char * name : {"x", "r", "t1", "x'"}) {
+    const Variable v{name};
+    const Theorem theorem = Theorem::square_root(v);
+    CHECK(theorem.conclusion().variables() == Variables{v});
+    CHECK(Theorem::instantiate(theorem, {{v, 4}}).conclusion() == Theorem::square_root(4).conclusion());
+  }
+  // The root of an integer is no integer.
+  const Theorem of_integer = Theorem::square_root(n);
+  CHECK(of_integer.conclusion().parts()[1].binds() == real_number);
+  REFUSES(Theorem::choose(
+      Theorem::consequence({of_integer, assume(at_most(0, n))}, of_integer.conclusion().parts()[1]), m,
+      assume(equal(0, 0))));
+  // One root is not the other: nothing chosen may stay.
+  const Theorem there = detach(root, assume(at_most(0, x)));
+  REFUSES(Theorem::choose(there, r, assume(opened(there.conclusion(), r))));
+}
+
+TEST_CASE("squares order numbers that are not negative, and no others") {
+  const Theorem squares = assume(less(power(x, 2), power(y, 2)));
+  CHECK(below_by_squares(squares, assume(at_most(0, y)), x, y).conclusion() == less(x, y));
+  REFUSES(below_by_squares(squares, assume(at_most(0, x)), x, y));
+  REFUSES(below_by_squares(squares, assume(at_most(y, 0)), x, y));
+  REFUSES(below_by_squares(assume(at_most(power(x, 2), power(y, 2))), assume(at_most(0, y)), x, y));
+}
+
 TEST_CASE("divisors hide nowhere") {
   const auto needs = [](const Formula& equation, const Formula& divisor) {
     return Theorem::combination(equation).hypotheses().contains(divisor);

@@ -58,6 +58,19 @@ TEST_CASE("zeros in balls") {
   REFUSES(Theorem::one_zero(v, v, {{1, -1}, {-1, 1}}));
   REFUSES(Theorem::one_zero(v, v, {{-1, 1}, {-1, 1}, {-1, 1}}));
   REFUSES(Theorem::one_zero(x, X, {}));
+  // More unknowns than a search takes: the last equation says nothing new, or has no zero.
+  const Variable five{"five", real_matrix(5, 1)};
+  const auto system = [&](const Term& last) {
+    return matrix(5, 1,
+                  {entry(five, 0) + entry(five, 4), entry(five, 1) - entry(five, 2), sin(entry(five, 2)),
+                   entry(five, 3) + entry(five, 4), last});
+  };
+  const Box cube(5, Interval{-1, 1});
+  CHECK_NOTHROW(static_cast<void>(
+      Theorem::one_zero(five, system(entry(five, 4)), Box(5, Interval{Rational(-1, 2), Rational(1, 2)}))));
+  REFUSES(Theorem::one_zero(five, system(entry(five, 0) - entry(five, 3)), cube));
+  REFUSES(Theorem::one_zero(five, system(entry(five, 4) - 2), cube));
+  REFUSES(Theorem::every_zero(five, system(entry(five, 4)), cube, {cube}));
   REFUSES(Theorem::one_zero(n, Term(n) - Rational(1, 2), {{0, 1}}));
   REFUSES(Theorem::every_zero(x, power(X, 2) - 1, {{-2, 2}}, {{{Rational(1, 2), Rational(3, 2)}}}));
   REFUSES(Theorem::every_zero(x, power(X, 2) - 1, {{-2, 2}}, {}));

@@ -26,6 +26,32 @@ TEST_CASE("names: a variable that looks like something else is a variable") {
   REFUSES(Theorem::combination(equal(applied, defined), {}, {d}));
 }
 
+TEST_CASE("what is built alike is one term, and what only looks alike is not") {
+  const auto named = [](const std::string& name) {
+    const Variable bound{name};
+    return for_all(bound, less(0, bound));
+  };
+  CHECK(named("a") == named("b"));
+  CHECK(to_string(named("a")) == "for all a: (0 < a)");  // each with its own hint
+  CHECK(to_string(named("b")) == "for all b: (0 < b)");
+  CHECK(to_string(for_all(y, less(x, y))) == "for all y: (x < y)");
+  CHECK(to_string(exists(y, for_all(x, less(x, y)))) == "there is y: for all x: (x < y)");
+  CHECK(Term(x) + y == Term(x) + y);
+  CHECK_FALSE(Term(x) + y == Term(y) + x);
+  const Variable column{"x", {Sort::real, 2, 1}}, integer{"x", integer_number};
+  CHECK_FALSE(Term(x) == Term(column));
+  CHECK_FALSE(Term(x) == Term(integer));
+  CHECK_FALSE(power(x, 2) == power(x, 3));
+  CHECK_FALSE(entry(column, 0) == entry(column, 1));
+  CHECK_FALSE(matrix(1, 2, {x, y}) == matrix(2, 1, {x, y}));
+  const Definition d("f", {x}, x), e("f", {x}, Term(x) + 1), g("f", {y}, y);
+  CHECK_FALSE(d({y}) == e({y}));
+  CHECK_FALSE(d({y}) == g({y}));  // another parameter's name: another definition
+  CHECK(d({y}) == Definition("f", {x}, x)({y}));
+  CHECK((Term(x) + 1).variables() == Variables{x});
+  CHECK(((Term(x) + 1) * (Term(y) + 2)).variables() == Variables{x, y});
+}
+
 TEST_CASE("fresh names cannot be guessed: every name a rule makes up is bound at once") {
   for (const std::string name : {"t1", "t2", "t3", "symbol1", "c0", "s0"}) {
     const Variable guess{name};

@@ -44,6 +44,33 @@ TEST_CASE("what fails where the values and the inequalities of the assumptions h
   CHECK(negative.status == Status::undecided);
 }
 
+TEST_CASE("what fails for a motion from any state is refuted; where no motion is known to exist, it is not") {
+  const Statement false_at_most_points = equation(z10, 0);
+  const Statement law = equation(derivative(X(t)), first_order(K) * X(t) + column({0, 0, 0, eta * us}));
+  const Assumption phase{"phase", during(0, tau, law)}, begins{"begins", equation(Z(0), Z0)};
+  const auto status = [&](const std::vector<Assumption>& assumptions) {
+    return record(claim(false_at_most_points, assumptions)).status;
+  };
+  CHECK(status({phase, begins}) == Status::refuted);
+  // Z(0) = Z_0 = E Z_0 has z_1(0) = 0.
+  CHECK(status({phase, begins, {"too", equation(Z(0), E * Z0)}}) == Status::undecided);
+  CHECK(status({phase, begins, {"too", equation(Z(tau), E * Z0)}}) == Status::undecided);
+  CHECK(status({phase, begins, {"second", during(tau, Theta, law)}}) == Status::undecided);
+  // A law with a sign may hold for no motion at all.
+  const Statement coulomb = equation(
+      derivative(X(t)), first_order(K) * X(t) + column({0, 0, 0, eta * us * sign(component(3, X(t)))}));
+  CHECK(status({{"law", almost_always(0, tau, coulomb)}, begins}) == Status::undecided);
+  CHECK(status({{"law", almost_always(0, tau, law)}, begins}) == Status::undecided);
+  // So may one that is not linear, or whose force is not finite at all times.
+  const Term state = X(t), speed = component(3, state);
+  CHECK(status({{"law", during(0, tau, equation(derivative(state), column({0, 0, 0, speed * speed})))},
+                begins}) == Status::undecided);
+  CHECK(status({{"law", during(0, tau, equation(derivative(state), column({0, 0, 0, tan(t)})))}, begins}) ==
+        Status::undecided);
+  CHECK(status({{"law", during(0, tau, equation(derivative(state), first_order(K) * X(t + 1)))}, begins}) ==
+        Status::undecided);
+}
+
 TEST_CASE("a claim that prints nothing is no theorem") {
   Claim silent = claim(equation(tau, tau), {}, by_kernel("nothing to prove", [](Derivation& d, std::size_t) {
                          return d.follows(d.read(equation(tau, tau)));

@@ -1,6 +1,8 @@
 // Section 6, Appendices 4 and 5: what is decided, on what it rests, and that wrong statements do not pass.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/prover.hpp"
@@ -95,6 +97,38 @@ TEST_CASE(
   CHECK(altered("31.even", equation(omega, omega1 / 3)) != Truth::proved);
   CHECK(altered("33", equation(z20, q2 * cos(phi) - d02 + epsilon * lambda2)) != Truth::proved);
   CHECK(altered("33", equation(z10, q1 * cos(phi) - d01 - epsilon)) != Truth::proved);
+}
+
+TEST_CASE("the family of orbits starts as (34) and (35) say, which are not used where det H_3 = 0") {
+  CHECK(record("33.even.start").outcome.by_kernel);
+  CHECK(hypotheses("33.even.start") == hypotheses("33.back"));
+  CHECK(record("33.even.orbits").outcome.uses ==
+        std::set<std::string>{"27", "33.even", "33.even.speed", "33.even.start", "5"});
+  CHECK(record("33.even.orbits").outcome.hypotheses.empty());
+  int tried = 0;
+  const auto survivors = proved_mutants(paper().claims, {"33.even.start"}, tried);
+  CHECK(tried > 20);
+  // The first row of Lambda is (1, 1), so that it does not see in which row phi_1 and phi_2 stand.
+  CHECK(survivors.size() == 2);
+  CHECK(
+      std::ranges::all_of(survivors, [](const std::string& one) { return one.find("[1, 0]*") != one.npos; }));
+  // With the opposite phase the belt would have to move.
+  Claim other = claim_named(paper().claims, "33.even.start");
+  other.assumptions.back().statement.right = -other.assumptions.back().statement.right;
+  Prover prover(paper().claims);
+  CHECK(other.prove(prover, other).verdict.truth != Truth::proved);
+}
+
+TEST_CASE("without the family of orbits nothing refutes that all orbits are symmetric") {
+  std::vector<Claim> claims = paper().claims;
+  const auto orbits =
+      std::ranges::find_if(claims, [](const Claim& one) { return one.id == "33.even.orbits"; });
+  orbits->prove = [](Prover&, const Claim&) {
+    Outcome outcome;
+    outcome.verdict = Verdict::undecided("not looked at");
+    return outcome;
+  };
+  CHECK(audit(claims, {"7.always"}).records.front().status == Status::undecided);
 }
 
 TEST_CASE("every claim of these places is decided") {

@@ -101,7 +101,7 @@ TEST_CASE("every single edit of Appendix 3 is refuted, or is no change at all") 
       Claim mutant = claim;
       mutant.printed = {edit.statement};
       Outcome outcome = claim.prove(nothing_else, mutant);
-      look_for_witness(outcome, mutant);
+      look_for_witness(outcome, nothing_else, mutant);
       const Verdict& verdict = outcome.verdict;
       const bool other_name = !equal(edit.statement.left, claim.printed.front().left);
       if (verdict.truth == Truth::proved) {

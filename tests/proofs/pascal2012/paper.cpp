@@ -115,6 +115,10 @@ TEST_CASE("(17) is proved from Appendix 2, link by link") {
         std::set<std::string>{"13", "15", "4.T", "9.stick", "t.from", "t.to"});
 }
 
+TEST_CASE("that no slip at the data of Fig. 2 leaves the load's phase free needs a load on both modes") {
+  CHECK(record("S.lag").outcome.uses == std::set<std::string>{"4.lag.needed", "7.modal"});
+}
+
 TEST_CASE("without one of its premises (17) is not proved") {
   std::vector<Claim> claims = paper().claims;
   for (const std::string cut : {"13.E", "44.E", "44.H"}) {

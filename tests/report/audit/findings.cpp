@@ -86,14 +86,17 @@ TEST_CASE("the same hypothesis brought in twice is one group") {
   CHECK(groups[0].inherited_by.empty());
 }
 
-TEST_CASE("the graph leaves out an arrow that others imply") {
+TEST_CASE("the graph has an arrow from a place to each that uses claims of it, once, with their number") {
   Audit audit = sample_audit();
-  audit.records[5].outcome.uses = {"2", "5"};  // 5 uses 2 itself
+  audit.records[5].outcome.uses = {"2", "5", "5.where", "44"};  // 17 and 44 are of A2
   const std::string script = graph_script(sample_paper(), audit);
-  CHECK(script.find("\"5\" -> \"17\"") != std::string::npos);
-  CHECK(script.find("\"2\" -> \"5\"") != std::string::npos);
-  CHECK(script.find("\"2\" -> \"17\"") == std::string::npos);
-  CHECK(script.find("\"5\" -> \"44\"") != std::string::npos);  // by its corrected form
+  const auto has = [&](const std::string& part) { return script.find(part) != std::string::npos; };
+  CHECK(has("\"sec2\" -> \"sec3\" [penwidth=1.00]"));
+  CHECK(has("\"sec3\" -> \"A2\" [penwidth=1.17]"));  // two claims: 5.where, and 5 by 17 and by the corrected
+                                                     // form of 44
+  CHECK_FALSE(has("\"A2\" -> \"A2\""));
+  CHECK_FALSE(has("-> \"sec2\""));
+  CHECK(has("2 claims\\n"));
 }
 
 TEST_CASE("the orbit of a figure is the one with the printed numbers") {

@@ -74,7 +74,10 @@ TEST_CASE("every link of the pages leads somewhere") {
   const std::string statements = page("statements.html");
   const std::string index = page("index.html");
   const std::set<std::string> anchors = matches(statements, "id=\"([^\"]*)\"");
-  for (const std::string& target : matches(index + statements, "href=\"statements.html#([^\"]*)\"")) {
+  for (const std::string& target : matches(index, "href=\"statements.html#([^\"]*)\"")) {
+    CHECK_MESSAGE(anchors.contains(target), target);
+  }
+  for (const std::string& target : matches(statements, "href=\"#([^\"]*)\"")) {
     CHECK_MESSAGE(anchors.contains(target), target);
   }
   const std::set<std::string> own = matches(index, "id=\"([^\"]*)\"");
@@ -85,12 +88,42 @@ TEST_CASE("every link of the pages leads somewhere") {
   CHECK(own.contains("findings"));
 }
 
-TEST_CASE("every statement is a node of the graph and leads to its place") {
-  const std::string index = page("index.html");
-  for (const char * id : {"2", "5", "5.where", "44", "S.tau", "17"}) {
-    CHECK(mentions(index, fmt::format("xlink:href=\"statements.html#{}\"", id)));
+TEST_CASE("every place is a node of the graph and leads to its claims, which name what they use") {
+  const std::string index = page("index.html"), statements = page("statements.html");
+  for (const char * place : {"sec2", "sec3", "sec4", "A2"}) {
+    CHECK(mentions(index, fmt::format("xlink:href=\"statements.html#place-{}\"", place)));
   }
-  CHECK(mentions(index, "class=\"node misprint_corrected\""));
+  CHECK(mentions(statements, "<dt>uses</dt><dd class=\"names\"><a href=\"#2\">2</a>"));
+  CHECK(mentions(statements, "<dt>used by</dt><dd class=\"names\"><a href=\"#44\">44</a>"));
+}
+
+TEST_CASE("a short formula is MathML alone, a long one KaTeX's with MathML inside") {
+  const File short_one{"a.html", "<tex>x_1 &lt; y</tex>"};
+  const File accented{"b.html", "<tex-display>\\dot x = y</tex-display>"};
+  const std::string long_source = "a+b+c+d+e+f+g+h+i+j+k+l+m+n+o+p+q+r+s+t+u";
+  const std::vector<File> set =
+      with_formulas({short_one, accented, {"c.html", "<tex>" + long_source + "</tex>"}});
+  CHECK(set.at(0).content.starts_with("<math>"));
+  CHECK(mentions(set.at(0).content, "<math><msub><mi>x</mi><mn>1</mn></msub>"));
+  CHECK(set.at(1).content.starts_with("<div class=\"formula\"><i class=katex>"));
+  CHECK(set.at(2).content.starts_with("<i class=katex>"));
+  CHECK(mentions(set.at(2).content, "<math>"));
+  CHECK(mentions(set.at(2).content, " aria-hidden=true>"));
+  CHECK_FALSE(mentions(set.at(2).content, "<span"));
+}
+
+TEST_CASE("a matrix too wide for a telephone is set in a row, and one that fits is not") {
+  const std::string wide = "\\cos(\\frac{\\omega_1 \\tau}{2}) + \\sin(\\frac{\\omega_1 \\tau}{2})";
+  const auto display = [](const std::string& entry) {
+    return "<tex-display>\\begin{pmatrix} a &amp; b \\\\ " + entry + " &amp; " + entry +
+           " \\end{pmatrix}</tex-display>";
+  };
+  const std::vector<File> set =
+      with_formulas({{"a.html", display("c")}, {"b.html", display(wide)}, {"c.html", "<tex>x</tex>."}});
+  CHECK(mentions(set.at(0).content, "<mtable>"));
+  CHECK_FALSE(mentions(set.at(1).content, "<mtable>"));
+  CHECK(mentions(set.at(1).content, "<mo>;</mo>"));
+  CHECK(set.at(2).content == "<span class=whole><math><mi>x</mi></math>.</span>");
 }
 
 TEST_CASE("formulas are set, with MathML inside, and none is left as source") {
@@ -136,7 +169,7 @@ TEST_CASE("text is escaped for the page it stands on, nothing of a template rema
   const std::string html = page("index.html");
   const std::string tex = page("audit.tex");
   CHECK(mentions(html, " &amp; "));
-  CHECK(mentions(html, "&quot;0&quot;."));
+  CHECK(mentions(page("statements.html"), "&quot;0&quot;."));
   CHECK(mentions(tex, "for $x < y$ \\& $y$ $>$ ''0''."));
   CHECK(mentions(tex, "$u_s$ is 100\\% of \\{$F$\\}"));
   CHECK(mentions(tex, "$\\omega-\\omega_1\\neq 0$"));

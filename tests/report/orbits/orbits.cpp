@@ -1,5 +1,6 @@
 // Lists of orbits as JSON and on a terminal.
 #include "report/orbits/orbits.hpp"
+#include "numeric/families/family.hpp"
 
 #include <doctest/doctest.h>
 
@@ -56,6 +57,11 @@ void check_orbit(const Json& orbit, const OrbitQuestion& q) {
     for (const Json& mu : orbit.at("multipliers")) {
       check_ball(mu.at("re"));
       check_ball(mu.at("im"));
+    }
+    if (orbit.at("stability") == "stable") {
+      expected.insert("contact");
+      check_ball(orbit.at("contact").at("margin"));
+      check_ball(orbit.at("contact").at("at"));
     }
   }
   std::set<std::string> found;

@@ -4,9 +4,10 @@
   browser.py DIRECTORY [--screenshots DIRECTORY]
 
 Fails when a link, an anchor or a picture leads nowhere, when anything is fetched that is not a local file, when the
-console has an error, when a formula is left as source, when a page is wider than a telephone, or when something keeps a
-reader from it (accessibility.js), in light and dark, or when a filter shows what it should not. Needs Debian's
-chromium-driver and python3-selenium.
+console has an error, when a formula is left as source, when a page is wider than a telephone or a formula than its
+page, or when something keeps a reader from it (accessibility.js), in light and dark, or when a filter shows what it
+should not. Needs Debian's chromium-driver and python3-selenium.
+A page has at most two million bytes, for it is read on a telephone, too.
 """
 import argparse
 import os
@@ -18,6 +19,7 @@ from urllib.parse import urldefrag, urljoin, urlsplit
 
 WIDTHS = {"phone": 360, "desktop": 1400}
 SCHEMES = ("light", "dark")
+MOST_BYTES = 2_000_000
 
 ACCESSIBILITY = pathlib.Path(__file__).with_name("accessibility.js").read_text()
 
@@ -35,7 +37,7 @@ return {
   broken: [...document.images].filter((i) => !i.complete || i.naturalWidth === 0).map((i) => i.src),
   fetched: performance.getEntriesByType("resource").map((r) => r.name),
   anchors: anchors,
-  formulas: document.querySelectorAll(".katex").length,
+  formulas: document.querySelectorAll("math").length,
   silent: [...document.querySelectorAll(".katex")].filter((k) => !k.querySelector("math")).length,
   wrong: document.querySelectorAll("tex, tex-display, .katex-error, katex-version").length,
   source: source ? source[0] + " in: " + body.textContent.substr(Math.max(0, source.index - 40), 90) : "",
@@ -63,6 +65,13 @@ for (const control of [...form.elements].filter((one) => one.name)) {
   }
 }
 return wrong;
+"""
+
+# Formulas and tables that do not fit. The overview of the paper's parts is a map, and no wider than a desktop.
+SCROLLED = r"""
+return [...document.querySelectorAll(".formula, .wide, pre")]
+  .filter((part) => part.scrollWidth > part.clientWidth + 1 && !(part.matches(".graph") && innerWidth < 600))
+  .map((part) => `${part.className} in ${(part.closest("[id]") || document.body).id}`);
 """
 
 LANDS = r"""
@@ -122,6 +131,8 @@ class Check:
         for name, count in found["anchors"].items():
             if count > 1:
                 self.fault(page, f"{count} elements have the id {name}")
+        if page.stat().st_size > MOST_BYTES:
+            self.fault(page, f"it has {page.stat().st_size} bytes")
         if found["formulas"] == 0:
             self.fault(page, "it has no formula")
         if found["silent"]:
@@ -151,6 +162,8 @@ class Check:
         wide = self.driver.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
         if wide > 0:
             self.fault(page, f"{where}: it is {wide} pixels wider than the window")
+        for name in self.driver.execute_script(SCROLLED):
+            self.fault(page, f"{where}: {name} has to be scrolled for")
         for sentence in self.driver.execute_script(ACCESSIBILITY):
             self.fault(page, f"{where}: {sentence}")
 

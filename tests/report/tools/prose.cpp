@@ -17,6 +17,7 @@ TEST_CASE("what is marked is set as a formula") {
   CHECK(prose_tex("$H(t)^{-1} H_2^2$") == "$H ( t )^ { - 1 } H_2^ 2$");
   CHECK(prose_tex("the $a$ of $(a, b)$ ($phi = k pi$, the paper has 0)") ==
         "the $a$ of $( a , b )$ ($\\varphi = k \\pi$, the paper has 0)");
+  CHECK(prose_tex("$a sqrt((b + sqrt(c))/d) + e$") == "$a \\sqrt{( b + \\sqrt{c} ) / d} + e$");
   CHECK(prose_tex("$tau = 1.5 ± 2e-7$") == "$\\tau = 1.5 \\pm 2 \\cdot 10^{-7}$");
 }
 

@@ -1,0 +1,23 @@
+// What the files of the command line share: each add_… adds a command, or options to one. Parsing a command
+// fills its options and makes them the request.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/arguments.hpp"
+
+namespace stickslip::cli {
+
+// --chi, --eta, … for those of a machine, whose load is cos(omega t); the same and --phi; --example and
+// --params.
+void add_machine(CLI::App& command, TypedParameters& parameters);
+void add_parameters(CLI::App& command, TypedParameters& parameters);
+void add_sources(CLI::App& command, std::string& example, std::string& file, const PaperInHelp& paper);
+void add_jobs(CLI::App& command, std::string& text);
+
+void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, const PaperInHelp& paper);
+void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,
+                    const PaperInHelp& paper);
+void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper);
+
+}  // namespace stickslip::cli

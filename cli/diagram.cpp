@@ -1,0 +1,161 @@
+// stickslip attractors --along and --plane.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/machine_file.hpp"
+#include "cli/numbers.hpp"
+#include "cli/orbit_data.hpp"
+#include "cli/output.hpp"
+#include "core/decimal.hpp"
+#include "core/interruption.hpp"
+#include "report/orbits/diagram.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/plot.hpp"
+
+namespace stickslip::cli {
+
+using namespace numeric::attractors;
+using Options = AttractorsOptions;
+
+namespace {
+
+void require_sense(const Options& o) {
+  if (!o.along.empty() && !o.plane.empty()) {
+    throw UsageError("--along and --plane are two questions: give one of them");
+  }
+  if (!o.units.empty()) {
+    throw UsageError("--units is not for --along and --plane: their numbers are those of the data taken");
+  }
+  const bool along = !o.along.empty();
+  for (const auto& [name, text, fits] :
+       {std::tuple("--values", &o.values, along), std::tuple("--pixels", &o.pixels, !along),
+        std::tuple("--through", &o.through, !along), std::tuple("--starts", &o.starts, along),
+        std::tuple("--seed", &o.seed, along)}) {
+    if (!text->empty() && !fits) {
+      throw UsageError(fmt::format("{} is not for {}", name, along ? "--along" : "--plane"));
+    }
+  }
+}
+
+// "A..B" with A < B.
+std::pair<Rational, Rational> ends(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    throw UsageError(fmt::format("along: '{}' is no interval A..B, such as 0.1..0.5", text));
+  }
+  const Rational from = exact_number("along", text.substr(0, dots));
+  const Rational to = exact_number("along", text.substr(dots + 2));
+  if (from >= to) {
+    throw UsageError(fmt::format("along: '{}' does not rise: A..B needs A < B", text));
+  }
+  return {from, to};
+}
+
+std::array<int, 2> plane(const std::string& text) {
+  const auto& names = report::orbits::coordinates;
+  const std::size_t comma = text.find(',');
+  std::array<int, 2> across{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string name = comma == std::string::npos ? text
+                             : k == 0                   ? text.substr(0, comma)
+                                                        : text.substr(comma + 1);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end() || comma == std::string::npos) {
+      throw UsageError(fmt::format("plane: '{}' is not two of x1, x2, x1', x2', such as x1,x2", text));
+    }
+    across[k] = static_cast<int>(found - names.begin());
+  }
+  if (across[0] == across[1]) {
+    throw UsageError(fmt::format("plane: '{}' names one coordinate twice", text));
+  }
+  return across;
+}
+
+// Before long work.
+void require_outputs(const Options& o) {
+  if (!o.csv.empty()) {
+    report::tools::require_writable_file(o.csv);
+  }
+  if (!o.plot.empty()) {
+    (void)report::tools::plot_format(o.plot);
+    report::tools::require_plot(o.plot);
+  }
+}
+
+bool is_empty(const Diagram& d) {
+  return std::all_of(d.points.begin(), d.points.end(),
+                     [](const DiagramPoint& point) { return point.attractors.empty(); });
+}
+bool is_empty(const Basins& b) {
+  return b.attractors.empty();
+}
+
+template <class Result>
+ExitCode finish(const Result& result, const Options& o, const ParameterFile& file) {
+  if (!o.csv.empty()) {
+    const std::filesystem::path csv = o.csv;
+    report::tools::write_files(csv.has_parent_path() ? csv.parent_path() : ".",
+                               {{csv.filename().string(), report::orbits::to_csv(result)}});
+  }
+  if (!o.plot.empty() && is_empty(result)) {
+    tell(fmt::format("There is nothing to draw: {} is not written.", o.plot));
+  } else if (!o.plot.empty()) {
+    report::tools::write_plot(o.plot,
+                              report::orbits::plot_script(result, report::tools::plot_format(o.plot)));
+  }
+  print(o.json ? report::tools::to_text(with_machine(report::orbits::to_json(result), file))
+               : machine_report(file) + report::orbits::terminal_report(result, terminal_style()));
+  return result.interrupted ? exit_interrupted : exit_decided;
+}
+
+}  // namespace
+
+ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
+  require_sense(o);
+  const ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed);
+  const auto whole = [](const char * name, const std::string& text, int most, int otherwise) {
+    return whole_number(name, text, most, otherwise);
+  };
+  const AttractorQuestion machine_asked{
+      machine(paper, o.parameters, file.parameters, o.example,
+              whole("digits", o.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits)),
+      whole("starts", o.starts, Options::most_starts, Options::default_starts_at_value),
+      static_cast<std::uint64_t>(whole("seed", o.seed, Options::greatest_number, 1)),
+      whole("most-periods", o.most_periods, Options::greatest_number, Options::default_most_periods)};
+  const Jobs limit = jobs(o.jobs);
+  if (!o.along.empty()) {
+    const auto [from, to] = ends(o.along[1]);
+    const long values = whole("values", o.values, Options::most_values, Options::default_values);
+    if (values < 2) {
+      throw UsageError("values: a diagram needs at least 2");
+    }
+    require_outputs(o);
+    const Diagram diagram = [&] {
+      const Interruptible scope;
+      const Progress progress("following the starts ...");
+      return diagram_of({machine_asked, o.along[0], from, to, values});
+    }();
+    return finish(diagram, o, file);
+  }
+  BasinsQuestion question{machine_asked, plane(o.plane), {}, {}};
+  if (o.pixels == "1") {
+    throw UsageError("pixels: a picture needs at least 2");
+  }
+  const long pixels = whole("pixels", o.pixels, Options::most_pixels, Options::default_pixels);
+  question.pixels = {pixels, pixels};
+  if (!o.through.empty()) {
+    question.through = four_numbers("through", o.through);
+  }
+  require_outputs(o);
+  const Basins basins = [&] {
+    const Interruptible scope;
+    const Progress progress("following the starts ...");
+    return basins_of(question);
+  }();
+  return finish(basins, o, file);
+}
+
+}  // namespace stickslip::cli

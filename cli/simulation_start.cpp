@@ -1,0 +1,116 @@
+#include "cli/simulation_start.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "cli/named_orbit.hpp"
+#include "cli/numbers.hpp"
+#include "cli/orbit_data.hpp"
+#include "cli/output.hpp"
+#include "numeric/families/family.hpp"
+#include "proofs/methods/example_orbits.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/tools/numbers.hpp"
+
+namespace stickslip::cli {
+
+using namespace numeric;
+using namespace numeric::motion;
+using namespace numeric::simulation;
+using proofs::methods::Paper;
+
+namespace {
+
+constexpr int digits_of_ur = 17;
+
+// The beginning of the orbit.
+Start start_of_orbit(const Orbit& orbit) {
+  const MotionOf<double> motion = in_double(orbit.motion);
+  const PhaseOf<double>& first = motion.phases.front();
+  Start start{motion.oscillator.data, 0, first.load, first.Z};
+  start.X.head<2>() += motion.oscillator.d0;
+  for (const NamedBall& value : orbit.values) {
+    if (value.name == "ur") {
+      start.ur = value.value.approximate();
+    }
+  }
+  return start;
+}
+
+SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, const Paper& paper) {
+  const NamedOrbit named = named_orbit(options.orbit, paper, options.parameters, file, options.example,
+                                       OrbitsOptions::default_digits);
+  const OrbitQuestion& asked = named.list.question;
+  const Orbit& orbit = named.orbit();
+  if (!asked.ur && !families::has_stick(*asked.family)) {
+    throw UsageError(
+        fmt::format("a simulation needs --ur: the largest that the orbit {} allows, ur_max, is {}",
+                    options.orbit, report::tools::rounded(orbit.value("ur_max"), 5)));
+  }
+  if (orbit.admissible.truth == Truth::refuted) {
+    tell(fmt::format("The orbit {} is {}; the motion leaves it.", options.orbit,
+                     report::orbits::verdict_on(orbit)));
+  }
+  const model::Parameters<Range>& a = asked.parameters;
+  const Rational ur =
+      asked.ur ? asked.ur->middle : parse_rational(to_text(orbit.value("ur"), digits_of_ur).mid);
+  return {start_of_orbit(orbit),
+          {{a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle},
+           ur,
+           OrbitsOptions::default_digits}};
+}
+
+void replace(double& value, const TypedParameters& typed, const char * name) {
+  if (const auto found = typed.find(name); found != typed.end()) {
+    value = number(name, found->second);
+  }
+}
+
+// From a state, or from the orbit of an example.
+SimulationStart from_state(const SimulateOptions& options, const ParameterFile& file, const Paper& paper) {
+  TypedParameters typed = file.parameters;
+  if (file.machine) {
+    typed["phi"] = to_string(file.machine->machine.load_phase);
+  }
+  for (const auto& [name, text] : options.parameters) {
+    typed[name] = text;
+  }
+  Start start;
+  if (!options.example.empty()) {
+    start = start_of_orbit(printed_orbit(example_named(paper.examples, options.example)));
+  } else {
+    require_given(typed, {parameter_names.begin(), parameter_names.end()});
+  }
+  model::Parameters<double>& a = start.data;
+  replace(a.chi, typed, "chi");
+  replace(a.eta, typed, "eta");
+  replace(a.us, typed, "us");
+  replace(a.V, typed, "V");
+  replace(a.omega, typed, "omega");
+  replace(a.p, typed, "p");
+  replace(start.phi, typed, "phi");
+  replace(start.ur, typed, "ur");
+  if (!options.state.empty()) {
+    start.X = four_numbers("state", options.state);
+  }
+  typed.erase("phi");
+  return {start, machine(paper, typed, {}, options.example, OrbitsOptions::default_digits)};
+}
+
+}  // namespace
+
+SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file, const Paper& paper) {
+  if (options.example.empty() && options.state.empty() && options.orbit.empty()) {
+    throw UsageError("a start is missing: give --state x1,x2,x1',x2', --example or --orbit");
+  }
+  SimulationStart from =
+      options.orbit.empty() ? from_state(options, file, paper) : from_orbit(options, file, paper);
+  if (!options.perturb.empty()) {
+    from.start.X += four_numbers("perturb", options.perturb);
+  }
+  return from;
+}
+
+}  // namespace stickslip::cli

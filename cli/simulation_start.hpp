@@ -1,0 +1,25 @@
+// Where a simulation starts, from what the user types.
+#pragma once
+
+#include "cli/arguments.hpp"
+#include "cli/machine_file.hpp"
+#include "numeric/simulation/run.hpp"
+#include "numeric/words/word_orbit.hpp"
+#include "proofs/methods/paper.hpp"
+
+namespace stickslip::cli {
+
+struct SimulationStart {
+  numeric::simulation::Start start;
+  // The same machine for what proves orbits of it. Of an orbit whose ur is a result: ur to 17 digits.
+  numeric::words::WordQuestion machine;
+};
+
+// The state that is given, or where the example's orbit or orbit K of a family begins; what the options say
+// goes before what the file says. What is in the file and a result of the family's is left out of it.
+// Searches for the orbits. Throws UsageError for what is missing or malformed and for an orbit that there is
+// not, DomainError as list_orbits does.
+[[nodiscard]] SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file,
+                                               const proofs::methods::Paper& paper);
+
+}  // namespace stickslip::cli

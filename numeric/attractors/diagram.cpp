@@ -1,0 +1,112 @@
+#include "numeric/attractors/diagram.hpp"
+
+#include <map>
+
+#include "core/error.hpp"
+#include "core/interruption.hpp"
+#include "numeric/attractors/settle.hpp"
+#include "numeric/attractors/starts.hpp"
+
+namespace stickslip::numeric::attractors {
+
+using model::Vector4;
+
+namespace {
+
+// The machine with one of its data replaced.
+words::WordQuestion with(words::WordQuestion machine, const std::string& name, const Rational& value) {
+  motion::ExactParameters& a = machine.data;
+  const std::map<std::string, Rational *> all{{"chi", &a.chi},    {"eta", &a.eta},     {"us", &a.us},
+                                              {"V", &a.V},        {"omega", &a.omega}, {"p", &a.p},
+                                              {"ur", &machine.ur}};
+  const auto found = all.find(name);
+  if (found == all.end()) {
+    throw UsageError("'" + name +
+                     "' is none of chi, eta, us, V, omega, p and ur, which a diagram can be along");
+  }
+  *found->second = value;
+  return machine;
+}
+
+std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, const Attractor& a) {
+  std::vector<Vector4<double>> states{a.state};
+  if (a.is_too_slow) {
+    return states;
+  }
+  simulation::Simulation simulation(motion::parameters_as<double>(machine.data),
+                                    scalars::scalar<double>(machine.ur), 0, a.state);
+  const bool moves = a.kind != Kind::stuck && a.kind != Kind::unsettled;
+  const long count = a.kind == Kind::periodic ? std::min(a.periods, most_once) : moves ? most_once : 1;
+  while (static_cast<long>(states.size()) < count && !interrupted()) {
+    simulation.advance(simulation.period());
+    states.push_back(simulation.state());
+  }
+  return states;
+}
+
+}  // namespace
+
+Diagram diagram_of(const DiagramQuestion& question) {
+  Diagram result{question, {}, false};
+  std::optional<DomainError> outside;
+  bool any = false;
+  for (long k = 0; k < question.values; ++k) {
+    DiagramPoint point;
+    Rational share(k, question.values - 1);
+    share.canonicalize();
+    point.value = question.from + (question.to - question.from) * share;
+    AttractorQuestion here = question.machine;
+    here.machine = with(here.machine, question.parameter, point.value);
+    try {
+      const AttractorList list = find_attractors(here);
+      if (list.interrupted) {
+        result.interrupted = true;
+        return result;
+      }
+      point.attractors = list.attractors;
+      for (const Attractor& a : list.attractors) {
+        point.once.push_back(once_a_period(here.machine, a));
+      }
+      any = true;
+    } catch (const DomainError& error) {
+      outside = error;
+      point.outside = error.what();
+    }
+    result.points.push_back(std::move(point));
+  }
+  if (!any && outside) {
+    throw DomainError(*outside);
+  }
+  return result;
+}
+
+Basins basins_of(const BasinsQuestion& question) {
+  const StartBox box = start_box(motion::parameters_as<double>(question.machine.machine.data));
+  Basins result{question, {}, {}, {}, false};
+  const auto [i, j] = question.across;
+  const Vector4<double> middle = question.through.value_or(box.middle);
+  const auto at = [&](int axis, long pixel, long count) {
+    return middle(axis) +
+           box.half(axis) * (2 * (static_cast<double>(pixel) + 0.5) / static_cast<double>(count) - 1);
+  };
+  for (long row = 0; row < question.pixels[1]; ++row) {
+    for (long column = 0; column < question.pixels[0]; ++column) {
+      Vector4<double> X = middle;
+      X(i) = at(i, column, question.pixels[0]);
+      X(j) = at(j, row, question.pixels[1]);
+      result.starts.push_back(X);
+    }
+  }
+  const AttractorList list = find_attractors_from(question.machine, result.starts);
+  result.attractors = list.attractors;
+  result.interrupted = list.interrupted;
+  result.at.resize(result.starts.size());
+  for (std::size_t a = 0; a < list.attractors.size(); ++a) {
+    for (const std::size_t start : list.attractors[a].members) {
+      result.at[start] = a;
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip::numeric::attractors

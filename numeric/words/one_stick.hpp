@@ -1,0 +1,17 @@
+// All periodic orbits of a word of two or three phases of which one is a stick, by the search of
+// zeros/search.hpp for their durations: ST, OT, OTS, OST.
+#pragma once
+
+#include "numeric/words/complete_list.hpp"
+
+namespace stickslip::numeric::words {
+
+// Every motion of the word over n periods that closes and obeys the friction law is among the orbits or in an
+// unresolved part. So is every other that closes with positive durations, but where n/omega is a whole number
+// and no phase lasts longer than pi but the stick. None of these obeys the law: x1'' + x1 = chi x2 returns
+// after n Theta, a multiple of 2 pi, only if the integral of (x2' - V) exp(i t) over the motion is zero. But
+// where x2' - V has one sign on less than half a turn, or first one and then the other on such a stretch
+// each, some cos(t - t0) has the same signs. Assumes the domain of words and such a word.
+[[nodiscard]] WordList all_with_one_stick(const WordQuestion& question, const Word& word, long periods);
+
+}  // namespace stickslip::numeric::words

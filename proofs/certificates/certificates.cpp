@@ -1,0 +1,152 @@
+#include "proofs/certificates/certificates.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/interruption.hpp"
+#include "proofs/certificates/prelude.hpp"
+#include "proofs/certificates/script.hpp"
+#include "proofs/certificates/statements.hpp"
+#include "proofs/methods/prover.hpp"
+
+namespace stickslip::proofs::certificates {
+
+namespace {
+
+using methods::Outcome;
+using methods::Record;
+
+class Writer {
+ public:
+  explicit Writer(const std::vector<methods::Claim>& claims) : prover_(claims) {}
+
+  // After all that its proof uses.
+  void add(const std::string& id) {
+    if (!seen_.insert(id).second) {
+      return;
+    }
+    const Record& record = prover_.prove(id);
+    std::set<std::string> uses = record.outcome.uses;
+    for (const std::optional<Outcome>& other : {record.corrected, record.converse}) {
+      if (other) {
+        uses.insert(other->uses.begin(), other->uses.end());
+      }
+    }
+    uses.erase(id);
+    std::for_each(uses.begin(), uses.end(), [&](const std::string& used) { add(used); });
+    try {
+      write(record);
+    } catch (const kernel::KernelError& error) {
+      library_.erase(file_name(id));
+      result_.uncertified.push_back({id, error.what()});
+    }
+  }
+
+  [[nodiscard]] Certificates finished() {
+    for (const auto& [name, text] : prelude()) {
+      result_.files.push_back({name, text});
+    }
+    std::string text = "(* The definitions that the certificates speak of. *)\n" + requires_({"Calculus"});
+    for (const kernel::Definition& definition : definitions_) {
+      text += "\n" + coq_definition(definition);
+    }
+    result_.files.push_back({"Definitions.v", text});
+    result_.files.push_back({"Makefile", makefile()});
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] static std::string requires_(const std::vector<std::string>& names) {
+    return fmt::format("From Stickslip Require Import {}.\nOpen Scope R_scope.\n", fmt::join(names, " "));
+  }
+
+  void write(const Record& record) {
+    const std::string& id = record.claim.id;
+    Certificate certificate{
+        .claim = id, .name = file_name(id), .theorems = {}, .imports = {}, .says = fingerprint(record)};
+    Script script(certificate.name, library_);
+    for (const NamedTheorem& one : named_theorems(record)) {
+      certificate.theorems.push_back(one.name);
+      script.add(one.name, one.theorem, one.about);
+    }
+    if (certificate.theorems.empty()) {
+      result_.uncertified.push_back({id, without_theorem(record)});
+      return;
+    }
+    certificate.imports = script.imports();
+    for (const kernel::Definition& definition : script.definitions()) {
+      if (std::find(definitions_.begin(), definitions_.end(), definition) == definitions_.end()) {
+        for (const kernel::Definition& other : definitions_) {
+          if (definition_name(other) == definition_name(definition)) {
+            throw kernel::KernelError("two definitions have the name " + other.name());
+          }
+        }
+        definitions_.push_back(definition);
+      }
+    }
+    // Calculus last: its names are those of Coq's own library.
+    std::vector<std::string> needed{"Algebra"};
+    needed.insert(needed.end(), script.needs().begin(), script.needs().end());
+    needed.insert(needed.end(), {"Calculus", "Definitions"});
+    needed.insert(needed.end(), certificate.imports.begin(), certificate.imports.end());
+    std::string text = fmt::format("{}\n{}", requires_(needed), script.text());
+    for (const std::string& theorem : certificate.theorems) {
+      text += fmt::format("Print Assumptions {}.\n", theorem);
+    }
+    result_.files.push_back({certificate.name + ".v", text});
+    result_.certificates.push_back(certificate);
+  }
+
+  // make -k -j: a file of its own for each claim, and what coqc says of it in NAME.log, with the seconds it
+  // took.
+  [[nodiscard]] std::string makefile() const {
+    std::string text =
+        "# make -k -j: has Coq check all certificates; what it says of each is in NAME.log.\n"
+        "SHELL = /bin/bash\nTIMEOUT ?= 600\n"
+        "ifeq (,$(shell command -v coqc))\n"
+        "$(error there is no coqc here: install Debian's coq, libcoq-coquelicot and libcoq-interval)\n"
+        "endif\nall:";
+    for (const Certificate& certificate : result_.certificates) {
+      text += fmt::format(" {}.vo", certificate.name);
+    }
+    text +=
+        "\n%.vo: %.v\n"
+        "\t@TIMEFORMAT='seconds %U'; { time timeout $(TIMEOUT) coqc -w none -Q . Stickslip $< ; } > $*.log "
+        "2>&1 \\\n"
+        "\t  || { rm -f $@; echo \"$*: Coq does not accept it: see $*.log\"; exit 1; }\n"
+        ".PHONY: all\n"
+        "Matrices.vo:\nAlgebra.vo: Matrices.vo\nCalculus.vo Inverses.vo Numbers.vo: "
+        "Algebra.vo\nKrawczyk.vo Definitions.vo: Calculus.vo\n";
+    for (const Certificate& certificate : result_.certificates) {
+      text += fmt::format("{}.vo: Inverses.vo Numbers.vo Krawczyk.vo Definitions.vo", certificate.name);
+      for (const std::string& import : certificate.imports) {
+        text += fmt::format(" {}.vo", import);
+      }
+      text += "\n";
+    }
+    return text;
+  }
+
+  methods::Prover prover_;
+  Library library_;
+  Certificates result_;
+  std::vector<kernel::Definition> definitions_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+Certificates certificates(const std::vector<methods::Claim>& claims, const std::set<std::string>& ids) {
+  Writer writer(claims);
+  for (const methods::Claim& claim : claims) {
+    if ((ids.empty() || ids.contains(claim.id)) && !interrupted()) {
+      writer.add(claim.id);
+    }
+  }
+  return writer.finished();
+}
+
+}  // namespace stickslip::proofs::certificates

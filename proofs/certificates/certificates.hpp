@@ -1,0 +1,47 @@
+// Claims as files for the proof assistant Coq, whose kernel then checks every step again.
+//
+// A certificate states the kernel's sequents of a claim in full and proves them from the definitions of
+// real numbers and functions, by lemmas that retrace the derivation. Nothing is taken on trust: there is no
+// axiom, and nothing admitted, in any file. prelude/ says what a derivative or a matrix is.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/certificates/statements.hpp"
+
+namespace stickslip::proofs::certificates {
+
+struct File {
+  std::string name;
+  std::string text;
+};
+
+struct Certificate {
+  std::string claim;                  // its id
+  std::string name;                   // of the file, without ".v"
+  std::vector<std::string> theorems;  // their names in Coq, in the order of what the claim prints; then of
+                                      // the corrected form, then of the converse
+  std::set<std::string> imports;      // names of other certificates
+  std::string says;                   // the fingerprint of what its theorems say
+};
+
+// A claim that has none, or none any more than in part.
+struct Uncertified {
+  std::string claim;
+  std::string reason;
+};
+
+struct Certificates {
+  std::vector<Certificate> certificates;  // each after those that it imports
+  std::vector<Uncertified> uncertified;
+  std::vector<File> files;  // all that coqc needs: prelude, definitions, certificates, a Makefile
+};
+
+// Of the claims with these ids (all if there are none) and of what they rest on. Proves them first. Throws
+// InternalError for an unknown id. After an interruption (core/interruption.hpp) only of some.
+[[nodiscard]] Certificates certificates(const std::vector<methods::Claim>& claims,
+                                        const std::set<std::string>& ids = {});
+
+}  // namespace stickslip::proofs::certificates

@@ -1,0 +1,247 @@
+#include "proofs/certificates/phases.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "proofs/certificates/coq_terms.hpp"
+
+namespace stickslip::proofs::certificates {
+
+using namespace kernel;
+
+namespace {
+
+// Powers of atoms, by their text; and a sum of rational multiples of such.
+using Monomial = std::map<std::string, long>;
+using Linear = std::map<Monomial, Rational>;
+
+Linear scaled(const Linear& sum, const Rational& factor, const Monomial& by) {
+  Linear result;
+  for (const auto& [monomial, coefficient] : sum) {
+    Monomial product = monomial;
+    for (const auto& [atom, power] : by) {
+      if ((product[atom] += power) == 0) {
+        product.erase(atom);
+      }
+    }
+    result[product] += coefficient * factor;
+  }
+  return result;
+}
+
+void add(Linear& total, const Linear& more) {
+  for (const auto& [monomial, coefficient] : more) {
+    if ((total[monomial] += coefficient) == 0) {
+      total.erase(monomial);
+    }
+  }
+}
+
+Linear times(const Linear& a, const Linear& b) {
+  Linear result;
+  for (const auto& [monomial, coefficient] : b) {
+    add(result, scaled(a, coefficient, monomial));
+  }
+  return result;
+}
+
+Linear linear(const Term& term);
+
+Linear reciprocal(const Term& term) {
+  const Linear inverted = linear(term);
+  if (inverted.size() != 1) {
+    return {{{{coq(term), -1}}, 1}};
+  }
+  Monomial monomial = inverted.begin()->first;
+  for (auto& [atom, power] : monomial) {
+    power = -power;
+  }
+  return {{monomial, 1 / inverted.begin()->second}};
+}
+
+Linear linear(const Term& term) {
+  switch (term.kind()) {
+    case Kind::number:
+      return term.value() == 0 ? Linear{} : Linear{{{}, term.value()}};
+    case Kind::sum: {
+      Linear total;
+      for (const Term& part : term.parts()) {
+        add(total, linear(part));
+      }
+      return total;
+    }
+    case Kind::product:
+      if (term.parts()[0].type().is_scalar() && term.parts()[1].type().is_scalar()) {
+        return times(linear(term.parts()[0]), linear(term.parts()[1]));
+      }
+      break;
+    case Kind::power: {
+      Linear total{{{}, 1}};
+      for (long k = term.value().get_num().get_si(); k > 0; --k) {
+        total = times(total, linear(term.parts()[0]));
+      }
+      return total;
+    }
+    case Kind::inverse:
+      return reciprocal(term.parts()[0]);
+    default:
+      break;
+  }
+  return {{{{coq(term), 1}}, 1}};
+}
+
+std::string text(const Monomial& monomial) {
+  std::string product;
+  for (const auto& [atom, power] : monomial) {
+    for (long k = std::abs(power); k > 0; --k) {
+      product += product.empty() ? (power < 0 ? "/ " + atom : atom) : (power < 0 ? " / " : " * ") + atom;
+    }
+  }
+  const bool one_atom = monomial.size() == 1 && monomial.begin()->second == 1;
+  return product.empty() ? "1" : one_atom ? product : "(" + product + ")";
+}
+
+void collect(const Term& term, std::set<Term>& seen, std::set<Term>& arguments) {
+  if (!seen.insert(term).second || term.kind() == Kind::lambda) {
+    return;
+  }
+  for (const Term& part : term.parts()) {
+    collect(part, seen, arguments);
+  }
+  if (term.kind() == Kind::cosine || term.kind() == Kind::sine) {
+    arguments.insert(term.parts()[0]);
+  }
+}
+
+// Without parentheses: what differs without them differs in Coq.
+std::string bare(std::string text) {
+  std::erase_if(text, [](char c) { return c == '(' || c == ')'; });
+  return text;
+}
+
+const Monomial pi{{"PI", 1}};
+
+// A multiple of pi without whole turns: more than -2, less than 2. What is between stays, for the double of
+// an angle is to be seen as such.
+Rational within_turn(const Rational& coefficient) {
+  mpz_class turns;
+  mpz_tdiv_q(turns.get_mpz_t(), coefficient.get_num_mpz_t(),
+             mpz_class(2 * coefficient.get_den()).get_mpz_t());
+  return coefficient - Rational(2 * turns);
+}
+
+// A multiple of a phase: a monomial divided by a whole number.
+struct Part {
+  Monomial monomial;
+  Rational coefficient;
+};
+
+bool is_quarters(const Part& part) {
+  return part.monomial == pi && Rational(part.coefficient * 2).get_den() == 1;
+}
+
+// By which numbers a monomial is divided: those of its coefficients, in as few phases as have no factor in
+// common; fractions of pi with nothing in common are phases of their own.
+class Divisors {
+ public:
+  void add(const Part& part) {
+    mpz_class divisor = part.coefficient.get_den();
+    std::vector<mpz_class>& known = divisors_[part.monomial];
+    for (auto one = known.begin(); one != known.end();) {
+      if (part.monomial != pi || gcd(*one, divisor) > 1) {
+        divisor = lcm(*one, divisor);
+        one = known.erase(one);
+      } else {
+        ++one;
+      }
+    }
+    known.push_back(divisor);
+  }
+  [[nodiscard]] mpz_class of(const Part& part) const {
+    const std::vector<mpz_class>& known = divisors_.at(part.monomial);
+    return *std::find_if(known.begin(), known.end(), [&](const mpz_class& one) {
+      return Rational(part.coefficient * one).get_den() == 1;
+    });
+  }
+  [[nodiscard]] static std::string phase(const Monomial& monomial, const mpz_class& divisor) {
+    return divisor == 1 ? text(monomial) : fmt::format("({} / {})", text(monomial), divisor.get_str());
+  }
+  [[nodiscard]] std::vector<std::string> phases() const {
+    std::vector<std::string> all;
+    for (const auto& [monomial, known] : divisors_) {
+      for (const mpz_class& divisor : known) {
+        all.push_back(phase(monomial, divisor));
+      }
+    }
+    return all;
+  }
+
+ private:
+  std::map<Monomial, std::vector<mpz_class>> divisors_;
+};
+
+void repeat(std::vector<std::string>& parts, const std::string& part, const Rational& times) {
+  if (abs(times) > 40) {
+    throw KernelError("a phase is taken more than 40 times");
+  }
+  for (long k = std::abs(times.get_num().get_si()); k > 0; --k) {
+    parts.push_back(times < 0 ? fmt::format("- {}", part) : part);
+  }
+}
+
+}  // namespace
+
+Phases phases_of(const std::vector<Term>& terms) {
+  std::set<Term> seen, arguments;
+  for (const Term& term : terms) {
+    collect(term, seen, arguments);
+  }
+  struct Sum {
+    std::vector<Part> parts;
+    Rational turns = 0;
+  };
+  std::map<Term, Sum> sums;
+  Divisors divisors;
+  for (const Term& argument : arguments) {
+    Sum& sum = sums[argument];
+    for (const auto& [monomial, coefficient] : linear(argument)) {
+      Part part{monomial, coefficient};
+      if (monomial == pi) {
+        part.coefficient = within_turn(coefficient);
+        sum.turns = (coefficient - part.coefficient) / 2;
+      }
+      sum.parts.push_back(part);
+      if (!is_quarters(part)) {
+        divisors.add(part);
+      }
+    }
+  }
+  Phases result{.arguments = {}, .phases = divisors.phases()};
+  std::set<std::string> done;
+  for (const auto& [argument, sum] : sums) {
+    std::vector<std::string> parts;
+    for (const Part& part : sum.parts) {
+      if (is_quarters(part)) {
+        repeat(parts, "(PI / 2)", part.coefficient * 2);
+      } else {
+        const mpz_class divisor = divisors.of(part);
+        repeat(parts, Divisors::phase(part.monomial, divisor), part.coefficient * divisor);
+      }
+    }
+    // Last, so that they go first.
+    repeat(parts, "(2 * PI)", sum.turns);
+    const std::string shown = coq(argument);
+    if (shown == "0" || (parts.size() == 1 && parts[0] == shown) || !done.insert(shown).second) {
+      continue;
+    }
+    const std::string all = parts.empty() ? "0" : fmt::format("{}", fmt::join(parts, " + "));
+    // Another term than the argument, so that the two can be told apart.
+    result.arguments.push_back({shown, bare(all) == bare(shown) ? all + " + 0" : all});
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs::certificates

@@ -1,0 +1,25 @@
+// Arguments of cos and sin as sums of phases, for the addition theorems.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/kernel/theorem.hpp"
+
+namespace stickslip::proofs::certificates {
+
+struct Expansion {
+  std::string argument;  // of cos or sin, in Coq
+  std::string sum;       // "(omega1 * tau) + (omega1 * tau) + - (PI / 2)": what it equals
+};
+
+struct Phases {
+  std::vector<Expansion> arguments;  // those that are not a phase themselves
+  std::vector<std::string> phases;
+};
+
+// Of all cos and sin in the terms, which are as Coq will have them: definitions that are to be looked into
+// are unfolded. Nothing is proved here; Coq checks each sum.
+[[nodiscard]] Phases phases_of(const std::vector<kernel::Term>& terms);
+
+}  // namespace stickslip::proofs::certificates

@@ -1,0 +1,163 @@
+(* What the steps of a certificate are made of: sums of multiples, signs of products, cos and sin of sums. *)
+From Stickslip Require Export Matrices.
+
+(* ---- logic *)
+
+Lemma trichotomy : forall a b : R,
+  (a < b \/ a = b \/ b < a) /\ ~ (a < b /\ a = b) /\ ~ (a < b /\ b < a) /\ ~ (a = b /\ b < a) /\
+  ((a <= b -> a < b \/ a = b) /\ (a < b \/ a = b -> a <= b)) /\
+  ((b <= a -> a = b \/ b < a) /\ (a = b \/ b < a -> b <= a)).
+Proof. intros. repeat split; lra. Qed.
+
+Lemma zero_product : forall a b : R, a * b = 0 -> a = 0 \/ b = 0.
+Proof. exact Rmult_integral. Qed.
+
+Lemma sine_is_positive : forall x, 0 < x < PI -> 0 < sin x.
+Proof. intros x []. now apply sin_gt_0. Qed.
+
+Lemma square_root : forall a, 0 <= a -> exists x, 0 <= x /\ x ^ 2 = a.
+Proof.
+  intros a L. exists (sqrt a). split; [apply sqrt_pos|]. now rewrite <- Rsqr_pow2, Rsqr_sqrt.
+Qed.
+
+(* Truth tables: classical logic of sentences. *)
+Ltac truth_table := intros; apply NNPP; tauto.
+
+(* ---- sums of multiples *)
+
+Lemma by_difference : forall a b T : R, a + -1 * b = T -> T = 0 -> a = b.
+Proof. intros; lra. Qed.
+Lemma by_difference_m : forall r c (A B T : Mat r c),
+  mplus A (mscal (-1) B) = T -> T = mzero r c -> A = B.
+Proof. intros r c A B T E Z. apply mequal. now rewrite E. Qed.
+Lemma by_less : forall a b T : R, b + -1 * a = T -> 0 < T -> a < b.
+Proof. intros; lra. Qed.
+Lemma by_at_most : forall a b T : R, b + -1 * a = T -> 0 <= T -> a <= b.
+Proof. intros; lra. Qed.
+Lemma less_gap : forall a b : R, a < b -> 0 < b + -1 * a.
+Proof. intros; lra. Qed.
+Lemma at_most_gap : forall a b : R, a <= b -> 0 <= b + -1 * a.
+Proof. intros; lra. Qed.
+
+Lemma zero_plus : forall a b : R, a = 0 -> b = 0 -> a + b = 0.
+Proof. intros; lra. Qed.
+Lemma zero_mplus : forall r c (A B : Mat r c), A = mzero r c -> B = mzero r c -> mplus A B = mzero r c.
+Proof. intros r c A B -> ->. apply mplus_zero. Qed.
+
+(* A product of what is positive and of squares. *)
+Ltac positive_product :=
+  first
+    [ assumption
+    | match goal with
+      | |- 0 < _ * _ => apply Rmult_lt_0_compat; positive_product
+      | |- 0 <= _ * _ => apply Rmult_le_pos; positive_product
+      | |- 0 <= _ ^ 2 => apply pow2_ge_0
+      | |- 0 < 1 ^ 2 => lra
+      | |- 0 <= _ => apply Rlt_le; assumption
+      | |- _ => lra
+      end ].
+(* A sum of such products, and of zeros. *)
+Ltac positive_sum :=
+  first
+    [ positive_product
+    | match goal with
+      | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; positive_sum
+      | |- 0 < _ + _ =>
+          first [ apply Rplus_lt_le_0_compat; positive_sum | apply Rplus_le_lt_0_compat; positive_sum ]
+      end ].
+
+(* ---- cos and sin *)
+
+Lemma circle : forall x, cos x * cos x = 1 - sin x * sin x.
+Proof. intros. pose proof (sin2_cos2 x). unfold Rsqr in *. lra. Qed.
+
+Lemma cos_quarter : cos (PI / 2) = 0.
+Proof. exact cos_PI2. Qed.
+Lemma sin_quarter : sin (PI / 2) = 1.
+Proof. exact sin_PI2. Qed.
+
+Lemma cos_turn : forall x, cos (x + 2 * PI) = cos x.
+Proof. intros. rewrite cos_plus, cos_2PI, sin_2PI. ring. Qed.
+Lemma sin_turn : forall x, sin (x + 2 * PI) = sin x.
+Proof. intros. rewrite sin_plus, cos_2PI, sin_2PI. ring. Qed.
+Lemma cos_turn_back : forall x, cos (x + - (2 * PI)) = cos x.
+Proof. intros. rewrite cos_plus, cos_neg, sin_neg, cos_2PI, sin_2PI. ring. Qed.
+Lemma sin_turn_back : forall x, sin (x + - (2 * PI)) = sin x.
+Proof. intros. rewrite sin_plus, cos_neg, sin_neg, cos_2PI, sin_2PI. ring. Qed.
+Ltac no_turns C := repeat rewrite ?cos_turn, ?sin_turn, ?cos_turn_back, ?sin_turn_back in C.
+
+(* The equation `E : argument = sum of phases` is used for cos and sin of the argument in the goal. *)
+Ltac expand_circle E :=
+  match type of E with
+  | ?x = _ =>
+      let c := fresh "c" in
+      let s := fresh "s" in
+      let C := fresh "C" in
+      let S := fresh "S" in
+      generalize (f_equal cos E) (f_equal sin E);
+      generalize (cos x) (sin x);
+      intros c s C S;
+      no_turns C; no_turns S;
+      repeat rewrite ?cos_plus, ?sin_plus, ?cos_neg, ?sin_neg, ?cos_2PI, ?sin_2PI, ?cos_quarter, ?sin_quarter, ?cos_0, ?sin_0 in C;
+      repeat rewrite ?cos_plus, ?sin_plus, ?cos_neg, ?sin_neg, ?cos_2PI, ?sin_2PI, ?cos_quarter, ?sin_quarter, ?cos_0, ?sin_0 in S;
+      subst c s
+  end.
+
+Lemma zero_of_sine : forall x, sin x = 0 -> exists k : Z, x = (IZR k + 0) * PI.
+Proof. intros x Z. destruct (sin_eq_0_0 x Z) as [k E]. exists k. rewrite E. ring. Qed.
+Lemma zero_of_cosine : forall x, cos x = 0 -> exists k : Z, x = (IZR k + / 2) * PI.
+Proof. intros x Z. destruct (cos_eq_0_0 x Z) as [k E]. exists k. rewrite E. unfold Rdiv. ring. Qed.
+Lemma between_turns : forall m n o k x : R, x = (k + o) * PI -> m * PI < x -> x < n * PI -> m < k + o < n.
+Proof.
+  intros m n o k x -> L U. pose proof PI_RGT_0. split; apply (Rmult_lt_reg_r PI); assumption.
+Qed.
+
+(* ---- entries, and what divides *)
+
+Ltac each_entry :=
+  reduce_matrices;
+  repeat match goal with
+         | |- pair _ _ = pair _ _ => apply f_equal2
+         | |- tt = tt => reflexivity
+         end.
+
+Lemma factor_left : forall a b : R, a * b <> 0 -> a <> 0.
+Proof. intros a b N E. apply N. rewrite E. ring. Qed.
+Lemma factor_right : forall a b : R, a * b <> 0 -> b <> 0.
+Proof. intros a b N E. apply N. rewrite E. ring. Qed.
+Lemma base_of_power : forall (a : R) n, a ^ S n <> 0 -> a <> 0.
+Proof. intros a n N E. apply N. rewrite E. simpl. ring. Qed.
+
+Ltac split_factors :=
+  repeat match goal with
+         | N : ?a * ?b <> 0 |- _ =>
+             pose proof (factor_left a b N); pose proof (factor_right a b N); clear N
+         | N : ?a ^ S _ <> 0 |- _ => apply base_of_power in N
+         end.
+
+(* c <> 0, or several such, because something that is known not to be 0 is a multiple of c, or has it as its
+   numerator. *)
+Ltac nonzero_at n :=
+  repeat match goal with |- _ /\ _ => split end;
+  first
+    [ assumption
+    | exact PI_neq0
+    | lra
+    | apply Rmult_integral_contrapositive_currified; nonzero_at n
+    | apply pow_nonzero; nonzero_at n
+    | apply Rinv_neq_0_compat; nonzero_at n
+    | match n with
+      | S ?m =>
+          match goal with
+          | N : ?d <> 0 |- ?c <> 0 =>
+              let E := fresh in
+              intro E; apply N; clear N;
+              first [ lra | solve [field_simplify_eq; [lra | nonzero_at m]] | solve [field_simplify_eq; [nra | nonzero_at m]] ]
+          end
+      end ].
+Ltac nonzero := nonzero_at 3%nat.
+
+(* An equation between angles. *)
+Ltac angle := first [reflexivity | ring | split_factors; field; nonzero].
+(* One definition or function applied to arguments that are equal. *)
+Ltac same_atom := f_equal; angle.

@@ -1,0 +1,95 @@
+// Derivations as proofs in Coq: a lemma for each step, and a theorem that says what the kernel's says.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "proofs/certificates/coq_terms.hpp"
+#include "proofs/certificates/statements.hpp"
+
+namespace stickslip::proofs::certificates {
+
+struct Lemma {
+  std::string file;
+  std::string name;
+  Stated stated;
+};
+// What has been proved in some file, by what it says: nothing is proved twice.
+struct Library {
+  std::map<std::pair<kernel::Formulas, kernel::Formula>, Lemma> lemmas;
+  std::map<std::string, Lemma> tautologies;
+  std::vector<kernel::Theorem> alive;  // so that a step's address is its own
+
+  // Null if it is not there.
+  [[nodiscard]] const Lemma * find(const kernel::Theorem& theorem) const;
+  // Forgets the lemmas of a file.
+  void erase(const std::string& file);
+};
+
+// One file of lemmas, which may use those of earlier files.
+class Script {
+ public:
+  Script(const std::string& file, Library& library) : file_(file), library_(library) {}
+
+  // Adds "Theorem name : forall (x : R) …, A -> … -> C", the sequent of the theorem in full, after a comment.
+  // Throws KernelError for a rule that has no counterpart in Coq yet.
+  void add(const std::string& name, const kernel::Theorem& theorem, const std::string& comment = {});
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  // Other files that it needs.
+  [[nodiscard]] const std::set<std::string>& imports() const { return imports_; }
+  // Files of the prelude that it needs beyond those that every certificate does.
+  [[nodiscard]] const std::set<std::string>& needs() const { return needs_; }
+  // Those that the lemmas speak of, each after those that it needs.
+  [[nodiscard]] const std::vector<kernel::Definition>& definitions() const { return definitions_; }
+
+ private:
+  // What stands around a proof: the names of hypotheses, and the variables.
+  struct Scope {
+    std::map<kernel::Formula, std::string> hypotheses;
+    kernel::Variables variables;
+  };
+  void count(const kernel::Theorem& theorem);
+  const Lemma& lemma(const kernel::Theorem& theorem);
+  const Lemma& imported(const Lemma& lemma);
+  void state(const std::string& word, const Lemma& lemma, const kernel::Theorem& theorem);
+  // The lemma applied, with values for its variables.
+  [[nodiscard]] std::string applied(const Lemma& lemma, const Scope& scope,
+                                    const kernel::Substitution& values = {}) const;
+  // A proof of the theorem as a term: a lemma applied, or the step itself where it is no more than a word.
+  [[nodiscard]] std::string term(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string inlined(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string hypothesis(const kernel::Formula& formula, const Scope& scope) const;
+  // A proof as tactics, of the last step.
+  [[nodiscard]] std::string tactics(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string combination(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string solved(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string order(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string sign(const kernel::Theorem& theorem);
+  [[nodiscard]] std::string one_zero(const kernel::Theorem& theorem);
+  [[nodiscard]] std::string consequence(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] static bool is_calculus(const std::string& rule);
+  [[nodiscard]] std::string calculus(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string zeros_between(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string by_composition(const kernel::Theorem& theorem, const Scope& scope);
+  struct Zeros;
+  void add_zero(Zeros& zeros, const kernel::Term& left, const kernel::Theorem& equation,
+                const kernel::Term& right, const Scope& scope);
+  // left = right by normal form, with the step's definitions unfolded and its divisors.
+  [[nodiscard]] std::string normal_form(const kernel::Term& left, const kernel::Term& right,
+                                        const kernel::Step& step, const Scope& scope) const;
+
+  std::string fresh(const std::string& word) { return word + std::to_string(++count_); }
+
+  std::string text_;
+  std::vector<kernel::Definition> definitions_;
+  std::map<const kernel::Step *, int> uses_;
+  std::string file_;
+  Library& library_;
+  std::set<std::string> imports_;
+  std::set<std::string> needs_;
+  int count_ = 0;
+};
+
+}  // namespace stickslip::proofs::certificates

@@ -1,0 +1,193 @@
+// The rules of calculus.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "proofs/certificates/script.hpp"
+
+namespace stickslip::proofs::certificates {
+
+using namespace kernel;
+
+namespace {
+
+// Whether a conclusion is of a function with matrices for values.
+bool of_matrices(const Theorem& theorem) {
+  const Formula& formula = theorem.conclusion();
+  const bool of_function = formula.kind() == Kind::derivative || formula.kind() == Kind::continuous;
+  return of_function && (formula.parts()[0].type().rows > 1 || formula.parts()[0].type().columns > 1);
+}
+
+// Lemmas of the prelude: name, how many of its arguments Coq finds itself, and how many more if it is of
+// matrices.
+struct Named {
+  const char * lemma;
+  int found;
+};
+const std::map<std::string, Named> lemmas{
+    {"continuous_within", {"continuous_within", 5}},
+    {"monotone", {"monotone", 3}},
+    {"same_derivative", {"same_derivative", 6}},
+    {"unique_derivative", {"unique_derivative", 4}},
+    {"finite_part", {"finite_part", 2}},
+    {"finite_union", {"finite_union", 2}},
+};
+
+std::string blanks(int count) {
+  std::string text;
+  for (int k = 0; k < count; ++k) {
+    text += " _";
+  }
+  return text;
+}
+
+}  // namespace
+
+bool Script::is_calculus(const std::string& rule) {
+  return lemmas.contains(rule) || rule == "constant" || rule == "mean_value" || rule == "finite_shift" ||
+         rule == "finite_point" || rule == "differentiate" || rule == "continuity" ||
+         rule == "zeros_between" || rule == "inverse_of";
+}
+
+std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
+  const Step& step = theorem.derivation();
+  if (step.rule == "differentiate" || step.rule == "continuity") {
+    return by_composition(theorem, scope);
+  }
+  if (step.rule == "zeros_between") {
+    return zeros_between(theorem, scope);
+  }
+  if (step.rule == "inverse_of") {
+    if (theorem.conclusion().parts()[0].type().rows != 4) {
+      throw KernelError("only inverses of four rows have a counterpart in Coq yet");
+    }
+    needs_.insert("Inverses");
+    return fmt::format("  exact (inverse_of _ _ {}).", term(step.premises[0], scope));
+  }
+  if (step.rule == "finite_point") {
+    return fmt::format("  exact (finite_point {}).", coq(step.data[0]));
+  }
+  std::vector<std::string> premises;
+  std::transform(step.premises.begin(), step.premises.end(), std::back_inserter(premises),
+                 [&](const Theorem& premise) { return term(premise, scope); });
+  if (step.rule == "finite_shift") {
+    return fmt::format("  exact (finite_shift _ {} {}).", coq(step.data[0]), premises[0]);
+  }
+  if (step.rule == "mean_value") {
+    // In the kernel b - 0 is b + 0, of which Coq knows no more than that it is equal.
+    const Term& function = step.premises[0].conclusion().parts()[0];
+    const Formula& rates = step.premises[1].conclusion();
+    const Variable time = kernel::fresh(real_number, {function, rates});
+    return fmt::format(
+        "  destruct (mean_value {} {} _ _ {} {} {}) as [c' [I' E']].\n"
+        "  exists c'. split; [exact I' | cbv beta in E'; lra].",
+        coq(function), coq(lambda(time, opened(rates, time).parts()[1].parts()[2])), premises[2], premises[0],
+        premises[1]);
+  }
+  const bool matrices = of_matrices(step.premises[0]);
+  if (step.rule == "constant") {
+    const bool everywhere = step.premises[1].conclusion().kind() == Kind::for_all;
+    return fmt::format("  exact (constant{}{}{} {}).", everywhere ? "" : "_finite", matrices ? "_m" : "",
+                       blanks(matrices ? 5 : 3), fmt::join(premises, " "));
+  }
+  const Named& named = lemmas.at(step.rule);
+  return fmt::format("  exact ({}{}{} {}).", named.lemma, matrices ? "_m" : "",
+                     blanks(named.found + (matrices ? 2 : 0)), fmt::join(premises, " "));
+}
+
+// The whole numbers k with x = (k + 0)*pi or (k + 1/2)*pi are tried one after the other.
+std::string Script::zeros_between(const Theorem& theorem, const Scope& scope) {
+  const std::vector<Theorem>& premises = theorem.derivation().premises;
+  const bool sine = premises[0].conclusion().parts()[0].kind() == Kind::sine;
+  const Rational offset = sine ? Rational(0) : Rational(1, 2);
+  const Rational from = premises[1].conclusion().parts()[0].parts()[0].value() - offset;
+  mpz_class first;
+  mpz_fdiv_q(first.get_mpz_t(), from.get_num_mpz_t(), from.get_den_mpz_t());
+  first += 1;
+  const std::size_t cases = theorem.conclusion().parts().size();
+  const mpz_class last = first + cases;
+  std::string text = fmt::format(
+      "  destruct ({} _ {}) as [k' E'].\n  destruct (between_turns _ _ _ _ _ E' {} {}) as [L' U'].\n"
+      "  assert ({} - 1 < k')%Z by (apply lt_IZR; rewrite minus_IZR; lra).\n  assert (k' < {})%Z by (apply "
+      "lt_IZR; lra).\n",
+      sine ? "zero_of_sine" : "zero_of_cosine", term(premises[0], scope), term(premises[1], scope),
+      term(premises[2], scope), first.get_str(), last.get_str());
+  for (std::size_t i = 0; i < cases; ++i) {
+    std::string side;
+    for (std::size_t k = 0; k < i; ++k) {
+      side += "right; ";
+    }
+    side += i + 1 < cases ? "left; " : "";
+    text += fmt::format("  destruct (Z.eq_dec k' ({})) as [->|?]; [{}rewrite E'; field|].\n",
+                        mpz_class(first + i).get_str(), side);
+  }
+  return text + "  exfalso; lia.";
+}
+
+// The definitions in a function of time that depend on the time.
+Definitions depending(const Term& function) {
+  const Variable time = kernel::fresh(real_number, {function});
+  Definitions found;
+  const auto visit = [&](const auto& self, const Term& term) -> void {
+    if (!term.variables().contains(time)) {
+      return;
+    }
+    for (const Term& part : term.parts()) {
+      self(self, part);
+    }
+    if (term.kind() == Kind::defined) {
+      found.insert(term.definition());
+      self(self, term.definition().unfolded(term.parts()));
+    }
+  };
+  visit(visit, apply(function, time));
+  return found;
+}
+
+// A derivative or continuity, by the rules for sums, products, …: what depends on the time is looked into,
+// and functions with values in columns are taken apart.
+std::string Script::by_composition(const Theorem& theorem, const Scope& scope) {
+  const Step& step = theorem.derivation();
+  const Definitions definitions = depending(theorem.conclusion().parts()[0]);
+  Variables variables = theorem.conclusion().variables();
+  std::string text;
+  std::vector<std::string> known;
+  std::string entries;
+  for (std::size_t k = 0; k < step.premises.size(); ++k) {
+    const Formula& premise = step.premises[k].conclusion();
+    variables.insert(premise.variables().begin(), premise.variables().end());
+    const std::string name = fmt::format("d'{}", k);
+    text += fmt::format("  pose proof {} as {}.\n", term(step.premises[k], scope), name);
+    known.push_back(name);
+    if (of_matrices(step.premises[k])) {
+      const Type& type = premise.parts()[0].type();
+      for (int i = 0; i < type.rows; ++i) {
+        for (int j = 0; j < type.columns; ++j) {
+          entries += fmt::format("  premise_entry {} {}%nat {}%nat.\n", name, i, j);
+        }
+      }
+    }
+  }
+  for (const Formula& divisor : step.divisors) {
+    known.push_back(hypothesis(divisor, scope));
+  }
+  if (!definitions.empty()) {
+    std::vector<std::string> names;
+    std::transform(definitions.begin(), definitions.end(), std::back_inserter(names),
+                   [](const Definition& definition) { return definition_name(definition); });
+    text += fmt::format("  cbv beta delta [{}]{}.\n", fmt::join(names, " "),
+                        known.empty() ? "" : fmt::format(" in {} |- *", fmt::join(known, ", ")));
+  }
+  for (const Variable& variable : variables) {
+    if (variable.type == function_of_time(4, 1)) {
+      const std::string name = identifier(variable.name);
+      text += fmt::format("  destruct (four_functions {0}) as ({0}'1 & {0}'2 & {0}'3 & {0}'4 & ->).\n", name);
+    }
+  }
+  text += entries;
+  text += of_matrices(theorem) ? "  each_index; reduce_matrices; " : "  reduce_matrices; ";
+  return text + (step.rule == "differentiate" ? "by_derivative." : "continuous.");
+}
+
+}  // namespace stickslip::proofs::certificates

@@ -1,0 +1,240 @@
+// Krawczyk's test.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+#include "proofs/certificates/script.hpp"
+#include "proofs/tactics/model_terms.hpp"
+
+namespace stickslip::proofs::certificates {
+
+using namespace kernel;
+using tactics::Symbolic;
+
+namespace {
+
+using Real = long double;
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+// The partial derivative of a number by a variable.
+Symbolic partial(const Term& term, const Variable& x) {
+  if (!term.variables().contains(x)) {
+    return 0;
+  }
+  const std::vector<Term>& parts = term.parts();
+  switch (term.kind()) {
+    case Kind::variable:
+      return 1;
+    case Kind::sum: {
+      Symbolic total;
+      for (const Term& one : parts) {
+        total += partial(one, x);
+      }
+      return total;
+    }
+    case Kind::product:
+      return partial(parts[0], x) * parts[1] + Symbolic(parts[0]) * partial(parts[1], x);
+    case Kind::power: {
+      const long n = term.value().get_num().get_si();
+      const Symbolic rest = n == 1 ? Term(1) : n == 2 ? parts[0] : power(parts[0], n - 1);
+      return Symbolic(Term(n)) * rest * partial(parts[0], x);
+    }
+    case Kind::cosine:
+      return -(Symbolic(kernel::sin(parts[0])) * partial(parts[0], x));
+    case Kind::sine:
+      return Symbolic(kernel::cos(parts[0])) * partial(parts[0], x);
+    default:
+      throw KernelError("such a derivative has no form in Coq yet: " + to_string(term));
+  }
+}
+
+// In floating point: what Coq is told to try.
+Real estimated(const Term& term, const std::map<Variable, Real>& values) {
+  const auto part = [&](std::size_t i) { return estimated(term.parts()[i], values); };
+  switch (term.kind()) {
+    case Kind::number:
+      return static_cast<Real>(term.value().get_d());
+    case Kind::pi:
+      return std::numbers::pi_v<Real>;
+    case Kind::variable:
+      return values.at({term.name(), term.type()});
+    case Kind::sum: {
+      Real total = 0;
+      for (std::size_t i = 0; i < term.parts().size(); ++i) {
+        total += part(i);
+      }
+      return total;
+    }
+    case Kind::product:
+      return part(0) * part(1);
+    case Kind::power:
+      return std::pow(part(0), static_cast<Real>(term.value().get_d()));
+    case Kind::inverse:
+      return 1 / part(0);
+    case Kind::cosine:
+      return std::cos(part(0));
+    case Kind::sine:
+      return std::sin(part(0));
+    default:
+      throw KernelError("no number in Coq yet: " + to_string(term));
+  }
+}
+
+// Made of rational numbers alone.
+bool is_rational(const Term& term) {
+  const bool made = term.kind() == Kind::number || term.kind() == Kind::sum || term.kind() == Kind::product ||
+                    term.kind() == Kind::power;
+  return made && std::all_of(term.parts().begin(), term.parts().end(), is_rational);
+}
+
+std::string list(const std::vector<std::string>& items) {
+  return items.empty() ? "nil" : fmt::format("({} :: nil)", fmt::join(items, " :: "));
+}
+
+// What is computed is computed in units of 2^-40.
+constexpr int unit_exponent = 40;
+// How far the derivatives may be from those at the middle: 2^-20.
+constexpr long spread = 1L << (unit_exponent - 20);
+// How large f may be in the middle, in parts of the radius: 2^-12.
+constexpr long residual = 1L << (unit_exponent - 12);
+
+std::string in_units(Real value) {
+  return std::to_string(std::llround(std::ldexp(value, unit_exponent)));
+}
+std::string in_units(const Matrix& matrix) {
+  std::vector<std::string> rows;
+  for (const auto& row : matrix.rowwise()) {
+    std::vector<std::string> entries;
+    for (const Real value : row) {
+      entries.push_back(fmt::format("({})", in_units(value)));
+    }
+    rows.push_back(list(entries));
+  }
+  return list(rows) + "%Z";
+}
+
+}  // namespace
+
+// The test of the prelude needs: derivatives, as terms; where they are all over the box; f in the middle; and
+// whole numbers that pass. Each is a lemma of its own.
+std::string Script::one_zero(const Theorem& theorem) {
+  needs_.insert({"Krawczyk", "Numbers"});
+  const Step& step = theorem.derivation();
+  const Variable X{step.data[0].name(), step.data[0].type()};
+  const int n = X.type.rows;
+  const std::string name = fresh(file_ + "_zero");
+  std::vector<Variable> x;
+  std::vector<Rational> middle;
+  std::map<Variable, Real> values;
+  const auto end = [&](int i, int which) {
+    return step.data[static_cast<std::size_t>(3 + 2 * i + which)].value();
+  };
+  const Rational radius = (end(0, 1) - end(0, 0)) / 2;
+  Term f = step.data[1];
+  for (int i = 0; i < n; ++i) {
+    x.push_back({fmt::format("x{}", i)});
+    middle.emplace_back((end(i, 0) + end(i, 1)) / 2);
+    values.emplace(x.back(), static_cast<Real>(middle.back().get_d()));
+    if ((end(i, 1) - end(i, 0)) / 2 != radius) {
+      throw KernelError("a box whose sides differ has no counterpart in Coq yet");
+    }
+    f = replaced(f, entry(X, i), x.back());
+  }
+  if (f.kind() != Kind::matrix || n == 1) {
+    throw KernelError("only systems written out have a counterpart in Coq yet");
+  }
+  const std::string r = coq(radius), size = std::to_string(n);
+  const auto number = [](int i) { return static_cast<std::size_t>(i); };
+
+  std::string letters;
+  std::vector<std::string> centre;
+  for (int i = 0; i < n; ++i) {
+    letters += fmt::format("let x{0} := x {0}%nat in ", i);
+    centre.push_back(coq(middle[number(i)]));
+  }
+  std::vector<std::string> functions, rows;
+  Matrix slopes = Matrix::Zero(n, n), spreads = Matrix::Zero(n, n);
+  std::string bounds, cases;
+  for (int i = 0; i < n; ++i) {
+    const Term& one = f.parts()[number(i)];
+    functions.push_back(coq(one));
+    std::vector<std::string> row;
+    for (int j = 0; j < n; ++j) {
+      const Term slope = partial(one, x[number(j)]).term;
+      row.push_back(coq(slope));
+      slopes(i, j) = estimated(slope, values);
+      if (is_rational(slope)) {
+        cases += fmt::format("  cbv [nth entry_of {0}_J {0}_M {0}_W]; exact_entry.\n", name);
+        continue;
+      }
+      spreads(i, j) = std::ldexp(static_cast<Real>(spread), -unit_exponent);
+      std::string known, call;
+      for (const Variable& variable : slope.variables()) {
+        const std::string k = variable.name.substr(1);
+        known += fmt::format("({0} : R) ({0}_in : {1} + -1 * {2} <= {0} <= {1} + {2}) ", variable.name,
+                             centre[std::stoul(k)], r);
+        call += fmt::format(" (x {0}%nat) (B {0}%nat ltac:(repeat constructor))", k);
+      }
+      bounds += fmt::format(
+          "Lemma {0}_{1}_{2} {3}:\n  Rabs ({4} + -1 * (({5}) / {6})) <= {7} / {6}.\nProof. "
+          "by_coarse_enclosure. Qed.\n",
+          name, i, j, known, row.back(), in_units(slopes(i, j)), 1L << unit_exponent, spread);
+      cases += fmt::format("  exact ({}_{}_{}{}).\n", name, i, j, call);
+    }
+    rows.push_back(list(row));
+  }
+  const Matrix inverse = slopes.inverse();
+  text_ += fmt::format(
+      "(* A system of {1} equations, its derivatives, the middle of the box, and numbers for Krawczyk's "
+      "test. "
+      "*)\n"
+      "Definition {0}_f (x : nat -> R) : list R := {2}{3}.\n"
+      "Definition {0}_J (x : nat -> R) : list (list R) := {2}{4}.\n"
+      "Definition {0}_c : list R := {5}.\n"
+      "Definition {0}_M : list (list Z) := {6}.\nDefinition {0}_Y : list (list Z) := {7}.\n"
+      "Definition {0}_W : list (list Z) := {8}.\n",
+      name, size, letters, list(functions), list(rows), list(centre), in_units(slopes), in_units(inverse),
+      in_units(spreads));
+  text_ += bounds;
+  text_ += fmt::format(
+      "Lemma {0}_slope : slopes {1} {0}_f {0}_J.\nProof. intros i I y d t. each_row. all: cbv [{0}_f {0}_J "
+      "nth "
+      "rsum]; by_derivative. Qed.\n"
+      "Lemma {0}_near x : inbox {1} (fun i => nth i {0}_c 0) {2} x ->\n  near {1} {3}%Z {0}_J {0}_M {0}_W "
+      "x.\n"
+      "Proof.\n  intros B i j I J. revert j J. each_row. all: intros j J; each_row.\n{4}Qed.\n"
+      "Lemma {0}_start : small {1} {3}%Z {2} {0}_f {0}_c {5}%Z.\n"
+      "Proof. intros i I. each_row. all: cbv [{0}_f {0}_c nth]; by_fine_enclosure. Qed.\n\n",
+      name, size, r, 1L << unit_exponent, cases, residual);
+  std::string tuple, sides;
+  for (int i = 0; i < n; ++i) {
+    tuple += fmt::format("{}⟦x {}%nat⟧", i == 0 ? "" : ", ", i);
+    sides += fmt::format(
+        "pose proof (B {0}%nat ltac:(repeat constructor)) as B{0}; cbv [nth {1}_c] in B{0}. ", i, name);
+  }
+  const std::string box =
+      fmt::format("intros k K; clear I; decompose [and] {{}}; each_row; cbv [nth {}_c]; lra", name);
+  return fmt::format(
+      "  destruct (one_zero_listed {0} {1}_f {1}_J {1}_c {2} {3}%Z {1}_Y {1}_M {1}_W {4}%Z) as [[x [B Z]] "
+      "U];\n"
+      "    [lra | reflexivity | exact {1}_slope | exact {1}_near | exact {1}_start | vm_compute; reflexivity "
+      "|].\n"
+      "  split.\n"
+      "  - exists (mat {0} 1 ⟦{5}⟧). split.\n"
+      "    + {6}\n      reduce_matrices; repeat split; lra.\n"
+      "    + apply mequal_entries. intros i j I J. pose proof (Z i I) as Q. each_row; exact Q.\n"
+      "  - intros x0 x1 [[B0 Z0] [B1 Z1]].\n"
+      "    apply mequal_entries. intros i j I J. destruct j as [|j]; [|exfalso; lia].\n"
+      "    apply (U (fun i => ent i 0 x0) (fun i => ent i 0 x1)).\n"
+      "    + {7}.\n    + {8}.\n"
+      "    + intros k K. pose proof (f_equal (ent k 0) Z0) as Q. clear I. each_row; exact Q.\n"
+      "    + intros k K. pose proof (f_equal (ent k 0) Z1) as Q. clear I. each_row; exact Q.\n"
+      "    + exact I.",
+      size, name, r, 1L << unit_exponent, residual, tuple, sides, fmt::format(fmt::runtime(box), "B0"),
+      fmt::format(fmt::runtime(box), "B1"));
+}
+
+}  // namespace stickslip::proofs::certificates

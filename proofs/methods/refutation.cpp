@@ -1,0 +1,237 @@
+#include "proofs/methods/refutation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/derivation.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+#include "proofs/tactics/closed.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace kernel;
+using namespace tactics;
+
+namespace {
+
+namespace paper = symbols::vocabulary;
+
+const Variable time_variable{"t"};
+
+// The values as a claim's assumptions: as far as they are of variables, for what has a formula in the model
+// has no other value.
+Claim claim_of(const Scene& scene) {
+  Claim claim{.id = "refutation"};
+  Reader read;
+  for (const symbols::Statement& value : scene.values) {
+    if (read(value.left).kind() == kernel::Kind::variable) {
+      claim.assumptions.push_back({"value", value});
+    }
+  }
+  return claim;
+}
+
+bool is_of_a_phase(const symbols::Statement& statement) {
+  return statement.during && !statement.during->almost &&
+         equal(statement.left, derivative(paper::X(paper::t)));
+}
+
+// The state in which the phase is said to begin: Z(a) = state, the first that is said.
+symbols::Term start_of(const symbols::Statement& phase, const std::vector<symbols::Statement>& holding) {
+  for (const symbols::Statement& one : holding) {
+    if (one.relation == symbols::Relation::equal && !one.during && one.left.op() == symbols::Op::function &&
+        one.left.name() == "Z" && equal(one.left.arguments().front(), phase.during->from) &&
+        is_in_field(one.right) && !depends_on(one.right, "t")) {
+      return one.right;
+    }
+  }
+  return symbols::zero(4, 1);
+}
+
+// The motions from this state that may obey the phase's equation, as functions of time: by the flow of the
+// slip under each friction or none, with the load or without it, or by that of the stick.
+std::vector<Term> candidates(Derivation& derivation, const symbols::Statement& phase,
+                             const symbols::Term& start) {
+  using symbols::Term;
+  const Term& from = phase.during->from;
+  const Term rest = 2 * paper::delta0, still = symbols::zero(4, 1);
+  const auto forced = [](const Term& time, const Term& shift) { return paper::F(time) - shift; };
+  const auto motion = [&](const symbols::Function& flow, const Term& now, const Term& first) {
+    return kernel::lambda(time_variable,
+                          derivation.read(flow(paper::t - from) * (start - first) + now + paper::delta0));
+  };
+  return {motion(paper::H, paper::F(paper::t), paper::F(from)),
+          motion(paper::H, forced(paper::t, rest), forced(from, rest)), motion(paper::H, still, still),
+          motion(paper::H, -rest, -rest), motion(paper::Gamma, still, still)};
+}
+
+// The formula is "X is continuous on [a, b], and X' = v at each time between", with a function for X.
+Theorem obeys(Derivation& derivation, const Formula& formula) {
+  const Formula &smooth = formula.parts().at(0), &always = formula.parts().at(1);
+  const Variable t = fresh(real_number, {formula});
+  const Formula here = opened(always, t);
+  const Formula &inside = here.parts()[0], &rate = here.parts()[1];
+  const Theorem slope = Theorem::differentiate(rate.parts()[0], t);
+  const Theorem value = derivation.combination(equal(slope.conclusion().parts()[2], rate.parts()[2]));
+  const Theorem moves = derivation.without_divisors(tactics::by_rewriting(slope, value));
+  const Theorem continuous = derivation.without_divisors(
+      Theorem::continuity(smooth.parts()[0], smooth.parts()[1], smooth.parts()[2]));
+  return both({continuous, for_every(t, inside, moves)});
+}
+
+// Where nothing is said: in the domain, with the friction at rest above the other.
+Rational any_value(const std::string& name) {
+  return name == "omega1" ? Rational(1, 2) : name == "omega2" || name == "ur" ? 2 : 1;
+}
+
+// What holds at the scene, for its variables' values.
+class Place {
+ public:
+  Place(Prover& prover, const Scene& scene) : claim_(claim_of(scene)), derivation_(prover, claim_) {
+    for (const Coordinate& coordinate : scene.point) {
+      values_.emplace(Variable{coordinate.name}, Term(coordinate.value));
+    }
+  }
+
+  // Gives values to all of these variables but functions: those of the scene, and any to the others.
+  void give_values(Variables variables) {
+    Substitution given;
+    for (const Assumption& one : claim_.assumptions) {
+      const Term value = derivation_.read(one.statement.right);
+      given.emplace(Variable{one.statement.left.name()}, value);
+      variables.insert(value.variables().begin(), value.variables().end());
+    }
+    for (const Variable& variable : variables) {
+      if (variable.type == real_number && !given.contains(variable)) {
+        values_.emplace(variable, any_value(variable.name));
+      }
+    }
+    for (bool more = true; more;) {  // each in terms of those known, until there are no more
+      more = false;
+      for (const auto& [variable, value] : given) {
+        const Term here = substitute(value, values_);
+        more = (here.variables().empty() && values_.emplace(variable, here).second) || more;
+      }
+    }
+  }
+
+  [[nodiscard]] Derivation& derivation() { return derivation_; }
+
+  // The formula with the motion put in, and its theorem at the place.
+  [[nodiscard]] Theorem holds(const Formula& formula) {
+    const Formula open = substitute(formula, motion_);
+    if (open.kind() == kernel::Kind::equal) {
+      try {
+        return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_));
+      } catch (const KernelError&) {  // it may hold at this point only
+        return certainly(substitute(open, values_));
+      }
+    }
+    return certainly(substitute(open, values_));
+  }
+  [[nodiscard]] Theorem fails(const Formula& formula) const {
+    return certainly_not(substitute(substitute(formula, motion_), values_));
+  }
+
+  // The first of the functions, for X, that obeys the phase, with the theorem. Throws KernelError if none
+  // does.
+  Theorem move(const Formula& phase, const std::vector<Term>& functions) {
+    const Variable X{"X", functions.front().type()};
+    for (const Term& one : functions) {
+      try {
+        const Theorem open = obeys(derivation_, substitute(phase, {{X, one}}));
+        const Theorem here = without_hypotheses(Theorem::instantiate(open, values_));
+        motion_.insert_or_assign(X, one);
+        return here;
+      } catch (const KernelError&) {
+        continue;
+      }
+    }
+    throw KernelError("no motion is known that obeys " + to_string(phase));
+  }
+
+  // ⊢ there are values of all its variables with the formula, which holds here.
+  [[nodiscard]] Theorem exists(const Formula& formula, Theorem theorem) const {
+    Substitution all = values_;
+    for (const auto& [X, function] : motion_) {
+      all.insert_or_assign(X, substitute(function, values_));
+    }
+    const std::vector<Variable> names(formula.variables().begin(), formula.variables().end());
+    for (const Variable& name : names) {
+      if (!all.contains(name)) {
+        throw KernelError(name.name + " has no value at this point");
+      }
+    }
+    std::vector<Formula> steps{formula};  // with the last variables bound
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+      steps.push_back(kernel::exists(*name, steps.back()));
+    }
+    for (std::size_t bound = 1; bound <= names.size(); ++bound) {
+      const Variable& name = names[names.size() - bound];
+      theorem = Theorem::witness(theorem, substitute(steps[bound], all), all.at(name));
+    }
+    return theorem;
+  }
+
+ private:
+  Claim claim_;
+  Derivation derivation_;
+  Substitution values_;  // terms without variables
+  Substitution motion_;  // X in terms of the variables
+};
+
+// The domain of the variables among these.
+std::vector<Formula> domain_of(const Variables& variables) {
+  std::vector<Formula> result;
+  for (const Theorem& one : parameters()) {
+    if (std::ranges::includes(variables, one.conclusion().variables())) {
+      result.push_back(one.conclusion());
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols::Statement>& holding,
+                   const std::vector<symbols::Statement>& failing) {
+  Place place(prover, scene);
+  Derivation& derivation = place.derivation();
+  const auto phase = std::ranges::find_if(holding, is_of_a_phase);
+  std::vector<Formula> held, failed;
+  for (const symbols::Statement& one : holding) {
+    held.push_back(derivation.read(one));
+  }
+  for (const symbols::Statement& one : failing) {
+    failed.push_back(derivation.read(one));
+  }
+  std::vector<Formula> said = held;
+  std::ranges::transform(failed, std::back_inserter(said), negation);
+  const std::vector<Formula> domain = domain_of(all(said).variables());
+  said.insert(said.end(), domain.begin(), domain.end());
+  place.give_values(all(said).variables());
+
+  std::optional<Theorem> moves;
+  if (phase != holding.end()) {
+    moves = place.move(held[static_cast<std::size_t>(phase - holding.begin())],
+                       candidates(derivation, *phase, start_of(*phase, holding)));
+  }
+  std::vector<Theorem> theorems;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const bool is_phase = moves && holding.begin() + static_cast<std::ptrdiff_t>(i) == phase;
+    theorems.push_back(is_phase ? *moves : place.holds(held[i]));
+  }
+  std::ranges::transform(failed, std::back_inserter(theorems),
+                         [&](const Formula& one) { return place.fails(one); });
+  std::ranges::transform(domain, std::back_inserter(theorems),
+                         [&](const Formula& one) { return place.holds(one); });
+  const Theorem result = place.exists(all(said), both(theorems));
+  if (!result.hypotheses().empty()) {
+    throw KernelError("the refutation rests on something");
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,216 @@
+#include "proofs/orbits/along.hpp"
+
+#include <cmath>
+
+namespace stickslip::proofs::orbits {
+
+using namespace kernel;
+using namespace tactics;
+using Wave = model::Wave<Symbolic>;
+
+namespace {
+
+constexpr long bits = 64;
+constexpr int most_halvings = 14;
+
+// Of the ranges those of what occurs.
+Ranges of(const Formula& formula, const Ranges& ranges) {
+  Ranges result;
+  for (const auto& [variable, range] : ranges) {
+    if (formula.variables().contains(variable)) {
+      result.emplace(variable, range);
+    }
+  }
+  return result;
+}
+
+Theorem sign(const Formula& inequality, const Ranges& ranges) {
+  return Theorem::sign(inequality, of(inequality, ranges), bits);
+}
+
+// The theorem without the hypothesis, which is what the lemma says.
+Theorem given(const Theorem& lemma, const Theorem& theorem) {
+  return theorem.hypotheses().contains(lemma.conclusion()) ? Theorem::cut(lemma, theorem) : theorem;
+}
+
+Theorem halved(const Formula& inequality, const Variable& x, Ranges ranges, int depth) {
+  try {
+    return sign(inequality, ranges);
+  } catch (const KernelError&) {
+    if (depth == 0) {
+      throw;
+    }
+  }
+  const Interval whole = ranges.at(x);
+  const Rational middle = (whole.first + whole.second) / 2;
+  ranges[x] = {whole.first, middle};
+  const Theorem left = halved(inequality, x, ranges, depth - 1);
+  ranges[x] = {middle, whole.second};
+  const Theorem right = halved(inequality, x, ranges, depth - 1);
+  return Theorem::consequence({Theorem::discharge(left, at_most(x, middle)),
+                               Theorem::discharge(right, at_most(middle, x)), Theorem::trichotomy(x, middle)},
+                              inequality);
+}
+
+Rational dyadic(const Rational& value) {
+  return {mpz_class(value * 4096), 4096};
+}
+
+// f(b) - f(a) = f'(c) (b - a) for some a < c < b, f being the wave: gives the goal from a < c < b and that.
+template <class Use>
+Theorem by_mean_value(const Wave& wave, const Term& a, const Term& b, const Theorem& order, const Use& use) {
+  const Variable t{"t"}, c{"c"};
+  const Term f = lambda(t, value(wave, t));
+  const Term slope = value(model::derivative(wave), t);
+  const Theorem found = Theorem::differentiate(f, t);
+  const Theorem same = Theorem::combination(equal(found.conclusion().parts()[2], slope));
+  const Theorem rate = tactics::by_rewriting(found, same);
+  const Formula inside = between(a, t, b);
+  const Theorem mean = Theorem::mean_value(Theorem::continuity(f, a, b), for_every(t, inside, rate), order);
+  const Theorem there = Theorem::assume(opened(mean.conclusion(), c));
+  return Theorem::choose(mean, c, use(Term(c), part(there, 0), part(there, 1)));
+}
+
+class Along {
+ public:
+  Along(const Below& question, const Variable& s, const Ranges& ranges)
+      : q_(question),
+        s_(s),
+        ranges_(ranges),
+        length_(enclosure(question.duration, ranges, Rational(1, 1048576))) {}
+
+  Theorem operator()() {
+    // Where one of the ends is near, the slope decides; between them, the value.
+    const Rational whole = dyadic(length_.first);
+    const Rational from = q_.meets_at_start ? found([&](const Rational&d) { return rising(-1, 0, d); }, whole)
+                                            : Rational(0),
+                   to =
+                       q_.meets_at_end
+                           ? whole -
+                                 found([&](const Rational&d) { return rising(1, whole - d, length_.second); },
+                                       whole)
+                           : length_.second;
+    Ranges here = ranges_;
+    here[s_] = {from, to};
+    Theorem result = in_pieces(goal(), s_, here);  // from <= s <= to
+    if (q_.meets_at_start) {
+      result = either(near_start(from), result, from);
+    }
+    result = q_.meets_at_end ? either(result, near_end(to), to) : given(before_end(to), result);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Formula goal() const { return less(value(q_.wave, s_), q_.bound); }
+  // s <= u from s <= duration.
+  [[nodiscard]] Theorem before_end(const Rational& to) const {
+    return Theorem::order(at_most(s_, to), {{{Theorem::assume(at_most(s_, q_.duration))}},
+                                            {{sign(less(q_.duration, to), ranges_)}}});
+  }
+
+  // The slope has this sign in the range.
+  [[nodiscard]] Theorem rising(int direction, const Rational& from, const Rational& to) const {
+    Ranges here = ranges_;
+    const Variable c{"c"};
+    here[c] = {from, to};
+    const Term slope = value(model::derivative(q_.wave), c);
+    return in_pieces(direction < 0 ? less(slope, 0) : less(0, slope), c, here);
+  }
+
+  // The largest of the durations whole/2, whole/4, … for which it works.
+  template <class Try>
+  [[nodiscard]] static Rational found(const Try& attempt, const Rational& whole) {
+    Rational duration = dyadic(whole / 4);
+    for (;;) {
+      try {
+        static_cast<void>(attempt(duration));
+        return duration;
+      } catch (const KernelError&) {
+        duration = duration / 2;
+        if (duration < Rational(1, 1000000)) {
+          throw;
+        }
+      }
+    }
+  }
+
+  // 0 < s, s <= d ⊢ wave(s) < bound, as it falls from the bound.
+  [[nodiscard]] Theorem near_start(const Rational& d) const {
+    const Theorem positive = Theorem::assume(less(0, s_)), early = Theorem::assume(at_most(s_, d));
+    return by_mean_value(
+        q_.wave, 0, s_, positive, [&](const Term& c, const Theorem& where, const Theorem& mean) {
+          Theorem falls = rising(-1, 0, d);
+          falls = given(Theorem::order(at_most(0, c), {{{part(where, 0)}}}), falls);
+          falls = given(Theorem::order(at_most(c, d), {{{part(where, 1)}}, {{early}}}), falls);
+          return Theorem::order(goal(), {{{falls, positive}}}, {{mean, -1}, {*q_.meets_at_start, -1}});
+        });
+  }
+  // d <= s, s < duration ⊢ wave(s) < bound, as it rises to the bound.
+  [[nodiscard]] Theorem near_end(const Rational& d) const {
+    const Theorem before = Theorem::assume(less(s_, q_.duration)), late = Theorem::assume(at_most(d, s_));
+    return by_mean_value(
+        q_.wave, s_, q_.duration, before, [&](const Term& c, const Theorem& where, const Theorem& mean) {
+          Theorem rises = rising(1, d, length_.second);
+          rises = given(Theorem::order(at_most(d, c), {{{part(where, 0)}}, {{late}}}), rises);
+          rises = given(
+              Theorem::order(at_most(c, length_.second),
+                             {{{part(where, 1)}}, {{sign(less(q_.duration, length_.second), ranges_)}}}),
+              rises);
+          return Theorem::order(goal(), {{{rises, before}}}, {{mean}, {*q_.meets_at_end, -1}});
+        });
+  }
+
+  // From what holds for s <= at and what holds for at <= s.
+  [[nodiscard]] Theorem either(const Theorem& before, const Theorem& after, const Rational& at) const {
+    return Theorem::consequence({Theorem::discharge(before, at_most(s_, at)),
+                                 Theorem::discharge(after, at_most(at, s_)), Theorem::trichotomy(s_, at)},
+                                goal());
+  }
+
+  const Below& q_;
+  const Variable& s_;
+  const Ranges& ranges_;
+  Interval length_;  // of the duration
+};
+
+}  // namespace
+
+Interval enclosure(const Term& term, const Ranges& ranges, const Rational& width) {
+  const auto holds = [&](const Term& a, const Term& b) {
+    try {
+      static_cast<void>(sign(less(a, b), ranges));
+      return true;
+    } catch (const KernelError&) {
+      return false;
+    }
+  };
+  Rational low = -1, high = 1;
+  while (!holds(term, high)) {
+    high *= 2;
+  }
+  while (!holds(low, term)) {
+    low *= 2;
+  }
+  while (high - low > width) {
+    const Rational apart = high - low, lower = low + apart * Rational(3, 8),
+                   upper = low + apart * Rational(5, 8);
+    if (holds(term, upper)) {
+      high = upper;
+    } else if (holds(lower, term)) {
+      low = lower;
+    } else {
+      break;
+    }
+  }
+  return {low, high};
+}
+
+Theorem in_pieces(const Formula& inequality, const Variable& x, const Ranges& ranges) {
+  return halved(inequality, x, ranges, most_halvings);
+}
+
+Theorem stays_below(const Below& question, const Variable& s, const Ranges& ranges) {
+  return Along(question, s, ranges)();
+}
+
+}  // namespace stickslip::proofs::orbits

@@ -1,0 +1,38 @@
+// Inequalities along a phase: for all times of it, by signs in balls on pieces, and by the derivative where
+// the two sides meet at an end.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "proofs/orbits/phases.hpp"
+#include "proofs/tactics/tactics.hpp"
+
+namespace stickslip::proofs::orbits {
+
+// Intervals that hold numbers, all of them rational.
+using Ranges = std::map<kernel::Variable, kernel::Interval>;
+
+// Bounds of what the term can be, strict and no farther apart than that where the ranges allow.
+[[nodiscard]] kernel::Interval enclosure(const kernel::Term& term, const Ranges& ranges,
+                                         const Rational& width);
+
+// l <= x, x <= u of the ranges ⊢ the inequality, for x in pieces as small as it takes. Throws KernelError
+// where that does not end.
+[[nodiscard]] kernel::Theorem in_pieces(const kernel::Formula& inequality, const kernel::Variable& x,
+                                        const Ranges& ranges);
+
+// A wave below a bound for all times 0 < s < duration, or from 0 <= s, or to s <= duration.
+struct Below {
+  model::Wave<tactics::Symbolic> wave;
+  kernel::Term bound, duration;
+  // That the wave is the bound at 0, at the duration: the inequality is strict there where nothing says so.
+  std::optional<kernel::Theorem> meets_at_start, meets_at_end;
+};
+
+// What the ranges say, 0 < s (0 <= s), s < duration (s <= duration) ⊢ wave(s) < bound, for a variable s.
+// Throws KernelError where it is not so, or not decided.
+[[nodiscard]] kernel::Theorem stays_below(const Below& question, const kernel::Variable& s,
+                                          const Ranges& ranges);
+
+}  // namespace stickslip::proofs::orbits

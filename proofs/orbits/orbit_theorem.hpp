@@ -1,0 +1,30 @@
+// That an orbit exists, as a theorem of the kernel: motions of (2) and (9), one for each phase, that fit
+// together, return after the period, and obey the friction law (4) at all times.
+#pragma once
+
+#include "proofs/kernel/theorem.hpp"
+#include "proofs/orbits/phases.hpp"
+
+namespace stickslip::proofs::orbits {
+
+// ⊢ there are durations, phi and ur as far as they are no data, and motions X1, X2, … such that
+//   - the durations lie within 1e-9 of what is found, and add up to the period; so do phi, ur and the entries
+//     of X1(0) but for x2', which is V;
+//   - each phase: its motion is continuous, obeys its equation inside, and stays on its side of the belt's
+//     velocity, or sticks with |r| < ur until it ends (definitions slips, overshoots, sticks);
+//   - each motion begins where the one before ends, the first where the last does;
+//   - at each end of a phase the friction at rest is what (4) asks for: a stick ends at r = ur where a slip
+//     follows, at r = -ur where an overshoot does; r < -ur where a slip becomes an overshoot, ur < r where
+//     an overshoot becomes a slip.
+// No hypotheses. `nearly` is a motion near it, from which everything is found. Throws KernelError, with the
+// reason, where one of these does not hold or is not decided.
+[[nodiscard]] kernel::Theorem orbit_theorem(const Question& question, const numeric::motion::Motion& nearly);
+
+// ⊢ there is an orbit as before, and a value of it lies between the ends or, as `outside` says, does not. The
+// value is named as on the command line: tau, T, Theta, phi, ur, x10, z10, … . Throws KernelError where what
+// the orbit theorem says of it does not decide that, or it says nothing.
+[[nodiscard]] kernel::Theorem value_theorem(const kernel::Theorem& orbit, const Question& question,
+                                            const std::string& name, const Rational& lower,
+                                            const Rational& upper, bool outside);
+
+}  // namespace stickslip::proofs::orbits

@@ -1,0 +1,130 @@
+// (39) has solutions for all 0 < chi < 1 and eta > 0: what is proved for all 0 < omega_1 < 1 < omega_2 is
+// proved for all of them.
+#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/kernel/theorem.hpp"
+#include "proofs/methods/implications.hpp"
+#include "proofs/methods/openings.hpp"
+#include "proofs/methods/reading.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+#include "proofs/tactics/tactics.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace methods;
+using namespace kernel;
+using namespace tactics;
+using kernel::Multiple;
+using kernel::Positive;
+
+namespace {
+
+const Variable chi{"chi"}, eta{"eta"}, root{"r"}, omega1{"omega1"}, omega2{"omega2"};
+
+// A number x with 0 ≤ x and x² = a, 0 < a; and the theorem that there is one.
+struct Root {
+  Variable name;
+  Theorem existence, not_negative, square;
+};
+Root root_of(const Variable& name, const Term& a, const Theorem& positive) {
+  const Theorem existence =
+      detach(Theorem::square_root(a), Theorem::order(at_most(0, a), {Positive{{positive}}}));
+  const Theorem here = Theorem::assume(opened(existence.conclusion(), name));
+  return {name, existence, part(here, 0), part(here, 1)};
+}
+
+// The frequencies at chi, eta, as the roots of s⁴ - (1 + chi eta) s² + chi eta (1 - chi): their squares are
+// half of 1 + chi eta ∓ r, r² the discriminant.
+class Frequencies {
+ public:
+  // {0 < chi, chi < 1, 0 < eta} ⊢ there are 0 < omega1 < 1 < omega2 of which chi and eta are what the model
+  // has.
+  [[nodiscard]] static Theorem exist() {
+    const Theorem chi_positive = above(0, chi), chi_below = below(chi, 1), eta_positive = above(0, eta);
+    const Term product = Term(chi) * eta, sum = 1 + product, rest = 1 - product;
+    const Term last = product * (1 - Term(chi)), discriminant = power(sum, 2) - 4 * last;
+    const Positive apart{{chi_positive, chi_positive, eta_positive}, 4};  // the discriminant less rest²
+    const Root r =
+        root_of(root, discriminant, Theorem::order(less(0, discriminant), {apart, Positive{{}, 1, rest}}));
+
+    // |1 - chi eta| < r < 1 + chi eta.
+    const auto below_r = [&](const Term& a) {
+      return below_by_squares(Theorem::order(less(power(a, 2), power(root, 2)), {apart}, {{r.square}}),
+                              r.not_negative, a, root);
+    };
+    const Theorem above_rest = below_r(rest), above_minus_rest = below_r(-rest);
+    const Theorem sum_positive =
+        Theorem::order(at_most(0, sum), {Positive{{}}, Positive{{chi_positive, eta_positive}}});
+    const Theorem below_sum = below_by_squares(
+        Theorem::order(less(power(root, 2), power(sum, 2)),
+                       {Positive{{chi_positive, eta_positive, chi_below}, 4}}, {{r.square, -1}}),
+        sum_positive, root, sum);
+
+    const Rational half(1, 2);
+    const Term first = Term(half) * (sum - root), second = Term(half) * (sum + root);
+    const Theorem first_positive = Theorem::order(less(0, first), {Positive{{below_sum}, half}});
+    const Theorem first_below = Theorem::order(less(first, 1), {Positive{{above_minus_rest}, half}});
+    const Theorem second_above = Theorem::order(less(1, second), {Positive{{above_rest}, half}});
+    const Root x = root_of(omega1, first, first_positive),
+               y = root_of(omega2, second,
+                           Theorem::order(less(0, second), {Positive{{second_above}}, Positive{{}}}));
+    const Theorem one = Theorem::order(at_most(0, 1), {Positive{{}}});
+    const Theorem x_positive = below_by_squares(
+        Theorem::order(less(power(0, 2), power(omega1, 2)), {Positive{{first_positive}}}, {{x.square}}),
+        x.not_negative, 0, omega1);
+    const Theorem x_below = below_by_squares(
+        Theorem::order(less(power(omega1, 2), power(1, 2)), {Positive{{first_below}}}, {{x.square, -1}}), one,
+        omega1, 1);
+    const Theorem y_above = below_by_squares(
+        Theorem::order(less(power(1, 2), power(omega2, 2)), {Positive{{second_above}}}, {{y.square}}),
+        y.not_negative, 1, omega2);
+
+    // omega1² + omega2² - 1 = chi eta and omega1² omega2² = chi eta (1 - chi), by Vieta.
+    const Term D = power(omega1, 2) + power(omega2, 2) - 1, W = power(omega1, 2) * power(omega2, 2);
+    const Theorem of_sum = Theorem::combination(equal(D, product), {{x.square}, {y.square}});
+    const Theorem of_product = Theorem::combination(
+        equal(W, last), {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
+    Reader read;
+    const auto of_model = [&](const symbols::Term& symbol, const Term& value,
+                              const std::vector<Multiple>& because) {
+      const Term meant = read(symbol);
+      const Theorem theorem =
+          nonzero(Theorem::combination(equal(meant, value), because, openings({equal(meant, value)}).all()),
+                  {above(0, omega1), below(omega1, 1), above(1, omega2)});
+      return Theorem::cut(y_above, Theorem::cut(x_below, Theorem::cut(x_positive, theorem)));
+    };
+    const Theorem is_chi = of_model(symbols::vocabulary::chi, chi,
+                                    {{of_sum, (1 - Term(chi)) / D}, {of_product, -1 / D}}),
+                  is_eta = of_model(symbols::vocabulary::eta, eta,
+                                    {{of_sum, (D + product - eta) / (D - W)}, {of_product, eta / (D - W)}});
+    return closed(both({x_positive, x_below, y_above, is_chi, is_eta}), {y, x}, r);
+  }
+
+ private:
+  // ⊢ there are these with the theorem's conclusion; and there is the last.
+  static Theorem closed(Theorem theorem, const std::vector<Root>& named, const Root& last) {
+    for (const Root& one : named) {
+      theorem = Theorem::witness(theorem, exists(one.name, theorem.conclusion()), one.name);
+    }
+    for (const Root& one : named) {
+      theorem = Theorem::choose(one.existence, one.name, theorem);
+    }
+    return Theorem::choose(last.existence, last.name, theorem);
+  }
+};
+
+}  // namespace
+
+Claim frequencies_exist() {
+  return {.id = "39.frequencies",
+          .kind = methods::Kind::theorem,
+          .origin = Origin::auxiliary,
+          .words =
+              "for all $0 < chi < 1$ and $eta > 0$ there are frequencies $0 < omega_1 < 1 < omega_2$ that "
+              "give these $chi$ and $eta$: what is proved for all such frequencies, as everything here, "
+              "is proved for all parameters",
+          .prove = by_theorem("their squares are half of $1 + chi eta$ less and more the root of the "
+                              "discriminant, which lies between $|1 - chi eta|$ and $1 + chi eta$",
+                              Frequencies::exist)};
+}
+
+}  // namespace stickslip::proofs::pascal2012

@@ -1,0 +1,157 @@
+#include "proofs/tactics/closed.hpp"
+
+#include <optional>
+
+namespace stickslip::proofs::tactics {
+
+using namespace kernel;
+
+namespace {
+
+constexpr long bits = 256;
+
+// The first result that is no failure.
+template <class Attempt>
+std::optional<Theorem> where_it_works(const Attempt& attempt) {
+  try {
+    return attempt();
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
+}
+
+void collect_definitions(const Term& term, std::set<Term>& seen, Definitions& found) {
+  if (!seen.insert(term).second) {
+    return;
+  }
+  if (term.kind() == Kind::defined && found.insert(term.definition()).second) {
+    collect_definitions(term.definition().body(), seen, found);
+  }
+  for (const Term& part : term.parts()) {
+    collect_definitions(part, seen, found);
+  }
+}
+
+Theorem equation(const Formula& formula) {
+  const Term &a = formula.parts()[0], &b = formula.parts()[1];
+  if (a == b) {
+    return Theorem::reflexive(a);
+  }
+  std::set<Term> seen;
+  Definitions all;
+  collect_definitions(formula, seen, all);
+  return without_hypotheses(Theorem::combination(formula, {}, all));
+}
+
+// a < b or a ≤ b, the latter also as a = b.
+Theorem inequality(const Formula& formula) {
+  if (const auto by_balls = where_it_works([&] { return Theorem::sign(formula, {}, bits); })) {
+    return *by_balls;
+  }
+  const Term &a = formula.parts()[0], &b = formula.parts()[1];
+  if (formula.kind() == Kind::less) {
+    throw KernelError("it does not hold, or is not decided in balls: " + to_string(formula));
+  }
+  return Theorem::consequence({equation(equal(a, b)), Theorem::trichotomy(a, b)}, formula);
+}
+
+// Two matrices differ in an entry.
+Theorem difference(const Formula& formula) {
+  const Term &a = formula.parts()[0], &b = formula.parts()[1];
+  const Type& type = a.type();
+  if (type.is_scalar()) {
+    return Theorem::sign(negation(formula), {}, bits);
+  }
+  const auto unit = [](int rows, int columns, int which) {
+    std::vector<Term> entries(static_cast<std::size_t>(rows * columns), Term(0));
+    entries[static_cast<std::size_t>(which)] = 1;
+    return matrix(rows, columns, entries);
+  };
+  for (int i = 0; i < type.rows; ++i) {
+    for (int j = 0; j < type.columns; ++j) {
+      const Formula same = equal(entry(a, i, j), entry(b, i, j));
+      const auto found = where_it_works([&] {
+        const Theorem differs = Theorem::sign(negation(same), {}, bits);
+        const Theorem row = Theorem::combination(
+            same, {{Theorem::assume(formula), unit(1, type.rows, i), unit(type.columns, 1, j)}});
+        return Theorem::consequence({Theorem::discharge(row, formula), differs}, negation(formula));
+      });
+      if (found) {
+        return without_hypotheses(*found);
+      }
+    }
+  }
+  throw KernelError("no entry is known to differ: " + to_string(formula));
+}
+
+// By trichotomy, from the opposite inequality.
+Theorem not_below(const Formula& formula) {
+  const Term &a = formula.parts()[0], &b = formula.parts()[1];
+  const Theorem opposite = certainly(formula.kind() == Kind::less ? at_most(b, a) : less(b, a));
+  return Theorem::consequence({opposite, Theorem::trichotomy(a, b)}, negation(formula));
+}
+
+// Of each part, or of one of them.
+Theorem of_all(const Formula& formula, Theorem (*one)(const Formula&), const Formula& conclusion) {
+  std::vector<Theorem> parts;
+  for (const Formula& part : formula.parts()) {
+    parts.push_back(one(part));
+  }
+  return Theorem::consequence(parts, conclusion);
+}
+Theorem of_one(const Formula& formula, Theorem (*one)(const Formula&), const Formula& conclusion) {
+  for (const Formula& part : formula.parts()) {
+    if (const auto found = where_it_works([&] { return one(part); })) {
+      return Theorem::consequence({*found}, conclusion);
+    }
+  }
+  throw KernelError("no part decides it: " + to_string(formula));
+}
+
+}  // namespace
+
+Theorem certainly(const Formula& formula) {
+  switch (formula.kind()) {
+    case Kind::equal:
+      return equation(formula);
+    case Kind::less:
+    case Kind::at_most:
+      return inequality(formula);
+    case Kind::negation:
+      return certainly_not(formula.parts()[0]);
+    case Kind::conjunction:
+      return of_all(formula, certainly, formula);
+    case Kind::disjunction:
+      return of_one(formula, certainly, formula);
+    default:
+      throw KernelError("it is not decided at one point: " + to_string(formula));
+  }
+}
+
+Theorem certainly_not(const Formula& formula) {
+  switch (formula.kind()) {
+    case Kind::equal:
+      return difference(formula);
+    case Kind::less:
+    case Kind::at_most:
+      return not_below(formula);
+    case Kind::negation:
+      return Theorem::consequence({certainly(formula.parts()[0])}, negation(formula));
+    case Kind::conjunction:
+      return of_one(formula, certainly_not, negation(formula));
+    case Kind::disjunction:
+      return of_all(formula, certainly_not, negation(formula));
+    default:
+      throw KernelError("it is not decided at one point: " + to_string(formula));
+  }
+}
+
+Theorem without_hypotheses(Theorem theorem) {
+  const Formulas hypotheses = theorem.hypotheses();
+  for (const Formula& one : hypotheses) {
+    theorem = Theorem::cut(certainly(one), theorem);
+  }
+  return theorem;
+}
+
+}  // namespace stickslip::proofs::tactics

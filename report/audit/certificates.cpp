@@ -1,0 +1,276 @@
+#include "report/audit/certificates.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/versions.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace proofs;
+using tools::Json;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Those of Coq's real numbers and of classical logic.
+const std::set<std::string> allowed_axioms{
+    "ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec",
+    "FunctionalExtensionality.functional_extensionality_dep", "classic"};
+
+Json read_record(const fs::path& path) {
+  const Json record = Json::parse(tools::read_file(path), nullptr, false);
+  if (record.is_discarded() || !record.contains("claims") || !record.contains("program")) {
+    throw InputOutputError(
+        fmt::format("'{}' is no record of certificates; script/certify makes one", path.string()));
+  }
+  return record;
+}
+
+// What coqc said: the axioms of each theorem, and the seconds.
+struct Log {
+  std::size_t theorems = 0;
+  std::set<std::string> axioms;
+  std::string seconds;
+};
+
+Log read_log(const fs::path& path) {
+  Log log;
+  std::istringstream lines(tools::read_file(path));
+  bool axioms = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool begins = line == "Axioms:", closed = line.starts_with("Closed under");
+    log.theorems += begins || closed ? 1 : 0;
+    if (line.starts_with("seconds ")) {
+      log.seconds = line.substr(8);
+      axioms = false;
+    } else if (begins || closed) {
+      axioms = begins;
+    } else if (axioms && !line.empty() && line.front() != ' ') {
+      log.axioms.insert(line.substr(0, line.find_first_of(" :")));
+    }
+  }
+  return log;
+}
+
+bool is_newer(const fs::path& file, const fs::path& than) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file, error);
+  return !error && time >= fs::last_write_time(than, error) && !error;
+}
+
+// Why this claim is not accepted; empty if it is. Fills in what was found.
+std::string look_at(Json& claim, const fs::path& directory, const std::set<std::string>& accepted) {
+  const std::string name = claim.at("file");
+  const fs::path file = directory / name, compiled = fs::path(file).replace_extension(".vo");
+  if (!fs::exists(file) || certificates::fingerprint(tools::read_file(file)) != claim.at("text")) {
+    return "its file is not the one that was written";
+  }
+  const fs::path log_file = fs::path(file).replace_extension(".log");
+  if (!is_newer(compiled, file) || !fs::exists(log_file)) {
+    return fs::exists(log_file) ? "Coq does not accept it: see " + log_file.filename().string()
+                                : "Coq was not asked";
+  }
+  for (const std::string import : claim.at("imports")) {
+    if (!accepted.contains(import)) {
+      return "it rests on " + import + ", which is not accepted";
+    }
+    if (!is_newer(compiled, directory / (import + ".vo"))) {
+      return "it was compiled before " + import;
+    }
+  }
+  const Log log = read_log(log_file);
+  claim["seconds"] = log.seconds;
+  claim["axioms"] = log.axioms;
+  if (log.theorems != claim.at("theorems").size()) {
+    return "Coq did not say what each theorem rests on";
+  }
+  for (const std::string& axiom : log.axioms) {
+    if (!allowed_axioms.contains(axiom)) {
+      return "it rests on " + axiom;
+    }
+  }
+  return "";
+}
+
+std::string counted(std::size_t count, const char * what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Json record_of(const certificates::Certificates& all) {
+  std::map<std::string, std::string> texts;
+  for (const certificates::File& file : all.files) {
+    texts.emplace(file.name, certificates::fingerprint(file.text));
+  }
+  Json claims = Json::array(), without = Json::array();
+  for (const certificates::Certificate& one : all.certificates) {
+    claims.push_back({{"claim", one.claim},
+                      {"file", one.name + ".v"},
+                      {"theorems", one.theorems},
+                      {"imports", one.imports},
+                      {"says", one.says},
+                      {"text", texts.at(one.name + ".v")},
+                      {"accepted", nullptr},
+                      {"reason", ""},
+                      {"seconds", ""},
+                      {"axioms", Json::array()}});
+  }
+  for (const certificates::Uncertified& one : all.uncertified) {
+    without.push_back({{"claim", one.claim}, {"reason", one.reason}});
+  }
+  return {{"program", {{"name", "stickslip"}, {"version", tools::program_version()}}},
+          {"claims", claims},
+          {"without", without}};
+}
+
+Json checked(const fs::path& directory) {
+  Json record = read_record(directory / certificate_record);
+  std::set<std::string> accepted;
+  for (Json& claim : record.at("claims")) {
+    const std::string reason = look_at(claim, directory, accepted);
+    claim["accepted"] = reason.empty();
+    claim["reason"] = reason;
+    if (reason.empty()) {
+      accepted.insert(fs::path(claim.at("file").get<std::string>()).stem());
+    }
+  }
+  return record;
+}
+
+std::string text_of(const Json& record) {
+  std::string text;
+  std::size_t theorems = 0, certified = 0;
+  std::set<std::string> axioms;
+  for (const Json& claim : record.at("claims")) {
+    const std::size_t count = claim.at("theorems").size();
+    theorems += count;
+    const std::string id = claim.at("claim");
+    if (claim.at("accepted") != true) {
+      text += fmt::format("certify: {}: {}\n", id, claim.at("reason").get<std::string>());
+      continue;
+    }
+    certified += count;
+    for (const std::string axiom : claim.at("axioms")) {
+      axioms.insert(axiom);
+    }
+    text +=
+        fmt::format("{:<18} {:>2} {} {:>7} s {:>2} axioms\n", id, count, count == 1 ? "theorem " : "theorems",
+                    claim.at("seconds").get<std::string>(), claim.at("axioms").size());
+  }
+  return text + fmt::format("{} of {} theorems certified, {} axioms\n", certified, theorems, axioms.size());
+}
+
+bool all_accepted(const Json& record) {
+  return std::ranges::all_of(record.at("claims"),
+                             [](const Json& claim) { return claim.at("accepted") == true; });
+}
+
+std::string name_of(Certified::State state) {
+  switch (state) {
+    case Certified::State::unknown:
+      return "unknown";
+    case Certified::State::certified:
+      return "certified";
+    case Certified::State::stale:
+      return "stale";
+    case Certified::State::refused:
+      return "refused";
+    case Certified::State::none:
+      return "none";
+  }
+  throw InternalError("a state of a certificate has no name");
+}
+
+namespace {
+
+using State = Certified::State;
+
+Certified certified(const methods::Record& record, const Json * claim, const Json& whole,
+                    const fs::path& directory) {
+  if (claim == nullptr) {
+    for (const Json& one : whole.value("without", Json::array())) {
+      if (one.at("claim") == record.claim.id) {
+        return {State::none, "", one.at("reason")};
+      }
+    }
+    return {State::unknown, "", "Coq was not asked"};
+  }
+  const std::string file = claim->at("file");
+  if (claim->at("accepted") != true) {
+    const std::string reason = claim->at("reason");
+    return {claim->at("accepted").is_null() ? State::unknown : State::refused, file,
+            reason.empty() ? "Coq was not asked" : reason};
+  }
+  if (claim->at("says") != certificates::fingerprint(record)) {
+    return {State::stale, file, "what Coq certified is another statement than this one"};
+  }
+  if (whole.at("program").at("version") != tools::program_version()) {
+    return {State::stale, file, "Coq certified it for another version of the program"};
+  }
+  if (const fs::path path = directory / file;
+      !fs::exists(path) || certificates::fingerprint(tools::read_file(path)) != claim->at("text")) {
+    return {State::stale, file, "its file is not the one that Coq accepted"};
+  }
+  return {State::certified, file,
+          fmt::format("{} on {}", counted(claim->at("theorems").size(), "theorem"),
+                      counted(claim->at("axioms").size(), "axiom"))};
+}
+
+}  // namespace
+
+Certification certification(const methods::Audit& audit, const fs::path& path) {
+  const Json whole = path.empty() ? Json::object() : read_record(path);
+  std::map<std::string, const Json *> recorded;
+  if (!path.empty()) {
+    for (const Json& claim : whole.at("claims")) {
+      recorded.emplace(claim.at("claim"), &claim);
+    }
+  }
+  Certification result;
+  std::map<State, std::size_t> count;
+  std::size_t theorems = 0;
+  for (const methods::Record& record : audit.records) {
+    const auto found = recorded.find(record.claim.id);
+    const std::size_t all = certificates::named_theorems(record).size();
+    const Certified one = all == 0 ? Certified{State::none, "", certificates::without_theorem(record)}
+                                   : certified(record, found == recorded.end() ? nullptr : found->second,
+                                               whole, path.parent_path());
+    ++count[one.state];
+    theorems += one.state == State::certified ? all : 0;
+    result.claims.emplace(record.claim.id, one);
+  }
+  const std::string with = counted(audit.records.size() - count[State::none], "claim");
+  if (path.empty()) {
+    result.line = fmt::format(
+        "Coq was not asked about the {} that have theorems of the kernel; script/certify asks it.", with);
+    return result;
+  }
+  result.line = fmt::format("Certified by Coq: {} of {} that have theorems of the kernel, with {}.",
+                            count[State::certified], with, counted(theorems, "theorem"));
+  for (const auto& [state, words] : std::map<State, const char *>{
+           {State::stale, "stale"}, {State::refused, "refused"}, {State::unknown, "not asked about"}}) {
+    if (count[state] > 0) {
+      result.line += fmt::format(" {} {}.", count[state], words);
+    }
+  }
+  result.line += fmt::format(" The other {} have no certificate, each for its reason.", count[State::none]);
+  return result;
+}
+
+Json to_json(const Certification& certification, const std::string& claim) {
+  const auto found = certification.claims.find(claim);
+  const Certified one = found == certification.claims.end() ? Certified{} : found->second;
+  return {{"state", name_of(one.state)}, {"file", one.file}, {"words", one.words}};
+}
+
+}  // namespace stickslip::report::audit

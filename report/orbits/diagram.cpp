@@ -1,0 +1,275 @@
+#include "report/orbits/diagram.hpp"
+
+#include <fmt/format.h>
+
+#include "core/decimal.hpp"
+#include "report/orbits/attractors.hpp"
+#include "report/orbits/parts.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/templates.hpp"
+
+namespace stickslip::report::orbits {
+
+using namespace numeric;
+using namespace numeric::attractors;
+using namespace tools;
+using model::Vector4;
+
+namespace {
+
+constexpr std::array colours{"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd",
+                             "#8c564b", "#e377c2", "#17becf", "#bcbd22", "#7f7f7f"};
+constexpr std::array kinds{Kind::periodic, Kind::quasi_periodic, Kind::irregular,
+                           Kind::slides,   Kind::stuck,          Kind::unsettled};
+
+const char * colour(std::size_t k) {
+  return colours[k % colours.size()];
+}
+
+std::string short_name(const Attractor& a) {
+  return a.kind == Kind::periodic ? fmt::format("{} ({})", shortened(a.word), a.periods) : to_string(a.kind);
+}
+
+std::string stable(const Attractor& a) {
+  const bool decided = a.orbit && a.orbit->existence.truth == Truth::proved && a.orbit->orbit.stability;
+  const motion::StabilityKind kind =
+      decided ? a.orbit->orbit.stability->kind : motion::StabilityKind::undecided;
+  return kind == motion::StabilityKind::stable ? "yes" : kind == motion::StabilityKind::unstable ? "no" : "";
+}
+
+std::string comma_separated(const Vector4<double>& X) {
+  return fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}", X(0), X(1), X(2), X(3));
+}
+
+Json states(const std::vector<Vector4<double>>& all) {
+  return list_of(all, [](const Vector4<double>& X) { return Json{X(0), X(1), X(2), X(3)}; });
+}
+
+// The data but for the one that varies.
+std::string others(const DiagramQuestion& q) {
+  std::string all = parameter_list(q.machine.machine) + ", ";
+  const std::size_t from = (" " + all).find(" " + q.parameter + "=");
+  all.erase(from, all.find(", ", from) + 2 - from);
+  return all.substr(0, all.size() - 2);
+}
+
+std::string plane_of(const BasinsQuestion& q) {
+  return fmt::format("{},{}", coordinates[static_cast<std::size_t>(q.across[0])],
+                     coordinates[static_cast<std::size_t>(q.across[1])]);
+}
+
+Json formatted(PlotFormat format) {
+  return {{"svg", format == PlotFormat::svg}, {"pdf", format == PlotFormat::pdf}};
+}
+
+std::string rendered(const std::string& name, const Json& data) {
+  return render(name, read_file(template_directory() / name), data, plain_format);
+}
+
+}  // namespace
+
+std::string terminal_report(const Diagram& d, const Style& style) {
+  const DiagramQuestion& q = d.question;
+  std::vector<Row> head{{{"parameters"}, {others(q)}},
+                        {{"along"},
+                         {fmt::format("{} from {} to {}, {} values", q.parameter, to_string(q.from),
+                                      to_string(q.to), q.values)}},
+                        {{"starts"},
+                         {fmt::format("{} at random, seed {}, at each value{}", q.machine.starts,
+                                      q.machine.seed, d.interrupted ? "; interrupted" : "")}}};
+  std::string text =
+      columns_of({{{"What the machine does along " + q.parameter, bold(style)}}}, style.width) +
+      columns_of(head, style.width);
+  std::vector<Row> rows{{{q.parameter}, {"share, word (period)"}}};
+  for (const DiagramPoint& point : d.points) {
+    std::string all = point.outside;
+    for (const Attractor& a : point.attractors) {
+      all += fmt::format("{}{:.0f} % {}", all.empty() ? "" : ", ", 100 * a.share, short_name(a));
+    }
+    rows.push_back({{fmt::format("{:.6g}", point.value.get_d())}, {all}});
+  }
+  return text + "\n" + columns_of(rows, style.width);
+}
+
+std::string terminal_report(const Basins& b, const Style& style) {
+  const BasinsQuestion& q = b.question;
+  std::vector<Row> head{{{"parameters"}, {parameter_list(q.machine.machine)}},
+                        {{"plane"},
+                         {fmt::format("{} from {} to {}, {} x {} starts{}", plane_of(q),
+                                      comma_separated(b.starts.front()), comma_separated(b.starts.back()),
+                                      q.pixels[0], q.pixels[1], b.interrupted ? "; interrupted" : "")}}};
+  std::string text = columns_of({{{"Where starts in a plane end", bold(style)}}}, style.width) +
+                     columns_of(head, style.width);
+  std::vector<Row> rows{{{"   "}, {"share"}, {""}}};
+  for (std::size_t k = 0; k < b.attractors.size(); ++k) {
+    rows.push_back({{std::to_string(k + 1)},
+                    {fmt::format("{:.1f} %", 100 * b.attractors[k].share)},
+                    {in_words(b.attractors[k])}});
+  }
+  return text + "\n" + columns_of(rows, style.width);
+}
+
+std::string to_csv(const Diagram& d) {
+  std::string text = d.question.parameter + ",attractor,share,kind,period,word,stable,x1,x2,x1',x2'\n";
+  for (const DiagramPoint& point : d.points) {
+    const std::string value = fmt::format("{:.17g}", point.value.get_d());
+    if (!point.outside.empty()) {
+      text += value + ",,,outside the domain,,,,,,,\n";
+    }
+    for (std::size_t k = 0; k < point.attractors.size(); ++k) {
+      const Attractor& a = point.attractors[k];
+      const bool periodic = a.kind == Kind::periodic;
+      const std::string begin =
+          fmt::format("{},{},{:.17g},{},{},{},{},", value, k + 1, a.share, to_string(a.kind),
+                      periodic ? std::to_string(a.periods) : "", a.word, stable(a));
+      for (const Vector4<double>& X : point.once[k]) {
+        text += begin + comma_separated(X) + "\n";
+      }
+    }
+  }
+  return text;
+}
+
+std::string to_csv(const Basins& b) {
+  std::string text = "x1,x2,x1',x2',attractor,kind,period,word\n";
+  for (std::size_t i = 0; i < b.starts.size() && !b.attractors.empty(); ++i) {
+    const Attractor& a = b.attractors[b.at[i]];
+    text += fmt::format("{},{},{},{},{}\n", comma_separated(b.starts[i]), b.at[i] + 1, to_string(a.kind),
+                        a.kind == Kind::periodic ? std::to_string(a.periods) : "", a.word);
+  }
+  return text;
+}
+
+Json to_json(const Diagram& d) {
+  const DiagramQuestion& q = d.question;
+  Json json = provenance(command_of(q));
+  json["along"] = q.parameter;
+  json["parameters"] = to_json(q.machine.machine);
+  json["starts"] = q.machine.starts;
+  json["seed"] = q.machine.seed;
+  json["most_periods"] = q.machine.most_periods;
+  json["interrupted"] = d.interrupted;
+  json["points"] = list_of(d.points, [&](const DiagramPoint& point) {
+    Json here = {{"value", to_string(point.value)}, {"attractors", Json::array()}};
+    if (!point.outside.empty()) {
+      here["outside"] = point.outside;
+    }
+    for (std::size_t k = 0; k < point.attractors.size(); ++k) {
+      Json one = to_json(point.attractors[k], q.machine.machine.digits);
+      one["once"] = states(point.once[k]);
+      here["attractors"].push_back(one);
+    }
+    return here;
+  });
+  return json;
+}
+
+Json to_json(const Basins& b) {
+  const BasinsQuestion& q = b.question;
+  Json json = provenance(command_of(q));
+  json["plane"] = {coordinates[static_cast<std::size_t>(q.across[0])],
+                   coordinates[static_cast<std::size_t>(q.across[1])]};
+  json["pixels"] = q.pixels;
+  json["from"] = states({b.starts.front(), b.starts.back()})[0];
+  json["to"] = states({b.starts.front(), b.starts.back()})[1];
+  json["parameters"] = to_json(q.machine.machine);
+  json["most_periods"] = q.machine.most_periods;
+  json["interrupted"] = b.interrupted;
+  json["attractors"] =
+      list_of(b.attractors, [&](const Attractor& a) { return to_json(a, q.machine.machine.digits); });
+  json["at"] = Json::array();
+  for (std::size_t i = 0; i < b.at.size(); ++i) {
+    if (i % static_cast<std::size_t>(q.pixels[0]) == 0) {
+      json["at"].push_back(Json::array());
+    }
+    json["at"].back().push_back(b.at[i] + 1);
+  }
+  return json;
+}
+
+std::string plot_script(const Diagram& d, PlotFormat format) {
+  Json data = formatted(format);
+  data["kinds"] = Json::array();
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    std::string table;
+    for (const DiagramPoint& point : d.points) {
+      for (std::size_t i = 0; i < point.attractors.size(); ++i) {
+        if (point.attractors[i].kind != kinds[k]) {
+          continue;
+        }
+        for (const Vector4<double>& X : point.once[i]) {
+          table += fmt::format("{:.8g} {:.8g}\n", point.value.get_d(), X(1));
+        }
+      }
+    }
+    if (!table.empty()) {
+      const bool dense = kinds[k] == Kind::irregular || kinds[k] == Kind::quasi_periodic;
+      data["kinds"].push_back({{"block", fmt::format("$kind{}", k)},
+                               {"kind", to_string(kinds[k])},
+                               {"colour", colour(k)},
+                               {"size", dense ? "0.15" : "0.3"},
+                               {"table", table},
+                               {"first", data["kinds"].empty()}});
+    }
+  }
+  if (data["kinds"].empty()) {
+    return "";
+  }
+  data["parameter"] = d.question.parameter;
+  data["parameters"] = others(d.question);
+  data["from"] = fmt::format("{:.8g}", d.question.from.get_d());
+  data["to"] = fmt::format("{:.8g}", d.question.to.get_d());
+  return rendered("diagram.gp.mustache", data);
+}
+
+std::string plot_script(const Basins& b, PlotFormat format) {
+  const BasinsQuestion& q = b.question;
+  const auto [i, j] = q.across;
+  Json data = formatted(format);
+  std::string table;
+  for (std::size_t k = 0; k < b.starts.size(); ++k) {
+    table += fmt::format("{:.8g} {:.8g} {}\n", b.starts[k](i), b.starts[k](j), b.at[k]);
+  }
+  data["table"] = table;
+  data["attractors"] = Json::array();
+  std::string palette;
+  for (std::size_t k = 0; k < b.attractors.size(); ++k) {
+    data["attractors"].push_back(
+        {{"colour", colour(k)},
+         {"words", fmt::format("{:.1f} % {}", 100 * b.attractors[k].share, short_name(b.attractors[k]))}});
+    palette += fmt::format("{}{} \"{}\"", k == 0 ? "" : ", ", k, colour(k));
+  }
+  // A palette has two colours at least.
+  data["palette"] = b.attractors.size() == 1 ? palette + fmt::format(", 1 \"{}\"", colour(0)) : palette;
+  data["count"] = std::max<std::size_t>(b.attractors.size(), 2);
+  data["last"] = fmt::format("{}.5", std::max<std::size_t>(b.attractors.size(), 2) - 1);
+  data["parameters"] = parameter_list(q.machine.machine);
+  data["x"] = coordinates[static_cast<std::size_t>(i)];
+  data["y"] = coordinates[static_cast<std::size_t>(j)];
+  const Vector4<double>&first = b.starts.front(), &last = b.starts.back();
+  // To the outer edges of the pixels.
+  const auto margin = [&](std::size_t k, int axis) {
+    return (last(axis) - first(axis)) / static_cast<double>(std::max(q.pixels[k] - 1, 1L)) / 2;
+  };
+  data["left"] = fmt::format("{:.8g}", first(i) - margin(0, i));
+  data["right"] = fmt::format("{:.8g}", last(i) + margin(0, i));
+  data["bottom"] = fmt::format("{:.8g}", first(j) - margin(1, j));
+  data["top"] = fmt::format("{:.8g}", last(j) + margin(1, j));
+  return rendered("basins.gp.mustache", data);
+}
+
+std::string command_of(const DiagramQuestion& q) {
+  return fmt::format(
+      "stickslip attractors{} --along {} {}..{} --values {} --starts {} --seed {} --most-periods {}",
+      options_of(q.machine.machine), q.parameter, to_string(q.from), to_string(q.to), q.values,
+      q.machine.starts, q.machine.seed, q.machine.most_periods);
+}
+
+std::string command_of(const BasinsQuestion& q) {
+  const std::string through = q.through ? " --through=" + comma_separated(*q.through) : "";
+  return fmt::format("stickslip attractors{} --plane \"{}\" --pixels {}{} --most-periods {}",
+                     options_of(q.machine.machine), plane_of(q), q.pixels[0], through,
+                     q.machine.most_periods);
+}
+
+}  // namespace stickslip::report::orbits

@@ -1,0 +1,46 @@
+// Diagrams along a parameter and basins in a plane, for readers, for programs and as pictures.
+#pragma once
+
+#include <string>
+
+#include "numeric/attractors/diagram.hpp"
+#include "report/tools/json.hpp"
+#include "report/tools/layout.hpp"
+#include "report/tools/plot.hpp"
+
+namespace stickslip::report::orbits {
+
+// A line for each value: the shares of what the starts end on.
+[[nodiscard]] std::string terminal_report(const numeric::attractors::Diagram& diagram,
+                                          const tools::Style& style);
+// The plane, then a line for each attractor in words.
+[[nodiscard]] std::string terminal_report(const numeric::attractors::Basins& basins,
+                                          const tools::Style& style);
+
+// Names, then a line for each state of each attractor at load phase 0: the parameter, attractor (1, 2, ... at
+// this value), share, kind, period, word, stable (yes, no or empty), x1, x2, x1', x2'; a value outside the
+// domain has its own line with that as the kind. Numbers with 17 digits.
+[[nodiscard]] std::string to_csv(const numeric::attractors::Diagram& diagram);
+// Names, then a line for each start: x1, x2, x1', x2', attractor (1, 2, ...), kind, period, word.
+[[nodiscard]] std::string to_csv(const numeric::attractors::Basins& basins);
+
+// What provenance() says, and {"along", "parameters", "starts", "seed", "most_periods", "points": [{"value",
+// "outside"?, "attractors": as of attractors.hpp, each with "once": [[x1, x2, x1', x2']]}], "interrupted"}.
+[[nodiscard]] tools::Json to_json(const numeric::attractors::Diagram& diagram);
+// What provenance() says, and {"plane": [name, name], "pixels": [columns, rows], "from", "to": the
+// first and the last start, "parameters",
+// "most_periods", "attractors", "at": [[1, 2, ...]] of each row from below, "interrupted"}.
+[[nodiscard]] tools::Json to_json(const numeric::attractors::Basins& basins);
+
+// Scripts for gnuplot: x2 once a period against the parameter, and the plane in a colour for each attractor.
+[[nodiscard]] std::string plot_script(const numeric::attractors::Diagram& diagram, tools::PlotFormat format);
+[[nodiscard]] std::string plot_script(const numeric::attractors::Basins& basins, tools::PlotFormat format);
+
+// What gives the same result again.
+[[nodiscard]] std::string command_of(const numeric::attractors::DiagramQuestion& question);
+[[nodiscard]] std::string command_of(const numeric::attractors::BasinsQuestion& question);
+
+// x1, x2, x1', x2'.
+inline constexpr std::array<const char *, 4> coordinates{"x1", "x2", "x1'", "x2'"};
+
+}  // namespace stickslip::report::orbits

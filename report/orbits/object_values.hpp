@@ -1,0 +1,29 @@
+// Derived expressions at the parameters of a machine, for papers.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/rational.hpp"
+#include "symbolic/objects/objects.hpp"
+
+namespace stickslip::report::orbits {
+
+using GivenParameters = std::map<std::string, Rational>;  // by the names of the command line
+
+// The parameters among chi, eta, us, V, omega, p that values of these expressions depend on, in this order.
+[[nodiscard]] std::vector<std::string> parameters_of(
+    const std::vector<const symbolic::objects::Object *>& objects);
+
+// What is given, what follows from it, and each line of the expression as a combination of what is free
+// (times, states, phi and u_r where they are not given) with numbers for coefficients: LaTeX for a document
+// with amsmath. Frequencies stay letters within sines and cosines. Each number is right to one unit of its
+// last digit. A line that follows from a later one by its number, as p_min from b_1, is given with it. Throws
+// DomainError for data outside the domain of (2), for omega = omega_j where Q occurs, and for ur <= us;
+// UsageError for what else has no value there, as where a cosine in a denominator is zero. All of
+// parameters_of() must be given.
+[[nodiscard]] std::string values_latex(const symbolic::objects::Object& object, const GivenParameters& given,
+                                       int digits);
+
+}  // namespace stickslip::report::orbits

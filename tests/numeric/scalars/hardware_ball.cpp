@@ -1,0 +1,105 @@
+// Hardware balls contain what Arb's contain of the same members, and lose little.
+#include "numeric/scalars/hardware_ball.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/sinc.hpp"
+#include "tests/numeric/families/random_data.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric::scalars;
+using namespace stickslip::examples;
+
+namespace {
+
+constexpr int rounds = 3000;
+
+struct Drawn {
+  HardwareBall ball;
+  Ball member;
+};
+
+// A ball with a member in it or at its end: narrow, wide, tiny, huge, next to zero, exact.
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : engine_(seed) {}
+
+  double share() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
+  Drawn operator()(int most_exponent) {
+    const double mid = pick(6) == 0 ? 0 : std::ldexp(share(), pick(2 * most_exponent) - most_exponent);
+    const double rad =
+        pick(4) == 0 ? 0 : std::ldexp(std::abs(share()), pick(80) - 78 + (pick(3) == 0 ? 0 : -20));
+    const double t = pick(3) == 0 ? (pick(2) == 0 ? 1.0 : -1.0) : share();
+    const WorkingPrecision scope(1200);
+    return {{mid, rad}, Ball(mid) + Ball(rad) * Ball(t)};
+  }
+
+ private:
+  int pick(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine_); }
+  std::mt19937_64 engine_;
+};
+
+bool holds(const HardwareBall& ball, const Ball& member) {
+  return !ball.is_finite() || ball.ball().contains(member);
+}
+
+}  // namespace
+
+TEST_CASE("every operation contains the exact result for every member") {
+  const RandomData random;
+  INFO("STICKSLIP_SEED=", random.seed());
+  Draw draw(random.seed());
+  for (int i = 0; i < rounds; ++i) {
+    const Drawn a = draw(i % 3 == 0 ? 300 : 12), b = draw(i % 5 == 0 ? 300 : 12), c = draw(18);
+    const WorkingPrecision scope(1200);
+    CAPTURE(to_string(a.member, 30));
+    CAPTURE(to_string(b.member, 30));
+    CAPTURE(to_string(c.member, 30));
+    CHECK(holds(a.ball + b.ball, a.member + b.member));
+    CHECK(holds(a.ball - b.ball, a.member - b.member));
+    CHECK(holds(a.ball * b.ball, a.member * b.member));
+    CHECK(holds(-a.ball, -a.member));
+    if (!b.member.contains_zero()) {
+      CHECK(holds(a.ball / b.ball, a.member / b.member));
+    }
+    const auto [s, c1] = sin_cos(c.ball);
+    CHECK(holds(s, sin(c.member)));
+    CHECK(holds(c1, cos(c.member)));
+    CHECK(holds(sinc(c.ball), sinc(c.member)));
+    CHECK(holds(sinc_slope(c.ball), sinc_slope(c.member)));
+    CHECK(holds(HardwareBall(a.ball.ball()), a.member));
+    CHECK(holds(HardwareBall(c.member), c.member));
+    if (const auto common =
+            intersection(a.ball, HardwareBall(a.ball.approximate() + a.ball.radius() / 2, a.ball.radius()));
+        common && !(a.member - Ball(a.ball.approximate())).is_negative()) {
+      CHECK(holds(*common, a.member));
+    }
+    CHECK((a.member.is_nonzero() || !a.ball.is_nonzero()));
+  }
+}
+
+TEST_CASE("what is not a number decides nothing") {
+  const HardwareBall nowhere = HardwareBall(1) / HardwareBall(0, 1);
+  const HardwareBall none(NAN, 0);
+  const HardwareBall huge(1e300);
+  for (const HardwareBall& x : {nowhere, none, nowhere * HardwareBall(0), none + HardwareBall(1), huge * huge,
+                                huge * huge * huge, sin(none) / none}) {
+    CHECK_FALSE(x.is_nonzero());
+    CHECK_FALSE(x.is_positive());
+    CHECK_FALSE(x.is_negative());
+    CHECK_FALSE(x.is_finite());
+    CHECK(x.ball().contains(Ball(17)));
+  }
+  CHECK(intersection(none, HardwareBall(3)).has_value());
+  CHECK_FALSE(intersection(HardwareBall(1, 0.5), HardwareBall(3, 0.5)).has_value());
+  CHECK(intersection(HardwareBall(1, 1), HardwareBall(3, 1)).has_value());
+}
+
+TEST_CASE("at points they are nearly exact") {
+  for (const double x : {0.0, 0.3, 0.5, 1.0, 100.0, 400000.0}) {
+    CHECK(sin(HardwareBall(x)).radius() < 1e-14);
+    CHECK(sinc(HardwareBall(x)).radius() < 1e-13);
+    CHECK(sinc_slope(HardwareBall(x)).radius() < 1e-13);
+  }
+  CHECK(sin(HardwareBall(1e9)).radius() == 1);
+}

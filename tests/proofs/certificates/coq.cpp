@@ -1,0 +1,52 @@
+#include "tests/proofs/certificates/coq.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+
+#include "proofs/pascal2012/paper.hpp"
+#include "tests/cli/program.hpp"
+
+namespace stickslip {
+
+using namespace proofs;
+
+certificates::Certificates compiled(const std::filesystem::path& directory,
+                                    const std::set<std::string>& claims) {
+  certificates::Certificates all = certificates::certificates(pascal2012::paper().claims, claims);
+  for (const certificates::File& file : all.files) {
+    std::ofstream(directory / file.name) << file.text;
+  }
+  const Run made = run("/usr/bin/make", {"--silent", "--jobs=2", "--directory=" + directory.string()});
+  CAPTURE(made.err);
+  CAPTURE(made.out);
+  CHECK(made.code == 0);
+  return all;
+}
+
+std::vector<bool> accepted(const std::filesystem::path& directory, const std::set<std::string>& imports,
+                           const std::vector<Asked>& asked) {
+  // What fails leaves a proof open, or a name unknown, and the next command is read all the same.
+  std::string text = fmt::format(
+      "From Stickslip Require Import Algebra Inverses Numbers Calculus Definitions {}.\nOpen Scope R_scope.\n"
+      "Set Default Timeout 60.\n",
+      fmt::join(imports, " "));
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    text += fmt::format("Theorem asked_{0} :\n{1}.\nProof.\n{2}\nQed.\nAbort All.\nCheck asked_{0}.\n", i,
+                        asked[i].statement, asked[i].proof);
+  }
+  std::ofstream(directory / "asked.v") << text;
+  const Run answer = run(
+      "/bin/sh", {"-c", fmt::format("coqtop -q -w none -Q '{0}' Stickslip < '{0}/asked.v' 2>'{0}/asked.err'",
+                                    directory.string())});
+  std::vector<bool> result;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const std::string name = fmt::format("asked_{}\n     : ", i);
+    result.push_back(("\n" + answer.out).find("\n" + name) != std::string::npos);
+  }
+  return result;
+}
+
+}  // namespace stickslip

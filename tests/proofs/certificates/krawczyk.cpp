@@ -1,0 +1,79 @@
+// Krawczyk's test as a certificate: accepted as it is, refused when what it rests on is changed.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "proofs/certificates/certificates.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+using namespace stickslip::proofs::kernel;
+
+namespace {
+
+// x y = 1/4, cos(x) = y + 1/2.
+methods::Claim claim(const Rational& about_x, const Rational& about_y) {
+  const Variable X{"X", real_matrix(2, 1)};
+  const Term x = entry(X, 0), y = entry(X, 1);
+  const Rational radius(1, 1L << 30);
+  const Theorem theorem =
+      Theorem::one_zero(X, matrix(2, 1, {x * y - Rational(1, 4), kernel::cos(x) - y - Rational(1, 2)}),
+                        {{about_x - radius, about_x + radius}, {about_y - radius, about_y + radius}});
+  return {.id = "zero", .words = "two equations have one solution", .prove = [theorem](auto&, const auto&) {
+            methods::Outcome outcome;
+            outcome.theorems = {theorem};
+            outcome.verdict = Verdict::proved();
+            return outcome;
+          }};
+}
+
+// A solution in floating point.
+std::pair<Rational, Rational> solution() {
+  double x = 0.7;
+  for (int step = 0; step < 50; ++step) {  // cos(x) - 1/(4 x) - 1/2 = 0
+    x -= (std::cos(x) - 1 / (4 * x) - 0.5) / (-std::sin(x) + 1 / (4 * x * x));
+  }
+  return {Rational(x), Rational(1 / (4 * x))};
+}
+
+bool accepts(const std::filesystem::path& directory, const std::string& text) {
+  std::ofstream(directory / "Claim_zero.v") << text;
+  std::filesystem::remove(directory / "Claim_zero.vo");
+  return run("/usr/bin/make", {"--silent", "--directory=" + directory.string()}).code == 0;
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("Coq accepts Krawczyk's test, and refuses it for another box, other equations, another matrix" *
+          doctest::timeout(600)) {
+  const auto [x, y] = solution();
+  const certificates::Certificates all = certificates::certificates({claim(x, y)});
+  const TemporaryDirectory temporary;
+  std::string text;
+  for (const certificates::File& file : all.files) {
+    std::ofstream(temporary.path() / file.name) << file.text;
+    text = file.name == "Claim_zero.v" ? file.text : text;
+  }
+  REQUIRE(text.find("one_zero_listed 2") != std::string::npos);
+  CHECK(accepts(temporary.path(), text));
+  // The equation that is stated is not the one that is tested.
+  CHECK_FALSE(accepts(temporary.path(), changed(text, "(-1) / 4", "(-1) / 5")));
+  // A box whose middle is no solution: the values there are too large.
+  const std::size_t middle = text.find("_c : list R := (") + 16;
+  CHECK_FALSE(accepts(temporary.path(), text.substr(0, middle) + "1 + " + text.substr(middle)));
+  // A matrix that is no inverse; derivatives that are elsewhere; no test at all.
+  const std::size_t inverse = text.find("_Y : list (list Z) := (((");
+  REQUIRE(inverse != std::string::npos);
+  CHECK_FALSE(accepts(temporary.path(),
+                      text.substr(0, inverse) + changed(text.substr(inverse), "(((", "(((1 + 2 * ")));
+  CHECK_FALSE(accepts(temporary.path(), changed(text, "sin x0", "cos x0")));
+}

@@ -1,0 +1,71 @@
+// The determinant of (16): what it is made of, and that wrong factors do not pass; the frequencies as
+// parameters.
+#include <doctest/doctest.h>
+
+#include "proofs/methods/prover.hpp"
+#include "proofs/methods/reading.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+#include "tests/proofs/checks/decided.hpp"
+#include "tests/proofs/checks/wrong.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+using namespace stickslip::proofs::methods;
+using namespace stickslip::proofs::pascal2012;
+using namespace stickslip::proofs::symbols;
+using namespace stickslip::proofs::symbols::vocabulary;
+
+namespace {
+
+// The claim's verdict on another statement, or without one of its assumptions.
+Truth altered(const std::string& id, const std::function<void(Claim&)>& alter) {
+  Claim claim = claim_named(paper().claims, id);
+  alter(claim);
+  Prover prover(paper().claims);
+  return claim.prove(prover, claim).verdict.truth;
+}
+
+}  // namespace
+
+TEST_CASE("the determinant of (16) has three cosines for factors, and no others") {
+  CHECK(record("16.det").outcome.by_kernel);
+  CHECK(hypotheses("16.det").empty());
+  for (const Term& wrong : {Term(2), Term(-1), cos(omega1 * tau / 2), sin(T / 2), 1 / cos(T / 2), omega1}) {
+    CHECK(altered("16.det", [&](Claim& claim) {
+            claim.printed.front().right = wrong * claim.printed.front().right;
+          }) != Truth::proved);
+  }
+}
+
+TEST_CASE("an orbit needs a zero of the last factor: by both (13) and (15), with the time lag and V") {
+  CHECK(record("16.orbits").outcome.by_kernel);
+  for (const char * needed : {"4.lag", "13", "15", "25.V", "2.slip", "6.Z0"}) {
+    CAPTURE(needed);
+    CHECK(record("16.orbits").outcome.assumed.contains(needed));
+    CHECK(altered("16.orbits", [&](Claim& claim) {
+            std::erase_if(claim.assumptions, [&](const Assumption& one) { return one.id == needed; });
+          }) != Truth::proved);
+  }
+  CHECK(altered("16.orbits", [](Claim& claim) { claim.printed.front().right = 1; }) != Truth::proved);
+}
+
+TEST_CASE("there are frequencies for all chi between 0 and 1 and eta > 0, by a theorem that says so") {
+  namespace k = proofs::kernel;
+  const Outcome& outcome = record("39.frequencies").outcome;
+  REQUIRE(outcome.theorems.size() == 1);
+  const k::Variable c{"chi"}, e{"eta"}, first{"omega1"}, second{"omega2"};
+  Reader read;
+  const k::Formula wanted =
+      k::exists(first, k::exists(second, k::all({k::less(0, first), k::less(first, 1), k::less(1, second),
+                                                 k::equal(read(chi), c), k::equal(read(eta), e)})));
+  CHECK(outcome.theorems.front().conclusion() == wanted);
+  CHECK(outcome.theorems.front().hypotheses() == k::Formulas{k::less(0, c), k::less(c, 1), k::less(0, e)});
+  CHECK(record("39.range").status == Status::proved);
+  CHECK(altered("39.range", [](Claim& claim) { claim.printed[1].relation = Relation::greater; }) !=
+        Truth::proved);
+}
+
+TEST_CASE("at the data of Fig. 2 six of the eight zeros are no orbits") {
+  CHECK(record("S.det").status == Status::proved);
+}

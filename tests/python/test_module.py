@@ -1,0 +1,156 @@
+"""The rest of the module: attractors, simulation, claims, LaTeX; threads, Ctrl-C, help."""
+
+import ast
+import inspect
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy
+import pytest
+
+import stickslip
+from stickslip import _core
+
+MACHINE = dict(chi="0.3", eta=4, us="0.1", V="0.1", omega="0.6", p=1)
+
+
+def program(*words):
+    return subprocess.run([os.environ["STICKSLIP_PROGRAM"], *words], capture_output=True, text=True).stdout
+
+
+def test_attractors_are_those_of_the_program():
+    found = stickslip.attractors(example="P", starts=10)
+    said = json.loads(program("attractors", "--example", "P", "--starts", "10", "--json"))
+    assert found.json == said
+    first = found[0]
+    assert first.kind == "periodic" and first.verdict == "proved" and first.state.shape == (4,)
+    assert sum(a.count for a in found) == found.starts == 10
+    assert len(first.durations) == len(first.word)
+
+
+def test_simulation_is_that_of_the_program():
+    start = (0, 0.5, "0", -0.25)
+    motion = stickslip.simulate(start, **MACHINE, ur="0.2", periods=3, every=0.5)
+    csv = program("simulate", *[f"--{k}={v}" for k, v in MACHINE.items()], "--ur=0.2", "--phi=0", "--periods=3",
+                  "--every=0.5", "--state=0,0.5,0,-0.25", "--csv", "-").splitlines()[1:]
+    rows = [line.split(",") for line in csv]
+    assert motion.t.shape == (len(rows),) and motion.state.shape == (len(rows), 4)
+    assert motion.phase.tolist() == [row[1] for row in rows]
+    numbers = numpy.array([[float(x) for i, x in enumerate(row) if i != 1] for row in rows])
+    ours = numpy.column_stack([motion.t, motion.state, motion.r, motion.u, motion.energy])
+    assert numpy.array_equal(numbers, ours)
+    assert numpy.allclose(motion.state[0], [0, 0.5, 0, -0.25], rtol=1e-14)
+    assert motion.first_events[0].before == "slip" and abs(sum(motion.shares.values()) - 1) < 1e-12
+
+
+def test_a_simulation_refuses_what_the_machine_is_not_given_exactly():
+    with pytest.raises(TypeError, match="ur: the float"):
+        stickslip.simulate((0, 0, 0, 0), **MACHINE, ur=0.2)
+    with pytest.raises(stickslip.DomainError, match="ur"):
+        stickslip.simulate((0, 0, 0, 0), **MACHINE, ur="0.05")
+    with pytest.raises(stickslip.UsageError, match="four numbers"):
+        stickslip.simulate((0, 0, 0), **MACHINE, ur="0.2")
+
+
+def test_claims():
+    checked = stickslip.check("47.c", "44.H")
+    assert {claim.id for claim in checked} >= {"44.H"}
+    proved = next(claim for claim in checked if claim.id == "44.H")
+    assert proved.status == "as_printed" and proved.verdict == "proved" and proved.theorems
+    misprint = next(claim for claim in checked if claim.id.startswith("47.c"))
+    assert misprint.status == "misprint_corrected" and misprint.verdict == "refuted" and misprint.corrected
+    assert misprint.corrected[0] in misprint._repr_latex_()
+    with pytest.raises(stickslip.UsageError, match="'99.x'"):
+        stickslip.check("99.x")
+
+
+def test_latex():
+    assert {name for name, _, _ in stickslip.expressions()} >= {"H", "Gamma2"}
+    for unknowns in ("chi", "omega"):
+        assert stickslip.latex("H2", unknowns=unknowns) in program("latex", "H2", "--in", unknowns)
+    with pytest.raises(stickslip.UsageError, match="'H9'"):
+        stickslip.latex("H9")
+
+
+def test_other_threads_run_meanwhile():
+    done = threading.Event()
+    results = []
+
+    def work():
+        results.append(stickslip.attractors(example="P", starts=200))
+        done.set()
+
+    worker = threading.Thread(target=work)
+    worker.start()
+    turns = 0
+    while not done.wait(0.001):
+        turns += 1
+    worker.join()
+    # Under Python's lock this thread would have had no turn but the first and the last.
+    assert turns > 5 and results[0].starts == 200
+
+
+def test_two_threads_get_what_one_gets():
+    expected = stickslip.orbits("nonsticking", **MACHINE)
+    results = [None] * 4
+
+    def work(i):
+        results[i] = stickslip.orbits("nonsticking", **MACHINE)
+
+    workers = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert results == [expected] * 4
+
+
+@pytest.mark.parametrize("call", ["stickslip.attractors(example='S', starts=100000)", "stickslip.check()"])
+def test_ctrl_c_ends_long_work_and_python_goes_on(call):
+    script = f"""
+import stickslip, sys
+print("begins", flush=True)
+try:
+    {call}
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+print(stickslip.orbits("nonsticking", example="P").complete)
+"""
+    process = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "begins\n"
+    time.sleep(1)
+    process.send_signal(signal.SIGINT)
+    out, _ = process.communicate(timeout=300)
+    assert out == "interrupted\nTrue\n" and process.returncode == 0
+
+
+def test_help_is_complete():
+    assert stickslip.__doc__ and stickslip.__version__ in program("--version")
+    for name in stickslip.__all__:
+        thing = getattr(stickslip, name)
+        if name.startswith("__"):
+            continue
+        if inspect.isclass(thing) and issubclass(thing, BaseException):
+            continue
+        assert inspect.getdoc(thing), name
+        members = [thing] if inspect.isfunction(thing) else [
+            member for key, member in vars(thing).items() if inspect.isfunction(member) and not key.startswith("_")
+        ]
+        for member in members:
+            assert inspect.getdoc(member), member
+            signature = inspect.signature(member)
+            assert signature.return_annotation is not inspect.Signature.empty, member
+            for parameter in list(signature.parameters.values())[0 if inspect.isfunction(thing) else 1:]:
+                assert parameter.annotation is not inspect.Parameter.empty, (member, parameter)
+
+
+def test_the_stub_names_what_the_module_has():
+    stub = ast.parse((Path(stickslip.__file__).parent / "_core.pyi").read_text())
+    named = {node.name for node in stub.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+    assert named == {name for name in dir(_core) if not name.startswith("_")}

@@ -1,0 +1,111 @@
+"""Orbits: the same as the program prints, and refusals in its words."""
+
+import json
+import os
+import subprocess
+from decimal import Decimal
+from fractions import Fraction
+
+import pytest
+
+import stickslip
+
+MACHINE = dict(chi="0.3", eta=4, us="0.1", V="0.1", omega="0.6", p=1)
+
+
+def program(*words):
+    return subprocess.run([os.environ["STICKSLIP_PROGRAM"], *words], capture_output=True, text=True)
+
+
+def typed(parameters):
+    return [f"--{name}={value}" for name, value in parameters.items()]
+
+
+def test_orbits_are_those_of_the_program():
+    found = stickslip.orbits("nonsticking", **MACHINE)
+    assert found.json == json.loads(program("orbits", "nonsticking", *typed(MACHINE), "--json").stdout)
+    assert found.complete and len(found) == 2 and len(found.admissible) == 1
+    orbit = found.admissible[0]
+    assert orbit.tau == stickslip.Ball("5.4031075860350524982", "9.94e-21")
+    assert orbit.T is None and orbit.ur is None and orbit.stability == "stable"
+    assert abs(orbit.multipliers[0].approximate - (0.37990063128505213 + 0.65007627864454549j)) < 1e-15
+    assert [c.verdict for c in orbit.conditions] == ["proved"] * 6
+    assert not found[0].admissible and any(c.verdict == "refuted" for c in found[0].conditions)
+
+
+def test_every_notation_of_a_number_means_the_same():
+    other = dict(chi=Fraction(3, 10), eta="4", us=Decimal("0.1"), V=Fraction(1, 10), omega="3/5", p="1")
+    assert stickslip.orbits("nonsticking", **other) == stickslip.orbits("nonsticking", **MACHINE)
+
+
+def test_digits_and_examples():
+    orbit = stickslip.orbits("symmetric", example="S", digits=60).admissible[0]
+    assert len(orbit.tau.mid.replace(".", "")) == 60 and Decimal(orbit.tau.rad) < Decimal("1e-55")
+    # The paper's data with another load are the paper's no more.
+    assert stickslip.orbits("symmetric", example="S", p="0.04").parameters["p"] == "0.04"
+
+
+def test_a_box_is_proved_for_its_members():
+    box = stickslip.orbits("nonsticking", **{**MACHINE, "chi": "0.3+-1e-4"}, ur="0.2")
+    assert not box.complete
+    wide = next(orbit for orbit in box if orbit.admissible)
+    for chi in ("0.2999", "0.3", "0.3001"):
+        member = stickslip.orbits("nonsticking", **{**MACHINE, "chi": chi}, ur="0.2").admissible[0]
+        assert wide.tau.overlaps(member.tau) and wide.tau.contains(member.tau.mid)
+    outside = stickslip.orbits("nonsticking", **{**MACHINE, "chi": "0.31"}, ur="0.2").admissible[0]
+    assert not wide.tau.overlaps(outside.tau)
+    as_ball = stickslip.orbits("nonsticking", **{**MACHINE, "chi": stickslip.Ball("0.3", "1e-4")}, ur="0.2")
+    assert as_ball == box
+
+
+def test_orbits_of_words():
+    found = stickslip.orbits("OTS", example="O")
+    assert found.complete and found.word == "OTS" and found.family is None
+    assert found[0].durations and found[0].conditions[0].phase == 1
+    with pytest.raises(TypeError, match="of a family"):
+        found.svg()
+    with pytest.raises(stickslip.UsageError, match="SS"):
+        stickslip.orbits("SS", example="O")
+
+
+@pytest.mark.parametrize("name", [*MACHINE, "ur"])
+def test_floats_are_refused_with_the_hint(name):
+    given = {**MACHINE, name: 0.25}
+    with pytest.raises(TypeError, match=f"{name}: the float 0.25 is not exact: write '0.25'"):
+        stickslip.orbits("nonsticking", **given)
+    with pytest.raises(TypeError, match="no number"):
+        stickslip.orbits("nonsticking", **{**MACHINE, name: True})
+
+
+@pytest.mark.parametrize("given, error, words", [
+    (dict(chi="2"), stickslip.DomainError, ["--chi=2"]),
+    (dict(omega="-1"), stickslip.DomainError, ["--omega=-1"]),
+    (dict(chi="a"), stickslip.UsageError, ["--chi=a"]),
+    (dict(p="1/0"), stickslip.UsageError, ["--p=1/0"]),
+    (dict(phi="1"), stickslip.UsageError, ["--phi=1"]),
+])
+def test_what_is_wrong_is_said_as_the_program_says_it(given, error, words):
+    with pytest.raises(error) as raised:
+        stickslip.orbits("nonsticking", **{**MACHINE, **given})
+    assert isinstance(raised.value, stickslip.Error) and isinstance(raised.value, ValueError)
+    said = program("orbits", "nonsticking", *typed({k: v for k, v in MACHINE.items() if k not in given}), *words)
+    assert said.stderr.rstrip(".\n") == f"stickslip: {raised.value}".rstrip(".")
+
+
+def test_what_is_missing_or_out_of_range_is_named():
+    with pytest.raises(stickslip.UsageError, match="missing: eta, us, V, omega, p"):
+        stickslip.orbits("symmetric", chi="0.5")
+    with pytest.raises(stickslip.UsageError, match="'nothing'"):
+        stickslip.orbits("nothing", **MACHINE)
+    with pytest.raises(stickslip.UsageError, match="digits: 0 is not from 1 to 2000"):
+        stickslip.orbits("nonsticking", **MACHINE, digits=0)
+    with pytest.raises(stickslip.UsageError, match="jobs: 0"):
+        stickslip.orbits("nonsticking", **MACHINE, jobs=0)
+    with pytest.raises(TypeError, match="kappa"):
+        stickslip.orbits("nonsticking", **MACHINE, kappa=1)
+
+
+def test_pictures_and_formulas_for_notebooks():
+    found = stickslip.orbits("nonsticking", **MACHINE)
+    assert "<svg" in found._repr_svg_()
+    assert r"\tau &= 5.4031075860350524982 \pm 9.94\cdot 10^{-21}" in found.admissible[0]._repr_latex_()
