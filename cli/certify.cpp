@@ -30,9 +30,8 @@ void require_certificates_only(const fs::path& directory) {
       fs::exists(directory / certificate_record, ignored)) {
     return;
   }
-  throw UsageError(
-      fmt::format("--out '{}' holds files that are no certificates: name a new or an empty directory",
-                  directory.string()));
+  throw UsageError(fmt::format("'{}' holds files that are no certificates: name a new or an empty directory",
+                               directory.string()));
 }
 
 void write_certificates(const fs::path& directory, const Certificates& certificates) {

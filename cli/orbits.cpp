@@ -83,9 +83,13 @@ void certify(const OrbitList& list, const std::string& directory) {
     const Progress progress("writing certificates ...");
     made = proofs::certificates::certificates(claims);
   }
-  write_certificates(directory, made);
-  tell(fmt::format("Certificates of {} orbits are in {}: make -k -j there has Coq check them.",
-                   made.certificates.size(), directory));
+  if (made.certificates.empty()) {
+    tell(fmt::format("No orbit has a certificate: {} is not written.", directory));
+  } else {
+    write_certificates(directory, made);
+    tell(fmt::format("Certificates of {} orbits are in {}: make -k -j there has Coq check them.",
+                     made.certificates.size(), directory));
+  }
   for (const proofs::certificates::Uncertified& one : made.uncertified) {
     tell(fmt::format("{} has none: {}.", one.claim, one.reason));
   }

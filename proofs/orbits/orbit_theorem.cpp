@@ -128,15 +128,17 @@ class Orbit {
     return Theorem::sign(inequality, here, 96);
   }
 
+  // An inequality of numbers, in the names, by signs in balls.
+  void holds(const Formula& inequality) { say(inequality, sign(substitute(inequality, values_))); }
   // What lies between which decimals, in the names.
   void bound(const Term& term) {
-    const Term value = substitute(term, values_);
-    const auto [lower, upper] = decimals(value);
-    say(less(lower, term), sign(less(lower, value)));
-    say(less(term, upper), sign(less(value, upper)));
+    const auto [lower, upper] = decimals(substitute(term, values_));
+    holds(less(lower, term));
+    holds(less(term, upper));
   }
 
-  // The ranges of the numbers, to nine decimals, and what their sum is.
+  // The ranges of the numbers, to nine decimals; that each phase lasts, for one that lasts less than no time
+  // would obey anything; what the durations sum up to; 0 < us < ur.
   void numbers() {
     for (const Named& one : named_) {
       if (one.variable.type == real_number) {
@@ -148,6 +150,7 @@ class Orbit {
     }
     Symbolic sum;
     for (const std::string& name : phases_.question().durations) {
+      holds(less(0, named(name)));
       sum += Symbolic(named(name));
     }
     const Formula whole = equal(sum.term, phases_.period());
@@ -156,10 +159,9 @@ class Orbit {
       const Formula lag = equal(named("phi"), substitute(phases_.phi(), {}));
       say(lag, Theorem::reflexive(phases_.phi()));
     }
-    if (!phases_.question().ur) {
-      const Formula order = less(data(&model::Parameters<Rational>::us), named("ur"));
-      say(order, sign(substitute(order, values_)));
-    }
+    const Term us = data(&model::Parameters<Rational>::us);
+    holds(less(0, us));
+    holds(less(us, named("ur")));
   }
 
   // Decimals of nine places below and above.
@@ -260,6 +262,11 @@ class Orbit {
       parts.push_back(for_every(t, inside, both({moves, beside_belt(k, t, inside, said.parts()[1])})));
     }
     say(formula, both(parts), definitions);
+    const Formula meets =
+        equal(entry(apply(named(fmt::format("X{}", k + 1)), said_start(k)), 3), data(&P::V));
+    const Formula unnamed = substitute(meets, values_);
+    say(meets,
+        stick ? Theorem::combination(unnamed) : Theorem::combination(unnamed, {{meets_belt_at_start(k)}}));
   }
 
   // ⊢ derivative(X, t, …).

@@ -2,17 +2,18 @@
 // together, return after the period, and obey the friction law (4) at all times.
 #pragma once
 
+#include "numeric/motion/requirements.hpp"
 #include "proofs/kernel/theorem.hpp"
 #include "proofs/orbits/phases.hpp"
 
 namespace stickslip::proofs::orbits {
 
 // ⊢ there are durations, phi and ur as far as they are no data, and motions X1, X2, … such that
-//   - the durations lie within 1e-9 of what is found, and add up to the period; so do phi, ur and the entries
-//     of X1(0) but for x2', which is V;
+//   - the durations are positive, lie within 1e-9 of what is found, and add up to the period; phi, ur and the
+//     entries of X1(0) but for x2', which is V, lie within 1e-9 of what is found; 0 < us < ur;
 //   - each phase: its motion is continuous, obeys its equation inside, and stays on its side of the belt's
 //     velocity, or sticks with |r| < ur until it ends (definitions slips, overshoots, sticks);
-//   - each motion begins where the one before ends, the first where the last does;
+//   - each motion begins where the one before ends, the first where the last does, with x2' = V;
 //   - at each end of a phase the friction at rest is what (4) asks for: a stick ends at r = ur where a slip
 //     follows, at r = -ur where an overshoot does; r < -ur where a slip becomes an overshoot, ur < r where
 //     an overshoot becomes a slip.
@@ -26,5 +27,10 @@ namespace stickslip::proofs::orbits {
 [[nodiscard]] kernel::Theorem value_theorem(const kernel::Theorem& orbit, const Question& question,
                                             const std::string& name, const Rational& lower,
                                             const Rational& upper, bool outside);
+
+// ⊢ there is an orbit as before, and this condition holds of it, in its own words: strictly, and along a
+// phase at all times between its ends. z = x - d as in (5). Throws KernelError where it does not follow.
+[[nodiscard]] kernel::Theorem condition_theorem(const kernel::Theorem& orbit, const Question& question,
+                                                const numeric::motion::Requirement& requirement);
 
 }  // namespace stickslip::proofs::orbits

@@ -1,5 +1,6 @@
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
+#include "proofs/orbits/orbit_with.hpp"
 #include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::orbits {
@@ -57,36 +58,18 @@ Theorem decided(const Formula& inequality, const Value& value, const Theorem& or
 
 Theorem value_theorem(const Theorem& orbit, const Question& question, const std::string& name,
                       const Rational& lower, const Rational& upper, bool outside) {
-  std::vector<Formula> existences{orbit.conclusion()};
-  std::vector<Variable> names;
-  while (existences.back().kind() == Kind::exists) {
-    names.push_back({existences.back().name(), existences.back().binds()});
-    existences.push_back(opened(existences.back(), names.back()));
-  }
-  const Theorem body = Theorem::assume(existences.back());
   const Value named = named_value(question, name);
   const Term value = named.less == 0 ? named.bounded : named.bounded - Term(named.less);
-  std::vector<Theorem> parts{body};
-  if (!outside) {
-    parts.push_back(decided(at_most(lower, value), named, body));
-    parts.push_back(decided(at_most(value, upper), named, body));
-  } else {
-    try {
-      parts.push_back(decided(less(upper, value), named, body));
-    } catch (const KernelError&) {
-      parts.push_back(decided(less(value, lower), named, body));
+  return orbit_with(orbit, [&](const Theorem& body) {
+    if (!outside) {
+      return both({decided(at_most(lower, value), named, body), decided(at_most(value, upper), named, body)});
     }
-  }
-  Theorem result = both(parts);
-  Formula said = result.conclusion();
-  for (auto one = names.rbegin(); one != names.rend(); ++one) {
-    said = kernel::exists(*one, said);
-    result = Theorem::witness(result, said, *one);
-  }
-  for (std::size_t i = names.size(); i-- > 0;) {
-    result = Theorem::choose(i == 0 ? orbit : Theorem::assume(existences[i]), names[i], result);
-  }
-  return result;
+    try {
+      return decided(less(upper, value), named, body);
+    } catch (const KernelError&) {
+      return decided(less(value, lower), named, body);
+    }
+  });
 }
 
 }  // namespace stickslip::proofs::orbits

@@ -52,12 +52,13 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
                         ? Origin::paper
                         : Origin::auxiliary,
           .words = fmt::format("{}, at the data of {}", requirement.statement, where.example.figure),
-          .prove = [where, id = requirement.id](Prover&, const Claim&) {
+          .prove = [where, requirement](Prover& prover, const Claim&) {
             const std::vector<Condition>& conditions = printed_orbit(where.example).conditions;
-            const auto found = std::find_if(conditions.begin(), conditions.end(),
-                                            [&](const Condition& condition) { return condition.id == id; });
+            const auto found =
+                std::find_if(conditions.begin(), conditions.end(),
+                             [&](const Condition& condition) { return condition.id == requirement.id; });
             if (found == conditions.end()) {
-              throw InternalError("the orbit has no condition " + id);
+              throw InternalError("the orbit has no condition " + requirement.id);
             }
             std::string route = "decided in balls for all times of the phase, ends included";
             if (found->margin) {
@@ -69,6 +70,12 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
             Outcome outcome = at_the_data(where.example, route);
             outcome.uses = {where.orbit};
             outcome.verdict = found->verdict;
+            if (outcome.verdict.truth == Truth::proved) {
+              prove_of_orbit(outcome, prover, where,
+                             [&](const kernel::Theorem& orbit, const orbits::Question& q) {
+                               return orbits::condition_theorem(orbit, q, requirement);
+                             });
+            }
             return outcome;
           }};
 }

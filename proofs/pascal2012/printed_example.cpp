@@ -47,6 +47,22 @@ Outcome at_the_data(const Example& example, const std::string& route) {
   return outcome;
 }
 
+void prove_of_orbit(
+    Outcome& outcome, Prover& prover, const PrintedPlace& where,
+    const std::function<kernel::Theorem(const kernel::Theorem&, const orbits::Question&)>& theorem) {
+  const std::vector<kernel::Theorem>& orbit = prover.prove(where.orbit).outcome.theorems;
+  if (orbit.empty()) {
+    return;
+  }
+  try {
+    outcome.theorems = {theorem(
+        orbit.front(), orbits::question_of(question_of(where.example), printed_orbit(where.example).motion))};
+    outcome.by_kernel = true;
+  } catch (const kernel::KernelError& error) {
+    outcome.verdict = Verdict::undecided(error.what());
+  }
+}
+
 Claim printed_value(const PrintedPlace& where, const std::string& name, std::function<Ball()> value) {
   const PrintedResult& result = where.example.result(name);
   return {.id = where.example.name + "." + name,
@@ -60,17 +76,12 @@ Claim printed_value(const PrintedPlace& where, const std::string& name, std::fun
             outcome.uses = {where.orbit};
             outcome.comparisons = {compared(name, printed, proved)};
             outcome.verdict = outcome.comparisons.front().verdict;
-            try {
-              const std::vector<kernel::Theorem>& orbit = prover.prove(where.orbit).outcome.theorems;
-              if (!orbit.empty() && outcome.verdict.truth != Truth::undecided) {
-                outcome.theorems = {orbits::value_theorem(
-                    orbit.front(),
-                    orbits::question_of(question_of(where.example), printed_orbit(where.example).motion),
-                    name, printed.lower(), printed.upper(), outcome.verdict.truth == Truth::refuted)};
-                outcome.by_kernel = true;
-              }
-            } catch (const kernel::KernelError& error) {
-              outcome.verdict = Verdict::undecided(error.what());
+            if (outcome.verdict.truth != Truth::undecided) {
+              prove_of_orbit(outcome, prover, where,
+                             [&](const kernel::Theorem& orbit, const orbits::Question& q) {
+                               return orbits::value_theorem(orbit, q, name, printed.lower(), printed.upper(),
+                                                            outcome.verdict.truth == Truth::refuted);
+                             });
             }
             return outcome;
           }};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/methods/claim.hpp"
+#include "proofs/orbits/phases.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -26,6 +27,12 @@ struct PrintedPlace {
   std::string orbit;  // the id of the claim that the orbit exists
   std::string route;  // how its values were found
 };
+
+// Makes of what was decided in balls a theorem: what `theorem` makes of the orbit's existence, if that is
+// proved; undecided, with the reason, where it makes none.
+void prove_of_orbit(
+    methods::Outcome& outcome, methods::Prover& prover, const PrintedPlace& where,
+    const std::function<kernel::Theorem(const kernel::Theorem& orbit, const orbits::Question&)>& theorem);
 
 // "S.tau": the printed result of that name, against value(). The value is asked for when the claim is proved.
 [[nodiscard]] methods::Claim printed_value(const PrintedPlace& where, const std::string& name,

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -211,7 +212,7 @@ TEST_CASE("a parameter file gives the same answer as options, and options go bef
 }
 
 TEST_CASE(
-    "one file with phi and ur serves every family; what is a result of one is said, on options refused") {
+    "one file with phi and ur serves every family, what is a result of one is said, on options refused") {
   const TemporaryDirectory temporary;
   const std::string file = temporary.path() / "p.toml", plain = temporary.path() / "q.toml";
   const std::string data = "chi = 0.2\neta = 4\nus = 0.05\nV = 1\nomega = 0.6289\np = 0.05\n";
@@ -269,6 +270,29 @@ TEST_CASE(
   CHECK(wide.code == exit_undecided);
   CHECK(has(wide, "not proved for the whole box\n"));
   CHECK_FALSE(has(wide, "no orbits"));
+}
+
+TEST_CASE("each admissible orbit has a certificate, and what can have none is said") {
+  const TemporaryDirectory directory;
+  const std::filesystem::path out = directory.path() / "certificates";
+  const Run S = orbits({"symmetric", "--example", "S", "--certify", out.string()});
+  CHECK(S.code == exit_decided);
+  CHECK(S.err.find("Certificates of 4 orbits") != std::string::npos);
+  CHECK(std::filesystem::exists(out / "Claim_symmetric_1.v"));
+  CHECK(std::filesystem::exists(out / "Krawczyk.v"));
+  const std::string never = (directory.path() / "never").string();
+  const Run free = orbits({"nonsticking", "--chi", "0.5", "--eta", "2", "--us", "0.1", "--V", "0.1",
+                           "--omega", "0.5", "--p", "1", "--certify", never});
+  CHECK(free.err.find("nonsticking.2 has none: of an orbit that never sticks ur is a datum") !=
+        std::string::npos);
+  check_orbits_refused({
+      {{"OTS", "--example", "O", "--ur", "0.46", "--certify", never}, exit_usage, "not for a word"},
+      {{"symmetric", "--example", "S", "--chi", "0.5+-0.001", "--certify", never},
+       exit_usage,
+       "exact parameters"},
+      {{"symmetric", "--example", "S", "--certify", "/usr"}, exit_usage, "no certificates"},
+  });
+  CHECK_FALSE(std::filesystem::exists(never));
 }
 
 TEST_CASE("a plot is written whole or not at all") {

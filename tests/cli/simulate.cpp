@@ -136,7 +136,7 @@ TEST_CASE("an example's orbit returns to where it began, and the CSV tells so") 
   }
 }
 
-TEST_CASE("any state, any parameters; samples at the asked times") {
+TEST_CASE("any state, any parameters, samples at the asked times") {
   const TemporaryDirectory temporary;
   Words arguments = own_state;
   const std::string file = temporary.path() / "a.csv";

@@ -108,7 +108,7 @@ TEST_CASE("Wilson's interval") {
   CHECK(wilson(500, 500).most == 1);
 }
 
-TEST_CASE("an unstable orbit is found near a state on it, and called unstable; no start ends on it") {
+TEST_CASE("an unstable orbit is found near a state on it, and called unstable, no start ends on it") {
   const OrbitList family = listed(families::symmetric(), S(), 40);
   const Orbit * orbit = nullptr;
   for (const Orbit& o : family.orbits) {

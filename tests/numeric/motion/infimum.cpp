@@ -35,7 +35,7 @@ void check_close(const Ball& a, const Ball& b, const char * tolerance) {
 
 }  // namespace
 
-TEST_CASE("half the length of an interval does not reach both ends from a rounded middle; reach() does") {
+TEST_CASE("half the length of an interval does not reach both ends from a rounded middle, reach() does") {
   std::mt19937 random(14);
   std::uniform_real_distribution<double> uniform(0, 20);
   int short_of_an_end = 0;

@@ -42,7 +42,7 @@ TEST_CASE("what does not depend on the variable stays a constant") {
   CHECK(Series<double>::variable(5, 0).size() == 1);
 }
 
-TEST_CASE("exactly: (sin w t)'' = -w² sin w t; over balls the slope is contained for every member") {
+TEST_CASE("exactly: (sin w t)'' = -w² sin w t, over balls the slope is contained for every member") {
   const ExactPoint point(3);
   const Exact w = point.symbol("omega");
   const auto t = Series<Exact>::variable(point.symbol("t"), 2);

@@ -125,7 +125,7 @@ TEST_CASE("r at the threshold and next to it: stick at once left, or slip, the s
   CHECK(runs[0].transitions[0].time < 1e-14);
 }
 
-TEST_CASE("at the threshold with r turning back, us < ur: slips; within it: sticks on") {
+TEST_CASE("at the threshold with r turning back, us < ur: slips, within it: sticks on") {
   Start s = at_friction(0, 0);
   for (const Follow& way : both_ways()) {
     s.X = {0, s.ur * (1 - 1e-15) / s.data.chi, 3, s.data.V};  // r' < 0

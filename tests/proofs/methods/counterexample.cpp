@@ -44,7 +44,7 @@ TEST_CASE("what fails where the values and the inequalities of the assumptions h
   CHECK(negative.status == Status::undecided);
 }
 
-TEST_CASE("what fails for a motion from any state is refuted; where no motion is known to exist, it is not") {
+TEST_CASE("what fails for a motion from any state is refuted, where no motion is known to exist, it is not") {
   const Statement false_at_most_points = equation(z10, 0);
   const Statement law = equation(derivative(X(t)), first_order(K) * X(t) + column({0, 0, 0, eta * us}));
   const Assumption phase{"phase", during(0, tau, law)}, begins{"begins", equation(Z(0), Z0)};

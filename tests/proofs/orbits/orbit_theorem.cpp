@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "numeric/families/family.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
@@ -49,6 +50,16 @@ TEST_CASE("the orbits of the three figures exist: no hypotheses") {
   CHECK(bound(P.conclusion()) == std::vector<std::string>{"tau", "tau1", "phi", "X1", "X2"});
 }
 
+TEST_CASE("each phase lasts") {
+  Formula said = orbits::orbit_theorem(question("S"), motion_of("S")).conclusion();
+  while (said.kind() == Kind::exists) {
+    said = opened(said, Variable{said.name(), said.binds()});
+  }
+  for (const char * duration : {"tau", "T"}) {
+    CHECK(std::ranges::count(said.parts(), less(0, Term(Variable{duration}))) == 1);
+  }
+}
+
 TEST_CASE("an orbit at given ur, with its load phase as a result") {
   numeric::OrbitQuestion asked = methods::question_of(example_named("O"));
   asked.phi.reset();
@@ -92,6 +103,14 @@ TEST_CASE("what is no orbit is refused") {
   orbits::Question slow = question("P");
   slow.period = 2;
   refuses(slow, motion_of("P"));
+  // Friction at rest below friction when sliding: no law of friction.
+  orbits::Question slippery = question("P");
+  slippery.ur = slippery.data.us / 2;
+  refuses(slippery, motion_of("P"));
+  // A phase that lasts less than no time.
+  Motion backwards = motion_of("P");
+  backwards.phases[0].duration = Ball(-1);
+  refuses(question("P"), backwards);
   // Phi and ur together are more than an orbit can be asked for.
   orbits::Question both = question("O");
   both.ur = parse_rational("0.46");
@@ -113,4 +132,35 @@ TEST_CASE("a value lies where the orbit's theorem says, and nowhere else") {
   CHECK_THROWS_AS(static_cast<void>(about("Theta", "10.4715", "10.4725", true)), KernelError);
   CHECK_THROWS_AS(static_cast<void>(about("z10", "1.1", "1.11", false)), KernelError);  // that is x10
   CHECK_THROWS_AS(static_cast<void>(about("tau1", "0", "10", false)), KernelError);     // S has none
+}
+
+TEST_CASE("each condition of the three figures holds of their orbits, others do not") {
+  using numeric::motion::Quantity;
+  using numeric::motion::Requirement;
+  for (const std::string name : {"S", "O", "P"}) {
+    CAPTURE(name);
+    const orbits::Question q = question(name);
+    const Theorem orbit = orbits::orbit_theorem(q, motion_of(name));
+    for (const Requirement& requirement :
+         numeric::families::requirements(*example_named(name).family, true)) {
+      CAPTURE(requirement.id);
+      const Theorem theorem = orbits::condition_theorem(orbit, q, requirement);
+      CHECK(theorem.hypotheses().empty());
+      CHECK(bound(theorem.conclusion()) == bound(orbit.conclusion()));
+    }
+    const auto refused = [&](Quantity quantity, std::size_t phase, bool along) {
+      const Requirement wrong{"wrong", "wrong", quantity, phase, along};
+      CHECK_THROWS_AS(static_cast<void>(orbits::condition_theorem(orbit, q, wrong)), KernelError);
+    };
+    refused(Quantity::above_belt, 0, true);  // phase 0 slips
+    refused(Quantity::below_ur, 0, true);    // and r is beyond ur at its beginning, or just there
+    refused(Quantity::beyond_minus_ur, 0, false);
+    if (name == "S") {
+      refused(Quantity::below_belt, 1, true);  // phase 1 sticks
+      refused(Quantity::beyond_ur, 0, false);  // r = ur
+    }
+    if (name == "P") {
+      refused(Quantity::falls_behind, 0, false);  // ur < r
+    }
+  }
 }

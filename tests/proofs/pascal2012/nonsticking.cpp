@@ -49,7 +49,7 @@ TEST_CASE("(25), (26) and (36) are the same condition") {
   }
 }
 
-TEST_CASE("(37) is necessary but not sufficient; with u_r it is both") {
+TEST_CASE("(37) is necessary but not sufficient, with u_r it is both") {
   CHECK(record("37").status == Status::necessary_not_sufficient);
   REQUIRE(record("37").converse.has_value());
   CHECK(record("37").converse->verdict.witness.has_value());
@@ -77,7 +77,7 @@ TEST_CASE("det(H_1 - I) != 0 is stated for (69), and omega != 1 is an unstated h
 }
 
 TEST_CASE(
-    "at omega_1 = 2 omega a family of orbits is not symmetric; the mode must be the first, at this "
+    "at omega_1 = 2 omega a family of orbits is not symmetric, the mode must be the first, at this "
     "resonance") {
   CHECK(record("33.even").outcome.by_kernel);
   CHECK(record("33.even.orbits").outcome.verdict.truth == Truth::proved);

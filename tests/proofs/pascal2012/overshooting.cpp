@@ -43,7 +43,7 @@ const Entries Ht{"Htilde"}, h_{"h"}, H_{"H"}, G{"Gamma"};
 
 }  // namespace
 
-TEST_CASE("nineteen of the twenty coefficients are as printed; c_1 has a wrong sign, and only that") {
+TEST_CASE("nineteen of the twenty coefficients are as printed, c_1 has a wrong sign, and only that") {
   for (const std::string& id : coefficient_ids()) {
     CAPTURE(id);
     CHECK(record(id).status == (id == "47.c" ? Status::misprint_corrected : Status::as_printed));
@@ -79,7 +79,7 @@ TEST_CASE("(23) is necessary without, sufficient with Delta != 0, and Delta is a
   CHECK(record("23.spurious").status == Status::proved);
 }
 
-TEST_CASE("example O: the orbit is proved and obeys every condition; which printed numbers are right") {
+TEST_CASE("example O: the orbit is proved and obeys every condition, which printed numbers are right") {
   for (const char * id : {"O.orbit", "O.list", "O.tau", "O.Theta", "O.if.slip", "O.if.11.lower", "O.from.z10",
                           "O.from.z20", "O.from.zdot10", "O.from.ur", "O.from.T", "O.c1"}) {
     CAPTURE(id);

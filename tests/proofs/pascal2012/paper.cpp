@@ -151,7 +151,7 @@ TEST_CASE("example S: the orbit is proved, the period is right, other digits are
   }
 }
 
-TEST_CASE("(16) is necessary for the orbit of Section 4, not sufficient; the time lag is nearly forced") {
+TEST_CASE("(16) is necessary for the orbit of Section 4, not sufficient, the time lag is nearly forced") {
   CHECK(record("16").status == Status::necessary_not_sufficient);
   CHECK(record("16.back").outcome.verdict.truth == Truth::proved);
   std::set<std::string> exceptions;

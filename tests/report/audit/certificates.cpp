@@ -140,7 +140,7 @@ TEST_CASE("a file compiled before the one that it imports is not accepted") {
   CHECK(json.at("claims").at(1).at("reason") == "it was compiled before Claim_1");
 }
 
-TEST_CASE("without a record nothing is certified; a wrong one is refused") {
+TEST_CASE("without a record nothing is certified, a wrong one is refused") {
   const methods::Audit audit = audit_of(kernel::Theorem::reflexive(x));
   const Certification none = certification(audit);
   CHECK(none.claims.at("1").state == State::unknown);
