@@ -27,7 +27,13 @@ class Pool {
       std::erase_if(nodes_, [](const auto& entry) { return entry.second.expired(); });
       limit_ = 2 * nodes_.size() + fewest;
     }
-    nodes_.emplace(node->hash, node);
+    const auto [first, last] = nodes_.equal_range(node->hash);
+    const auto dead = std::find_if(first, last, [](const auto& entry) { return entry.second.expired(); });
+    if (dead != last) {
+      dead->second = node;
+    } else {
+      nodes_.emplace(node->hash, node);
+    }
   }
 
  private:
