@@ -36,10 +36,10 @@ Verdict Verdict::refuted(Witness witness) {
     point +=
         fmt::format("{}${} = {}$", point.empty() ? "" : ", ", coordinate.name, to_string(coordinate.value));
   }
-  std::string reason =
-      fmt::format("{}{} on the left and {} on the right at {}",
-                  witness.component.empty() ? "" : fmt::format("entry {}: ", witness.component),
-                  to_string(witness.left, 10), to_string(witness.right, 10), point);
+  std::string reason = fmt::format(
+      "{}{} is {} and {} is {} at {}",
+      witness.component.empty() ? "" : fmt::format("entry {}: ", witness.component), witness.left_name,
+      to_string(witness.left, 10), witness.right_name, to_string(witness.right, 10), point);
   return {Truth::refuted, std::move(reason), std::move(witness)};
 }
 

@@ -36,6 +36,9 @@ struct Witness {
   std::string component;  // which entry of a vector or matrix statement: "(2,1)"; empty for a scalar
   Ball left;
   Ball right;
+  // What the two are, where the statement shows no two sides: "$x_1(tau)$".
+  std::string left_name = "the left side";
+  std::string right_name = "the right side";
 };
 
 struct Verdict {

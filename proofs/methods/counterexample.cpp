@@ -40,7 +40,11 @@ Witness witness_of(const Statement& statement, const Scene& scene) {
   for (Eigen::Index i = left.size() - 1; i >= 0; --i) {
     shown = left(i).overlaps(right(i)) ? shown : i;
   }
-  return {scene.point, {}, left(shown), right(shown)};
+  Witness witness{scene.point, {}, left(shown), right(shown)};
+  if (left.size() > 1) {
+    witness.component = fmt::format("({},{})", shown % left.rows() + 1, shown / left.rows() + 1);
+  }
+  return witness;
 }
 
 // The verdict refuted, with its theorem; undecided where the kernel does not say so.
@@ -71,7 +75,11 @@ Proof by_counterexample(Counterexample example) {
     const Scene scene{example.point, example.values};
     refute(outcome, prover, scene, holding, example.false_there);
     if (outcome.verdict.truth == Truth::refuted) {
-      outcome.verdict = Verdict::refuted(witness_of(example.false_there.back(), scene));
+      Witness witness = witness_of(example.false_there.back(), scene);
+      if (example.false_there.size() > 1) {
+        witness.left_name += " of the last";
+      }
+      outcome.verdict = Verdict::refuted(witness);
     }
     std::vector<std::string> failed;
     for (const Statement& failing : example.false_there) {

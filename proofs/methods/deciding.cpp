@@ -96,15 +96,13 @@ bool is_substitution(const Assumption& assumption) {
 }
 
 bool depends_on(const Term& term, const std::string& name) {
-  if (mentions(term, name)) {
-    return true;
-  }
   const Symbol * row = symbol_table().find(term);
   if (row != nullptr && !row->of_time && (row->value || row->means)) {
-    return depends_on(row->value ? *row->value : *row->means, name);
+    return mentions(term, name) || depends_on(row->value ? *row->value : *row->means, name);
   }
   const bool is_load = term.name() == "F" || term.name() == "F0" || term.name() == "R";
-  return (is_load && (name == "phi" || name == "omega")) ||
+  return (term.op() == Op::symbol && term.name() == name) ||
+         (is_load && (name == "phi" || name == "omega")) ||
          std::any_of(term.arguments().begin(), term.arguments().end(),
                      [&](const Term& argument) { return depends_on(argument, name); });
 }

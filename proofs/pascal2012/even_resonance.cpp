@@ -175,9 +175,10 @@ Claim always_symmetric() {
             point.push_back({"epsilon", largest_epsilon});
             outcome.verdict = prover.prove("33.even.orbits").outcome.verdict;
             if (outcome.verdict.truth == Truth::proved) {
-              outcome.verdict = (at_0 + at_tau).is_nonzero()
-                                    ? Verdict::refuted(Witness{point, {}, at_tau, -at_0})
-                                    : Verdict::undecided("the states at 0 and tau may be opposite");
+              outcome.verdict =
+                  (at_0 + at_tau).is_nonzero()
+                      ? Verdict::refuted(Witness{point, {}, at_tau, -at_0, "$x_1(tau)$", "$-x_1(0)$"})
+                      : Verdict::undecided("the states at 0 and tau may be opposite");
             }
             return outcome;
           }};

@@ -86,8 +86,12 @@ Claim friction_claim() {
               outcome.verdict = Verdict::undecided("some orbit may have this u_r");
               return outcome;
             }
-            outcome.verdict = Verdict::refuted(
-                Witness{outcome.at, {}, value_of(printed_orbit(printed()), "ur"), Ball(given.value)});
+            outcome.verdict = Verdict::refuted(Witness{outcome.at,
+                                                       {},
+                                                       value_of(printed_orbit(printed()), "ur"),
+                                                       Ball(given.value),
+                                                       "$u_r$ of the orbit",
+                                                       "the printed one"});
             return outcome;
           }};
 }

@@ -69,7 +69,9 @@ Outcome only_at_rest() {
                                               {"p", a.p.middle}},
                                              {},
                                              Ball(a.V.middle),
-                                             Ball(0)});
+                                             Ball(0),
+                                             "the velocity of the belt, $V$,",
+                                             "what the paper asks for"});
   return outcome;
 }
 
@@ -97,32 +99,36 @@ Claim isolated() {
 
 // What the response settles on attracts.
 Claim steady() {
-  return {
-      .id = "7.steady",
-      .kind = Kind::theorem,
-      .origin = Origin::reading,
-      .words =
-          "conclusion: the orbits of the three figures are steady-state responses, that is, they attract",
-      .prove = [](Prover&, const Claim&) {
-        const Example& example = example_named("S");
-        Outcome outcome = at_the_data(example,
-                                      "a Floquet multiplier of the orbit is larger than 1, in "
-                                      "balls: motions that begin near it leave it");
-        outcome.uses = {"S.stability", "O.stability", "P.stability"};
-        const auto kind_of = [](const char * name) {
-          const std::optional<Stability>& found = printed_orbit(example_named(name)).stability;
-          return found ? found->kind : StabilityKind::undecided;
-        };
-        const bool others_attract =
-            kind_of("O") == StabilityKind::stable && kind_of("P") == StabilityKind::stable;
-        if (kind_of("S") != StabilityKind::unstable || !others_attract) {
-          outcome.verdict = Verdict::undecided("the stability of the orbits is not that");
-          return outcome;
-        }
-        const ComplexBall& largest = printed_orbit(example).stability->multipliers.front();
-        outcome.verdict = Verdict::refuted(Witness{outcome.at, {}, sqrt(largest.squared_modulus()), Ball(1)});
-        return outcome;
-      }};
+  return {.id = "7.steady",
+          .kind = Kind::theorem,
+          .origin = Origin::reading,
+          .words =
+              "conclusion: the orbits of the three figures are steady-state responses, that is, they attract",
+          .prove = [](Prover&, const Claim&) {
+            const Example& example = example_named("S");
+            Outcome outcome = at_the_data(example,
+                                          "a Floquet multiplier of the orbit is larger than 1, in "
+                                          "balls: motions that begin near it leave it");
+            outcome.uses = {"S.stability", "O.stability", "P.stability"};
+            const auto kind_of = [](const char * name) {
+              const std::optional<Stability>& found = printed_orbit(example_named(name)).stability;
+              return found ? found->kind : StabilityKind::undecided;
+            };
+            const bool others_attract =
+                kind_of("O") == StabilityKind::stable && kind_of("P") == StabilityKind::stable;
+            if (kind_of("S") != StabilityKind::unstable || !others_attract) {
+              outcome.verdict = Verdict::undecided("the stability of the orbits is not that");
+              return outcome;
+            }
+            const ComplexBall& largest = printed_orbit(example).stability->multipliers.front();
+            outcome.verdict = Verdict::refuted(Witness{outcome.at,
+                                                       {},
+                                                       sqrt(largest.squared_modulus()),
+                                                       Ball(1),
+                                                       "the modulus of the multiplier",
+                                                       "what it exceeds"});
+            return outcome;
+          }};
 }
 
 }  // namespace

@@ -20,6 +20,8 @@ TEST_CASE("a refutation names its point and both sides") {
   const Verdict verdict = Verdict::refuted(
       Witness{{{"omega1", Rational(1, 2)}, {"t", Rational(1, 3)}}, "(2,1)", Ball(1), Ball(2)});
   CHECK(verdict.truth == Truth::refuted);
-  CHECK(verdict.reason == "entry (2,1): 1 on the left and 2 on the right at $omega1 = 0.5$, $t = 1/3$");
-  CHECK(plain(verdict.reason) == "entry (2,1): 1 on the left and 2 on the right at omega1 = 0.5, t = 1/3");
+  CHECK(verdict.reason ==
+        "entry (2,1): the left side is 1 and the right side is 2 at $omega1 = 0.5$, $t = 1/3$");
+  CHECK(plain(verdict.reason) ==
+        "entry (2,1): the left side is 1 and the right side is 2 at omega1 = 0.5, t = 1/3");
 }
