@@ -1,5 +1,7 @@
 #include "numeric/families/nonsticking.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/error.hpp"
@@ -32,12 +34,31 @@ struct Scaled {
   }
 };
 
-void require_no_resonance(const ExactParameters& a) {
-  const Resonances found = resonances(a);
-  if (const long k = found.first != 0 ? found.first : found.second; k != 0) {
+// omega_j = k omega: where an orbit may be, as nonsticking.hpp says.
+Found at_resonance(const ExactParameters& a, const Resonances& k) {
+  if (k.first == 1 || k.second == 1) {
     throw DomainError("omega", stickslip::to_string(a.omega),
-                      "no resonance: here " + std::to_string(k) + " omega is a natural frequency");
+                      "not a natural frequency: omega ≠ omega1, omega2");
   }
+  Found result;
+  if (a.V == 0 && (k.first % 2 != 0 || k.second % 2 != 0)) {
+    result.remarks.push_back(Remark::odd_resonance);
+    return result;
+  }
+  const long most = std::max(k.first, k.second);
+  for (long l = 1; l < most; ++l) {
+    const bool returns = k.first * l % most == 0 && k.second * l % most == 0;
+    if (returns && (a.V != 0 || 2 * l == most)) {
+      const Ball tau = Ball(2 * l) * Ball::pi() / (Ball(most) * Ball(a.omega));
+      result.unresolved.push_back(
+          {{{"tau", tau}},
+           fmt::format(
+               "${} omega$ is a natural frequency: orbits are not alone, the free oscillation of that "
+               "frequency can be added to one as long as the conditions hold",
+               k.first != 0 ? k.first : k.second)});
+    }
+  }
+  return result;
 }
 
 // Whether the zero lies in the box, modulo 2 pi in mu.
@@ -105,12 +126,16 @@ void conclude(const ExactParameters& a, const std::vector<FoundZero<2>>& zeros, 
 Found search_nonsticking(const Given<Rational>& given) {
   const ExactParameters& a = given.data;
   require_model_domain(a);
-  require_no_resonance(a);
   Found result;
-  if (a.p == 0 || a.omega == 1) {
-    if (a.V == 0) {
-      result.remarks.push_back(Remark::nothing_drives);
-    }
+  const bool acts = a.p != 0 && a.omega != 1;
+  if (!acts && a.V == 0) {
+    result.remarks.push_back(Remark::nothing_drives);
+    return result;
+  }
+  if (const Resonances k = resonances(a); k.first != 0 || k.second != 0) {
+    return at_resonance(a, k);
+  }
+  if (!acts) {
     return result;
   }
   SearchResult<2> found;

@@ -66,6 +66,10 @@ std::string describe(Remark remark) {
     case Remark::nothing_drives:
       return "$V = 0$ and the load does not act on $x2$, for $p = 0$ or $omega = 1$: friction takes energy "
              "whenever $x2$ moves and nothing gives it back, so no such motion obeys the law.";
+    case Remark::odd_resonance:
+      return "$V = 0$ and a natural frequency is an odd multiple of $omega$: a motion that never sticks has "
+             "two "
+             "phases of half a period, whose friction drives that mode without end, so none closes.";
     case Remark::interrupted:
       return "The search was interrupted: orbits may be missing, and the unresolved boxes are where.";
     case Remark::searched_at_middle:
