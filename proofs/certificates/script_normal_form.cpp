@@ -131,6 +131,96 @@ Formulas divisors_of(const Term& term) {
 
 }  // namespace
 
+namespace {
+
+// How long a term is, written out, and how often each of its parts stands in it.
+class Measure {
+ public:
+  explicit Measure(const Term& whole) {
+    add(whole);
+    counts[whole] = 1;
+    for (auto term = parts.rbegin(); term != parts.rend(); ++term) {
+      for (const Term& part : inside(*term)) {
+        counts[part] += counts[*term];
+      }
+    }
+  }
+  [[nodiscard]] double all(const Term& part) { return counts[part] * sizes[part]; }
+
+  std::map<Term, double> sizes, counts;
+  std::vector<Term> parts;  // each before what it is part of
+
+ private:
+  static std::vector<Term> inside(const Term& term) {
+    const bool closed =
+        term.kind() == Kind::variable || term.kind() == Kind::apply || term.kind() == Kind::defined;
+    return closed ? std::vector<Term>{} : term.parts();
+  }
+  double add(const Term& term) {
+    if (const auto known = sizes.find(term); known != sizes.end()) {
+      return known->second;
+    }
+    double size = 1;
+    for (const Term& part : inside(term)) {
+      size += add(part);
+    }
+    parts.push_back(term);
+    return sizes.emplace(term, size).first->second;
+  }
+};
+
+struct Letter {
+  Term stands_for;
+  Variable name;
+};
+
+// Whether the first of the terms vanishes wherever none of the others does.
+bool vanishes(const std::vector<Term>& terms) {
+  const std::optional<Theorem> vanishing = identity(terms[0], zero(terms[0].type()));
+  return vanishing && std::ranges::all_of(vanishing->hypotheses(), [&](const Formula& divisor) {
+           return std::find(terms.begin() + 1, terms.end(), divisor.parts()[0].parts()[0]) != terms.end();
+         });
+}
+
+// Of a long term: matrices that stand in it again and again, and may be any, replaced by letters in all
+// terms. Those first that make up most of it.
+std::vector<Letter> with_letters(std::vector<Term>& terms) {
+  constexpr double is_long = 4000;
+  constexpr int most_tries = 6;
+  std::vector<Letter> letters;
+  std::set<Term> tried;
+  for (int tries = 0; tries < most_tries; ++tries) {
+    Measure measure(terms[0]);
+    if (measure.sizes[terms[0]] < is_long) {
+      break;
+    }
+    const Term * best = nullptr;
+    for (const Term& part : measure.parts) {
+      const bool may_be = part.type().sort == Sort::real && !part.type().is_scalar() &&
+                          measure.counts[part] >= 2 && measure.sizes[part] > 1 && !tried.contains(part);
+      if (may_be && (best == nullptr || measure.all(part) > measure.all(*best))) {
+        best = &part;
+      }
+    }
+    if (best == nullptr) {
+      break;
+    }
+    const Letter letter{*best, {fmt::format("letter {}", letters.size()), best->type()}};
+    tried.insert(letter.stands_for);
+    std::vector<Term> others;
+    for (const Term& term : terms) {
+      others.push_back(replaced(term, letter.stands_for, letter.name));
+    }
+    if (vanishes(others)) {
+      terms = others;
+      letters.push_back(letter);
+    }
+  }
+  return letters;
+}
+
+}  // namespace
+
 std::string Script::normal_form(const Term& left, const Term& right, const Step& step,
                                 const Scope& scope) const {
   const Definitions opened = needed(difference(left, right), step);
@@ -146,12 +236,30 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
       terms.push_back(divisor.parts()[0].parts()[0]);
     }
   }
-  const std::string known = fmt::format("{}", fmt::join(divisors, " "));
-  const std::string reverted = divisors.empty() ? "" : fmt::format("  revert {}.\n", known);
   if (!opened.empty()) {
     text += fmt::format("  cbv beta delta [{}].\n", names_of(opened));
   }
   text += same_atoms(terms, divisors);
+  const auto listed = [&] { return fmt::format("{}", fmt::join(divisors, " ")); };
+  const auto reverted = [&] { return divisors.empty() ? "" : fmt::format("  revert {}.\n", listed()); };
+  if (const std::vector<Letter> letters = with_letters(terms); !letters.empty()) {
+    text += reverted();
+    for (const Letter& letter : letters) {
+      text +=
+          fmt::format("  generalize {}; intros {}.\n", coq(letter.stands_for), identifier(letter.name.name));
+    }
+    text += divisors.empty() ? "" : fmt::format("  intros {}.\n", listed());
+    // What only letters divided by is needed no more.
+    const Formulas left_over = divisors_of(terms[0]);
+    for (std::size_t k = divisors.size(); k-- > 0;) {
+      const auto is_it = [&](const Formula& one) { return one.parts()[0].parts()[0] == terms[k + 1]; };
+      if (std::ranges::none_of(left_over, is_it)) {
+        text += fmt::format("  clear {}.\n", divisors[k]);
+        divisors.erase(divisors.begin() + static_cast<std::ptrdiff_t>(k));
+        terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k + 1));
+      }
+    }
+  }
   const Phases phases = phases_of(terms);
   std::string expansions;
   for (std::size_t i = 0; i < phases.arguments.size(); ++i) {
@@ -159,7 +267,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
     text += fmt::format("  assert (E'{} : {} = {}) by angle.\n", i, argument, sum);
     expansions += fmt::format("  expand_circle E'{}.\n", i);
   }
-  text += reverted + expansions;
+  text += reverted() + expansions;
   std::vector<std::string> circles;
   for (const std::string& phase : phases.phases) {
     const std::string n = std::to_string(circles.size());
@@ -182,7 +290,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
                 : fmt::format("  generalize {}; intros {}.\n", shown, pattern(matrices[i].type(), name));
   }
   if (!divisors.empty()) {
-    text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", known);
+    text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
   }
   const std::string rewriting = circles.empty() ? "" : fmt::format(" [{}]", fmt::join(circles, " "));
   return text + fmt::format("  rewrite ?cos_0, ?sin_0; each_entry; first [ring{0} | field{0}; nonzero].\n",
