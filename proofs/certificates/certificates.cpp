@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "proofs/certificates/prelude.hpp"
 #include "proofs/certificates/script.hpp"
@@ -157,6 +158,11 @@ class Writer {
 
 Certificates certificates(const std::vector<methods::Claim>& claims, const std::set<std::string>& ids,
                           const std::set<std::string>& kept) {
+  for (const std::string& id : ids) {
+    if (std::ranges::none_of(claims, [&](const methods::Claim& claim) { return claim.id == id; })) {
+      throw InternalError(fmt::format("no claim has the id '{}'", id));
+    }
+  }
   Writer writer(claims);
   for (const methods::Claim& claim : claims) {
     if ((ids.empty() || ids.contains(claim.id) || kept.contains(claim.id)) && !interrupted()) {
