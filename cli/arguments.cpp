@@ -102,8 +102,8 @@ void add_certify(CLI::App& program, CertifyOptions& options, Request& request, c
       command
           ->add_option(
               "--out", options.out,
-              "Where to: a new directory, an empty one, or one with\ncertificates; files that are the "
-              "same stay as they are")
+              "Where to: a new directory, an empty one, or one with\ncertificates, which are kept; files "
+              "that are the same stay\nas they are")
           ->type_name("DIR");
   command
       ->add_option("--record", options.record,

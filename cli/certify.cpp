@@ -34,6 +34,17 @@ void require_certificates_only(const fs::path& directory) {
                                directory.string()));
 }
 
+namespace {
+
+// Nothing, if there is no record yet.
+report::tools::Json recorded(const fs::path& directory) {
+  std::error_code ignored;
+  const fs::path path = directory / certificate_record;
+  return fs::exists(path, ignored) ? report::audit::read_record(path) : report::tools::Json::object();
+}
+
+}  // namespace
+
 void write_certificates(const fs::path& directory, const Certificates& certificates) {
   std::vector<report::tools::File> changed;
   std::set<std::string> names;
@@ -45,7 +56,8 @@ void write_certificates(const fs::path& directory, const Certificates& certifica
       changed.push_back({file.name, file.text});
     }
   }
-  changed.push_back({certificate_record, report::tools::to_text(report::audit::record_of(certificates))});
+  changed.push_back({certificate_record,
+                     report::tools::to_text(report::audit::record_of(certificates, recorded(directory)))});
   report::tools::write_files(directory, changed);
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     const fs::path& path = entry.path();
@@ -69,6 +81,18 @@ std::set<std::string> ids_of(const std::vector<proofs::methods::Claim>& claims,
   return ids;
 }
 
+// Of the directory's certificates those that are still claims: they stay beside those asked for.
+std::set<std::string> kept_in(const fs::path& directory, const std::vector<proofs::methods::Claim>& claims) {
+  std::set<std::string> kept;
+  for (const report::tools::Json& one : recorded(directory).value("claims", report::tools::Json::array())) {
+    const std::string id = one.at("claim");
+    if (std::ranges::any_of(claims, [&](const auto& claim) { return claim.id == id; })) {
+      kept.insert(id);
+    }
+  }
+  return kept;
+}
+
 // What Coq said.
 ExitCode record(const fs::path& directory) {
   const report::tools::Json json = report::audit::checked(directory);
@@ -87,24 +111,28 @@ ExitCode run(const CertifyOptions& options, const proofs::methods::Paper& paper)
   const fs::path directory(options.out);
   report::tools::require_writable(directory);
   require_certificates_only(directory);
+  const std::set<std::string> kept = ids.empty() ? ids : kept_in(directory, paper.claims);
   Certificates certificates;
   {
     const Interruptible scope;
     const Progress progress("proving and writing certificates");
-    certificates = proofs::certificates::certificates(paper.claims, ids);
+    certificates = proofs::certificates::certificates(paper.claims, ids, kept);
     if (interrupted()) {
       tell("stickslip: interrupted: nothing was written");
       return exit_interrupted;
     }
   }
   write_certificates(directory, certificates);
-  std::size_t theorems = 0;
+  std::size_t theorems = 0, statements = 0;
   for (const proofs::certificates::Certificate& certificate : certificates.certificates) {
-    theorems += certificate.theorems.size();
+    if (certificate.asked) {
+      theorems += certificate.theorems.size();
+      ++statements;
+    }
   }
   std::string text =
       fmt::format("{} theorems of {} statements are in {}: make -k -j there has Coq check them\n", theorems,
-                  certificates.certificates.size(), options.out);
+                  statements, options.out);
   bool lacking = false;
   std::map<std::string, std::vector<std::string>> without;
   for (const proofs::certificates::Uncertified& one : certificates.uncertified) {

@@ -25,6 +25,7 @@ struct Certificate {
                                       // the corrected form, then of the converse
   std::set<std::string> imports;      // names of other certificates
   std::string says;                   // the fingerprint of what its theorems say
+  bool asked = true;                  // for it, or for one that rests on it
 };
 
 // A claim that has none, or none any more than in part.
@@ -39,9 +40,11 @@ struct Certificates {
   std::vector<File> files;  // all that coqc needs: prelude, definitions, certificates, a Makefile
 };
 
-// Of the claims with these ids (all if there are none) and of what they rest on. Proves them first. Throws
-// InternalError for an unknown id. After an interruption (core/interruption.hpp) only of some.
+// Of the claims with these ids (all if there are none) and of what they rest on, which the Makefile makes;
+// and of those to be kept, which it makes on demand. Proves them first. Throws InternalError for an unknown
+// id. After an interruption (core/interruption.hpp) only of some.
 [[nodiscard]] Certificates certificates(const std::vector<methods::Claim>& claims,
-                                        const std::set<std::string>& ids = {});
+                                        const std::set<std::string>& ids = {},
+                                        const std::set<std::string>& kept = {});
 
 }  // namespace stickslip::proofs::certificates

@@ -12,77 +12,6 @@ using namespace kernel;
 
 namespace {
 
-// Words of Coq and names of the prelude that a statement may use itself.
-const std::set<std::string> taken{"R",
-                                  "Z",
-                                  "Mat",
-                                  "Vec",
-                                  "S",
-                                  "O",
-                                  "I",
-                                  "PI",
-                                  "cos",
-                                  "sin",
-                                  "as",
-                                  "at",
-                                  "by",
-                                  "do",
-                                  "else",
-                                  "end",
-                                  "exists",
-                                  "fix",
-                                  "for",
-                                  "forall",
-                                  "fun",
-                                  "if",
-                                  "in",
-                                  "let",
-                                  "match",
-                                  "mod",
-                                  "of",
-                                  "return",
-                                  "then",
-                                  "using",
-                                  "where",
-                                  "with",
-                                  "Set",
-                                  "Prop",
-                                  "Type",
-                                  "True",
-                                  "False",
-                                  "not",
-                                  "and",
-                                  "or",
-                                  "ex",
-                                  "eq",
-                                  "det",
-                                  "mat",
-                                  "dot",
-                                  "ent",
-                                  "minv",
-                                  "mzero",
-                                  "IZR",
-                                  "finite",
-                                  "nat",
-                                  "list",
-                                  "derivative",
-                                  "derivative_m",
-                                  "continuous_on",
-                                  "continuous_on_m"};
-// What the certificates name themselves.
-const std::vector<std::string> prefixes{"v_",     "hyp",    "by",         "truth",
-                                        "Claim_", "claim_", "corrected_", "converse_"};
-// Variables that have the name of a definition: where they stand, the definition would be hidden.
-const std::set<std::string> defined_names{"chi", "eta"};
-
-bool is_plain(const std::string& name) {
-  return std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
-         std::none_of(prefixes.begin(), prefixes.end(),
-                      [&](const std::string& prefix) { return name.starts_with(prefix); }) &&
-         std::all_of(name.begin(), name.end(),
-                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-}
-
 // How tightly Coq binds what a text says: a number is 0, an application 10, a quantified formula 200.
 enum Level {
   atom = 0,
@@ -178,19 +107,6 @@ std::string matrix_text(const Term& term, int level) {
   }
   return bracketed(applied_level, level,
                    fmt::format("mat {} {} ⟦{}⟧", term.row(), term.column(), fmt::join(rows, ", ")));
-}
-
-// The binder's variable under a name that nothing in its body has.
-Variable opened_variable(const Term& term) {
-  Variable variable{term.name(), term.binds()};
-  const auto in_use = [&] {
-    return std::any_of(term.variables().begin(), term.variables().end(),
-                       [&](const Variable& free) { return free.name == variable.name; });
-  };
-  while (in_use()) {
-    variable.name += "_";
-  }
-  return variable;
 }
 
 std::string quantified(const char * quantifier, const Term& term, int level) {
@@ -300,27 +216,7 @@ std::string text(const Term& term, int level) {
   }
 }
 
-std::string encoded(const std::string& name) {
-  std::string text = "v_";
-  for (const unsigned char c : name) {
-    text += std::isalnum(c) != 0 ? std::string(1, static_cast<char>(c)) : fmt::format("_{:x}_", c);
-  }
-  return text;
-}
-
 }  // namespace
-
-std::string identifier(const std::string& name) {
-  if (!is_plain(name)) {
-    return encoded(name);
-  }
-  return taken.contains(name) || defined_names.contains(name) ? name + "'" : name;
-}
-
-std::string definition_name(const Definition& definition) {
-  const std::string& name = definition.name();
-  return defined_names.contains(name) ? name : identifier(name);
-}
 
 std::string coq_type(const Type& type) {
   if (type.sort == Sort::integer) {
@@ -391,67 +287,6 @@ std::string coq_definition(const Definition& definition) {
   return fmt::format("Definition {}{}{} : {} :=\n  {}.\n", definition_name(definition),
                      parameters.empty() ? "" : " ", binders(parameters), type,
                      coq_statement(definition.body()));
-}
-
-namespace {
-
-void collect(const Term& term, std::set<Term>& seen, std::vector<Definition>& found) {
-  if (!seen.insert(term).second) {
-    return;
-  }
-  for (const Term& part : term.parts()) {
-    collect(part, seen, found);
-  }
-  if (term.kind() == Kind::defined &&
-      std::find(found.begin(), found.end(), term.definition()) == found.end()) {
-    collect(term.definition().body(), seen, found);
-    if (std::find(found.begin(), found.end(), term.definition()) == found.end()) {
-      found.push_back(term.definition());
-    }
-  }
-}
-
-bool is_binder(const Term& term) {
-  return term.kind() == Kind::lambda || term.kind() == Kind::for_all || term.kind() == Kind::exists ||
-         term.kind() == Kind::finite;
-}
-
-// As they are written.
-void collect_variables(const Term& term, std::set<Term>& seen, std::set<std::string>& names) {
-  if (!seen.insert(term).second) {
-    return;
-  }
-  for (const Variable& variable : term.variables()) {
-    names.insert(identifier(variable.name));
-  }
-  if (is_binder(term)) {
-    const Variable variable = opened_variable(term);
-    names.insert(identifier(variable.name));
-    collect_variables(opened(term, variable), seen, names);
-    return;
-  }
-  for (const Term& part : term.parts()) {
-    collect_variables(part, seen, names);
-  }
-}
-
-}  // namespace
-
-std::string hidden_definition(const Term& term) {
-  std::vector<Definition> definitions;
-  collect_definitions(term, definitions);
-  std::set<std::string> names;
-  std::set<Term> seen;
-  collect_variables(term, seen, names);
-  const auto found = std::find_if(definitions.begin(), definitions.end(), [&](const Definition& definition) {
-    return names.contains(definition_name(definition));
-  });
-  return found == definitions.end() ? "" : definition_name(*found);
-}
-
-void collect_definitions(const Term& term, std::vector<Definition>& found) {
-  std::set<Term> seen;
-  collect(term, seen, found);
 }
 
 }  // namespace stickslip::proofs::certificates

@@ -7,14 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "proofs/kernel/theorem.hpp"
+#include "proofs/certificates/coq_names.hpp"
 
 namespace stickslip::proofs::certificates {
-
-// The name of a variable, one that Coq takes; different names stay different.
-[[nodiscard]] std::string identifier(const std::string& name);
-// The name of a definition. The names of variables are others: see hidden_definition.
-[[nodiscard]] std::string definition_name(const kernel::Definition& definition);
 
 // "R", "Z", "Mat 2 2", "R -> Mat 4 1".
 [[nodiscard]] std::string coq_type(const kernel::Type& type);
@@ -34,12 +29,4 @@ namespace stickslip::proofs::certificates {
 
 // "Definition H1 (t omega1 omega2 : R) : Mat 2 2 := …."
 [[nodiscard]] std::string coq_definition(const kernel::Definition& definition);
-
-// The name of a definition in the term that a variable there, free or bound, has too, so that Coq would take
-// one for the other; empty if there is none.
-[[nodiscard]] std::string hidden_definition(const kernel::Term& term);
-
-// All definitions applied in the term, and in the bodies of these, each after those it needs.
-void collect_definitions(const kernel::Term& term, std::vector<kernel::Definition>& found);
-
 }  // namespace stickslip::proofs::certificates

@@ -26,18 +26,9 @@ const std::set<std::string> allowed_axioms{
     "ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec",
     "FunctionalExtensionality.functional_extensionality_dep", "classic"};
 
-Json read_record(const fs::path& path) {
-  const Json record = Json::parse(tools::read_file(path), nullptr, false);
-  if (record.is_discarded() || !record.contains("claims") || !record.contains("program")) {
-    throw InputOutputError(
-        fmt::format("'{}' is no record of certificates; script/certify makes one", path.string()));
-  }
-  return record;
-}
-
-// What coqc said: the axioms of each theorem, and the seconds.
+// What coqc said: the axioms on which the theorems rest, and the seconds.
 struct Log {
-  std::size_t theorems = 0;
+  bool says_axioms = false;
   std::set<std::string> axioms;
   std::string seconds;
 };
@@ -48,7 +39,7 @@ Log read_log(const fs::path& path) {
   bool axioms = false;
   for (std::string line; std::getline(lines, line);) {
     const bool begins = line == "Axioms:", closed = line.starts_with("Closed under");
-    log.theorems += begins || closed ? 1 : 0;
+    log.says_axioms = log.says_axioms || begins || closed;
     if (line.starts_with("seconds ")) {
       log.seconds = line.substr(8);
       axioms = false;
@@ -67,38 +58,65 @@ bool is_newer(const fs::path& file, const fs::path& than) {
   return !error && time >= fs::last_write_time(than, error) && !error;
 }
 
-// Why this claim is not accepted; empty if it is. Fills in what was found.
-std::string look_at(Json& claim, const fs::path& directory, const std::set<std::string>& accepted) {
-  const std::string name = claim.at("file");
-  const fs::path file = directory / name, compiled = fs::path(file).replace_extension(".vo");
-  if (!fs::exists(file) || certificates::fingerprint(tools::read_file(file)) != claim.at("text")) {
-    return "its file is not the one that was written";
-  }
+// What one claim comes to: accepted, refused, or null, where Coq was not asked; and why.
+struct Finding {
+  Json accepted;
+  std::string reason = {};
+};
+
+// What Coq said of the file itself. Fills in what was found.
+Finding look_at(Json& claim, const fs::path& file) {
+  const fs::path compiled = fs::path(file).replace_extension(".vo");
   const fs::path log_file = fs::path(file).replace_extension(".log");
-  if (!is_newer(compiled, file) || !fs::exists(log_file)) {
-    return fs::exists(log_file) ? "Coq does not accept it: see " + log_file.filename().string()
-                                : "Coq was not asked";
-  }
-  for (const std::string import : claim.at("imports")) {
-    if (!accepted.contains(import)) {
-      return "it rests on " + import + ", which is not accepted";
+  if (!is_newer(compiled, file)) {
+    if (!is_newer(log_file, file)) {
+      return {nullptr, "Coq was not asked"};
     }
-    if (!is_newer(compiled, directory / (import + ".vo"))) {
-      return "it was compiled before " + import;
-    }
+    const std::string what = tools::read_file(log_file).find("no end within") == std::string::npos
+                                 ? "Coq does not accept it"
+                                 : "Coq did not come to an end in time";
+    return {false, what + ": see " + log_file.filename().string()};
   }
   const Log log = read_log(log_file);
   claim["seconds"] = log.seconds;
   claim["axioms"] = log.axioms;
-  if (log.theorems != claim.at("theorems").size()) {
-    return "Coq did not say what each theorem rests on";
+  if (!log.says_axioms) {
+    return {false, "Coq did not say what its theorems rest on"};
   }
-  for (const std::string& axiom : log.axioms) {
-    if (!allowed_axioms.contains(axiom)) {
-      return "it rests on " + axiom;
+  const auto foreign = std::ranges::find_if(
+      log.axioms, [](const std::string& axiom) { return !allowed_axioms.contains(axiom); });
+  return foreign == log.axioms.end() ? Finding{true} : Finding{false, "it rests on " + *foreign};
+}
+
+// What was found of the files before, by their names without ".v".
+struct Before {
+  Json accepted;
+  std::string root;  // the first that is not accepted of what it rests on
+};
+
+Finding look_at(Json& claim, const fs::path& directory, const std::map<std::string, Before>& before,
+                std::string& root) {
+  const fs::path file = directory / claim.at("file").get<std::string>();
+  if (!fs::exists(file) || certificates::fingerprint(tools::read_file(file)) != claim.at("text")) {
+    return {false, "its file is not the one that was written"};
+  }
+  for (const std::string import : claim.at("imports")) {
+    const Before& found = before.at(import);
+    if (found.accepted != true) {
+      root = found.root;
+      return {found.accepted,
+              fmt::format("it rests on {}, {}", root,
+                          found.accepted.is_null() ? "of which Coq was not asked" : "which is not accepted")};
     }
   }
-  return "";
+  const Finding finding = look_at(claim, file);
+  for (const std::string import : claim.at("imports")) {
+    if (finding.accepted == true &&
+        !is_newer(fs::path(file).replace_extension(".vo"), directory / (import + ".vo"))) {
+      return {false, "it was compiled before " + import};
+    }
+  }
+  return finding;
 }
 
 std::string counted(std::size_t count, const char * what) {
@@ -107,7 +125,14 @@ std::string counted(std::size_t count, const char * what) {
 
 }  // namespace
 
-Json record_of(const certificates::Certificates& all) {
+Json record_of(const certificates::Certificates& all, const Json& before) {
+  std::map<std::string, const Json *> recorded;
+  if (before.contains("claims")) {
+    for (const Json& claim : before.at("claims")) {
+      recorded.emplace(claim.at("claim"), &claim);
+    }
+  }
+  std::set<std::string> same;  // names of files of which nothing has changed, nor of what they rest on
   std::map<std::string, std::string> texts;
   for (const certificates::File& file : all.files) {
     texts.emplace(file.name, certificates::fingerprint(file.text));
@@ -120,10 +145,21 @@ Json record_of(const certificates::Certificates& all) {
                       {"imports", one.imports},
                       {"says", one.says},
                       {"text", texts.at(one.name + ".v")},
+                      {"asked", one.asked},
                       {"accepted", nullptr},
-                      {"reason", ""},
+                      {"reason", "Coq was not asked"},
                       {"seconds", ""},
                       {"axioms", Json::array()}});
+    Json& claim = claims.back();
+    const auto known = recorded.find(one.claim);
+    if (known != recorded.end() && known->second->at("text") == claim["text"] &&
+        known->second->at("says") == claim["says"] &&
+        std::ranges::all_of(one.imports, [&](const std::string& import) { return same.contains(import); })) {
+      same.insert(one.name);
+      for (const char * key : {"accepted", "reason", "seconds", "axioms"}) {
+        claim[key] = known->second->at(key);
+      }
+    }
   }
   for (const certificates::Uncertified& one : all.uncertified) {
     without.push_back({{"claim", one.claim}, {"reason", one.reason}});
@@ -133,46 +169,74 @@ Json record_of(const certificates::Certificates& all) {
           {"without", without}};
 }
 
-Json checked(const fs::path& directory) {
-  Json record = read_record(directory / certificate_record);
-  std::set<std::string> accepted;
-  for (Json& claim : record.at("claims")) {
-    const std::string reason = look_at(claim, directory, accepted);
-    claim["accepted"] = reason.empty();
-    claim["reason"] = reason;
-    if (reason.empty()) {
-      accepted.insert(fs::path(claim.at("file").get<std::string>()).stem());
-    }
+Json read_record(const fs::path& path) {
+  const Json record = Json::parse(tools::read_file(path), nullptr, false);
+  if (record.is_discarded() || !record.contains("claims") || !record.contains("program")) {
+    throw InputOutputError(
+        fmt::format("'{}' is no record of certificates; script/certify makes one", path.string()));
   }
   return record;
 }
 
-std::string text_of(const Json& record) {
-  std::string text;
+Json checked(const fs::path& directory) {
+  Json record = read_record(directory / certificate_record);
+  std::map<std::string, Before> before;
+  for (Json& claim : record.at("claims")) {
+    const std::string name = fs::path(claim.at("file").get<std::string>()).stem();
+    std::string root = name;
+    const Finding finding = look_at(claim, directory, before, root);
+    claim["accepted"] = finding.accepted;
+    claim["reason"] = finding.reason;
+    before[name] = {finding.accepted, root};
+  }
+  return record;
+}
+
+namespace {
+
+struct Count {
   std::size_t theorems = 0, certified = 0;
   std::set<std::string> axioms;
-  for (const Json& claim : record.at("claims")) {
+  void add(const Json& claim) {
     const std::size_t count = claim.at("theorems").size();
     theorems += count;
-    const std::string id = claim.at("claim");
-    if (claim.at("accepted") != true) {
-      text += fmt::format("certify: {}: {}\n", id, claim.at("reason").get<std::string>());
+    if (claim.at("accepted") == true) {
+      certified += count;
+      axioms.insert(claim.at("axioms").begin(), claim.at("axioms").end());
+    }
+  }
+};
+
+}  // namespace
+
+std::string text_of(const Json& record) {
+  std::string text;
+  Count asked, all;
+  for (const Json& claim : record.at("claims")) {
+    all.add(claim);
+    if (claim.at("asked") != true) {
       continue;
     }
-    certified += count;
-    for (const std::string axiom : claim.at("axioms")) {
-      axioms.insert(axiom);
-    }
-    text +=
-        fmt::format("{:<18} {:>2} {} {:>7} s {:>2} axioms\n", id, count, count == 1 ? "theorem " : "theorems",
-                    claim.at("seconds").get<std::string>(), claim.at("axioms").size());
+    asked.add(claim);
+    const std::size_t count = claim.at("theorems").size();
+    const std::string id = claim.at("claim");
+    text += claim.at("accepted") == true
+                ? fmt::format("{:<18} {:>2} {} {:>7} s {:>2} axioms\n", id, count,
+                              count == 1 ? "theorem " : "theorems", claim.at("seconds").get<std::string>(),
+                              claim.at("axioms").size())
+                : fmt::format("certify: {}: {}\n", id, claim.at("reason").get<std::string>());
   }
-  return text + fmt::format("{} of {} theorems certified, {} axioms\n", certified, theorems, axioms.size());
+  if (all.theorems > asked.theorems) {
+    text += fmt::format("with all that the directory holds: {} of {}\n", all.certified, all.theorems);
+  }
+  return text + fmt::format("{} of {} theorems certified, {} axioms\n", asked.certified, asked.theorems,
+                            asked.axioms.size());
 }
 
 bool all_accepted(const Json& record) {
-  return std::ranges::all_of(record.at("claims"),
-                             [](const Json& claim) { return claim.at("accepted") == true; });
+  return std::ranges::all_of(record.at("claims"), [](const Json& claim) {
+    return claim.at("asked") != true || claim.at("accepted") == true;
+  });
 }
 
 std::string name_of(Certified::State state) {

@@ -13,17 +13,24 @@ namespace stickslip::report::audit {
 
 inline constexpr const char * certificate_record = "certificates.json";
 
-// The record as it is before Coq was asked: program and version, and for each claim its file, theorems,
-// imports, fingerprints of what is said and of the file, and "accepted": null; those without, and why.
-[[nodiscard]] tools::Json record_of(const proofs::certificates::Certificates& certificates);
+// The record as it is before Coq is asked: program and version, and for each claim its file, theorems,
+// imports, fingerprints of what is said and of the file, whether it was asked for, and "accepted": null, or
+// what the record before says if since then nothing has changed in its file and in what it rests on; those
+// without, and why.
+[[nodiscard]] tools::Json record_of(const proofs::certificates::Certificates& certificates,
+                                    const tools::Json& before = tools::Json::object());
+// Throws InputOutputError if there is no record, or none that can be read.
+[[nodiscard]] tools::Json read_record(const std::filesystem::path& path);
 
 // The record after coqc: for each claim "accepted", "reason" if it is not, "seconds", "axioms". A claim is
 // accepted if its file is the recorded one, coqc compiled it after the files that it imports, all these are
-// accepted, and it rests on the allowed axioms only. Throws InputOutputError if there is no record, or none
-// that can be read.
+// accepted, and it rests on the allowed axioms only. Null where Coq was not asked, of it or of what it rests
+// on. Throws InputOutputError as read_record.
 [[nodiscard]] tools::Json checked(const std::filesystem::path& directory);
-// A line for each claim, and last "N of M theorems certified, K axioms".
+// A line for each claim that was asked for, or that one of these rests on; where there are others, how many
+// theorems of all; and last "N of M theorems certified, K axioms", of those asked for.
 [[nodiscard]] std::string text_of(const tools::Json& record);
+// Of those asked for.
 [[nodiscard]] bool all_accepted(const tools::Json& record);
 
 // What Coq said of a claim's theorems.

@@ -152,7 +152,8 @@ Ltac nonzero_at n :=
           | N : ?d <> 0 |- ?c <> 0 =>
               let E := fresh in
               intro E; apply N; clear N;
-              first [ lra | solve [field_simplify_eq; [lra | nonzero_at m]] | solve [field_simplify_eq; [nra | nonzero_at m]] ]
+              first [ lra | solve [rewrite E; ring] | solve [field_simplify_eq; [lra | nonzero_at m]]
+                    | solve [field_simplify_eq; [nra | nonzero_at m]] ]
           end
       end ].
 Ltac nonzero := nonzero_at 3%nat.

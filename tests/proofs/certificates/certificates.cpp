@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <iostream>
 
+#include "core/error.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/paper.hpp"
@@ -61,10 +63,14 @@ TEST_CASE("nothing is admitted, nothing is an axiom, and every theorem says what
   }
   for (const certificates::Certificate& one : all.certificates) {
     const std::string text = text_of(all, one.name + ".v");
+    const std::size_t at = text.find("Definition theorems := (");
+    REQUIRE(at != std::string::npos);
+    const std::string bundle = text.substr(at);
     for (const std::string& theorem : one.theorems) {
       CHECK(text.find(" *)\nTheorem " + theorem + " :\n") != std::string::npos);
-      CHECK(text.find("Print Assumptions " + theorem + ".") != std::string::npos);
+      CHECK(bundle.find(theorem) != std::string::npos);
     }
+    CHECK(text.ends_with("Print Assumptions theorems.\n"));
   }
   CHECK(std::any_of(all.uncertified.begin(), all.uncertified.end(),
                     [](const auto& one) { return one.claim == "S.tau"; }) == false);
@@ -79,6 +85,91 @@ TEST_CASE("every theorem of a claim stands in its file, letter by letter") {
       CHECK(text.find(" :\n" + certificates::stated(theorem).text + ".\nProof.") != std::string::npos);
     }
   }
+}
+
+TEST_CASE("an unknown id is no silence") {
+  CHECK_THROWS_AS((void)certificates::certificates(claims(), {"40", "no such claim"}),
+                  stickslip::InternalError);
+}
+
+TEST_CASE("what is kept is written too, and made only when asked") {
+  const certificates::Certificates alone = certificates::certificates(claims(), {"40"}),
+                                   both = certificates::certificates(claims(), {"40"}, {"42"});
+  const auto is_asked = [](const certificates::Certificates& all, const std::string& claim) {
+    const auto found =
+        std::ranges::find_if(all.certificates, [&](const auto& one) { return one.claim == claim; });
+    REQUIRE(found != all.certificates.end());
+    return found->asked;
+  };
+  CHECK(is_asked(alone, "40"));
+  CHECK(is_asked(both, "40"));
+  CHECK_FALSE(is_asked(both, "42"));
+  const auto goal = [](const certificates::Certificates& all) {
+    const std::string text = text_of(all, "Makefile");
+    const std::size_t at = text.find("\nall:");
+    return text.substr(at, text.find('\n', at + 1) - at);
+  };
+  CHECK(goal(both).find(" Claim_40.vo") != std::string::npos);
+  CHECK(goal(both).find(" Claim_42.vo") == std::string::npos);
+  CHECK(text_of(both, "Claim_42.v").find("Theorem claim_42_1") != std::string::npos);
+  // Whatever an asked claim imports is asked for too.
+  for (const certificates::Certificate& one : both.certificates) {
+    for (const std::string& import : one.imports) {
+      const auto found =
+          std::ranges::find_if(both.certificates, [&](const auto& other) { return other.name == import; });
+      REQUIRE(found != both.certificates.end());
+      CHECK((!one.asked || found->asked));
+    }
+  }
+}
+
+// Theorems of the kernel that say something else than the claim: less, of less, or of other things. The
+// kernel makes them, so Coq would accept their export; only the comparison of what is said tells them apart.
+TEST_CASE("what an audit records is another thing for every theorem that is not the claim's") {
+  methods::Prover prover(claims());
+  std::map<std::string, int> made;
+  for (const char * id : {"38.init", "40", "42", "44.H", "3.domain", "6.H", "10", "12", "5", "A5.falls"}) {
+    const methods::Record& record = prover.prove(id);
+    CAPTURE(id);
+    const std::string said = certificates::fingerprint(record);
+    const auto differs = [&](const char * kind, std::size_t which, const Theorem& theorem) {
+      methods::Record other = record;
+      other.outcome.theorems[which] = theorem;
+      CAPTURE(kind);
+      CHECK(certificates::fingerprint(other) != said);
+      ++made[kind];
+    };
+    for (std::size_t which = 0; which < record.outcome.theorems.size(); ++which) {
+      const Theorem& theorem = record.outcome.theorems[which];
+      differs("a hypothesis added", which, Theorem::weaken(theorem, {less(Variable{"another"}, 0)}));
+      for (const Formula& hypothesis : theorem.hypotheses()) {
+        differs("a hypothesis moved", which, Theorem::discharge(theorem, hypothesis));
+      }
+      Variables variables = theorem.conclusion().variables();
+      for (const Variable& variable : variables) {
+        if (variable.type == real_number) {
+          differs("a variable made a number", which, Theorem::instantiate(theorem, {{variable, 2}}));
+          differs("a variable made its opposite", which,
+                  Theorem::instantiate(theorem, {{variable, Term(-1) * variable}}));
+        }
+      }
+      if (theorem.conclusion().kind() == Kind::conjunction) {
+        differs("a part alone", which, Theorem::consequence({theorem}, theorem.conclusion().parts().front()));
+      }
+    }
+    if (record.outcome.theorems.size() > 1) {
+      methods::Record fewer = record;
+      fewer.outcome.theorems.pop_back();
+      CHECK(certificates::fingerprint(fewer) != said);
+      ++made["a part left out"];
+    }
+  }
+  int all = 0;
+  for (const auto& [kind, count] : made) {
+    std::cout << count << ' ' << kind << ", seen to differ\n";
+    all += count;
+  }
+  CHECK(all >= 100);
 }
 
 TEST_CASE("claims have files of different names") {

@@ -61,6 +61,21 @@ class Checked {
     write(path / certificate_record, report::tools::to_text(report::audit::record_of(all)));
   }
 
+  // As after certify --out once more, for claim 2 alone: claim 1 is kept, and its file has this text.
+  void write_again(const std::string& first_text) const {
+    certificates::Certificates all;
+    for (const methods::Record& record : {audit.records[0], audit.records[1]}) {
+      const std::string name = certificates::file_name(record.claim.id);
+      all.certificates.push_back({record.claim.id, name, {"claim"}, {}, certificates::fingerprint(record)});
+      all.files.push_back({name + ".v", "text of " + name});
+    }
+    all.certificates[0].asked = false;
+    all.certificates[1].imports = {"Claim_1"};
+    all.files[0].text = first_text;
+    const Json before = Json::parse(std::ifstream(path / certificate_record));
+    write(path / certificate_record, report::tools::to_text(report::audit::record_of(all, before)));
+  }
+
   [[nodiscard]] Json look() const {
     const Json json = checked(path);
     write(path / certificate_record, report::tools::to_text(json));
@@ -129,7 +144,50 @@ TEST_CASE("what Coq does not accept is refused, and with it what rests on it") {
   refused([](const fs::path& path) { write(path / "Claim_1.log", "Axioms:\nevil : False\nseconds 1\n"); },
           "it rests on evil");
   refused([](const fs::path& path) { write(path / "Claim_1.log", "seconds 1\n"); },
-          "Coq did not say what each theorem rests on");
+          "Coq did not say what its theorems rest on");
+}
+
+TEST_CASE("where Coq was not asked nothing is refused") {
+  const Checked checked;
+  fs::remove(checked.path / "Claim_1.vo");
+  fs::remove(checked.path / "Claim_1.log");
+  const Json json = checked.look();
+  CHECK_FALSE(all_accepted(json));
+  CHECK(json.at("claims").at(0).at("reason") == "Coq was not asked");
+  CHECK(json.at("claims").at(1).at("reason") == "it rests on Claim_1, of which Coq was not asked");
+  CHECK(checked.state("1", checked.audit) == State::unknown);
+  CHECK(checked.state("2", checked.audit) == State::unknown);
+}
+
+TEST_CASE("a log from before the file was changed says nothing of it, and one without end says so") {
+  const auto reason = [](const char * log, int hours) {
+    const Checked checked;
+    fs::remove(checked.path / "Claim_1.vo");
+    write(checked.path / "Claim_1.log", log);
+    fs::last_write_time(checked.path / "Claim_1.log",
+                        fs::file_time_type::clock::now() + std::chrono::hours(hours));
+    return checked.look().at("claims").at(0).at("reason").get<std::string>();
+  };
+  CHECK(reason("Error: no", -1) == "Coq was not asked");
+  CHECK(reason("Error: no", 1) == "Coq does not accept it: see Claim_1.log");
+  CHECK(reason("no end within 600 seconds", 1) == "Coq did not come to an end in time: see Claim_1.log");
+}
+
+TEST_CASE("asking for one claim keeps what Coq said of the others, unless something has changed") {
+  const Checked same;
+  (void)same.look();
+  same.write_again("text of Claim_1");
+  CHECK(same.state("1", same.audit) == State::certified);
+  CHECK(same.state("2", same.audit) == State::certified);
+  const std::string said = text_of(same.look());
+  CHECK(said.starts_with("2 "));
+  CHECK(said.ends_with("with all that the directory holds: 2 of 2\n1 of 1 theorems certified, 1 axioms\n"));
+
+  const Checked changed;
+  (void)changed.look();
+  changed.write_again("another text");
+  CHECK(changed.state("1", changed.audit) == State::unknown);
+  CHECK(changed.state("2", changed.audit) == State::unknown);  // it rests on 1
 }
 
 TEST_CASE("a file compiled before the one that it imports is not accepted") {

@@ -1,4 +1,4 @@
-// Krawczyk's test.
+// Numbers in balls: signs, and Krawczyk's test.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "proofs/certificates/identities.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/tactics/model_terms.hpp"
 
@@ -117,6 +118,28 @@ std::string in_units(const Matrix& matrix) {
 }
 
 }  // namespace
+
+std::string Script::sign(const Theorem& theorem) {
+  needs_.insert("Numbers");
+  std::vector<Definition> opened;
+  collect_definitions(theorem.conclusion(), opened);
+  std::string text;
+  if (!opened.empty()) {
+    text = fmt::format("  cbv beta delta [{}].\n", names_of(Definitions(opened.begin(), opened.end())));
+  }
+  // The widest range is halved where it has to be: Coq's sine knows less of wide intervals than Arb's.
+  std::string along;
+  Rational widest(1, 1000000);
+  const std::vector<Term>& data = theorem.derivation().data;
+  for (std::size_t i = 2; i + 2 < data.size(); i += 3) {
+    const Rational width = data[i + 2].value() - data[i + 1].value();
+    if (width > widest) {
+      widest = width;
+      along = fmt::format("_along {}", identifier(data[i].name()));
+    }
+  }
+  return text + fmt::format("  reduce_matrices; by_enclosure{}.", along);
+}
 
 // The test of the prelude needs: derivatives, as terms; where they are all over the box; f in the middle; and
 // whole numbers that pass. Each is a lemma of its own.

@@ -1,0 +1,107 @@
+// Truth tables.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "proofs/certificates/script.hpp"
+
+namespace stickslip::proofs::certificates {
+
+using namespace kernel;
+
+namespace {
+
+// A formula over letters for its atoms, the same ones as before where they stood before.
+std::string shape(const Formula& formula, std::map<Formula, std::string>& letters) {
+  const auto joined = [&](const char * separator, const char * none) {
+    std::vector<std::string> parts;
+    for (const Formula& part : formula.parts()) {
+      parts.push_back(shape(part, letters));
+    }
+    return parts.empty() ? std::string(none) : fmt::format("({})", fmt::join(parts, separator));
+  };
+  switch (formula.kind()) {
+    case Kind::conjunction:
+      return joined(" /\\ ", "True");
+    case Kind::disjunction:
+      return joined(" \\/ ", "False");
+    case Kind::implication:
+      return joined(" -> ", "");
+    case Kind::negation:
+      return fmt::format("(~ {})", shape(formula.parts()[0], letters));
+    default:
+      return letters.emplace(formula, "A" + std::to_string(letters.size())).first->second;
+  }
+}
+
+// Where the formula stands in a conjunction of conjunctions, as a proof of it from a proof of the whole.
+std::optional<std::string> projected(const Formula& whole, const Formula& formula, const std::string& proof) {
+  if (whole == formula) {
+    return proof;
+  }
+  if (whole.kind() != Kind::conjunction) {
+    return std::nullopt;
+  }
+  std::string rest = proof;
+  const std::vector<Term>& parts = whole.parts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool last = i + 1 == parts.size();
+    const auto found = projected(parts[i], formula, last ? rest : fmt::format("(proj1 {})", rest));
+    if (found) {
+      return found;
+    }
+    rest = fmt::format("(proj2 {})", rest);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
+  const Step& step = theorem.derivation();
+  if (step.premises.size() == 1) {
+    const auto found = projected(step.premises[0].conclusion(), theorem.conclusion(), "whole'");
+    if (found) {
+      return fmt::format("  pose proof {} as whole'. exact {}.", term(step.premises[0], scope), *found);
+    }
+  }
+  std::map<Formula, std::string> letters;
+  std::string statement, proofs;
+  for (const Theorem& premise : step.premises) {
+    statement += shape(premise.conclusion(), letters) + " -> ";
+  }
+  statement += shape(theorem.conclusion(), letters);
+  auto known = library_.tautologies.find(statement);
+  if (known == library_.tautologies.end()) {
+    std::vector<std::string> names;
+    std::transform(letters.begin(), letters.end(), std::back_inserter(names),
+                   [](const auto& letter) { return letter.second; });
+    std::sort(names.begin(), names.end());
+    const std::string name = fresh(file_ + "_truth");
+    text_ +=
+        fmt::format("Lemma {} : {}{}.\nProof. truth_table. Qed.\n\n", name,
+                    names.empty() ? "" : fmt::format("forall {} : Prop, ", fmt::join(names, " ")), statement);
+    known = library_.tautologies.emplace(statement, Lemma{.file = file_, .name = name, .stated = {}}).first;
+  }
+  // Its letters by number.
+  std::map<std::string, Formula> atoms;
+  for (const auto& [formula, letter] : letters) {
+    atoms.emplace(letter, formula);
+  }
+  std::vector<std::string> order;
+  for (const auto& [letter, formula] : atoms) {
+    order.push_back(letter);
+  }
+  std::string call = imported(known->second).name;
+  for (const std::string& letter : order) {
+    call += " " + coq(atoms.at(letter));
+  }
+  for (const Theorem& premise : step.premises) {
+    call += " " + term(premise, scope);
+  }
+  return fmt::format("  exact ({}).", call);
+}
+
+}  // namespace stickslip::proofs::certificates

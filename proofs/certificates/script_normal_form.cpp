@@ -1,0 +1,300 @@
+// Identities by normal form.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "proofs/certificates/identities.hpp"
+#include "proofs/certificates/phases.hpp"
+#include "proofs/certificates/script.hpp"
+
+namespace stickslip::proofs::certificates {
+
+using namespace kernel;
+
+namespace {
+
+// What a normal form takes as it stands and has entries: variables, functions and definitions applied.
+void collect_matrices(const Term& term, std::vector<Term>& found, std::set<Term>& seen) {
+  if (!seen.insert(term).second) {
+    return;
+  }
+  const bool atom =
+      term.kind() == Kind::variable || term.kind() == Kind::apply || term.kind() == Kind::defined;
+  if (atom) {
+    if (term.type().is_numeric() && !term.type().is_scalar()) {
+      found.push_back(term);
+    }
+    return;
+  }
+  for (const Term& part : term.parts()) {
+    collect_matrices(part, found, seen);
+  }
+}
+
+// "[[a1 [a2 []]] [[a3 [a4 []]] []]]": a matrix taken apart.
+std::string pattern(const Type& type, const std::string& name) {
+  std::string rows = "[]";
+  for (int i = type.rows; i > 0; --i) {
+    std::string row = "[]";
+    for (int j = type.columns; j > 0; --j) {
+      row = fmt::format("[{}_{}{} {}]", name, i, j, row);
+    }
+    rows = fmt::format("[{} {}]", row, rows);
+  }
+  return rows;
+}
+
+bool same_value(const Term& a, const Term& b) {
+  return a == b || (a.type().is_numeric() && b.type().is_numeric() && a.type().rows == b.type().rows &&
+                    a.type().columns == b.type().columns && identity(a, b));
+}
+
+// Whether the normal form takes two atoms for one, though they are written differently.
+bool same_atom(const Term& a, const Term& b) {
+  if (a.kind() != b.kind() || (a.kind() == Kind::defined && a.definition() != b.definition())) {
+    return false;
+  }
+  return std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), b.parts().end(), same_value);
+}
+
+void collect_applied(const Term& term, std::vector<Term>& found, std::set<Term>& seen) {
+  if (!seen.insert(term).second || term.kind() == Kind::variable) {
+    return;
+  }
+  if (term.kind() == Kind::apply || term.kind() == Kind::defined) {
+    found.push_back(term);
+    return;
+  }
+  for (const Term& part : term.parts()) {
+    collect_applied(part, found, seen);
+  }
+}
+
+// Writes equal atoms alike, in the terms and in Coq: in the goal and in these hypotheses.
+std::string same_atoms(std::vector<Term>& terms, const std::vector<std::string>& hypotheses) {
+  std::vector<Term> atoms;
+  std::set<Term> seen;
+  for (const Term& term : terms) {
+    collect_applied(term, atoms, seen);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    const auto first = std::find_if(atoms.begin(), atoms.begin() + static_cast<std::ptrdiff_t>(i),
+                                    [&](const Term& atom) { return same_atom(atom, atoms[i]); });
+    if (first != atoms.begin() + static_cast<std::ptrdiff_t>(i)) {
+      text += fmt::format("  assert (Q'{0} : {1} = {2}) by same_atom. rewrite ?Q'{0}.\n", i, coq(atoms[i]),
+                          coq(*first));
+      for (const std::string& name : hypotheses) {
+        text += fmt::format("  rewrite ?Q'{} in {}.\n", i, name);
+      }
+      for (Term& term : terms) {
+        term = replaced(term, atoms[i], *first);
+      }
+    }
+  }
+  return text;
+}
+
+// The hypothesis of the step that says this of a divisor; null where none does.
+const Formula * known_divisor(const Formula& divisor, const Step& step) {
+  const Formula opened = unfold(divisor, step.unfolded);
+  const auto known = std::find_if(step.divisors.begin(), step.divisors.end(), [&](const Formula& given) {
+    return unfold(given, step.unfolded) == opened;
+  });
+  return known == step.divisors.end() ? nullptr : &*known;
+}
+
+// As few of the definitions as it takes for the term to vanish: what stays closed is one letter. A number
+// that is not 0 may be known to be so only when it is open.
+Definitions needed(const Term& whole, const Step& step) {
+  Definitions result = step.unfolded;
+  for (const Definition& definition : step.unfolded) {
+    Definitions fewer = result;
+    fewer.erase(definition);
+    const std::optional<Theorem> vanishing = identity(whole, zero(whole.type()), fewer);
+    if (vanishing &&
+        std::all_of(vanishing->hypotheses().begin(), vanishing->hypotheses().end(),
+                    [&](const Formula& divisor) { return known_divisor(divisor, step) != nullptr; })) {
+      result = fewer;
+    }
+  }
+  return result;
+}
+
+// What the term, unfolded already, divides by, as the kernel lists it.
+Formulas divisors_of(const Term& term) {
+  const std::optional<Theorem> vanishing = identity(term, zero(term.type()));
+  return vanishing ? vanishing->hypotheses() : Formulas{};
+}
+
+}  // namespace
+
+namespace {
+
+// How long a term is, written out, and how often each of its parts stands in it.
+class Measure {
+ public:
+  explicit Measure(const Term& whole) {
+    add(whole);
+    counts[whole] = 1;
+    for (auto term = parts.rbegin(); term != parts.rend(); ++term) {
+      for (const Term& part : inside(*term)) {
+        counts[part] += counts[*term];
+      }
+    }
+  }
+  [[nodiscard]] double all(const Term& part) { return counts[part] * sizes[part]; }
+
+  std::map<Term, double> sizes, counts;
+  std::vector<Term> parts;  // each before what it is part of
+
+ private:
+  static std::vector<Term> inside(const Term& term) {
+    const bool closed =
+        term.kind() == Kind::variable || term.kind() == Kind::apply || term.kind() == Kind::defined;
+    return closed ? std::vector<Term>{} : term.parts();
+  }
+  double add(const Term& term) {
+    if (const auto known = sizes.find(term); known != sizes.end()) {
+      return known->second;
+    }
+    double size = 1;
+    for (const Term& part : inside(term)) {
+      size += add(part);
+    }
+    parts.push_back(term);
+    return sizes.emplace(term, size).first->second;
+  }
+};
+
+struct Letter {
+  Term stands_for;
+  Variable name;
+};
+
+// Whether the first of the terms vanishes wherever none of the others does.
+bool vanishes(const std::vector<Term>& terms) {
+  const std::optional<Theorem> vanishing = identity(terms[0], zero(terms[0].type()));
+  return vanishing && std::ranges::all_of(vanishing->hypotheses(), [&](const Formula& divisor) {
+           return std::find(terms.begin() + 1, terms.end(), divisor.parts()[0].parts()[0]) != terms.end();
+         });
+}
+
+// Of a long term: matrices that stand in it again and again, and may be any, replaced by letters in all
+// terms. Those first that make up most of it.
+std::vector<Letter> with_letters(std::vector<Term>& terms) {
+  constexpr double is_long = 4000;
+  constexpr int most_tries = 6;
+  std::vector<Letter> letters;
+  std::set<Term> tried;
+  for (int tries = 0; tries < most_tries; ++tries) {
+    Measure measure(terms[0]);
+    if (measure.sizes[terms[0]] < is_long) {
+      break;
+    }
+    const Term * best = nullptr;
+    for (const Term& part : measure.parts) {
+      const bool may_be = part.type().sort == Sort::real && !part.type().is_scalar() &&
+                          measure.counts[part] >= 2 && measure.sizes[part] > 1 && !tried.contains(part);
+      if (may_be && (best == nullptr || measure.all(part) > measure.all(*best))) {
+        best = &part;
+      }
+    }
+    if (best == nullptr) {
+      break;
+    }
+    const Letter letter{*best, {fmt::format("letter {}", letters.size()), best->type()}};
+    tried.insert(letter.stands_for);
+    std::vector<Term> others;
+    for (const Term& term : terms) {
+      others.push_back(replaced(term, letter.stands_for, letter.name));
+    }
+    if (vanishes(others)) {
+      terms = others;
+      letters.push_back(letter);
+    }
+  }
+  return letters;
+}
+
+}  // namespace
+
+std::string Script::normal_form(const Term& left, const Term& right, const Step& step,
+                                const Scope& scope) const {
+  const Definitions opened = needed(difference(left, right), step);
+  // The whole, then what it divides by.
+  std::vector<Term> terms{unfold(difference(left, right), opened)};
+  std::string text;
+  std::vector<std::string> divisors;
+  for (const Formula& divisor : divisors_of(terms[0])) {
+    if (const Formula * known = known_divisor(divisor, step)) {
+      divisors.push_back(fmt::format("n'{}", divisors.size()));
+      text += fmt::format("  assert ({} : {}) by exact {}.\n", divisors.back(), coq(divisor),
+                          hypothesis(*known, scope));
+      terms.push_back(divisor.parts()[0].parts()[0]);
+    }
+  }
+  if (!opened.empty()) {
+    text += fmt::format("  cbv beta delta [{}].\n", names_of(opened));
+  }
+  text += same_atoms(terms, divisors);
+  const auto listed = [&] { return fmt::format("{}", fmt::join(divisors, " ")); };
+  const auto reverted = [&] { return divisors.empty() ? "" : fmt::format("  revert {}.\n", listed()); };
+  if (const std::vector<Letter> letters = with_letters(terms); !letters.empty()) {
+    text += reverted();
+    for (const Letter& letter : letters) {
+      text +=
+          fmt::format("  generalize {}; intros {}.\n", coq(letter.stands_for), identifier(letter.name.name));
+    }
+    text += divisors.empty() ? "" : fmt::format("  intros {}.\n", listed());
+    // What only letters divided by is needed no more.
+    const Formulas left_over = divisors_of(terms[0]);
+    for (std::size_t k = divisors.size(); k-- > 0;) {
+      const auto is_it = [&](const Formula& one) { return one.parts()[0].parts()[0] == terms[k + 1]; };
+      if (std::ranges::none_of(left_over, is_it)) {
+        text += fmt::format("  clear {}.\n", divisors[k]);
+        divisors.erase(divisors.begin() + static_cast<std::ptrdiff_t>(k));
+        terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k + 1));
+      }
+    }
+  }
+  const Phases phases = phases_of(terms);
+  std::string expansions;
+  for (std::size_t i = 0; i < phases.arguments.size(); ++i) {
+    const auto& [argument, sum] = phases.arguments[i];
+    text += fmt::format("  assert (E'{} : {} = {}) by angle.\n", i, argument, sum);
+    expansions += fmt::format("  expand_circle E'{}.\n", i);
+  }
+  text += reverted() + expansions;
+  std::vector<std::string> circles;
+  for (const std::string& phase : phases.phases) {
+    const std::string n = std::to_string(circles.size());
+    circles.push_back("K'" + n);
+    text += fmt::format(
+        "  generalize (circle {0}); generalize (cos {0}) (sin {0}); intros c'{1} s'{1} K'{1}.\n", phase, n);
+  }
+  std::vector<Term> matrices;
+  std::set<Term> seen;
+  for (const Term& term : terms) {
+    collect_matrices(term, matrices, seen);
+  }
+  std::stable_sort(matrices.begin(), matrices.end(), [](const Term& a, const Term& b) {
+    return (a.kind() == Kind::variable) < (b.kind() == Kind::variable);
+  });
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const std::string shown = coq(matrices[i]), name = fmt::format("m'{}", i);
+    text += matrices[i].kind() == Kind::variable
+                ? fmt::format("  destruct {} as {}.\n", shown, pattern(matrices[i].type(), name))
+                : fmt::format("  generalize {}; intros {}.\n", shown, pattern(matrices[i].type(), name));
+  }
+  if (!divisors.empty()) {
+    text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
+  }
+  const std::string rewriting = circles.empty() ? "" : fmt::format(" [{}]", fmt::join(circles, " "));
+  return text + fmt::format("  rewrite ?cos_0, ?sin_0; each_entry; first [ring{0} | field{0}; nonzero].\n",
+                            rewriting);
+}
+
+}  // namespace stickslip::proofs::certificates
