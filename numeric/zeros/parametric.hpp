@@ -140,7 +140,15 @@ template <class F>
   Vector m = midpoint<Eigen::Dynamic>(guess);
   for (int k = 0; k < 7; ++k) {
     const std::optional<Vector> better = newton<Ball, Eigen::Dynamic>(at_p, m, 1);
-    m = better ? midpoint<Eigen::Dynamic>(*better) : m;
+    if (!better) {
+      break;
+    }
+    const Vector step = *better - m;
+    m = midpoint<Eigen::Dynamic>(*better);
+    const auto is_small = [](const Ball& x) { return std::abs(x.approximate()) < 0x1p-50; };
+    if (std::all_of(step.begin(), step.end(), is_small)) {
+      break;
+    }
   }
   return prove_zero_by_inflation<Eigen::Dynamic>(at_p, m);
 }
