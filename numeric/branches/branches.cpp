@@ -18,6 +18,9 @@ using namespace motion;
 
 namespace {
 
+// Between the values at which all orbits are looked for, when none is given.
+constexpr int intervals = 8;
+
 constexpr std::array parameters{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
 
 // The datum of that name in a question; nothing where it is not one of the family's.
@@ -95,12 +98,36 @@ Law law_of(const BranchQuestion& question) {
   return law;
 }
 
+// A branch that was followed from a motion both ways.
+struct Followed {
+  Point start;
+  std::vector<Cell> cells;
+  BranchEnd first, last;
+  bool closed;
+};
+
 // One system of closing conditions of the family, and the branches found on it.
 struct Sheet {
   int system = 0;
+  int angle = -1;  // see Candidate
   Curve curve;
-  std::vector<std::vector<Cell>> branches;
+  std::vector<Followed> branches;
 };
+
+// The point with its angle turned by all numbers of full turns that matter.
+template <class Predicate>
+bool for_some_turn(int angle, const zeros::Vector& x, const Predicate& predicate) {
+  for (int turn = angle < 0 ? 0 : -2; turn <= (angle < 0 ? 0 : 2); ++turn) {
+    zeros::Vector turned = x;
+    if (turn != 0) {
+      turned(angle) += Ball(2 * turn) * Ball::pi();
+    }
+    if (predicate(turned)) {
+      return true;
+    }
+  }
+  return false;
+}
 
 Curve curve_of(const BranchQuestion& question, const Closing& equations) {
   const Given<Rational> given = exact(with(question, {question.from}));
@@ -134,26 +161,33 @@ std::string words_of(const Path& path, const BranchQuestion& question) {
 }
 
 // The integer multiple of the load's frequency that is nearest to a natural frequency, 1 (that of a stick)
-// among them, where it is very near: why a branch cannot be followed, most likely.
-std::string resonance_near(const Point& point, const Curve& curve) {
-  zeros::Vector p = curve.data;
-  p(curve.place) = point.value;
-  const model::Modes<double> m = model::modes<double>(p(0).approximate(), p(1).approximate());
-  const double omega = p(4).approximate();
+// among them, where it is next to it: why nothing more is known there.
+std::string resonance_near(const Ball& value, const BranchQuestion& question) {
+  const Given<Rational> given = exact(with(question, {question.from}));
+  model::Parameters<double> a = parameters_as<double>(given.data);
+  const std::array<double *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (question.parameter == parameters[k]) {
+      *all[k] = value.approximate();
+    }
+  }
+  const model::Modes<double> m = model::modes<double>(a.chi, a.eta);
   for (const auto& [frequency, name] :
        {std::pair(m.omega1, "omega1"), std::pair(1.0, "1"), std::pair(m.omega2, "omega2")}) {
-    const double k = std::round(frequency / omega);
-    if (k >= 1 && std::abs(k * omega - frequency) < 1e-3 * frequency) {
-      return fmt::format(", next to the resonance {} omega = {}", k == 1 ? "" : fmt::format("{:.0f}", k), name);
+    const double k = std::round(frequency / a.omega);
+    if (k >= 1 && std::abs(k * a.omega - frequency) < 1e-6 * frequency) {
+      return fmt::format(", next to the resonance {}omega = {}", k == 1 ? "" : fmt::format("{:.0f} ", k), name);
     }
   }
   return "";
 }
 
-BranchEnd end_of(const Path& path, const Sheet& sheet, const BranchQuestion& question) {
+BranchEnd end_of(const Path& path, const BranchQuestion& question) {
   BranchEnd end{path.last.value, words_of(path, question), path.end != End::stopped};
   if (path.end == End::stopped) {
-    end.words += resonance_near(path.last, sheet.curve);
+    const std::string resonance = resonance_near(path.last.value, question);
+    end.words += resonance;
+    end.resonance = !resonance.empty();
   }
   if (path.end == End::interval) {
     const bool above = (path.last.value - Ball((question.from + question.to) / 2)).is_positive();
@@ -162,20 +196,11 @@ BranchEnd end_of(const Path& path, const Sheet& sheet, const BranchQuestion& que
   return end;
 }
 
-// Whether the motion at the point is on a branch of the sheet, seen with its angle as it is or turned.
-bool is_known(const Sheet& sheet, const Point& point, int angle) {
-  for (int turn = angle < 0 ? 0 : -2; turn <= (angle < 0 ? 0 : 2); ++turn) {
-    Point turned = point;
-    if (turn != 0) {
-      turned.x(angle) += Ball(2 * turn) * Ball::pi();
-    }
-    for (const std::vector<Cell>& branch : sheet.branches) {
-      if (std::any_of(branch.begin(), branch.end(), [&](const Cell& c) { return is_on(c, turned); })) {
-        return true;
-      }
-    }
-  }
-  return false;
+bool passes(const Followed& branch, const Point& point, int angle) {
+  return for_some_turn(angle, point.x, [&](const zeros::Vector& x) {
+    return std::any_of(branch.cells.begin(), branch.cells.end(),
+                       [&](const Cell& cell) { return is_on(cell, {x, point.value}); });
+  });
 }
 
 class Search {
@@ -188,9 +213,10 @@ class Search {
 
  private:
   void follow_from(const Rational& value);
-  void add(const Candidate& candidate, const Rational& value);
+  // False, with the reason in `why`, when no motion is proved there.
+  [[nodiscard]] bool add(const Candidate& candidate, const Rational& value, std::string& why);
   [[nodiscard]] Sheet& sheet_of(const Candidate& candidate);
-  void trace(const Sheet& sheet, const Path& down, const Path& up, std::vector<Cell> cells);
+  void trace(const Sheet& sheet, const Followed& branch);
   void count();
 
   const BranchQuestion& question_;
@@ -205,21 +231,21 @@ Sheet& Search::sheet_of(const Candidate& candidate) {
   if (found != sheets_.end()) {
     return *found;
   }
-  sheets_.push_back({candidate.system, curve_of(question_, candidate.equations), {}});
+  sheets_.push_back({candidate.system, candidate.angle, curve_of(question_, candidate.equations), {}});
   return sheets_.back();
 }
 
-void Search::trace(const Sheet& sheet, const Path& down, const Path& up, std::vector<Cell> cells) {
+void Search::trace(const Sheet& sheet, const Followed& followed) {
   Branch branch;
-  branch.cells = cells.size();
-  branch.closed = up.end == End::closed;
-  branch.first = end_of(branch.closed ? up : down, sheet, question_);
-  branch.last = end_of(up, sheet, question_);
-  const std::vector<Part> parts = parts_of(sheet.curve, law_, cells, resolution / 8);
-  describe({sheet.curve, law_, cells, parts}, branch, list_.unresolved);
+  branch.cells = followed.cells.size();
+  branch.closed = followed.closed;
+  branch.first = followed.first;
+  branch.last = followed.last;
+  const std::vector<Part> parts = parts_of(sheet.curve, law_, followed.cells, resolution / 8);
+  describe({sheet.curve, law_, followed.cells, parts}, branch, list_.unresolved);
   for (const BranchEnd * end : {&branch.first, &branch.last}) {
     if (!end->resolved) {
-      list_.unresolved.push_back({end->at, {}, end->words});
+      list_.unresolved.push_back({end->at, {}, end->words, end->resonance});
     }
   }
   if (!branch.pieces.empty()) {
@@ -227,38 +253,51 @@ void Search::trace(const Sheet& sheet, const Path& down, const Path& up, std::ve
   }
 }
 
-void Search::add(const Candidate& candidate, const Rational& value) {
+bool Search::add(const Candidate& candidate, const Rational& value, std::string& why) {
   Sheet& sheet = sheet_of(candidate);
-  const ProvedPoint start =
-      prove_at(sheet.curve, value, candidate.equations.unknowns(candidate.guess));
-  const auto report = [&](const std::string& reason) {
-    list_.unresolved.push_back({Ball(value), candidate.where, reason});
-  };
+  const ProvedPoint start = prove_at(sheet.curve, value, candidate.equations.unknowns(candidate.guess));
   if (start.verdict.truth != Truth::proved) {
-    return report(start.verdict.reason);
+    why = start.verdict.reason;
+    return false;
   }
   const Driven f{&sheet.curve, by_parameter};
   if (!candidate.is_same(f.motion<Ball>(start.point.x, zeros::Vector::Constant(1, start.point.value)))) {
-    return report("the motion that was proved near a zero may be another one");
+    why = "the motion that was proved near a zero may be another one";
+    return false;
   }
-  if (is_known(sheet, start.point, candidate.angle)) {
-    return;
+  const auto same = [&](const Followed& known) { return passes(known, start.point, sheet.angle); };
+  if (std::any_of(sheet.branches.begin(), sheet.branches.end(), same)) {
+    return true;
   }
   Path up = follow(sheet.curve, value, start.point, 1);
-  Path down = up.end == End::closed ? Path{} : follow(sheet.curve, value, start.point, -1);
-  std::vector<Cell> cells = reversed(std::move(down.cells));
-  std::ranges::move(up.cells, std::back_inserter(cells));
-  sheet.branches.push_back(cells);
-  trace(sheet, down, up, std::move(cells));
+  const bool closed = up.end == End::closed;
+  Path down = closed ? Path{} : follow(sheet.curve, value, start.point, -1);
+  Followed found{start.point, {}, end_of(closed ? up : down, question_),
+                 end_of(up, question_), closed};
+  found.cells = reversed(std::move(down.cells));
+  std::ranges::move(up.cells, std::back_inserter(found.cells));
+  // One that was followed less far before.
+  std::erase_if(sheet.branches,
+                [&](const Followed& known) { return passes(found, known.start, sheet.angle); });
+  sheet.branches.push_back(std::move(found));
+  return true;
 }
 
+// All orbits at that value: those that are on no branch yet are followed.
 void Search::follow_from(const Rational& value) {
-  const Found found = question_.orbits.family->search(exact(with(question_, {value})));
-  for (const Unresolved& open : found.unresolved) {
-    list_.unresolved.push_back({Ball(value), open.where, open.reason});
-  }
-  for (const Candidate& candidate : found.candidates) {
-    add(candidate, value);
+  try {
+    const Found found = question_.orbits.family->search(exact(with(question_, {value})));
+    for (const Unresolved& open : found.unresolved) {
+      list_.unresolved.push_back({Ball(value), open.where, open.reason});
+    }
+    for (const Candidate& candidate : found.candidates) {
+      std::string why;
+      if (!add(candidate, value, why)) {
+        list_.unresolved.push_back({Ball(value), candidate.where, why});
+      }
+    }
+  } catch (const DomainError& error) {  // a resonance at this very value
+    list_.unresolved.push_back({Ball(value), {}, error.what(), true});
   }
 }
 
@@ -293,12 +332,23 @@ void Search::count() {
 }
 
 BranchList Search::run() {
-  const Rational value = question_.at.value_or((question_.from + question_.to) / 2);
-  list_.followed_from = value;
-  list_.why_not_searched = fmt::format(
-      "followed from the orbits at {} = {}: branches that do not reach this value are not looked for",
-      question_.parameter, stickslip::to_string(value));
-  follow_from(value);
+  if (question_.at) {
+    list_.values = {*question_.at};
+  } else {
+    for (int k = 0; k <= intervals; ++k) {
+      Rational share(k, intervals);
+      share.canonicalize();
+      list_.values.push_back(question_.from + (question_.to - question_.from) * share);
+    }
+  }
+  for (const Rational& value : list_.values) {
+    follow_from(value);
+  }
+  for (const Sheet& sheet : sheets_) {
+    for (const Followed& branch : sheet.branches) {
+      trace(sheet, branch);
+    }
+  }
   count();
   list_.interrupted = interrupted();
   return std::move(list_);
@@ -340,6 +390,8 @@ std::string to_string(ChangeKind kind) {
       return "stability";
     case ChangeKind::birth:
       return "birth";
+    case ChangeKind::resonance:
+      return "resonance";
   }
   throw InternalError("a change of no known kind");
 }

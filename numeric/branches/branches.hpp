@@ -2,6 +2,7 @@
 // and proved.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@ struct BranchQuestion {
   OrbitQuestion orbits;   // exact; what it says of the free parameter does not count
   std::string parameter;  // chi, eta, us, V, omega, p; phi or ur where the family takes it
   Rational from, to;      // from < to
-  // Follow the branches of the orbits that there are at this value. Without it all branches are asked for:
-  // where the family cannot be searched over an interval, the value is the middle of the interval.
+  // Follow the branches of the orbits that there are at this value; without it of those at nine values, the
+  // ends among them.
   std::optional<Rational> at;
 };
 
@@ -37,6 +38,7 @@ enum class ChangeKind {
   condition,  // a condition is lost or gained, with its id
   stability,  // a multiplier crosses the unit circle: "real +1", "real -1", "complex pair"
   birth,      // a phase lasts no time at all, with the name of its duration: the branch ends
+  resonance,  // omega is a natural frequency: of the motions beside it no condition is decided
 };
 [[nodiscard]] std::string to_string(ChangeKind kind);
 
@@ -69,7 +71,8 @@ struct Piece {
 struct BranchEnd {
   Ball at;
   std::string words;
-  bool resolved = true;  // else the branch may go on
+  bool resolved = true;    // else the branch may go on
+  bool resonance = false;  // the reason why it is not resolved
 };
 
 struct Branch {
@@ -84,9 +87,10 @@ struct UnresolvedPart {
   Ball value;  // of the parameter
   std::vector<NamedBall> where;
   std::string reason;
+  bool resonance = false;  // it is next to one, where the interval is split
 };
 
-// How many orbits there are between two values at which that may change: on the branches of the list.
+// How many orbits there are on the branches of the list between two values at which that may change.
 struct Count {
   Ball from, to;
   int orbits = 0, admissible = 0, stable = 0;
@@ -97,14 +101,16 @@ struct BranchList {
   std::vector<Branch> branches;
   std::vector<UnresolvedPart> unresolved;
   std::vector<Count> counts;
-  // No orbit of the family in the interval is missing, but for the unresolved parts; else why that is not
-  // said.
-  bool searched = false;
-  std::string why_not_searched;
-  std::optional<Rational> followed_from;
+  // At these values all orbits were looked for, and each is on a branch or unresolved. A branch that reaches
+  // none of them may be missing.
+  std::vector<Rational> values;
   bool interrupted = false;
 
-  [[nodiscard]] bool complete() const { return searched && unresolved.empty(); }
+  // Nothing is unresolved but next to resonances.
+  [[nodiscard]] bool resolved() const {
+    return std::all_of(unresolved.begin(), unresolved.end(),
+                       [](const UnresolvedPart& part) { return part.resonance; });
+  }
 };
 
 // Changes are enclosed to this.

@@ -195,10 +195,7 @@ class Description {
     const std::vector<Part>& parts = t_.parts;
     const Part * before = nullptr;
     for (std::size_t k = 0; k < parts.size();) {
-      std::size_t next = k;
-      while (next < parts.size() && !parts[next].decided()) {
-        ++next;
-      }
+      const std::size_t next = end_of_gap(k);
       const Part * after = next < parts.size() ? &parts[next] : nullptr;
       if (next > k) {
         Gap gap{k, next, before, after, parts[k].value};
@@ -219,8 +216,48 @@ class Description {
   }
 
  private:
+  // The first decided part from k on that is not followed by another gap before twice the length of the gap
+  // is decided: scraps between undecided parts tell nothing.
+  [[nodiscard]] std::size_t end_of_gap(std::size_t k) const {
+    const std::vector<Part>& parts = t_.parts;
+    const auto first_decided = [&](std::size_t i) {
+      while (i < parts.size() && !parts[i].decided()) {
+        ++i;
+      }
+      return i;
+    };
+    std::size_t end = first_decided(k);
+    const auto length = [&](std::size_t from, std::size_t to) {
+      double sum = 0;
+      for (std::size_t i = from; i < to; ++i) {
+        sum += parts[i].value.radius().approximate();
+      }
+      return sum;
+    };
+    while (end > k) {
+      std::size_t gap = end;
+      while (gap < parts.size() && parts[gap].decided() && parts[gap].state == parts[end].state &&
+             parts[gap].rises == parts[end].rises && length(end, gap) < 2 * length(k, end)) {
+        ++gap;
+      }
+      if (gap == parts.size() || parts[gap].decided()) {
+        break;
+      }
+      end = first_decided(gap);
+    }
+    return end;
+  }
+
   void leave_open(const Gap& gap, const std::string& reason) {
     unresolved_.push_back({gap.at, {}, reason});
+  }
+
+  // The name of the natural frequency that omega may have somewhere in the gap; empty if it has none.
+  [[nodiscard]] std::string resonance(const Gap& gap) const {
+    zeros::Vector p = t_.curve.data;
+    p(t_.curve.place) = gap.at;
+    const model::Modes<Ball> m = model::modes<Ball>(p(0), p(1));
+    return m.omega1.overlaps(p(4)) ? "omega1" : m.omega2.overlaps(p(4)) ? "omega2" : "";
   }
 
   // Not a change of anything: a condition or a multiplier that comes as near as can be told and turns back.
@@ -231,6 +268,13 @@ class Description {
     }
     const auto either = [&](State state) { return gap.before->state == state || gap.after->state == state; };
     if (either(State::outside)) {
+      return;
+    }
+    if (const std::string frequency = resonance(gap);
+        !frequency.empty() && gap.before->state == gap.after->state && gap.before->rises == gap.after->rises) {
+      branch_.changes.push_back({ChangeKind::resonance, frequency,
+                                 "omega = " + frequency + ", where the response (7) to the load is unbounded",
+                                 gap.at, {}, Verdict::undecided("beside a resonance: " + reason)});
       return;
     }
     if ((Ball(2) * gap.at.radius() - Ball(resolution)).is_positive()) {

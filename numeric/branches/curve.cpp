@@ -19,7 +19,7 @@ constexpr double longest_step = 0.5;
 constexpr double shortest_step = 0x1p-36;
 constexpr std::size_t most_cells = 3000;
 // An unknown that is so many times its size at the start, or 1, has left for infinity.
-constexpr double far_away = 0x1p8;
+constexpr double far_away = 0x1p5;
 // The parameter drives unless its share of the tangent is below the first; then until it is above the second.
 constexpr double steep = 0.03;
 constexpr double not_steep = 0.1;
@@ -185,8 +185,8 @@ bool Walk::try_cell(double length) {
     }
     return y;
   };
-  const Ball Q = between(cell.first, cell.last);
-  cell.proof = prove_over_parameters(f, one(Q), guess_at(reach / 2));
+  cell.range = between(cell.first, cell.last);
+  cell.proof = prove_over_parameters(f, one(cell.range), guess_at(reach / 2));
   if (cell.proof.verdict.truth != Truth::proved ||
       !(exactly_ ? is_the_only_one(cell, here_) : is_on(cell, here_))) {
     return false;
@@ -242,7 +242,7 @@ bool Walk::is_over() {
   }
   if (std::any_of(here_.x.begin(), here_.x.end(),
                   [&](const Ball& x) { return std::abs(x.approximate()) > far_; })) {
-    path_.reason = "the motion grows beyond all bounds";
+    path_.reason = "the motion has grown thirtyfold, and may grow beyond all bounds";
     return true;
   }
   const bool at_start = is_on(cell, start_);
@@ -275,7 +275,7 @@ Ball between(const Rational& a, const Rational& b) {
 }
 
 bool is_on(const Cell& cell, const Point& point) {
-  return between(cell.first, cell.last).contains(coordinate(cell.driver, point)) &&
+  return cell.range.contains(coordinate(cell.driver, point)) &&
          is_the_only_one(cell, point);
 }
 

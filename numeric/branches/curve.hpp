@@ -71,6 +71,7 @@ struct Point {
 struct Cell {
   int driver = by_parameter;
   Rational first, last;  // of the driver, in the direction of the branch: it rises or falls
+  Ball range;            // from the one to the other: what the proof is over
   zeros::ParametricProof proof;
 };
 

@@ -204,7 +204,7 @@ template <class F>
     }
     for (int i = 0; i < n; ++i) {
       const Ball r = K(i).radius() * Ball(1.2) + Ball(0x1p-80);
-      if (!(r - Ball(2)).is_negative()) {
+      if (!(r - Ball(2 * std::max(1.0, std::abs(K(i).approximate())))).is_negative()) {
         result.verdict = Verdict::undecided("the box outgrows every bound: split the parameters");
         return result;
       }
