@@ -180,7 +180,7 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
 void require_command(const CLI::App& program) {
   const std::vector<std::string> strangers = program.remaining();
   const std::string known =
-      "the commands are audit, check, certify, latex, orbits, attractors and simulate; see stickslip --help";
+      "the commands are audit, check, certify, latex, orbits, branch, attractors and simulate; see stickslip --help";
   if (!strangers.empty()) {
     const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
     throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
@@ -198,6 +198,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   CertifyOptions certify;
   LatexOptions latex;
   OrbitsOptions orbits;
+  BranchOptions branch;
   AttractorsOptions attractors;
   SimulateOptions simulate;
   Request request;
@@ -214,6 +215,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   add_certify(program, certify, request, paper);
   add_latex(program, latex, request, paper);
   add_orbits(program, orbits, request, paper);
+  add_branch(program, branch, request, paper);
   add_attractors(program, attractors, request, paper);
   add_simulate(program, simulate, request, paper);
   program.allow_extras();

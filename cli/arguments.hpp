@@ -73,6 +73,13 @@ struct OrbitsOptions {
   static constexpr int most_cells = 1000000000;
 };
 
+struct BranchOptions {
+  std::string family;
+  TypedParameters parameters;  // one of them an interval A..B
+  std::string file, example, at, csv, plot, jobs;
+  bool json = false;
+};
+
 struct AttractorsOptions {
   TypedParameters parameters;
   std::string file, units, example, starts, seed, most_periods, digits, jobs;
@@ -111,7 +118,7 @@ struct ManualWanted {
 };
 
 using Request = std::variant<AuditOptions, CheckOptions, CertifyOptions, LatexOptions, OrbitsOptions,
-                             AttractorsOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
+                             BranchOptions, AttractorsOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
 
 // What the help says of the paper that the program is about, and of the families of orbits.
 struct PaperInHelp {

@@ -16,6 +16,7 @@ void add_sources(CLI::App& command, std::string& example, std::string& file, con
 void add_jobs(CLI::App& command, std::string& text);
 
 void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, const PaperInHelp& paper);
+void add_branch(CLI::App& program, BranchOptions& options, Request& request, const PaperInHelp& paper);
 void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,
                     const PaperInHelp& paper);
 void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper);

@@ -12,6 +12,7 @@ namespace stickslip::cli {
 [[nodiscard]] ExitCode run(const CertifyOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const BranchOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& paper);
 // Of `attractors` with --along or --plane.
 [[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);

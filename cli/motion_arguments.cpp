@@ -24,6 +24,19 @@ constexpr const char * words_details =
     "after Ctrl-C, which ends the search: what it has found is still printed and written,\n"
     "marked as interrupted.";
 
+constexpr const char * branch_details =
+    "Gives one parameter as an interval A..B and follows the orbits over it, each proved to\n"
+    "exist and to be the only one near it, as a function of the parameter. Every place where\n"
+    "something changes is enclosed to 1e-10, named, and proved to be passed once: a fold, a\n"
+    "condition that is lost, a multiplier that crosses the unit circle, a phase that lasts no\n"
+    "time. What cannot be resolved is listed, with its reason.\n\n"
+    "Followed are all orbits that there are at nine values of the interval, its ends among\n"
+    "them, or at the one given by --at. A branch that reaches none of these is not found.\n\n";
+
+constexpr const char * branch_exits =
+    "\nExit code: 0 every change is proved and nothing is unresolved but next to resonances; 2\n"
+    "something is; 130 after Ctrl-C.";
+
 constexpr const char * attractors_details =
     "Follows many starts until they have settled, and says on what, and how many on each:\n"
     "periodic motions with their period, in periods of the load, and their word of S (slip),\n"
@@ -142,6 +155,25 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
     options.with_out = out->count() > 0;
     request = options;
   });
+}
+
+void add_branch(CLI::App& program, BranchOptions& options, Request& request, const PaperInHelp& paper) {
+  CLI::App * command =
+      program.add_subcommand("branch", "Follow orbits over one parameter, every change proved");
+  command->footer(branch_details + paper.families + branch_exits);
+  command->add_option("FAMILY", options.family, paper.family_names)->type_name("");
+  add_parameters(*command, options.parameters);
+  add_sources(*command, options.example, options.file, paper);
+  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
+    command->add_option(name, value, words)->type_name(type);
+  };
+  add("--at", options.at, "NUMBER",
+      "The branches of the orbits that there are at this value of the\nparameter alone");
+  add("--csv", options.csv, "FILE", "Also write an orbit of each part as a table");
+  add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg or FILE.pdf");
+  add_jobs(*command, options.jobs);
+  command->add_flag("--json", options.json, "Print the result as JSON");
+  command->callback([&options, &request] { request = options; });
 }
 
 void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,

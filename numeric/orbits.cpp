@@ -194,9 +194,13 @@ bool all_decided(const OrbitList& list) {
          });
 }
 
-OrbitList list_orbits(const OrbitQuestion& question) {
+void require_answerable(const OrbitQuestion& question) {
   require_understood(question);
   require_domain(question);
+}
+
+OrbitList list_orbits(const OrbitQuestion& question) {
+  require_answerable(question);
   const Found found = question.family->search(each(question, middle));
   int digits = std::max(question.digits, fewest_digits);
   OrbitList list = concluded(question, found, digits);

@@ -39,6 +39,9 @@ struct OrbitList {
 // Nothing is unresolved, and each condition of each orbit is proved or refuted.
 [[nodiscard]] bool all_decided(const OrbitList& list);
 
+// Throws what list_orbits throws for the question as such, before any search.
+void require_answerable(const OrbitQuestion& question);
+
 // The complete list, or what is missing from it. A condition that the asked digits leave undecided is looked
 // at again with more. For a box of parameters: the orbits at its middle, each proved, with its conditions,
 // for all members of the box, or unresolved. Throws DomainError when the data are outside the domain of the

@@ -29,6 +29,8 @@ struct Candidate {
   std::vector<NamedBall> where;  // contains the zero
   // Whether a closed motion is this zero: it lies where the zero is the only one.
   std::function<bool(const motion::Motion&)> is_same;
+  int system = 0;  // which of the family's systems of closing conditions `equations` is
+  int angle = -1;  // the place of an unknown that counts modulo 2 pi, or none
 };
 
 // What a search found: no closed motion of the family is in neither list.

@@ -95,7 +95,7 @@ Candidate candidate(const TwoSlips& f, const Box<2>& x, const Box<2>& unique) {
     const Ball share = slip.duration / period(motion);
     return lies_in(unique, {share, slip.load / Ball::pi() + share});
   };
-  return {equations, guess, where, is_same};
+  return {equations, guess, where, is_same, 0, 1};
 }
 
 // All zeros, refined, but for those outside, at the edge, and the same again modulo 2 pi.

@@ -7,7 +7,6 @@
 
 #include "core/error.hpp"
 #include "numeric/families/overshooting_exclusion.hpp"
-#include "numeric/motion/shooting.hpp"
 
 namespace stickslip::numeric::families {
 
@@ -113,12 +112,11 @@ std::vector<NamedBall> named(const Times<Ball>& t) {
   return {{"tau", t.tau}, {"tau1", t.tau1}};
 }
 
-// The system of motion/shooting.hpp for the search.
 Closing equations(const AtPhase&) {
-  return closing_of({overshooting().phases, true});
+  return OvershootingClosing{true, false};
 }
 Closing equations(const AtFriction&) {
-  return closing_of({overshooting().phases, false, true});
+  return OvershootingClosing{false, true};
 }
 
 // A proved zero of the two functions, refined and looked at: nothing when it lies outside the triangle.
@@ -155,7 +153,7 @@ std::variant<std::monostate, Candidate, Unresolved> conclude(const ExactParamete
     const Ball &tau1 = motion.phases[1].duration, total = motion.phases[0].duration + tau1;
     return unique(0).contains(total / period(motion)) && unique(1).contains(tau1 / total);
   };
-  return Candidate{equations(f.family), guess, named(t), is_same};
+  return Candidate{equations(f.family), guess, named(t), is_same, 0, std::is_same_v<std::invoke_result_t<Recipe>, AtPhase> ? -1 : 5};
 }
 
 // omega_j = k omega, k > 1: why boxes that reach T = 0 stay open. There the odd row of mode j is -2 eta
@@ -224,6 +222,25 @@ Found search_overshooting(const Given<Rational>& given) {
 }
 
 }  // namespace
+
+Vector OvershootingClosing::unknowns(const Motion& motion) const {
+  if (motion.phases.size() != 3) {
+    throw InternalError("an overshooting motion of other phases than a slip, an overshoot and a stick");
+  }
+  const model::Parameters<Ball>& a = motion.oscillator.data;
+  const Phase& slip = motion.phases[0];
+  const Ball half_T = motion.phases[2].duration / Ball(2);
+  const Ball u = slip.Z(0) - a.chi * slip.Z(1);
+  const Ball v = slip.Z(2) - a.chi * a.V;
+  const auto [sine, cosine] = sin_cos(half_T);
+  Vector x(takes_phi ? 5 : 6);
+  x.head<5>() << slip.duration, motion.phases[1].duration, slip.Z(1) - a.V * half_T, u * sine + v * cosine,
+      u * cosine - v * sine;
+  if (!takes_phi) {
+    x(5) = slip.load;
+  }
+  return x;
+}
 
 const Family& overshooting() {
   static const Family family{

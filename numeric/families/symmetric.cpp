@@ -127,7 +127,7 @@ void conclude(const ExactParameters& a, LoadPhase phase, const FoundZero<1>& fou
     const auto is_same = [found](const Motion& motion) {
       return found.unique(0).contains(motion.phases[0].duration / period(motion));
     };
-    result.candidates.push_back({equations, guess, where, is_same});
+    result.candidates.push_back({equations, guess, where, is_same, phase == LoadPhase::first ? 0 : 1, -1});
   }
 }
 

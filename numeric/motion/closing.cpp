@@ -45,12 +45,16 @@ struct OverBox {
     return {g.kind, (*this)(g.start, middle.start), (*this)(g.duration, middle.duration),
             (*this)(g.load, middle.load), (*this).operator()<4>(g.Z, middle.Z)};
   }
+  [[nodiscard]] model::Parameters<Ball> operator()(const model::Parameters<ParameterJet>& g,
+                                                   const model::Parameters<Ball>& middle) const {
+    return {(*this)(g.chi, middle.chi), (*this)(g.eta, middle.eta),     (*this)(g.us, middle.us),
+            (*this)(g.V, middle.V),     (*this)(g.omega, middle.omega), (*this)(g.p, middle.p)};
+  }
   [[nodiscard]] model::Oscillator<Ball> operator()(const model::Oscillator<ParameterJet>& g,
-                                                   const model::Oscillator<Ball>& middle,
-                                                   const model::Parameters<Ball>& data) const {
+                                                   const model::Oscillator<Ball>& middle) const {
     const auto& m = g.modes;
     const auto& n = middle.modes;
-    return {data,
+    return {(*this)(g.data, middle.data),
             {(*this)(m.omega1, n.omega1), (*this)(m.omega2, n.omega2), (*this)(m.lambda1, n.lambda1),
              (*this)(m.lambda2, n.lambda2)},
             (*this).operator()<2>(g.Q, middle.Q),
@@ -124,22 +128,29 @@ ClosedMotion prove_closed(const Closing& f, const Given<Rational>& given, const 
   return taken_as_closed(f.motion<Ball>(x, parameters()));
 }
 
-ClosedMotion prove_closed_over(const Closing& f, const Given<Ball>& given, const Motion& guess) {
-  const ParametricProof proof = prove_over_parameters(f, f.parameters(given), f.unknowns(guess));
-  ClosedMotion closed{proof.verdict, f.parameter_names()[static_cast<std::size_t>(proof.widest)], {}, {}, {}};
-  if (proof.verdict.truth != Truth::proved) {
-    return closed;
-  }
+ClosedMotion closed_over(const ParametricProof& proof, const MotionOf<ParameterJet>& jets,
+                         const Motion& middle) {
+  ClosedMotion closed{proof.verdict, {}, {}, {}, {}};
   const OverBox over{proof};
-  const MotionOf<ParameterJet> jets = f.motion<ParameterJet>(proof.x, proof.p);
-  const Motion middle = f.motion<Ball>(proof.at_middle, proof.p0);
-  closed.motion.oscillator = over(jets.oscillator, middle.oscillator, given.data);
+  closed.motion.oscillator = over(jets.oscillator, middle.oscillator);
   for (std::size_t k = 0; k < middle.phases.size(); ++k) {
     closed.motion.phases.push_back(over(jets.phases[k], middle.phases[k]));
     closed.waves.push_back(over(waves_of<ParameterJet>(jets.oscillator, jets.phases[k]), waves(middle, k)));
     closed.friction.push_back(over(friction_of<ParameterJet>(jets, k), friction_of<Ball>(middle, k)));
   }
   return closed;
+}
+
+ClosedMotion prove_closed_over(const Closing& f, const Given<Ball>& given, const Motion& guess) {
+  const ParametricProof proof = prove_over_parameters(f, f.parameters(given), f.unknowns(guess));
+  ClosedMotion closed{proof.verdict, f.parameter_names()[static_cast<std::size_t>(proof.widest)], {}, {}, {}};
+  if (proof.verdict.truth != Truth::proved) {
+    return closed;
+  }
+  ClosedMotion over = closed_over(proof, f.motion<ParameterJet>(proof.x, proof.p),
+                                  f.motion<Ball>(proof.at_middle, proof.p0));
+  over.split = closed.split;
+  return over;
 }
 
 }  // namespace stickslip::numeric::motion

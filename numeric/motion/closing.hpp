@@ -98,6 +98,11 @@ struct ClosedMotion {
 // A motion with what is known of it from its phases; that it closes is the caller's word.
 [[nodiscard]] ClosedMotion taken_as_closed(const Motion& motion);
 
+// The motions that the proof speaks of, over the whole box: f's motion over the jets of the proof and at the
+// middle, to first order (zeros/parametric.hpp). Assumes that the proof is one.
+[[nodiscard]] ClosedMotion closed_over(const zeros::ParametricProof& proof,
+                                       const MotionOf<zeros::ParameterJet>& jets, const Motion& middle);
+
 // At exact data, to `digits` significant digits or more, at the working precision of these. Undecided when no
 // box that Newton's method reaches from the guess passes Krawczyk's test.
 [[nodiscard]] ClosedMotion prove_closed(const Closing& f, const Given<Rational>& given, const Motion& guess,

@@ -140,7 +140,15 @@ template <class F>
   Vector m = midpoint<Eigen::Dynamic>(guess);
   for (int k = 0; k < 7; ++k) {
     const std::optional<Vector> better = newton<Ball, Eigen::Dynamic>(at_p, m, 1);
-    m = better ? midpoint<Eigen::Dynamic>(*better) : m;
+    if (!better) {
+      break;
+    }
+    const Vector step = *better - m;
+    m = midpoint<Eigen::Dynamic>(*better);
+    const auto is_small = [](const Ball& x) { return std::abs(x.approximate()) < 0x1p-50; };
+    if (std::all_of(step.begin(), step.end(), is_small)) {
+      break;
+    }
   }
   return prove_zero_by_inflation<Eigen::Dynamic>(at_p, m);
 }
@@ -196,7 +204,7 @@ template <class F>
     }
     for (int i = 0; i < n; ++i) {
       const Ball r = K(i).radius() * Ball(1.2) + Ball(0x1p-80);
-      if (!(r - Ball(2)).is_negative()) {
+      if (!(r - Ball(2 * std::max(1.0, std::abs(K(i).approximate())))).is_negative()) {
         result.verdict = Verdict::undecided("the box outgrows every bound: split the parameters");
         return result;
       }

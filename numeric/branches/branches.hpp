@@ -1,0 +1,123 @@
+// Branches of orbits over an interval of one parameter: every place where something changes, enclosed, named
+// and proved.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/orbits.hpp"
+
+namespace stickslip::numeric::branches {
+
+struct BranchQuestion {
+  OrbitQuestion orbits;   // exact; what it says of the free parameter does not count
+  std::string parameter;  // chi, eta, us, V, omega, p; phi or ur where the family takes it
+  Rational from, to;      // from < to
+  // Follow the branches of the orbits that there are at this value; without it of those at nine values, the
+  // ends among them.
+  std::optional<Rational> at;
+};
+
+// What the orbits on a piece of a branch are, every one of them.
+enum class State {
+  outside,       // the parameter is beyond its interval
+  absent,        // a phase lasts a negative time: no motion of the family
+  inadmissible,  // closed, but a condition of the friction law is violated
+  stable,        // admissible: all conditions hold; and by its multipliers
+  unstable,
+  marginal,   // 1 is a multiplier for want of a load
+  undecided,  // with the reason
+};
+[[nodiscard]] std::string to_string(State state);
+[[nodiscard]] bool is_admissible(State state);
+
+enum class ChangeKind {
+  fold,       // the branch turns: two orbits on one side meet, none is on the other
+  condition,  // a condition is lost or gained, with its id
+  stability,  // a multiplier crosses the unit circle: "real +1", "real -1", "complex pair"
+  birth,      // a phase lasts no time at all, with the name of its duration: the branch ends
+  resonance,  // omega is a natural frequency: of the motions beside it no condition is decided
+};
+[[nodiscard]] std::string to_string(ChangeKind kind);
+
+struct Change {
+  ChangeKind kind = ChangeKind::fold;
+  std::string what;         // which condition, multiplier or duration; empty for a fold
+  std::string words;        // a sentence
+  Ball at;                  // contains the value of the parameter
+  std::optional<Ball> when;  // where in the motion, its time from the beginning: of a condition
+  // Of "it happens there exactly once, and transversally": a fold is a strict extremum of the parameter along
+  // the branch. That it happens is proved in any case, by what is proved on both sides.
+  Verdict verdict;
+};
+
+// One orbit of a branch, for tables and pictures: nearly.
+struct Sample {
+  double value = 0;
+  motion::MotionOf<double> motion;
+};
+
+// A piece on which nothing changes, in the direction of the branch.
+struct Piece {
+  State state = State::undecided;
+  std::string condition;  // one that is violated all along, if one is; of an inadmissible piece
+  Ball first, last;       // the parameter where it begins and ends
+  std::vector<Sample> samples;
+};
+
+// Why a branch begins or ends where it does.
+struct BranchEnd {
+  Ball at;
+  std::string words;
+  bool resolved = true;    // else the branch may go on
+  bool resonance = false;  // the reason why it is not resolved
+};
+
+struct Branch {
+  std::vector<Piece> pieces;
+  std::vector<Change> changes;  // in the direction of the branch
+  BranchEnd first, last;
+  bool closed = false;    // a closed curve
+  std::size_t cells = 0;  // that its proof has
+};
+
+struct UnresolvedPart {
+  Ball value;  // of the parameter
+  std::vector<NamedBall> where;
+  std::string reason;
+  bool resonance = false;  // it is next to one, where the interval is split
+};
+
+// How many orbits there are on the branches of the list between two values at which that may change.
+struct Count {
+  Ball from, to;
+  int orbits = 0, admissible = 0, stable = 0;
+};
+
+struct BranchList {
+  BranchQuestion question;
+  std::vector<Branch> branches;
+  std::vector<UnresolvedPart> unresolved;
+  std::vector<Count> counts;
+  // At these values all orbits were looked for, and each is on a branch or unresolved. A branch that reaches
+  // none of them may be missing.
+  std::vector<Rational> values;
+  bool interrupted = false;
+
+  // Nothing is unresolved but next to resonances.
+  [[nodiscard]] bool resolved() const {
+    return std::all_of(unresolved.begin(), unresolved.end(),
+                       [](const UnresolvedPart& part) { return part.resonance; });
+  }
+};
+
+// Changes are enclosed to this.
+inline constexpr double resolution = 1e-10;
+
+// Throws UsageError for a parameter that the family does not have or an interval that does not rise, and what
+// list_orbits throws where some value of the interval is outside the family's domain.
+[[nodiscard]] BranchList list_branches(const BranchQuestion& question);
+
+}  // namespace stickslip::numeric::branches

@@ -1,0 +1,301 @@
+#include "numeric/branches/curve.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/interruption.hpp"
+
+namespace stickslip::numeric::branches {
+
+using namespace zeros;
+
+namespace {
+
+// Lengths along the curve, in which the interval of the parameter has the length 1, and an unknown its own
+// size where that is above 1.
+constexpr double first_step = 0x1p-7;
+constexpr double longest_step = 0.5;
+constexpr double shortest_step = 0x1p-36;
+constexpr std::size_t most_cells = 3000;
+// An unknown that is so many times its size at the start, or 1, has left for infinity.
+constexpr double far_away = 0x1p5;
+// The parameter drives unless its share of the tangent is below the first; then until it is above the second.
+constexpr double steep = 0.03;
+constexpr double not_steep = 0.1;
+
+Vector one(const Ball& x) {
+  return Vector::Constant(1, x);
+}
+
+Point point_of(const Driven& f, const Vector& y, const Vector& q) {
+  const auto s = f.split<Ball>(y, q);
+  return {s.x, s.p(f.curve->place)};
+}
+
+// The coordinates other than the driver, as the driven equations take them.
+Vector others(int driver, const Point& point) {
+  Vector y = point.x;
+  if (driver != by_parameter) {
+    y(driver) = point.value;
+  }
+  return y;
+}
+const Ball& coordinate(int driver, const Point& point) {
+  return driver == by_parameter ? point.value : point.x(driver);
+}
+
+// Whether a motion at the point whose driver lies on the cell is that of the cell: proved, or not known.
+bool is_the_only_one(const Cell& cell, const Point& point) {
+  const Vector y = others(cell.driver, point);
+  for (int i = 0; i < y.size(); ++i) {
+    if (!cell.proof.unique(i).contains(y(i))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A tangent of the curve near the point, by (x, parameter) in these units, its greatest entry ±1: a proposal.
+// Empty where there is none.
+Eigen::VectorXd tangent(const Curve& curve, const Point& point, const Eigen::VectorXd& units) {
+  const auto n = static_cast<int>(point.x.size());
+  VectorOf<ParameterJet> x(n);
+  for (int i = 0; i < n; ++i) {
+    x(i) = ParameterJet::variable(point.x(i).midpoint(), i, n + 1);
+  }
+  VectorOf<ParameterJet> p = curve.data.cast<ParameterJet>();
+  p(curve.place) = ParameterJet::variable(point.value.midpoint(), n, n + 1);
+  const VectorOf<ParameterJet> f = curve.equations.closing<ParameterJet>(x, p);
+  Eigen::MatrixXd slope(n, n + 1);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      slope(i, j) = f(i).partial(j).approximate() * units(j);
+    }
+    const double size = slope.row(i).cwiseAbs().maxCoeff();
+    if (!(size > 0) || !std::isfinite(size)) {
+      return {};
+    }
+    slope.row(i) /= size;
+  }
+  const Eigen::MatrixXd kernel = slope.fullPivLu().kernel();
+  Eigen::VectorXd t = kernel.col(0);
+  const double size = t.cwiseAbs().maxCoeff();
+  if (!(size > 0) || !std::isfinite(size)) {
+    return {};
+  }
+  return t / size;
+}
+
+class Walk {
+ public:
+  Walk(const Curve& curve, const Rational& value, const Point& start)
+      : curve_(curve),
+        scale_(Rational(curve.to - curve.from).get_d()),
+        start_(start),
+        here_(start),
+        exactly_(value) {
+    for (const Ball& x : start.x) {
+      far_ = std::max(far_, far_away * std::abs(x.approximate()));
+    }
+  }
+
+
+  Path follow(int direction);
+
+ private:
+  // One cell further; false: as far as this goes.
+  bool advance();
+  bool turn_tangent();
+  [[nodiscard]] bool try_cell(double length);
+  [[nodiscard]] bool is_over();
+
+  const Curve& curve_;
+  double scale_;
+  Point start_, here_;
+  Eigen::VectorXd tangent_, units_;  // see tangent()
+  int driver_ = by_parameter;
+  std::optional<Rational> exactly_;  // the driver's value here, where it is exact
+  double step_ = first_step;
+  double far_ = far_away;
+  bool left_start_ = false;
+  Path path_;
+};
+
+// The tangent here, in the direction of the one before, and the driver that suits it.
+bool Walk::turn_tangent() {
+  Eigen::VectorXd units(here_.x.size() + 1);
+  for (int i = 0; i < here_.x.size(); ++i) {
+    units(i) = std::max(1.0, std::abs(here_.x(i).approximate()));
+  }
+  units(here_.x.size()) = scale_;
+  const Eigen::VectorXd t = tangent(curve_, here_, units);
+  if (t.size() == 0) {
+    return false;
+  }
+  units_ = units;
+  tangent_ = tangent_.size() != 0 && t.dot(tangent_) < 0 ? Eigen::VectorXd(-t) : t;
+  const auto n = tangent_.size() - 1;
+  const double share = std::abs(tangent_(n));
+  int driver = by_parameter;
+  if (share < (driver_ == by_parameter ? steep : not_steep)) {
+    Eigen::Index k = 0;
+    tangent_.head(n).cwiseAbs().maxCoeff(&k);
+    const bool keep = driver_ != by_parameter && std::abs(tangent_(driver_)) > 0.3 * std::abs(tangent_(k));
+    driver = keep ? driver_ : static_cast<int>(k);
+  }
+  if (driver != driver_) {
+    driver_ = driver;
+    exactly_.reset();
+  }
+  return true;
+}
+
+bool Walk::try_cell(double length) {
+  const Driven f{&curve_, driver_};
+  const auto n = tangent_.size() - 1;
+  const auto rate = [&](int i) { return tangent_(i) * units_(i); };
+  const double along = rate(driver_ == by_parameter ? static_cast<int>(n) : driver_);
+  const double h = along * length;
+  const Ball& now = coordinate(driver_, here_);
+  Cell cell;
+  cell.driver = driver_;
+  // Where another coordinate drove before, its value here is no exact number: begin a little before it.
+  const double aside = 0x1p-44 * std::max(1.0, std::abs(now.approximate())) + 4 * now.radius().approximate();
+  cell.first = exactly_ ? *exactly_ : Rational(now.approximate() - std::copysign(aside, h));
+  cell.last = Rational(now.approximate() + h);
+  if (driver_ == by_parameter) {
+    const Rational& end = h > 0 ? curve_.to : curve_.from;
+    if (h > 0 ? cell.last > end : cell.last < end) {
+      cell.last = end;
+    }
+    if (!exactly_) {
+      cell.first = h > 0 ? std::max(cell.first, curve_.from) : std::min(cell.first, curve_.to);
+    }
+  }
+  if (h > 0 ? cell.last <= cell.first : cell.last >= cell.first) {
+    return false;
+  }
+  const double reach = Rational(cell.last).get_d() - now.approximate();
+  const auto guess_at = [&](double ahead) {
+    Vector y = others(driver_, here_);
+    for (int i = 0; i < n; ++i) {
+      const double r = i == driver_ ? rate(static_cast<int>(n)) : rate(i);
+      y(i) = (y(i) + Ball(ahead * r / along)).midpoint();
+    }
+    return y;
+  };
+  cell.range = between(cell.first, cell.last);
+  cell.proof = prove_over_parameters(f, one(cell.range), guess_at(reach / 2));
+  if (cell.proof.verdict.truth != Truth::proved ||
+      !(exactly_ ? is_the_only_one(cell, here_) : is_on(cell, here_))) {
+    return false;
+  }
+  const Vector q = one(Ball(cell.last));
+  const ZeroProof<Eigen::Dynamic> end = prove_zero_at(f, q, guess_at(reach));
+  const Point next = point_of(f, end.box, q);
+  if (end.verdict.truth != Truth::proved || !is_the_only_one(cell, next)) {
+    return false;
+  }
+  here_ = next;
+  exactly_ = cell.last;
+  path_.cells.push_back(std::move(cell));
+  return true;
+}
+
+bool Walk::advance() {
+  if (interrupted()) {
+    path_.reason = "the search was interrupted";
+    return false;
+  }
+  if (path_.cells.size() >= most_cells) {
+    path_.reason = "more cells are needed than are allowed";
+    return false;
+  }
+  if (!turn_tangent()) {
+    path_.reason = "the curve has no tangent that could be computed here";
+    return false;
+  }
+  for (; step_ > shortest_step; step_ /= 2) {
+    if (try_cell(step_)) {
+      step_ = std::min(step_ * 1.5, longest_step);
+      return !is_over();
+    }
+  }
+  path_.reason = "no further step along the branch could be proved";
+  return false;
+}
+
+bool Walk::is_over() {
+  const Cell& cell = path_.cells.back();
+  if ((cell.driver == by_parameter && (cell.last == curve_.to || cell.last == curve_.from)) ||
+      (here_.value - Ball(curve_.to)).is_positive() || (here_.value - Ball(curve_.from)).is_negative()) {
+    path_.end = End::interval;
+    return true;
+  }
+  const Driven f{&curve_, by_parameter};
+  const motion::Motion motion = f.motion<Ball>(here_.x, one(here_.value));
+  if (std::any_of(motion.phases.begin(), motion.phases.end(),
+                  [](const motion::Phase& phase) { return phase.duration.is_negative(); })) {
+    path_.end = End::absent;
+    return true;
+  }
+  if (std::any_of(here_.x.begin(), here_.x.end(),
+                  [&](const Ball& x) { return std::abs(x.approximate()) > far_; })) {
+    path_.reason = "the motion has grown thirtyfold, and may grow beyond all bounds";
+    return true;
+  }
+  const bool at_start = is_on(cell, start_);
+  if (at_start && left_start_) {
+    path_.end = End::closed;
+    return true;
+  }
+  left_start_ = left_start_ || !at_start;
+  return false;
+}
+
+Path Walk::follow(int direction) {
+  tangent_ = Eigen::VectorXd::Zero(here_.x.size() + 1);
+  tangent_(here_.x.size()) = direction;
+  const Rational& end = direction > 0 ? curve_.to : curve_.from;
+  if (*exactly_ == end) {
+    path_.end = End::interval;
+  } else {
+    while (advance()) {
+    }
+  }
+  path_.last = here_;
+  return std::move(path_);
+}
+
+}  // namespace
+
+Ball between(const Rational& a, const Rational& b) {
+  return a == b ? Ball(a) : Ball::from_interval(std::min(a, b), std::max(a, b));
+}
+
+bool is_on(const Cell& cell, const Point& point) {
+  return cell.range.contains(coordinate(cell.driver, point)) &&
+         is_the_only_one(cell, point);
+}
+
+ProvedPoint prove_at(const Curve& curve, const Rational& value, const Vector& guess) {
+  const Driven f{&curve, by_parameter};
+  const Vector q = one(Ball(value));
+  const ZeroProof<Eigen::Dynamic> zero = prove_zero_at(f, q, guess);
+  return {zero.verdict, point_of(f, zero.box, q)};
+}
+
+Path follow(const Curve& curve, const Rational& value, const Point& start, int direction) {
+  return Walk(curve, value, start).follow(direction);
+}
+
+std::vector<Cell> reversed(std::vector<Cell> cells) {
+  std::reverse(cells.begin(), cells.end());
+  for (Cell& cell : cells) {
+    std::swap(cell.first, cell.last);
+  }
+  return cells;
+}
+
+}  // namespace stickslip::numeric::branches

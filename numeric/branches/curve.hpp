@@ -1,0 +1,114 @@
+// A branch of closed motions: a curve in the space of the unknowns of its closing conditions and one free
+// parameter of the data, followed without a gap.
+//
+// The curve is covered by cells. On a cell one coordinate drives: the free parameter, or next to a fold one
+// of the unknowns, and for each value that it takes there is exactly one closed motion in a box of the other
+// coordinates, by Krawczyk's test over the cell (zeros/parametric.hpp). So the cell is a smooth arc. A cell
+// continues the one before it if a motion that is proved on both, in boxes where each is the only one, is the
+// same; two different branches cannot be joined in this way.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/rational.hpp"
+#include "numeric/motion/closing.hpp"
+
+namespace stickslip::numeric::branches {
+
+// Closing conditions with one free parameter: where it stands among the data, and its interval.
+struct Curve {
+  motion::Closing equations;
+  zeros::Vector data;  // whatever stands at `place`
+  int place = 0;
+  Rational from, to;
+};
+
+inline constexpr int by_parameter = -1;
+
+// The closing conditions as equations for all coordinates but the driver, the one parameter of them, for
+// zeros/parametric.hpp. Where an unknown drives, the free parameter has its place among the unknowns.
+struct Driven {
+  const Curve * curve = nullptr;
+  int driver = by_parameter;
+
+  template <class T>
+  struct Split {
+    zeros::VectorOf<T> x, p;
+  };
+  template <class T>
+  [[nodiscard]] Split<T> split(const zeros::VectorOf<T>& y, const zeros::VectorOf<T>& q) const {
+    Split<T> s{y, curve->data.template cast<T>()};
+    s.p(curve->place) = driver == by_parameter ? q(0) : y(driver);
+    if (driver != by_parameter) {
+      s.x(driver) = q(0);
+    }
+    return s;
+  }
+  template <class T>
+  [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& y, const zeros::VectorOf<T>& q) const {
+    const Split<T> s = split<T>(y, q);
+    return curve->equations.template closing<T>(s.x, s.p);
+  }
+  template <class T>
+  [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& y, const zeros::VectorOf<T>& q) const {
+    const Split<T> s = split<T>(y, q);
+    return curve->equations.template motion<T>(s.x, s.p);
+  }
+  // The free parameter.
+  template <class T>
+  [[nodiscard]] T value(const zeros::VectorOf<T>& y, const zeros::VectorOf<T>& q) const {
+    return driver == by_parameter ? q(0) : y(driver);
+  }
+};
+
+// Contains exactly one closed motion: its unknowns and the value of the free parameter.
+struct Point {
+  zeros::Vector x;
+  Ball value;
+};
+
+struct Cell {
+  int driver = by_parameter;
+  Rational first, last;  // of the driver, in the direction of the branch: it rises or falls
+  Ball range;            // from the one to the other: what the proof is over
+  zeros::ParametricProof proof;
+};
+
+[[nodiscard]] Ball between(const Rational& a, const Rational& b);
+
+// Whether the motion at the point is on the cell: proved, or not known.
+[[nodiscard]] bool is_on(const Cell& cell, const Point& point);
+
+// Why a path ends.
+enum class End {
+  interval,  // the parameter leaves its interval
+  absent,    // a phase has a negative duration
+  closed,    // it is back where it began: the branch is a closed curve
+  stopped,   // with the reason
+};
+
+struct Path {
+  std::vector<Cell> cells;
+  End end = End::stopped;
+  std::string reason;
+  Point last;
+};
+
+// The proved motion at that value of the free parameter near the guess; its existence is undecided where no
+// box passes.
+struct ProvedPoint {
+  Verdict verdict;
+  Point point;
+};
+[[nodiscard]] ProvedPoint prove_at(const Curve& curve, const Rational& value, const zeros::Vector& guess);
+
+// Follows the branch from a proved motion at that value of the free parameter, the free parameter rising (direction 1) or falling (-1) at first,
+// until it leaves the interval, a phase lasts a negative time, the branch is back, or no step can be proved.
+// The last cell may reach beyond the interval.
+[[nodiscard]] Path follow(const Curve& curve, const Rational& value, const Point& start, int direction);
+
+// The same arcs the other way round.
+[[nodiscard]] std::vector<Cell> reversed(std::vector<Cell> cells);
+
+}  // namespace stickslip::numeric::branches

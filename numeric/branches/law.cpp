@@ -1,0 +1,203 @@
+#include "numeric/branches/law.hpp"
+
+#include <algorithm>
+
+#include "core/interruption.hpp"
+#include "core/parallel.hpp"
+#include "numeric/branches/crossing.hpp"
+
+namespace stickslip::numeric::branches {
+
+using namespace motion;
+using namespace zeros;
+
+namespace {
+
+// At parts of one cell: where something stays undecided all along, they would never end.
+constexpr int most_looks = 1000;
+
+std::optional<Ball> friction_over(const Law& law, const ClosedMotion& closed, const Ball& value) {
+  if (law.ur_is_result) {
+    return closed.friction.front();
+  }
+  return law.ur_is_free ? std::optional(value) : law.ur ? std::optional(Ball(*law.ur)) : std::nullopt;
+}
+
+int sign(const Ball& x) {
+  return x.is_positive() ? 1 : x.is_negative() ? -1 : 0;
+}
+
+// Where the parameter lies as to its interval: the state that this alone decides.
+std::optional<State> by_value(const Curve& curve, const Cell& cell, const Ball& value) {
+  if (cell.driver == by_parameter) {
+    return std::nullopt;
+  }
+  const Ball over = value - Ball(curve.to);
+  const Ball under = Ball(curve.from) - value;
+  if (over.is_positive() || under.is_positive()) {
+    return State::outside;
+  }
+  return over.is_negative() && under.is_negative() ? std::nullopt : std::optional(State::undecided);
+}
+
+// The motions over a part, by their jets and in the middle.
+struct Motions {
+  const ParametricProof& proof;
+  MotionOf<ParameterJet> jets;
+  Motion middle;
+};
+
+// Where one of the exit functions is negative a multiplier is outside the unit circle: if all were inside, each
+// would be a product of positive factors. Where none vanishes as many multipliers are outside all over the
+// part as at its middle. Else the multipliers of all motions are enclosed together.
+Stability stability_over(const Motions& m, const ClosedMotion& closed) {
+  bool none_vanishes = true;
+  for (const Exit exit : exits) {
+    const Ball value = m.proof.over_box(exit_function(exit, m.jets), exit_function(exit, m.middle));
+    if (value.is_negative()) {
+      return {StabilityKind::unstable, {}, {}};
+    }
+    none_vanishes = none_vanishes && value.is_positive();
+  }
+  return decide_stability(none_vanishes ? m.middle : closed.motion);
+}
+
+void decide_state(Part& part, const Law& law, const Motions& motions) {
+  const ClosedMotion closed = closed_over(motions.proof, motions.jets, motions.middle);
+  bool lasts = true;
+  for (const Phase& phase : closed.motion.phases) {
+    if (phase.duration.is_negative()) {
+      part.state = State::absent;
+      return;
+    }
+    lasts = lasts && phase.duration.is_positive();
+  }
+  part.conditions = law.conditions(closed, friction_over(law, closed, part.value));
+  if (!lasts) {
+    part.reason = "a phase may last no time at all";
+    return;
+  }
+  const Verdict admissible = motion::admissible(part.conditions);
+  if (admissible.truth == Truth::refuted) {
+    part.state = State::inadmissible;
+    return;
+  }
+  if (admissible.truth != Truth::proved) {
+    part.reason = admissible.reason;
+    return;
+  }
+  const Stability stability = stability_over(motions, closed);
+  part.reason = stability.reason;
+  part.state = stability.kind == StabilityKind::stable     ? State::stable
+               : stability.kind == StabilityKind::unstable ? State::unstable
+               : stability.kind == StabilityKind::marginal ? State::marginal
+                                                           : State::undecided;
+}
+
+// Halves the longest undecided part again and again.
+std::vector<Part> divided(const Curve& curve, const Law& law, const std::vector<Cell>& cells, std::size_t k,
+                          double shortest) {
+  const auto shorter = [](const Part& a, const Part& b) {
+    return (a.value.radius() - b.value.radius()).is_negative();
+  };
+  std::vector<Part> open{look(curve, law, cells, k, cells[k].first, cells[k].last)};
+  std::vector<Part> parts;
+  for (int looks = 1; !open.empty(); looks += 2) {
+    std::pop_heap(open.begin(), open.end(), shorter);
+    Part part = std::move(open.back());
+    open.pop_back();
+    const bool short_enough = !(Ball(2) * part.value.radius() - Ball(shortest)).is_positive();
+    if (part.decided() || short_enough || looks >= most_looks || interrupted()) {
+      parts.push_back(std::move(part));
+      continue;
+    }
+    const Rational middle = (part.first + part.last) / 2;
+    for (const auto& [from, to] : {std::pair(part.first, middle), std::pair(middle, part.last)}) {
+      open.push_back(look(curve, law, cells, k, from, to));
+      std::push_heap(open.begin(), open.end(), shorter);
+    }
+  }
+  const bool rises = cells[k].first < cells[k].last;
+  std::sort(parts.begin(), parts.end(),
+            [&](const Part& a, const Part& b) { return rises ? a.first < b.first : a.first > b.first; });
+  return parts;
+}
+
+}  // namespace
+
+ParametricProof proof_on(const Curve& curve, const Cell& cell, const Rational& first, const Rational& last) {
+  if (first == cell.first && last == cell.last) {
+    return cell.proof;
+  }
+  const Driven f{&curve, cell.driver};
+  const Vector Q = Vector::Constant(1, between(first, last));
+  // The cell's own motion at the middle of the part, to first order.
+  Vector guess = cell.proof.at_middle;
+  for (int i = 0; i < guess.size(); ++i) {
+    guess(i) =
+        (guess(i) + cell.proof.x(i).partial(0).midpoint() * (Q(0) - cell.proof.p0(0)).midpoint()).midpoint();
+  }
+  ParametricProof proof = prove_over_parameters(f, Q, guess);
+  if (proof.verdict.truth != Truth::proved) {
+    return proof;
+  }
+  for (int i = 0; i < guess.size(); ++i) {
+    if (!cell.proof.unique(i).contains(proof.at_middle(i))) {
+      proof.verdict = Verdict::undecided("the motion on a part of a cell may be another one");
+      return proof;
+    }
+    // Both enclose the same motions.
+    proof.box(i) = intersection(proof.box(i), cell.proof.box(i)).value_or(proof.box(i));
+  }
+  return proof;
+}
+
+Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, std::size_t k,
+          const Rational& first, const Rational& last) {
+  const Cell& cell = cells[k];
+  const Driven f{&curve, cell.driver};
+  Part part{k, first, last, {}, 0, State::undecided, {}, {}, {}, 0};
+  const ParametricProof proof = proof_on(curve, cell, first, last);
+  if (proof.verdict.truth != Truth::proved) {
+    arb_zero_pm_inf(part.value.raw());
+    part.value = cell.driver == by_parameter ? between(first, last) : cell.proof.box(cell.driver);
+    part.reason = proof.verdict.reason;
+    return part;
+  }
+  const ParameterJet value = f.value<ParameterJet>(proof.x, proof.p);
+  part.value = proof.over_box(value, f.value<Ball>(proof.at_middle, proof.p0));
+  part.rises = sign(value.partial(0)) * (first < last ? 1 : -1);
+  const Motion middle = f.motion<Ball>(proof.at_middle, proof.p0);
+  part.sample = in_double(middle);
+  part.sample_value = f.value<Ball>(proof.at_middle, proof.p0).approximate();
+  if (const std::optional<State> state = by_value(curve, cell, part.value)) {
+    part.state = *state;
+    part.reason = "the parameter may lie outside its interval";
+    return part;
+  }
+  decide_state(part, law, {proof, f.motion<ParameterJet>(proof.x, proof.p), middle});
+  return part;
+}
+
+std::optional<ParameterJet> friction_jet(const Law& law, const MotionOf<ParameterJet>& motion,
+                                         const ParameterJet& value) {
+  if (law.ur_is_result) {
+    const PhaseOf<ParameterJet>& first = motion.phases.front();
+    return model::friction_at<ParameterJet>(motion.oscillator.data, first.Z, first.load);
+  }
+  return law.ur_is_free ? std::optional(value)
+         : law.ur       ? std::optional(ParameterJet(Ball(*law.ur)))
+                        : std::nullopt;
+}
+
+std::vector<Part> parts_of(const Curve& curve, const Law& law, const std::vector<Cell>& cells,
+                           double shortest) {
+  std::vector<Part> parts;
+  for (std::vector<Part>& of_cell :
+       parallel_map(cells.size(), [&](std::size_t k) { return divided(curve, law, cells, k, shortest); })) {
+    std::ranges::move(of_cell, std::back_inserter(parts));
+  }
+  return parts;
+}
+
+}  // namespace stickslip::numeric::branches

@@ -1,0 +1,59 @@
+// What is asked of the motions of a branch, and what of it holds on a part of one.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/branches/branches.hpp"
+#include "numeric/branches/curve.hpp"
+#include "numeric/motion/conditions.hpp"
+#include "numeric/motion/stability.hpp"
+
+namespace stickslip::numeric::branches {
+
+// The friction law as a family or a word asks for it.
+struct Law {
+  motion::Requirements requirements;  // those that a threshold is looked for in
+  // All conditions, which may be more; the ball contains the friction where it is given.
+  std::function<std::vector<motion::Condition>(const motion::ClosedMotion&, const std::optional<Ball>& ur)>
+      conditions;
+  bool ur_is_result = false;   // r when the first phase begins
+  std::optional<Rational> ur;  // where it is given and not the free parameter
+  bool ur_is_free = false;
+};
+
+// A part of a cell, and what is known of it.
+struct Part {
+  std::size_t cell = 0;
+  Rational first, last;  // of the cell's driver, in the direction of the branch
+  Ball value;            // contains the parameter
+  int rises = 0;         // the parameter along the branch: 1 rises, -1 falls, 0 not known
+  State state = State::undecided;
+  std::string reason;
+  std::vector<motion::Condition> conditions;
+  // For the reader: the motion in the middle, and its multipliers where it is admissible.
+  motion::MotionOf<double> sample;
+  double sample_value = 0;
+
+  [[nodiscard]] bool decided() const { return state != State::undecided && rises != 0; }
+};
+
+// The proof over that part of a cell: of the cell's own motions, or undecided.
+[[nodiscard]] zeros::ParametricProof proof_on(const Curve& curve, const Cell& cell, const Rational& first,
+                                              const Rational& last);
+
+[[nodiscard]] Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, std::size_t cell,
+                        const Rational& first, const Rational& last);
+
+// The friction over the part, as jets by the driver; nothing where the law knows none.
+[[nodiscard]] std::optional<zeros::ParameterJet> friction_jet(
+    const Law& law, const motion::MotionOf<zeros::ParameterJet>& motion, const zeros::ParameterJet& value);
+
+// The whole branch in parts, each decided or so short that the parameter is enclosed to `shortest` (an
+// upper bound of the interval's length); after too many divisions some are longer.
+[[nodiscard]] std::vector<Part> parts_of(const Curve& curve, const Law& law, const std::vector<Cell>& cells,
+                                         double shortest);
+
+}  // namespace stickslip::numeric::branches

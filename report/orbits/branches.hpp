@@ -1,0 +1,37 @@
+// Branches of orbits, for readers, for programs and as a bifurcation diagram.
+#pragma once
+
+#include <string>
+
+#include "numeric/branches/branches.hpp"
+#include "report/tools/json.hpp"
+#include "report/tools/layout.hpp"
+#include "report/tools/plot.hpp"
+
+namespace stickslip::report::orbits {
+
+// The question, then each branch with its pieces and the changes between them, then how many orbits there
+// are between changes.
+[[nodiscard]] std::string terminal_report(const numeric::branches::BranchList& list,
+                                          const tools::Style& style);
+
+// Names, then a line for an orbit of each part of each branch, in the middle of the part: the parameter,
+// branch and piece (1, 2, …), state, the durations of the phases, phi, x10, x20, xdot10; with 17 digits.
+[[nodiscard]] std::string to_csv(const numeric::branches::BranchList& list);
+
+// What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "complete":
+// false, for only at the values "searched_at" all orbits were looked for, "branches": [{"from", "to", "closed", "ends": [{"at", "reason", "resolved"}],
+// "pieces": [{"from", "to", "state", "violates"?}], "changes": [{"kind", "condition" | "multiplier" |
+// "duration" | "frequency"?, "words", "at", "time"?, "verdict", "reason"?}], "samples": [{"value", "state",
+// durations, "phi", "x10", "x20", "xdot10"}]}], "counts": [{"from", "to", "orbits", "admissible", "stable"}],
+// "unresolved": [{"value", "reason", "resonance", …}], "interrupted"}.
+[[nodiscard]] tools::Json to_json(const numeric::branches::BranchList& list);
+
+// A script for gnuplot: x2 where the first phase begins against the parameter, stable, unstable and
+// inadmissible pieces by their strokes, changes by their marks. Empty when there is nothing to draw.
+[[nodiscard]] std::string plot_script(const numeric::branches::BranchList& list, tools::PlotFormat format);
+
+// What gives the same result again.
+[[nodiscard]] std::string command_of(const numeric::branches::BranchQuestion& question);
+
+}  // namespace stickslip::report::orbits
