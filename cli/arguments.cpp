@@ -199,6 +199,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   LatexOptions latex;
   OrbitsOptions orbits;
   AttractorsOptions attractors;
+  AtlasOptions atlas;
   SimulateOptions simulate;
   Request request;
   CLI::App program(paper.about, "stickslip");
@@ -215,6 +216,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   add_latex(program, latex, request, paper);
   add_orbits(program, orbits, request, paper);
   add_attractors(program, attractors, request, paper);
+  add_atlas(program, atlas, request, paper);
   add_simulate(program, simulate, request, paper);
   program.allow_extras();
   try {

@@ -8,7 +8,6 @@
 #include "numeric/atlas/multipliers.hpp"
 #include "numeric/atlas/sheets.hpp"
 #include "numeric/atlas/zeros_over.hpp"
-#include "numeric/motion/monodromy.hpp"
 
 namespace stickslip::numeric::atlas {
 
@@ -115,19 +114,6 @@ bool is_asked(const Requirement& q, bool ur_known) {
   return ur_known || q.quantity != motion::Quantity::friction_step;
 }
 
-// With a stick, the map is seen where it begins, as in motion/stability.cpp: there z2' = V.
-template <class T>
-Truth is_stable(const motion::MotionOf<T>& motion) {
-  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-    if (motion.phases[k].kind == motion::PhaseKind::stick) {
-      const model::Matrix4<T> M = motion::monodromy<T>(motion, k);
-      const Eigen::Matrix<T, 3, 3> reduced = M.template topLeftCorner<3, 3>();
-      return is_inside_unit_circle(characteristic_polynomial<T, 3>(reduced));
-    }
-  }
-  return is_inside_unit_circle(characteristic_polynomial<T, 4>(motion::monodromy<T>(motion)));
-}
-
 template <class S, int N>
 Judged judge_orbit(const Question& q, const Data<scalars::Form<S, N>, S>& data,
                    const motion::MotionOf<scalars::Form<S, N>>& motion, bool without_load) {
@@ -160,7 +146,8 @@ Judged judge_orbit(const Question& q, const Data<scalars::Form<S, N>, S>& data,
     return result;
   }
   // Without load each shift in time of the orbit is an orbit: none attracts all of its neighbours.
-  const Truth stable = without_load ? Truth::refuted : is_stable<T>(motion);
+  const Truth stable =
+      without_load ? Truth::refuted : is_inside_unit_circle(characteristic_polynomial<T>(motion));
   return {Truth::proved, stable,
           static_cast<std::uint8_t>(stable == Truth::undecided ? Reason::stability : Reason::none)};
 }
@@ -233,6 +220,7 @@ Finding judge_with(const Question& q, const Box& box) {
 }  // namespace
 
 Finding judge(const Question& q, Tile tile, Balls balls) {
+  const WorkingPrecision scope(arb_bits);
   const Box box = box_of(q, tile);
   switch (place(q, box)) {
     case Where::outside:
@@ -245,7 +233,6 @@ Finding judge(const Question& q, Tile tile, Balls balls) {
   if (balls == Balls::hardware) {
     return judge_with<scalars::HardwareBall>(q, box);
   }
-  const WorkingPrecision scope(arb_bits);
   return judge_with<Ball>(q, box);
 }
 
