@@ -98,7 +98,7 @@ TEST_CASE("Leaves say what the lists of orbits say at points in them") {
   CHECK(check_leaves(question(families::nonsticking(), {"0.3", "4", "0.1", "-0.2..-0.1", "0.6", "0.9..1"}, 5),
                      20) > 0);
   CHECK(check_leaves(question(families::symmetric(),
-                              {"0.5..0.501", "3.8..3.801", "0.02", "1", "0.7", "0.1..0.101"}, 2),
+                              {"0.5..0.5001", "3.8..3.8001", "0.02", "1", "0.7", "0.1..0.1001"}, 2),
                      2) > 0);
 }
 
