@@ -200,6 +200,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   OrbitsOptions orbits;
   BranchOptions branch;
   AttractorsOptions attractors;
+  AtlasOptions atlas;
   SimulateOptions simulate;
   Request request;
   CLI::App program(paper.about, "stickslip");
@@ -217,6 +218,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   add_orbits(program, orbits, request, paper);
   add_branch(program, branch, request, paper);
   add_attractors(program, attractors, request, paper);
+  add_atlas(program, atlas, request, paper);
   add_simulate(program, simulate, request, paper);
   program.allow_extras();
   try {

@@ -98,6 +98,17 @@ struct AttractorsOptions {
   static constexpr int default_most_periods = 20000;
 };
 
+struct AtlasOptions {
+  std::string family;
+  TypedParameters parameters;
+  std::string file, example, resolution, out, csv, plot, jobs, time_limit, verify, sample;
+  bool resume = false, json = false;
+
+  static constexpr int default_resolution = 8;
+  static constexpr int most_resolution = 60;
+  static constexpr int default_sample = 10000;
+};
+
 struct SimulateOptions {
   TypedParameters parameters;
   std::string file, example, orbit, state, perturb, periods, every, csv, plot;
@@ -117,8 +128,9 @@ struct ManualWanted {
   std::vector<ManualFile> files;
 };
 
-using Request = std::variant<AuditOptions, CheckOptions, CertifyOptions, LatexOptions, OrbitsOptions,
-                             BranchOptions, AttractorsOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
+using Request =
+    std::variant<AuditOptions, CheckOptions, CertifyOptions, LatexOptions, OrbitsOptions, BranchOptions,
+                 AttractorsOptions, AtlasOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
 
 // What the help says of the paper that the program is about, and of the families of orbits.
 struct PaperInHelp {

@@ -19,6 +19,7 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
 void add_branch(CLI::App& program, BranchOptions& options, Request& request, const PaperInHelp& paper);
 void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,
                     const PaperInHelp& paper);
+void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const PaperInHelp& paper);
 void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper);
 
 }  // namespace stickslip::cli

@@ -18,6 +18,7 @@ namespace stickslip::cli {
 [[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);
 // Of `orbits` with a word in place of a family.
 [[nodiscard]] ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const AtlasOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const SimulateOptions& options, const proofs::methods::Paper& paper);
 
 }  // namespace stickslip::cli

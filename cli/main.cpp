@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "cli/cluster.hpp"
 #include "cli/commands.hpp"
 #include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
@@ -132,7 +133,9 @@ int main(int argc, char ** argv) {
   } catch (const cli::ReaderGone& error) {
     return error.code();
   } catch (const Error& error) {
-    cli::tell("stickslip: " + cli::sentence(error.what()));
+    if (!cli::is_silent_copy()) {
+      cli::tell("stickslip: " + cli::sentence(error.what()));
+    }
     return error.code();
   } catch (const std::bad_alloc&) {
     cli::tell(cli::out_of_memory);

@@ -24,16 +24,24 @@ extern "C" void hold(int signal) {
 
 }  // namespace
 
-Interruptible::Interruptible() {
+Interruptible::Interruptible(const std::vector<int>& others) {
   noted = false;
-  struct sigaction action = {};
-  action.sa_handler = note;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  ::sigaction(SIGINT, &action, &previous_);
+  std::vector<int> signals = others;
+  signals.push_back(SIGINT);
+  for (const int signal : signals) {
+    struct sigaction action = {};
+    action.sa_handler = note;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    struct sigaction before = {};
+    ::sigaction(signal, &action, &before);
+    previous_.emplace_back(signal, before);
+  }
 }
 
 Interruptible::~Interruptible() {
-  ::sigaction(SIGINT, &previous_, nullptr);
+  for (const auto& [signal, before] : previous_) {
+    ::sigaction(signal, &before, nullptr);
+  }
   noted = false;
 }
 

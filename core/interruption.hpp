@@ -4,6 +4,8 @@
 
 #include <array>
 #include <csignal>
+#include <utility>
+#include <vector>
 
 namespace stickslip {
 
@@ -11,13 +13,14 @@ namespace stickslip {
 // Not to be nested.
 class Interruptible {
  public:
-  Interruptible();
+  // Signals beside SIGINT that are taken in the same way.
+  explicit Interruptible(const std::vector<int>& others = {});
   ~Interruptible();
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
  private:
-  struct sigaction previous_ = {};
+  std::vector<std::pair<int, struct sigaction>> previous_;
 };
 
 // While an object of this type lives, signals that would end the program are held back, in all of its

@@ -46,6 +46,19 @@ struct TwoSlips {
 };
 [[nodiscard]] TwoSlips two_slips_of(const model::Parameters<Ball>& a);
 
+// The motion that (delta, mu) stand for.
+template <class T>
+[[nodiscard]] motion::MotionOf<T> two_slips_motion(const model::Oscillator<T>& o, const T& pi, const T& delta,
+                                                   const T& mu) {
+  const auto states = model::two_slips_states<T>(o.data.V, o.modes, o.Q, model::modal_rest<T>(o.modes, o.d0),
+                                                 o.data.omega, pi, delta, mu);
+  const T tau = T(2) * delta / o.data.omega;
+  const T tau1 = T(2) * (pi - delta) / o.data.omega;
+  return {o,
+          {{motion::PhaseKind::slip, T(0), tau, T(mu - delta), states.Z0},
+           {motion::PhaseKind::overshoot, tau, tau1, T(mu + delta), states.ZB}}};
+}
+
 // The same equations for motion/closing.hpp.
 struct NonstickingClosing {
   static constexpr bool takes_phi = false, takes_ur = false;
@@ -58,15 +71,7 @@ struct NonstickingClosing {
   }
   template <class T>
   [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    const model::Oscillator<T> o = motion::oscillator_of<T>(p);
-    const T pi(Ball::pi());
-    const auto states = model::two_slips_states<T>(
-        o.data.V, o.modes, o.Q, model::modal_rest<T>(o.modes, o.d0), o.data.omega, pi, x(0), x(1));
-    const T tau = T(2) * x(0) / o.data.omega;
-    const T tau1 = T(2) * (pi - x(0)) / o.data.omega;
-    return {o,
-            {{motion::PhaseKind::slip, T(0), tau, T(x(1) - x(0)), states.Z0},
-             {motion::PhaseKind::overshoot, tau, tau1, T(x(1) + x(0)), states.ZB}}};
+    return two_slips_motion<T>(motion::oscillator_of<T>(p), T(Ball::pi()), x(0), x(1));
   }
   // Throws InternalError unless the motion has two phases.
   [[nodiscard]] zeros::Vector unknowns(const motion::Motion& motion) const;

@@ -15,6 +15,19 @@ enum class LoadPhase {
   second,  // that plus pi
 };
 
+// The motion that (tau, C) stand for: the stick begins at E Z0 (13). half_turn is pi.
+template <class T>
+[[nodiscard]] motion::MotionOf<T> symmetric_motion(const model::SymmetricData<T>& a,
+                                                   const model::Oscillator<T>& o, const T& half_turn,
+                                                   const T& tau, const T& C) {
+  const model::Vector4<T> Z0 = model::symmetric_start<T>(a, tau, C);
+  const model::Vector4<T> ZC(T(-Z0(0)), T(-Z0(1)), Z0(2), Z0(3));
+  const T phi = model::symmetric_phase<T>(a, half_turn, tau);
+  return {o,
+          {{motion::PhaseKind::slip, T(0), tau, phi, Z0},
+           {motion::PhaseKind::stick, tau, T(a.Theta - tau), T(phi + a.omega * tau), ZC}}};
+}
+
 // The reduced equations, which hold if and only if all components of (13) and (15) do, in x = (tau, C), C the
 // amplitude of z1 about chi z2 during the stick; for motion/closing.hpp.
 struct SymmetricClosing {
@@ -35,16 +48,9 @@ struct SymmetricClosing {
   [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
     return model::symmetric_closing<T>(data<T>(p), x(0), x(1));
   }
-  // The stick begins at E Z0 (13).
   template <class T>
   [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    const model::SymmetricData<T> a = data<T>(p);
-    const model::Vector4<T> Z0 = model::symmetric_start<T>(a, x(0), x(1));
-    const model::Vector4<T> ZC(T(-Z0(0)), T(-Z0(1)), Z0(2), Z0(3));
-    const T phi = model::symmetric_phase<T>(a, T(Ball::pi()), x(0));
-    return {motion::oscillator_of<T>(p),
-            {{motion::PhaseKind::slip, T(0), x(0), phi, Z0},
-             {motion::PhaseKind::stick, x(0), T(a.Theta - x(0)), T(phi + p(4) * x(0)), ZC}}};
+    return symmetric_motion<T>(data<T>(p), motion::oscillator_of<T>(p), T(Ball::pi()), x(0), x(1));
   }
   // Throws InternalError unless the motion has two phases.
   [[nodiscard]] zeros::Vector unknowns(const motion::Motion& motion) const;

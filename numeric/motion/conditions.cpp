@@ -14,34 +14,6 @@ namespace {
 
 constexpr int shown_digits = 10;
 
-// The quantities that are functions of time are a factor times x2' or r plus an offset.
-struct Affine {
-  bool of_speed;
-  Ball factor, offset;
-};
-
-Affine affine_form(const Motion& motion, const Ball& ur, Quantity quantity) {
-  const model::Parameters<Ball>& a = motion.oscillator.data;
-  switch (quantity) {
-    case Quantity::below_belt:
-      return {true, Ball(-1), a.V};
-    case Quantity::above_belt:
-      return {true, Ball(1), -a.V};
-    case Quantity::below_ur:
-      return {false, -a.eta, a.eta * ur};
-    case Quantity::above_minus_ur:
-      return {false, a.eta, a.eta * ur};
-    case Quantity::beyond_ur:
-      return {false, a.eta, -(a.eta * ur)};
-    case Quantity::beyond_minus_ur:
-      return {false, -a.eta, -(a.eta * ur)};
-    case Quantity::falls_behind:
-      return {false, a.eta, -(a.eta * a.us)};
-    default:
-      throw InternalError("a quantity that is no function of time");
-  }
-}
-
 // Fills in the verdict on "value > 0" (>= 0 unless strict).
 void judge(Condition& condition, const Ball& value, bool strict, const char * what) {
   condition.margin = value;
@@ -63,7 +35,7 @@ void refute(Condition& condition, const char * premise, const Ball& excess) {
 void decide_along(Condition& condition, const Motion& motion, const model::PhaseWaves<Ball>& w,
                   const Ball& ur, const Requirement& q) {
   const Phase& phase = motion.phases[q.phase];
-  const Affine form = affine_form(motion, ur, q.quantity);
+  const Affine<Ball> form = affine_form<Ball>(motion.oscillator.data, ur, q.quantity);
   const Wave<Ball> g = model::affine<Ball>(form.factor, form.of_speed ? w.zdot2 : w.r, form.offset);
   const char * premise =
       form.of_speed ? "$z2' = V$ at an end of the phase" : "$r = ur$ at the end of the stick";
@@ -91,7 +63,7 @@ void decide_along(Condition& condition, const Motion& motion, const model::Phase
 
 void decide_at_start(Condition& condition, const Motion& motion, const Ball& ur, const Requirement& q) {
   const Phase& phase = motion.phases[q.phase];
-  const Affine form = affine_form(motion, ur, q.quantity);
+  const Affine<Ball> form = affine_form<Ball>(motion.oscillator.data, ur, q.quantity);
   const Ball excess = phase.Z(3) - motion.oscillator.data.V;
   const Ball r = model::friction_at<Ball>(motion.oscillator.data, phase.Z, phase.load);
   if (!excess.contains_zero()) {

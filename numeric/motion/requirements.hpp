@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "numeric/motion/infimum.hpp"
 
 namespace stickslip::numeric::motion {
@@ -33,6 +34,36 @@ enum class Quantity {
   slipping_friction,  // us
   friction_step,      // ur - us
 };
+
+// A quantity that is a function of time: a factor times x2', or times r, plus an offset.
+template <class S>
+struct Affine {
+  bool of_speed = true;
+  S factor, offset;
+};
+
+// That of these data. Throws InternalError for a quantity that is no function of time.
+template <class S>
+[[nodiscard]] Affine<S> affine_form(const model::Parameters<S>& a, const S& ur, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::below_belt:
+      return {true, S(-1), a.V};
+    case Quantity::above_belt:
+      return {true, S(1), S(-a.V)};
+    case Quantity::below_ur:
+      return {false, S(-a.eta), S(a.eta * ur)};
+    case Quantity::above_minus_ur:
+      return {false, a.eta, S(a.eta * ur)};
+    case Quantity::beyond_ur:
+      return {false, a.eta, S(-a.eta * ur)};
+    case Quantity::beyond_minus_ur:
+      return {false, S(-a.eta), S(-a.eta * ur)};
+    case Quantity::falls_behind:
+      return {false, a.eta, S(-a.eta * a.us)};
+    default:
+      throw InternalError("a quantity that is no function of time");
+  }
+}
 
 // Whether it can be told only when ur is known.
 [[nodiscard]] bool needs_ur(Quantity quantity);

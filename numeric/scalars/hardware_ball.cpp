@@ -146,6 +146,17 @@ HardwareBall sinc_slope(const HardwareBall& x) {
   return HardwareBall(slope, 8 * error) + HardwareBall(0, (1.0 / 3 + error) * x.radius());
 }
 
+// |√x - √m| = |x - m|/(√x + √m), largest for the least x; std::sqrt rounds to nearest.
+HardwareBall sqrt(const HardwareBall& x) {
+  const double least = (x.approximate() - x.radius()) * (1 - 0x1p-50);
+  if (!(least > 0) || !x.is_finite()) {
+    return HardwareBall::everything();
+  }
+  const double root = std::sqrt(x.approximate());
+  return HardwareBall(root, x.radius() / (root + std::sqrt(least)) * (1 + 0x1p-48)) +
+         HardwareBall(0, root * 0x1p-52);
+}
+
 std::optional<HardwareBall> intersection(const HardwareBall& a, const HardwareBall& b) {
   if (!a.is_finite() || !b.is_finite()) {
     return a.is_finite() ? a : b;

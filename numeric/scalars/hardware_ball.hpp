@@ -23,6 +23,8 @@ class HardwareBall {
   HardwareBall(double mid, double rad) : mid_(mid), rad_(rad) {}
   // Contains all members of the ball.
   explicit HardwareBall(const Ball& ball);
+  // The numbers of at most this size; the bound is not negative.
+  [[nodiscard]] static HardwareBall within(double bound) { return {0, bound}; }
   // Contains the same numbers, and perhaps more.
   [[nodiscard]] Ball ball() const;
 
@@ -97,6 +99,8 @@ inline void add_product(HardwareBall& sum, const HardwareBall& a, const Hardware
 [[nodiscard]] std::pair<HardwareBall, HardwareBall> sin_cos(const HardwareBall& x);
 [[nodiscard]] HardwareBall sinc(const HardwareBall& x);
 [[nodiscard]] HardwareBall sinc_slope(const HardwareBall& x);
+// Of a ball that reaches below zero: everything.
+[[nodiscard]] HardwareBall sqrt(const HardwareBall& x);
 [[nodiscard]] inline HardwareBall sin(const HardwareBall& x) {
   return sin_cos(x).first;
 }
@@ -106,6 +110,15 @@ inline void add_product(HardwareBall& sum, const HardwareBall& a, const Hardware
 
 // A ball that contains every common member; nothing when there is none.
 [[nodiscard]] std::optional<HardwareBall> intersection(const HardwareBall& a, const HardwareBall& b);
+
+template <>
+[[nodiscard]] inline HardwareBall scalar<HardwareBall>(const Rational& value) {
+  return HardwareBall(Ball(value));
+}
+template <>
+[[nodiscard]] inline HardwareBall pi<HardwareBall>() {
+  return HardwareBall(Ball::pi());
+}
 
 }  // namespace stickslip::numeric::scalars
 

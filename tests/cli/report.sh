@@ -20,3 +20,4 @@ wait $!
 "$1" orbits OSOTSOST --period 3 --example P --json >"$2/word.json"
 "$1" simulate --example O --perturb 0.01,0,0,0 --json >"$2/simulation.json"
 "$1" simulate --orbit nonsticking:1 --example P --periods 3 --csv "$2/samples.csv" --json >"$2/sampled.json"
+"$1" atlas symmetric --example S --omega 0.55..0.57 --p 0..0.1 --resolution 4 --out "$2/atlas.h5" --json >"$2/atlas.json"

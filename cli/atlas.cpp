@@ -1,0 +1,321 @@
+// stickslip atlas: what is proved over ranges of parameters; numeric/atlas/ does the work.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <random>
+
+#include "cli/cluster.hpp"
+#include "cli/commands.hpp"
+#include "cli/machine_file.hpp"
+#include "cli/numbers.hpp"
+#include "cli/orbit_data.hpp"
+#include "cli/output.hpp"
+#include "core/decimal.hpp"
+#include "core/interruption.hpp"
+#include "core/parallel.hpp"
+#include "numeric/atlas/cover.hpp"
+#include "numeric/atlas/judge.hpp"
+#include "numeric/atlas/log.hpp"
+#include "report/atlas/archive.hpp"
+#include "report/atlas/summary.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/plot.hpp"
+#include "report/tools/versions.hpp"
+
+namespace stickslip::cli {
+
+using namespace numeric::atlas;
+namespace fs = std::filesystem;
+
+namespace {
+
+// "A..B", "0.5+-1e-4" or a number.
+Interval interval(const std::string& name, const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    const Range range = parse_range(name, text);
+    return {range.middle - range.radius, range.middle + range.radius};
+  }
+  const Interval result{exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
+  if (result.lower >= result.upper) {
+    throw UsageError(fmt::format("{}: '{}' does not rise: A..B needs A < B", name, text));
+  }
+  return result;
+}
+
+Question question_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
+  if (o.family.empty()) {
+    throw UsageError("a family of orbits is missing: symmetric or nonsticking");
+  }
+  Question q;
+  q.family = &numeric::families::family_named(o.family);
+  ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional);
+  leave_results_out(file, *q.family, o.parameters);
+  TypedParameters given = given_parameters(paper, o.parameters, file.parameters, o.example);
+  for (const auto& [name, why] :
+       {std::pair("phi", q.family->why_no_phi), std::pair("ur", q.family->why_no_ur)}) {
+    if (o.parameters.contains(name) && !why.empty()) {
+      throw UsageError(why);
+    }
+    if (!why.empty()) {
+      given.erase(name);  // the example's
+    }
+  }
+  std::vector<std::string> needed(numeric::atlas::parameter_names().begin(),
+                                  numeric::atlas::parameter_names().begin() + place_of_ur);
+  require_given(given, needed);
+  for (const std::string& name : numeric::atlas::parameter_names()) {
+    if (given.contains(name)) {
+      q.region.push_back(interval(name, given.at(name)));
+      if (!q.region.back().is_point()) {
+        q.axes.push_back(q.region.size() - 1);
+      }
+    }
+  }
+  q.resolution = whole_number("resolution", o.resolution, AtlasOptions::most_resolution,
+                              AtlasOptions::default_resolution);
+  require_understood(q);
+  tell_left_out(file);
+  return q;
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  report::tools::write_files(file.has_parent_path() ? file.parent_path() : ".",
+                             {{file.filename().string(), text}});
+}
+
+// What was asked for beside the atlas.
+void write_pictures(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
+  if (!o.csv.empty()) {
+    write_text(o.csv, report::atlas::to_csv(q, leaves));
+  }
+  if (!o.plot.empty()) {
+    report::tools::write_plot(o.plot,
+                              report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot)));
+  }
+}
+
+void print_summary(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
+  print(o.json ? report::tools::to_text(report::atlas::to_json(q, leaves))
+               : report::atlas::terminal_report(q, leaves, terminal_style()));
+}
+
+// Before long work.
+void require_outputs(const AtlasOptions& o, const Question& q) {
+  if (!o.csv.empty()) {
+    report::tools::require_writable_file(o.csv);
+  }
+  if (!o.plot.empty()) {
+    if (q.axes.size() != 2) {
+      throw UsageError("plot: a map needs two parameters that vary");
+    }
+    (void)report::tools::plot_format(o.plot);
+    report::tools::require_plot(o.plot);
+  }
+}
+
+ExitCode code_of(const Question& q, const std::vector<Leaf>& leaves) {
+  return tally(q, leaves).coarser == 0 && gaps(leaves).empty() ? exit_decided : exit_undecided;
+}
+
+// ---- --verify
+
+// What the Arb balls say of a leaf of the file.
+enum class Second { confirmed, contradicted, silent };
+
+Second look_again(const Question& q, const Leaf& leaf) {
+  const Finding again = judge(q, leaf.tile, Balls::arb);
+  const auto compare = [](std::int8_t said, std::int8_t proved) {
+    return said < 0 || said == proved ? Second::confirmed
+           : proved < 0               ? Second::silent
+                                      : Second::contradicted;
+  };
+  const bool outside = static_cast<std::uint8_t>(Reason::outside) == leaf.finding.reason;
+  if (outside != (static_cast<std::uint8_t>(Reason::outside) == again.reason)) {
+    return Second::contradicted;
+  }
+  if (leaf.finding.is_decided() && leaf.finding.stable < 0) {
+    return Second::contradicted;  // decided means that all is known
+  }
+  return std::max(
+      {compare(leaf.finding.orbits, again.orbits), compare(leaf.finding.admissible, again.admissible),
+       compare(leaf.finding.stable, again.stable)},
+      [](Second a, Second b) {
+        const auto weight = [](Second s) {
+          return s == Second::contradicted ? 2 : s == Second::silent ? 1 : 0;
+        };
+        return weight(a) < weight(b);
+      });
+}
+
+ExitCode verify(const AtlasOptions& o) {
+  const report::atlas::Archive archive = report::atlas::read_archive(o.verify);
+  const Question& q = archive.question;
+  const auto wanted = static_cast<std::size_t>(
+      whole_number("sample", o.sample, std::numeric_limits<int>::max(), AtlasOptions::default_sample));
+  std::vector<Leaf> sample;
+  std::mt19937_64 random(1);
+  std::sample(archive.leaves.begin(), archive.leaves.end(), std::back_inserter(sample), wanted, random);
+  const Jobs limit = jobs(o.jobs);
+  const Interruptible scope;
+  Progress progress("proving boxes again ...");
+  const std::vector<Second> results = parallel_map(sample.size(), [&](std::size_t i) {
+    return interrupted() ? Second::silent : look_again(q, sample[i]);
+  });
+  std::string text;
+  std::array<std::size_t, 3> counts{};
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    ++counts[static_cast<std::size_t>(results[i])];
+    if (results[i] == Second::contradicted) {
+      text += report::atlas::to_csv(q, {sample[i]});
+    }
+  }
+  print(
+      fmt::format("{} boxes, of which {} were proved again: {} confirmed, {} contradicted, {} not decided "
+                  "again\n{}",
+                  archive.leaves.size(), sample.size(), counts[0], counts[1], counts[2], text));
+  if (interrupted()) {
+    return exit_interrupted;
+  }
+  return counts[1] > 0 ? exit_refuted : counts[2] > 0 ? exit_undecided : exit_decided;
+}
+
+// ---- the work
+
+std::string expected(double done, std::chrono::steady_clock::time_point since, double before) {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - since;
+  const double here = done - before;
+  const double rest = here > 0 ? passed.count() * (1 - done) / here : 0;
+  return fmt::format("{:.2f} % of the volume examined{}", 100 * done,
+                     here > 0 ? fmt::format(", about {:.0f} s to go", rest) : std::string());
+}
+
+struct Begun {
+  std::vector<Leaf> leaves;
+  std::vector<Tile> tiles;
+};
+
+// What the log holds, and what is left to do; by the first process alone.
+Begun begin(const AtlasOptions& o, const Question& q, const fs::path& log, const std::string& identity) {
+  Begun begun;
+  if (o.resume && !fs::exists(log) && fs::exists(o.out) && report::atlas::has_hdf5()) {
+    report::atlas::Archive archive = report::atlas::read_archive(o.out);
+    if (numeric::atlas::identity(archive.question, archive.version) != identity) {
+      throw UsageError(fmt::format("{} answers another question, or one of another version", o.out));
+    }
+    begun.leaves = std::move(archive.leaves);
+    return begun;
+  }
+  if (o.resume) {
+    begun.leaves = read_log(log, identity);
+    put_in_order(q, begun.leaves);
+  } else {
+    report::tools::require_writable_file(o.out);
+    create_log(log, identity);
+  }
+  begun.tiles = gaps(begun.leaves);
+  return begun;
+}
+
+// Works until all is done, or it is time to end.
+void work(const AtlasOptions& o, Cluster& cluster, const Question& q, const fs::path& log,
+          const std::string& identity, const Begun& begun) {
+  const auto since = std::chrono::steady_clock::now();
+  const double seconds = o.time_limit.empty() ? 0 : positive("time-limit", o.time_limit);
+  const auto stop = [&] {
+    return interrupted() ||
+           (seconds > 0 && std::chrono::steady_clock::now() - since > std::chrono::duration<double>(seconds));
+  };
+  Progress progress("counting orbits ...");
+  double done = share(tally(q, begun.leaves).covered()).get_d();
+  const double before = done;
+  Log file(log, cluster.rank(), identity);
+  cluster.work_on_all(q, begun.tiles, stop, [&](const std::vector<Leaf>& leaves) {
+    file.append(leaves);
+    for (const Leaf& leaf : leaves) {
+      done += share(volume(leaf.tile)).get_d() * cluster.size();
+    }
+    progress.show(expected(std::min(done, 1.0), since, before));
+  });
+}
+
+// The atlas in its place and the log gone; without HDF5 a table.
+void keep(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves, const fs::path& log) {
+  if (report::atlas::has_hdf5()) {
+    report::atlas::write_archive(o.out, q, leaves);
+    fs::remove_all(log);
+    return;
+  }
+  const std::string table = o.out + ".csv";
+  write_text(table, report::atlas::to_csv(q, leaves));
+  tell(fmt::format("stickslip: this program was built without HDF5: the boxes are in {} and {}.", table,
+                   log.string()));
+}
+
+ExitCode make(const AtlasOptions& o, const Question& q, Cluster& cluster) {
+  if (o.out.empty()) {
+    throw UsageError("--out FILE is missing: where the atlas is to be written");
+  }
+  const bool first = cluster.rank() == 0;
+  const fs::path log = o.out + ".log";
+  const std::string identity = numeric::atlas::identity(q, report::tools::program_version());
+  Begun begun;
+  if (first) {
+    require_outputs(o, q);
+    begun = begin(o, q, log, identity);
+  }
+  (void)cluster.from_first("");  // the log is there, and in order
+  bool complete = false;
+  bool ended = false;
+  {
+    const Interruptible scope({SIGTERM, SIGUSR1});
+    if (!begun.tiles.empty() || cluster.size() > 1) {
+      work(o, cluster, q, log, identity, begun);
+    }
+    if (!first) {
+      return exit_decided;
+    }
+    std::vector<Leaf> leaves = fs::exists(log) ? read_log(log, identity) : begun.leaves;
+    put_in_order(q, leaves);
+    complete = gaps(leaves).empty();
+    if (complete && fs::exists(log)) {
+      keep(o, q, leaves, log);
+    }
+    begun.leaves = std::move(leaves);
+    ended = !complete && interrupted();
+  }
+  if (complete) {
+    write_pictures(o, q, begun.leaves);
+  }
+  print_summary(o, q, begun.leaves);
+  return ended ? exit_interrupted : code_of(q, begun.leaves);
+}
+
+}  // namespace
+
+ExitCode run(const AtlasOptions& o, const proofs::methods::Paper& paper) {
+  if (!o.verify.empty()) {
+    return verify(o);
+  }
+  if (!o.sample.empty()) {
+    throw UsageError("--sample is for --verify");
+  }
+  const Question q = question_of(o, paper);
+  Cluster cluster;
+  const Jobs limit = jobs(o.jobs);
+  try {
+    return make(o, q, cluster);
+  } catch (const Error& error) {
+    if (cluster.size() == 1) {
+      throw;
+    }
+    tell(fmt::format("stickslip: {}.", error.what()));
+    cluster.give_up(error.code());
+  }
+}
+
+}  // namespace stickslip::cli

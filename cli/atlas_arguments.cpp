@@ -1,0 +1,52 @@
+// stickslip atlas: what may be typed.
+#include <fmt/format.h>
+
+#include "cli/command_line.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+constexpr const char * details =
+    "Cuts a range of one to four parameters into boxes and proves, for every point of each:\n"
+    "how many orbits of the family there are, how many of them are admissible, how many\n"
+    "stable. Parameters that vary are given as A..B. Boxes that cannot be decided are halved,\n"
+    "each side at most --resolution times, and say why they are left open. Decided and open\n"
+    "volume add up exactly.\n\n"
+    "What is found is written into OUT.log while the work goes on; whatever happens to the\n"
+    "program, --resume goes on from there. The atlas, an HDF5 file, is written when all is\n"
+    "done, and the log removed. It is the same whoever made it, in however many parts. Where\n"
+    "the program was built with MPI, mpirun -n N stickslip atlas ... shares the work. SIGTERM,\n"
+    "SIGUSR1, Ctrl-C and --time-limit end it in order.\n\n"
+    "--verify FILE proves boxes of an atlas again, in Arb's balls.\n\n"
+    "Exit code: 0 all that is left open is at the resolution asked for, or confirmed;\n"
+    "1 --verify found a box that says what is false; 2 there is more to do, or something lies\n"
+    "outside the domain, or is not confirmed; 130 after a signal.";
+
+}  // namespace
+
+void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const PaperInHelp& paper) {
+  CLI::App * command =
+      program.add_subcommand("atlas", "Count orbits over ranges of parameters, proved everywhere");
+  command->footer(details);
+  command->add_option("FAMILY", options.family, "symmetric or nonsticking")->type_name("");
+  add_parameters(*command, options.parameters);
+  add_sources(*command, options.example, options.file, paper);
+  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
+    command->add_option(name, value, words)->type_name(type);
+  };
+  add("--resolution", options.resolution, "K",
+      fmt::format("Boxes are at least 2^-K of each range: {} by default", AtlasOptions::default_resolution));
+  add("--out", options.out, "FILE", "Write the atlas there, and while it grows FILE.log");
+  command->add_flag("--resume", options.resume, "Go on with what FILE.log holds");
+  add("--time-limit", options.time_limit, "T", "End in order after T seconds");
+  add("--csv", options.csv, "FILE", "Write the boxes as a table, too");
+  add("--plot", options.plot, "FILE", "Of two parameters: draw a map into FILE.svg or FILE.pdf");
+  add_jobs(*command, options.jobs);
+  add("--verify", options.verify, "FILE", "Prove boxes of this atlas again");
+  add("--sample", options.sample, "N",
+      fmt::format("Of --verify: so many of them, {} by default", AtlasOptions::default_sample));
+  command->add_flag("--json", options.json, "Print the summary as JSON");
+  command->callback([&options, &request] { request = options; });
+}
+
+}  // namespace stickslip::cli

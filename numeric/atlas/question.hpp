@@ -1,0 +1,84 @@
+// What an atlas is asked: a family of orbits over a rectangle of parameters.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/rational.hpp"
+#include "numeric/atlas/tile.hpp"
+#include "numeric/families/family.hpp"
+
+namespace stickslip::numeric::atlas {
+
+// [lower, upper], both included.
+struct Interval {
+  Rational lower, upper;
+  [[nodiscard]] bool is_point() const { return lower == upper; }
+};
+
+// In the order of an OrbitQuestion: chi, eta, us, V, omega, p and, if it is given, ur.
+using Box = std::vector<Interval>;
+inline constexpr std::size_t place_of_chi = 0, place_of_eta = 1, place_of_us = 2, place_of_V = 3,
+                             place_of_omega = 4, place_of_p = 5, place_of_ur = 6;
+
+struct Question {
+  const families::Family * family = nullptr;
+  Box region;
+  std::vector<std::size_t> axes;  // the places in `region` of what varies, one to four
+  int resolution = 12;            // each axis is halved so many times at most
+
+  [[nodiscard]] int finest() const { return resolution * static_cast<int>(axes.size()); }
+};
+
+[[nodiscard]] const std::vector<std::string>& parameter_names();
+
+// Throws UsageError unless a family that atlases can be made of is asked about, one to four parameters vary,
+// and the finest tiles have at most most_depth halvings.
+void require_understood(const Question& question);
+
+// The parameters of a tile, exactly.
+[[nodiscard]] Box box_of(const Question& question, Tile tile);
+
+// The question in one line that says all of it, for files.
+[[nodiscard]] std::string text_of(const Question& question);
+
+// Why a box is left open.
+enum class Reason : std::uint8_t {
+  none = 0,
+  outside,       // of the domain, for all members
+  reaches_out,   // of the domain, for some
+  resonance,     // a natural frequency may be a multiple of the load's
+  no_load,       // p = 0 for some members, where both load phases are one
+  belt_at_rest,  // V = 0 for some members, where the equations of orbits that never stick change
+  merging,       // two orbits may be one
+  no_time,       // an orbit one of whose phases may last no time at all
+  no_amplitude,  // the closing conditions may have no solution with a finite amplitude
+  stability,     // a multiplier may lie on the unit circle
+  condition,     // this and what follows: the requirement of that number may hold or not
+};
+
+// What is proved for every member of a box; a number that is not known is -1. When all are known there is no
+// reason left.
+struct Finding {
+  std::int8_t orbits = -1;      // closed motions of the family with positive durations
+  std::int8_t admissible = -1;  // of these, obeying every condition
+  std::int8_t stable = -1;      // of the latter: asymptotically, by the multipliers
+  std::uint8_t reason = 0;      // a Reason; from Reason::condition on, counted up by the requirement
+
+  [[nodiscard]] bool is_decided() const { return reason == 0; }
+  friend bool operator==(const Finding&, const Finding&) = default;
+};
+
+// A sentence for the reason, without a full stop.
+[[nodiscard]] std::string sentence_of(const families::Family& family, std::uint8_t reason);
+
+// A box of which nothing more is asked, and what was found.
+struct Leaf {
+  Tile tile = 0;
+  Finding finding;
+  friend bool operator==(const Leaf&, const Leaf&) = default;
+};
+
+}  // namespace stickslip::numeric::atlas

@@ -1,0 +1,151 @@
+#include "report/atlas/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "report/orbits/parts.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/templates.hpp"
+
+namespace stickslip::report::atlas {
+
+using namespace numeric::atlas;
+using tools::Json;
+
+namespace {
+
+std::string text_of(const Interval& range) {
+  return range.is_point() ? to_string(range.lower) : to_string(range.lower) + ".." + to_string(range.upper);
+}
+
+std::string percent(std::uint64_t volume) {
+  return fmt::format("{:.4f} %", 100 * share(volume).get_d());
+}
+
+std::string in_words(const Tally::Counts& c) {
+  return fmt::format("{} orbit{}, {} admissible, {} stable", c.orbits, c.orbits == 1 ? "" : "s", c.admissible,
+                     c.stable);
+}
+
+// Largest first.
+template <class Key>
+std::vector<std::pair<Key, std::uint64_t>> by_volume(const std::map<Key, std::uint64_t>& volumes) {
+  std::vector<std::pair<Key, std::uint64_t>> rows(volumes.begin(), volumes.end());
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return rows;
+}
+
+std::string parameters_of(const Question& q, bool fixed_only) {
+  std::string text;
+  for (std::size_t i = 0; i < q.region.size(); ++i) {
+    if (!fixed_only || q.region[i].is_point()) {
+      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter_names()[i], text_of(q.region[i]));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> all_reasons(const numeric::families::Family& family) {
+  std::vector<std::string> sentences;
+  const std::size_t count = static_cast<std::size_t>(Reason::condition) + family.requirements.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    sentences.push_back(sentence_of(family, static_cast<std::uint8_t>(i)));
+  }
+  return sentences;
+}
+
+std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, const tools::Style& style) {
+  const Tally all = tally(q, leaves);
+  const std::uint64_t missing = volume(whole) - all.covered();
+  std::string decided = fmt::format("{} of the volume", percent(all.decided));
+  if (all.outside > 0) {
+    decided += fmt::format("; {} lies outside the domain", percent(all.outside));
+  }
+  const std::string open =
+      all.open == 0
+          ? "nothing"
+          : fmt::format("{}; known there in part: orbits in {} of the volume, admissible ones in {}",
+                        percent(all.open), percent(all.orbits_known), percent(all.admissible_known));
+  std::vector<tools::Row> head{
+      {{"parameters"}, {parameters_of(q, false)}},
+      {{"boxes"}, {fmt::format("{}, each side halved {} times at most", all.leaves, q.resolution)}},
+      {{"decided"}, {decided}},
+      {{"open"}, {open}}};
+  if (missing > 0) {
+    head.push_back(
+        {{"missing"}, {fmt::format("{} was not looked at; go on with --resume", percent(missing))}});
+  }
+  std::string text = tools::columns_of({{{"Atlas: " + q.family->title, orbits::bold(style)}}}, style.width) +
+                     tools::columns_of(head, style.width);
+  std::vector<tools::Row> rows{{{"share"}, {"proved in every point of it"}}};
+  for (const auto& [counts, v] : by_volume(all.counts)) {
+    rows.push_back({{percent(v)}, {in_words(counts)}});
+  }
+  if (rows.size() > 1) {
+    text += "\n" + tools::columns_of(rows, style.width);
+  }
+  rows = {{{"share"}, {"left open"}}};
+  for (const auto& [reason, v] : by_volume(all.reasons)) {
+    rows.push_back({{percent(v)}, {sentence_of(*q.family, static_cast<std::uint8_t>(reason))}});
+  }
+  if (rows.size() > 1) {
+    text += "\n" + tools::columns_of(rows, style.width);
+  }
+  return text;
+}
+
+Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
+  const Tally all = tally(q, leaves);
+  const auto exact = [](std::uint64_t v) { return share(v).get_str(); };
+  Json json = tools::provenance("stickslip atlas " + numeric::atlas::text_of(q));
+  json["family"] = q.family->name;
+  json["axes"] = tools::list_of(q.axes, [](std::size_t axis) { return parameter_names()[axis]; });
+  for (std::size_t i = 0; i < q.region.size(); ++i) {
+    json["parameters"][parameter_names()[i]] = text_of(q.region[i]);
+  }
+  json["resolution"] = q.resolution;
+  json["boxes"] = all.leaves;
+  json["volume"] = {{"decided", exact(all.decided)},
+                    {"outside", exact(all.outside)},
+                    {"open", exact(all.open)},
+                    {"not_examined", exact(volume(whole) - all.covered())}};
+  json["counts"] = tools::list_of(by_volume(all.counts), [&](const auto& row) {
+    return Json{{"orbits", row.first.orbits},
+                {"admissible", row.first.admissible},
+                {"stable", row.first.stable},
+                {"volume", exact(row.second)}};
+  });
+  json["reasons"] = tools::list_of(by_volume(all.reasons), [&](const auto& row) {
+    return Json{{"reason", plain(sentence_of(*q.family, static_cast<std::uint8_t>(row.first)))},
+                {"volume", exact(row.second)}};
+  });
+  return json;
+}
+
+std::string to_csv(const Question& q, const std::vector<Leaf>& leaves) {
+  std::string text;
+  for (const std::size_t axis : q.axes) {
+    text += fmt::format("{0}_from,{0}_to,", parameter_names()[axis]);
+  }
+  text += "orbits,admissible,stable,reason\n";
+  const auto count = [](std::int8_t n) { return n < 0 ? std::string() : std::to_string(n); };
+  for (const Leaf& leaf : leaves) {
+    const Box box = box_of(q, leaf.tile);
+    for (const std::size_t axis : q.axes) {
+      text += to_string(box[axis].lower) + "," + to_string(box[axis].upper) + ",";
+    }
+    const Finding& f = leaf.finding;
+    text += fmt::format("{},{},{},{}\n", count(f.orbits), count(f.admissible), count(f.stable),
+                        f.is_decided() ? "" : "\"" + sentence_of(*q.family, f.reason) + "\"");
+  }
+  return text;
+}
+
+}  // namespace stickslip::report::atlas

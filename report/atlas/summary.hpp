@@ -1,0 +1,37 @@
+// An atlas for readers: in words, as JSON, as a table, as a map.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "numeric/atlas/cover.hpp"
+#include "report/tools/json.hpp"
+#include "report/tools/layout.hpp"
+#include "report/tools/plot.hpp"
+
+namespace stickslip::report::atlas {
+
+// The sentences of all reasons that a box of the family may be left open for, by their numbers.
+[[nodiscard]] std::vector<std::string> all_reasons(const numeric::families::Family& family);
+
+// How much is decided, and what is found where; for leaves that need not cover the whole.
+[[nodiscard]] std::string terminal_report(const numeric::atlas::Question& question,
+                                          const std::vector<numeric::atlas::Leaf>& leaves,
+                                          const tools::Style& style);
+
+// {"family", "axes", "parameters", "resolution", "boxes", "volume": {"decided", "outside", "open",
+// "not_examined"}, "counts": [{"orbits", "admissible", "stable", "volume"}], "reasons": [{"reason",
+// "volume"}]} with volumes as exact fractions of the whole.
+[[nodiscard]] tools::Json to_json(const numeric::atlas::Question& question,
+                                  const std::vector<numeric::atlas::Leaf>& leaves);
+
+// A row for each leaf: the ends of its axes, exactly, and what is found.
+[[nodiscard]] std::string to_csv(const numeric::atlas::Question& question,
+                                 const std::vector<numeric::atlas::Leaf>& leaves);
+
+// For gnuplot, of an atlas with two axes. Throws UsageError for another.
+[[nodiscard]] std::string plot_script(const numeric::atlas::Question& question,
+                                      const std::vector<numeric::atlas::Leaf>& leaves,
+                                      tools::PlotFormat format);
+
+}  // namespace stickslip::report::atlas

@@ -1,0 +1,165 @@
+// stickslip atlas as its users meet it: what is refused, what survives whatever kills it.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "tests/cli/program.hpp"
+
+namespace stickslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Directory {
+ public:
+  Directory() {
+    std::string name = (fs::temp_directory_path() / "stickslip-atlas-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Directory() { fs::remove_all(path_); }
+  Directory(const Directory&) = delete;
+  Directory& operator=(const Directory&) = delete;
+  [[nodiscard]] std::string operator/(const char * name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+// Some hundred boxes around the paper's orbit S.
+Words near_S(const std::string& out, const char * resolution = "5") {
+  return {"atlas", "symmetric", "--example",    "S",        "--omega", "0.55..0.57",
+          "--p",   "0..0.1",    "--resolution", resolution, "--out",   out};
+}
+
+// The atlas, or, of a program without HDF5, its table.
+std::string atlas_of(const std::string& out) {
+  return content(fs::exists(out) ? out : out + ".csv");
+}
+
+TEST_CASE("An atlas says the same whoever makes it, and goes on where it was killed") {
+  const Directory directory;
+  const std::string whole = directory / "whole.h5";
+  const auto begin = std::chrono::steady_clock::now();
+  const Run made = stickslip_program(with(near_S(whole), {"--jobs", "1"}));
+  const auto time =
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin);
+  REQUIRE(made.code == 0);
+  CHECK(made.out.find("decided") != std::string::npos);
+  const std::string bytes = atlas_of(whole);
+
+  std::mt19937_64 random(17);
+  for (int k = 0; k < 10; ++k) {
+    const std::string out = directory / ("killed" + std::to_string(k)).c_str();
+    const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int process = start(with(near_S(out), {"--jobs", k % 2 == 0 ? "1" : "3"}), nothing);
+    ::close(nothing);
+    std::this_thread::sleep_for(time * static_cast<long>(random() % 100) / 100);
+    ::kill(process, SIGKILL);
+    (void)wait_for(process);
+    const bool begun = fs::exists(out + ".log/question") || fs::exists(out);
+    if (!begun) {
+      fs::remove_all(out + ".log");
+    }
+    const Run rest = stickslip_program(with(near_S(out), begun ? Words{"--resume"} : Words{}));
+    INFO(rest.err);
+    CHECK(rest.code == 0);
+    CHECK(rest.out == made.out);
+    CHECK(atlas_of(out) == bytes);
+  }
+}
+
+TEST_CASE("An atlas is ended in order, says what is missing, and goes on") {
+  const Directory directory;
+  const std::string out = directory / "a.h5";
+  Run part = stickslip_program(with(near_S(out, "6"), {"--time-limit", "0.05", "--json"}));
+  CHECK(part.code == 2);
+  const nlohmann::json json = nlohmann::json::parse(part.out);
+  CHECK(json["volume"]["not_examined"] != "0");
+  const Run other = stickslip_program(with(near_S(out, "7"), {"--resume"}));
+  CHECK(other.code == 64);
+  CHECK(is_one_sentence(other.err, "another question"));
+  CHECK(is_one_sentence(stickslip_program(near_S(out, "6")).err, "--resume"));
+  for (const int signal : {SIGTERM, SIGUSR1}) {
+    const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int process = start(with(near_S(out, "6"), {"--resume"}), nothing);
+    ::close(nothing);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    ::kill(process, signal);
+    const int code = wait_for(process);
+    CHECK((code == 130 || code == 0 || code == 128 + signal));
+  }
+  CHECK(stickslip_program(with(near_S(out, "6"), {"--resume"})).code == 0);
+  const std::string again = directory / "b.h5";
+  CHECK(stickslip_program(near_S(again, "6")).code == 0);
+  CHECK(atlas_of(out) == atlas_of(again));
+}
+
+TEST_CASE("A table has a row for each box, and its volumes make the whole") {
+  const Directory directory;
+  const Run made =
+      stickslip_program(with(near_S(directory / "a.h5", "3"), {"--csv", directory / "a.csv", "--json"}));
+  REQUIRE(made.code == 0);
+  std::ifstream table(directory / "a.csv");
+  std::string line;
+  std::getline(table, line);
+  CHECK(line == "omega_from,omega_to,p_from,p_to,orbits,admissible,stable,reason");
+  std::size_t rows = 0;
+  while (std::getline(table, line)) {
+    ++rows;
+  }
+  CHECK(nlohmann::json::parse(made.out)["boxes"] == rows);
+}
+
+TEST_CASE("What lies outside the domain is no error, and said") {
+  const Directory directory;
+  const Run made = stickslip_program({"atlas", "symmetric", "--example", "S", "--p", "-1..1", "--resolution",
+                                      "3", "--out", directory / "a.h5"});
+  CHECK(made.code == 2);
+  CHECK(made.out.find("37.5000 % lies outside the domain") != std::string::npos);
+}
+
+TEST_CASE("Questions that make no sense are refused in a sentence") {
+  const Directory directory;
+  const std::string out = directory / "a.h5";
+  std::ofstream(directory / "no.h5") << "nothing\n";
+  check_refused({
+      {{"atlas"}, 64, "family"},
+      {{"atlas", "overshooting", "--example", "O", "--phi", "0", "--p", "0..1", "--out", out},
+       64,
+       "overshooting"},
+      {{"atlas", "symmetric", "--example", "S", "--out", out}, 64, "one to four"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "1..0", "--out", out}, 64, "p"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..x", "--out", out}, 64, "p"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--ur", "1", "--out", out}, 64, "ur"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1"}, 64, "--out"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--resolution", "0", "--out", out},
+       64,
+       "resolution"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--out", "/dev/full"}, 74, "/dev/full"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--out", "/none/a.h5"}, 74, "/none"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--out", out, "--resume"}, 74, "no log"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--out", out, "--plot", directory / "a.svg"},
+       64,
+       "map"},
+      {{"atlas", "--verify", directory / "no.h5"}, 74, ""},
+      {{"atlas", "--verify", directory / "none.h5"}, 74, ""},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--sample", "5", "--out", out},
+       64,
+       "--verify"},
+  });
+  CHECK_FALSE(fs::exists(out));
+  CHECK_FALSE(fs::exists(out + ".log"));
+}
+
+}  // namespace
+}  // namespace stickslip

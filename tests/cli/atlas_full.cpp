@@ -1,0 +1,123 @@
+// Atlases as HDF5 files, and made by several processes.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <thread>
+
+#include "core/error.hpp"
+#include "report/atlas/archive.hpp"
+#include "tests/cli/program.hpp"
+
+namespace stickslip {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace report::atlas;
+
+class Directory {
+ public:
+  Directory() {
+    std::string name = (fs::temp_directory_path() / "stickslip-atlas-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Directory() { fs::remove_all(path_); }
+  Directory(const Directory&) = delete;
+  Directory& operator=(const Directory&) = delete;
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+Words near_S(const std::string& out) {
+  return {"atlas", "symmetric", "--example",    "S", "--omega", "0.55..0.57",
+          "--p",   "0..0.1",    "--resolution", "5", "--out",   out};
+}
+
+TEST_CASE("An atlas that says what is false is found out") {
+  const Directory directory;
+  const std::string file = directory / "a.h5";
+  REQUIRE(stickslip_program(near_S(file)).code == 0);
+  const Run confirmed = stickslip_program({"atlas", "--verify", file, "--sample", "50"});
+  CHECK((confirmed.code == 0 || confirmed.code == 2));
+  CHECK(confirmed.out.find(" 0 contradicted") != std::string::npos);
+
+  const Archive archive = read_archive(file);
+  const std::string wrong = directory / "wrong.h5";
+  for (auto member : {&numeric::atlas::Finding::orbits, &numeric::atlas::Finding::admissible,
+                      &numeric::atlas::Finding::stable}) {
+    std::vector<numeric::atlas::Leaf> leaves = archive.leaves;
+    for (numeric::atlas::Leaf& leaf : leaves) {
+      if (leaf.finding.is_decided()) {
+        ++(leaf.finding.*member);
+        break;
+      }
+    }
+    write_archive(wrong, archive.question, leaves);
+    const Run found = stickslip_program({"atlas", "--verify", wrong, "--sample", "1000000"});
+    CHECK(found.code == 1);
+    CHECK(found.out.find(" 1 contradicted") != std::string::npos);
+  }
+  // A box is missing.
+  std::vector<numeric::atlas::Leaf> leaves = archive.leaves;
+  leaves.erase(leaves.begin() + 3);
+  write_archive(wrong, archive.question, leaves);
+  CHECK(is_one_sentence(stickslip_program({"atlas", "--verify", wrong}).err, "gaps"));
+}
+
+#ifdef STICKSLIP_MPIRUN
+
+// mpirun, without the pictures of its failures.
+Words copies(int n, const Words& arguments) {
+  ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+  ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  Words all{"--oversubscribe", "-n", std::to_string(n), STICKSLIP_PROGRAM};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return all;
+}
+
+TEST_CASE("Processes make the same atlas together, also when one of them, or mpirun, is killed") {
+  const Directory directory;
+  const std::string alone = directory / "alone.h5";
+  REQUIRE(stickslip_program(near_S(alone)).code == 0);
+  for (const int n : {1, 2, 3}) {
+    const std::string out = directory / ("n" + std::to_string(n));
+    const Run made = run(STICKSLIP_MPIRUN, copies(n, near_S(out)));
+    INFO(made.err);
+    CHECK(made.code == 0);
+    CHECK(content(out) == content(alone));
+  }
+  std::mt19937_64 random(23);
+  for (int k = 0; k < 10; ++k) {
+    const std::string out = directory / ("k" + std::to_string(k));
+    const std::string which = k % 3 == 0 ? "mpirun" : "stickslip";
+    // The shell kills mpirun, or one of the processes that it has started, after a while.
+    std::string command = "cd '" + (directory / ".") + "'; '" STICKSLIP_MPIRUN "'";
+    for (const std::string& word : copies(2, near_S(out))) {
+      command += " '" + word + "'";
+    }
+    command += " >/dev/null 2>&1 & m=$!; sleep 0." + std::to_string(2 + random() % 8) + "; " +
+               (which == "mpirun" ? std::string("kill -9 $m")
+                                  : "for c in $(cat /proc/$m/task/$m/children); do kill -9 $c; break; done") +
+               "; wait $m; sleep 0.3; true";
+    CHECK(std::system(command.c_str()) == 0);
+    const bool begun = fs::exists(out + ".log/question") || fs::exists(out);
+    const Words more = begun ? Words{"--resume"} : Words{};
+    fs::remove_all(begun ? out + ".none" : out + ".log");
+    const Run rest = run(STICKSLIP_MPIRUN, copies(1 + k % 2, with(near_S(out), more)));
+    INFO(rest.err);
+    CHECK(rest.code == 0);
+    CHECK(content(out) == content(alone));
+  }
+}
+
+#endif
+
+}  // namespace
+}  // namespace stickslip
