@@ -92,6 +92,14 @@ Law law_of(const BranchQuestion& question) {
     law.ur = q.ur->middle;
   }
   law.requirements = requirements(family, law.ur_is_result || law.ur_is_free || law.ur);
+  if (!law.ur_is_result && !law.ur_is_free && !law.ur) {
+    for (Requirement requirement : family.requirements) {
+      if (needs_ur(requirement.quantity) && requirement.quantity != Quantity::friction_step) {
+        requirement.id = "ur_max";
+        law.at_us.push_back(requirement);
+      }
+    }
+  }
   law.conditions = [&family](const ClosedMotion& closed, const std::optional<Ball>& ur) {
     return families::conditions(family, closed, ur);
   };

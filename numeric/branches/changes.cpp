@@ -49,6 +49,22 @@ std::optional<std::vector<Over>> over_gap(const Traced& t, const Gap& gap) {
   return all;
 }
 
+// Of the condition of that id; unknown where the law has no requirement for it.
+Trend trend_of(const Law& law, const std::string& id, const Over& part) {
+  std::optional<Trend> all;
+  const auto add = [&](const Requirements& requirements, const std::optional<ParameterJet>& ur) {
+    for (const Requirement& q : requirements) {
+      if (q.id == id) {
+        const Trend one = branches::trend_of(q, part.motion, ur);
+        all = all ? joined(*all, one) : one;
+      }
+    }
+  };
+  add(law.requirements, part.ur);
+  add(law.at_us, part.motion.oscillator.data.us);
+  return all.value_or(Trend::unknown);
+}
+
 // In the direction of the branch over the whole gap; 0 when it is not known to have one direction.
 int direction(const std::vector<Over>& over, const std::function<Trend(const Over&)>& trend) {
   int all = 0;
@@ -99,8 +115,7 @@ bool violated(const Part& part, const std::string& id) {
   });
 }
 
-Change fold(const Traced& t, const Gap& gap, const std::optional<std::vector<Over>>& over) {
-  (void)t;
+Change fold(const Gap& gap, const std::optional<std::vector<Over>>& over) {
   const bool highest = gap.before->rises > 0;
   return {ChangeKind::fold,
           "",
@@ -126,17 +141,17 @@ std::vector<Change> lost(const Traced& t, const Gap& gap, const std::optional<st
   std::set<std::string> seen;
   for (std::size_t k = gap.from; k < gap.to; ++k) {
     for (const Condition& c : t.parts[k].conditions) {
-      const auto found = std::find_if(t.law.requirements.begin(), t.law.requirements.end(),
-                                      [&](const Requirement& q) { return q.id == c.id; });
       const bool is_duration =
-          found != t.law.requirements.end() && found->quantity == Quantity::duration;
+          std::any_of(t.law.requirements.begin(), t.law.requirements.end(), [&](const Requirement& q) {
+            return q.id == c.id && q.quantity == Quantity::duration;
+          });
       const bool beyond_says = birth ? is_duration : violated(beyond, c.id);
       if (c.verdict.truth == Truth::proved || !beyond_says || !seen.insert(c.id).second) {
         continue;
       }
       int goes = 0;
-      if (over && found != t.law.requirements.end()) {
-        goes = direction(*over, [&](const Over& part) { return trend_of(*found, part.motion, part.ur); });
+      if (over) {
+        goes = direction(*over, [&](const Over& part) { return trend_of(t.law, c.id, part); });
       }
       const bool falls = before_holds;
       Change change{birth ? ChangeKind::birth : ChangeKind::condition, c.id, plain(c.statement), gap.at, c.at,
@@ -285,7 +300,7 @@ class Description {
     // Beyond a birth the branch may turn as it likes.
     const bool turns = gap.before->rises != gap.after->rises && !either(State::absent);
     if (turns) {
-      changes.push_back(fold(t_, gap, over));
+      changes.push_back(fold(gap, over));
     }
     const State a = gap.before->state, b = gap.after->state;
     if (a != b) {
@@ -337,8 +352,7 @@ class Description {
 };
 
 // A piece begins where its first part does: at the lower end of the parameter there if it rises.
-void sharpen_ends(Branch& branch, const std::vector<Part>& parts) {
-  (void)parts;
+void sharpen_ends(Branch& branch) {
   for (Piece& piece : branch.pieces) {
     const bool rises = piece.first.approximate() <= piece.last.approximate();
     piece.first = rises ? piece.first.lower() : piece.first.upper();
@@ -350,7 +364,7 @@ void sharpen_ends(Branch& branch, const std::vector<Part>& parts) {
 
 void describe(const Traced& traced, Branch& branch, std::vector<UnresolvedPart>& unresolved) {
   Description(traced, branch, unresolved).run();
-  sharpen_ends(branch, traced.parts);
+  sharpen_ends(branch);
 }
 
 }  // namespace stickslip::numeric::branches

@@ -20,11 +20,6 @@ Trend trend(const ParameterJet& g) {
   return slope.is_positive() ? Trend::rising : slope.is_negative() ? Trend::falling : Trend::unknown;
 }
 
-// Of two quantities, for the lesser of them.
-Trend joined(Trend a, Trend b) {
-  return a == Trend::above ? b : b == Trend::above || a == b ? a : Trend::unknown;
-}
-
 double above(const Ball& x) {
   return arf_get_d(arb_midref(x.upper().raw()), ARF_RND_CEIL);
 }
@@ -97,6 +92,10 @@ Affine affine_form(const model::Parameters<ParameterJet>& a, const ParameterJet&
 }
 
 }  // namespace
+
+Trend joined(Trend a, Trend b) {
+  return a == Trend::above ? b : b == Trend::above || a == b ? a : Trend::unknown;
+}
 
 Trend trend_of(const Requirement& q, const MotionOf<ParameterJet>& motion,
                const std::optional<ParameterJet>& ur) {

@@ -25,6 +25,9 @@ enum class Trend {
                              const motion::MotionOf<zeros::ParameterJet>& motion,
                              const std::optional<zeros::ParameterJet>& ur);
 
+// Of the lesser of two quantities.
+[[nodiscard]] Trend joined(Trend a, Trend b);
+
 // The ways in which a multiplier can cross the unit circle, as functions that vanish exactly then: det(I -
 // M), det(I + M), and the product of 1 - mu_i mu_j over i < j, which also vanishes for a real pair mu, 1/mu.
 enum class Exit { plus_one, minus_one, pair };

@@ -15,7 +15,10 @@ namespace stickslip::numeric::branches {
 
 // The friction law as a family or a word asks for it.
 struct Law {
-  motion::Requirements requirements;  // those that a threshold is looked for in
+  // Those whose thresholds can be proved to be crossed. Several of one id stand for all of them together; the
+  // second list is taken with ur = us: where ur is not given, some ur > us serves exactly if they hold then.
+  motion::Requirements requirements;
+  motion::Requirements at_us;
   // All conditions, which may be more; the ball contains the friction where it is given.
   std::function<std::vector<motion::Condition>(const motion::ClosedMotion&, const std::optional<Ball>& ur)>
       conditions;

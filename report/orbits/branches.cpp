@@ -102,7 +102,7 @@ Start start_of(const motion::MotionOf<double>& m) {
   return {first.load, first.Z(0) + m.oscillator.d0(0), first.Z(1) + m.oscillator.d0(1), first.Z(2)};
 }
 
-Json to_json(const Change& change) {
+Json change_data(const Change& change) {
   static constexpr std::array names{"", "condition", "multiplier", "duration", "frequency"};
   Json json = {{"kind", to_string(change.kind)}};
   if (!change.what.empty()) {
@@ -120,13 +120,13 @@ Json to_json(const Change& change) {
   return json;
 }
 
-Json to_json(const Branch& branch, const BranchQuestion& q) {
+Json branch_data(const Branch& branch, const BranchQuestion& q) {
   Json json = {{"from", to_json(branch.first.at, 20)},
                {"to", to_json(branch.last.at, 20)},
                {"closed", branch.closed},
                {"ends", Json::array()},
                {"pieces", Json::array()},
-               {"changes", list_of(branch.changes, [](const Change& c) { return to_json(c); })},
+               {"changes", list_of(branch.changes, [](const Change& c) { return change_data(c); })},
                {"samples", Json::array()}};
   for (const BranchEnd * end : {&branch.first, &branch.last}) {
     json["ends"].push_back(
@@ -229,7 +229,7 @@ Json to_json(const BranchList& list) {
   }
   json["complete"] = false;
   json["searched_at"] = list_of(list.values, [](const Rational& value) { return stickslip::to_string(value); });
-  json["branches"] = list_of(list.branches, [&](const Branch& branch) { return to_json(branch, q); });
+  json["branches"] = list_of(list.branches, [&](const Branch& branch) { return branch_data(branch, q); });
   json["counts"] = list_of(list.counts, [](const Count& count) {
     return Json{{"from", to_json(count.from, 20)},
                 {"to", to_json(count.to, 20)},
