@@ -94,6 +94,25 @@ struct Before {
   std::string root;  // the first that is not accepted of what it rests on
 };
 
+// What all certificates stand on: why it does not hold them, if it does not.
+std::string below(const Json& record, const fs::path& directory) {
+  for (const Json& one : record.value("foundations", Json::array())) {
+    const fs::path file = directory / one.at("file").get<std::string>();
+    if (!fs::exists(file) || certificates::fingerprint(tools::read_file(file)) != one.at("text")) {
+      return file.filename().string() + " is not the one that was written";
+    }
+  }
+  return "";
+}
+
+// Whether Coq made it after all that certificates stand on.
+bool is_newer_than_foundations(const fs::path& compiled, const Json& record, const fs::path& directory) {
+  return std::ranges::all_of(record.value("foundations", Json::array()), [&](const Json& one) {
+    const fs::path file = directory / one.at("file").get<std::string>();
+    return is_newer(compiled, file) && is_newer(compiled, fs::path(file).replace_extension(".vo"));
+  });
+}
+
 Finding look_at(Json& claim, const fs::path& directory, const std::map<std::string, Before>& before,
                 std::string& root) {
   const fs::path file = directory / claim.at("file").get<std::string>();
@@ -134,10 +153,13 @@ Json record_of(const certificates::Certificates& all, const Json& before) {
   }
   std::set<std::string> same;  // names of files of which nothing has changed, nor of what they rest on
   std::map<std::string, std::string> texts;
+  Json claims = Json::array(), without = Json::array(), foundations = Json::array();
   for (const certificates::File& file : all.files) {
     texts.emplace(file.name, certificates::fingerprint(file.text));
+    if (file.name.ends_with(".v") && !file.name.starts_with("Claim_")) {
+      foundations.push_back({{"file", file.name}, {"text", texts.at(file.name)}});
+    }
   }
-  Json claims = Json::array(), without = Json::array();
   for (const certificates::Certificate& one : all.certificates) {
     claims.push_back({{"claim", one.claim},
                       {"file", one.name + ".v"},
@@ -165,6 +187,7 @@ Json record_of(const certificates::Certificates& all, const Json& before) {
     without.push_back({{"claim", one.claim}, {"reason", one.reason}});
   }
   return {{"program", {{"name", "stickslip"}, {"version", tools::program_version()}}},
+          {"foundations", foundations},
           {"claims", claims},
           {"without", without}};
 }
@@ -181,10 +204,17 @@ Json read_record(const fs::path& path) {
 Json checked(const fs::path& directory) {
   Json record = read_record(directory / certificate_record);
   std::map<std::string, Before> before;
+  const std::string spoiled = below(record, directory);
   for (Json& claim : record.at("claims")) {
     const std::string name = fs::path(claim.at("file").get<std::string>()).stem();
     std::string root = name;
-    const Finding finding = look_at(claim, directory, before, root);
+    Finding finding = look_at(claim, directory, before, root);
+    if (finding.accepted == true && !spoiled.empty()) {
+      finding = {false, spoiled};
+    } else if (finding.accepted == true &&
+               !is_newer_than_foundations(directory / (name + ".vo"), record, directory)) {
+      finding = {nullptr, "Coq was not asked since the lemmas below it have changed"};
+    }
     claim["accepted"] = finding.accepted;
     claim["reason"] = finding.reason;
     before[name] = {finding.accepted, root};

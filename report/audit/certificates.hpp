@@ -23,9 +23,10 @@ inline constexpr const char * certificate_record = "certificates.json";
 [[nodiscard]] tools::Json read_record(const std::filesystem::path& path);
 
 // The record after coqc: for each claim "accepted", "reason" if it is not, "seconds", "axioms". A claim is
-// accepted if its file is the recorded one, coqc compiled it after the files that it imports, all these are
-// accepted, and it rests on the allowed axioms only. Null where Coq was not asked, of it or of what it rests
-// on. Throws InputOutputError as read_record.
+// accepted if its file is the recorded one, coqc compiled it after the files that it imports and after the
+// lemmas on which all stand, which are the recorded ones, all that it imports are accepted, and it rests on
+// the allowed axioms only. Null where Coq was not asked, of it or of what it rests on. Throws
+// InputOutputError as read_record.
 [[nodiscard]] tools::Json checked(const std::filesystem::path& directory);
 // A line for each claim that was asked for, or that one of these rests on; where there are others, how many
 // theorems of all; and last "N of M theorems certified, K axioms", of those asked for.

@@ -190,6 +190,32 @@ TEST_CASE("asking for one claim keeps what Coq said of the others, unless someth
   CHECK(changed.state("2", changed.audit) == State::unknown);  // it rests on 1
 }
 
+TEST_CASE("a file compiled before what all stand on, or on another text of that, is not accepted") {
+  const auto after = [](const auto& spoil) {
+    const Checked checked;
+    write(checked.path / "Matrices.v", "lemmas");
+    Json json = Json::parse(std::ifstream(checked.path / certificate_record));
+    json["foundations"] = {{{"file", "Matrices.v"}, {"text", certificates::fingerprint("lemmas")}}};
+    write(checked.path / certificate_record, json.dump());
+    const auto at = [&](const char * name, int hours) {
+      fs::last_write_time(checked.path / name, fs::file_time_type::clock::now() + std::chrono::hours(hours));
+    };
+    write(checked.path / "Matrices.vo", "compiled");
+    at("Matrices.v", -3);
+    at("Matrices.vo", -2);
+    spoil(checked.path, at);
+    return checked.look().at("claims").at(0);
+  };
+  CHECK(after([](const auto&, const auto&) {}).at("accepted") == true);
+  const Json older = after([](const auto&, const auto& at) { at("Matrices.vo", 1); });
+  CHECK(older.at("accepted").is_null());
+  CHECK(older.at("reason") == "Coq was not asked since the lemmas below it have changed");
+  const Json other =
+      after([](const fs::path& path, const auto&) { write(path / "Matrices.v", "other lemmas"); });
+  CHECK(other.at("accepted") == false);
+  CHECK(other.at("reason") == "Matrices.v is not the one that was written");
+}
+
 TEST_CASE("a file compiled before the one that it imports is not accepted") {
   const Checked checked;
   fs::last_write_time(checked.path / "Claim_1.vo", fs::file_time_type::clock::now() + std::chrono::hours(1));
