@@ -242,7 +242,7 @@ bool Walk::is_over() {
   }
   if (std::any_of(here_.x.begin(), here_.x.end(),
                   [&](const Ball& x) { return std::abs(x.approximate()) > far_; })) {
-    path_.reason = "the motion has grown thirtyfold, and may grow beyond all bounds";
+    path_.reason = "the motion is more than thirty times what it was, and may grow beyond all bounds";
     return true;
   }
   const bool at_start = is_on(cell, start_);
