@@ -117,8 +117,9 @@ struct ManualWanted {
   std::vector<ManualFile> files;
 };
 
-using Request = std::variant<AuditOptions, CheckOptions, CertifyOptions, LatexOptions, OrbitsOptions,
-                             BranchOptions, AttractorsOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
+using Request =
+    std::variant<AuditOptions, CheckOptions, CertifyOptions, LatexOptions, OrbitsOptions, BranchOptions,
+                 AttractorsOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
 
 // What the help says of the paper that the program is about, and of the families of orbits.
 struct PaperInHelp {

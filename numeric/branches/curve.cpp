@@ -100,7 +100,6 @@ class Walk {
     }
   }
 
-
   Path follow(int direction);
 
  private:
@@ -275,8 +274,7 @@ Ball between(const Rational& a, const Rational& b) {
 }
 
 bool is_on(const Cell& cell, const Point& point) {
-  return cell.range.contains(coordinate(cell.driver, point)) &&
-         is_the_only_one(cell, point);
+  return cell.range.contains(coordinate(cell.driver, point)) && is_the_only_one(cell, point);
 }
 
 ProvedPoint prove_at(const Curve& curve, const Rational& value, const Vector& guess) {

@@ -17,16 +17,22 @@ TEST_CASE("branch: questions that are none are named") {
       {{"branch"}, exit_usage, "family"},
       {{"branch", "asymmetric", "--example", "S", "--omega", "0.5..0.6"}, exit_usage, "'asymmetric'"},
       {{"branch", "symmetric", "--example", "S"}, exit_usage, "interval A..B"},
-      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--p", "0..1"}, exit_usage, "omega and p"},
+      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--p", "0..1"},
+       exit_usage,
+       "omega and p"},
       {{"branch", "symmetric", "--example", "S", "--omega", "0.6..0.5"}, exit_usage, "does not rise"},
       {{"branch", "symmetric", "--example", "S", "--omega", "0.5.."}, exit_usage, "omega: ''"},
       {{"branch", "symmetric", "--example", "S", "--omega", "a..b"}, exit_usage, "omega: 'a'"},
       {{"branch", "symmetric", "--example", "S", "--ur", "0.1..0.2"}, exit_usage, "ur is not given"},
-      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--at", "0.7"}, exit_usage, "at: omega"},
+      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--at", "0.7"},
+       exit_usage,
+       "at: omega"},
       {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--chi", "0.5+-0.1"},
        exit_usage,
        "all other parameters are exact"},
-      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--plot", "a.png"}, exit_usage, "a.png"},
+      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--plot", "a.png"},
+       exit_usage,
+       "a.png"},
       {{"branch", "symmetric", "--example", "S", "--chi", "0.5..1"}, exit_domain, "chi = 1"},
       {{"branch", "symmetric", "--example", "S", "--omega", "-1..1"}, exit_domain, "omega = -1"},
   });
@@ -35,7 +41,8 @@ TEST_CASE("branch: questions that are none are named") {
 TEST_CASE("branch: the table, the JSON and the CSV of a short interval") {
   const TemporaryDirectory directory;
   const std::string csv = (directory.path() / "branches.csv").string();
-  const Run json = stickslip_program({"branch", "symmetric", "--example", "S", "--omega", "0.586..0.588", "--csv", csv, "--json"});
+  const Run json = stickslip_program(
+      {"branch", "symmetric", "--example", "S", "--omega", "0.586..0.588", "--csv", csv, "--json"});
   CHECK(json.code == exit_decided);
   const Json data = Json::parse(json.out);
   CHECK(data["parameter"] == "omega");
