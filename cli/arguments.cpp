@@ -180,7 +180,8 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
 void require_command(const CLI::App& program) {
   const std::vector<std::string> strangers = program.remaining();
   const std::string known =
-      "the commands are audit, check, certify, latex, orbits, branch, attractors and simulate; see stickslip --help";
+      "the commands are audit, check, certify, latex, orbits, branch, attractors and simulate; see stickslip "
+      "--help";
   if (!strangers.empty()) {
     const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
     throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));

@@ -34,7 +34,8 @@ Interval interval_of(TypedParameters& typed) {
       continue;
     }
     if (found) {
-      throw UsageError(fmt::format("{} and {} are both intervals: a branch is along one", found->parameter, name));
+      throw UsageError(
+          fmt::format("{} and {} are both intervals: a branch is along one", found->parameter, name));
     }
     found = {name, exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
     text = to_string(found->from);

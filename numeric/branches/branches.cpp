@@ -51,9 +51,8 @@ Given<Rational> exact(const OrbitQuestion& q) {
   const auto of = [](const std::optional<Range>& range) {
     return range ? std::optional(range->middle) : std::nullopt;
   };
-  return {{a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle},
-          of(q.phi),
-          of(q.ur)};
+  return {
+      {a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle}, of(q.phi), of(q.ur)};
 }
 
 void require_question(const BranchQuestion& question) {
@@ -70,16 +69,15 @@ void require_question(const BranchQuestion& question) {
                                  stickslip::to_string(*question.at), stickslip::to_string(question.from),
                                  stickslip::to_string(question.to)));
   }
-  for (const Range& range : {question.orbits.parameters.chi, question.orbits.parameters.eta,
-                             question.orbits.parameters.us, question.orbits.parameters.V,
-                             question.orbits.parameters.omega, question.orbits.parameters.p,
-                             question.orbits.phi.value_or(Range{}), question.orbits.ur.value_or(Range{})}) {
+  for (const Range& range :
+       {question.orbits.parameters.chi, question.orbits.parameters.eta, question.orbits.parameters.us,
+        question.orbits.parameters.V, question.orbits.parameters.omega, question.orbits.parameters.p,
+        question.orbits.phi.value_or(Range{}), question.orbits.ur.value_or(Range{})}) {
     if (range.radius != 0) {
       throw UsageError("a branch is along one interval A..B: all other parameters are exact");
     }
   }
-  require_answerable(
-      with(question, {(question.from + question.to) / 2, (question.to - question.from) / 2}));
+  require_answerable(with(question, {(question.from + question.to) / 2, (question.to - question.from) / 2}));
 }
 
 Law law_of(const BranchQuestion& question) {
@@ -184,7 +182,8 @@ std::string resonance_near(const Ball& value, const BranchQuestion& question) {
        {std::pair(m.omega1, "omega1"), std::pair(1.0, "1"), std::pair(m.omega2, "omega2")}) {
     const double k = std::round(frequency / a.omega);
     if (k >= 1 && std::abs(k * a.omega - frequency) < 1e-6 * frequency) {
-      return fmt::format(", next to the resonance {}omega = {}", k == 1 ? "" : fmt::format("{:.0f} ", k), name);
+      return fmt::format(", next to the resonance {}omega = {}", k == 1 ? "" : fmt::format("{:.0f} ", k),
+                         name);
     }
   }
   return "";
@@ -206,8 +205,9 @@ BranchEnd end_of(const Path& path, const BranchQuestion& question) {
 
 bool passes(const Followed& branch, const Point& point, int angle) {
   return for_some_turn(angle, point.x, [&](const zeros::Vector& x) {
-    return std::any_of(branch.cells.begin(), branch.cells.end(),
-                       [&](const Cell& cell) { return is_on(cell, {x, point.value}); });
+    return std::any_of(branch.cells.begin(), branch.cells.end(), [&](const Cell& cell) {
+      return is_on(cell, {x, point.value});
+    });
   });
 }
 
@@ -251,6 +251,16 @@ void Search::trace(const Sheet& sheet, const Followed& followed) {
   branch.last = followed.last;
   const std::vector<Part> parts = parts_of(sheet.curve, law_, followed.cells, resolution / 8);
   describe({sheet.curve, law_, followed.cells, parts}, branch, list_.unresolved);
+  // A part that begins or ends with the interval is enclosed a little beyond it.
+  for (Piece& piece : branch.pieces) {
+    for (Ball * end : {&piece.first, &piece.last}) {
+      if (!(*end - Ball(question_.to)).is_negative()) {
+        *end = Ball(question_.to);
+      } else if (!(*end - Ball(question_.from)).is_positive()) {
+        *end = Ball(question_.from);
+      }
+    }
+  }
   for (const BranchEnd * end : {&branch.first, &branch.last}) {
     if (!end->resolved) {
       list_.unresolved.push_back({end->at, {}, end->words, end->resonance});
@@ -280,8 +290,7 @@ bool Search::add(const Candidate& candidate, const Rational& value, std::string&
   Path up = follow(sheet.curve, value, start.point, 1);
   const bool closed = up.end == End::closed;
   Path down = closed ? Path{} : follow(sheet.curve, value, start.point, -1);
-  Followed found{start.point, {}, end_of(closed ? up : down, question_),
-                 end_of(up, question_), closed};
+  Followed found{start.point, {}, end_of(closed ? up : down, question_), end_of(up, question_), closed};
   found.cells = reversed(std::move(down.cells));
   std::ranges::move(up.cells, std::back_inserter(found.cells));
   // One that was followed less far before.
@@ -318,8 +327,9 @@ void Search::count() {
       ends.push_back(piece.last);
     }
   }
-  std::sort(ends.begin(), ends.end(),
-            [](const Ball& a, const Ball& b) { return arf_cmp(arb_midref(a.raw()), arb_midref(b.raw())) < 0; });
+  std::sort(ends.begin(), ends.end(), [](const Ball& a, const Ball& b) {
+    return arf_cmp(arb_midref(a.raw()), arb_midref(b.raw())) < 0;
+  });
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     if (!(ends[k + 1] - ends[k] - Ball(resolution)).is_positive()) {
       continue;

@@ -44,9 +44,9 @@ enum class ChangeKind {
 
 struct Change {
   ChangeKind kind = ChangeKind::fold;
-  std::string what;         // which condition, multiplier or duration; empty for a fold
-  std::string words;        // a sentence
-  Ball at;                  // contains the value of the parameter
+  std::string what;          // which condition, multiplier or duration; empty for a fold
+  std::string words;         // a sentence
+  Ball at;                   // contains the value of the parameter
   std::optional<Ball> when;  // where in the motion, its time from the beginning: of a condition
   // Of "it happens there exactly once, and transversally": a fold is a strict extremum of the parameter along
   // the branch. That it happens is proved in any case, by what is proved on both sides.

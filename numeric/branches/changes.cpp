@@ -107,12 +107,12 @@ Verdict once(bool proved, const std::string& why) {
   return proved ? Verdict::proved() : Verdict::undecided(why);
 }
 
-constexpr const char * not_transversal = "that it is passed once, with a speed that is not zero, is not proved";
+constexpr const char * not_transversal =
+    "that it is passed once, with a speed that is not zero, is not proved";
 
 bool violated(const Part& part, const std::string& id) {
-  return std::any_of(part.conditions.begin(), part.conditions.end(), [&](const Condition& c) {
-    return c.id == id && c.verdict.truth == Truth::refuted;
-  });
+  return std::any_of(part.conditions.begin(), part.conditions.end(),
+                     [&](const Condition& c) { return c.id == id && c.verdict.truth == Truth::refuted; });
 }
 
 Change fold(const Gap& gap, const std::optional<std::vector<Over>>& over) {
@@ -134,17 +134,15 @@ Change fold(const Gap& gap, const std::optional<std::vector<Over>>& over) {
 // conditions that are open in the gap and violated beyond it.
 std::vector<Change> lost(const Traced& t, const Gap& gap, const std::optional<std::vector<Over>>& over,
                          bool birth) {
-  const bool before_holds =
-      birth ? gap.before->state != State::absent : is_admissible(gap.before->state);
+  const bool before_holds = birth ? gap.before->state != State::absent : is_admissible(gap.before->state);
   const Part& beyond = before_holds ? *gap.after : *gap.before;
   std::vector<Change> changes;
   std::set<std::string> seen;
   for (std::size_t k = gap.from; k < gap.to; ++k) {
     for (const Condition& c : t.parts[k].conditions) {
       const bool is_duration =
-          std::any_of(t.law.requirements.begin(), t.law.requirements.end(), [&](const Requirement& q) {
-            return q.id == c.id && q.quantity == Quantity::duration;
-          });
+          std::any_of(t.law.requirements.begin(), t.law.requirements.end(),
+                      [&](const Requirement& q) { return q.id == c.id && q.quantity == Quantity::duration; });
       const bool beyond_says = birth ? is_duration : violated(beyond, c.id);
       if (c.verdict.truth == Truth::proved || !beyond_says || !seen.insert(c.id).second) {
         continue;
@@ -169,12 +167,11 @@ std::vector<Change> lost(const Traced& t, const Gap& gap, const std::optional<st
 }
 
 bool has_complex_pair_on_circle(const Over& part) {
-  const auto found = eigenvalues(return_map<ParameterJet>(part.motion).unaryExpr([](const ParameterJet& x) {
-    return x.value;
-  }));
+  const auto found = eigenvalues(
+      return_map<ParameterJet>(part.motion).unaryExpr([](const ParameterJet& x) { return x.value; }));
   return found && std::any_of(found->begin(), found->end(), [](const ComplexBall& mu) {
-    return mu.im.is_positive() && mu.squared_modulus().overlaps(Ball(1));
-  });
+           return mu.im.is_positive() && mu.squared_modulus().overlaps(Ball(1));
+         });
 }
 
 std::vector<Change> stability_changes(const Gap& gap, const std::optional<std::vector<Over>>& over) {
@@ -189,7 +186,11 @@ std::vector<Change> stability_changes(const Gap& gap, const std::optional<std::v
                          return has_complex_pair_on_circle(part);
                        });
     if (named) {
-      changes.push_back({ChangeKind::stability, to_string(exit), words, gap.at, {},
+      changes.push_back({ChangeKind::stability,
+                         to_string(exit),
+                         words,
+                         gap.at,
+                         {},
                          once(passes_once(*over, exit), not_transversal)});
     }
   }
@@ -263,9 +264,7 @@ class Description {
     return end;
   }
 
-  void leave_open(const Gap& gap, const std::string& reason) {
-    unresolved_.push_back({gap.at, {}, reason});
-  }
+  void leave_open(const Gap& gap, const std::string& reason) { unresolved_.push_back({gap.at, {}, reason}); }
 
   // The name of the natural frequency that omega may have somewhere in the gap; empty if it has none.
   [[nodiscard]] std::string resonance(const Gap& gap) const {
@@ -285,11 +284,15 @@ class Description {
     if (either(State::outside)) {
       return;
     }
-    if (const std::string frequency = resonance(gap);
-        !frequency.empty() && gap.before->state == gap.after->state && gap.before->rises == gap.after->rises) {
-      branch_.changes.push_back({ChangeKind::resonance, frequency,
+    if (const std::string frequency = resonance(gap); !frequency.empty() &&
+                                                      gap.before->state == gap.after->state &&
+                                                      gap.before->rises == gap.after->rises) {
+      branch_.changes.push_back({ChangeKind::resonance,
+                                 frequency,
                                  "omega = " + frequency + ", where the response (7) to the load is unbounded",
-                                 gap.at, {}, Verdict::undecided("beside a resonance: " + reason)});
+                                 gap.at,
+                                 {},
+                                 Verdict::undecided("beside a resonance: " + reason)});
       return;
     }
     if ((Ball(2) * gap.at.radius() - Ball(resolution)).is_positive()) {
@@ -304,9 +307,9 @@ class Description {
     }
     const State a = gap.before->state, b = gap.after->state;
     if (a != b) {
-      std::vector<Change> more = either(State::absent)                        ? lost(t_, gap, over, true)
-                                 : is_admissible(a) != is_admissible(b)       ? lost(t_, gap, over, false)
-                                                                              : stability_changes(gap, over);
+      std::vector<Change> more = either(State::absent)                  ? lost(t_, gap, over, true)
+                                 : is_admissible(a) != is_admissible(b) ? lost(t_, gap, over, false)
+                                                                        : stability_changes(gap, over);
       // At a fold 1 is a multiplier: that it crosses is said already.
       std::erase_if(more, [&](const Change& c) { return turns && c.what == to_string(Exit::plus_one); });
       if (more.empty() && !turns) {

@@ -30,9 +30,9 @@ ParameterJet over(const model::Wave<ParameterJet>& g, const model::Wave<Paramete
   const Ball times = Ball::hull(Ball(a), Ball(b));
   const Ball middle = times.midpoint();
   ParameterJet value = model::value<ParameterJet>(g, ParameterJet(times));
-  const ParameterJet form = model::value<ParameterJet>(g, ParameterJet(middle)) +
-                            model::value<ParameterJet>(slope, ParameterJet(times)) *
-                                ParameterJet(Ball(times - middle));
+  const ParameterJet form =
+      model::value<ParameterJet>(g, ParameterJet(middle)) +
+      model::value<ParameterJet>(slope, ParameterJet(times)) * ParameterJet(Ball(times - middle));
   value.value = zeros::intersection(value.value, form.value).value_or(form.value);
   return value;
 }
@@ -120,9 +120,8 @@ Trend trend_of(const Requirement& q, const MotionOf<ParameterJet>& motion,
   const model::Wave<ParameterJet> g =
       model::affine<ParameterJet>(form.factor, of_speed(q.quantity) ? waves.zdot2 : waves.r, form.offset);
   const double half = above(phase.duration.value) / 2;
-  return joined(
-      from_start(g, half, q.touches.start),
-      from_start(model::reversed<ParameterJet>(g, phase.duration), half, q.touches.end));
+  return joined(from_start(g, half, q.touches.start),
+                from_start(model::reversed<ParameterJet>(g, phase.duration), half, q.touches.end));
 }
 
 std::string to_string(Exit exit) {

@@ -97,8 +97,7 @@ template <class S>
 [[nodiscard]] S exit_function(Exit exit, const motion::MotionOf<S>& motion) {
   const auto M = return_map<S>(motion);
   S sum(0);
-  for (const S& coefficient :
-       characteristic_polynomial<S>(exit == Exit::pair ? second_compound<S>(M) : M)) {
+  for (const S& coefficient : characteristic_polynomial<S>(exit == Exit::pair ? second_compound<S>(M) : M)) {
     sum = S(sum * S(exit == Exit::minus_one ? -1 : 1) + coefficient);
   }
   // det(-I - M) is det(I + M) up to the sign of (-1)^n.

@@ -100,7 +100,6 @@ class Walk {
     }
   }
 
-
   Path follow(int direction);
 
  private:
@@ -242,7 +241,7 @@ bool Walk::is_over() {
   }
   if (std::any_of(here_.x.begin(), here_.x.end(),
                   [&](const Ball& x) { return std::abs(x.approximate()) > far_; })) {
-    path_.reason = "the motion has grown thirtyfold, and may grow beyond all bounds";
+    path_.reason = "the motion is more than thirty times what it was, and may grow beyond all bounds";
     return true;
   }
   const bool at_start = is_on(cell, start_);
@@ -275,8 +274,7 @@ Ball between(const Rational& a, const Rational& b) {
 }
 
 bool is_on(const Cell& cell, const Point& point) {
-  return cell.range.contains(coordinate(cell.driver, point)) &&
-         is_the_only_one(cell, point);
+  return cell.range.contains(coordinate(cell.driver, point)) && is_the_only_one(cell, point);
 }
 
 ProvedPoint prove_at(const Curve& curve, const Rational& value, const Vector& guess) {

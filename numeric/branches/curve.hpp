@@ -103,9 +103,9 @@ struct ProvedPoint {
 };
 [[nodiscard]] ProvedPoint prove_at(const Curve& curve, const Rational& value, const zeros::Vector& guess);
 
-// Follows the branch from a proved motion at that value of the free parameter, the free parameter rising (direction 1) or falling (-1) at first,
-// until it leaves the interval, a phase lasts a negative time, the branch is back, or no step can be proved.
-// The last cell may reach beyond the interval.
+// Follows the branch from a proved motion at that value of the free parameter, the free parameter rising
+// (direction 1) or falling (-1) at first, until it leaves the interval, a phase lasts a negative time, the
+// branch is back, or no step can be proved. The last cell may reach beyond the interval.
 [[nodiscard]] Path follow(const Curve& curve, const Rational& value, const Point& start, int direction);
 
 // The same arcs the other way round.

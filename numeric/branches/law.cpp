@@ -47,9 +47,9 @@ struct Motions {
   Motion middle;
 };
 
-// Where one of the exit functions is negative a multiplier is outside the unit circle: if all were inside, each
-// would be a product of positive factors. Where none vanishes as many multipliers are outside all over the
-// part as at its middle. Else the multipliers of all motions are enclosed together.
+// Where one of the exit functions is negative a multiplier is outside the unit circle: if all were inside,
+// each would be a product of positive factors. Where none vanishes as many multipliers are outside all over
+// the part as at its middle. Else the multipliers of all motions are enclosed together.
 Stability stability_over(const Motions& m, const ClosedMotion& closed) {
   bool none_vanishes = true;
   for (const Exit exit : exits) {

@@ -153,7 +153,12 @@ std::variant<std::monostate, Candidate, Unresolved> conclude(const ExactParamete
     const Ball &tau1 = motion.phases[1].duration, total = motion.phases[0].duration + tau1;
     return unique(0).contains(total / period(motion)) && unique(1).contains(tau1 / total);
   };
-  return Candidate{equations(f.family), guess, named(t), is_same, 0, std::is_same_v<std::invoke_result_t<Recipe>, AtPhase> ? -1 : 5};
+  return Candidate{equations(f.family),
+                   guess,
+                   named(t),
+                   is_same,
+                   0,
+                   std::is_same_v<std::invoke_result_t<Recipe>, AtPhase> ? -1 : 5};
 }
 
 // omega_j = k omega, k > 1: why boxes that reach T = 0 stay open. There the odd row of mode j is -2 eta

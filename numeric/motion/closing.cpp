@@ -147,8 +147,8 @@ ClosedMotion prove_closed_over(const Closing& f, const Given<Ball>& given, const
   if (proof.verdict.truth != Truth::proved) {
     return closed;
   }
-  ClosedMotion over = closed_over(proof, f.motion<ParameterJet>(proof.x, proof.p),
-                                  f.motion<Ball>(proof.at_middle, proof.p0));
+  ClosedMotion over =
+      closed_over(proof, f.motion<ParameterJet>(proof.x, proof.p), f.motion<Ball>(proof.at_middle, proof.p0));
   over.split = closed.split;
   return over;
 }

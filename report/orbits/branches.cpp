@@ -50,12 +50,11 @@ std::string result_of(const BranchList& list) {
 
 std::string searched_at(const BranchList& list) {
   const BranchQuestion& q = list.question;
-  return fmt::format("{} at {}; branches that reach none of these values are not looked for",
-                     searched(q.orbits),
-                     list.values.size() == 1
-                         ? fmt::format("{} = {}", q.parameter, stickslip::to_string(list.values.front()))
-                         : fmt::format("{} equidistant values of {}, the ends among them", list.values.size(),
-                                       q.parameter));
+  return fmt::format(
+      "{} at {}; branches that reach none of these values are not looked for", searched(q.orbits),
+      list.values.size() == 1
+          ? fmt::format("{} = {}", q.parameter, stickslip::to_string(list.values.front()))
+          : fmt::format("{} equidistant values of {}, the ends among them", list.values.size(), q.parameter));
 }
 
 std::string state_in_words(const Piece& piece) {
@@ -160,19 +159,20 @@ Json branch_data(const Branch& branch, const BranchQuestion& q) {
 
 std::string terminal_report(const BranchList& list, const Style& style) {
   const BranchQuestion& q = list.question;
-  std::vector<Row> rows{
-      {{"parameters"}, {others(q)}},
-      {{"along"},
-       {fmt::format("{} from {} to {}", q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to))}},
-      {{"searched"}, {searched_at(list)}},
-      {{"result"}, {result_of(list)}}};
+  std::vector<Row> rows{{{"parameters"}, {others(q)}},
+                        {{"along"},
+                         {fmt::format("{} from {} to {}", q.parameter, stickslip::to_string(q.from),
+                                      stickslip::to_string(q.to))}},
+                        {{"searched"}, {searched_at(list)}},
+                        {{"result"}, {result_of(list)}}};
   for (const UnresolvedPart& part : list.unresolved) {
     std::string where;
     for (const NamedBall& value : part.where) {
       where += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
     }
-    rows.push_back({{"unresolved"},
-                    {fmt::format("{} = {}: {}{}", q.parameter, readable(part.value, digits), where, part.reason)}});
+    rows.push_back(
+        {{"unresolved"},
+         {fmt::format("{} = {}: {}{}", q.parameter, readable(part.value, digits), where, part.reason)}});
   }
   std::string text =
       columns_of({{{fmt::format("Branches along {}. {}", q.parameter, q.orbits.family->title), bold(style)}}},
@@ -228,7 +228,8 @@ Json to_json(const BranchList& list) {
     }
   }
   json["complete"] = false;
-  json["searched_at"] = list_of(list.values, [](const Rational& value) { return stickslip::to_string(value); });
+  json["searched_at"] =
+      list_of(list.values, [](const Rational& value) { return stickslip::to_string(value); });
   json["branches"] = list_of(list.branches, [&](const Branch& branch) { return branch_data(branch, q); });
   json["counts"] = list_of(list.counts, [](const Count& count) {
     return Json{{"from", to_json(count.from, 20)},
@@ -276,8 +277,10 @@ std::string plot_script(const BranchList& list, PlotFormat format) {
   };
   for (const Branch& branch : list.branches) {
     for (const Piece& piece : branch.pieces) {
-      std::string& table =
-          strokes[piece.state == State::inadmissible ? 2 : piece.state == State::unstable ? 1 : 0].table;
+      std::string& table = strokes[piece.state == State::inadmissible ? 2
+                                   : piece.state == State::unstable   ? 1
+                                                                      : 0]
+                               .table;
       for (const Sample& s : piece.samples) {
         table += fmt::format("{:.10g} {:.8g}\n", s.value, start_of(s.motion).x20);
       }
@@ -325,7 +328,8 @@ std::string command_of(const BranchQuestion& q) {
       command += fmt::format(" --{}={}", parameter.name, notation(parameter.range));
     }
   }
-  command += fmt::format(" --{}={}..{}", q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to));
+  command +=
+      fmt::format(" --{}={}..{}", q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to));
   return q.at ? command + " --at=" + stickslip::to_string(*q.at) : command;
 }
 

@@ -20,11 +20,12 @@ namespace stickslip::report::orbits {
 [[nodiscard]] std::string to_csv(const numeric::branches::BranchList& list);
 
 // What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "complete":
-// false, for only at the values "searched_at" all orbits were looked for, "branches": [{"from", "to", "closed", "ends": [{"at", "reason", "resolved"}],
-// "pieces": [{"from", "to", "state", "violates"?}], "changes": [{"kind", "condition" | "multiplier" |
-// "duration" | "frequency"?, "words", "at", "time"?, "verdict", "reason"?}], "samples": [{"value", "state",
-// durations, "phi", "x10", "x20", "xdot10"}]}], "counts": [{"from", "to", "orbits", "admissible", "stable"}],
-// "unresolved": [{"value", "reason", "resonance", …}], "interrupted"}.
+// false, for only at the values "searched_at" all orbits were looked for, "branches": [{"from", "to",
+// "closed", "ends": [{"at", "reason", "resolved"}], "pieces": [{"from", "to", "state", "violates"?}],
+// "changes": [{"kind", "condition" | "multiplier" | "duration" | "frequency"?, "words", "at", "time"?,
+// "verdict", "reason"?}], "samples": [{"value", "state", durations, "phi", "x10", "x20", "xdot10"}]}],
+// "counts": [{"from", "to", "orbits", "admissible", "stable"}], "unresolved": [{"value", "reason",
+// "resonance", …}], "interrupted"}.
 [[nodiscard]] tools::Json to_json(const numeric::branches::BranchList& list);
 
 // A script for gnuplot: x2 where the first phase begins against the parameter, stable, unstable and

@@ -156,8 +156,8 @@ TEST_CASE("over a natural frequency the interval is split, and the branch goes o
 }
 
 TEST_CASE("pieces, changes and unresolved parts leave no gap on a branch") {
-  for (const BranchQuestion& question :
-       {along(S(), "omega", "0.6", "0.607"), along(S(), "us", "0.01", "0.05"), along(P(), "p", "0.5", "0.7")}) {
+  for (const BranchQuestion& question : {along(S(), "omega", "0.6", "0.607"),
+                                         along(S(), "us", "0.01", "0.05"), along(P(), "p", "0.5", "0.7")}) {
     const BranchList list = list_branches(question);
     for (const Branch& branch : list.branches) {
       for (std::size_t k = 0; k + 1 < branch.pieces.size(); ++k) {
@@ -192,18 +192,18 @@ TEST_CASE("a question that is none is refused in words") {
 
 TEST_CASE("a cell refuses the motion of another branch, however near") {
   const OrbitQuestion q = S();
-  const families::Found found = q.family->search({{Rational(1, 2), parse_rational("3.8"), parse_rational("0.02"),
-                                                   1, parse_rational("0.6"), parse_rational("0.05")},
-                                                  {},
-                                                  {}});
+  const families::Found found =
+      q.family->search({{Rational(1, 2), parse_rational("3.8"), parse_rational("0.02"), 1,
+                         parse_rational("0.6"), parse_rational("0.05")},
+                        {},
+                        {}});
   std::vector<Curve> curves;
   std::vector<Point> points;
   for (const families::Candidate& candidate : found.candidates) {
-    const motion::Given<Ball> given{
-        {Ball(0.5), Ball(parse_rational("3.8")), Ball(parse_rational("0.02")), Ball(1),
-         Ball(parse_rational("0.6")), Ball(parse_rational("0.05"))},
-        {},
-        {}};
+    const motion::Given<Ball> given{{Ball(0.5), Ball(parse_rational("3.8")), Ball(parse_rational("0.02")),
+                                     Ball(1), Ball(parse_rational("0.6")), Ball(parse_rational("0.05"))},
+                                    {},
+                                    {}};
     curves.push_back({candidate.equations, candidate.equations.parameters(given), 4, parse_rational("0.59"),
                       parse_rational("0.605")});
     const ProvedPoint point =
