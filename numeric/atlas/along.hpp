@@ -47,7 +47,12 @@ template <class S, int N>
     if (value.over_from(1).is_negative() || sinks || returns) {
       return Truth::refuted;
     }
-    if (last - first > least) {
+    // What the parameters alone leave open no shorter piece decides.
+    const bool touched = (touches.start && first == 0) || (touches.end && last == 1);
+    const Time& g_or_slope = touched ? slope : value;
+    const S spread = g_or_slope.over_from(1);
+    const bool hopeless = !spread.is_nonzero() && scalars::is_narrower(g_or_slope.over, spread * S(1.25));
+    if (last - first > least && !hopeless) {
       open.emplace_back(middle, last);
       open.emplace_back(first, middle);
     } else {

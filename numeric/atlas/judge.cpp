@@ -176,15 +176,15 @@ Finding judge_inside(const Question& q, const Box& box) {
   std::vector<motion::MotionOf<T>> motions;
   for (const Sheet<T>& sheet : sheets) {
     std::vector<T> zeros;
-    if (!sheet.equation) {
+    if (!sheet.value) {
       zeros.push_back(T(1) / T(2));
     } else {
-      const auto brackets = zeros_over<S, N>(sheet.equation, least);
+      const auto brackets = zeros_over<S, N>(sheet.value, sheet.slope, least);
       if (const auto * reason = std::get_if<Reason>(&brackets)) {
         return open(*reason);
       }
       for (const Bracket& bracket : std::get<std::vector<Bracket>>(brackets)) {
-        zeros.push_back(sheet.never_admissible ? T(0) : zero_over<S, N>(sheet.equation, bracket));
+        zeros.push_back(sheet.never_admissible ? T(0) : zero_over<S, N>(sheet.value, sheet.slope, bracket));
       }
     }
     finding.orbits = static_cast<std::int8_t>(finding.orbits + static_cast<int>(zeros.size()));

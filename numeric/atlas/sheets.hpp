@@ -20,8 +20,9 @@ namespace stickslip::numeric::atlas {
 template <class T>
 struct Sheet {
   using Jet = scalars::Jet<T, 1>;
-  // Null for a sheet whose only zero is u = 1/2.
-  std::function<Jet(const Jet& u)> equation;
+  // f(u), and f with its derivative by u. Null for a sheet whose only zero is u = 1/2.
+  std::function<T(const T& u)> value;
+  std::function<Jet(const Jet& u)> slope;
   // The motion at a zero, or why it may be none.
   std::function<std::variant<motion::MotionOf<T>, Reason>(const T& u)> motion;
   // Its motions disobey a condition, as is known beforehand.
@@ -56,10 +57,10 @@ template <class T, class S>
     using Jet = typename Sheet<T>::Jet;
     const model::SymmetricData<Jet> lifted{
         data.chi, model::lift<Jet>(data.m), data.V, data.omega, data.p, data.Theta, data.sigma};
-    const auto equation = [=](const Jet& u) {
-      return model::symmetric_eliminant<Jet>(lifted, Jet(lifted.Theta * u));
-    };
-    sheets.push_back({equation, motion, false});
+    sheets.push_back(
+        {[=](const T& u) { return model::symmetric_eliminant<T>(data, T(data.Theta * u)); },
+         [=](const Jet& u) { return model::symmetric_eliminant<Jet>(lifted, Jet(lifted.Theta * u)); }, motion,
+         false});
     if (p.upper == 0) {
       break;
     }
@@ -107,7 +108,6 @@ template <class T, class S>
     return model::friction_speed<Q>(model::lift<Q>(o.modes), model::lift<Q>(c), Q(o.data.omega), Q(pi),
                                     delta);
   };
-  using Jet = typename Sheet<T>::Jet;
   const auto motion = [=](const T& delta, const T& cosine,
                           const T& sine) -> std::variant<motion::MotionOf<T>, Reason> {
     const std::optional<T> mu = angle_of(cosine, sine);
@@ -118,11 +118,11 @@ template <class T, class S>
   };
   const Interval& V = box[place_of_V];
   if (V.lower > 0 || V.upper < 0) {
-    const auto equation = [=](const Jet& u) {
-      const Jet delta = Jet(pi) * u;
-      const Jet speed = G(delta);
-      const Jet cosine = cos(delta);
-      return Jet(Jet(o.data.V * o.data.V) + cosine * cosine * Jet(speed * speed - Jet(A * A)));
+    const auto equation = [=]<class Q>(const Q& u) {
+      const Q delta = Q(pi) * u;
+      const Q speed = G(delta);
+      const Q cosine = cos(delta);
+      return Q(Q(T(o.data.V * o.data.V)) + cosine * cosine * Q(speed * speed - Q(T(A * A))));
     };
     const auto at_zero = [=](const T& u) -> std::variant<motion::MotionOf<T>, Reason> {
       const T delta = pi * u;
@@ -132,7 +132,7 @@ template <class T, class S>
       }
       return motion(delta, T(-G(delta) / A), T(-o.data.V / product));
     };
-    return std::vector<Sheet<T>>{{equation, at_zero, false}};
+    return std::vector<Sheet<T>>{{equation, equation, at_zero, false}};
   }
   if (!V.is_point()) {
     return Reason::belt_at_rest;
@@ -142,16 +142,16 @@ template <class T, class S>
   }
   std::vector<Sheet<T>> sheets;
   for (const int sign : {1, -1}) {
-    sheets.push_back(
-        {[=](const Jet& u) { return Jet(G(Jet(Jet(pi) * u)) + Jet(T(sign) * A)); }, nullptr, true});
+    const auto equation = [=]<class Q>(const Q& u) { return Q(G(Q(Q(pi) * u)) + Q(T(T(sign) * A))); };
+    sheets.push_back({equation, equation, nullptr, true});
   }
   const T half = pi / T(2);
   const T cosine = -G(half) / A;
   const T square = T(1) - cosine * cosine;
   if (square.over.is_positive()) {
     for (const int sign : {1, -1}) {
-      sheets.push_back(
-          {nullptr, [=](const T&) { return motion(half, cosine, T(T(sign) * T(sqrt(square)))); }, false});
+      sheets.push_back({nullptr, nullptr,
+                        [=](const T&) { return motion(half, cosine, T(T(sign) * T(sqrt(square)))); }, false});
     }
   } else if (!square.over.is_negative()) {
     return Reason::merging;

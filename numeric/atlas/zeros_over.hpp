@@ -48,8 +48,8 @@ template <class S>
 inline constexpr int most_cells = 500;
 
 // From left to right; nothing if cells below the given length are not settled.
-template <class S, int N, class F>
-[[nodiscard]] std::optional<std::vector<Piece>> pieces_of(const F& f, double least) {
+template <class S, int N, class F, class D>
+[[nodiscard]] std::optional<std::vector<Piece>> pieces_of(const F& f, const D& df, double least) {
   using T = scalars::Form<S, N>;
   std::vector<Piece> pieces;
   std::vector<Piece> open;
@@ -60,10 +60,13 @@ template <class S, int N, class F>
     Piece cell = open.back();
     open.pop_back();
     const double middle = (cell.first + cell.last) / 2;  // exact, as are the cells
-    const scalars::Jet<T, 1> value = f(as_variable(T::variable(middle, cell.last - middle, 0)));
-    cell.value = sign_of(value.value.over);
-    cell.slope = sign_of(value.partials[0].over);
-    std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(value.partials[0].over);
+    const T u = T::variable(middle, cell.last - middle, 0);
+    cell.value = sign_of(f(u).over);
+    if (cell.value == 0) {
+      const S slope = df(as_variable(u)).partials[0].over;
+      cell.slope = sign_of(slope);
+      std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(slope);
+    }
     if (cell.value != 0 || cell.slope != 0) {
       pieces.push_back(cell);
     } else if (cell.last - cell.first > least && examined < most_cells) {
@@ -78,16 +81,16 @@ template <class S, int N, class F>
 
 }  // namespace detail
 
-// All zeros. f: Jet of Forms -> Jet of Forms, whose variable 0 is free for u. `least` is how short cells may
-// become.
-template <class S, int N, class F>
-[[nodiscard]] std::variant<std::vector<Bracket>, Reason> zeros_over(const F& f, double least) {
+// All zeros. f: Form -> Form and df, the same from jets of Forms; their variable 0 is free for u. `least` is
+// how short cells may become.
+template <class S, int N, class F, class D>
+[[nodiscard]] std::variant<std::vector<Bracket>, Reason> zeros_over(const F& f, const D& df, double least) {
   using T = scalars::Form<S, N>;
-  const auto pieces = detail::pieces_of<S, N>(f, least);
+  const auto pieces = detail::pieces_of<S, N>(f, df, least);
   if (!pieces) {
     return Reason::merging;
   }
-  const auto sign_at_end = [&](int u) { return detail::sign_of(f(as_variable(T(u))).value.over); };
+  const auto sign_at_end = [&](int u) { return detail::sign_of(f(T(u)).over); };
   std::vector<Bracket> zeros;
   const std::size_t n = pieces->size();
   int before = (*pieces)[0].value != 0 ? 0 : sign_at_end(0);
@@ -133,8 +136,8 @@ template <class S, int N, class F>
 // The zero as a function of the parameters: at the middle of the box, over it, and its slopes -f_i/f_u. The
 // bracket is cut as long as f keeps a sign a quarter from one of its ends over the whole box; then follows
 // Newton's interval operator, where the centre, a double, is only the point of expansion.
-template <class S, int N, class F>
-[[nodiscard]] scalars::Form<S, N> zero_over(const F& f, const Bracket& bracket) {
+template <class S, int N, class F, class D>
+[[nodiscard]] scalars::Form<S, N> zero_over(const F& f, const D& df, const Bracket& bracket) {
   using T = scalars::Form<S, N>;
   const bool rises = bracket.least_slope > 0;
   double first = bracket.first;
@@ -143,7 +146,7 @@ template <class S, int N, class F>
     cut = false;
     for (const double share : {0.25, 0.75}) {
       const double u = first + share * (last - first);
-      const int sign = detail::sign_of(f(as_variable(T(S(u)))).value.over);
+      const int sign = detail::sign_of(f(T(S(u))).over);
       if (sign != 0) {
         (sign > 0) == rises ? last = u : first = u;
         cut = true;
@@ -156,11 +159,11 @@ template <class S, int N, class F>
   for (int step = 0; step < 4; ++step) {
     const double before = last - first;
     const double reach = std::nextafter(std::max(last - centre, centre - first), INFINITY);
-    const scalars::Jet<T, 1> around = f(as_variable(T::variable(centre, reach, 0)));
+    const scalars::Jet<T, 1> around = df(as_variable(T::variable(centre, reach, 0)));
     if (around.partials[0].over.is_nonzero()) {
       slope = around.partials[0].over;
     }
-    const T here = f(as_variable(T(S(centre)))).value;
+    const T here = f(T(S(centre)));
     zero.at = S(centre) - here.at / slope;
     zero.over = S(centre) - here.over / slope;
     for (std::size_t i = 1; i < zero.slopes.size(); ++i) {
