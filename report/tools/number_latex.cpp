@@ -26,7 +26,10 @@ std::string latex_factor(const Ball& value, int digits) {
 }
 
 std::string latex_term(const Ball& value, const std::string& times, int digits) {
-  const std::string text = latex_factor(value, digits);
+  std::string text = latex_factor(value, digits);
+  if (text == "1" || text == "-1") {
+    text.pop_back();
+  }
   return text.starts_with("-") ? fmt::format(" - {}{}", text.substr(1), times)
                                : fmt::format(" + {}{}", text, times);
 }

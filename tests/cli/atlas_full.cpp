@@ -97,7 +97,8 @@ TEST_CASE("Processes make the same atlas together, also when one of them, or mpi
   for (int k = 0; k < 10; ++k) {
     const std::string out = directory / ("k" + std::to_string(k));
     const std::string which = k % 3 == 0 ? "mpirun" : "stickslip";
-    // The shell kills mpirun, or one of the processes that it has started, after a while.
+    // The shell kills mpirun, or one of the processes that it has started, after a while, and then what may
+    // be left of these.
     std::string command = "cd '" + (directory / ".") + "'; '" STICKSLIP_MPIRUN "'";
     for (const std::string& word : copies(2, near_S(out))) {
       command += " '" + word + "'";
@@ -105,7 +106,9 @@ TEST_CASE("Processes make the same atlas together, also when one of them, or mpi
     command += " >/dev/null 2>&1 & m=$!; sleep 0." + std::to_string(2 + random() % 8) + "; " +
                (which == "mpirun" ? std::string("kill -9 $m")
                                   : "for c in $(cat /proc/$m/task/$m/children); do kill -9 $c; break; done") +
-               "; wait $m; sleep 0.3; true";
+               "; wait $m; for c in /proc/[0-9]*; do if [ \"$(cat $c/comm 2>/dev/null)\" = stickslip ] && "
+               "grep -qsF '" +
+               out + "' $c/cmdline; then kill -9 ${c#/proc/}; fi; done; sleep 0.3; true";
     CHECK(std::system(command.c_str()) == 0);
     const bool begun = fs::exists(out + ".log/question") || fs::exists(out);
     const Words more = begun ? Words{"--resume"} : Words{};
