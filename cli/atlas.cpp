@@ -268,12 +268,13 @@ ExitCode make(const AtlasOptions& o, const Question& q, Cluster& cluster) {
     require_outputs(o, q);
     begun = begin(o, q, log, identity);
   }
-  (void)cluster.from_first("");  // the log is there, and in order
+  // From here on the log is there, and in order, if there is anything to do.
+  const bool to_do = !cluster.from_first(begun.tiles.empty() ? "" : "some").empty();
   bool complete = false;
   bool ended = false;
   {
     const Interruptible scope({SIGTERM, SIGUSR1});
-    if (!begun.tiles.empty() || cluster.size() > 1) {
+    if (to_do) {
       work(o, cluster, q, log, identity, begun);
     }
     if (!first) {

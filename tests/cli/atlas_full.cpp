@@ -103,10 +103,13 @@ TEST_CASE("Processes make the same atlas together, also when one of them, or mpi
     for (const std::string& word : copies(2, near_S(out))) {
       command += " '" + word + "'";
     }
-    command += " >/dev/null 2>&1 & m=$!; sleep 0." + std::to_string(2 + random() % 8) + "; " +
-               (which == "mpirun" ? std::string("kill -9 $m")
-                                  : "for c in $(cat /proc/$m/task/$m/children); do kill -9 $c; break; done") +
-               "; wait $m; for c in /proc/[0-9]*; do if [ \"$(cat $c/comm 2>/dev/null)\" = stickslip ] && "
+    // Then all that is left of them, started since or not: Open MPI may wait for ever for a process that was
+    // killed.
+    command += " >/dev/null 2>&1 & m=$!; sleep 0." + std::to_string(2 + random() % 8) +
+               "; all=$(cat /proc/$m/task/*/children); " +
+               (which == "mpirun" ? std::string("kill -9 $m") : "set -- $all; kill -9 $1") +
+               "; sleep 0.5; kill -9 $m; wait $m; for c in /proc/[0-9]*; do if [ \"$(cat $c/comm)\" = "
+               "stickslip ] && "
                "grep -qsF '" +
                out + "' $c/cmdline; then kill -9 ${c#/proc/}; fi; done; sleep 0.3; true";
     CHECK(std::system(command.c_str()) == 0);
