@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <memory>
 #include <random>
 
 #include "cli/cluster.hpp"
@@ -197,6 +198,7 @@ std::string expected(double done, std::chrono::steady_clock::time_point since, d
 struct Begun {
   std::vector<Leaf> leaves;
   std::vector<Tile> tiles;
+  std::unique_ptr<LogLock> lock;
 };
 
 // What the log holds, and what is left to do; by the first process alone.
@@ -211,11 +213,13 @@ Begun begin(const AtlasOptions& o, const Question& q, const fs::path& log, const
     return begun;
   }
   if (o.resume) {
+    begun.lock = std::make_unique<LogLock>(log);
     begun.leaves = read_log(log, identity);
     put_in_order(q, begun.leaves);
   } else {
     report::tools::require_writable_file(o.out);
     create_log(log, identity);
+    begun.lock = std::make_unique<LogLock>(log);
   }
   begun.tiles = gaps(begun.leaves);
   return begun;

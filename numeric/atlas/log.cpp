@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <array>
@@ -120,6 +121,27 @@ void create_log(const fs::path& directory, const std::string& identity) {
   if (error) {
     fail(directory / name_of_question, "be written", error.value());
   }
+}
+
+LogLock::LogLock(const fs::path& directory) {
+  const fs::path question = directory / name_of_question;
+  descriptor_ = ::open(question.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw InputOutputError(fmt::format("{}: no log of an atlas is there", directory.string()));
+  }
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    ::close(descriptor_);
+    if (error == EWOULDBLOCK) {
+      throw InputOutputError(
+          fmt::format("{}: another run works on this atlas; wait for it, or end it", directory.string()));
+    }
+    fail(question, "be locked", error);
+  }
+}
+
+LogLock::~LogLock() {
+  ::close(descriptor_);
 }
 
 std::vector<Leaf> read_log(const fs::path& directory, const std::string& identity) {

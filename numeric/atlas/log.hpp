@@ -21,6 +21,19 @@ namespace stickslip::numeric::atlas {
 // Creates the directory, which must not exist, with the question in it. Throws InputOutputError.
 void create_log(const std::filesystem::path& directory, const std::string& identity);
 
+// Held by the first of the processes that work on a log, so that two runs do not write the same.
+class LogLock {
+ public:
+  // Throws InputOutputError when there is no such log or another run holds it.
+  explicit LogLock(const std::filesystem::path& directory);
+  ~LogLock();
+  LogLock(const LogLock&) = delete;
+  LogLock& operator=(const LogLock&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
 // All leaves of a log, whose torn or damaged ends are cut off. Throws UsageError when the log is that of
 // another question or version, InputOutputError when it cannot be read, or is none.
 [[nodiscard]] std::vector<Leaf> read_log(const std::filesystem::path& directory, const std::string& identity);

@@ -1,6 +1,7 @@
 // stickslip atlas as its users meet it: what is refused, what survives whatever kills it.
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -89,6 +90,14 @@ TEST_CASE("An atlas is ended in order, says what is missing, and goes on") {
   CHECK(other.code == 64);
   CHECK(is_one_sentence(other.err, "another question"));
   CHECK(is_one_sentence(stickslip_program(near_S(out, "6")).err, "--resume"));
+  {
+    const int another = ::open((out + ".log/question").c_str(), O_RDONLY | O_CLOEXEC);
+    REQUIRE(::flock(another, LOCK_EX) == 0);
+    const Run second = stickslip_program(with(near_S(out, "6"), {"--resume"}));
+    CHECK(second.code == 74);
+    CHECK(is_one_sentence(second.err, "another run works on this atlas"));
+    ::close(another);
+  }
   for (const int signal : {SIGTERM, SIGUSR1}) {
     const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     const int process = start(with(near_S(out, "6"), {"--resume"}), nothing);

@@ -28,7 +28,9 @@ struct Printed {
     static const std::regex term(
         R"(([+-]?)\s*([0-9.]+)(?:\\cdot 10\^\{(-?[0-9]+)\})?(s|\\cos |\\sin )?(\\omega(?:_[12])?)?)");
     std::array<double, 2> sum{0, 0};
-    for (std::sregex_iterator i(terms.begin(), terms.end(), term), end; i != end; ++i) {
+    // A factor 1 is not printed.
+    const std::string all = std::regex_replace(terms, std::regex(R"(([+-]) (?=s|\\cos|\\sin))"), "$1 1");
+    for (std::sregex_iterator i(all.begin(), all.end(), term), end; i != end; ++i) {
       const std::smatch& m = *i;
       const double a =
           (m[1] == "-" ? -1 : 1) * std::stod(m[2]) * std::pow(10, m[3].matched ? std::stoi(m[3]) : 0);
