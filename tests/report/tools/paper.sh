@@ -13,10 +13,13 @@ trap 'rm -rf "$work"' EXIT
 cp "$report"/*.tex "$report"/*.pdf "$work"
 cd "$work"
 rm -f "$2.pdf"
-latexmk -pdf -interaction=nonstopmode -halt-on-error "$2.tex" >output 2>&1 || {
-  grep -a -A3 '^!' output >&2
-  exit 1
-}
+# Twice, as the program does: latexmk misses a table of contents that was written twice in one second.
+for again in "" -g; do
+  latexmk $again -pdf -interaction=nonstopmode -halt-on-error "$2.tex" >output 2>&1 || {
+    grep -a -A3 '^!' output >&2
+    exit 1
+  }
+done
 test -s "$2.pdf"
 if grep -aE 'Warning|Overfull' "$2.log" >&2; then exit 1; fi
 if [ $# -gt 2 ]; then
