@@ -187,7 +187,11 @@ Finding judge_inside(const Question& q, const Box& box) {
         zeros.push_back(sheet.never_admissible ? T(0) : zero_over<S, N>(sheet.value, sheet.slope, bracket));
       }
     }
-    finding.orbits = static_cast<std::int8_t>(finding.orbits + static_cast<int>(zeros.size()));
+    const std::size_t orbits = static_cast<std::size_t>(finding.orbits) + zeros.size();
+    if (orbits > most_orbits) {
+      return open(Reason::too_many);
+    }
+    finding.orbits = static_cast<std::int8_t>(orbits);
     for (std::size_t k = 0; k < zeros.size() && !sheet.never_admissible; ++k) {
       const auto motion = sheet.motion(zeros[k]);
       if (const auto * reason = std::get_if<Reason>(&motion)) {

@@ -78,6 +78,8 @@ std::string sentence_of(const families::Family& family, std::uint8_t reason) {
       return std::string(families::no_time_at_all);
     case Reason::no_amplitude:
       return "the amplitude of an orbit may be unbounded";
+    case Reason::too_many:
+      return fmt::format("there are more than {} orbits", most_orbits);
     case Reason::stability:
       return "a multiplier may lie on the unit circle";
     default:

@@ -55,9 +55,13 @@ enum class Reason : std::uint8_t {
   merging,       // two orbits may be one
   no_time,       // an orbit one of whose phases may last no time at all
   no_amplitude,  // the closing conditions may have no solution with a finite amplitude
+  too_many,      // more orbits than most_orbits
   stability,     // a multiplier may lie on the unit circle
   condition,     // this and what follows: the requirement of that number may hold or not
 };
+
+// A byte of the log holds a number of orbits, and that none is known.
+inline constexpr std::size_t most_orbits = 127;
 
 // What is proved for every member of a box; a number that is not known is -1. When all are known there is no
 // reason left.

@@ -281,8 +281,9 @@ class Description {
       return leave_open(gap, reason);
     }
     const auto either = [&](State state) { return gap.before->state == state || gap.after->state == state; };
+    const bool wide = (Ball(2) * gap.at.radius() - Ball(resolution)).is_positive();
     if (either(State::outside)) {
-      return;
+      return wide ? leave_open(gap, reason) : void();
     }
     if (const std::string frequency = resonance(gap); !frequency.empty() &&
                                                       gap.before->state == gap.after->state &&
@@ -295,7 +296,7 @@ class Description {
                                  Verdict::undecided("beside a resonance: " + reason)});
       return;
     }
-    if ((Ball(2) * gap.at.radius() - Ball(resolution)).is_positive()) {
+    if (wide) {
       return leave_open(gap, reason);
     }
     const std::optional<std::vector<Over>> over = over_gap(t_, gap);

@@ -1,7 +1,5 @@
 #include "numeric/branches/crossing.hpp"
 
-#include "core/error.hpp"
-
 namespace stickslip::numeric::branches {
 
 using namespace motion;
@@ -61,36 +59,6 @@ Trend from_start(const model::Wave<ParameterJet>& g, double last, bool touched) 
   return all;
 }
 
-bool of_speed(Quantity q) {
-  return q == Quantity::below_belt || q == Quantity::above_belt;
-}
-
-// factor times x2' or r, plus offset.
-struct Affine {
-  ParameterJet factor, offset;
-};
-Affine affine_form(const model::Parameters<ParameterJet>& a, const ParameterJet& ur, Quantity quantity) {
-  const ParameterJet minus = -a.eta;
-  switch (quantity) {
-    case Quantity::below_belt:
-      return {ParameterJet(-1), a.V};
-    case Quantity::above_belt:
-      return {ParameterJet(1), -a.V};
-    case Quantity::below_ur:
-      return {minus, a.eta * ur};
-    case Quantity::above_minus_ur:
-      return {a.eta, a.eta * ur};
-    case Quantity::beyond_ur:
-      return {a.eta, minus * ur};
-    case Quantity::beyond_minus_ur:
-      return {minus, minus * ur};
-    case Quantity::falls_behind:
-      return {a.eta, minus * a.us};
-    default:
-      throw InternalError("a quantity that is no function of time");
-  }
-}
-
 }  // namespace
 
 Trend joined(Trend a, Trend b) {
@@ -111,14 +79,14 @@ Trend trend_of(const Requirement& q, const MotionOf<ParameterJet>& motion,
     return trend(ParameterJet(friction - a.us));
   }
   const PhaseOf<ParameterJet>& phase = motion.phases.at(q.phase);
-  const Affine form = affine_form(a, friction, q.quantity);
+  const Affine<ParameterJet> form = affine_form<ParameterJet>(a, friction, q.quantity);
   if (!q.along) {
     return trend(
         ParameterJet(form.factor * model::friction_at<ParameterJet>(a, phase.Z, phase.load) + form.offset));
   }
   const model::PhaseWaves<ParameterJet> waves = waves_of<ParameterJet>(motion.oscillator, phase);
   const model::Wave<ParameterJet> g =
-      model::affine<ParameterJet>(form.factor, of_speed(q.quantity) ? waves.zdot2 : waves.r, form.offset);
+      model::affine<ParameterJet>(form.factor, form.of_speed ? waves.zdot2 : waves.r, form.offset);
   const double half = above(phase.duration.value) / 2;
   return joined(from_start(g, half, q.touches.start),
                 from_start(model::reversed<ParameterJet>(g, phase.duration), half, q.touches.end));

@@ -14,27 +14,12 @@
 #include <thread>
 
 #include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
 
 namespace stickslip {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Directory {
- public:
-  Directory() {
-    std::string name = (fs::temp_directory_path() / "stickslip-atlas-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Directory() { fs::remove_all(path_); }
-  Directory(const Directory&) = delete;
-  Directory& operator=(const Directory&) = delete;
-  [[nodiscard]] std::string operator/(const char * name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 // Some hundred boxes around the paper's orbit S.
 Words near_S(const std::string& out, const char * resolution = "5") {
@@ -48,7 +33,7 @@ std::string atlas_of(const std::string& out) {
 }
 
 TEST_CASE("An atlas says the same whoever makes it, and goes on where it was killed") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const std::string whole = directory / "whole.h5";
   const auto begin = std::chrono::steady_clock::now();
   const Run made = stickslip_program(with(near_S(whole), {"--jobs", "1"}));
@@ -80,7 +65,7 @@ TEST_CASE("An atlas says the same whoever makes it, and goes on where it was kil
 }
 
 TEST_CASE("An atlas is ended in order, says what is missing, and goes on") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const std::string out = directory / "a.h5";
   Run part = stickslip_program(with(near_S(out, "6"), {"--time-limit", "0.05", "--json"}));
   CHECK(part.code == 2);
@@ -114,7 +99,7 @@ TEST_CASE("An atlas is ended in order, says what is missing, and goes on") {
 }
 
 TEST_CASE("A table has a row for each box, and its volumes make the whole") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const Run made =
       stickslip_program(with(near_S(directory / "a.h5", "3"), {"--csv", directory / "a.csv", "--json"}));
   REQUIRE(made.code == 0);
@@ -130,7 +115,7 @@ TEST_CASE("A table has a row for each box, and its volumes make the whole") {
 }
 
 TEST_CASE("What lies outside the domain is no error, and said") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const Run made = stickslip_program({"atlas", "symmetric", "--example", "S", "--p", "-1..1", "--resolution",
                                       "3", "--out", directory / "a.h5"});
   CHECK(made.code == 2);
@@ -138,7 +123,7 @@ TEST_CASE("What lies outside the domain is no error, and said") {
 }
 
 TEST_CASE("Questions that make no sense are refused in a sentence") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const std::string out = directory / "a.h5";
   std::ofstream(directory / "no.h5") << "nothing\n";
   check_refused({

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "report/atlas/archive.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
 
 namespace stickslip {
 namespace {
@@ -19,29 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 using namespace report::atlas;
 
-class Directory {
- public:
-  Directory() {
-    std::string name = (fs::temp_directory_path() / "stickslip-atlas-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Directory() { fs::remove_all(path_); }
-  Directory(const Directory&) = delete;
-  Directory& operator=(const Directory&) = delete;
-  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
-
 Words near_S(const std::string& out) {
   return {"atlas", "symmetric", "--example",    "S", "--omega", "0.55..0.57",
           "--p",   "0..0.1",    "--resolution", "5", "--out",   out};
 }
 
 TEST_CASE("An atlas that says what is false is found out") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const std::string file = directory / "a.h5";
   REQUIRE(stickslip_program(near_S(file)).code == 0);
   const Run confirmed = stickslip_program({"atlas", "--verify", file, "--sample", "50"});
@@ -83,7 +68,7 @@ Words copies(int n, const Words& arguments) {
 }
 
 TEST_CASE("Processes make the same atlas together, also when one of them, or mpirun, is killed") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const std::string alone = directory / "alone.h5";
   REQUIRE(stickslip_program(near_S(alone)).code == 0);
   for (const int n : {1, 2, 3}) {

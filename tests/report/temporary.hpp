@@ -28,6 +28,8 @@ class TemporaryDirectory {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
   // How many files and directories are in it, at any depth.
   [[nodiscard]] std::ptrdiff_t count() const {
     const std::filesystem::recursive_directory_iterator all(path_);

@@ -15,6 +15,7 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
+#include "tests/report/temporary.hpp"
 
 namespace stickslip::numeric::atlas {
 namespace {
@@ -45,22 +46,6 @@ std::vector<Leaf> all_leaves(const Question& q) {
   put_in_order(q, leaves);
   return leaves;
 }
-
-class Directory {
- public:
-  Directory() {
-    std::string name = (fs::temp_directory_path() / "stickslip-atlas-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Directory() { fs::remove_all(path_); }
-  Directory(const Directory&) = delete;
-  Directory& operator=(const Directory&) = delete;
-  [[nodiscard]] fs::path operator/(const char * name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 TEST_CASE("The halves of a tile make the tile, in volume and along the line") {
   std::mt19937_64 random(1);
@@ -147,7 +132,7 @@ TEST_CASE("What stops the work loses nothing that was found") {
 }
 
 TEST_CASE("A log gives back what was written, cut where it is torn or damaged") {
-  const Directory directory;
+  const TemporaryDirectory directory;
   const fs::path log = directory / "a.log";
   const Question q = near_S(6);
   const std::string asked = identity(q, "1.0");
