@@ -131,9 +131,8 @@ std::vector<PrintedStatement> statements_of_orbits() {
       {"S061",
        "sec. 4, Fig. 2",
        words,
-       "both portraits are mirror images of themselves in the line $z = 0$",
-       {},
-       "it follows from (17), for the portraits it is not stated",
+       "both portraits are mirror images of themselves in the line $z = 0$: (17), for positions and "
+       "velocities",
        {"17.slip", "17.stick"}},
       {"S062", "sec. 4, Fig. 2", figure, "legend: slip drawn thick, stick thin", {}, drawing},
       {"S063", "Fig. 2 caption", figure, "the portraits are those of the symmetrical solution", {}, drawing},

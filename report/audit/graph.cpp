@@ -84,23 +84,42 @@ std::string escape_dot(std::string_view text) {
 
 }  // namespace
 
-std::string graph_script(const Paper& paper, const Audit& audit) {
+Json uses_of_places(const Paper& paper, const Audit& audit) {
   const std::vector<PlaceRecords> places = by_place(paper, audit);
-  const Json nodes = list_of(places, [](const PlaceRecords& place) -> Json {
-    return {{"id", place.id}, {"title", place.title}, {"lines", label(place)}};
-  });
   const Uses uses = uses_between(places);
-  const Json edges = list_of(uses, [](const auto& use) -> Json {
-    const auto& [ends, count] = use;
-    return {{"from", ends.first},
-            {"to", ends.second},
-            {"width", fmt::format("{:.2f}", 0.6 + 0.4 * std::sqrt(static_cast<double>(count)))}};
-  });
-  return render_file("claims.dot", {{"places", nodes}, {"edges", edges}}, {escape_dot, escape_dot});
+  const auto rests_on = [&](const PlaceRecords& user) {
+    Json all = Json::array();
+    for (const PlaceRecords& used : places) {
+      if (uses.count({used.id, user.id}) > 0) {
+        all.push_back({{"id", used.id}, {"title", used.title}});
+      }
+    }
+    return all;
+  };
+  const auto width = [](std::size_t count) {
+    return fmt::format("{:.2f}", 0.6 + 0.4 * std::sqrt(static_cast<double>(count)));
+  };
+  return {{"parts", list_of(places,
+                            [&](const PlaceRecords& place) -> Json {
+                              const Json used = rests_on(place);
+                              return {{"id", place.id},
+                                      {"title", place.title},
+                                      {"lines", label(place)},
+                                      {"rests_on", used},
+                                      {"has_rests_on", !used.empty()}};
+                            })},
+          {"uses", list_of(uses, [&](const auto& use) -> Json {
+             const auto& [ends, count] = use;
+             return {{"from", ends.first}, {"to", ends.second}, {"width", width(count)}};
+           })}};
 }
 
-std::string graph_svg(const Paper& paper, const Audit& audit) {
-  return graphviz_svg(graph_script(paper, audit));
+std::string graph_script(const Json& uses) {
+  return render_file("claims.dot", uses, {escape_dot, escape_dot});
+}
+
+std::string graph_svg(const Json& uses) {
+  return graphviz_svg(graph_script(uses));
 }
 
 }  // namespace stickslip::report::audit

@@ -4,16 +4,21 @@
 #include <string>
 
 #include "proofs/methods/paper.hpp"
+#include "report/tools/json.hpp"
 
 namespace stickslip::report::audit {
 
-// The graph for Graphviz: a node for every place, with the count of its claims, its link the place on the
-// page of claims; an arrow from a place to another whose proofs use claims of it, the wider the more they
-// use.
-[[nodiscard]] std::string graph_script(const proofs::methods::Paper& paper,
-                                       const proofs::methods::Audit& audit);
+// {"parts": [{"id", "title", "lines": title and count of claims, "rests_on": [{"id", "title"}]}], "uses":
+// [{"from", "to", "width"}]}: a part for every place, and a use for each two of which the second's proofs use
+// claims of the first, the wider the more they use.
+[[nodiscard]] tools::Json uses_of_places(const proofs::methods::Paper& paper,
+                                         const proofs::methods::Audit& audit);
+
+// The script for Graphviz: a node for every part, whose link is the place on the page of claims, and an arrow
+// for every use.
+[[nodiscard]] std::string graph_script(const tools::Json& uses);
 
 // The graph as an SVG element to stand in a page. Throws InputOutputError when Graphviz fails.
-[[nodiscard]] std::string graph_svg(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit);
+[[nodiscard]] std::string graph_svg(const tools::Json& uses);
 
 }  // namespace stickslip::report::audit

@@ -142,7 +142,8 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit,
     data["examples"].push_back(example_data(e));
   }
   append(report.files, example_pictures(examples));
-  data["graph"] = graph_svg(paper, audit);
+  data["graph"] = uses_of_places(paper, audit);
+  data["graph"]["svg"] = graph_svg(data.at("graph"));
   data["page_title"] = "The orbits of the paper’s figures";
   data["lists"] = data.at("examples");
   add_paper_and_pages(report, "audit", std::move(data), [](const Json& complete) {

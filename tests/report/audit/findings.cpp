@@ -89,7 +89,7 @@ TEST_CASE("the same hypothesis brought in twice is one group") {
 TEST_CASE("the graph has an arrow from a place to each that uses claims of it, once, with their number") {
   Audit audit = sample_audit();
   audit.records[5].outcome.uses = {"2", "5", "5.where", "44"};  // 17 and 44 are of A2
-  const std::string script = graph_script(sample_paper(), audit);
+  const std::string script = graph_script(uses_of_places(sample_paper(), audit));
   const auto has = [&](const std::string& part) { return script.find(part) != std::string::npos; };
   CHECK(has("\"sec2\" -> \"sec3\" [penwidth=1.00]"));
   CHECK(has("\"sec3\" -> \"A2\" [penwidth=1.17]"));  // two claims: 5.where, and 5 by 17 and by the corrected

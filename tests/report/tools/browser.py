@@ -67,10 +67,10 @@ for (const control of [...form.elements].filter((one) => one.name)) {
 return wrong;
 """
 
-# Formulas and tables that do not fit. The overview of the paper's parts is a map, and no wider than a desktop.
+# What does not fit.
 SCROLLED = r"""
 return [...document.querySelectorAll(".formula, .wide, pre")]
-  .filter((part) => part.scrollWidth > part.clientWidth + 1 && !(part.matches(".graph") && innerWidth < 600))
+  .filter((part) => part.scrollWidth > part.clientWidth + 1)
   .map((part) => `${part.className} in ${(part.closest("[id]") || document.body).id}`);
 """
 
