@@ -189,7 +189,7 @@ function unfolded(source) {
   return result;
 }
 
-// Attributes of a tag of KaTeX's: its classes, and its inline style, as names of one list.
+// Attributes of a tag of KaTeX's: its classes, and its inline style, as one list.
 function namesOf(attributes) {
   const classes = (/class="([^"]*)"/.exec(attributes) || ["", ""])[1].split(/\s+/).filter(Boolean);
   const style = /style="([^"]*)"/.exec(attributes);
@@ -198,9 +198,10 @@ function namesOf(attributes) {
 
 const tag = /<span((?: (?:class|style|aria-hidden)="[^"]*")*)>/g;
 
-// KaTeX's HTML in fewer bytes: its classes and inline styles are classes with names that are the shorter the more often
-// they are met, its tags are <i>; the source of a formula, which stands beside its MathML, is left out. First every formula
-// is counted, as often as it is set; then `html` gives it its form, and `css` gives the style sheet the same names.
+// KaTeX's HTML in fewer bytes: the classes and inline style of a tag together are one class, whose name is the shorter the
+// more often they are met, its tags are <i>; the source of a formula, which stands beside its MathML, is left out. First
+// every formula is counted, as often as it is set; then `html` gives it its form, and `css` gives the style sheet the same
+// names.
 class Compact {
   constructor() {
     this.counts = new Map();
@@ -209,19 +210,26 @@ class Compact {
 
   count(source) {
     for (const [, attributes] of source.matchAll(tag)) {
-      for (const name of namesOf(attributes)) this.counts.set(name, (this.counts.get(name) || 0) + 1);
+      const list = namesOf(attributes).join("\n");
+      if (list) this.counts.set(list, (this.counts.get(list) || 0) + 1);
     }
   }
 
   // a, b, ..., Z, a0, ..., without what the pages have as names of their own, which are longer.
   name() {
     const letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-    const often = [...this.counts].filter(([name]) => !this.kept.has(name)).sort(([a, n], [b, m]) => m - n || (a < b ? -1 : 1));
-    this.names = new Map(often.map(([name], k) => [name, letters[k % 52] + (k < 52 ? "" : (Math.floor(k / 52) - 1).toString(36))]));
+    const often = [...this.counts].filter(([list]) => !this.kept.has(list)).sort(([a, n], [b, m]) => m - n || (a < b ? -1 : 1));
+    this.names = new Map(often.map(([list], k) => [list, letters[k % 52] + (k < 52 ? "" : (Math.floor(k / 52) - 1).toString(36))]));
+    this.holders = new Map();  // of a class or style: the names of the lists that it is in
+    for (const [list, name] of this.names) {
+      for (const one of list.split("\n")) this.holders.set(one, [...(this.holders.get(one) || []), name]);
+    }
   }
 
-  short(name) {
-    return this.names.get(name) || name;
+  // What selects all that has the class or style, as strong as so many classes.
+  selector(one, strength = 1) {
+    const all = (this.holders.get(one) || [one]).map((name) => `.${name}`.repeat(strength));
+    return all.length > 1 ? `:is(${all})` : all[0];
   }
 
   // MathML that is only read aloud needs no attributes, which are about its look.
@@ -231,9 +239,9 @@ class Compact {
       .replace(/<math><mrow>(.*?)<\/mrow><\/math>/gs, "<math>$1</math>")
       .replace(/<math>.*?<\/math>/gs, (math) => (shown ? math : math.replace(/(<[a-z]+) [^>]*>/g, "$1>")))
       .replace(tag, (_, attributes) => {
-        const names = namesOf(attributes).map((name) => this.short(name));
+        const list = namesOf(attributes).join("\n");
         const hidden = attributes.includes("aria-hidden") ? " aria-hidden=true" : "";
-        return names.length > 1 ? `<i class="${names.join(" ")}"${hidden}>` : names.length ? `<i class=${names[0]}${hidden}>` : "<i>";
+        return list ? `<i class=${this.names.get(list) || list}${hidden}>` : "<i>";
       })
       .replaceAll("</span>", "</i>");
   }
@@ -241,13 +249,13 @@ class Compact {
   // An <i> is then what a <span> is. An inline style is stronger than any rule of the sheet: so are four classes behind it.
   css(sheet) {
     const renamed = sheet
-      .replace(/\.([a-zA-Z][\w-]*)(?=[^{}]*\{)/g, (_, name) => `.${this.short(name)}`)
+      .replace(/\.([a-zA-Z][\w-]*)(?=[^{}]*\{)/g, (_, name) => this.selector(name))
       .replaceAll(">span", ">i");
-    const styles = [...this.names].filter(([name]) => name.startsWith("style:"));
+    const styles = [...this.holders.keys()].filter((one) => one.startsWith("style:"));
     const mathml =
-      "math{font-family:KaTeX_Main}math mi{font-family:KaTeX_Math;font-style:italic;text-transform:none}" +
+      "math{font-family:KaTeX_Main}math mi{font-family:KaTeX_Math;font-style:italic}" +
       "math mi.n{font-family:KaTeX_Main;font-style:normal}";
-    return `${renamed}.katex i{font-style:inherit}${mathml}` + styles.map(([text, name]) => `.katex ${`.${name}`.repeat(4)}{${text.slice(6)}}`).join("\n");
+    return `${renamed}.katex i{font-style:inherit}${mathml}` + styles.map((style) => `.katex ${this.selector(style, 4)}{${style.slice(6)}}`).join("\n");
   }
 }
 
@@ -271,13 +279,14 @@ function main() {
     return known.get(key);
   };
   const compact = new Compact();
-  // In a fifth of the bytes. A name of one letter is italic and one of several upright, as the style sheet sees it.
+  // In a fifth of the bytes. A name of one letter is italic and one of several upright, as the style sheet sees it;
+  // without mathvariant a browser takes the letter from whatever font has mathematical ones.
   const mathml = (source) =>
     compact
       .html(katex.renderToString(plain(source), { ...options, output: "mathml" }), true)
       .replace(/<\/?i(?= |>)[^>]*>/g, "")
       .replace(/<mi( mathvariant="normal")?>([^<]*)<\/mi>/g, (_, upright, name) =>
-        [...name].length > 1 || upright ? `<mi class=n>${name}</mi>` : `<mi>${name}</mi>`);
+        [...name].length > 1 || upright ? `<mi class=n mathvariant=normal>${name}</mi>` : `<mi mathvariant=normal>${name}</mi>`);
   for (const { content } of pages) {
     for (const [, kind, source] of content.matchAll(formulas)) {
       if (!isShort(kind, plain(source))) compact.count(set(kind, source));
@@ -294,7 +303,7 @@ function main() {
       })
       .replace(/<katex-version>/g, katex.version);
   }
-  const css = compact.css(selfContained(styleSheet(), new Set(compact.counts.keys())));
+  const css = compact.css(selfContained(styleSheet(), new Set(compact.holders.keys())));
   process.stdout.write(JSON.stringify({ pages, css }));
 }
 
