@@ -77,6 +77,10 @@ Json errata_data(const Paper& paper, const std::vector<Json>& claims) {
       }
     }
   }
+  for (std::size_t i = errata.size(); i-- > 0;) {
+    const Json& place = errata.at(i).at("place");
+    errata[i]["heading"] = i > 0 && errata.at(i - 1).at("place") == place ? Json() : place;
+  }
   return errata;
 }
 
