@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/families/family.hpp"
-#include "numeric/words/eliminated_phase.hpp"
+#include "numeric/families/one_stick_closing.hpp"
+#include "numeric/families/overshooting.hpp"
 #include "numeric/zeros/search.hpp"
 
 namespace stickslip::numeric::words {
@@ -18,23 +18,58 @@ namespace {
 constexpr long search_bits = 64;
 constexpr long guess_bits = 128;
 
+// The question in the variables of one_stick_closing.hpp, at the working precision.
+template <int N>
+struct Problem {
+  Problem(const WordQuestion& q, const Word& word, long n)
+      : oscillator(model::oscillator<Ball>(parameters_as<Ball>(q.data))),
+        phases(word.phases()),
+        periods(n),
+        whole(Rational(Rational(n) / q.data.omega).get_den() == 1),
+        closing(data(q, n), !whole) {}
+
+  // Whether its first phase is an overshoot: then the motion is the mirror image of what closing.hpp knows.
+  [[nodiscard]] bool is_mirrored() const { return phases.front() == PhaseKind::overshoot; }
+
+  model::Oscillator<Ball> oscillator;
+  std::vector<PhaseKind> phases;  // the stick last
+  long periods;
+  bool whole;  // n/omega is a whole number
+  families::OneStick<N, families::Datum::friction> closing;
+
+ private:
+  [[nodiscard]] families::OneStickData<Ball> data(const WordQuestion& q, long n) {
+    const auto stick = std::find(phases.begin(), phases.end(), PhaseKind::stick);
+    std::rotate(phases.begin(), stick + 1, phases.end());
+    families::OneStickData<Ball> result{families::overshooting_data<Ball>(q.data), Ball(q.ur)};
+    result.d.Theta *= Ball(n);
+    if (is_mirrored()) {
+      result.d.V = -result.d.V;
+    }
+    return result;
+  }
+};
+
 // The motion of a zero, nearly.
 template <int N>
-Guess guess_of(const ClosingProblem<N>& problem, const Box<N>& x, const StateAndLoad& begin, long periods) {
+Guess guess_of(const Problem<N>& problem, const families::OneStickMotion<N>& motion) {
   const model::Oscillator<Ball>& o = problem.oscillator;
-  const double t =
-      std::atan2(begin.sine.approximate(), begin.cosine.approximate()) / o.data.omega.approximate();
-  const model::Vector4<Ball> Z0(begin.z(0), begin.z(1), begin.z(2), o.data.V);
-  std::vector<Leg> legs;
-  Ball rest = problem.exact.total;
-  const Box<N> times = problem.template times<Ball>(problem.exact.total, x);
-  for (int i = 0; i < N; ++i) {
-    legs.push_back({problem.phases[static_cast<std::size_t>(i)], times(i)});
-    rest -= times(i);
+  model::Vector4<Ball> Z0 = motion.Z0;
+  Ball phi = motion.phi;
+  if (problem.is_mirrored()) {
+    phi += Ball::pi();
+    Z0 = -Z0;
+    Z0(0) -= Ball(2) * o.d0(0);
+    Z0(1) -= Ball(2) * o.d0(1);
   }
-  legs.push_back({PhaseKind::stick, rest});
-  Guess guess{{}, periods};
-  for (const Phase& phase : compose(o, o.data.omega * Ball(t), Z0, legs).phases) {
+  std::vector<Leg> legs;
+  for (int i = 0; i < N; ++i) {
+    legs.push_back({problem.phases[static_cast<std::size_t>(i)], motion.times(i)});
+  }
+  legs.push_back({PhaseKind::stick, motion.stick});
+  Guess guess{{}, problem.periods};
+  const double t = Ball(phi / o.data.omega).approximate();
+  for (const Phase& phase : compose(o, phi, Z0, legs).phases) {
     guess.events.push_back({t + phase.start.approximate(), Ball(phase.Z(0) + o.d0(0)).approximate(),
                             Ball(phase.Z(1) + o.d0(1)).approximate(), phase.Z(2).approximate(), phase.kind});
   }
@@ -42,8 +77,8 @@ Guess guess_of(const ClosingProblem<N>& problem, const Box<N>& x, const StateAnd
 }
 
 template <int N>
-std::vector<NamedBall> named(const ClosingProblem<N>& problem, const Box<N>& x) {
-  const Box<N> times = problem.template times<Ball>(problem.exact.total, x);
+std::vector<NamedBall> named(const Problem<N>& problem, const Box<N>& x) {
+  const Box<N> times = families::times<Ball, N>(problem.closing.exact.d.Theta, x);
   std::vector<NamedBall> where{{"tau", times(0)}};
   if (N == 2) {
     where.push_back({"tau1", times(N - 1)});
@@ -51,9 +86,17 @@ std::vector<NamedBall> named(const ClosingProblem<N>& problem, const Box<N>& x) 
   return where;
 }
 
+// n/omega a whole number: why is in one_stick.hpp.
+template <int N>
+bool lasts_too_short(const Problem<N>& problem, const Box<N>& X) {
+  const Box<N> times = families::times<Ball, N>(problem.closing.exact.d.Theta, X);
+  return problem.whole && std::all_of(times.begin(), times.end(),
+                                      [](const Ball& time) { return (time - Ball::pi()).is_negative(); });
+}
+
 // How the durations of a motion divide the period, for a problem's unknowns.
 template <int N>
-Box<N> shares(const ClosingProblem<N>& problem, const Motion& motion) {
+Box<N> shares(const Problem<N>& problem, const Motion& motion) {
   const auto lasting = [&](PhaseKind kind) {
     return std::find_if(motion.phases.begin(), motion.phases.end(),
                         [kind](const Phase& phase) { return phase.kind == kind; })
@@ -61,10 +104,10 @@ Box<N> shares(const ClosingProblem<N>& problem, const Motion& motion) {
   };
   const Ball tau = lasting(problem.phases[0]);
   Box<N> x;
-  x(0) = tau / problem.exact.total;
+  x(0) = tau / problem.closing.exact.d.Theta;
   if (N == 2) {
     const Ball tau1 = lasting(problem.phases[1]);
-    x(0) = (tau + tau1) / problem.exact.total;
+    x(0) = (tau + tau1) / problem.closing.exact.d.Theta;
     x(N - 1) = tau1 / (tau + tau1);
   }
   return x;
@@ -75,33 +118,26 @@ template <int N>
 void conclude(const WordQuestion& q, const Word& word, long periods, const FoundZero<N>& found,
               WordList& list) {
   using families::Place;
-  const auto recipe = [&] { return ClosingProblem<N>(q, word, periods); };
-  const auto near = eliminant_near<N>(recipe(), found.zero);
-  const auto here = [&] { return Eliminant<N>{recipe(), near->combinations}; };
-  const Box<N> x = refine<N>(here, found.zero, guess_bits);
+  const auto recipe = [&] { return Problem<N>(q, word, periods).closing; };
+  const auto zero = families::refined<N, families::Datum::friction>(recipe, found, guess_bits);
+  if (zero.place == Place::outside) {
+    return;
+  }
   const WorkingPrecision scope(guess_bits);
-  const Eliminant<N> f = here();
-  bool at_edge = false;
-  for (int i = 0; i < N; ++i) {
-    const Place at = families::place(x(i));
-    if (at == Place::outside) {
-      return;
-    }
-    at_edge = at_edge || at == Place::at_edge;
-  }
+  const Problem<N> problem(q, word, periods);
   const auto leave_open = [&](const std::string& reason) {
-    list.unresolved.push_back({named<N>(f.problem, x), reason});
+    list.unresolved.push_back({named<N>(problem, zero.x), reason});
   };
-  const std::optional<StateAndLoad> begin = f.solved(x);
-  if (at_edge || !begin) {
-    return leave_open(at_edge ? families::no_time_at_all : dependent);
+  const auto motion = zero.f.motion(zero.x);
+  if (zero.place == Place::at_edge || !motion) {
+    return leave_open(motion ? families::no_time_at_all : families::dependent);
   }
-  WordOrbit orbit = prove_word_orbit(q, guess_of<N>(f.problem, x, *begin, periods));
+  WordOrbit orbit = prove_word_orbit(q, guess_of<N>(problem, *motion));
   if (orbit.existence.truth != Truth::proved) {
     return leave_open(orbit.existence.reason);
   }
   if (orbit.word != word || orbit.periods != periods ||
-      !contains<N>(found.unique, shares<N>(f.problem, orbit.orbit.motion))) {
+      !contains<N>(found.unique, shares<N>(problem, orbit.orbit.motion))) {
     return leave_open("the motion that was proved near a zero may be another one");
   }
   list.orbits.push_back(std::move(orbit));
@@ -113,13 +149,16 @@ WordList all_with_times(const WordQuestion& q, const Word& word, long periods, c
   SearchResult<N> result;
   {
     const WorkingPrecision scope(search_bits);
-    const ClosingProblem<N> problem(q, word, periods);
+    const Problem<N> problem(q, word, periods);
     Cell<N> all;
     all.lower.fill(0);
     all.upper.fill(1);
     result = search<N>(
-        all, [&](const Box<N>& X) { return contract(problem, X); },
-        [&](const Box<N>& X) { return decide(problem, X); }, limits);
+        all,
+        [&](const Box<N>& X) {
+          return lasts_too_short(problem, X) ? std::nullopt : families::contract(problem.closing, X);
+        },
+        [&](const Box<N>& X) { return families::decide(problem.closing, X); }, limits);
     for (const UnresolvedBox<N>& open : result.unresolved) {
       list.unresolved.push_back({named<N>(problem, open.box), open.reason});
     }
@@ -138,7 +177,7 @@ WordList all_with_times(const WordQuestion& q, const Word& word, long periods, c
 WordList all_with_one_stick(const WordQuestion& question, const Word& word, long periods) {
   return word.size() == 2
              ? all_with_times<1>(question, word, periods, {.smallest = 0x1p-24, .cells = 20000})
-             : all_with_times<2>(question, word, periods, {.smallest = 0x1p-20, .cells = 200000});
+             : all_with_times<2>(question, word, periods, {.smallest = 0x1p-30, .cells = 1000000});
 }
 
 }  // namespace stickslip::numeric::words

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "core/verdict.hpp"
@@ -74,15 +75,19 @@ template <int N>
 // Krawczyk's operator K(X) = m - Y f(m) + (I - Y f'(X)) (X - m), m in X, Y near f'(m)⁻¹. Every zero of f in
 // X lies in K(X); if K(X) lies in the interior of X then f has exactly one zero in X. Nothing when f'(X) is
 // not finite or its midpoint is singular.
-template <int N>
-[[nodiscard]] std::optional<Box<N>> krawczyk_image(const Box<N>& m, const Box<N>& at_m,
-                                                   const BallMatrix<N>& slope, const Box<N>& X) {
-  const std::optional<BallMatrix<N>> Y = approximate_inverse<Ball, N>(slope);
+template <int N, class S = Ball>
+[[nodiscard]] std::optional<Eigen::Matrix<S, N, 1>> krawczyk_image(
+    const std::type_identity_t<Eigen::Matrix<S, N, 1>>& m,
+    const std::type_identity_t<Eigen::Matrix<S, N, 1>>& at_m,
+    const std::type_identity_t<Eigen::Matrix<S, N, N>>& slope,
+    const std::type_identity_t<Eigen::Matrix<S, N, 1>>& X) {
+  using SquareMatrix = Eigen::Matrix<S, N, N>;
+  const std::optional<SquareMatrix> Y = approximate_inverse<S, N>(slope);
   if (!Y) {
     return std::nullopt;
   }
-  const BallMatrix<N> rest = BallMatrix<N>::Identity(X.size(), X.size()) - product(*Y, slope);
-  const Box<N> K = m - product(*Y, at_m) + product(rest, Box<N>(X - m));
+  const SquareMatrix rest = SquareMatrix::Identity(X.size(), X.size()) - product(*Y, slope);
+  const Eigen::Matrix<S, N, 1> K = m - product(*Y, at_m) + product(rest, Eigen::Matrix<S, N, 1>(X - m));
   for (int i = 0; i < K.size(); ++i) {
     if (!K(i).is_finite()) {
       return std::nullopt;

@@ -13,7 +13,8 @@ namespace stickslip::numeric::zeros {
 [[nodiscard]] inline double magnitude(double x) {
   return std::abs(x);
 }
-[[nodiscard]] inline double magnitude(const Ball& x) {
+template <class S>
+[[nodiscard]] double magnitude(const S& x) {
   return std::abs(x.approximate());
 }
 
@@ -23,6 +24,10 @@ namespace stickslip::numeric::zeros {
 }
 [[nodiscard]] inline Ball centre(const Ball& x) {
   return x.midpoint();
+}
+template <class S>
+[[nodiscard]] S centre(const S& x) {
+  return S(x.approximate());
 }
 
 // a b, each entry a sum over balls: Eigen's own product of large matrices wants scalars that can be compared.

@@ -55,6 +55,28 @@ template <int N>
   return result;
 }
 
+// The largest such box inside; its lower ends may be above its upper ones.
+template <int N>
+[[nodiscard]] Cell<N> inside(const Box<N>& box) {
+  Cell<N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    const Ball& side = box(static_cast<int>(i));
+    result.lower[i] = arf_get_d(arb_midref(side.lower().raw()), ARF_RND_CEIL);
+    result.upper[i] = arf_get_d(arb_midref(side.upper().raw()), ARF_RND_FLOOR);
+  }
+  return result;
+}
+
+template <int N>
+[[nodiscard]] bool contains(const Cell<N>& outer, const Cell<N>& inner) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!(outer.lower[i] <= inner.lower[i] && inner.upper[i] <= outer.upper[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 template <int N>
 [[nodiscard]] bool contains(const Box<N>& outer, const Box<N>& inner) {
   for (int i = 0; i < N; ++i) {
@@ -179,9 +201,10 @@ template <int N, class Contract, class Decide>
 [[nodiscard]] SearchResult<N> search(const Cell<N>& domain, const Contract& contract, const Decide& decide,
                                      const SearchLimits& limits = {}) {
   SearchResult<N> result;
+  std::vector<Cell<N>> unique;  // of the zeros
   const auto is_known = [&](const Cell<N>& cell) {
-    return std::any_of(result.zeros.begin(), result.zeros.end(),
-                       [&](const FoundZero<N>& known) { return contains<N>(known.unique, to_box<N>(cell)); });
+    return std::any_of(unique.begin(), unique.end(),
+                       [&](const Cell<N>& known) { return contains<N>(known, cell); });
   };
   const auto examine = [&](const Cell<N>& whole) -> detail::Examined<N> {
     if (interrupted()) {
@@ -215,6 +238,7 @@ template <int N, class Contract, class Decide>
     }
     if (decision.found) {
       detail::record<N>(result, *decision.found);
+      unique.push_back(inside<N>(decision.found->unique));
     }
     if (decision.found || decision.empty) {
       return;
@@ -253,11 +277,13 @@ template <int N, class Contract, class Decide>
 
 // The part of X that a single equation g = 0 leaves, from its mean value form g(m) + slope (X - m): solved
 // for each coordinate in turn. Nothing when g has no zero in X.
-template <int N>
-[[nodiscard]] std::optional<Box<N>> contract_by(const Ball& at_m, const Eigen::Matrix<Ball, 1, N>& slope,
-                                                const Box<N>& m, Box<N> X) {
-  Box<N> share;
-  Ball sum = at_m;
+template <int N, class S>
+[[nodiscard]] std::optional<Eigen::Matrix<S, N, 1>> contract_by(const S& at_m,
+                                                                const Eigen::Matrix<S, 1, N>& slope,
+                                                                const Eigen::Matrix<S, N, 1>& m,
+                                                                Eigen::Matrix<S, N, 1> X) {
+  Eigen::Matrix<S, N, 1> share;
+  S sum = at_m;
   for (int i = 0; i < N; ++i) {
     share(i) = slope(i) * (X(i) - m(i));
     sum += share(i);
@@ -269,11 +295,11 @@ template <int N>
     if (!slope(i).is_nonzero()) {
       continue;
     }
-    Ball others = at_m;
+    S others = at_m;
     for (int j = 0; j < N; ++j) {
-      others += j == i ? Ball(0) : share(j);
+      others += j == i ? S(0) : share(j);
     }
-    const std::optional<Ball> side = intersection(X(i), m(i) - others / slope(i));
+    const std::optional<S> side = intersection(X(i), S(m(i) - others / slope(i)));
     if (!side) {
       return std::nullopt;
     }
@@ -295,7 +321,7 @@ struct KrawczykContractor {
     const Box<N> at_m = f(m);
     std::optional<Box<N>> rest = X;
     for (int i = 0; i < N && rest; ++i) {
-      rest = value(i).is_nonzero() ? std::nullopt : contract_by<N>(at_m(i), slope.row(i), m, *rest);
+      rest = value(i).is_nonzero() ? std::nullopt : contract_by<N, Ball>(at_m(i), slope.row(i), m, *rest);
     }
     if (!rest) {
       return std::nullopt;

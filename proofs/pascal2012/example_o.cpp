@@ -1,12 +1,12 @@
 // Section 5, example O: the orbit of Fig. 3, the numbers that are printed for it, and a zero of (23) that is
 // no orbit.
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 
 #include "model/appendix3.hpp"
 #include "model/waves.hpp"
-#include "numeric/families/overshooting_rows.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
@@ -195,7 +195,7 @@ Ball unsolvable(const model::ClosingCoefficients<Ball>& k) {
     m(i, 2) = k.c[row];
     m(i, 3) = k.d[row];
   }
-  return det4<Ball>(m);
+  return m.determinant();
 }
 
 Claim spurious() {

@@ -2,8 +2,9 @@
 // sign. None may come out as proved at the orbit.
 #include <doctest/doctest.h>
 
-#include "numeric/families/overshooting_rows.hpp"
+#include "numeric/families/one_stick_closing.hpp"
 #include "numeric/motion/shooting.hpp"
+#include "numeric/zeros/elimination.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/search.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
@@ -77,20 +78,40 @@ Shooting swapped(Shooting f) {
   return f;
 }
 
-// The same of Section 5, of the matrix from which the unknowns are eliminated.
-struct FlippedOvershooting {
-  Eliminated<OvershootingAtPhase> f;
-  int row, column;
+// The same of Section 5, at the load's phase phi: the rows of (a, C, D, 1), of which one coefficient's sign
+// may be flipped, eliminated as the search does.
+struct OvershootingRows {
+  model::OvershootingData<Ball> data;
+  Ball phi;
+  Eigen::Matrix<Ball, 5, 5> combinations = Eigen::Matrix<Ball, 5, 5>::Identity();
+  int row = -1, column = -1;
+
+  template <class T>
+  [[nodiscard]] Eigen::Matrix<T, 5, 4> rows(const Eigen::Matrix<T, 2, 1>& sw) const {
+    const auto d = model::lift<T>(data);
+    const Eigen::Matrix<T, 2, 1> t = times<T, 2>(d.Theta, sw);
+    const std::pair<T, T> psi = sin_cos(T(T(phi) + d.omega * T(t(0) + t(1)) / T(2)));
+    const auto [odd1, odd2] = model::overshooting_odd<T>(d, t(0), t(1));
+    const auto [even1, even2] = model::overshooting_even<T>(d, t(0), t(1));
+    Eigen::Matrix<T, 5, 4> m;
+    int i = 0;
+    for (const auto& r : {odd1, odd2, even1, even2, model::overshooting_turn<T>(d, t(0), t(1))}) {
+      m.row(i++) << r.a, r.C, r.D, T(r.one + r.cos_psi * psi.second + r.sin_psi * psi.first);
+    }
+    if (row >= 0) {
+      m(row, column) = -m(row, column);
+    }
+    return m;
+  }
 
   template <class T>
   [[nodiscard]] Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& sw) const {
-    auto rows = all_rows<T>(f.family, sw);
-    rows(row, column) = -rows(row, column);
-    rows = combined_rows<T, 5, 4>(f.combinations, rows);
-    if (!eliminate<T, 5, 4>(rows, 0, 3)) {
-      return {T(1) / T(0), T(1) / T(0)};
+    Eigen::Matrix<T, 5, 4> m = combined_rows<T, 5, 4>(combinations, rows<T>(sw));
+    if (!eliminate<T, 5, 4>(m, 0, 3)) {
+      const T nowhere = T(1) / T(0);
+      return {nowhere, nowhere};
     }
-    return f.family.functions<T>(rows);
+    return {m(3, 3), m(4, 3)};
   }
 };
 
@@ -150,23 +171,22 @@ TEST_CASE("Section 5: boxes off the root, phases swapped, signs flipped in each 
   check_systems(at_phase, swapped(at_phase), {parameters_as<Ball>(O()), Ball(0)}, orbit.motion);
   check_systems(at_friction, swapped(at_friction), {parameters_as<Ball>(O()), {}, orbit.ur}, orbit.motion);
 
-  const OvershootingAtPhase family{overshooting_data<Ball>(O()), Ball(0)};
+  const OneStick<2, Datum::phase> problem({overshooting_data<Ball>(O()), Ball(0)}, true);
   const Ball total = orbit.proof.box(0) + orbit.proof.box(1);
-  const Box<2> sw(total / family.data.Theta, orbit.proof.box(1) / total);
-  const auto rows = all_rows<Ball>(family, midpoint<2>(sw));
-  const auto combinations = row_combinations<5, 4>(rows);
-  REQUIRE(combinations.has_value());
-  REQUIRE(is_invertible<5>(*combinations));
-  const Eliminated<OvershootingAtPhase> reduced{family, *combinations};
-  check_boxes<2>(reduced, sw);
-  for (int row = 0; row < 5; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      CAPTURE(row);
-      CAPTURE(column);
-      if (is_zero(rows(row, column))) {
-        continue;
+  const Box<2> sw(total / problem.exact.d.Theta, orbit.proof.box(1) / total);
+  const auto reduced = eliminant_near<2, Datum::phase>(problem, sw);
+  REQUIRE(reduced.has_value());
+  check_boxes<2>(*reduced, sw);
+  OvershootingRows flipped{problem.exact.d, Ball(0), reduced->combinations};
+  check_boxes<2>(flipped, sw);
+  const auto rows = flipped.rows<Ball>(midpoint<2>(sw));
+  for (flipped.row = 0; flipped.row < 5; ++flipped.row) {
+    for (flipped.column = 0; flipped.column < 4; ++flipped.column) {
+      CAPTURE(flipped.row);
+      CAPTURE(flipped.column);
+      if (!is_zero(rows(flipped.row, flipped.column))) {
+        check_not_here<2>(flipped, sw);
       }
-      check_not_here<2>(FlippedOvershooting{reduced, row, column}, sw);
     }
   }
 }

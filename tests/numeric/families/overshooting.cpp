@@ -7,7 +7,7 @@
 #include <array>
 
 #include "core/error.hpp"
-#include "numeric/families/overshooting_rows.hpp"
+#include "numeric/families/one_stick_closing.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
@@ -61,14 +61,14 @@ struct ByDeterminants {
   template <class T>
   [[nodiscard]] Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& sw) const {
     const auto d = model::lift<T>(data);
-    const Times<T> t = times<T>(d.Theta, sw);
-    const std::pair<T, T> psi = sin_cos(T(T(phi) + d.omega * T(t.tau + t.tau1) / T(2)));
+    const Eigen::Matrix<T, 2, 1> t = times<T, 2>(d.Theta, sw);
+    const std::pair<T, T> psi = sin_cos(T(T(phi) + d.omega * T(t(0) + t(1)) / T(2)));
     const auto known = [&](const model::OvershootingRow<T>& row) {
       return T(row.one + row.cos_psi * psi.second + row.sin_psi * psi.first);
     };
-    const auto [odd1, odd2] = model::overshooting_odd<T>(d, t.tau, t.tau1);
-    const auto [even1, even2] = model::overshooting_even<T>(d, t.tau, t.tau1);
-    const model::OvershootingRow<T> turn = model::overshooting_turn<T>(d, t.tau, t.tau1);
+    const auto [odd1, odd2] = model::overshooting_odd<T>(d, t(0), t(1));
+    const auto [even1, even2] = model::overshooting_even<T>(d, t(0), t(1));
+    const model::OvershootingRow<T> turn = model::overshooting_turn<T>(d, t(0), t(1));
     const T last = known(turn) * odd1.C - turn.C * known(odd1);  // C from odd_1
     const T rest = even1.a * T(even2.D * last - known(even2) * turn.D * odd1.C) -
                    even1.D * T(even2.a * last - known(even2) * turn.a * odd1.C) +
@@ -231,14 +231,14 @@ TEST_CASE("random data: every zero that Newton's method finds from a grid is in 
         continue;
       }
       const Eigen::Vector2d value = f(*zero);
-      const Times<double> t = times<double>(f.data.Theta, *zero);
-      const bool spurious = std::abs(model::overshooting_odd<double>(f.data, t.tau, t.tau1)[0].C) < 1e-6;
+      const Eigen::Vector2d t = times<double, 2>(f.data.Theta, *zero);
+      const bool spurious = std::abs(model::overshooting_odd<double>(f.data, t(0), t(1))[0].C) < 1e-6;
       const bool open = std::any_of(list.unresolved.begin(), list.unresolved.end(), [&](const auto& u) {
-        return !(abs(u.where.at(0).value - Ball(t.tau)) - Ball(1e-3)).is_positive();
+        return !(abs(u.where.at(0).value - Ball(t(0))) - Ball(1e-3)).is_positive();
       });
       const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const auto& orbit) {
-        return (abs(orbit.value("tau") - Ball(t.tau)) - Ball(1e-6)).is_negative() &&
-               (abs(orbit.value("tau1") - Ball(t.tau1)) - Ball(1e-6)).is_negative();
+        return (abs(orbit.value("tau") - Ball(t(0))) - Ball(1e-6)).is_negative() &&
+               (abs(orbit.value("tau1") - Ball(t(1))) - Ball(1e-6)).is_negative();
       });
       CHECK((listed || open || spurious || value.norm() > 1e-12));
     }
