@@ -199,6 +199,35 @@ TEST_CASE("multiples of omega that are natural frequencies are found exactly") {
   CHECK(at("3") == std::pair(0L, 0L));
 }
 
+TEST_CASE("lists are complete at low frequency, at omega = 1 and beside resonances") {
+  const auto at_omega = [](const char * omega) {
+    ExactParameters a = O();
+    a.omega = parse_rational(omega);
+    return list_overshooting_at_phase(a, 0, 15);
+  };
+  const OrbitList slow = at_omega("0.1");
+  CHECK(slow.complete());
+  CHECK(slow.orbits.size() == 46);
+  check_list(slow, "1e-8");
+  CHECK(at_omega("1").complete());
+  CHECK(at_omega("0.999999").complete());
+  // omega_2 is nearly 3 omega in the first, omega_1 in the second.
+  const auto beside = [](const char * chi, const char * eta, const char * us, const char * V,
+                         const char * omega, const char * p, const char * ur) {
+    return list_overshooting_at_friction(parse_parameters(chi, eta, us, V, omega, p), parse_rational(ur), 15);
+  };
+  const OrbitList first =
+      beside("0.495312", "0.536287", "0.0222076", "1.82688", "0.357297", "2.55966", "0.0551784");
+  CHECK(first.complete());
+  CHECK(first.orbits.size() == 3);
+  check_list(first, "1e-8");
+  const OrbitList second =
+      beside("0.0663598", "14.4027", "0.0057671", "1.91771", "0.283835", "2.92935", "0.0402156");
+  CHECK(second.complete());
+  CHECK(second.orbits.size() == 4);
+  check_list(second, "1e-8");
+}
+
 TEST_CASE("data outside the domain are refused by name") {
   CHECK_THROWS_AS(
       (void)list_overshooting_at_friction(parse_parameters("0.2", "4", "0.05", "1", "0.6", "0"), 1, 15),
