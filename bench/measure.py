@@ -18,6 +18,7 @@ from decimal import Decimal, getcontext
 from pathlib import Path
 
 import table
+from completeness import complete_lists
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/release"
@@ -135,6 +136,17 @@ def whole_audit():
             "cores": len(os.sched_getaffinity(0))}
 
 
+def orbits_timed(arguments):
+    """The program's output on one core, complete or not, and the seconds of processor time that it took."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    run = subprocess.run([BUILD / "cli/stickslip", *arguments], stdout=subprocess.PIPE, text=True, check=False,
+                         preexec_fn=lambda: os.sched_setaffinity(0, {CORE}))
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if run.returncode not in (0, 2):
+        sys.exit(f"measure.py: {' '.join(arguments)} failed with exit code {run.returncode}.")
+    return run.stdout, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 def machine():
     model = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
     versions = dict(line.split(maxsplit=1) for line in on_one_core([BUILD / "cli/stickslip", "--version"]).splitlines())
@@ -166,6 +178,8 @@ def main():
     results["benchmarks"]["audit/all"] = once_per_process("audit/all", 1 if given.quick else 3)
     results["audit"] = whole_audit()
     orbits = proved_orbits(310)
+    say("lists at random data")
+    results["completeness"] = complete_lists(orbits_timed, 5 if given.quick else 100)
     say("mpmath and SciPy")
     results["mpmath"] = mpmath_orbits(orbits, 300) if installed("mpmath") else {}
     results["scipy"] = scipy_simulations(orbits) if installed("scipy") else {}

@@ -5,6 +5,8 @@ import math
 import sys
 from pathlib import Path
 
+from completeness import SECONDS
+
 NAMES = {
     "40": "(40) H₁² − I = H₂H₃", "38.reversal": "H(−t)E = EH(t)", "38.group": "H(t + s) = H(t)H(s)",
     "42": "(42) Γ₁² − I = Γ₂Γ₃", "41.reversal": "Γ(−t)E = EΓ(t)", "41.group": "Γ(t + s) = Γ(t)Γ(s)",
@@ -155,6 +157,13 @@ def growth_rows(r):
     return rows(["with the number of", "time", "exponent", "fitted over"], lines)
 
 
+def completeness_rows(r):
+    words = {"away": "anywhere", "beside": "beside kω = ω_j (k ≤ 4) or ω = 1"}
+    return rows(["frequency", "lists", "complete", f"in {SECONDS} s", "longest"],
+                [[words[place], x["count"], x["complete"], x["in_time"], duration(x["longest"])]
+                 for place, x in r["completeness"].items()])
+
+
 def all_rows(r):
     return rows(["benchmark", "CPU time", "cells"], [[n, duration(x["seconds"]), f"{x['cells']:.0f}" if "cells" in x else ""]
                                                      for n, x in r["benchmarks"].items()])
@@ -180,6 +189,8 @@ def markdown(r):
         "## Orbits to 300 digits\n\nBoth start from a guess in double. stickslip proves existence, uniqueness and a ball for "
         "every value of the orbit; mpmath (with gmpy2) finds the zero of the same reduced equations. P in closed form, by "
         f"(35): {duration(r['mpmath'].get('P.closed'))} in mpmath.\n\n" + orbit_rows(r),
+        "## Lists of overshooting orbits at random data, u_r given\n\nχ 0.02–0.98, η 0.05–50, u_s 0.001–1 (both "
+        "logarithmic), V 0–3, ω 0.05–5, p 0–5, u_r/u_s 1–10; beside a resonance but for 10⁻⁴ to 10⁻¹ of ω.\n\n" + completeness_rows(r),
         "## Growth\n\n" + growth_rows(r),
         f"## `script/audit` on a built tree\n\n{r['audit']['wall']:.1f} s wall on {r['audit']['cores']} cores, "
         f"{r['audit']['seconds']:.1f} s CPU, {r['audit']['megabytes']:.0f} MB in its largest process.",
