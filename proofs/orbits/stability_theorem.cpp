@@ -1,0 +1,532 @@
+// Stability: the multipliers of the return map, from what an orbit's theorem says of its states and times.
+//
+// The solutions of the equations of variation are in closed form in omega1, omega2 of (39) and in 1/omega1,
+// 1/omega2 and 1/(lambda2 - lambda1), which are letters of a system of their own. Then matrices are enclosed
+// entry by entry: of each phase with the event after it, of their products, and the characteristic
+// polynomial's coefficients. So no term grows with the number of phases.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "proofs/orbits/along.hpp"
+#include "proofs/orbits/definitions.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
+#include "proofs/orbits/orbit_with.hpp"
+#include "proofs/orbits/with_zero.hpp"
+
+namespace stickslip::proofs::orbits {
+
+using namespace kernel;
+using namespace tactics;
+
+namespace {
+
+constexpr int rows = 4;
+constexpr long bits = 96;
+
+// A number's bounds, and theorems that it lies between them.
+struct Known {
+  Term value;
+  Interval range;
+  Theorem lower, upper;  // l <= value, value <= u
+};
+// Letters that stand for numbers, each with what it stands for.
+using Letters = std::map<Variable, Known>;
+
+// Outwards to multiples of 2^-28, and one of them more.
+Interval rounded(const Interval& range) {
+  const mpz_class unit = mpz_class(1) << 28;
+  const auto multiple = [&](const Rational& value, int direction) {
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), mpz_class(value.get_num() * unit).get_mpz_t(), value.get_den_mpz_t());
+    return Rational(whole + (direction > 0 ? 2 : -1), unit);
+  };
+  Interval result{multiple(range.first, -1), multiple(range.second, 1)};
+  result.first.canonicalize();
+  result.second.canonicalize();
+  return result;
+}
+
+Ranges of(const Term& term, const Ranges& ranges) {
+  Ranges result;
+  for (const Variable& variable : term.variables()) {
+    if (const auto known = ranges.find(variable); known != ranges.end()) {
+      result.insert(*known);
+    }
+  }
+  return result;
+}
+
+// ranges ⊢ l <= term, term <= u, with l and u near.
+Known bounded(const Term& term, const Ranges& ranges) {
+  const Ranges here = of(term, ranges);
+  const Interval range = rounded(enclosure(term, here, Rational(1, 1L << 28)));
+  return {term, range, Theorem::sign(at_most(range.first, term), here, bits),
+          Theorem::sign(at_most(term, range.second), here, bits)};
+}
+
+// The theorem with the letters' values in their place, and without the hypotheses on their ranges.
+Theorem settled(const Theorem& theorem, const Letters& letters) {
+  Substitution values;
+  std::map<Formula, Theorem> known;
+  for (const auto& [letter, one] : letters) {
+    values.emplace(letter, one.value);
+    known.emplace(one.lower.conclusion(), one.lower);
+    known.emplace(one.upper.conclusion(), one.upper);
+  }
+  Theorem result = Theorem::instantiate(theorem, values);
+  const Formulas hypotheses = result.hypotheses();
+  for (const Formula& one : hypotheses) {
+    if (const auto lemma = known.find(one); lemma != known.end()) {
+      result = Theorem::cut(lemma->second, result);
+    }
+  }
+  return result;
+}
+
+Ranges ranges_of(const Letters& letters) {
+  Ranges ranges;
+  for (const auto& [letter, one] : letters) {
+    ranges.emplace(letter, one.range);
+  }
+  return ranges;
+}
+
+// Bounds of all entries of a matrix of four rows.
+using Bounds = std::vector<Interval>;
+
+Formula enclosed(const Term& M, const Bounds& bounds) {
+  std::vector<Formula> parts;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const Term one = entry(M, static_cast<int>(i) / rows, static_cast<int>(i) % rows);
+    parts.push_back(at_most(bounds[i].first, one));
+    parts.push_back(at_most(one, bounds[i].second));
+  }
+  return all(parts);
+}
+
+// A letter for each entry, known from `enclosed`.
+Letters entries_of(const Variable& M, const Bounds& bounds) {
+  const Theorem known = Theorem::assume(enclosed(M, bounds));
+  Letters letters;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    letters.emplace(Variable{fmt::format("{}_{}{}", M.name, i / rows + 1, i % rows + 1)},
+                    Known{known.conclusion().parts()[2 * i].parts()[1], bounds[i],
+                          Theorem::assume(known.conclusion().parts()[2 * i]),
+                          Theorem::assume(known.conclusion().parts()[2 * i + 1])});
+  }
+  return letters;
+}
+// Of hypotheses on single entries, what says all of them at once.
+Theorem gathered(Theorem theorem, const Formula& all_at_once) {
+  const Theorem known = Theorem::assume(all_at_once);
+  for (const Formula& one : all_at_once.parts()) {
+    if (theorem.hypotheses().contains(one)) {
+      theorem = Theorem::cut(Theorem::consequence({known}, one), theorem);
+    }
+  }
+  return theorem;
+}
+// The matrix with its letters for entries.
+Term letter(const Variable& M, int i, int j) {
+  return Variable{fmt::format("{}_{}{}", M.name, i + 1, j + 1)};
+}
+
+// A matrix that is known entry by entry.
+struct Matrix {
+  Term value;
+  Bounds bounds;
+  Theorem known;  // enclosed(value, bounds)
+};
+
+// In ranges of letters; these then with their values.
+Matrix matrix_of(const Term& M, const Ranges& ranges, const Letters& letters) {
+  Bounds bounds;
+  std::vector<Theorem> parts;
+  for (int i = 0; i < rows * rows; ++i) {
+    const Known one = bounded(entry(M, i / rows, i % rows), ranges);
+    bounds.push_back(one.range);
+    parts.insert(parts.end(), {one.lower, one.upper});
+  }
+  const Theorem known = settled(both(parts), letters);
+  return {known.conclusion().parts()[0].parts()[1].parts()[0], bounds, known};
+}
+
+// A times P.
+Matrix product(const Matrix& a, const Matrix& p) {
+  const Variable A{"A", real_matrix(rows, rows)}, P{"P", real_matrix(rows, rows)};
+  Letters letters = entries_of(A, a.bounds);
+  letters.merge(entries_of(P, p.bounds));
+  const Ranges ranges = ranges_of(letters);
+  Bounds bounds;
+  std::vector<Theorem> parts;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      std::vector<Term> summands, entries;
+      for (int k = 0; k < rows; ++k) {
+        summands.push_back(letter(A, i, k) * letter(P, k, j));
+        entries.push_back(entry(A, i, k) * entry(P, k, j));
+      }
+      const Known one = bounded(sum(summands), ranges);
+      const Theorem is_entry = Theorem::combination(equal(sum(entries), entry(Term(A) * Term(P), i, j)));
+      bounds.push_back(one.range);
+      for (const Theorem& side : {one.lower, one.upper}) {
+        parts.push_back(by_rewriting(settled(side, letters), is_entry));
+      }
+    }
+  }
+  const Theorem lemma = gathered(gathered(both(parts), enclosed(A, a.bounds)), enclosed(P, p.bounds));
+  Theorem known = Theorem::instantiate(lemma, {{A, a.value}, {P, p.value}});
+  known = Theorem::cut(p.known, Theorem::cut(a.known, known));
+  return {a.value * p.value, bounds, known};
+}
+
+// enclosed(M) ⊢ the zeros of M's characteristic polynomial lie inside the unit circle, or one of them is real
+// and larger than 1.
+Theorem judged(const Variable& M, const Bounds& bounds) {
+  const Letters entries = entries_of(M, bounds);
+  const Ranges ranges = ranges_of(entries);
+  const std::vector<Term> coefficients = characteristic().unfolded({M}).parts();
+  std::vector<Term> letters;
+  Letters values;
+  for (std::size_t i = 0; i + 1 < coefficients.size(); ++i) {
+    Term lettered = coefficients[i];
+    for (int j = 0; j < rows * rows; ++j) {
+      lettered = replaced(lettered, entry(M, j / rows, j % rows), letter(M, j / rows, j % rows));
+    }
+    Known one = bounded(lettered, ranges);
+    one = {coefficients[i], one.range, settled(one.lower, entries), settled(one.upper, entries)};
+    const Variable c{fmt::format("c{}", i)};
+    letters.emplace_back(c);
+    values.emplace(c, one);
+  }
+  letters.emplace_back(1);
+  const Term column = matrix(rows + 1, 1, letters);
+  const Ranges here = ranges_of(values);
+  const auto finished = [&](const Theorem& theorem, const Formula& said, const Definitions& opened) {
+    return gathered(Theorem::convert(settled(theorem, values), said, opened), enclosed(M, bounds));
+  };
+  try {
+    return finished(Theorem::jury(column, here, bits), inside_unit_circle(characteristic()({M})),
+                    {characteristic()});
+  } catch (const KernelError&) {
+    const Variable mu{"mu"};
+    const Term f = lambda(mu, polynomial_at().unfolded({column, mu}));
+    Rational end = 2;
+    const auto is = [&](const Formula& relation) { return Theorem::sign(relation, here, bits); };
+    const Theorem start = is(less(apply(f, 1), 0));
+    while (end < 1 << 20) {
+      try {
+        const Theorem there = Theorem::intermediate_value(
+            Theorem::continuity(f, 1, end), start, is(less(0, apply(f, end))), Theorem::sign(less(1, end)));
+        const Formula found = opened(there.conclusion(), mu);
+        const Formula claim = all({less(1, mu), equal(polynomial_at()({characteristic()({M}), mu}), 0)});
+        const Formula shown = unfold(claim, {characteristic(), polynomial_at()});
+        Theorem result = settled(Theorem::assume(found), values);
+        result = Theorem::consequence({result}, shown);
+        result = Theorem::convert(result, claim, {characteristic(), polynomial_at()});
+        result = Theorem::witness(result, exists(mu, claim), mu);
+        return gathered(Theorem::choose(settled(there, values), mu, result), enclosed(M, bounds));
+      } catch (const KernelError&) {
+        end *= 2;
+      }
+    }
+    throw;
+  }
+}
+
+class Multipliers {
+ public:
+  Multipliers(const Question& question, const Theorem& body) : q_(question), body_(body), phases_(question) {
+    for (std::size_t k = 0; k < count(); ++k) {
+      require_phase(k);
+    }
+    add_frequencies();
+    for (const std::string& name : q_.durations) {
+      add_known(Variable{name}, Variable{name});
+    }
+    if (!q_.phi) {
+      add_known(Variable{"phi"}, Variable{"phi"});
+    }
+  }
+
+  Theorem operator()() {
+    std::vector<Matrix> steps;
+    std::vector<Formula> said;
+    std::vector<Theorem> proved;
+    Term named = 0;
+    std::vector<Variable> names;
+    Substitution values;
+    for (std::size_t k = 0; k < count(); ++k) {
+      const Variable Y{fmt::format("Y{}", k + 1), variation_type}, d{q_.durations.at(k)};
+      const Term flow = flow_of(k);
+      names.push_back(Y);
+      values.emplace(Y, flow);
+      said.push_back(varies(k, Y));
+      proved.push_back(varies_proved(k, flow));
+      const auto [event, letters, shown] = event_after(k);
+      Ranges ranges = ranges_;
+      ranges.merge(ranges_of(letters));
+      steps.push_back(matrix_of(event * apply(flow, d), ranges, letters));
+      const Term step = shown * apply(Y, d);
+      named = k == 0 ? step : step * named;
+    }
+    Matrix M = steps[0];
+    for (std::size_t k = 1; k < count(); ++k) {
+      M = product(steps[k], M);
+    }
+    const Variable name{"M", real_matrix(rows, rows)};
+    const Theorem verdict = judged(name, M.bounds);
+    names.push_back(name);
+    values.emplace(name, M.value);
+    said.insert(said.end(), {equal(name, named), verdict.conclusion()});
+    proved.insert(proved.end(), {Theorem::reflexive(M.value),
+                                 Theorem::cut(M.known, Theorem::instantiate(verdict, {{name, M.value}}))});
+    Theorem result = both(proved);
+    Formula whole = all(said);
+    for (auto one = names.rbegin(); one != names.rend(); ++one) {
+      whole = exists(*one, whole);
+      result = Theorem::witness(result, substitute(whole, values), values.at(*one));
+    }
+    result = settled(result, known_);
+    return with_zero(result, letters_, system_, box_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t count() const { return q_.phases.size(); }
+  [[nodiscard]] bool sticks(std::size_t k) const { return q_.phases.at(k) == PhaseKind::stick; }
+
+  // The orbit's theorem says that phase k is of this kind, of this oscillator.
+  void require_phase(std::size_t k) const {
+    const model::Parameters<Rational>& a = q_.data;
+    std::vector<Term> data{a.chi, a.eta};
+    if (!sticks(k)) {
+      data.emplace_back(a.us);
+    }
+    data.insert(data.end(), {a.V, a.omega, a.p});
+    const Variable X{fmt::format("X{}", k + 1), motion_type};
+    for (const Formula& one : body_.conclusion().parts()) {
+      if (one.kind() == Kind::defined && one.definition() == phase_definition(q_.phases[k]) &&
+          one.parts()[0] == Term(X) && std::equal(data.begin(), data.end(), one.parts().begin() + 3)) {
+        return;
+      }
+    }
+    throw KernelError(fmt::format("the orbit's theorem says something else of phase {}", k + 1));
+  }
+
+  Variable unknown(const std::string& name, long double nearly) {
+    const Rational middle(static_cast<long>(std::llround(std::ldexp(nearly, 48))), 1L << 48);
+    const Rational radius(1, 1L << 34);
+    letters_.push_back({name, real_number});
+    box_.emplace_back(middle - radius, middle + radius);
+    box_.back().first.canonicalize();
+    box_.back().second.canonicalize();
+    ranges_.emplace(letters_.back(), box_.back());
+    return letters_.back();
+  }
+
+  void add_frequencies() {
+    const long double chi = q_.data.chi.get_d(), eta = q_.data.eta.get_d();
+    const long double b = 1 + chi * eta, root = std::sqrt(b * b - 4 * chi * eta * (1 - chi));
+    const std::array<long double, 2> w{std::sqrt((b - root) / 2), std::sqrt((b + root) / 2)};
+    for (std::size_t j = 0; j < 2; ++j) {
+      omega_.emplace_back(unknown(fmt::format("omega{}", j + 1), w.at(j)));
+      system_.push_back(phases_.characteristic(j));
+    }
+    for (std::size_t j = 0; j < 2; ++j) {
+      over_omega_.emplace_back(unknown(fmt::format("over_omega{}", j + 1), 1 / w.at(j)));
+      system_.push_back((omega_[j] * over_omega_[j] - 1).term);
+      lambda_.push_back(Symbolic(Term(Rational(1 / q_.data.chi))) * (1 - omega_[j] * omega_[j]));
+    }
+    over_difference_ = unknown("over_difference", chi / (w[0] * w[0] - w[1] * w[1]));
+    system_.push_back((over_difference_ * (lambda_[1] - lambda_[0]) - 1).term);
+  }
+
+  // What the orbit's theorem bounds.
+  void add_known(const Variable& letter, const Term& value) {
+    const auto decimal = [&](bool below) {
+      for (const Formula& one : body_.conclusion().parts()) {
+        if (one.kind() == Kind::less && one.parts()[below ? 1 : 0] == value &&
+            one.parts()[below ? 0 : 1].kind() == Kind::number && one.parts()[below ? 0 : 1] != Term(0)) {
+          return one;
+        }
+      }
+      throw KernelError("the orbit's theorem has no bounds of " + to_string(value));
+    };
+    const auto weaker = [&](const Formula& one) {
+      return Theorem::order(at_most(one.parts()[0], one.parts()[1]),
+                            {Positive{{Theorem::consequence({body_}, one)}}});
+    };
+    const Formula below = decimal(true), above = decimal(false);
+    const Interval range{below.parts()[0].value(), above.parts()[1].value()};
+    known_.emplace(letter, Known{value, range, weaker(below), weaker(above)});
+    ranges_.emplace(letter, range);
+  }
+
+  // ---- The equations of variation.
+  [[nodiscard]] Formula varies(std::size_t k, const Term& Y) const {
+    std::vector<Term> arguments{Y, Variable{q_.durations.at(k)}, q_.data.chi};
+    if (!sticks(k)) {
+      arguments.emplace_back(q_.data.eta);
+    }
+    return variation(q_.phases.at(k))(arguments);
+  }
+
+  // Of the mode j, by which row of the state at the beginning x1 is given.
+  [[nodiscard]] std::array<Symbolic, rows> mode(std::size_t j, const Symbolic& c, const Symbolic& s) const {
+    const Symbolic other = lambda_[1 - j], sign = j == 0 ? 1 : -1;
+    const Symbolic g = over_difference_;
+    return {g * sign * other * c, -(g * sign * c), g * sign * other * s * over_omega_[j],
+            -(g * sign * s * over_omega_[j])};
+  }
+
+  // A solution that begins with I, as a function of the time since the phase began.
+  [[nodiscard]] Term flow_of(std::size_t k) const {
+    const Variable t{"t"};
+    if (sticks(k)) {
+      return lambda(t, as_term(model::Gamma<Symbolic>(Term(q_.data.chi), Symbolic(t))));
+    }
+    std::vector<Symbolic> entries(rows * rows);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Symbolic angle = omega_[j] * Symbolic(t), c = cos(angle), s = sin(angle);
+      const auto x = mode(j, c, s), v = mode(j, -(omega_[j] * s), omega_[j] * c);
+      for (std::size_t i = 0; i < rows; ++i) {
+        entries[i] += x[i];
+        entries[4 + i] += lambda_[j] * x[i];
+        entries[8 + i] += v[i];
+        entries[12 + i] += lambda_[j] * v[i];
+      }
+    }
+    std::vector<Term> terms;
+    std::transform(entries.begin(), entries.end(), std::back_inserter(terms),
+                   [](const Symbolic& one) { return one.term; });
+    return lambda(t, matrix(rows, rows, terms));
+  }
+
+  [[nodiscard]] Theorem vanishes(std::size_t i) const { return Theorem::assume(equal(system_.at(i), 0)); }
+
+  [[nodiscard]] Theorem varies_proved(std::size_t k, const Term& flow) const {
+    const Definitions opened_definitions{variation(q_.phases.at(k))};
+    const Formula said = varies(k, flow), whole = unfold(said, opened_definitions);
+    const Formula& smooth = whole.parts()[0];
+    const Variable t{"t"};
+    const Formula open = opened(whole.parts()[1], t);
+    const Theorem slope = Theorem::differentiate(flow, t);
+    std::vector<Multiple> moves, begins;
+    if (!sticks(k)) {
+      for (std::size_t j = 0; j < 2; ++j) {
+        const Symbolic angle = omega_[j] * Symbolic(t);
+        std::vector<Term> share(rows * rows, 0), start(rows * rows, 0);
+        const auto x = mode(j, cos(angle), sin(angle));
+        const Symbolic over_chi(Term(Rational(1 / q_.data.chi)));
+        // omega_j over_omega_j - 1 stands where x' is 1 at the start.
+        const Symbolic sign = j == 0 ? 1 : -1, g = over_difference_ * sign, other = lambda_[1 - j];
+        for (std::size_t i = 0; i < rows; ++i) {
+          share[12 + i] = (over_chi * x[i]).term;
+        }
+        start[10] = (g * other).term;
+        start[11] = (-g).term;
+        start[14] = (g * other * lambda_[j]).term;
+        start[15] = (-(g * lambda_[j])).term;
+        moves.push_back({vanishes(j), matrix(rows, rows, share)});
+        begins.push_back({vanishes(2 + j), matrix(rows, rows, start)});
+      }
+      begins.push_back({vanishes(4), identity(rows)});
+    }
+    const Theorem rate = by_rewriting(
+        slope, Theorem::combination(equal(slope.conclusion().parts()[2], open.parts()[1].parts()[2]), moves));
+    return Theorem::convert(
+        both({Theorem::continuity(flow, smooth.parts()[1], smooth.parts()[2]),
+              for_every(t, open.parts()[0], rate), Theorem::combination(whole.parts()[2], begins)}),
+        said, opened_definitions);
+  }
+
+  // ---- Events.
+  struct Event {
+    Term matrix;      // in letters
+    Letters letters;  // what they stand for
+    Term shown;       // with that
+  };
+  [[nodiscard]] Event event_after(std::size_t k) const {
+    const std::size_t next = (k + 1) % count();
+    if (sticks(next)) {
+      return {landing()({}), {}, landing()({})};
+    }
+    Symbolic start;
+    for (std::size_t i = 0; i < next; ++i) {
+      start += Symbolic(Variable{q_.durations[i]});
+    }
+    const Term phi = q_.phi ? Term(*q_.phi) : Variable{"phi"};
+    const Term X = apply(Variable{fmt::format("X{}", next + 1), motion_type}, start.term);
+    const std::vector<Term> here{X, start.term, q_.data.chi, q_.data.eta, q_.data.omega, q_.data.p, phi};
+    const Term r = friction()(here);
+    const auto acceleration = [&](const Term& friction_there) {
+      return Term(q_.data.eta) * (friction_there - r);
+    };
+    const auto sliding = [&](PhaseKind kind) {
+      return Term(kind == PhaseKind::slip ? q_.data.us : Rational(-q_.data.us));
+    };
+    Letters letters;
+    const Variable before{"before"}, after{"after"}, rate{"rate"};
+    letters.emplace(after, at_event(acceleration(sliding(q_.phases[next])), X));
+    if (sticks(k)) {
+      letters.emplace(rate, at_event(friction_rate()(here), X));
+      return {break_away()({q_.data.chi, after, rate}), letters,
+              break_away()({q_.data.chi, letters.at(after).value, letters.at(rate).value})};
+    }
+    letters.emplace(before, at_event(acceleration(sliding(q_.phases[k])), X));
+    return {crossing()({before, after}), letters,
+            crossing()({letters.at(before).value, letters.at(after).value})};
+  }
+
+  // Bounds of a number of the state X at an event.
+  [[nodiscard]] Known at_event(const Term& said, const Term& X) const {
+    const Definitions definitions{friction(), friction_rate()};
+    Term lettered = unfold(said, definitions);
+    Multipliers more = *this;
+    for (int i = 0; i < 3; ++i) {
+      const Variable x{fmt::format("x{}", i + 1)};
+      if (const Term whole = replaced(lettered, entry(X, i), x); whole != lettered) {
+        lettered = whole;
+        more.add_known(x, entry(X, i));
+      }
+    }
+    // x2' = V.
+    const Variable V{"v2"};
+    if (const Term whole = replaced(lettered, entry(X, 3), V); whole != lettered) {
+      lettered = whole;
+      const Theorem meets = Theorem::consequence({body_}, equal(entry(X, 3), q_.data.V));
+      const Interval range{q_.data.V, q_.data.V};
+      more.ranges_.emplace(V, range);
+      more.known_.emplace(
+          V, Known{entry(X, 3), range, Theorem::order(at_most(q_.data.V, entry(X, 3)), {}, {{meets}}),
+                   Theorem::order(at_most(entry(X, 3), q_.data.V), {}, {{meets, -1}})});
+    }
+    const Known one = bounded(lettered, more.ranges_);
+    const auto as_said = [&](const Theorem& theorem, const Formula& formula) {
+      return Theorem::convert(settled(theorem, more.known_), formula, definitions);
+    };
+    return {said, one.range, as_said(one.lower, at_most(one.range.first, said)),
+            as_said(one.upper, at_most(said, one.range.second))};
+  }
+
+  const Question& q_;
+  const Theorem& body_;
+  Phases phases_;
+  std::vector<Variable> letters_;
+  std::vector<Term> system_;
+  Box box_;
+  std::vector<Symbolic> omega_, over_omega_, lambda_;
+  Symbolic over_difference_;
+  Letters known_;  // what the orbit's theorem says
+  Ranges ranges_;  // of these, and of the unknowns
+};
+
+}  // namespace
+
+Theorem stability_theorem(const Theorem& orbit, const Question& question) {
+  return orbit_with(orbit, [&](const Theorem& body) { return Multipliers(question, body)(); });
+}
+
+}  // namespace stickslip::proofs::orbits
