@@ -93,44 +93,85 @@ Ranges ranges_of(const Letters& letters) {
   return ranges;
 }
 
-// Bounds of all entries of a matrix of four rows.
+// Bounds of all entries of a matrix of four rows, row by row.
 using Bounds = std::vector<Interval>;
 
-Formula enclosed(const Term& M, const Bounds& bounds) {
+std::string place(int i) {
+  return fmt::format("{}{}", i / rows + 1, i % rows + 1);
+}
+Term entry_of(const Term& M, int i) {
+  return entry(M, i / rows, i % rows);
+}
+
+// lies_between(M, l11, u11, l12, …): each entry of M lies between its bounds.
+struct Between {
+  Variable M{"M", real_matrix(rows, rows)};
+  std::vector<Term> entries, ends;
+  std::vector<Variable> parameters{M};
   std::vector<Formula> parts;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const Term one = entry(M, static_cast<int>(i) / rows, static_cast<int>(i) % rows);
-    parts.push_back(at_most(bounds[i].first, one));
-    parts.push_back(at_most(one, bounds[i].second));
+  Between() {
+    for (int i = 0; i < rows * rows; ++i) {
+      const Variable l{"l" + place(i)}, u{"u" + place(i)};
+      entries.emplace_back(Variable{"e" + place(i)});
+      ends.insert(ends.end(), {l, u});
+      parameters.insert(parameters.end(), {l, u});
+      parts.insert(parts.end(), {at_most(l, entry_of(M, i)), at_most(entry_of(M, i), u)});
+    }
   }
-  return all(parts);
+};
+const Between& between_letters() {
+  static const Between letters;
+  return letters;
+}
+const Definition& lies_between() {
+  static const Definition definition("lies_between", between_letters().parameters,
+                                     all(between_letters().parts));
+  return definition;
+}
+Formula enclosed(const Term& M, const Bounds& bounds) {
+  std::vector<Term> arguments{M};
+  for (const auto& [lower, upper] : bounds) {
+    arguments.insert(arguments.end(), {lower, upper});
+  }
+  return lies_between()(arguments);
+}
+
+// l11 <= e11, e11 <= u11, … ⊢ lies_between of the matrix with the entries e11, ….
+const Theorem& entry_by_entry() {
+  static const Theorem theorem = [] {
+    const Between& b = between_letters();
+    const Term M = matrix(rows, rows, b.entries);
+    std::vector<Theorem> parts;
+    std::vector<Term> arguments{M};
+    arguments.insert(arguments.end(), b.ends.begin(), b.ends.end());
+    for (std::size_t i = 0; i < b.entries.size(); ++i) {
+      const Theorem same = Theorem::combination(equal(b.entries[i], entry_of(M, static_cast<int>(i))));
+      const Variable at{"e"};
+      for (const auto& side : {at_most(b.ends[2 * i], at), at_most(at, b.ends[2 * i + 1])}) {
+        parts.push_back(
+            Theorem::replace(same, at, side, Theorem::assume(substitute(side, {{at, b.entries[i]}}))));
+      }
+    }
+    return Theorem::convert(both(parts), lies_between()(arguments), {lies_between()});
+  }();
+  return theorem;
 }
 
 // A letter for each entry, known from `enclosed`.
 Letters entries_of(const Variable& M, const Bounds& bounds) {
-  const Theorem known = Theorem::assume(enclosed(M, bounds));
+  const Formula said = enclosed(M, bounds);
+  const Theorem known = Theorem::convert(Theorem::assume(said), unfold(said, {lies_between()}), {lies_between()});
   Letters letters;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    letters.emplace(Variable{fmt::format("{}_{}{}", M.name, i / rows + 1, i % rows + 1)},
-                    Known{known.conclusion().parts()[2 * i].parts()[1], bounds[i],
-                          Theorem::assume(known.conclusion().parts()[2 * i]),
-                          Theorem::assume(known.conclusion().parts()[2 * i + 1])});
+    letters.emplace(Variable{M.name + "_" + place(static_cast<int>(i))},
+                    Known{entry_of(M, static_cast<int>(i)), bounds[i], part(known, 2 * i),
+                          part(known, 2 * i + 1)});
   }
   return letters;
 }
-// Of hypotheses on single entries, what says all of them at once.
-Theorem gathered(Theorem theorem, const Formula& all_at_once) {
-  const Theorem known = Theorem::assume(all_at_once);
-  for (const Formula& one : all_at_once.parts()) {
-    if (theorem.hypotheses().contains(one)) {
-      theorem = Theorem::cut(Theorem::consequence({known}, one), theorem);
-    }
-  }
-  return theorem;
-}
-// The matrix with its letters for entries.
+// The letter of an entry.
 Term letter(const Variable& M, int i, int j) {
-  return Variable{fmt::format("{}_{}{}", M.name, i + 1, j + 1)};
+  return Variable{M.name + "_" + place(rows * i + j)};
 }
 
 // A matrix that is known entry by entry.
@@ -140,17 +181,29 @@ struct Matrix {
   Theorem known;  // enclosed(value, bounds)
 };
 
-// In ranges of letters; these then with their values.
-Matrix matrix_of(const Term& M, const Ranges& ranges, const Letters& letters) {
+// The matrix with these entries, in ranges of letters, and then with the letters' values. It is another one,
+// as the theorem says.
+Matrix matrix_of(const std::vector<Term>& entries, const Ranges& ranges, const Letters& letters,
+                 const Theorem& is_matrix) {
+  const Between& b = between_letters();
+  Substitution values;
+  std::vector<Theorem> sides;
   Bounds bounds;
-  std::vector<Theorem> parts;
-  for (int i = 0; i < rows * rows; ++i) {
-    const Known one = bounded(entry(M, i / rows, i % rows), ranges);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Known one = bounded(entries[i], ranges);
     bounds.push_back(one.range);
-    parts.insert(parts.end(), {one.lower, one.upper});
+    for (const Theorem& side : {one.lower, one.upper}) {
+      sides.push_back(settled(side, letters));
+    }
+    values.emplace(Variable{b.entries[i].name()}, sides.back().conclusion().parts()[0]);
+    values.emplace(Variable{b.ends[2 * i].name()}, one.range.first);
+    values.emplace(Variable{b.ends[2 * i + 1].name()}, one.range.second);
   }
-  const Theorem known = settled(both(parts), letters);
-  return {known.conclusion().parts()[0].parts()[1].parts()[0], bounds, known};
+  Theorem known = Theorem::instantiate(entry_by_entry(), values);
+  for (const Theorem& side : sides) {
+    known = Theorem::cut(side, known);
+  }
+  return {is_matrix.conclusion().parts()[1], bounds, by_rewriting(known, is_matrix)};
 }
 
 // A times P.
@@ -158,28 +211,20 @@ Matrix product(const Matrix& a, const Matrix& p) {
   const Variable A{"A", real_matrix(rows, rows)}, P{"P", real_matrix(rows, rows)};
   Letters letters = entries_of(A, a.bounds);
   letters.merge(entries_of(P, p.bounds));
-  const Ranges ranges = ranges_of(letters);
-  Bounds bounds;
-  std::vector<Theorem> parts;
-  for (int i = 0; i < rows; ++i) {
-    for (int j = 0; j < rows; ++j) {
-      std::vector<Term> summands, entries;
-      for (int k = 0; k < rows; ++k) {
-        summands.push_back(letter(A, i, k) * letter(P, k, j));
-        entries.push_back(entry(A, i, k) * entry(P, k, j));
-      }
-      const Known one = bounded(sum(summands), ranges);
-      const Theorem is_entry = Theorem::combination(equal(sum(entries), entry(Term(A) * Term(P), i, j)));
-      bounds.push_back(one.range);
-      for (const Theorem& side : {one.lower, one.upper}) {
-        parts.push_back(by_rewriting(settled(side, letters), is_entry));
-      }
+  std::vector<Term> sums, entries;
+  for (int i = 0; i < rows * rows; ++i) {
+    std::vector<Term> lettered, parts;
+    for (int k = 0; k < rows; ++k) {
+      lettered.push_back(letter(A, i / rows, k) * letter(P, k, i % rows));
+      parts.push_back(entry(A, i / rows, k) * entry(P, k, i % rows));
     }
+    sums.push_back(sum(lettered));
+    entries.push_back(sum(parts));
   }
-  const Theorem lemma = gathered(gathered(both(parts), enclosed(A, a.bounds)), enclosed(P, p.bounds));
-  Theorem known = Theorem::instantiate(lemma, {{A, a.value}, {P, p.value}});
-  known = Theorem::cut(p.known, Theorem::cut(a.known, known));
-  return {a.value * p.value, bounds, known};
+  const Matrix lemma = matrix_of(sums, ranges_of(letters), letters,
+                                 Theorem::combination(equal(matrix(rows, rows, entries), Term(A) * Term(P))));
+  const Theorem known = Theorem::instantiate(lemma.known, {{A, a.value}, {P, p.value}});
+  return {a.value * p.value, lemma.bounds, Theorem::cut(p.known, Theorem::cut(a.known, known))};
 }
 
 // enclosed(M) ⊢ the zeros of M's characteristic polynomial lie inside the unit circle, or one of them is real
@@ -192,8 +237,8 @@ Theorem judged(const Variable& M, const Bounds& bounds) {
   Letters values;
   for (std::size_t i = 0; i + 1 < coefficients.size(); ++i) {
     Term lettered = coefficients[i];
-    for (int j = 0; j < rows * rows; ++j) {
-      lettered = replaced(lettered, entry(M, j / rows, j % rows), letter(M, j / rows, j % rows));
+    for (const auto& [name, known] : entries) {
+      lettered = replaced(lettered, known.value, name);
     }
     Known one = bounded(lettered, ranges);
     one = {coefficients[i], one.range, settled(one.lower, entries), settled(one.upper, entries)};
@@ -205,7 +250,7 @@ Theorem judged(const Variable& M, const Bounds& bounds) {
   const Term column = matrix(rows + 1, 1, letters);
   const Ranges here = ranges_of(values);
   const auto finished = [&](const Theorem& theorem, const Formula& said, const Definitions& opened) {
-    return gathered(Theorem::convert(settled(theorem, values), said, opened), enclosed(M, bounds));
+    return Theorem::convert(settled(theorem, values), said, opened);
   };
   try {
     return finished(Theorem::jury(column, here, bits), inside_unit_circle(characteristic()({M})),
@@ -227,7 +272,7 @@ Theorem judged(const Variable& M, const Bounds& bounds) {
         result = Theorem::consequence({result}, shown);
         result = Theorem::convert(result, claim, {characteristic(), polynomial_at()});
         result = Theorem::witness(result, exists(mu, claim), mu);
-        return gathered(Theorem::choose(settled(there, values), mu, result), enclosed(M, bounds));
+        return Theorem::choose(settled(there, values), mu, result);
       } catch (const KernelError&) {
         end *= 2;
       }
@@ -265,11 +310,9 @@ class Multipliers {
       values.emplace(Y, flow);
       said.push_back(varies(k, Y));
       proved.push_back(varies_proved(k, flow));
-      const auto [event, letters, shown] = event_after(k);
-      Ranges ranges = ranges_;
-      ranges.merge(ranges_of(letters));
-      steps.push_back(matrix_of(event * apply(flow, d), ranges, letters));
-      const Term step = shown * apply(Y, d);
+      const Event event = event_after(k);
+      steps.push_back(stepped(event, apply(flow, d)));
+      const Term step = event.matrix() * apply(Y, d);
       named = k == 0 ? step : step * named;
     }
     Matrix M = steps[0];
@@ -444,14 +487,22 @@ class Multipliers {
 
   // ---- Events.
   struct Event {
-    Term matrix;      // in letters
-    Letters letters;  // what they stand for
-    Term shown;       // with that
+    Definition definition;
+    std::vector<Term> arguments;  // numbers, and letters
+    Letters letters;              // what they stand for
+
+    [[nodiscard]] Term matrix() const {
+      Substitution values;
+      for (const auto& [letter, known] : letters) {
+        values.emplace(letter, known.value);
+      }
+      return substitute(definition(arguments), values);
+    }
   };
   [[nodiscard]] Event event_after(std::size_t k) const {
     const std::size_t next = (k + 1) % count();
     if (sticks(next)) {
-      return {landing()({}), {}, landing()({})};
+      return {landing(), {}, {}};
     }
     Symbolic start;
     for (std::size_t i = 0; i < next; ++i) {
@@ -461,23 +512,43 @@ class Multipliers {
     const Term X = apply(Variable{fmt::format("X{}", next + 1), motion_type}, start.term);
     const std::vector<Term> here{X, start.term, q_.data.chi, q_.data.eta, q_.data.omega, q_.data.p, phi};
     const Term r = friction()(here);
-    const auto acceleration = [&](const Term& friction_there) {
-      return Term(q_.data.eta) * (friction_there - r);
+    const auto acceleration = [&](PhaseKind kind) {
+      const Rational u = kind == PhaseKind::slip ? q_.data.us : Rational(-q_.data.us);
+      return Term(q_.data.eta) * (Term(u) - r);
     };
-    const auto sliding = [&](PhaseKind kind) {
-      return Term(kind == PhaseKind::slip ? q_.data.us : Rational(-q_.data.us));
-    };
-    Letters letters;
     const Variable before{"before"}, after{"after"}, rate{"rate"};
-    letters.emplace(after, at_event(acceleration(sliding(q_.phases[next])), X));
+    const Known then = at_event(acceleration(q_.phases[next]), X);
     if (sticks(k)) {
-      letters.emplace(rate, at_event(friction_rate()(here), X));
-      return {break_away()({q_.data.chi, after, rate}), letters,
-              break_away()({q_.data.chi, letters.at(after).value, letters.at(rate).value})};
+      return {break_away(),
+              {q_.data.chi, after, rate},
+              {{after, then}, {rate, at_event(friction_rate()(here), X)}}};
     }
-    letters.emplace(before, at_event(acceleration(sliding(q_.phases[k])), X));
-    return {crossing()({before, after}), letters,
-            crossing()({letters.at(before).value, letters.at(after).value})};
+    return {crossing(),
+            {before, after},
+            {{after, then}, {before, at_event(acceleration(q_.phases[k]), X)}}};
+  }
+
+  // The event's matrix times a flow, by the entries of both: those of the event are mostly 0 and 1.
+  [[nodiscard]] Matrix stepped(const Event& event, const Term& flow) const {
+    const Term opened_event = event.definition.unfolded(event.arguments);
+    std::vector<Term> entries;
+    for (int i = 0; i < rows * rows; ++i) {
+      Symbolic total;
+      for (int k = 0; k < rows; ++k) {
+        total += Symbolic(opened_event.parts()[static_cast<std::size_t>(rows * (i / rows) + k)]) *
+                 Symbolic(flow.parts()[static_cast<std::size_t>(rows * k + i % rows)]);
+      }
+      entries.push_back(total.term);
+    }
+    Theorem same = Theorem::combination(
+        equal(matrix(rows, rows, entries), event.definition(event.arguments) * flow), {}, {event.definition});
+    Ranges ranges = ranges_;
+    ranges.merge(ranges_of(event.letters));
+    const Formulas divisors = same.hypotheses();
+    for (const Formula& one : divisors) {
+      same = Theorem::cut(Theorem::sign(one, of(one, ranges), bits), same);
+    }
+    return matrix_of(entries, ranges, event.letters, settled(same, event.letters));
   }
 
   // Bounds of a number of the state X at an event.
