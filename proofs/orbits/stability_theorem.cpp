@@ -160,12 +160,13 @@ const Theorem& entry_by_entry() {
 // A letter for each entry, known from `enclosed`.
 Letters entries_of(const Variable& M, const Bounds& bounds) {
   const Formula said = enclosed(M, bounds);
-  const Theorem known = Theorem::convert(Theorem::assume(said), unfold(said, {lies_between()}), {lies_between()});
+  const Theorem known =
+      Theorem::convert(Theorem::assume(said), unfold(said, {lies_between()}), {lies_between()});
   Letters letters;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    letters.emplace(Variable{M.name + "_" + place(static_cast<int>(i))},
-                    Known{entry_of(M, static_cast<int>(i)), bounds[i], part(known, 2 * i),
-                          part(known, 2 * i + 1)});
+    letters.emplace(
+        Variable{M.name + "_" + place(static_cast<int>(i))},
+        Known{entry_of(M, static_cast<int>(i)), bounds[i], part(known, 2 * i), part(known, 2 * i + 1)});
   }
   return letters;
 }
@@ -523,9 +524,7 @@ class Multipliers {
               {q_.data.chi, after, rate},
               {{after, then}, {rate, at_event(friction_rate()(here), X)}}};
     }
-    return {crossing(),
-            {before, after},
-            {{after, then}, {before, at_event(acceleration(q_.phases[k]), X)}}};
+    return {crossing(), {before, after}, {{after, then}, {before, at_event(acceleration(q_.phases[k]), X)}}};
   }
 
   // The event's matrix times a flow, by the entries of both: those of the event are mostly 0 and 1.

@@ -118,7 +118,7 @@ Claim steady() {
           .origin = Origin::reading,
           .words =
               "conclusion: the orbits of the three figures are steady-state responses, that is, they attract",
-          .prove = [](Prover&, const Claim&) {
+          .prove = [](Prover& prover, const Claim&) {
             const Example& example = example_named("S");
             Outcome outcome = at_the_data(example,
                                           "a Floquet multiplier of the orbit is larger than 1, in "
@@ -141,6 +141,8 @@ Claim steady() {
                                                        Ball(1),
                                                        "the modulus of the multiplier",
                                                        "what it exceeds"});
+            outcome.theorems = prover.prove("S.stability").outcome.theorems;
+            outcome.by_kernel = !outcome.theorems.empty();
             return outcome;
           }};
 }

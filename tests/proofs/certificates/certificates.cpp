@@ -56,6 +56,9 @@ TEST_CASE("nothing is admitted, nothing is an axiom, and every theorem is asked 
   CHECK(all.certificates.size() >= 3);
   for (const certificates::File& file : all.files) {
     CAPTURE(file.name);
+    if (file.name == "Makefile") {
+      continue;
+    }
     for (const char * word :
          {"Admitted", "admit.", "Axiom", "Parameter ", "Hypothesis", "Variable ", "Conjecture", "Unset "}) {
       CHECK(file.text.find(word) == std::string::npos);
