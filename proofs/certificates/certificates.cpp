@@ -125,7 +125,7 @@ class Writer {
     std::string text =
         "# make -k -j: has Coq check the certificates that were asked for; what it says of each is in "
         "NAME.log.\n# make axioms: then has it say in Axioms.log what those that it accepted rest on.\n"
-        "SHELL = /bin/bash\nTIMEOUT ?= 600\n"
+        "# A file may take TIMEOUT seconds of processor time.\nSHELL = /bin/bash\nTIMEOUT ?= 600\n"
         "ifeq (,$(shell command -v coqc))\n"
         "$(error there is no coqc here: install Debian's coq, libcoq-coquelicot and libcoq-interval)\n"
         "endif\nall:";
@@ -137,9 +137,9 @@ class Writer {
     text += fmt::format("\nCLAIMS = {}\n", fmt::join(names, " "));
     text +=
         "%.vo: %.v\n"
-        "\t@TIMEFORMAT='seconds %U'; { time timeout $(TIMEOUT) coqc -w none -Q . Stickslip $< ; } > $*.log "
-        "2>&1 \\\n"
-        "\t  || { [ $$? = 124 ] && echo 'no end within $(TIMEOUT) seconds' >> $*.log; rm -f $@; echo \"$*: "
+        "\t@TIMEFORMAT='seconds %U'; ulimit -S -t $(TIMEOUT); \\\n"
+        "\t{ time coqc -w none -Q . Stickslip $< ; } > $*.log 2>&1 \\\n"
+        "\t  || { [ $$? = 152 ] && echo 'no end within $(TIMEOUT) seconds' >> $*.log; rm -f $@; echo \"$*: "
         "Coq does not accept it: see $*.log\"; exit 1; }\n"
         ".PHONY: all axioms\n"
         "axioms:\n"
