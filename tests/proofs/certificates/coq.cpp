@@ -33,7 +33,8 @@ std::vector<bool> accepted(const std::filesystem::path& directory, const std::se
                            const std::vector<Asked>& asked) {
   // What fails leaves a proof open, or a name unknown, and the next command is read all the same.
   std::string text = fmt::format(
-      "From Stickslip Require Import Algebra Inverses Numbers Calculus Definitions {}.\nOpen Scope R_scope.\n"
+      "From Stickslip Require Import Algebra Inverses Numbers Stability Calculus Definitions {}.\nOpen Scope "
+      "R_scope.\n"
       "Set Default Timeout 60.\n",
       fmt::join(imports, " "));
   for (std::size_t i = 0; i < asked.size(); ++i) {
