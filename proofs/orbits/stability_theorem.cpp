@@ -3,7 +3,7 @@
 // The solutions of the equations of variation are in closed form in omega1, omega2 of (39) and in 1/omega1,
 // 1/omega2 and 1/(lambda2 - lambda1), which are letters of a system of their own. Then matrices are enclosed
 // entry by entry: of each phase with the event after it, of their products, and the characteristic
-// polynomial's coefficients. So no term grows with the number of phases.
+// polynomial's coefficients (enclosed_matrix.hpp). So no term grows with the number of phases.
 #include <fmt/format.h>
 
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "proofs/orbits/along.hpp"
 #include "proofs/orbits/definitions.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/orbits/orbit_with.hpp"
 #include "proofs/orbits/with_zero.hpp"
@@ -22,215 +23,9 @@ using namespace tactics;
 
 namespace {
 
-constexpr int rows = 4;
-constexpr long bits = 96;
-
-// A number's bounds, and theorems that it lies between them.
-struct Known {
-  Term value;
-  Interval range;
-  Theorem lower, upper;  // l <= value, value <= u
-};
-// Letters that stand for numbers, each with what it stands for.
-using Letters = std::map<Variable, Known>;
-
-// Outwards to multiples of 2^-28, and one of them more.
-Interval rounded(const Interval& range) {
-  const mpz_class unit = mpz_class(1) << 28;
-  const auto multiple = [&](const Rational& value, int direction) {
-    mpz_class whole;
-    mpz_fdiv_q(whole.get_mpz_t(), mpz_class(value.get_num() * unit).get_mpz_t(), value.get_den_mpz_t());
-    return Rational(whole + (direction > 0 ? 2 : -1), unit);
-  };
-  Interval result{multiple(range.first, -1), multiple(range.second, 1)};
-  result.first.canonicalize();
-  result.second.canonicalize();
-  return result;
-}
-
-Ranges of(const Term& term, const Ranges& ranges) {
-  Ranges result;
-  for (const Variable& variable : term.variables()) {
-    if (const auto known = ranges.find(variable); known != ranges.end()) {
-      result.insert(*known);
-    }
-  }
-  return result;
-}
-
-// ranges ⊢ l <= term, term <= u, with l and u near.
-Known bounded(const Term& term, const Ranges& ranges) {
-  const Ranges here = of(term, ranges);
-  const Interval range = rounded(enclosure(term, here, Rational(1, 1L << 28)));
-  return {term, range, Theorem::sign(at_most(range.first, term), here, bits),
-          Theorem::sign(at_most(term, range.second), here, bits)};
-}
-
-// The theorem with the letters' values in their place, and without the hypotheses on their ranges.
-Theorem settled(const Theorem& theorem, const Letters& letters) {
-  Substitution values;
-  std::map<Formula, Theorem> known;
-  for (const auto& [letter, one] : letters) {
-    values.emplace(letter, one.value);
-    known.emplace(one.lower.conclusion(), one.lower);
-    known.emplace(one.upper.conclusion(), one.upper);
-  }
-  Theorem result = Theorem::instantiate(theorem, values);
-  const Formulas hypotheses = result.hypotheses();
-  for (const Formula& one : hypotheses) {
-    if (const auto lemma = known.find(one); lemma != known.end()) {
-      result = Theorem::cut(lemma->second, result);
-    }
-  }
-  return result;
-}
-
-Ranges ranges_of(const Letters& letters) {
-  Ranges ranges;
-  for (const auto& [letter, one] : letters) {
-    ranges.emplace(letter, one.range);
-  }
-  return ranges;
-}
-
-// Bounds of all entries of a matrix of four rows, row by row.
-using Bounds = std::vector<Interval>;
-
-std::string place(int i) {
-  return fmt::format("{}{}", i / rows + 1, i % rows + 1);
-}
-Term entry_of(const Term& M, int i) {
-  return entry(M, i / rows, i % rows);
-}
-
-// lies_between(M, l11, u11, l12, …): each entry of M lies between its bounds.
-struct Between {
-  Variable M{"M", real_matrix(rows, rows)};
-  std::vector<Term> entries, ends;
-  std::vector<Variable> parameters{M};
-  std::vector<Formula> parts;
-  Between() {
-    for (int i = 0; i < rows * rows; ++i) {
-      const Variable l{"l" + place(i)}, u{"u" + place(i)};
-      entries.emplace_back(Variable{"e" + place(i)});
-      ends.insert(ends.end(), {l, u});
-      parameters.insert(parameters.end(), {l, u});
-      parts.insert(parts.end(), {at_most(l, entry_of(M, i)), at_most(entry_of(M, i), u)});
-    }
-  }
-};
-const Between& between_letters() {
-  static const Between letters;
-  return letters;
-}
-const Definition& lies_between() {
-  static const Definition definition("lies_between", between_letters().parameters,
-                                     all(between_letters().parts));
-  return definition;
-}
-Formula enclosed(const Term& M, const Bounds& bounds) {
-  std::vector<Term> arguments{M};
-  for (const auto& [lower, upper] : bounds) {
-    arguments.insert(arguments.end(), {lower, upper});
-  }
-  return lies_between()(arguments);
-}
-
-// l11 <= e11, e11 <= u11, … ⊢ lies_between of the matrix with the entries e11, ….
-const Theorem& entry_by_entry() {
-  static const Theorem theorem = [] {
-    const Between& b = between_letters();
-    const Term M = matrix(rows, rows, b.entries);
-    std::vector<Theorem> parts;
-    std::vector<Term> arguments{M};
-    arguments.insert(arguments.end(), b.ends.begin(), b.ends.end());
-    for (std::size_t i = 0; i < b.entries.size(); ++i) {
-      const Theorem same = Theorem::combination(equal(b.entries[i], entry_of(M, static_cast<int>(i))));
-      const Variable at{"e"};
-      for (const auto& side : {at_most(b.ends[2 * i], at), at_most(at, b.ends[2 * i + 1])}) {
-        parts.push_back(
-            Theorem::replace(same, at, side, Theorem::assume(substitute(side, {{at, b.entries[i]}}))));
-      }
-    }
-    return Theorem::convert(both(parts), lies_between()(arguments), {lies_between()});
-  }();
-  return theorem;
-}
-
-// A letter for each entry, known from `enclosed`.
-Letters entries_of(const Variable& M, const Bounds& bounds) {
-  const Formula said = enclosed(M, bounds);
-  const Theorem known =
-      Theorem::convert(Theorem::assume(said), unfold(said, {lies_between()}), {lies_between()});
-  Letters letters;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    letters.emplace(
-        Variable{M.name + "_" + place(static_cast<int>(i))},
-        Known{entry_of(M, static_cast<int>(i)), bounds[i], part(known, 2 * i), part(known, 2 * i + 1)});
-  }
-  return letters;
-}
-// The letter of an entry.
-Term letter(const Variable& M, int i, int j) {
-  return Variable{M.name + "_" + place(rows * i + j)};
-}
-
-// A matrix that is known entry by entry.
-struct Matrix {
-  Term value;
-  Bounds bounds;
-  Theorem known;  // enclosed(value, bounds)
-};
-
-// The matrix with these entries, in ranges of letters, and then with the letters' values. It is another one,
-// as the theorem says.
-Matrix matrix_of(const std::vector<Term>& entries, const Ranges& ranges, const Letters& letters,
-                 const Theorem& is_matrix) {
-  const Between& b = between_letters();
-  Substitution values;
-  std::vector<Theorem> sides;
-  Bounds bounds;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Known one = bounded(entries[i], ranges);
-    bounds.push_back(one.range);
-    for (const Theorem& side : {one.lower, one.upper}) {
-      sides.push_back(settled(side, letters));
-    }
-    values.emplace(Variable{b.entries[i].name()}, sides.back().conclusion().parts()[0]);
-    values.emplace(Variable{b.ends[2 * i].name()}, one.range.first);
-    values.emplace(Variable{b.ends[2 * i + 1].name()}, one.range.second);
-  }
-  Theorem known = Theorem::instantiate(entry_by_entry(), values);
-  for (const Theorem& side : sides) {
-    known = Theorem::cut(side, known);
-  }
-  return {is_matrix.conclusion().parts()[1], bounds, by_rewriting(known, is_matrix)};
-}
-
-// A times P.
-Matrix product(const Matrix& a, const Matrix& p) {
-  const Variable A{"A", real_matrix(rows, rows)}, P{"P", real_matrix(rows, rows)};
-  Letters letters = entries_of(A, a.bounds);
-  letters.merge(entries_of(P, p.bounds));
-  std::vector<Term> sums, entries;
-  for (int i = 0; i < rows * rows; ++i) {
-    std::vector<Term> lettered, parts;
-    for (int k = 0; k < rows; ++k) {
-      lettered.push_back(letter(A, i / rows, k) * letter(P, k, i % rows));
-      parts.push_back(entry(A, i / rows, k) * entry(P, k, i % rows));
-    }
-    sums.push_back(sum(lettered));
-    entries.push_back(sum(parts));
-  }
-  const Matrix lemma = matrix_of(sums, ranges_of(letters), letters,
-                                 Theorem::combination(equal(matrix(rows, rows, entries), Term(A) * Term(P))));
-  const Theorem known = Theorem::instantiate(lemma.known, {{A, a.value}, {P, p.value}});
-  return {a.value * p.value, lemma.bounds, Theorem::cut(p.known, Theorem::cut(a.known, known))};
-}
-
 // enclosed(M) ⊢ the zeros of M's characteristic polynomial lie inside the unit circle, or one of them is real
 // and larger than 1.
-Theorem judged(const Variable& M, const Bounds& bounds) {
+Theorem judged(const Variable& M, const std::vector<Interval>& bounds) {
   const Letters entries = entries_of(M, bounds);
   const Ranges ranges = ranges_of(entries);
   const std::vector<Term> coefficients = characteristic().unfolded({M}).parts();
@@ -248,19 +43,19 @@ Theorem judged(const Variable& M, const Bounds& bounds) {
     values.emplace(c, one);
   }
   letters.emplace_back(1);
-  const Term column = matrix(rows + 1, 1, letters);
+  const Term column = matrix(matrix_rows + 1, 1, letters);
   const Ranges here = ranges_of(values);
   const auto finished = [&](const Theorem& theorem, const Formula& said, const Definitions& opened) {
     return Theorem::convert(settled(theorem, values), said, opened);
   };
   try {
-    return finished(Theorem::jury(column, here, bits), inside_unit_circle(characteristic()({M})),
+    return finished(Theorem::jury(column, here, matrix_bits), inside_unit_circle(characteristic()({M})),
                     {characteristic()});
   } catch (const KernelError&) {
     const Variable mu{"mu"};
     const Term f = lambda(mu, polynomial_at().unfolded({column, mu}));
     Rational end = 2;
-    const auto is = [&](const Formula& relation) { return Theorem::sign(relation, here, bits); };
+    const auto is = [&](const Formula& relation) { return Theorem::sign(relation, here, matrix_bits); };
     const Theorem start = is(less(apply(f, 1), 0));
     while (end < 1 << 20) {
       try {
@@ -320,7 +115,7 @@ class Multipliers {
     for (std::size_t k = 1; k < count(); ++k) {
       M = product(steps[k], M);
     }
-    const Variable name{"M", real_matrix(rows, rows)};
+    const Variable name{"M", real_matrix(matrix_rows, matrix_rows)};
     const Theorem verdict = judged(name, M.bounds);
     names.push_back(name);
     values.emplace(name, M.value);
@@ -418,7 +213,8 @@ class Multipliers {
   }
 
   // Of the mode j, by which row of the state at the beginning x1 is given.
-  [[nodiscard]] std::array<Symbolic, rows> mode(std::size_t j, const Symbolic& c, const Symbolic& s) const {
+  [[nodiscard]] std::array<Symbolic, matrix_rows> mode(std::size_t j, const Symbolic& c,
+                                                       const Symbolic& s) const {
     const Symbolic other = lambda_[1 - j], sign = j == 0 ? 1 : -1;
     const Symbolic g = over_difference_;
     return {g * sign * other * c, -(g * sign * c), g * sign * other * s * over_omega_[j],
@@ -431,11 +227,11 @@ class Multipliers {
     if (sticks(k)) {
       return lambda(t, as_term(model::Gamma<Symbolic>(Term(q_.data.chi), Symbolic(t))));
     }
-    std::vector<Symbolic> entries(rows * rows);
+    std::vector<Symbolic> entries(matrix_rows * matrix_rows);
     for (std::size_t j = 0; j < 2; ++j) {
       const Symbolic angle = omega_[j] * Symbolic(t), c = cos(angle), s = sin(angle);
       const auto x = mode(j, c, s), v = mode(j, -(omega_[j] * s), omega_[j] * c);
-      for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t i = 0; i < matrix_rows; ++i) {
         entries[i] += x[i];
         entries[4 + i] += lambda_[j] * x[i];
         entries[8 + i] += v[i];
@@ -445,7 +241,7 @@ class Multipliers {
     std::vector<Term> terms;
     std::transform(entries.begin(), entries.end(), std::back_inserter(terms),
                    [](const Symbolic& one) { return one.term; });
-    return lambda(t, matrix(rows, rows, terms));
+    return lambda(t, matrix(matrix_rows, matrix_rows, terms));
   }
 
   [[nodiscard]] Theorem vanishes(std::size_t i) const { return Theorem::assume(equal(system_.at(i), 0)); }
@@ -461,22 +257,22 @@ class Multipliers {
     if (!sticks(k)) {
       for (std::size_t j = 0; j < 2; ++j) {
         const Symbolic angle = omega_[j] * Symbolic(t);
-        std::vector<Term> share(rows * rows, 0), start(rows * rows, 0);
+        std::vector<Term> share(matrix_rows * matrix_rows, 0), start(matrix_rows * matrix_rows, 0);
         const auto x = mode(j, cos(angle), sin(angle));
         const Symbolic over_chi(Term(Rational(1 / q_.data.chi)));
         // omega_j over_omega_j - 1 stands where x' is 1 at the start.
         const Symbolic sign = j == 0 ? 1 : -1, g = over_difference_ * sign, other = lambda_[1 - j];
-        for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t i = 0; i < matrix_rows; ++i) {
           share[12 + i] = (over_chi * x[i]).term;
         }
         start[10] = (g * other).term;
         start[11] = (-g).term;
         start[14] = (g * other * lambda_[j]).term;
         start[15] = (-(g * lambda_[j])).term;
-        moves.push_back({vanishes(j), matrix(rows, rows, share)});
-        begins.push_back({vanishes(2 + j), matrix(rows, rows, start)});
+        moves.push_back({vanishes(j), matrix(matrix_rows, matrix_rows, share)});
+        begins.push_back({vanishes(2 + j), matrix(matrix_rows, matrix_rows, start)});
       }
-      begins.push_back({vanishes(4), identity(rows)});
+      begins.push_back({vanishes(4), identity(matrix_rows)});
     }
     const Theorem rate = by_rewriting(
         slope, Theorem::combination(equal(slope.conclusion().parts()[2], open.parts()[1].parts()[2]), moves));
@@ -531,21 +327,23 @@ class Multipliers {
   [[nodiscard]] Matrix stepped(const Event& event, const Term& flow) const {
     const Term opened_event = event.definition.unfolded(event.arguments);
     std::vector<Term> entries;
-    for (int i = 0; i < rows * rows; ++i) {
+    for (int i = 0; i < matrix_rows * matrix_rows; ++i) {
       Symbolic total;
-      for (int k = 0; k < rows; ++k) {
-        total += Symbolic(opened_event.parts()[static_cast<std::size_t>(rows * (i / rows) + k)]) *
-                 Symbolic(flow.parts()[static_cast<std::size_t>(rows * k + i % rows)]);
+      for (int k = 0; k < matrix_rows; ++k) {
+        total +=
+            Symbolic(opened_event.parts()[static_cast<std::size_t>(matrix_rows * (i / matrix_rows) + k)]) *
+            Symbolic(flow.parts()[static_cast<std::size_t>(matrix_rows * k + i % matrix_rows)]);
       }
       entries.push_back(total.term);
     }
     Theorem same = Theorem::combination(
-        equal(matrix(rows, rows, entries), event.definition(event.arguments) * flow), {}, {event.definition});
+        equal(matrix(matrix_rows, matrix_rows, entries), event.definition(event.arguments) * flow), {},
+        {event.definition});
     Ranges ranges = ranges_;
     ranges.merge(ranges_of(event.letters));
     const Formulas divisors = same.hypotheses();
     for (const Formula& one : divisors) {
-      same = Theorem::cut(Theorem::sign(one, of(one, ranges), bits), same);
+      same = Theorem::cut(Theorem::sign(one, ranges_in(one, ranges), matrix_bits), same);
     }
     return matrix_of(entries, ranges, event.letters, settled(same, event.letters));
   }
