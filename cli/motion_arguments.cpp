@@ -147,7 +147,7 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
   command
       ->add_option("--certify", options.certify,
                    "Also write into DIR, for each admissible orbit, a proof for Coq that it\n"
-                   "exists; `make -k -j` there has Coq check them")
+                   "exists, and is stable or not; `make -k -j` there has Coq check them")
       ->type_name("DIR");
   command->callback([&options, &request, near, plot, out] {
     options.with_near = near->count() > 0;

@@ -44,7 +44,7 @@ void draw(const OrbitList& list, const std::string& file) {
   report::tools::write_plot(file, script);
 }
 
-// One claim for each admissible orbit: that it exists.
+// One claim for each admissible orbit: that it exists, and, where that is decided, whether it is stable.
 std::vector<proofs::methods::Claim> claims_of(const OrbitList& list) {
   using namespace proofs;
   std::vector<methods::Claim> claims;
@@ -60,10 +60,14 @@ std::vector<proofs::methods::Claim> claims_of(const OrbitList& list) {
       methods::Outcome outcome;
       const motion::Motion& motion = list.orbits[k].motion;
       try {
-        outcome.theorems = {orbits::orbit_theorem(orbits::question_of(list.question, motion), motion)};
+        const orbits::Question question = orbits::question_of(list.question, motion);
+        outcome.theorems = {orbits::orbit_theorem(question, motion)};
         outcome.verdict = Verdict::proved();
+        outcome.theorems.push_back(orbits::stability_theorem(outcome.theorems.front(), question));
       } catch (const kernel::KernelError& error) {
-        outcome.verdict = Verdict::undecided(error.what());
+        if (outcome.theorems.empty()) {
+          outcome.verdict = Verdict::undecided(error.what());
+        }
       }
       return outcome;
     };
@@ -89,6 +93,11 @@ void certify(const OrbitList& list, const std::string& directory) {
     write_certificates(directory, made);
     tell(fmt::format("Certificates of {} orbits are in {}: make -k -j there has Coq check them.",
                      made.certificates.size(), directory));
+  }
+  for (const proofs::certificates::Certificate& one : made.certificates) {
+    if (one.theorems.size() == 1) {
+      tell(fmt::format("{} is certified to exist; whether it is stable is not.", one.claim));
+    }
   }
   for (const proofs::certificates::Uncertified& one : made.uncertified) {
     tell(fmt::format("{} has none: {}.", one.claim, one.reason));

@@ -211,6 +211,8 @@ std::string text(const Term& term, int level) {
       return of_function("continuous_on", term, level);
     case Kind::finite:
       return bracketed(applied_level, level, "finite " + function_text(term));
+    case Kind::inside_unit_circle:
+      return applied("inside_unit_circle", parts, level);
     default:
       throw KernelError("a formula about " + to_string(term) + " has no form in Coq");
   }

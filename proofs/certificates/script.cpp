@@ -227,6 +227,9 @@ std::string Script::tactics(const Theorem& theorem, const Scope& scope) {
   if (step.rule == "sign") {
     return sign(theorem);
   }
+  if (step.rule == "jury") {
+    return jury(theorem);
+  }
   if (step.rule == "one_zero") {
     return one_zero(theorem);
   }

@@ -67,6 +67,7 @@ class Script {
   [[nodiscard]] std::string solved(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string order(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string sign(const kernel::Theorem& theorem);
+  [[nodiscard]] std::string jury(const kernel::Theorem& theorem);
   [[nodiscard]] std::string one_zero(const kernel::Theorem& theorem);
   [[nodiscard]] std::string consequence(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] static bool is_calculus(const std::string& rule);

@@ -27,6 +27,7 @@ struct Named {
 };
 const std::map<std::string, Named> lemmas{
     {"continuous_within", {"continuous_within", 5}},
+    {"intermediate_value", {"intermediate_value", 3}},
     {"monotone", {"monotone", 3}},
     {"same_derivative", {"same_derivative", 6}},
     {"unique_derivative", {"unique_derivative", 4}},

@@ -141,6 +141,20 @@ std::string Script::sign(const Theorem& theorem) {
   return text + fmt::format("  reduce_matrices; by_enclosure{}.", along);
 }
 
+// Jury's test is one inequality for each degree.
+std::string Script::jury(const Theorem& theorem) {
+  needs_.insert({"Stability", "Numbers"});
+  std::vector<Definition> opened;
+  collect_definitions(theorem, opened);
+  const std::string open = opened.empty() ? ""
+                                          : fmt::format("cbv beta delta [{}]; ",
+                                                        names_of(Definitions(opened.begin(), opened.end())));
+  return fmt::format(
+      "  apply inside_by_schur; {}cbv beta iota delta [schur next Nat.sub]; reduce_matrices.\n"
+      "  repeat split; by_enclosure.",
+      open);
+}
+
 // The test of the prelude needs: derivatives, as terms; where they are all over the box; f in the middle; and
 // whole numbers that pass. Each is a lemma of its own.
 std::string Script::one_zero(const Theorem& theorem) {

@@ -213,4 +213,20 @@ Theorem Theorem::mean_value(const Theorem& continuity, const Theorem& derivative
                          equal(apply(f, b) - apply(f, a), at_c.parts()[1].parts()[2] * (b - a))}))};
 }
 
+Theorem Theorem::intermediate_value(const Theorem& continuity, const Theorem& start, const Theorem& end,
+                                    const Theorem& order) {
+  const Formula& known = continuity.conclusion();
+  require(known.kind() == Kind::continuous, "the first premise is no continuity");
+  const Term &f = known.parts()[0], &a = known.parts()[1], &b = known.parts()[2];
+  require(f.type().rows == 1 && f.type().columns == 1,
+          "the intermediate value theorem is of numbers, not of vectors");
+  require(order.conclusion() == less(a, b), "the interval is not known to have a length");
+  require(start.conclusion() == less(apply(f, a), 0) && end.conclusion() == less(0, apply(f, b)),
+          "the values at the ends are not known to be below and above zero");
+  const Variable c = fresh(real_number, {known});
+  return {{.rule = "intermediate_value", .premises = {continuity, start, end, order}},
+          hypotheses_of({continuity, start, end, order}),
+          exists(c, all({between(a, c, b), equal(apply(f, c), 0)}))};
+}
+
 }  // namespace stickslip::proofs::kernel

@@ -23,6 +23,30 @@ bool passes_jury(std::vector<Ball> c) {
   return true;
 }
 
+// Variables in ranges, for the rules that hold for all their values: hypotheses l ≤ x, x ≤ u.
+struct Ranged {
+  Formulas hypotheses;
+  std::vector<Term> data;
+  std::map<Variable, std::vector<Ball>> values;
+};
+
+Ranged ranged(const std::map<Variable, Interval>& ranges) {
+  Ranged result;
+  for (const auto& [variable, range] : ranges) {
+    require(variable.type.is_scalar(), "only numbers have ranges");
+    check(range);
+    const Term lower = number(range.first), upper = number(range.second);
+    result.values[variable] = {Ball::from_interval(range.first, range.second)};
+    result.hypotheses.insert({at_most(lower, variable), at_most(variable, upper)});
+    result.data.insert(result.data.end(), {variable, lower, upper});
+  }
+  return result;
+}
+
+void check_precision(long bits) {
+  require(bits >= 2 && bits <= 100000, "the precision is 2 to 100000 bits");
+}
+
 }  // namespace
 
 Formula inside(const Term& x, const Box& box) {
@@ -45,33 +69,28 @@ Theorem Theorem::sign(const Formula& relation, const std::map<Variable, Interval
   const bool differs = relation.kind() == Kind::negation && relation.parts()[0].kind() == Kind::equal;
   require(differs || relation.kind() == Kind::less || relation.kind() == Kind::at_most,
           "the sign rule is of <, <= and of two numbers that differ");
-  require(bits >= 2 && bits <= 100000, "the precision is 2 to 100000 bits");
+  check_precision(bits);
   const Formula& compared = differs ? relation.parts()[0] : relation;
   require(compared.parts()[0].type().is_scalar() && compared.parts()[1].type().is_scalar(),
           "only numbers have signs");
-  Step step{.rule = "sign", .data = {relation, bits}};
-  Formulas hypotheses;
-  std::map<Variable, std::vector<Ball>> values;
   const WorkingPrecision scope(bits);
-  for (const auto& [variable, range] : ranges) {
-    require(variable.type.is_scalar(), "only numbers have ranges");
-    check(range);
-    values[variable] = {Ball::from_interval(range.first, range.second)};
-    hypotheses.insert(at_most(number(range.first), variable));
-    hypotheses.insert(at_most(variable, number(range.second)));
-    step.data.insert(step.data.end(), {variable, number(range.first), number(range.second)});
-  }
-  const Ball difference = evaluated<Ball>(compared.parts()[1] - compared.parts()[0], values, true)[0];
+  const Ranged known = ranged(ranges);
+  Step step{.rule = "sign", .data = {relation, bits}};
+  step.data.insert(step.data.end(), known.data.begin(), known.data.end());
+  const Ball difference = evaluated<Ball>(compared.parts()[1] - compared.parts()[0], known.values, true)[0];
   require(differs ? difference.is_nonzero() : difference.is_positive(), "the balls do not decide the sign");
-  return {step, hypotheses, relation};
+  return {step, known.hypotheses, relation};
 }
 
-Theorem Theorem::jury(const Term& coefficients, long bits) {
+Theorem Theorem::jury(const Term& coefficients, const std::map<Variable, Interval>& ranges, long bits) {
   const Formula conclusion = inside_unit_circle(coefficients);
-  require(bits >= 2 && bits <= 100000, "the precision is 2 to 100000 bits");
+  check_precision(bits);
   const WorkingPrecision scope(bits);
-  require(passes_jury(evaluated<Ball>(coefficients, {}, true)), "Jury's test does not prove it");
-  return {{.rule = "jury", .data = {coefficients, bits}}, {}, conclusion};
+  const Ranged known = ranged(ranges);
+  Step step{.rule = "jury", .data = {coefficients, bits}};
+  step.data.insert(step.data.end(), known.data.begin(), known.data.end());
+  require(passes_jury(evaluated<Ball>(coefficients, known.values, true)), "Jury's test does not prove it");
+  return {step, known.hypotheses, conclusion};
 }
 
 }  // namespace stickslip::proofs::kernel

@@ -141,6 +141,9 @@ class Theorem final {
   // there is c: a < c < b and f(b) - f(a) = v(c) (b - a). f is a number.
   [[nodiscard]] static Theorem mean_value(const Theorem& continuity, const Theorem& derivative,
                                           const Theorem& order);
+  // continuous(f, a, b), f(a) < 0, 0 < f(b), a < b give there is c: a < c < b and f(c) = 0. f is a number.
+  [[nodiscard]] static Theorem intermediate_value(const Theorem& continuity, const Theorem& start,
+                                                  const Theorem& end, const Theorem& order);
   // ⊢ finite t: t = x, and finite t: A(t), for all t: B(t) ⇒ A(t) give finite t: B(t);
   // finite t: A(t), finite t: B(t) give finite t: A(t) or B(t);
   // finite t: A(t) gives finite t: A(t + c).
@@ -161,8 +164,10 @@ class Theorem final {
   // 1 to 4.
   [[nodiscard]] static Theorem every_zero(const Variable& X, const Term& f, const Box& box,
                                           const std::vector<Box>& boxes);
-  // ⊢ every complex zero of the polynomial lies inside the unit circle: Jury's test in balls.
-  [[nodiscard]] static Theorem jury(const Term& coefficients, long bits = 128);
+  // Every complex zero of the polynomial lies inside the unit circle, for all values of its variables in the
+  // ranges, as in sign: Jury's test in balls.
+  [[nodiscard]] static Theorem jury(const Term& coefficients, const std::map<Variable, Interval>& ranges = {},
+                                    long bits = 128);
 
  private:
   struct Data {

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -24,11 +27,48 @@ void require_count(const Claim& claim, std::size_t count) {
   }
 }
 
+// Which entry of a row or a column of zeros is its one; nothing for another.
+std::optional<int> unit_of(const kernel::Term& term) {
+  const std::vector<kernel::Term>& parts = term.parts();
+  if (term.kind() != kernel::Kind::matrix || std::ranges::count(parts, kernel::Term(1)) != 1 ||
+      std::ranges::count(parts, kernel::Term(0)) + 1 != std::ssize(parts)) {
+    return std::nullopt;
+  }
+  return static_cast<int>(std::ranges::find(parts, kernel::Term(1)) - parts.begin());
+}
+
+// The term with (unit row) M (unit column) for the entry of M that it is, where M is written out.
+kernel::Term with_entries(kernel::Term term) {
+  std::set<kernel::Term> seen;
+  std::map<kernel::Term, kernel::Term> entries;
+  const auto visit = [&](const auto& self, const kernel::Term& part) -> void {
+    if (!part.is_closed() || !seen.insert(part).second) {
+      return;
+    }
+    std::ranges::for_each(part.parts(), [&](const kernel::Term& inside) { self(self, inside); });
+    if (part.kind() != kernel::Kind::product || part.parts()[0].kind() != kernel::Kind::product) {
+      return;
+    }
+    const kernel::Term &row = part.parts()[0].parts()[0], &M = part.parts()[0].parts()[1],
+                       &column = part.parts()[1];
+    const std::optional<int> i = unit_of(row), j = unit_of(column);
+    if (i && j && M.kind() == kernel::Kind::matrix && row.type().rows == 1 && column.type().columns == 1) {
+      entries.emplace(part, M.parts()[static_cast<std::size_t>(*i * M.type().columns + *j)]);
+    }
+  };
+  visit(visit, term);
+  for (const auto& [product, entry] : entries) {
+    term = replaced(term, product, entry);
+  }
+  return term;
+}
+
 std::vector<kernel::Multiple> multiples_of(Derivation& derivation, const std::vector<Multiple>& multiples) {
   std::vector<kernel::Multiple> result;
   for (const Multiple& multiple : multiples) {
     result.push_back({derivation.premise(multiple.premise, multiple.statement),
-                      derivation.read(multiple.left), derivation.read(multiple.right)});
+                      with_entries(derivation.read(multiple.left)),
+                      with_entries(derivation.read(multiple.right))});
   }
   return result;
 }

@@ -185,12 +185,16 @@ Interval enclosure(const Term& term, const Ranges& ranges, const Rational& width
     }
   };
   Rational low = -1, high = 1;
-  while (!holds(term, high)) {
-    high *= 2;
-  }
-  while (!holds(low, term)) {
-    low *= 2;
-  }
+  const auto widened = [&](Rational& bound, const auto& is_bound) {
+    while (!is_bound()) {
+      bound *= 2;
+      if (abs(bound) > 1L << 40) {
+        throw KernelError("there are no bounds of " + to_string(term));
+      }
+    }
+  };
+  widened(high, [&] { return holds(term, high); });
+  widened(low, [&] { return holds(low, term); });
   while (high - low > width) {
     const Rational apart = high - low, lower = low + apart * Rational(3, 8),
                    upper = low + apart * Rational(5, 8);

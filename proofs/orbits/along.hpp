@@ -13,7 +13,8 @@ namespace stickslip::proofs::orbits {
 // Intervals that hold numbers, all of them rational.
 using Ranges = std::map<kernel::Variable, kernel::Interval>;
 
-// Bounds of what the term can be, strict and no farther apart than that where the ranges allow.
+// Bounds of what the term can be, strict and no farther apart than that where the ranges allow. Throws
+// KernelError where a divisor may be zero.
 [[nodiscard]] kernel::Interval enclosure(const kernel::Term& term, const Ranges& ranges,
                                          const Rational& width);
 

@@ -1,5 +1,7 @@
 #include "proofs/orbits/definitions.hpp"
 
+#include <algorithm>
+
 namespace stickslip::proofs::orbits {
 
 using namespace kernel;
@@ -26,14 +28,18 @@ const Definition& friction() {
 
 namespace {
 
+// A of X' = A X + …: of (2), of (9).
+Term rates(bool slips, const Term& chi, const Term& eta) {
+  const Term zero = 0, one = 1, stiffness = chi * eta;
+  return matrix(4, 4,
+                {zero, zero, one, zero, zero, zero, zero, one, -1, chi, zero, zero, slips ? stiffness : zero,
+                 slips ? -stiffness : zero, zero, zero});
+}
+
 // (2) with u = sign us during (a, b), and x2' < V or x2' > V there.
 Definition slipping(const std::string& name, int sign) {
   const Letters l;
-  const Term x = apply(l.X, l.t), zero = 0, one = 1;
-  const Term stiffness = Term(l.chi) * l.eta;
-  const Term A = matrix(4, 4,
-                        {zero, zero, one, zero, zero, zero, zero, one, -1, l.chi, zero, zero, stiffness,
-                         -stiffness, zero, zero});
+  const Term x = apply(l.X, l.t), zero = 0, A = rates(true, l.chi, l.eta);
   const Term force = Term(sign) * (Term(l.eta) * l.us) + Term(l.p) * cos(Term(l.omega) * l.t + l.phi);
   const Formula moves = derivative(l.X, l.t, A * x + matrix(4, 1, {zero, zero, zero, force}));
   const Formula side = sign > 0 ? less(entry(x, 3), l.V) : less(l.V, entry(x, 3));
@@ -46,9 +52,7 @@ Definition slipping(const std::string& name, int sign) {
 // (9) during (a, b), x2' = V and |r| < ur from a on until b.
 Definition sticking() {
   const Letters l;
-  const Term x = apply(l.X, l.t), zero = 0, one = 1;
-  const Term A = matrix(
-      4, 4, {zero, zero, one, zero, zero, zero, zero, one, -1, l.chi, zero, zero, zero, zero, zero, zero});
+  const Term x = apply(l.X, l.t), A = rates(false, l.chi, l.eta);
   const Term r = friction()({x, l.t, l.chi, l.eta, l.omega, l.p, l.phi});
   return {"sticks",
           {l.X, l.a, l.b, l.chi, l.eta, l.V, l.omega, l.p, l.phi, l.ur},
@@ -64,6 +68,103 @@ const Definition& phase_definition(PhaseKind kind) {
   static const Definition slips = slipping("slips", 1), overshoots = slipping("overshoots", -1),
                           sticks = sticking();
   return kind == PhaseKind::slip ? slips : kind == PhaseKind::overshoot ? overshoots : sticks;
+}
+
+namespace {
+
+Definition varying(const std::string& name, bool slips) {
+  const Letters l;
+  const Variable Y{"Y", variation_type}, d{"d"};
+  std::vector<Variable> parameters{Y, d, l.chi};
+  if (slips) {
+    parameters.push_back(l.eta);
+  }
+  const Formula moves = derivative(Y, l.t, rates(slips, l.chi, l.eta) * apply(Y, l.t));
+  return {name, parameters,
+          all({continuous(Y, 0, d), for_all(l.t, implies(between(0, l.t, d), moves)),
+               equal(apply(Y, 0), identity(4))})};
+}
+
+// I with another last row.
+Term last_row(const std::vector<Term>& row) {
+  std::vector<Term> entries = identity(4).parts();
+  std::copy(row.begin(), row.end(), entries.end() - 4);
+  return matrix(4, 4, entries);
+}
+
+// The sum of the determinants of the n rows and columns of the same numbers.
+Term principal_minors(const Term& M, std::size_t n) {
+  std::vector<Term> minors;
+  for (unsigned chosen = 0; chosen < 16; ++chosen) {
+    std::vector<int> rows;
+    for (int i = 0; i < 4; ++i) {
+      if ((chosen >> i & 1U) != 0) {
+        rows.push_back(i);
+      }
+    }
+    if (rows.size() != n) {
+      continue;
+    }
+    std::vector<Term> entries;
+    for (const int i : rows) {
+      std::transform(rows.begin(), rows.end(), std::back_inserter(entries),
+                     [&](int j) { return entry(M, i, j); });
+    }
+    const int size = static_cast<int>(n);
+    minors.push_back(n == 1 ? entries[0] : determinant(matrix(size, size, entries)));
+  }
+  return minors.size() == 1 ? minors[0] : sum(minors);
+}
+
+}  // namespace
+
+const Definition& variation(PhaseKind kind) {
+  static const Definition slipping = varying("varies_slipping", true),
+                          sticking = varying("varies_sticking", false);
+  return kind == PhaseKind::stick ? sticking : slipping;
+}
+
+const Definition& friction_rate() {
+  static const Letters l;
+  static const Definition definition("friction_rate", {l.x, l.t, l.chi, l.eta, l.omega, l.p, l.phi},
+                                     Term(l.chi) * (entry(l.x, 3) - entry(l.x, 2)) +
+                                         Term(l.p) * l.omega / l.eta * sin(Term(l.omega) * l.t + l.phi));
+  return definition;
+}
+
+const Definition& crossing() {
+  static const Variable before{"before"}, after{"after"};
+  static const Definition definition("crossing", {before, after}, last_row({0, 0, 0, Term(after) / before}));
+  return definition;
+}
+
+const Definition& break_away() {
+  static const Variable chi{"chi"}, after{"after"}, rate{"rate"};
+  static const Term share = Term(chi) * (Term(after) / rate);
+  static const Definition definition("break_away", {chi, after, rate}, last_row({-share, share, 0, 1}));
+  return definition;
+}
+
+const Definition& landing() {
+  static const Definition definition("landing", {}, last_row({0, 0, 0, 0}));
+  return definition;
+}
+
+const Definition& characteristic() {
+  static const Variable M{"M", real_matrix(4, 4)};
+  static const Definition definition("characteristic", {M},
+                                     matrix(5, 1,
+                                            {principal_minors(M, 4), -principal_minors(M, 3),
+                                             principal_minors(M, 2), -principal_minors(M, 1), 1}));
+  return definition;
+}
+
+const Definition& polynomial_at() {
+  static const Variable c{"c", real_matrix(5, 1)}, z{"z"};
+  static const Definition definition("polynomial_at", {c, z},
+                                     sum({entry(c, 0), entry(c, 1) * z, entry(c, 2) * power(z, 2),
+                                          entry(c, 3) * power(z, 3), entry(c, 4) * power(z, 4)}));
+  return definition;
 }
 
 }  // namespace stickslip::proofs::orbits

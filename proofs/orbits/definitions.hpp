@@ -16,4 +16,22 @@ inline const kernel::Type motion_type = kernel::function_of_time(4, 1);
 // and |r| < ur from a on until b. Each motion is continuous on [a, b].
 [[nodiscard]] const kernel::Definition& phase_definition(numeric::motion::PhaseKind kind);
 
+// ---- Stability: how a small deviation of the state is carried along an orbit.
+
+// varies_slipping, varies_sticking: Y is continuous on [0, d], Y(0) = I, and Y' = A Y during (0, d) with the
+// A of (2), of (9): what the deviation at the beginning of a phase is multiplied by.
+[[nodiscard]] const kernel::Definition& variation(numeric::motion::PhaseKind kind);
+inline const kernel::Type variation_type = kernel::function_of_time(4, 4);
+// dr/dt of (4) while the mass sticks, of a state x and the time t.
+[[nodiscard]] const kernel::Definition& friction_rate();
+// What a deviation is multiplied by where one phase ends and the next begins (model/saltation.hpp): crossing
+// of the accelerations x2'' before and after; break_away of chi, x2'' after and dr/dt; landing of nothing.
+[[nodiscard]] const kernel::Definition& crossing();
+[[nodiscard]] const kernel::Definition& break_away();
+[[nodiscard]] const kernel::Definition& landing();
+// The coefficients c0 … c4 of det(z I - M), of a matrix M of four rows; c0 + c1 z + … + c4 z^4, of such a
+// column and a number z.
+[[nodiscard]] const kernel::Definition& characteristic();
+[[nodiscard]] const kernel::Definition& polynomial_at();
+
 }  // namespace stickslip::proofs::orbits

@@ -6,7 +6,7 @@
 
 #include "proofs/orbits/along.hpp"
 #include "proofs/orbits/definitions.hpp"
-#include "proofs/tactics/closed.hpp"
+#include "proofs/orbits/with_zero.hpp"
 
 namespace stickslip::proofs::orbits {
 
@@ -59,7 +59,8 @@ class Orbit {
       phase(k);
       transition(k);
     }
-    return closed(exists());
+    return with_zero(exists(), phases_.unknowns(), phases_.equations(), box_,
+                     {{phases_.omega(), phases_.question().data.omega}});
   }
 
  private:
@@ -145,8 +146,10 @@ class Orbit {
         bound(one.variable);
       }
     }
-    for (const int i : {0, 1, 2}) {
-      bound(entry(apply(named("X1"), 0), i));
+    for (std::size_t k = 0; k < phases_.count(); ++k) {
+      for (int i = 0; i < (k > 0 && kind(k) == PhaseKind::stick ? 0 : 3); ++i) {
+        bound(entry(apply(named(fmt::format("X{}", k + 1)), said_start(k)), i));
+      }
     }
     Symbolic sum;
     for (const std::string& name : phases_.question().durations) {
@@ -382,51 +385,6 @@ class Orbit {
       theorem = Theorem::witness(theorem, substitute(steps[bound], values_), one.value);
     }
     return theorem;
-  }
-
-  // Without hypotheses: by Krawczyk's test there are such unknowns.
-  [[nodiscard]] Theorem closed(const Theorem& open) const {
-    const auto n = static_cast<int>(box_.size());
-    const Variable Y{"Y", real_matrix(n, 1)};
-    Substitution entries;
-    for (int i = 0; i < n; ++i) {
-      entries.emplace(phases_.unknowns()[static_cast<std::size_t>(i)], entry(Y, i));
-    }
-    // With omega still a letter; then at its value.
-    const Term system = substitute(matrix(n, 1, phases_.equations()), entries);
-    const Substitution at_value{{phases_.omega(), phases_.question().data.omega}};
-    const Theorem existence = part(Theorem::one_zero(Y, substitute(system, at_value), box_), 0);
-    const Theorem found = Theorem::assume(all({inside(Y, box_), equal(system, zero(Y.type))}));
-    Theorem result = Theorem::instantiate(open, entries);
-    const Formulas hypotheses = result.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (one.variables().contains(Y)) {
-        result = Theorem::cut(one.kind() == Kind::equal ? row(one, part(found, 1), entries)
-                                                        : Theorem::consequence({found}, one),
-                              result);
-      }
-    }
-    result = Theorem::instantiate(result, at_value);
-    const Formulas values = result.hypotheses();
-    for (const Formula& one : values) {
-      if (one.variables().empty()) {
-        result = Theorem::cut(certainly(one), result);
-      }
-    }
-    return Theorem::choose(existence, Y, result);
-  }
-  // The equation in the entries, from the whole system.
-  [[nodiscard]] Theorem row(const Formula& equation, const Theorem& vanishes,
-                            const Substitution& entries) const {
-    const std::vector<Term>& equations = phases_.equations();
-    for (std::size_t i = 0; i < equations.size(); ++i) {
-      if (equation == equal(substitute(equations[i], entries), 0)) {
-        std::vector<Term> unit(equations.size(), 0);
-        unit[i] = 1;
-        return Theorem::combination(equation, {{vanishes, matrix(1, static_cast<int>(unit.size()), unit)}});
-      }
-    }
-    throw KernelError("this is none of the equations: " + to_string(equation));
   }
 
   Phases phases_;

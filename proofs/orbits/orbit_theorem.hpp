@@ -10,7 +10,8 @@ namespace stickslip::proofs::orbits {
 
 // ⊢ there are durations, phi and ur as far as they are no data, and motions X1, X2, … such that
 //   - the durations are positive, lie within 1e-9 of what is found, and add up to the period; phi, ur and the
-//     entries of X1(0) but for x2', which is V, lie within 1e-9 of what is found; 0 < us < ur;
+//     states in which phases that slip begin, but for x2', which is V, lie within 1e-9 of what is found;
+//     0 < us < ur;
 //   - each phase: its motion is continuous, obeys its equation inside, and stays on its side of the belt's
 //     velocity, or sticks with |r| < ur until it ends (definitions slips, overshoots, sticks);
 //   - each motion begins where the one before ends, the first where the last does, with x2' = V;
@@ -32,5 +33,11 @@ namespace stickslip::proofs::orbits {
 // phase at all times between its ends. z = x - d as in (5). Throws KernelError where it does not follow.
 [[nodiscard]] kernel::Theorem condition_theorem(const kernel::Theorem& orbit, const Question& question,
                                                 const numeric::motion::Requirement& requirement);
+
+// ⊢ there is an orbit as before, and there are solutions Yk of the equations of variation along its phases
+// and their product M with the saltation matrices of its events (definitions.hpp), in their order over one
+// period, such that each complex zero of M's characteristic polynomial lies inside the unit circle; or, where
+// not, such that it has a real zero mu > 1. Throws KernelError where neither is decided.
+[[nodiscard]] kernel::Theorem stability_theorem(const kernel::Theorem& orbit, const Question& question);
 
 }  // namespace stickslip::proofs::orbits

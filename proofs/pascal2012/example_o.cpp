@@ -54,7 +54,7 @@ Decimal decimal(const std::string& name) {
   return printed().result(name).value;
 }
 Ball exactly(const std::string& name) {
-  return printed_decimal(printed(), name);
+  return Ball(printed_decimal(printed(), name));
 }
 
 Claim printed_times() {
@@ -123,14 +123,15 @@ std::vector<Claim> origins() {
       computed_from(where(), "z10", formula22, [] { return by_22(&Determinants::Delta1); }),
       computed_from(where(), "z20", formula22, [] { return by_22(&Determinants::Delta2); }),
       computed_from(where(), "zdot10", formula22, [] { return by_22(&Determinants::Delta3); }),
-      computed_from(where(), "ur", "(24)",
-                    [] {
-                      const model::Parameters<Ball>& a = printed_orbit(printed()).motion.oscillator.data;
-                      return model::friction_at<Ball>(a, model::Vector2<Ball>(exactly("z10"), exactly("z20")),
-                                                      Ball(*printed().phi));
-                    }),
-      computed_from(where(), "T", "$Theta - tau - tau_1$",
-                    [] { return exactly("Theta") - exactly("tau") - exactly("tau1"); }),
+      computed_by(where(), "ur", "(24)",
+                  [](const auto& known) {
+                    const std::array z{known("z10"), known("z20")};
+                    return model::friction_at(
+                        known.data(), [&](int i) { return z.at(static_cast<std::size_t>(i)); },
+                        known.number(*printed().phi));
+                  }),
+      computed_by(where(), "T", "$Theta - tau - tau_1$",
+                  [](const auto& known) { return known("Theta") - known("tau") - known("tau1"); }),
       number("O.c1", Origin::auxiliary,
              "the printed $tau$ and $tau_1$ were not computed with the printed $c_1$: over their intervals "
              "it takes $F_1$ farther from zero than the derived one",

@@ -11,6 +11,7 @@
 #include "numeric/simulation/agreement.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/statements.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -91,7 +92,7 @@ Claim stability_claim(const PrintedPlace& where) {
           .origin = Origin::new_result,
           .words = fmt::format("whether the orbit of {} is stable, which the paper leaves open",
                                where.example.figure),
-          .prove = [where](Prover&, const Claim&) {
+          .prove = [where](Prover& prover, const Claim&) {
             const std::optional<Stability>& stability = printed_orbit(where.example).stability;
             Outcome outcome = at_the_data(where.example, "Floquet multipliers, enclosed in balls");
             outcome.uses = {where.orbit};
@@ -107,6 +108,7 @@ Claim stability_claim(const PrintedPlace& where) {
             outcome.route +=
                 fmt::format(": {}, with {}", to_string(stability->kind), fmt::join(multipliers, ", "));
             outcome.verdict = Verdict::proved();
+            prove_of_orbit(outcome, prover, where, orbits::stability_theorem);
             return outcome;
           }};
 }
@@ -184,24 +186,47 @@ std::vector<Claim> orbit_claims(const PrintedPlace& where) {
   return claims;
 }
 
-Ball printed_decimal(const Example& example, const std::string& name) {
-  return Ball(as_printed(example.result(name), value_of(printed_orbit(example), name)).value);
+Rational printed_decimal(const Example& example, const std::string& name) {
+  return as_printed(example.result(name), value_of(printed_orbit(example), name)).value;
 }
 
+namespace {
+
+// Whether the value, a term without variables, lies within the interval for which the decimal stands.
+kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, bool it_does) {
+  const auto is = [](const kernel::Formula& relation) { return kernel::Theorem::sign(relation); };
+  if (it_does) {
+    return tactics::both(
+        {is(kernel::at_most(decimal.lower(), value)), is(kernel::at_most(value, decimal.upper()))});
+  }
+  try {
+    return is(kernel::less(decimal.upper(), value));
+  } catch (const kernel::KernelError&) {
+    return is(kernel::less(value, decimal.lower()));
+  }
+}
+
+}  // namespace
+
 Claim computed_from(const PrintedPlace& where, const std::string& name, const std::string& formula,
-                    std::function<Ball()> value) {
-  return {
-      .id = fmt::format("{}.from.{}", where.example.name, name),
-      .kind = Kind::numbers,
-      .origin = Origin::auxiliary,
-      .words = fmt::format("the printed ${}$ is {} of the other printed values, rounded", name, formula),
-      .prove = [=, value = std::move(value)](Prover&, const Claim&) {
-        const Ball computed = value();
-        Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");
-        outcome.comparisons = {compared(name, as_printed(where.example.result(name), computed), computed)};
-        outcome.verdict = outcome.comparisons.front().verdict;
-        return outcome;
-      }};
+                    std::function<Ball()> value, std::function<kernel::Term()> term) {
+  return {.id = fmt::format("{}.from.{}", where.example.name, name),
+          .kind = Kind::numbers,
+          .origin = Origin::auxiliary,
+          .words = fmt::format("the printed ${}$ is {} of the other printed values, rounded", name, formula),
+          .prove = [=, value = std::move(value), term = std::move(term)](Prover&, const Claim&) {
+            const Ball computed = value();
+            const Decimal printed = as_printed(where.example.result(name), computed);
+            Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");
+            outcome.comparisons = {compared(name, printed, computed)};
+            outcome.verdict = outcome.comparisons.front().verdict;
+            const Truth truth = outcome.verdict.truth;
+            if (term && (truth == Truth::proved || truth == Truth::refuted)) {
+              outcome.theorems = {rounds_to(printed, term(), truth == Truth::proved)};
+              outcome.by_kernel = true;
+            }
+            return outcome;
+          }};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -2,6 +2,8 @@
 // inequality along the motion that the paper shows.
 #pragma once
 
+#include <type_traits>
+
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 
@@ -20,11 +22,42 @@ namespace stickslip::proofs::pascal2012 {
 // "S.raw": the friction law integrated without closed forms agrees.
 [[nodiscard]] std::vector<methods::Claim> orbit_claims(const PrintedPlace& where);
 
-// "S.from.T": the printed result is what the formula gives at the other printed values, `value`, rounded.
-[[nodiscard]] methods::Claim computed_from(const PrintedPlace& where, const std::string& name,
-                                           const std::string& formula, std::function<Ball()> value);
-
 // The printed decimal of that name, exactly; with the sign of the proved value where the source has lost it.
-[[nodiscard]] Ball printed_decimal(const methods::Example& example, const std::string& name);
+[[nodiscard]] Rational printed_decimal(const methods::Example& example, const std::string& name);
+
+// "S.from.T": the printed result is what the formula gives at the other printed values, `value`, rounded; a
+// theorem of the kernel where the value is a closed term, too.
+[[nodiscard]] methods::Claim computed_from(const PrintedPlace& where, const std::string& name,
+                                           const std::string& formula, std::function<Ball()> value,
+                                           std::function<kernel::Term()> term = {});
+
+// What is printed of an example, as numbers of a scalar: balls, or terms.
+template <class S>
+struct Printed {
+  const methods::Example& example;
+
+  [[nodiscard]] static S number(const Rational& value) {
+    if constexpr (std::is_same_v<S, Ball>) {
+      return S(value);
+    } else {
+      return S(kernel::Term(value));
+    }
+  }
+  [[nodiscard]] S operator()(const std::string& name) const { return number(printed_decimal(example, name)); }
+  [[nodiscard]] model::Parameters<S> data() const {
+    const model::Parameters<Rational>& a = example.data;
+    return {number(a.chi), number(a.eta), number(a.us), number(a.V), number(a.omega), number(a.p)};
+  }
+};
+
+// The value by one formula over both scalars.
+template <class Formula>
+[[nodiscard]] methods::Claim computed_by(const PrintedPlace& where, const std::string& name,
+                                         const std::string& words, const Formula& formula) {
+  const methods::Example& example = where.example;
+  return computed_from(
+      where, name, words, [&example, formula] { return formula(Printed<Ball>{example}); },
+      [&example, formula] { return formula(Printed<tactics::Symbolic>{example}).term; });
+}
 
 }  // namespace stickslip::proofs::pascal2012

@@ -54,21 +54,18 @@ Claim printed_values_close() {
 
 // Which printed numbers were computed from which.
 std::vector<Claim> origins() {
-  const Example& example = printed();
   const PrintedPlace place = where();
-  return {
-      computed_from(
-          place, "T", "$Theta - tau$",
-          [&example] { return printed_decimal(example, "Theta") - printed_decimal(example, "tau"); }),
-      computed_from(place, "z20", "$V T/2$, by (16),",
-                    [&example] { return Ball(example.data.V) * printed_decimal(example, "T") / Ball(2); }),
-      computed_from(place, "ur", "(12) solved for $u_r$", [&example] {
-        const ExactParameters& a = example.data;
-        const Ball cos_phi = sin(Ball(a.omega) * printed_decimal(example, "tau") / Ball(2));
-        return Ball(a.us) +
-               Ball(a.chi) * (printed_decimal(example, "z20") - printed_decimal(example, "z10")) -
-               Ball(a.p) / Ball(a.eta) * cos_phi;
-      })};
+  return {computed_by(place, "T", "$Theta - tau$",
+                      [](const auto& printed) { return printed("Theta") - printed("tau"); }),
+          computed_by(place, "z20", "$V T/2$, by (16),",
+                      [](const auto& printed) {
+                        return printed.data().V * printed("T") * printed.number(Rational(1, 2));
+                      }),
+          computed_by(place, "ur", "(12) solved for $u_r$", [](const auto& printed) {
+            const auto a = printed.data();
+            const auto cos_phi = sin(a.omega * printed("tau") * printed.number(Rational(1, 2)));
+            return a.us + a.chi * (printed("z20") - printed("z10")) - a.p / a.eta * cos_phi;
+          })};
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/methods/methods.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/appendix5.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/paper.hpp"
@@ -21,14 +23,18 @@ using namespace symbols;
 namespace {
 
 // "Such orbits exist": the example of the paper is one.
-Claim exists(const std::string& id, const std::string& example, const std::string& words,
-             const std::set<std::string>& uses) {
-  return {.id = id, .kind = Kind::theorem, .words = words, .prove = [=](Prover&, const Claim&) {
+Claim exists(const std::string& id, const std::string& example, const std::string& words) {
+  const std::string orbit = example + ".orbit";
+  return {.id = id, .kind = Kind::theorem, .words = words, .prove = [=](Prover& prover, const Claim&) {
             Outcome outcome =
                 at_the_data(example_named(example),
                             "the orbit of the example, with every condition along the motion, in balls");
-            outcome.uses = uses;
+            outcome.uses = {orbit};
             outcome.verdict = printed_orbit(example_named(example)).admissible;
+            if (outcome.verdict.truth == Truth::proved) {
+              outcome.theorems = prover.prove(orbit).outcome.theorems;
+              outcome.by_kernel = !outcome.theorems.empty();
+            }
             return outcome;
           }};
 }
@@ -59,6 +65,14 @@ Outcome only_at_rest() {
       "a counterexample proved in balls, with every condition along the motion: $tau = {}$, $Theta = {}$, "
       "$phi = {}$",
       shown(found->tau()), shown(found->Theta()), shown(found->phi()));
+  try {
+    const orbits::Question known = orbits::question_of(question, found->motion);
+    outcome.theorems = {orbits::stability_theorem(orbits::orbit_theorem(known, found->motion), known)};
+    outcome.by_kernel = true;
+  } catch (const kernel::KernelError& error) {
+    outcome.verdict = Verdict::undecided(error.what());
+    return outcome;
+  }
   const model::Parameters<Range>& a = question.parameters;
   outcome.verdict = Verdict::refuted(Witness{{{"chi", a.chi.middle},
                                               {"eta", a.eta.middle},
@@ -104,7 +118,7 @@ Claim steady() {
           .origin = Origin::reading,
           .words =
               "conclusion: the orbits of the three figures are steady-state responses, that is, they attract",
-          .prove = [](Prover&, const Claim&) {
+          .prove = [](Prover& prover, const Claim&) {
             const Example& example = example_named("S");
             Outcome outcome = at_the_data(example,
                                           "a Floquet multiplier of the orbit is larger than 1, in "
@@ -127,6 +141,8 @@ Claim steady() {
                                                        Ball(1),
                                                        "the modulus of the multiplier",
                                                        "what it exceeds"});
+            outcome.theorems = prover.prove("S.stability").outcome.theorems;
+            outcome.by_kernel = !outcome.theorems.empty();
             return outcome;
           }};
 }
@@ -138,8 +154,8 @@ std::vector<Claim> section7() {
       isolated(),
       steady(),
       exists("7.overshoot", "O",
-             "abstract: periodic orbits exist on which the mass overtakes the belt for a time", {"O.orbit"}),
-      exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest", {"P.orbit"}),
+             "abstract: periodic orbits exist on which the mass overtakes the belt for a time"),
+      exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest"),
       {.id = "7.only",
        .kind = Kind::theorem,
        .words = "Section 6: orbits that never stick are obtained only for $V = 0$",

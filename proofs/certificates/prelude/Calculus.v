@@ -21,6 +21,12 @@ Definition continuous_on_m {r c : nat} (f : R -> Mat r c) (a b : R) : Prop :=
 (* Finitely many numbers have the property. *)
 Definition finite (A : R -> Prop) : Prop := exists l : list R, forall t, A t -> In t l.
 
+(* Every complex zero of c0 + c1 z + ... + cn z^n, the coefficients a column, is inside the unit circle. *)
+Fixpoint polynomial (n : nat) : Mat n 1 -> C -> C :=
+  match n with O => fun _ _ => RtoC 0 | S m => fun c z => Cplus (RtoC (fst (fst c))) (Cmult z (polynomial m (snd c) z)) end.
+Definition inside_unit_circle {n : nat} (c : Mat n 1) : Prop :=
+  forall z : C, polynomial n c z = RtoC 0 -> Cmod z < 1.
+
 (* ---- matrices by entries *)
 
 Lemma vnth_const : forall c j, vnth 0 c j (vconst 0 c) = 0.
@@ -150,6 +156,19 @@ Proof.
     rewrite (derive_pt_eq_0 id c 1 _ (derivable_pt_lim_id c)) in E.
     rewrite (derive_pt_eq_0 g c (v c)) in E by (apply is_derive_Reals; now apply Dg).
     unfold g, id in E. rewrite !clamp_same in E by lra. lra.
+Qed.
+
+Lemma intermediate_value : forall (f : R -> R) a b, continuous_on f a b -> f a < 0 -> 0 < f b -> a < b ->
+  exists c, a < c < b /\ f c = 0.
+Proof.
+  intros f a b C A B L.
+  destruct (IVT (fun s => f (clamp a b s)) a b) as [c [I Z]].
+  - intros t. apply clamp_continuous; [lra | exact C].
+  - exact L.
+  - rewrite clamp_same by lra. exact A.
+  - rewrite clamp_same by lra. exact B.
+  - rewrite clamp_same in Z by exact I. exists c. split; [|exact Z].
+    assert (a <> c) by (intros ->; lra). assert (c <> b) by (intros ->; lra). lra.
 Qed.
 
 Lemma continuous_within : forall f a b c d, continuous_on f a b -> a <= c -> d <= b -> continuous_on f c d.

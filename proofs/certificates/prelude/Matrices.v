@@ -5,6 +5,9 @@
 From Coq Require Export Reals Classical Lra Lia List.
 Open Scope R_scope.
 
+(* Theorems in one bundle, whatever they say: what all of them rest on is asked once. *)
+Inductive proved : Prop := no_more | and_also {A : Prop} (a : A) (others : proved).
+
 Fixpoint Vec (A : Type) (n : nat) : Type :=
   match n with O => unit | S m => (A * Vec A m)%type end.
 Definition Mat (r c : nat) : Type := Vec (Vec R c) r.

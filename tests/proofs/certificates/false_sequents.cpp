@@ -86,6 +86,28 @@ const std::vector<Sequent> sequents{
   assert (L' : 0 < (-1) * tau) by lra.
   destruct (mean_value (fun t : R => t) (fun t : R => 1) _ _ L' C' D') as [c' [I' E']].
   exists c'. split; [exact I' | cbv beta in E'; lra].)"},
+    {"a zero between two values of which one has no sign",
+     "(f : R -> R) (a b : R)",
+     "0 < f b",
+     {"continuous_on f a b", "f a < 0", "a < b"},
+     "exists c : R, a < c < b /\\ f c = 0",
+     "apply (intermediate_value f a b); assumption."},
+    {"a polynomial of which one coefficient has no bound",
+     "(c : R)",
+     "c < 1",
+     {"(-1) < c"},
+     "inside_unit_circle (mat 2 1 ⟦⟦c⟧, ⟦1⟧⟧)",
+     R"(
+  apply inside_by_schur; cbv beta iota delta [schur next Nat.sub]; reduce_matrices.
+  assert (c * c < 1) by nra. split; [lra | intros E'; lra].)"},
+    {"a polynomial of degree two with a coefficient on the wrong side",
+     "(c : R)",
+     "0 <= c",
+     {"c <= / 2"},
+     "inside_unit_circle (mat 3 1 ⟦⟦c⟧, ⟦c / 4⟧, ⟦1⟧⟧)",
+     R"(
+  apply inside_by_schur; cbv beta iota delta [schur next Nat.sub]; reduce_matrices.
+  repeat split; by_enclosure.)"},
     {"a decrease of a function that jumps",
      "(f : R -> R) (a b : R)",
      "continuous_on f a b",

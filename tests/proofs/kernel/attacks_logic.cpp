@@ -155,6 +155,25 @@ TEST_CASE("a premise is of the kind that the rule needs, not only of its parts")
                                  assume(less(x, Term(1) * pi()))));
 }
 
+TEST_CASE("a function is zero between two values of different signs") {
+  const Theorem smooth = assume(continuous(f, a, b)), start = assume(less(apply(f, a), 0)),
+                end = assume(less(0, apply(f, b))), order = assume(less(a, b));
+  const Theorem zero = Theorem::intermediate_value(smooth, start, end, order);
+  CHECK(zero.conclusion() == exists(t, all({between(a, t, b), equal(apply(f, t), 0)})));
+  CHECK(zero.hypotheses().size() == 4);
+  REFUSES(Theorem::intermediate_value(assume(derivative(f, a, b)), start, end, order));
+  REFUSES(Theorem::intermediate_value(assume(continuous(g, a, b)), start, end, order));
+  REFUSES(Theorem::intermediate_value(assume(continuous(f, a, c)), start, end, order));
+  REFUSES(Theorem::intermediate_value(smooth, assume(less(apply(f, b), 0)), end, order));
+  REFUSES(Theorem::intermediate_value(smooth, assume(less(0, apply(f, a))), end, order));
+  REFUSES(Theorem::intermediate_value(smooth, assume(at_most(apply(f, a), 0)), end, order));
+  REFUSES(Theorem::intermediate_value(smooth, assume(less(apply(f, a), 1)), end, order));
+  REFUSES(Theorem::intermediate_value(smooth, start, assume(less(0, apply(f, a))), order));
+  REFUSES(Theorem::intermediate_value(smooth, start, assume(less(0, apply(g, b))), order));
+  REFUSES(Theorem::intermediate_value(smooth, start, end, assume(less(b, a))));
+  REFUSES(Theorem::intermediate_value(smooth, start, end, assume(at_most(a, b))));
+}
+
 TEST_CASE("finite sets") {
   const Theorem some = assume(finite(t, less(0, t)));
   REFUSES(Theorem::finite_part(some, assume(for_all(t, implies(less(0, t), less(1, t))))));

@@ -101,4 +101,14 @@ TEST_CASE("zeros inside the unit circle") {
   CHECK(Theorem::jury(column({0, 1})).hypotheses().empty());
   CHECK(Theorem::jury(column({0, 0, 0, 1})).hypotheses().empty());
   CHECK(Theorem::jury(column({Rational(-1, 8), 0, 0, 1})).hypotheses().empty());
+  // In ranges: for all values, and only of variables that have one.
+  const Rational half(1, 2), minus_half(-1, 2);
+  CHECK(Theorem::jury(column({x, 1}), {{x, {minus_half, half}}}).hypotheses() ==
+        Formulas{at_most(minus_half, x), at_most(x, half)});
+  REFUSES(Theorem::jury(column({x, 1}), {{x, {minus_half, 1}}}));
+  REFUSES(Theorem::jury(column({x, 1}), {{x, {-1, half}}}));
+  REFUSES(Theorem::jury(column({x, 1}), {{x, {half, minus_half}}}));
+  REFUSES(Theorem::jury(column({x, 1}), {{y, {minus_half, half}}}));
+  REFUSES(Theorem::jury(column({half, x}), {{x, {0, 1}}}));
+  REFUSES(Theorem::jury(column({0, 0 * (1 / Term(x)), 1}), {{x, {-1, 1}}}));
 }

@@ -53,9 +53,12 @@ class Checked {
       all.certificates.push_back({record.claim.id, name, {"claim"}, {}, certificates::fingerprint(record)});
       all.files.push_back({name + ".v", "text of " + name});
       write(path / (name + ".v"), all.files.back().text);
-      write(path / (name + ".log"), "Axioms:\nclassic : forall P : Prop,\n  P \\/ ~ P\nseconds 1.250\n");
+      write(path / (name + ".log"), "seconds 1.250\n");
       write(path / (name + ".vo"), "compiled");
     }
+    write(path / "Axioms.v",
+          "apply (Matrices.and_also Claim_1.theorems).\napply (Matrices.and_also Claim_2.theorems).\n");
+    write(path / "Axioms.log", "Axioms:\nclassic : forall P : Prop,\n  P \\/ ~ P\n");
     all.certificates[1].imports = {"Claim_1"};
     all.uncertified = {{"3", "a check"}};
     write(path / certificate_record, report::tools::to_text(report::audit::record_of(all)));
@@ -141,10 +144,22 @@ TEST_CASE("what Coq does not accept is refused, and with it what rests on it") {
           "Coq does not accept it: see Claim_1.log");
   refused([](const fs::path& path) { write(path / "Claim_1.v", "changed"); },
           "its file is not the one that was written");
-  refused([](const fs::path& path) { write(path / "Claim_1.log", "Axioms:\nevil : False\nseconds 1\n"); },
-          "it rests on evil");
-  refused([](const fs::path& path) { write(path / "Claim_1.log", "seconds 1\n"); },
-          "Coq did not say what its theorems rest on");
+  refused([](const fs::path& path) { write(path / "Axioms.log", "Axioms:\nevil : False\n"); },
+          "it, or another of those that Axioms.v names, rests on evil");
+  const char * const unsaid = "Coq did not say what its theorems rest on";
+  refused([](const fs::path& path) { write(path / "Axioms.log", ""); }, unsaid);
+  refused([](const fs::path& path) { fs::remove(path / "Axioms.v"); }, unsaid);
+  refused(
+      [](const fs::path& path) {
+        write(path / "Axioms.v", "apply (Matrices.and_also Claim_2.theorems).\n");
+        write(path / "Axioms.log", "Axioms:\n");
+      },
+      unsaid);
+  refused(
+      [](const fs::path& path) {
+        fs::last_write_time(path / "Axioms.log", fs::file_time_type::clock::now() - std::chrono::hours(1));
+      },
+      unsaid);
 }
 
 TEST_CASE("where Coq was not asked nothing is refused") {
@@ -218,7 +233,9 @@ TEST_CASE("a file compiled before what all stand on, or on another text of that,
 
 TEST_CASE("a file compiled before the one that it imports is not accepted") {
   const Checked checked;
-  fs::last_write_time(checked.path / "Claim_1.vo", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  for (const char * later : {"Claim_1.vo", "Axioms.log"}) {
+    fs::last_write_time(checked.path / later, fs::file_time_type::clock::now() + std::chrono::hours(1));
+  }
   const Json json = checked.look();
   CHECK(json.at("claims").at(0).at("accepted") == true);
   CHECK(json.at("claims").at(1).at("reason") == "it was compiled before Claim_1");

@@ -1,0 +1,206 @@
+#include "proofs/orbits/enclosed_matrix.hpp"
+
+#include <fmt/format.h>
+
+namespace stickslip::proofs::orbits {
+
+using namespace kernel;
+using namespace tactics;
+
+namespace {
+
+constexpr int rows = matrix_rows;
+constexpr long bits = matrix_bits;
+
+// Outwards to multiples of 2^-28, and one of them more.
+Interval rounded(const Interval& range) {
+  const mpz_class unit = mpz_class(1) << 28;
+  const auto multiple = [&](const Rational& value, int direction) {
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), mpz_class(value.get_num() * unit).get_mpz_t(), value.get_den_mpz_t());
+    return Rational(whole + (direction > 0 ? 2 : -1), unit);
+  };
+  Interval result{multiple(range.first, -1), multiple(range.second, 1)};
+  result.first.canonicalize();
+  result.second.canonicalize();
+  return result;
+}
+
+}  // namespace
+
+Ranges ranges_in(const Term& term, const Ranges& ranges) {
+  Ranges result;
+  for (const Variable& variable : term.variables()) {
+    if (const auto known = ranges.find(variable); known != ranges.end()) {
+      result.insert(*known);
+    }
+  }
+  return result;
+}
+
+Known bounded(const Term& term, const Ranges& ranges) {
+  const Ranges here = ranges_in(term, ranges);
+  const Interval range = rounded(enclosure(term, here, Rational(1, 1L << 28)));
+  return {term, range, Theorem::sign(at_most(range.first, term), here, bits),
+          Theorem::sign(at_most(term, range.second), here, bits)};
+}
+
+Theorem settled(const Theorem& theorem, const Letters& letters) {
+  Substitution values;
+  std::map<Formula, Theorem> known;
+  for (const auto& [letter, one] : letters) {
+    values.emplace(letter, one.value);
+    known.emplace(one.lower.conclusion(), one.lower);
+    known.emplace(one.upper.conclusion(), one.upper);
+  }
+  Theorem result = Theorem::instantiate(theorem, values);
+  const Formulas hypotheses = result.hypotheses();
+  for (const Formula& one : hypotheses) {
+    if (const auto lemma = known.find(one); lemma != known.end()) {
+      result = Theorem::cut(lemma->second, result);
+    }
+  }
+  return result;
+}
+
+Ranges ranges_of(const Letters& letters) {
+  Ranges ranges;
+  for (const auto& [letter, one] : letters) {
+    ranges.emplace(letter, one.range);
+  }
+  return ranges;
+}
+
+namespace {
+
+// Bounds of all entries of a matrix of four rows, row by row.
+using Bounds = std::vector<Interval>;
+
+std::string place(int i) {
+  return fmt::format("{}{}", i / rows + 1, i % rows + 1);
+}
+Term entry_of(const Term& M, int i) {
+  return entry(M, i / rows, i % rows);
+}
+
+// lies_between(M, l11, u11, l12, …): each entry of M lies between its bounds.
+struct Between {
+  Variable M{"M", real_matrix(rows, rows)};
+  std::vector<Term> entries, ends;
+  std::vector<Variable> parameters{M};
+  std::vector<Formula> parts;
+  Between() {
+    for (int i = 0; i < rows * rows; ++i) {
+      const Variable l{"l" + place(i)}, u{"u" + place(i)};
+      entries.emplace_back(Variable{"e" + place(i)});
+      ends.insert(ends.end(), {l, u});
+      parameters.insert(parameters.end(), {l, u});
+      parts.insert(parts.end(), {at_most(l, entry_of(M, i)), at_most(entry_of(M, i), u)});
+    }
+  }
+};
+const Between& between_letters() {
+  static const Between letters;
+  return letters;
+}
+const Definition& lies_between() {
+  static const Definition definition("lies_between", between_letters().parameters,
+                                     all(between_letters().parts));
+  return definition;
+}
+Formula enclosed(const Term& M, const Bounds& bounds) {
+  std::vector<Term> arguments{M};
+  for (const auto& [lower, upper] : bounds) {
+    arguments.insert(arguments.end(), {lower, upper});
+  }
+  return lies_between()(arguments);
+}
+
+// l11 <= e11, e11 <= u11, … ⊢ lies_between of the matrix with the entries e11, ….
+const Theorem& entry_by_entry() {
+  static const Theorem theorem = [] {
+    const Between& b = between_letters();
+    const Term M = matrix(rows, rows, b.entries);
+    std::vector<Theorem> parts;
+    std::vector<Term> arguments{M};
+    arguments.insert(arguments.end(), b.ends.begin(), b.ends.end());
+    for (std::size_t i = 0; i < b.entries.size(); ++i) {
+      const Theorem same = Theorem::combination(equal(b.entries[i], entry_of(M, static_cast<int>(i))));
+      const Variable at{"e"};
+      for (const auto& side : {at_most(b.ends[2 * i], at), at_most(at, b.ends[2 * i + 1])}) {
+        parts.push_back(
+            Theorem::replace(same, at, side, Theorem::assume(substitute(side, {{at, b.entries[i]}}))));
+      }
+    }
+    return Theorem::convert(both(parts), lies_between()(arguments), {lies_between()});
+  }();
+  return theorem;
+}
+
+}  // namespace
+
+Letters entries_of(const Variable& M, const Bounds& bounds) {
+  const Formula said = enclosed(M, bounds);
+  const Theorem known =
+      Theorem::convert(Theorem::assume(said), unfold(said, {lies_between()}), {lies_between()});
+  Letters letters;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    letters.emplace(
+        Variable{M.name + "_" + place(static_cast<int>(i))},
+        Known{entry_of(M, static_cast<int>(i)), bounds[i], part(known, 2 * i), part(known, 2 * i + 1)});
+  }
+  return letters;
+}
+Matrix matrix_of(const std::vector<Term>& entries, const Ranges& ranges, const Letters& letters,
+                 const Theorem& is_matrix) {
+  const Between& b = between_letters();
+  Substitution values;
+  std::vector<Theorem> sides;
+  Bounds bounds;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Known one = bounded(entries[i], ranges);
+    bounds.push_back(one.range);
+    for (const Theorem& side : {one.lower, one.upper}) {
+      sides.push_back(settled(side, letters));
+    }
+    values.emplace(Variable{b.entries[i].name()}, sides.back().conclusion().parts()[0]);
+    values.emplace(Variable{b.ends[2 * i].name()}, one.range.first);
+    values.emplace(Variable{b.ends[2 * i + 1].name()}, one.range.second);
+  }
+  Theorem known = Theorem::instantiate(entry_by_entry(), values);
+  for (const Theorem& side : sides) {
+    known = Theorem::cut(side, known);
+  }
+  return {is_matrix.conclusion().parts()[1], bounds, by_rewriting(known, is_matrix)};
+}
+
+namespace {
+
+// The letter of an entry.
+Term letter(const Variable& M, int i, int j) {
+  return Variable{M.name + "_" + place(rows * i + j)};
+}
+
+}  // namespace
+
+Matrix product(const Matrix& a, const Matrix& p) {
+  const Variable A{"A", real_matrix(rows, rows)}, P{"P", real_matrix(rows, rows)};
+  Letters letters = entries_of(A, a.bounds);
+  letters.merge(entries_of(P, p.bounds));
+  std::vector<Term> sums, entries;
+  for (int i = 0; i < rows * rows; ++i) {
+    std::vector<Term> lettered, parts;
+    for (int k = 0; k < rows; ++k) {
+      lettered.push_back(letter(A, i / rows, k) * letter(P, k, i % rows));
+      parts.push_back(entry(A, i / rows, k) * entry(P, k, i % rows));
+    }
+    sums.push_back(sum(lettered));
+    entries.push_back(sum(parts));
+  }
+  const Matrix lemma = matrix_of(sums, ranges_of(letters), letters,
+                                 Theorem::combination(equal(matrix(rows, rows, entries), Term(A) * Term(P))));
+  const Theorem known = Theorem::instantiate(lemma.known, {{A, a.value}, {P, p.value}});
+  return {a.value * p.value, lemma.bounds, Theorem::cut(p.known, Theorem::cut(a.known, known))};
+}
+
+}  // namespace stickslip::proofs::orbits

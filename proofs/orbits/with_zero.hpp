@@ -1,0 +1,19 @@
+// Unknowns that are known only as a zero of a system.
+#pragma once
+
+#include <vector>
+
+#include "proofs/kernel/theorem.hpp"
+
+namespace stickslip::proofs::orbits {
+
+// The theorem less its hypotheses on the unknowns, which are their ranges l <= x, x <= u and that the terms
+// vanish, equal(term, 0): by Krawczyk's test there are such unknowns. Its conclusion names none of them. In
+// the system and in the theorem the variables of `at_value` get their values; hypotheses without variables
+// go, where they hold. Throws KernelError where one of this is not so.
+[[nodiscard]] kernel::Theorem with_zero(const kernel::Theorem& theorem,
+                                        const std::vector<kernel::Variable>& unknowns,
+                                        const std::vector<kernel::Term>& terms, const kernel::Box& box,
+                                        const kernel::Substitution& at_value = {});
+
+}  // namespace stickslip::proofs::orbits
