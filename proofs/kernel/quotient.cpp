@@ -81,7 +81,12 @@ Polynomial Ring::constant(const Rational& value) const {
 }
 
 Polynomial Ring::reduced(Polynomial polynomial) const {
-  return relations_.empty() ? polynomial : remainder(polynomial, relations_);
+  for (std::size_t i = 0; i < circles_; ++i) {
+    if (fmpq_mpoly_degree_si(polynomial.raw(), static_cast<slong>(2 * i), polynomials_.context()) > 1) {
+      return remainder(polynomial, relations_);
+    }
+  }
+  return polynomial;  // no s² in it
 }
 
 Quotient::Quotient(const Ring& ring, Polynomial numerator, Polynomial denominator)
