@@ -21,7 +21,8 @@ struct Node {
   // Computed by make():
   Type type = {};
   std::uint64_t hash = 0;
-  long loose = 0;  // no index in it reaches further than this many binders outside
+  long loose = 0;                    // no index in it reaches further than this many binders outside
+  bool applies_definitions = false;  // it or a part of it
   std::shared_ptr<const Variables> variables = {};
 
   // The only way to a Term: checks sorts and shapes and throws KernelError; applies a lambda that is applied,

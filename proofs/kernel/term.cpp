@@ -232,8 +232,10 @@ Term Node::make(Node node) {
   return Term(pool.shared(node, [&] {
     node.variables = variables_of(node);
     node.loose = node.kind == Kind::bound ? node.value->get_num().get_si() + 1 : 0;
+    node.applies_definitions = node.kind == Kind::defined;
     for (const Term& part : node.parts) {
       node.loose = std::max(node.loose, of(part).loose - (is_binder(node.kind) ? 1 : 0));
+      node.applies_definitions = node.applies_definitions || of(part).applies_definitions;
     }
     return std::make_shared<const Node>(std::move(node));
   }));
