@@ -40,14 +40,15 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
     }
   }
   Letters letters;
-  const ex parts = letters.expression(divisor).normal().numer_denom();
+  const ex whole = letters.expression(divisor);
   letters.sort();
-  if (parts.op(0).is_zero()) {
+  const auto [top, bottom] = letters.fraction(whole);
+  if (top.is_zero()) {
     return std::nullopt;
   }
-  const Factored numerator = factored(parts.op(0), letters);
+  const Factored numerator = factored(top, letters);
   if (numerator.factors.empty()) {
-    return is_invertible(divisor, letters.term((parts.op(1) / parts.op(0)).expand()));
+    return is_invertible(divisor, letters.term((bottom / top).expand()));
   }
   // d = 0 ⇒ Π factors = 0 ⇒ one of them is.
   Term product = letters.term(numerator.factors[0]);
@@ -66,7 +67,7 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
       product = product * factor;
     }
   }
-  const ex ratio = (numerator.product / parts.op(0)).normal() * parts.op(1);
+  const ex ratio = (numerator.product / top).normal() * bottom;
   const Formula zero = equal(divisor, 0);
   const Theorem product_zero =
       Theorem::combination(equal(product, 0), {{Theorem::assume(zero), letters.term(ratio)}});
@@ -160,14 +161,17 @@ class Lemmas {
 // ⊢ f = 0 ⇒ d = 0 for the irreducible factors f of d, as far as they are found.
 std::vector<Theorem> zeros_by_factors(const Term& d) {
   Letters letters;
-  const ex parts = letters.expression(d).normal().numer_denom();
+  const ex whole = letters.expression(d);
   letters.sort();
+  const auto [top, bottom] = letters.fraction(whole);
   std::vector<Theorem> result;
-  for (const ex& factor :
-       parts.op(0).is_zero() ? std::vector<ex>{} : factored(parts.op(0), letters, 64).factors) {
+  for (const ex& factor : top.is_zero() ? std::vector<ex>{} : factored(top, letters, 64).factors) {
     const Formula zero = equal(letters.term(factor), 0);
-    const ex quotient = (parts.op(0) / factor).normal().expand();
-    const Term multiplier = letters.term(quotient) / letters.term(parts.op(1).expand());
+    ex quotient;
+    if (!GiNaC::divide(top, factor, quotient)) {
+      continue;
+    }
+    const Term multiplier = letters.term(quotient) / letters.term(bottom.expand());
     try {
       const Theorem zero_too = Theorem::combination(equal(d, 0), {{Theorem::assume(zero), multiplier}});
       result.push_back(Theorem::discharge(zero_too, zero));

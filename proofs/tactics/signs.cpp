@@ -231,15 +231,16 @@ Theorem inverse_is_positive(const Theorem& positive) {
 
 Theorem positive(const Term& a, const Domain& domain) {
   Letters letters;
-  const ex parts = letters.expression(a).normal().numer_denom();
+  const ex whole = letters.expression(a);
   letters.sort();
-  if (parts.op(0).is_zero()) {
+  const auto [top, bottom] = letters.fraction(whole);
+  if (top.is_zero()) {
     throw KernelError("0 is not positive");
   }
   Positive product{{}};
   ex built = 1;
   for (const int place : {0, 1}) {
-    const Factored all = factored(parts.op(static_cast<std::size_t>(place)), letters);
+    const Factored all = factored(place == 0 ? top : bottom, letters);
     for (std::size_t i = 0; i < all.factors.size(); ++i) {
       for (const Theorem& one : positive_factors(all.factors[i], all.exponents[i], letters, domain)) {
         product.inequalities.push_back(place == 0 ? one : inverse_is_positive(one));
@@ -248,7 +249,7 @@ Theorem positive(const Term& a, const Domain& domain) {
       }
     }
   }
-  const ex ratio = (parts.op(0) / parts.op(1) / built).normal();
+  const ex ratio = (top / bottom / built).normal();
   if (!GiNaC::is_a<GiNaC::numeric>(ratio)) {
     throw KernelError("the factors of " + to_string(a) + " are not found");
   }
