@@ -1,8 +1,10 @@
 // stickslip audit: every statement of the paper.
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 
@@ -12,7 +14,6 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "proofs/checks/mutants.hpp"
-#include "proofs/methods/example_orbits.hpp"
 #include "report/audit/certificates.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/mutants.hpp"
@@ -27,12 +28,11 @@ using namespace proofs::methods;
 
 namespace {
 
-std::vector<ExampleOrbits> example_orbits(const Paper& paper) {
-  std::vector<ExampleOrbits> all;
-  for (const Example& example : paper.examples) {
-    all.push_back(orbits_of(example));
-  }
-  return all;
+// On a thread of its own where there may be several, else when it is asked for.
+std::future<report::audit::Figures> figures_of(const Paper& paper, bool with_pictures) {
+  const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::async(threads > 1 ? std::launch::async : std::launch::deferred,
+                    [&paper, with_pictures] { return report::audit::figures_of(paper, with_pictures); });
 }
 
 std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options, const Paper& paper) {
@@ -123,6 +123,10 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
     report::tools::require_writable(options.out);
     report::orbits::require_page_tools(true);
   }
+  std::future<report::audit::Figures> drawn;
+  if (options.with_out || options.json) {
+    drawn = figures_of(paper, options.with_out);
+  }
   const Examined examined = examine(options, paper);
   if (examined.interrupted) {
     return print_interrupted(examined, options, paper);
@@ -130,15 +134,15 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
   const proofs::methods::Audit& audit = examined.audit;
   const std::optional<proofs::checks::Gate>& gate = examined.gate;
   const report::audit::Certification certificates = report::audit::certification(audit, record);
-  const std::vector<ExampleOrbits> examples = example_orbits(paper);
+  const report::audit::Figures figures = drawn.valid() ? drawn.get() : report::audit::Figures{};
   report::audit::Report made;
   if (options.with_out) {
     const Progress progress("making the pages ...");
-    made = report::audit::pages(paper, audit, examples, gate, certificates);
+    made = report::audit::pages(paper, audit, figures, gate, certificates);
     report::tools::write_files(options.out, made.files);
   }
   print(options.json ? report::tools::to_text(report::audit::to_json(paper, audit, command_of(options),
-                                                                     examples, gate, certificates))
+                                                                     figures.examples, gate, certificates))
                      : report::audit::terminal_report(paper, audit, terminal_style(), certificates) +
                            (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
   if (options.with_out) {

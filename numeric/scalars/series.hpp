@@ -66,6 +66,9 @@ class Series {
     return a;
   }
   friend Series operator*(const Series& a, const Series& b) {
+    if (a.rest_.empty() && b.rest_.empty()) {
+      return S(a.first_ * b.first_);
+    }
     Series product = sized(a, b);
     for (std::size_t i = 0; i < a.size(); ++i) {
       for (std::size_t j = 0; j < b.size() && i + j < product.size(); ++j) {
@@ -75,6 +78,9 @@ class Series {
     return product;
   }
   friend Series operator/(const Series& a, const Series& b) {
+    if (a.rest_.empty() && b.rest_.empty()) {
+      return S(a.first_ / b.first_);
+    }
     Series quotient = sized(a, b);
     for (std::size_t k = 0; k < quotient.size(); ++k) {
       S rest = a[k];

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
+#include "proofs/checks/linear_value.hpp"
 #include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
 
@@ -93,12 +95,13 @@ bool is_small(const Ball& x) {
 }  // namespace
 
 struct PremisePoint::Point {
-  Premises premises;
+  std::shared_ptr<const Premises> shared;
+  const Premises& premises = *shared;
   ExactPoint numbers;
   std::map<std::string, Ball> solved;
   mutable std::optional<Sample<Ball>> scalars;  // all that follows from these
 
-  Point(Premises all, unsigned seed) : premises(std::move(all)), numbers(seed) {}
+  Point(std::shared_ptr<const Premises> all, unsigned seed) : shared(std::move(all)), numbers(seed) {}
   Point(const Point&) = delete;
   Point& operator=(const Point&) = delete;
 
@@ -127,56 +130,39 @@ struct PremisePoint::Point {
     const Value<Ball> d = value(statement.left, statement.right) - value(statement.right, statement.left);
     return {d.data(), d.data() + d.size()};
   }
-  void set(const Column& u) {
-    scalars.reset();
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      solved.insert_or_assign(solved_for()[i], u[i]);
-    }
-  }
-  // Of each equation.
-  [[nodiscard]] std::vector<Column> residuals(const Column& u) {
-    set(u);
-    std::vector<Column> all;
-    for (const Statement& statement : premises.equations) {
-      all.push_back(difference(statement));
-    }
-    return all;
-  }
 
   // Solves the equations; whether that came out.
   [[nodiscard]] bool solve() {
-    Column open(solved_for().size(), Ball(0)), constant;
-    const std::vector<Column> at_zero = residuals(open);
-    for (const Column& part : at_zero) {
-      constant.insert(constant.end(), part.begin(), part.end());
-    }
-    std::vector<Column> A(constant.size(), open);
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      Column unit(open.size(), Ball(0));
-      unit[i] = Ball(1);
-      set(unit);
-      std::size_t row = 0;
-      for (std::size_t k = 0; k < at_zero.size(); ++k) {
-        const Column value = mentions(k, i) ? difference(premises.equations[k]) : at_zero[k];
-        for (std::size_t j = 0; j < value.size(); ++j, ++row) {
-          A[row][i] = value[j] - at_zero[k][j];
+    const std::vector<std::string>& names = solved_for();
+    LinearValues values(premises, [this](const std::string& name) { return free(name); });
+    std::vector<Column> A;
+    Column constant;
+    for (const Statement& one : premises.equations) {
+      const LinearValue value = values(one.right.is_zero()  ? one.left
+                                       : one.left.is_zero() ? -one.right
+                                                            : one.left - one.right);
+      for (Eigen::Index i = 0; i < value.constant.size(); ++i) {
+        constant.push_back(value.constant.data()[i]);
+        A.emplace_back(names.size(), Ball(0));
+        for (const auto& [unknown, slope] : value.slopes) {
+          A.back()[unknown] = slope.data()[i];
         }
       }
     }
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      open[i] = Ball(any_sign(solved_for()[i]));
+    Column open;
+    for (const std::string& name : names) {
+      open.emplace_back(any_sign(name));
     }
-    const std::vector<Column> left = residuals(solution(A, constant, open));
-    return std::all_of(left.begin(), left.end(), [](const Column& part) {
-      return std::all_of(part.begin(), part.end(),
+    const Column u = solution(A, constant, open);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      solved.insert_or_assign(names[i], u[i]);
+    }
+    scalars.reset();
+    return std::all_of(premises.equations.begin(), premises.equations.end(), [this](const Statement& one) {
+      const Column left = difference(one);
+      return std::all_of(left.begin(), left.end(),
                          [](const Ball& x) { return x.contains_zero() && is_small(x); });
     });
-  }
-  // Whether equation k may change with unknown i. Only u_s is in formulas of the model, that of d_0.
-  [[nodiscard]] bool mentions(std::size_t k, std::size_t i) const {
-    const Statement& equation = premises.equations[k];
-    return solved_for()[i] == "us" || premises.reaches(equation.left, solved_for()[i]) ||
-           premises.reaches(equation.right, solved_for()[i]);
   }
 
   [[nodiscard]] bool holds(const Statement& statement) const {
@@ -224,17 +210,6 @@ struct PremisePoint::Point {
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
     return evaluate(hypothesis.nonzero, lookup()).is_nonzero();
   }
-  // Whether the inequalities between what is not solved for hold.
-  [[nodiscard]] bool is_in_range() const {
-    return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
-                       [this](const Statement& one) {
-                         const bool solved_first =
-                             std::any_of(solved_for().begin(), solved_for().end(), [&](const auto& name) {
-                               return premises.reaches(one.left, name) || premises.reaches(one.right, name);
-                             });
-                         return solved_first || holds(one);
-                       });
-  }
   // Whether the inequalities hold, and no hypothesis vanishes.
   [[nodiscard]] bool is_admissible() const {
     return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
@@ -243,6 +218,24 @@ struct PremisePoint::Point {
                        [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });
   }
 };
+
+namespace {
+
+// The inequalities between what is not solved for.
+std::vector<Statement> without_unknowns(const Premises& premises) {
+  std::vector<Statement> result;
+  for (const Statement& one : premises.inequalities) {
+    std::set<std::string> names = premises.reached(one.left);
+    names.merge(premises.reached(one.right));
+    if (std::none_of(solved_for().begin(), solved_for().end(),
+                     [&](const std::string& name) { return names.contains(name); })) {
+      result.push_back(one);
+    }
+  }
+  return result;
+}
+
+}  // namespace
 
 std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t wanted) {
   const auto draws = static_cast<unsigned>(50 * wanted);
@@ -254,12 +247,15 @@ std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t w
     if (!closed || !closed->consistent) {
       continue;
     }
+    const auto shared = std::make_shared<const Premises>(*closed);
+    const std::vector<Statement> ranges = without_unknowns(*shared);
     const std::size_t enough = found.size() + wanted;
     unsigned unsolved = 0;
     for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < draws_without_solution;
          ++seed) {
-      const auto point = std::make_shared<PremisePoint::Point>(*closed, seed);
-      if (!point->is_in_range()) {
+      const auto point = std::make_shared<PremisePoint::Point>(shared, seed);
+      if (!std::all_of(ranges.begin(), ranges.end(),
+                       [&](const Statement& one) { return point->holds(one); })) {
         continue;
       }
       if (!point->solve()) {

@@ -113,16 +113,26 @@ Statement Premises::with_motions(const Statement& statement) const {
           statement.relation, statement.during};
 }
 
-bool Premises::reaches(const Term& term, const std::string& name) const {
-  return depends_on(term, name) || std::any_of(values.begin(), values.end(), [&](const auto& value) {
-           return depends_on(term, value.first) && reaches(value.second, name);
-         });
+std::set<std::string> Premises::reached(const Term& term) const {
+  std::set<std::string> result;
+  std::vector<std::set<std::string>> layers{names_in(term)};
+  while (!layers.empty()) {
+    const std::set<std::string> names = std::move(layers.back());
+    layers.pop_back();
+    for (const std::string& name : names) {
+      const auto value = result.insert(name).second ? values.find(name) : values.end();
+      if (value != values.end()) {
+        layers.push_back(names_in(value->second));
+      }
+    }
+  }
+  return result;
 }
 
 std::optional<Premises> Premises::with(const Replacements& further) const {
   Premises result = *this;
   for (const auto& [name, value] : further) {
-    if (values.contains(name) || reaches(value, name)) {
+    if (values.contains(name) || reached(value).contains(name)) {
       return std::nullopt;
     }
     result.values.emplace(name, value);

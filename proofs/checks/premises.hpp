@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,8 @@ struct Premises {
 
   // The statement with the motions put in.
   [[nodiscard]] symbols::Statement with_motions(const symbols::Statement& statement) const;
-  // Whether the value of the term, with all values put in, changes with the symbol.
-  [[nodiscard]] bool reaches(const symbols::Term& term, const std::string& name) const;
+  // The names of the symbols with which the value of the term, all values put in, changes.
+  [[nodiscard]] std::set<std::string> reached(const symbols::Term& term) const;
   // The premises with further values; nothing where a name has one already, or would be given by itself.
   [[nodiscard]] std::optional<Premises> with(const symbols::Replacements& further) const;
 };

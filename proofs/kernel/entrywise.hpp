@@ -21,7 +21,7 @@ class Entrywise {
 
   explicit Entrywise(System system) : system_(std::move(system)) {}
 
-  Entries operator()(const Term& term) {
+  const Entries& operator()(const Term& term) {
     const auto found = known_.find(term);
     return found != known_.end() ? found->second : known_.emplace(term, computed(term)).first->second;
   }
@@ -37,7 +37,7 @@ class Entrywise {
       case Kind::sum: {
         Entries total = (*this)(parts[0]);
         for (std::size_t k = 1; k < parts.size(); ++k) {
-          const Entries next = (*this)(parts[k]);
+          const Entries& next = (*this)(parts[k]);
           for (std::size_t i = 0; i < total.size(); ++i) {
             total[i] = total[i] + next[i];
           }

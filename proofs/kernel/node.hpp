@@ -11,9 +11,9 @@ namespace stickslip::proofs::kernel {
 struct Node {
   Kind kind = Kind::number;
   std::vector<Term> parts;
-  std::string name = {};  // of a variable; of a binder a hint
-  Rational value = 0;     // of a number; exponent of a power; index of what is bound
-  int row = 0;            // of an entry; rows of a matrix
+  std::string name = {};               // of a variable; of a binder a hint
+  std::optional<Rational> value = {};  // of a number; exponent of a power; index of what is bound
+  int row = 0;                         // of an entry; rows of a matrix
   int column = 0;
   Type binds = {};  // of a binder; the type of a variable and of what is bound
   std::optional<Definition> definition = {};
@@ -21,7 +21,8 @@ struct Node {
   // Computed by make():
   Type type = {};
   std::uint64_t hash = 0;
-  long loose = 0;  // no index in it reaches further than this many binders outside
+  long loose = 0;                    // no index in it reaches further than this many binders outside
+  bool applies_definitions = false;  // it or a part of it
   std::shared_ptr<const Variables> variables = {};
 
   // The only way to a Term: checks sorts and shapes and throws KernelError; applies a lambda that is applied,

@@ -12,28 +12,30 @@ namespace stickslip::proofs::kernel {
 // most comparisons are of two pointers.
 class Pool {
  public:
-  // The node that is built alike, if there is one.
-  [[nodiscard]] std::shared_ptr<const Node> find(const Node& node) const {
+  // The node that is built alike, if there is one; else the one that `make` makes of it, which makes no
+  // other.
+  template <class Make>
+  [[nodiscard]] std::shared_ptr<const Node> shared(const Node& node, const Make& make) {
     const auto [first, last] = nodes_.equal_range(node.hash);
+    auto dead = last;
     for (auto one = first; one != last; ++one) {
-      if (auto known = one->second.lock(); known && alike(*known, node)) {
+      auto known = one->second.lock();
+      if (known && alike(*known, node)) {
         return known;
       }
+      dead = known ? dead : one;
     }
-    return nullptr;
-  }
-  void add(const std::shared_ptr<const Node>& node) {
+    const std::shared_ptr<const Node> made = make();
+    if (dead != last) {
+      dead->second = made;
+      return made;
+    }
     if (nodes_.size() > limit_) {
       std::erase_if(nodes_, [](const auto& entry) { return entry.second.expired(); });
       limit_ = 2 * nodes_.size() + fewest;
     }
-    const auto [first, last] = nodes_.equal_range(node->hash);
-    const auto dead = std::find_if(first, last, [](const auto& entry) { return entry.second.expired(); });
-    if (dead != last) {
-      dead->second = node;
-    } else {
-      nodes_.emplace(node->hash, node);
-    }
+    nodes_.emplace(made->hash, made);
+    return made;
   }
 
  private:

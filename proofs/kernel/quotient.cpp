@@ -30,13 +30,17 @@ Polynomial generator_of(const PolynomialRing& ring, std::size_t index) {
 }
 
 // Refuses what would fill the memory.
-Polynomial times(Polynomial a, const Polynomial& b) {
+Polynomial times(const Polynomial& a, const Polynomial& b) {
   const auto * context = a.ring().context();
+  if (fmpq_mpoly_is_one(a.raw(), context) != 0 || fmpq_mpoly_is_one(b.raw(), context) != 0) {
+    return fmpq_mpoly_is_one(a.raw(), context) != 0 ? b : a;
+  }
   if (fmpq_mpoly_length(a.raw(), context) * fmpq_mpoly_length(b.raw(), context) > largest_product) {
     throw KernelError("a normal form has too many terms");
   }
-  a *= b;
-  return a;
+  Polynomial product(a.ring());
+  fmpq_mpoly_mul(product.raw(), a.raw(), b.raw(), context);
+  return product;
 }
 
 // The leading coefficient, by which the polynomial is divided; it is not zero.
@@ -81,7 +85,12 @@ Polynomial Ring::constant(const Rational& value) const {
 }
 
 Polynomial Ring::reduced(Polynomial polynomial) const {
-  return relations_.empty() ? polynomial : remainder(polynomial, relations_);
+  for (std::size_t i = 0; i < circles_; ++i) {
+    if (fmpq_mpoly_degree_si(polynomial.raw(), static_cast<slong>(2 * i), polynomials_.context()) > 1) {
+      return remainder(polynomial, relations_);
+    }
+  }
+  return polynomial;  // no s² in it
 }
 
 Quotient::Quotient(const Ring& ring, Polynomial numerator, Polynomial denominator)
@@ -133,6 +142,9 @@ Quotient operator+(const Quotient& a, const Quotient& b) {
 }
 
 Quotient operator*(const Quotient& a, const Quotient& b) {
+  if (a.is_zero() || b.is_zero()) {
+    return a.is_zero() ? a : b;
+  }
   return {*a.ring_, times(a.numerator_, b.numerator_), times(a.denominator_, b.denominator_)};
 }
 

@@ -144,6 +144,9 @@ Variable fresh(const Type& type, const std::vector<Term>& avoid) {
 
 Term unfold(const Term& term, const Definitions& definitions) {
   const auto visit = [&](const auto& self, const Term& part) -> Term {
+    if (!Node::of(part).applies_definitions) {
+      return part;
+    }
     const Term inner = mapped(part, 0, [&](const Term& p, long) { return self(self, p); });
     if (inner.kind() != Kind::defined || !definitions.contains(inner.definition())) {
       return inner;

@@ -62,7 +62,7 @@ Type numeric_type(const Node& node) {
   const std::vector<Term>& parts = node.parts;
   switch (node.kind) {
     case Kind::number:
-      return node.value.get_den() == 1 ? integer_number : real_number;
+      return node.value->get_den() == 1 ? integer_number : real_number;
     case Kind::pi:
       return real_number;
     case Kind::sum:
@@ -71,7 +71,7 @@ Type numeric_type(const Node& node) {
       return shape_of_product(parts[0].type(), parts[1].type());
     case Kind::power:
       require(parts[0].type().is_scalar(), "only a number is raised to a power");
-      require(node.value.get_den() == 1 && node.value >= 0 && node.value <= 1000,
+      require(node.value->get_den() == 1 && *node.value >= 0 && *node.value <= 1000,
               "an exponent is a whole number from 0 to 1000");
       return parts[0].type();
     case Kind::inverse:
@@ -170,11 +170,17 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t next) {
 
 std::uint64_t hash_of(const Node& node) {
   std::uint64_t hash = mixed(14695981039346656037ULL, static_cast<std::uint64_t>(node.kind));
-  const std::string text =
-      (is_binder(node.kind) ? "" : node.name) + node.value.get_str() +
-      (node.definition ? node.definition->name() : "");  // a collision costs time, never truth
-  for (const char c : text) {
-    hash = mixed(hash, static_cast<unsigned char>(c));
+  const auto add = [&hash](const std::string& text) {  // a collision costs time, never truth
+    for (const char c : text) {
+      hash = mixed(hash, static_cast<unsigned char>(c));
+    }
+  };
+  if (!is_binder(node.kind)) {
+    add(node.name);
+  }
+  add(node.value ? node.value->get_str() : "0");
+  if (node.definition) {
+    add(node.definition->name());
   }
   hash = mixed(mixed(hash, static_cast<std::uint64_t>(node.row)), static_cast<std::uint64_t>(node.column));
   for (const Term& part : node.parts) {
@@ -223,17 +229,16 @@ Term Node::make(Node node) {
   }
   node.hash = hash_of(node);
   static thread_local Pool pool;
-  if (auto known = pool.find(node)) {
-    return Term(std::move(known));
-  }
-  node.variables = variables_of(node);
-  node.loose = node.kind == Kind::bound ? node.value.get_num().get_si() + 1 : 0;
-  for (const Term& part : node.parts) {
-    node.loose = std::max(node.loose, of(part).loose - (is_binder(node.kind) ? 1 : 0));
-  }
-  const auto made = std::make_shared<const Node>(std::move(node));
-  pool.add(made);
-  return Term(made);
+  return Term(pool.shared(node, [&] {
+    node.variables = variables_of(node);
+    node.loose = node.kind == Kind::bound ? node.value->get_num().get_si() + 1 : 0;
+    node.applies_definitions = node.kind == Kind::defined;
+    for (const Term& part : node.parts) {
+      node.loose = std::max(node.loose, of(part).loose - (is_binder(node.kind) ? 1 : 0));
+      node.applies_definitions = node.applies_definitions || of(part).applies_definitions;
+    }
+    return std::make_shared<const Node>(std::move(node));
+  }));
 }
 
 Kind Term::kind() const {
@@ -249,7 +254,8 @@ const std::string& Term::name() const {
   return node_->name;
 }
 const Rational& Term::value() const {
-  return node_->value;
+  static const Rational none = 0;
+  return node_->value ? *node_->value : none;
 }
 int Term::row() const {
   return node_->row;
@@ -280,9 +286,9 @@ std::strong_ordering operator<=>(const Term& a, const Term& b) {
   if (m.hash != n.hash) {  // almost always
     return m.hash <=> n.hash;
   }
-  for (const auto order :
-       {m.kind <=> n.kind, m.type <=> n.type, m.binds <=> n.binds, m.row <=> n.row, m.column <=> n.column,
-        cmp(m.value, n.value) <=> 0, is_binder(m.kind) ? std::strong_ordering::equal : m.name <=> n.name}) {
+  for (const auto order : {m.kind <=> n.kind, m.type <=> n.type, m.binds <=> n.binds, m.row <=> n.row,
+                           m.column <=> n.column, cmp(a.value(), b.value()) <=> 0,
+                           is_binder(m.kind) ? std::strong_ordering::equal : m.name <=> n.name}) {
     if (order != 0) {
       return order;
     }

@@ -72,12 +72,6 @@ const Assumption& assumption_of(const Claim& claim, const std::string& id) {
   return *found;
 }
 
-bool mentions(const Term& term, const std::string& name) {
-  return (term.op() == Op::symbol && term.name() == name) ||
-         std::any_of(term.arguments().begin(), term.arguments().end(),
-                     [&](const Term& argument) { return mentions(argument, name); });
-}
-
 void record_free(Outcome& outcome, const symbolic::algebra::Matrix& value) {
   for (const ex& entry : value.reshaped()) {
     for (const ex& symbol : symbolic::algebra::symbols_of(entry)) {
@@ -95,16 +89,26 @@ bool is_substitution(const Assumption& assumption) {
          assumption.statement.left.shape().is_scalar();
 }
 
-bool depends_on(const Term& term, const std::string& name) {
+std::set<std::string> names_in(const Term& term) {
+  std::set<std::string> result;
+  if (term.op() == Op::symbol) {
+    result.insert(term.name());
+  }
   const Symbol * row = symbol_table().find(term);
   if (row != nullptr && !row->of_time && (row->value || row->means)) {
-    return mentions(term, name) || depends_on(row->value ? *row->value : *row->means, name);
+    result.merge(names_in(row->value ? *row->value : *row->means));
   }
-  const bool is_load = term.name() == "F" || term.name() == "F0" || term.name() == "R";
-  return (term.op() == Op::symbol && term.name() == name) ||
-         (is_load && (name == "phi" || name == "omega")) ||
-         std::any_of(term.arguments().begin(), term.arguments().end(),
-                     [&](const Term& argument) { return depends_on(argument, name); });
+  if (term.name() == "F" || term.name() == "F0" || term.name() == "R") {
+    result.insert({"phi", "omega"});
+  }
+  for (const Term& argument : term.arguments()) {
+    result.merge(names_in(argument));
+  }
+  return result;
+}
+
+bool depends_on(const Term& term, const std::string& name) {
+  return names_in(term).contains(name);
 }
 
 Given::Given(const Claim& claim) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "proofs/methods/claim.hpp"
@@ -15,7 +16,8 @@ namespace stickslip::proofs::methods {
 // An assumption of the form "scalar = value", which is put in wherever the scalar stands.
 [[nodiscard]] bool is_substitution(const Assumption& assumption);
 
-// Whether the term changes with the symbol. F0 and R mention the load's phase without showing it.
+// The names of the symbols with which the term changes. F0 and R mention the load's phase without showing it.
+[[nodiscard]] std::set<std::string> names_in(const symbols::Term& term);
 [[nodiscard]] bool depends_on(const symbols::Term& term, const std::string& name);
 
 // What the claim's assumptions give to scalars.

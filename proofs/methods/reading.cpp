@@ -1,7 +1,10 @@
 #include "proofs/methods/reading.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <optional>
+#include <tuple>
 
 #include "proofs/symbols/derived.hpp"
 #include "proofs/symbols/evaluate.hpp"
@@ -97,12 +100,23 @@ Term defined(const std::string& name, const std::vector<Variable>& first, const 
   return Definition(name, parameters, body)({parameters.begin(), parameters.end()});
 }
 
+// What a name stands for is the same in every statement: it is made once.
+Term once(const std::string& name, const symbols::Shape& shape, bool of_time,
+          const std::function<Term()>& make) {
+  using Key = std::tuple<std::string, int, int, bool>;
+  static thread_local std::map<Key, Term> made;
+  const Key key{name, shape.rows, shape.columns, of_time};
+  const auto known = made.find(key);
+  return known != made.end() ? known->second : made.emplace(key, make()).first->second;
+}
+
 }  // namespace
 
 Term Reader::scalar(const std::string& name) {
-  if (const auto known = scalars_.find(name); known != scalars_.end()) {
-    return known->second;
-  }
+  return once(name, {}, false, [&] { return scalar_made(name); });
+}
+
+Term Reader::scalar_made(const std::string& name) {
   const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) {
     return Symbolic(scalar(other));
   };
@@ -115,7 +129,6 @@ Term Reader::scalar(const std::string& name) {
   } else if (const std::optional<Symbolic> formula = symbols::derived<Symbolic>(name, lookup)) {
     term = defined(name, {}, formula->term);
   }
-  scalars_.emplace(name, term);
   return term;
 }
 
@@ -134,9 +147,11 @@ Term Reader::symbol(const symbols::Term& printed) {
   if (!(row != nullptr && row->value) && formula == known.end()) {
     throw NoValue("the symbol " + printed.name() + " has no meaning in the model");
   }
-  const Term body =
-      row != nullptr && row->value ? (*this)(*row->value) : as_kernel_term(formula->second(lookup));
-  return body.variables().empty() ? body : defined(printed.name(), {}, body);
+  return once(printed.name(), shape, false, [&] {
+    const Term body =
+        row != nullptr && row->value ? (*this)(*row->value) : as_kernel_term(formula->second(lookup));
+    return body.variables().empty() ? body : defined(printed.name(), {}, body);
+  });
 }
 
 Term Reader::function(const symbols::Term& printed) {
@@ -160,7 +175,9 @@ Term Reader::function(const symbols::Term& printed) {
   const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) {
     return Symbolic(scalar(other));
   };
-  const Term applied = defined(name, {time}, as_kernel_term(formula->second(lookup, Symbolic(time))));
+  const Term applied = once(name, printed.shape(), true, [&] {
+    return defined(name, {time}, as_kernel_term(formula->second(lookup, Symbolic(time))));
+  });
   return substitute(applied, {{time, argument}});
 }
 

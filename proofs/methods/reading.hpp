@@ -1,7 +1,6 @@
 // What a printed statement says, in the kernel's language.
 #pragma once
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,13 +31,13 @@ class Reader {
 
  private:
   [[nodiscard]] kernel::Term scalar(const std::string& name);
+  [[nodiscard]] kernel::Term scalar_made(const std::string& name);
   [[nodiscard]] kernel::Term symbol(const symbols::Term& printed);
   [[nodiscard]] kernel::Term function(const symbols::Term& printed);
   [[nodiscard]] kernel::Formula relation(const symbols::Statement& statement);
   [[nodiscard]] kernel::Formula at_one_time(const symbols::Statement& statement);
   [[nodiscard]] kernel::Formula with_signs(const symbols::Statement& statement);
 
-  std::map<std::string, kernel::Term> scalars_;
   // Of the derivatives in a statement: D, and what it is the derivative of.
   std::vector<std::pair<kernel::Variable, kernel::Term>> rates_;
 };

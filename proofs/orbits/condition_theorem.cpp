@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include "proofs/orbits/definitions.hpp"
+#include "proofs/orbits/names.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/orbits/orbit_with.hpp"
 #include "proofs/tactics/closed.hpp"
@@ -19,10 +18,10 @@ namespace {
 // end, as in Phases.
 class Condition {
  public:
-  explicit Condition(const Question& question) : q_(question) {}
+  explicit Condition(const Question& question) : q_(question), said_(question) {}
 
   [[nodiscard]] Theorem operator()(const Requirement& requirement, const Theorem& body) const {
-    Theorem result = Theorem::instantiate(proved(requirement), {{omega_, q_.data.omega}});
+    Theorem result = Theorem::instantiate(proved(requirement), {{said_.omega(), q_.data.omega}});
     const Formulas hypotheses = result.hypotheses();
     for (const Formula& one : hypotheses) {
       result = Theorem::cut(is_divisor(one) ? certainly(one) : Theorem::consequence({body}, one), result);
@@ -57,29 +56,17 @@ class Condition {
 
   [[nodiscard]] std::size_t count() const { return q_.phases.size(); }
   [[nodiscard]] std::size_t before(std::size_t k) const { return (k + count() - 1) % count(); }
-  [[nodiscard]] Term us() const { return q_.data.us; }
-  [[nodiscard]] Term eta() const { return q_.data.eta; }
-  [[nodiscard]] Term chi() const { return q_.data.chi; }
-  [[nodiscard]] Term ur() const { return q_.ur ? Term(*q_.ur) : Variable{"ur"}; }
-  [[nodiscard]] Term phi() const { return q_.phi ? Term(*q_.phi) : Variable{"phi"}; }
-  [[nodiscard]] Term X(std::size_t k, const Term& t) const {
-    return apply(Variable{fmt::format("X{}", k + 1), motion_type}, t);
-  }
-  // When phase k ends; when it begins.
-  [[nodiscard]] Term end(std::size_t k) const {
-    return k + 1 == count() ? Term(2 * q_.period) * pi() / Term(omega_) : start(k + 1);
-  }
-  [[nodiscard]] Term start(std::size_t k) const {
-    Symbolic sum;
-    for (std::size_t i = 0; i < k; ++i) {
-      sum += Symbolic(Variable{q_.durations[i]});
-    }
-    return sum.term;
-  }
+  [[nodiscard]] Term us() const { return said_.us(); }
+  [[nodiscard]] Term eta() const { return said_.eta(); }
+  [[nodiscard]] Term chi() const { return said_.chi(); }
+  [[nodiscard]] Term ur() const { return said_.ur(); }
+  [[nodiscard]] Term end(std::size_t k) const { return said_.end(k); }
+  [[nodiscard]] Term start(std::size_t k) const { return said_.start(k); }
+  [[nodiscard]] static Term X(std::size_t k, const Term& t) { return Names::state(k, t); }
   // p cos(omega t + phi), as phase k begins.
   [[nodiscard]] Term load(std::size_t k) const { return load_at(start(k)); }
   [[nodiscard]] Term load_at(const Term& t) const {
-    return (Symbolic(q_.data.p) * cos(Symbolic(omega_) * Symbolic(t) + Symbolic(phi()))).term;
+    return (Symbolic(q_.data.p) * cos(Symbolic(said_.omega()) * Symbolic(t) + Symbolic(said_.phi()))).term;
   }
   // chi eta (z2 - z1), as phase k begins.
   [[nodiscard]] Term spring(std::size_t k) const {
@@ -94,9 +81,7 @@ class Condition {
   [[nodiscard]] Theorem looked_into(const Theorem& theorem) const {
     return Theorem::convert(theorem, unfold(theorem.conclusion(), {friction()}), {friction()});
   }
-  [[nodiscard]] Term friction_after(std::size_t k) const {
-    return friction()({X(k, end(k)), end(k), chi(), eta(), omega_, q_.data.p, phi()});
-  }
+  [[nodiscard]] Term friction_after(std::size_t k) const { return said_.friction_at(k, end(k)); }
   // The state in which phase k begins is the one in which the phase before ends: as a multiple of entry i.
   [[nodiscard]] Multiple carried(std::size_t k, std::size_t i, const Term& factor) const {
     std::vector<Term> row(4, 0);
@@ -109,19 +94,8 @@ class Condition {
 
   // What a phase of this kind is, looked into.
   [[nodiscard]] Theorem phase(std::size_t k) const {
-    const PhaseKind kind = q_.phases.at(k);
-    const bool stick = kind == PhaseKind::stick;
-    std::vector<Term> arguments{Variable{fmt::format("X{}", k + 1), motion_type}, start(k), end(k), chi(),
-                                eta()};
-    if (!stick) {
-      arguments.push_back(us());
-    }
-    arguments.insert(arguments.end(), {q_.data.V, omega_, q_.data.p, phi()});
-    if (stick) {
-      arguments.push_back(ur());
-    }
-    const Definitions definitions{phase_definition(kind), friction()};
-    const Formula formula = phase_definition(kind)(arguments);
+    const Formula formula = said_.phase(k);
+    const Definitions definitions = said_.definitions(k);
     return Theorem::convert(said(formula), unfold(formula, definitions), definitions);
   }
   // -ur < r and r < ur at a time of the stick.
@@ -167,13 +141,7 @@ class Condition {
         above ? less(middle, eta() * (ur() - us())) : less(-(eta() * (ur() + us())), middle),
         {Positive{{bounded(k, start(k), since, lasts, above)}, q_.data.eta}});
   }
-  [[nodiscard]] Theorem period_is_sum() const {
-    Symbolic sum;
-    for (const std::string& name : q_.durations) {
-      sum += Symbolic(Variable{name});
-    }
-    return said(equal(sum.term, end(count() - 1)));
-  }
+  [[nodiscard]] Theorem period_is_sum() const { return said(equal(start(count()), end(count() - 1))); }
   // (12).
   [[nodiscard]] Theorem falls_behind(std::size_t k) const {
     const Theorem leaves = looked_into(said(equal(friction_after(before(k)), ur())));
@@ -198,7 +166,7 @@ class Condition {
   }
 
   const Question& q_;
-  Variable omega_{"omega"};
+  Names said_;
 };
 
 }  // namespace

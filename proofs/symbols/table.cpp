@@ -217,10 +217,13 @@ void add_entries(std::vector<Symbol>& symbols, const std::string& letter, const 
 
 Symbols::Symbols(std::vector<Symbol> rows) : rows_(std::move(rows)) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Symbol& row = rows_[i];
-    if (!places_.emplace(Key{row.name, row.shape.rows, row.shape.columns, row.of_time}, i).second) {
-      throw InternalError("the symbol " + row.name + " stands twice in the table");
+    std::vector<std::size_t>& places = places_[rows_[i].name];
+    if (std::any_of(places.begin(), places.end(), [&](std::size_t k) {
+          return rows_[k].shape == rows_[i].shape && rows_[k].of_time == rows_[i].of_time;
+        })) {
+      throw InternalError("the symbol " + rows_[i].name + " stands twice in the table");
     }
+    places.push_back(i);
   }
 }
 
@@ -228,9 +231,14 @@ const Symbol * Symbols::find(const Term& term) const {
   if (term.op() != Op::symbol && term.op() != Op::function) {
     return nullptr;
   }
-  const auto found =
-      places_.find({term.name(), term.shape().rows, term.shape().columns, term.op() == Op::function});
-  return found == places_.end() ? nullptr : &rows_[found->second];
+  const auto found = places_.find(term.name());
+  static const std::vector<std::size_t> none;
+  for (const std::size_t k : found == places_.end() ? none : found->second) {
+    if (rows_[k].shape == term.shape() && rows_[k].of_time == (term.op() == Op::function)) {
+      return &rows_[k];
+    }
+  }
+  return nullptr;
 }
 
 const Symbols& symbol_table() {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "proofs/symbols/term.hpp"
@@ -42,9 +42,8 @@ class Symbols {
   [[nodiscard]] std::vector<Symbol>::const_iterator end() const { return rows_.end(); }
 
  private:
-  using Key = std::tuple<std::string, int, int, bool>;
   std::vector<Symbol> rows_;
-  std::map<Key, std::size_t> places_;
+  std::unordered_map<std::string, std::vector<std::size_t>> places_;  // of the rows of a name
 };
 
 // The paper's.

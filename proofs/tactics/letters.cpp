@@ -82,6 +82,12 @@ Term Letters::term(const ex& polynomial) const {
   return parts.empty() ? Term(0) : parts.size() == 1 ? parts[0] : sum(parts);
 }
 
+std::pair<ex, ex> Letters::fraction(const ex& expression) const {
+  const ex parts = expression.numer_denom();
+  const int sign = monomials(parts.op(1)).front().coefficient < 0 ? -1 : 1;
+  return {sign * parts.op(0), sign * parts.op(1)};
+}
+
 void Letters::sort() {
   std::vector<std::size_t> order(terms_.size());
   std::iota(order.begin(), order.end(), 0);
@@ -138,8 +144,8 @@ Term quotient(const Term& a, const Term& b) {
   if (bottom.is_zero()) {
     throw KernelError("nothing is divided by 0");
   }
-  const ex parts = (top / bottom).normal().numer_denom();
-  return letters.term(parts.op(0)) / letters.term(parts.op(1));
+  const auto [above, below] = letters.fraction(top / bottom);
+  return letters.term(above) / letters.term(below);
 }
 
 }  // namespace stickslip::proofs::tactics

@@ -3,6 +3,7 @@
 
 #include <ginac/ginac.h>
 
+#include <utility>
 #include <vector>
 
 #include "proofs/kernel/term.hpp"
@@ -22,6 +23,10 @@ class Letters {
   // Sorted, the highest first.
   [[nodiscard]] std::vector<Monomial> monomials(const GiNaC::ex& polynomial) const;
   [[nodiscard]] kernel::Term term(const GiNaC::ex& polynomial) const;
+
+  // Numerator and denominator without common factors. The denominator's highest monomial is positive: GiNaC
+  // alone has its signs from addresses in memory.
+  [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> fraction(const GiNaC::ex& expression) const;
 
   // Puts the letters into an order that does not depend on where they stood.
   void sort();

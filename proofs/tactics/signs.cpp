@@ -4,6 +4,7 @@
 
 #include "proofs/tactics/estimate.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/signs.hpp"
 #include "proofs/tactics/tactics.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 
@@ -133,6 +134,8 @@ std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const 
                           Theorem::combination(equal(there, 0)));
 }
 
+}  // namespace
+
 Theorem factor_differs(const ex& factor, const Letters& letters, const Domain& domain) {
   if (const std::optional<Theorem> sign = signed_by_bounds(factor, letters, domain)) {
     return different(*sign);
@@ -153,66 +156,7 @@ Theorem factor_differs(const ex& factor, const Letters& letters, const Domain& d
   return Theorem::assume(wanted);
 }
 
-bool has_sine(const Term& term) {
-  return term.kind() == Kind::cosine || term.kind() == Kind::sine ||
-         std::any_of(term.parts().begin(), term.parts().end(), has_sine);
-}
-
-// ⊢ d ≠ 0 where d m = 1 by normal form, as for a determinant with cos² + sin².
-std::optional<Theorem> is_invertible(const Term& divisor, const Term& multiplier) {
-  try {
-    const Formula zero = equal(divisor, 0);
-    const Theorem absurd =
-        Theorem::discharge(Theorem::combination(equal(1, 0), {{Theorem::assume(zero), multiplier}}), zero);
-    return Theorem::consequence({absurd, different(Theorem::sign(less(0, 1)))}, negation(zero));
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
-}
-
-// {factors that may vanish ≠ 0} ⊢ d ≠ 0; nothing if that is d itself again.
-std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain) {
-  if (has_sine(divisor)) {  // cos² + sin², or the cosine of a multiple of pi
-    for (const int unit : {1, -1}) {
-      if (const auto lemma = seems_zero({divisor, -unit}, {}) ? is_invertible(divisor, unit) : std::nullopt) {
-        return lemma;
-      }
-    }
-  }
-  Letters letters;
-  const ex parts = letters.expression(divisor).normal().numer_denom();
-  letters.sort();
-  if (parts.op(0).is_zero()) {
-    return std::nullopt;
-  }
-  const Factored numerator = factored(parts.op(0), letters);
-  if (numerator.factors.empty()) {
-    return is_invertible(divisor, letters.term((parts.op(1) / parts.op(0)).expand()));
-  }
-  // d = 0 ⇒ Π factors = 0 ⇒ one of them is.
-  Term product = letters.term(numerator.factors[0]);
-  std::vector<Theorem> premises{factor_differs(numerator.factors[0], letters, domain)};
-  if (premises[0].conclusion() == differ(divisor, 0)) {
-    return premises[0].hypotheses().contains(premises[0].conclusion()) ? std::nullopt
-                                                                       : std::optional(premises[0]);
-  }
-  for (std::size_t i = 0; i < numerator.factors.size(); ++i) {
-    const Term factor = letters.term(numerator.factors[i]);
-    if (i > 0) {
-      premises.push_back(factor_differs(numerator.factors[i], letters, domain));
-    }
-    for (int k = i == 0 ? 1 : 0; k < numerator.exponents[i]; ++k) {
-      premises.push_back(Theorem::zero_product(product, factor));
-      product = product * factor;
-    }
-  }
-  const ex ratio = (numerator.product / parts.op(0)).normal() * parts.op(1);
-  const Formula zero = equal(divisor, 0);
-  const Theorem product_zero =
-      Theorem::combination(equal(product, 0), {{Theorem::assume(zero), letters.term(ratio)}});
-  premises.push_back(Theorem::discharge(product_zero, zero));
-  return Theorem::consequence(premises, differ(divisor, 0));
-}
+namespace {
 
 // ⊢ 0 < s for factors s whose product is f^k up to sign.
 std::vector<Theorem> positive_factors(const ex& factor, int exponent, const Letters& letters,
@@ -287,15 +231,16 @@ Theorem inverse_is_positive(const Theorem& positive) {
 
 Theorem positive(const Term& a, const Domain& domain) {
   Letters letters;
-  const ex parts = letters.expression(a).normal().numer_denom();
+  const ex whole = letters.expression(a);
   letters.sort();
-  if (parts.op(0).is_zero()) {
+  const auto [top, bottom] = letters.fraction(whole);
+  if (top.is_zero()) {
     throw KernelError("0 is not positive");
   }
   Positive product{{}};
   ex built = 1;
   for (const int place : {0, 1}) {
-    const Factored all = factored(parts.op(static_cast<std::size_t>(place)), letters);
+    const Factored all = factored(place == 0 ? top : bottom, letters);
     for (std::size_t i = 0; i < all.factors.size(); ++i) {
       for (const Theorem& one : positive_factors(all.factors[i], all.exponents[i], letters, domain)) {
         product.inequalities.push_back(place == 0 ? one : inverse_is_positive(one));
@@ -304,91 +249,12 @@ Theorem positive(const Term& a, const Domain& domain) {
       }
     }
   }
-  const ex ratio = (parts.op(0) / parts.op(1) / built).normal();
+  const ex ratio = (top / bottom / built).normal();
   if (!GiNaC::is_a<GiNaC::numeric>(ratio)) {
     throw KernelError("the factors of " + to_string(a) + " are not found");
   }
   product.factor = symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>(ratio));
   return nonzero(Theorem::order(less(0, a), {product}), domain);
-}
-
-std::vector<Theorem> factors_differ(const Theorem& differs) {
-  const Term a = differs.conclusion().parts().at(0).parts().at(0);
-  Letters letters;
-  const ex parts = letters.expression(a).normal().numer_denom();
-  letters.sort();
-  std::vector<Theorem> result;
-  for (const ex& factor :
-       parts.op(0).is_zero() ? std::vector<ex>{} : factored(parts.op(0), letters, 64).factors) {
-    const Term f = letters.term(factor);
-    const Formula zero = equal(f, 0);
-    const ex quotient = (parts.op(0) / factor).normal().expand();
-    const Term multiplier = letters.term(quotient) / letters.term(parts.op(1).expand());
-    try {
-      const Theorem absurd = Theorem::combination(equal(a, 0), {{Theorem::assume(zero), multiplier}});
-      result.push_back(Theorem::consequence({Theorem::discharge(absurd, zero), differs}, negation(zero)));
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return result;
-}
-
-namespace {
-
-// The divisors' lemmas, each with what it rests on discharged as far as it goes.
-class Lemmas {
- public:
-  Lemmas(const Domain& domain, const kernel::Formulas& kept) : domain_(domain), kept_(kept) {
-    std::copy_if(domain.begin(), domain.end(), std::back_inserter(bounds_),
-                 [](const Theorem& one) { return one.conclusion().kind() == Kind::less; });
-  }
-
-  const std::optional<Theorem>& operator()(const Formula& divisor) {
-    if (const auto known = lemmas_.find(divisor); known != lemmas_.end()) {
-      return known->second;
-    }
-    under_way_.insert(divisor);
-    const Term& d = divisor.parts()[0].parts()[0];
-    std::optional<Theorem> lemma = divisor_differs(d, domain_);
-    const auto turns_in_circle = [&](const Formula& one) { return under_way_.contains(one); };
-    if (lemma && std::any_of(lemma->hypotheses().begin(), lemma->hypotheses().end(), turns_in_circle)) {
-      lemma = divisor_differs(d, bounds_);
-    }
-    if (lemma) {
-      const Formulas hypotheses = lemma->hypotheses();
-      for (const Formula& one : hypotheses) {
-        if (is_divisor(one) && !turns_in_circle(one) && !kept_.contains(one)) {
-          if (const std::optional<Theorem>& inner = (*this)(one)) {
-            lemma = Theorem::cut(*inner, *lemma);
-          }
-        }
-      }
-    }
-    under_way_.erase(divisor);
-    return lemmas_.emplace(divisor, lemma).first->second;
-  }
-
- private:
-  const Domain& domain_;
-  const kernel::Formulas& kept_;
-  Domain bounds_;
-  std::map<Formula, std::optional<Theorem>> lemmas_;
-  Formulas under_way_;
-};
-
-}  // namespace
-
-Theorem nonzero(const Theorem& theorem, const Domain& domain, const kernel::Formulas& kept) {
-  Lemmas lemmas(domain, kept);
-  Theorem result = theorem;
-  for (const Formula& one : Formulas(theorem.hypotheses())) {
-    if (const std::optional<Theorem> lemma =
-            is_divisor(one) && !kept.contains(one) ? lemmas(one) : std::nullopt) {
-      result = Theorem::cut(*lemma, result);
-    }
-  }
-  return result;
 }
 
 }  // namespace stickslip::proofs::tactics

@@ -108,28 +108,30 @@ Json example_data(const ExampleOrbits& e) {
   return data;
 }
 
-// These pictures; two at a time for each example.
-std::vector<File> example_pictures(const std::vector<ExampleOrbits>& examples) {
-  std::vector<File> files;
-  for (std::vector<File>& some : parallel_map(2 * examples.size(), [&](std::size_t i) {
-         const ExampleOrbits& e = examples[i / 2];
+}  // namespace
+
+Figures figures_of(const Paper& paper, bool with_pictures) {
+  Figures figures;
+  for (const Example& example : paper.examples) {
+    figures.examples.push_back(orbits_of(example));
+  }
+  const std::size_t drawings = with_pictures ? 2 * figures.examples.size() : 0;
+  for (std::vector<File>& some : parallel_map(drawings, [&](std::size_t i) {
+         const ExampleOrbits& e = figures.examples[i / 2];
          const std::optional<std::size_t> shown = printed_orbit(e);
          return i % 2 == 0 ? pictures(e.list, picture_of_list(e))
                 : shown    ? pictures(e.list, picture_of_figure(e), shown)
                            : std::vector<File>{};
        })) {
-    append(files, std::move(some));
+    append(figures.pictures, std::move(some));
   }
-  return files;
+  return figures;
 }
 
-}  // namespace
-
-Report pages(const Paper& paper, const proofs::methods::Audit& audit,
-             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate,
-             const Certification& certificates) {
-  const Json json = to_json(paper, audit, gate ? "stickslip audit --mutants" : "stickslip audit", examples,
-                            gate, certificates);
+Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figures& figures,
+             const std::optional<proofs::checks::Gate>& gate, const Certification& certificates) {
+  const Json json = to_json(paper, audit, gate ? "stickslip audit --mutants" : "stickslip audit",
+                            figures.examples, gate, certificates);
   Report report{{{"audit.json", to_text(json)}}, {}};
   Json data = page_data(paper, audit, json);
   add_provenance(data, true);
@@ -138,10 +140,10 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit,
   data["meaning_of_units"] = meaning_of_units();
   data["meaning_of_picture"] = meaning_of_picture();
   data["examples"] = Json::array();
-  for (const ExampleOrbits& e : examples) {
+  for (const ExampleOrbits& e : figures.examples) {
     data["examples"].push_back(example_data(e));
   }
-  append(report.files, example_pictures(examples));
+  append(report.files, figures.pictures);
   data["graph"] = uses_of_places(paper, audit);
   data["graph"]["svg"] = graph_svg(data.at("graph"));
   data["page_title"] = "The orbits of the paper’s figures";

@@ -19,12 +19,21 @@ struct Report {
   std::string note;
 };
 
+// The orbits of the examples, and their figures.
+struct Figures {
+  std::vector<proofs::methods::ExampleOrbits> examples;
+  std::vector<tools::File> pictures;
+};
+
+// Nothing of an audit is needed for them, and nothing of GiNaC: they may be made on a thread beside one.
+// Throws InputOutputError if pictures are to be drawn and gnuplot is missing or fails.
+[[nodiscard]] Figures figures_of(const proofs::methods::Paper& paper, bool with_pictures);
+
 // index.html, paper.html, statements.html, orbits.html with style.css, katex.css and filter.js; audit.json;
 // audit.tex and, where there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be
 // read or a program that draws is missing or fails.
 [[nodiscard]] Report pages(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
-                           const std::vector<proofs::methods::ExampleOrbits>& examples,
-                           const std::optional<proofs::checks::Gate>& gate = {},
+                           const Figures& figures, const std::optional<proofs::checks::Gate>& gate = {},
                            const Certification& certificates = {});
 
 // The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError

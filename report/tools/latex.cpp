@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
+#include <vector>
+
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "report/tools/process.hpp"
@@ -13,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const Tool& compiler() {
-  static const Tool tool{"latexmk", "latexmk, with texlive-latex-recommended", "compile LaTeX"};
+  static const Tool tool{"pdflatex", "texlive-latex-recommended", "compile LaTeX"};
   return tool;
 }
 
@@ -36,10 +38,43 @@ class Workshop {
   Workshop& operator=(const Workshop&) = delete;
 
   [[nodiscard]] const fs::path& path() const { return path_; }
+  // Of a file that may not be there.
+  [[nodiscard]] std::string content(const std::string& file) const {
+    return fs::exists(path_ / file) ? read_file(path_ / file) : "";
+  }
 
  private:
   fs::path path_;
 };
+
+// What a pass leaves for the next one: numbers of pages, the contents, bookmarks.
+std::string notes(const Workshop& workshop, const std::string& name) {
+  return workshop.content(name + ".aux") + workshop.content(name + ".toc") + workshop.content(name + ".out");
+}
+
+// The first complaint in what TeX writes down.
+std::string complaint(const std::string& log) {
+  const std::size_t start = log.find("\n! ");
+  return start == std::string::npos ? ""
+                                    : ": " + log.substr(start + 3, log.find('\n', start + 1) - start - 3);
+}
+
+// Once without a document, then until the pass finds the notes that it leaves; whether it came to that.
+bool settled(const Workshop& workshop, const std::string& name) {
+  constexpr int most_passes = 6;
+  std::vector<std::string> arguments{"-halt-on-error", "-interaction=nonstopmode", "-no-shell-escape",
+                                     "-draftmode", name + ".tex"};
+  (void)run(compiler(), arguments, {}, workshop.path());
+  std::erase(arguments, "-draftmode");
+  for (int pass = 2; pass <= most_passes; ++pass) {
+    const std::string before = notes(workshop, name);
+    (void)run(compiler(), arguments, {}, workshop.path());
+    if (notes(workshop, name) == before) {
+      return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -55,13 +90,13 @@ Compiled compile(const std::vector<File>& files, const std::string& name) {
     const Uninterrupted until_it_is_cleaned_up;
     const Workshop workshop;
     write_files(workshop.path(), files);
-    std::vector<std::string> arguments{"-pdf", "-halt-on-error", "-interaction=nonstopmode",
-                                       "-no-shell-escape", name + ".tex"};
-    (void)run(compiler(), arguments, {}, workshop.path());
-    // Latexmk misses a table of contents that was written twice in one second with the same length: once
-    // more.
-    arguments.insert(arguments.begin(), "-g");
-    (void)run(compiler(), arguments, {}, workshop.path());
+    try {
+      if (!settled(workshop, name)) {
+        return {{}, "its numbers of pages do not settle"};
+      }
+    } catch (const InputOutputError&) {
+      return {{}, fmt::format("{} failed{}", compiler().program, complaint(workshop.content(name + ".log")))};
+    }
     return {{{name + ".pdf", read_file(workshop.path() / (name + ".pdf"))}}, {}};
   } catch (const InputOutputError& error) {
     return {{}, error.what()};

@@ -129,7 +129,7 @@ for tool in doxygen sphinx-build; do
 has doc "$STATE/installed" || refuse "no Doxygen, or no Sphinx"
 EOF
 done
-player latexmk <<'EOF'
+player pdflatex <<'EOF'
 EOF
 player make <<'EOF'
 . "${0%/*}/uses"

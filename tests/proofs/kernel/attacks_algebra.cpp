@@ -205,6 +205,18 @@ TEST_CASE("tactics add nothing") {
   CHECK(nonzero(between_one, {above(0, x), below(x, 2)}).hypotheses() == Formulas{differ(Term(x) - 1, 0)});
   REFUSES(different(assume(at_most(0, x))));
   REFUSES(symmetric(assume(less(x, y))));
+  // What is remembered of a divisor is remembered for these bounds, with what they suppose.
+  const Theorem whole = Theorem::combination(equal(Term(x) / x, 1), {});
+  const Theorem by_y = Theorem::weaken(assume(differ(x, 0)), {less(0, y)});
+  for (int again = 0; again < 2; ++again) {
+    CHECK(nonzero(whole, {}).hypotheses() == Formulas{differ(x, 0)});
+    CHECK(nonzero(whole, {above(0, x)}).hypotheses() == Formulas{less(0, x)});
+    CHECK(nonzero(whole, {above(1, x)}).hypotheses() == Formulas{less(1, x)});
+    CHECK(nonzero(whole, {above(0, y)}).hypotheses() == Formulas{differ(x, 0)});
+    CHECK(nonzero(whole, {Theorem::weaken(above(0, x), {less(0, y)})}).hypotheses() ==
+          Formulas{less(0, x), less(0, y)});
+    CHECK(nonzero(whole, {by_y}).hypotheses() == Formulas{differ(x, 0)});
+  }
   // 0 < a by its factors, each with the sign that is known.
   CHECK(positive(Term(x) / y, {above(0, x), above(0, y)}).conclusion() == less(0, Term(x) / y));
   REFUSES(positive(Term(x) / y, {above(0, x)}));

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Compiles NAME.tex of a report with plain latexmk, in a copy; fails when LaTeX has anything to remark.
+# Compiles NAME.tex of a report with pdflatex, in a copy; fails when LaTeX has anything to remark.
 #
 #   paper.sh DIRECTORY NAME [PAGES]
 #
 # With PAGES also when it has more of them, or no contents to find one's way by.
 #
-# Debian's latexmk makes that possible, with texlive-latex-recommended and lmodern.
+# Debian's texlive-latex-recommended makes that possible, with lmodern.
 set -eu
 report=$(cd "$1" && pwd)
 work=$(mktemp -d)
@@ -13,9 +13,9 @@ trap 'rm -rf "$work"' EXIT
 cp "$report"/*.tex "$report"/*.pdf "$work"
 cd "$work"
 rm -f "$2.pdf"
-# Twice, as the program does: latexmk misses a table of contents that was written twice in one second.
-for again in "" -g; do
-  latexmk $again -pdf -interaction=nonstopmode -halt-on-error "$2.tex" >output 2>&1 || {
+# The contents change the numbers of pages once.
+for pass in 1 2 3; do
+  pdflatex -interaction=nonstopmode -halt-on-error "$2.tex" >output 2>&1 || {
     grep -a -A3 '^!' output >&2
     exit 1
   }
