@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "numeric/families/overshooting_exclusion.hpp"
+#include "numeric/families/overshooting_strip.hpp"
 
 namespace stickslip::numeric::families {
 
@@ -277,7 +278,8 @@ const Family& overshooting() {
             return std::string("$tau >= 0$, $tau1 >= 0$, $tau + tau1 <= Theta$ ") +
                    (q.phi ? "at this $phi$" : "for every $phi$ that gives this $ur$");
           },
-      .search = search_overshooting};
+      .search = search_overshooting,
+      .strips = overshooting_strips};
   return family;
 }
 

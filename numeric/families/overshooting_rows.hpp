@@ -35,11 +35,12 @@ template <class T>
 }
 
 // phi given: five rows for (a, C, D).
-struct OvershootingAtPhase {
+template <class S>
+struct OvershootingAtPhaseOf {
   static constexpr int rows = 5;
   static constexpr int unknowns = 3;
-  model::OvershootingData<Ball> data;
-  Ball phi;
+  model::OvershootingData<S> data;
+  S phi;
 
   template <class T, int R>
   using Rows = Eigen::Matrix<T, R, unknowns + 1>;
@@ -85,11 +86,12 @@ struct OvershootingAtPhase {
 };
 
 // u_r given, phi unknown: six rows for (a, C, D, cos psi, sin psi).
-struct OvershootingAtFriction {
+template <class S>
+struct OvershootingAtFrictionOf {
   static constexpr int rows = 6;
   static constexpr int unknowns = 5;
-  model::OvershootingData<Ball> data;
-  Ball ur;
+  model::OvershootingData<S> data;
+  S ur;
 
   template <class T, int R>
   using Rows = Eigen::Matrix<T, R, unknowns + 1>;
@@ -125,6 +127,9 @@ struct OvershootingAtFriction {
     return m;
   }
 };
+
+using OvershootingAtPhase = OvershootingAtPhaseOf<Ball>;
+using OvershootingAtFriction = OvershootingAtFrictionOf<Ball>;
 
 template <class T, class Family>
 using RowsOf = Eigen::Matrix<T, Family::rows, Family::unknowns + 1>;
