@@ -30,8 +30,9 @@ constexpr const char * branch_details =
     "something changes is enclosed to 1e-10, named, and proved to be passed once: a fold, a\n"
     "condition that is lost, a multiplier that crosses the unit circle, a phase that lasts no\n"
     "time. What cannot be resolved is listed, with its reason.\n\n"
-    "Followed are all orbits that there are at nine values of the interval, its ends among\n"
-    "them, or at the one given by --at. A branch that reaches none of these is not found.\n\n";
+    "All branches are looked for, and that every orbit at any value of the interval is on one\n"
+    "of them is proved; where that is not so is listed. With --at only the branches of the\n"
+    "orbits at that value are followed.\n\n";
 
 constexpr const char * branch_exits =
     "\nExit code: 0 every change is proved and nothing is unresolved but next to resonances; 2\n"

@@ -15,8 +15,7 @@ struct BranchQuestion {
   OrbitQuestion orbits;   // exact; what it says of the free parameter does not count
   std::string parameter;  // chi, eta, us, V, omega, p; phi or ur where the family takes it
   Rational from, to;      // from < to
-  // Follow the branches of the orbits that there are at this value; without it of those at nine values, the
-  // ends among them.
+  // Follow the branches of the orbits that there are at this value; without it all branches are looked for.
   std::optional<Rational> at;
 };
 
@@ -27,8 +26,9 @@ enum class State {
   inadmissible,  // closed, but a condition of the friction law is violated
   stable,        // admissible: all conditions hold; and by its multipliers
   unstable,
-  marginal,   // 1 is a multiplier for want of a load
-  undecided,  // with the reason
+  marginal,    // 1 is a multiplier for want of a load
+  admissible,  // and the stability is undecided
+  undecided,   // whether the friction law is obeyed, or a phase lasts at all
 };
 [[nodiscard]] std::string to_string(State state);
 [[nodiscard]] bool is_admissible(State state);
@@ -90,10 +90,12 @@ struct UnresolvedPart {
   bool resonance = false;  // it is next to one, where the interval is split
 };
 
-// How many orbits there are on the branches of the list between two values at which that may change.
+// How many orbits there are on the branches of the list between two values at which that may change; of those
+// that are admissible the stability of so many is `unsettled`, and of so many more motions that close it is
+// `undecided` whether they are orbits and admissible: neither counts in the numbers before.
 struct Count {
   Ball from, to;
-  int orbits = 0, admissible = 0, stable = 0;
+  int orbits = 0, admissible = 0, stable = 0, unsettled = 0, undecided = 0;
 };
 
 struct BranchList {
@@ -101,9 +103,8 @@ struct BranchList {
   std::vector<Branch> branches;
   std::vector<UnresolvedPart> unresolved;
   std::vector<Count> counts;
-  // At these values all orbits were looked for, and each is on a branch or unresolved. A branch that reaches
-  // none of them may be missing.
-  std::vector<Rational> values;
+  // Every orbit of the family at any value of the interval is on a branch of the list.
+  bool complete = false;
   bool interrupted = false;
 
   // Nothing is unresolved but next to resonances.

@@ -28,7 +28,9 @@ struct Gap {
 // is 1.
 struct Over {
   MotionOf<ParameterJet> motion;
+  Motion values;
   std::optional<ParameterJet> ur;
+  std::vector<ParameterJet> multipliers;  // their polynomial
   int ahead;
 };
 
@@ -43,8 +45,9 @@ std::optional<std::vector<Over>> over_gap(const Traced& t, const Gap& gap) {
     }
     const Driven f{&t.curve, cell.driver};
     const MotionOf<ParameterJet> jets = f.motion<ParameterJet>(proof.x, proof.p);
-    all.push_back({jets, friction_jet(t.law, jets, f.value<ParameterJet>(proof.x, proof.p)),
-                   part.first < part.last ? 1 : -1});
+    all.push_back({jets, closed_over(proof, jets, f.motion<Ball>(proof.at_middle, proof.p0)).motion,
+                   friction_jet(t.law, jets, f.value<ParameterJet>(proof.x, proof.p)),
+                   multiplier_polynomial(jets), part.first < part.last ? 1 : -1});
   }
   return all;
 }
@@ -86,7 +89,7 @@ int direction(const std::vector<Over>& over, const std::function<Trend(const Ove
 bool passes_once(const std::vector<Over>& over, Exit exit) {
   int all = 0;
   for (const Over& part : over) {
-    const Ball slope = exit_function(exit, part.motion).partial(0);
+    const Ball slope = exit_function(exit, part.multipliers).partial(0);
     const int sign = slope.is_positive() ? part.ahead : slope.is_negative() ? -part.ahead : 0;
     if (sign == 0 || (all != 0 && sign != all)) {
       return false;
@@ -98,7 +101,7 @@ bool passes_once(const std::vector<Over>& over, Exit exit) {
 
 bool may_vanish(const std::vector<Over>& over, Exit exit) {
   return std::any_of(over.begin(), over.end(), [&](const Over& part) {
-    const Ball value = exit_function(exit, part.motion).value;
+    const Ball value = exit_function(exit, part.multipliers).value;
     return value.contains_zero() || !value.is_finite();
   });
 }
@@ -115,7 +118,19 @@ bool violated(const Part& part, const std::string& id) {
                      [&](const Condition& c) { return c.id == id && c.verdict.truth == Truth::refuted; });
 }
 
-Change fold(const Gap& gap, const std::optional<std::vector<Over>>& over) {
+// Whether the derivative of the parameter along the branch has one zero at most over the whole gap.
+bool turns_once(const Law& law, const std::vector<Over>& over) {
+  if (!law.phi_is_given) {
+    return passes_once(over, Exit::plus_one);
+  }
+  const int all = direction(over, [](const Over& part) {
+    const Ball slope = turn_at_given_phase<ParameterJet>(part.motion).partial(0);
+    return slope.is_positive() ? Trend::rising : slope.is_negative() ? Trend::falling : Trend::unknown;
+  });
+  return all != 0;
+}
+
+Change fold(const Law& law, const Gap& gap, const std::optional<std::vector<Over>>& over) {
   const bool highest = gap.before->rises > 0;
   return {ChangeKind::fold,
           "",
@@ -123,10 +138,12 @@ Change fold(const Gap& gap, const std::optional<std::vector<Over>>& over) {
                   : "two orbits meet here and none of them goes on below",
           gap.at,
           {},
-          // Where the parameter has an extremum along the branch, 1 is a multiplier: its derivative by the
-          // branch's own parameter is a motion that returns. So a single zero of det(I - M) leaves a single
-          // extremum.
-          once(over && passes_once(*over, Exit::plus_one),
+          // Where the parameter has an extremum along the branch, its derivative by the branch's own
+          // parameter is a motion that returns with what is given. With the friction given, or for one that
+          // never sticks, 1 is a multiplier then; so it is of symmetric orbits, of which another motion
+          // returns in any case, and one combination of the two at the same friction. So a single zero of
+          // det(I - M) leaves a single extremum.
+          once(over && turns_once(law, *over),
                "that the branch turns only once here is not proved: det(I - M) may vanish twice")};
 }
 
@@ -167,11 +184,10 @@ std::vector<Change> lost(const Traced& t, const Gap& gap, const std::optional<st
 }
 
 bool has_complex_pair_on_circle(const Over& part) {
-  const auto found = eigenvalues(
-      return_map<ParameterJet>(part.motion).unaryExpr([](const ParameterJet& x) { return x.value; }));
-  return found && std::any_of(found->begin(), found->end(), [](const ComplexBall& mu) {
-           return mu.im.is_positive() && mu.squared_modulus().overlaps(Ball(1));
-         });
+  const std::vector<ComplexBall> all = decide_stability(part.values).multipliers;
+  return std::any_of(all.begin(), all.end(), [](const ComplexBall& mu) {
+    return mu.im.is_positive() && mu.squared_modulus().overlaps(Ball(1));
+  });
 }
 
 std::vector<Change> stability_changes(const Gap& gap, const std::optional<std::vector<Over>>& over) {
@@ -219,6 +235,8 @@ class Description {
           gap.at = Ball::hull(gap.at, parts[i].value);
         }
         settle(gap);
+      } else if (before != nullptr && may_adjoin(before->state, after->state)) {
+        branch_.pieces.push_back({after->state, {}, after->value, after->value, {}});
       } else if (before != nullptr && (before->state != after->state || before->rises != after->rises)) {
         throw InternalError("two adjacent parts of a branch contradict each other");
       }
@@ -264,7 +282,17 @@ class Description {
     return end;
   }
 
-  void leave_open(const Gap& gap, const std::string& reason) { unresolved_.push_back({gap.at, {}, reason}); }
+  // A piece of which the stability is not known, and one of which it is.
+  [[nodiscard]] static bool may_adjoin(State a, State b) {
+    return a != b && is_admissible(a) && is_admissible(b) &&
+           (a == State::admissible || b == State::admissible);
+  }
+
+  void leave_open(const Gap& gap, const std::string& reason) {
+    unresolved_.push_back({gap.at, {}, reason});
+    const Part& first = t_.parts[gap.from];
+    branch_.pieces.push_back({State::undecided, {}, first.value, t_.parts[gap.to - 1].value, {}});
+  }
 
   // The name of the natural frequency that omega may have somewhere in the gap; empty if it has none.
   [[nodiscard]] std::string resonance(const Gap& gap) const {
@@ -304,9 +332,12 @@ class Description {
     // Beyond a birth the branch may turn as it likes.
     const bool turns = gap.before->rises != gap.after->rises && !either(State::absent);
     if (turns) {
-      changes.push_back(fold(gap, over));
+      changes.push_back(fold(t_.law, gap, over));
     }
     const State a = gap.before->state, b = gap.after->state;
+    if (may_adjoin(a, b)) {
+      return leave_open(gap, reason);
+    }
     if (a != b) {
       std::vector<Change> more = either(State::absent)                  ? lost(t_, gap, over, true)
                                  : is_admissible(a) != is_admissible(b) ? lost(t_, gap, over, false)
@@ -369,6 +400,11 @@ void sharpen_ends(Branch& branch) {
 void describe(const Traced& traced, Branch& branch, std::vector<UnresolvedPart>& unresolved) {
   Description(traced, branch, unresolved).run();
   sharpen_ends(branch);
+  for (const Piece& piece : branch.pieces) {
+    if (piece.state == State::admissible) {
+      unresolved.push_back({Ball::hull(piece.first, piece.last), {}, "the stability is undecided"});
+    }
+  }
 }
 
 }  // namespace stickslip::numeric::branches

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "numeric/branches/law.hpp"
-#include "numeric/motion/monodromy.hpp"
+#include "numeric/motion/multipliers.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -34,74 +34,44 @@ enum class Exit { plus_one, minus_one, pair };
 inline constexpr std::array exits{Exit::plus_one, Exit::minus_one, Exit::pair};
 [[nodiscard]] std::string to_string(Exit exit);
 
-// The coefficients of det(s I - A), the leading one first, by Faddeev and
-// LeVerrier.
+// From the coefficients of motion/multipliers.hpp, whose leading one is positive where the friction law is
+// obeyed: that times the function, for a pair its square. Where it is negative, a multiplier is outside: if
+// all were inside, each would be a product of positive factors.
 template <class S>
-[[nodiscard]] std::vector<S> characteristic_polynomial(
-    const Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>& A) {
-  using Square = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-  const auto n = static_cast<int>(A.rows());
-  std::vector<S> c{S(1)};
-  Square B = Square::Identity(n, n);
-  for (int k = 1; k <= n; ++k) {
-    const Square AB = A.lazyProduct(B);
-    S trace(0);
-    for (int i = 0; i < n; ++i) {
-      trace += AB(i, i);
+[[nodiscard]] S exit_function(Exit exit, const std::vector<S>& c) {
+  const auto n = static_cast<int>(c.size()) - 1;
+  if (exit != Exit::pair) {
+    S sum(0);
+    for (int k = 0; k <= n; ++k) {
+      sum += exit == Exit::minus_one && (n - k) % 2 == 1 ? S(-c[static_cast<std::size_t>(k)])
+                                                         : c[static_cast<std::size_t>(k)];
     }
-    c.push_back(S(-trace / S(k)));
-    B = AB;
-    for (int i = 0; i < n; ++i) {
-      B(i, i) += c.back();
-    }
+    return sum;
   }
-  return c;
+  // By the elementary symmetric functions of the multipliers, e4 = 0 with a stick.
+  const auto e = [&](int k) {
+    const S& coefficient = c[static_cast<std::size_t>(n - k)];
+    return k % 2 == 1 ? S(-coefficient) : coefficient;
+  };
+  const S three = e(0) * e(0) - e(0) * e(2) + e(1) * e(3) - e(3) * e(3);
+  return n == 3 ? three
+                : S(three +
+                    e(4) * S(e(1) * e(3) + S(2) * e(2) - S(1) - e(1) * e(1) - e(4) * S(S(1) + e(2) - e(4))));
 }
 
-// The matrix of all 2 by 2 minors: its eigenvalues are the products mu_i mu_j, i < j.
+// Vanishes where a branch along which the load's phase is given turns: det(I - M), M the derivative of the
+// map from one start of the first phase to the next, both at that phase of the load whatever the friction,
+// after a stick. With the friction given instead, that of the return map does so.
 template <class S>
-[[nodiscard]] Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> second_compound(
-    const Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>& A) {
-  const auto n = static_cast<int>(A.rows());
-  std::vector<std::pair<int, int>> pairs;
-  for (int i = 0; i < n; ++i) {
-    for (int j = i + 1; j < n; ++j) {
-      pairs.emplace_back(i, j);
-    }
+[[nodiscard]] S turn_at_given_phase(const motion::MotionOf<S>& motion) {
+  model::Matrix4<S> M = motion::tangent_flow<S>(motion.oscillator, motion.phases.front());
+  for (std::size_t k = 1; k < motion.phases.size(); ++k) {
+    M = motion::saltation_between<S>(motion.oscillator, motion.phases[k - 1].kind, motion.phases[k]) * M;
+    M = motion::tangent_flow<S>(motion.oscillator, motion.phases[k]) * M;
   }
-  const auto m = static_cast<Eigen::Index>(pairs.size());
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> C(m, m);
-  for (Eigen::Index r = 0; r < m; ++r) {
-    for (Eigen::Index s = 0; s < m; ++s) {
-      const auto [i, j] = pairs[static_cast<std::size_t>(r)];
-      const auto [k, l] = pairs[static_cast<std::size_t>(s)];
-      C(r, s) = A(i, k) * A(j, l) - A(i, l) * A(j, k);
-    }
-  }
-  return C;
-}
-
-// The derivative of the return map, as decide_stability has it: with a stick 3 by 3.
-template <class S>
-[[nodiscard]] Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> return_map(const motion::MotionOf<S>& motion) {
-  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-    if (motion.phases[k].kind == motion::PhaseKind::stick) {
-      return motion::monodromy<S>(motion, k).template topLeftCorner<3, 3>();
-    }
-  }
-  return motion::monodromy<S>(motion);
-}
-
-// Not finite where an event may not be transversal.
-template <class S>
-[[nodiscard]] S exit_function(Exit exit, const motion::MotionOf<S>& motion) {
-  const auto M = return_map<S>(motion);
-  S sum(0);
-  for (const S& coefficient : characteristic_polynomial<S>(exit == Exit::pair ? second_compound<S>(M) : M)) {
-    sum = S(sum * S(exit == Exit::minus_one ? -1 : 1) + coefficient);
-  }
-  // det(-I - M) is det(I + M) up to the sign of (-1)^n.
-  return exit == Exit::minus_one && M.rows() % 2 == 1 ? S(-sum) : sum;
+  const auto d = [&](int i, int j) { return S(S(i == j ? 1 : 0) - M(i, j)); };
+  const auto minor = [&](int j, int k) { return S(d(1, j) * d(2, k) - d(1, k) * d(2, j)); };
+  return d(0, 0) * minor(1, 2) - d(0, 1) * minor(0, 2) + d(0, 2) * minor(0, 1);
 }
 
 }  // namespace stickslip::numeric::branches

@@ -18,8 +18,6 @@ constexpr double first_step = 0x1p-7;
 constexpr double longest_step = 0.5;
 constexpr double shortest_step = 0x1p-36;
 constexpr std::size_t most_cells = 3000;
-// An unknown that is so many times its size at the start, or 1, has left for infinity.
-constexpr double far_away = 0x1p5;
 // The parameter drives unless its share of the tangent is below the first; then until it is above the second.
 constexpr double steep = 0.03;
 constexpr double not_steep = 0.1;
@@ -94,11 +92,7 @@ class Walk {
         scale_(Rational(curve.to - curve.from).get_d()),
         start_(start),
         here_(start),
-        exactly_(value) {
-    for (const Ball& x : start.x) {
-      far_ = std::max(far_, far_away * std::abs(x.approximate()));
-    }
-  }
+        exactly_(value) {}
 
   Path follow(int direction);
 
@@ -116,7 +110,6 @@ class Walk {
   int driver_ = by_parameter;
   std::optional<Rational> exactly_;  // the driver's value here, where it is exact
   double step_ = first_step;
-  double far_ = far_away;
   bool left_start_ = false;
   Path path_;
 };
@@ -239,9 +232,8 @@ bool Walk::is_over() {
     path_.end = End::absent;
     return true;
   }
-  if (std::any_of(here_.x.begin(), here_.x.end(),
-                  [&](const Ball& x) { return std::abs(x.approximate()) > far_; })) {
-    path_.reason = "the motion is more than thirty times what it was, and may grow beyond all bounds";
+  if (is_far(curve_, here_)) {
+    path_.reason = "the motion grows to more than thirty times its size, perhaps beyond all bounds";
     return true;
   }
   const bool at_start = is_on(cell, start_);
@@ -277,11 +269,25 @@ bool is_on(const Cell& cell, const Point& point) {
   return cell.range.contains(coordinate(cell.driver, point)) && is_the_only_one(cell, point);
 }
 
+bool may_meet(const Cell& cell, const Point& point) {
+  const Vector y = others(cell.driver, point);
+  bool meets = cell.range.overlaps(coordinate(cell.driver, point));
+  for (int i = 0; i < y.size(); ++i) {
+    meets = meets && cell.proof.box(i).overlaps(y(i));
+  }
+  return meets;
+}
+
 ProvedPoint prove_at(const Curve& curve, const Rational& value, const Vector& guess) {
   const Driven f{&curve, by_parameter};
   const Vector q = one(Ball(value));
   const ZeroProof<Eigen::Dynamic> zero = prove_zero_at(f, q, guess);
   return {zero.verdict, point_of(f, zero.box, q)};
+}
+
+bool is_far(const Curve& curve, const Point& point) {
+  return std::any_of(point.x.begin(), point.x.end(),
+                     [&](const Ball& x) { return std::abs(x.approximate()) > curve.far; });
 }
 
 Path follow(const Curve& curve, const Rational& value, const Point& start, int direction) {

@@ -8,6 +8,7 @@
 // same; two different branches cannot be joined in this way.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Curve {
   zeros::Vector data;  // whatever stands at `place`
   int place = 0;
   Rational from, to;
+  // A motion with an unknown of more than this size counts as left for infinity, and is followed no further.
+  double far = HUGE_VAL;
 };
 
 inline constexpr int by_parameter = -1;
@@ -80,6 +83,9 @@ struct Cell {
 // Whether the motion at the point is on the cell: proved, or not known.
 [[nodiscard]] bool is_on(const Cell& cell, const Point& point);
 
+// False: no motion at the point is on the cell.
+[[nodiscard]] bool may_meet(const Cell& cell, const Point& point);
+
 // Why a path ends.
 enum class End {
   interval,  // the parameter leaves its interval
@@ -102,6 +108,8 @@ struct ProvedPoint {
   Point point;
 };
 [[nodiscard]] ProvedPoint prove_at(const Curve& curve, const Rational& value, const zeros::Vector& guess);
+
+[[nodiscard]] bool is_far(const Curve& curve, const Point& point);
 
 // Follows the branch from a proved motion at that value of the free parameter, the free parameter rising
 // (direction 1) or falling (-1) at first, until it leaves the interval, a phase lasts a negative time, the

@@ -1,6 +1,7 @@
 #include "numeric/branches/law.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
@@ -15,6 +16,10 @@ namespace {
 
 // At parts of one cell: where something stays undecided all along, they would never end.
 constexpr int most_looks = 1000;
+// Where only the stability is open: so many looks, the first ones apart, halve the length on which it is if
+// it changes at a few places, and not if multipliers stay near 1 in size all along.
+constexpr double looks_to_halve = 32;
+constexpr double free_looks = 160;
 
 std::optional<Ball> friction_over(const Law& law, const ClosedMotion& closed, const Ball& value) {
   if (law.ur_is_result) {
@@ -47,14 +52,17 @@ struct Motions {
   Motion middle;
 };
 
-// Where one of the exit functions is negative a multiplier is outside the unit circle: if all were inside,
-// each would be a product of positive factors. Where none vanishes as many multipliers are outside all over
-// the part as at its middle. Else the multipliers of all motions are enclosed together.
+// Where one of the exit functions is negative a multiplier is outside the unit circle. Where none vanishes as
+// many multipliers are outside all over the part as at its middle. Else the multipliers of all motions are
+// enclosed together. Assumes that the conditions hold: then a stick ends with a rate that is not negative.
 Stability stability_over(const Motions& m, const ClosedMotion& closed) {
-  bool none_vanishes = true;
+  const std::vector<ParameterJet> jets = multiplier_polynomial(m.jets);
+  const std::vector<Ball> middle = multiplier_polynomial(m.middle);
+  const bool rises = m.proof.over_box(jets.back(), middle.back()).is_positive();
+  bool none_vanishes = rises;
   for (const Exit exit : exits) {
-    const Ball value = m.proof.over_box(exit_function(exit, m.jets), exit_function(exit, m.middle));
-    if (value.is_negative()) {
+    const Ball value = m.proof.over_box(exit_function(exit, jets), exit_function(exit, middle));
+    if (rises && value.is_negative()) {
       return {StabilityKind::unstable, {}, {}};
     }
     none_vanishes = none_vanishes && value.is_positive();
@@ -86,12 +94,30 @@ void decide_state(Part& part, const Law& law, const Motions& motions) {
     part.reason = admissible.reason;
     return;
   }
+  part.admissible = true;
   const Stability stability = stability_over(motions, closed);
   part.reason = stability.reason;
   part.state = stability.kind == StabilityKind::stable     ? State::stable
                : stability.kind == StabilityKind::unstable ? State::unstable
                : stability.kind == StabilityKind::marginal ? State::marginal
                                                            : State::undecided;
+}
+
+bool is_unsettled(const Part& part) {
+  return part.admissible && part.state == State::undecided;
+}
+
+double length(const Part& part) {
+  return std::abs(Rational(part.last - part.first).get_d());
+}
+
+// Of the parts between the first and the last whose stability is open, that is all that is said.
+void leave_unsettled(std::vector<Part>& parts) {
+  const auto first = std::find_if(parts.begin(), parts.end(), is_unsettled);
+  const auto last = std::find_if(parts.rbegin(), parts.rend(), is_unsettled).base();
+  if (first < last && std::all_of(first, last, [](const Part& part) { return part.admissible; })) {
+    std::for_each(first, last, [](Part& part) { part.state = State::admissible; });
+  }
 }
 
 // Halves the longest undecided part again and again.
@@ -102,12 +128,20 @@ std::vector<Part> divided(const Curve& curve, const Law& law, const std::vector<
   };
   std::vector<Part> open{look(curve, law, cells, k, cells[k].first, cells[k].last)};
   std::vector<Part> parts;
+  const double whole = length(open.front());
+  bool hopeless = false;
   for (int looks = 1; !open.empty(); looks += 2) {
+    double unsettled = 0;
+    for (const Part& part : open) {
+      unsettled += is_unsettled(part) ? length(part) : 0;
+    }
+    hopeless = hopeless || unsettled > whole * std::exp2((free_looks - looks) / looks_to_halve);
     std::pop_heap(open.begin(), open.end(), shorter);
     Part part = std::move(open.back());
     open.pop_back();
     const bool short_enough = !(Ball(2) * part.value.radius() - Ball(shortest)).is_positive();
-    if (part.decided() || short_enough || looks >= most_looks || interrupted()) {
+    if (part.decided() || short_enough || looks >= most_looks || (hopeless && is_unsettled(part)) ||
+        interrupted()) {
       parts.push_back(std::move(part));
       continue;
     }
@@ -120,6 +154,9 @@ std::vector<Part> divided(const Curve& curve, const Law& law, const std::vector<
   const bool rises = cells[k].first < cells[k].last;
   std::sort(parts.begin(), parts.end(),
             [&](const Part& a, const Part& b) { return rises ? a.first < b.first : a.first > b.first; });
+  if (hopeless) {
+    leave_unsettled(parts);
+  }
   return parts;
 }
 
@@ -156,7 +193,7 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
           const Rational& first, const Rational& last) {
   const Cell& cell = cells[k];
   const Driven f{&curve, cell.driver};
-  Part part{k, first, last, {}, 0, State::undecided, {}, {}, {}, 0};
+  Part part{k, first, last, {}, 0, State::undecided, {}, {}, {}, 0, false};
   const ParametricProof proof = proof_on(curve, cell, first, last);
   if (proof.verdict.truth != Truth::proved) {
     arb_zero_pm_inf(part.value.raw());

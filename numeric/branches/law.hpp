@@ -25,6 +25,7 @@ struct Law {
   bool ur_is_result = false;   // r when the first phase begins
   std::optional<Rational> ur;  // where it is given and not the free parameter
   bool ur_is_free = false;
+  bool phi_is_given = false;  // of the load when the first phase begins
 };
 
 // A part of a cell, and what is known of it.
@@ -39,6 +40,7 @@ struct Part {
   // For the reader: the motion in the middle, and its multipliers where it is admissible.
   motion::MotionOf<double> sample;
   double sample_value = 0;
+  bool admissible = false;  // is proved, whatever the state
 
   [[nodiscard]] bool decided() const { return state != State::undecided && rises != 0; }
 };

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "numeric/families/orbit.hpp"
+#include "numeric/families/strip.hpp"
 #include "numeric/motion/closing.hpp"
 
 namespace stickslip::numeric::families {
@@ -53,6 +54,8 @@ struct Family {
   // All closed motions with positive durations, or where there may be some, over the whole closed domain.
   // Throws DomainError where the data have no such motions that are isolated.
   Found (*search)(const motion::Given<Rational>&);
+  // The same for all values of one parameter: a strip for each system of closing conditions.
+  std::vector<Strip> (*strips)(const StripQuestion&);
   // Conditions beyond the requirements, of a motion whose largest admissible friction is known; may be null.
   std::vector<motion::Condition> (*further)(const motion::Motion&, const Ball& ur_max,
                                             const std::optional<Ball>& ur) = nullptr;

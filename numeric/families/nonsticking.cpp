@@ -157,6 +157,24 @@ Found search_nonsticking(const Given<Rational>& given) {
   return result;
 }
 
+// The two equations at (delta/pi, mu/pi), and (delta, mu).
+struct OverStrip {
+  template <class T, class S>
+  [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& first, const T& second) const {
+    const model::Oscillator<T> o = model::oscillator<T>(given.data);
+    const T pi(scalars::pi<S>());
+    const T delta = pi * first;
+    const T mu = pi * second;
+    const model::Vector2<T> f =
+        model::two_slips<T>(o.data, o.modes, o.Q(1), model::modal_rest<T>(o.modes, o.d0), pi, delta, mu);
+    return {{f(0), f(1)}, {scalars::ends(delta.over), scalars::ends(mu.over)}};
+  }
+};
+
+std::vector<Strip> nonsticking_strips(const StripQuestion& q) {
+  return {strip_of(q, 0, 1, {{0, mu_first, 0}, {1, mu_last, 1}}, OverStrip{})};
+}
+
 Condition condition(const char * id, const char * statement, const Ball& margin) {
   Condition result{id, statement, {}, margin, Ball(0), {}};
   const std::string value = to_string(margin, 10);
@@ -220,6 +238,7 @@ const Family& nonsticking() {
       .why_one_of_phi_ur = "",
       .searched = [](const OrbitQuestion&) { return std::string("$0 <= tau <= Theta$, every $phi$"); },
       .search = search_nonsticking,
+      .strips = nonsticking_strips,
       .further = further};
   return family;
 }

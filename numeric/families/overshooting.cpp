@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "numeric/families/one_stick_closing.hpp"
+#include "numeric/families/overshooting_strip.hpp"
 
 namespace stickslip::numeric::families {
 
@@ -164,7 +165,8 @@ const Family& overshooting() {
             return std::string("$tau >= 0$, $tau1 >= 0$, $tau + tau1 <= Theta$ ") +
                    (q.phi ? "at this $phi$" : "for every $phi$ that gives this $ur$");
           },
-      .search = search_overshooting};
+      .search = search_overshooting,
+      .strips = overshooting_strips};
   return family;
 }
 

@@ -10,6 +10,7 @@
 namespace stickslip::numeric::families {
 
 using namespace motion;
+using namespace scalars;
 using namespace zeros;
 
 namespace {
@@ -169,6 +170,46 @@ Found search_symmetric(const Given<Rational>& given) {
   return result;
 }
 
+// The eliminant at u = tau/Theta, and (tau, C).
+struct OverStrip {
+  LoadPhase phase;
+
+  template <class T, class S>
+  [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& u, const T& /*none*/) const {
+    const model::Parameters<T>& a = given.data;
+    const T Theta = T(2) * T(scalars::pi<S>()) / a.omega;
+    const model::SymmetricData<T> data{a.chi, model::modes<T>(a.chi, a.eta),        a.V, a.omega, a.p,
+                                       Theta, T(phase == LoadPhase::first ? 1 : -1)};
+    const T tau = Theta * u;
+    const model::SymmetricRows<T> rows = model::symmetric_rows<T>(data, tau);
+    Reduced<T> result{{T(rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1))}, {}};
+    const auto size = [&](int k) { return std::abs(rows.left(k).at.approximate()); };
+    const int j = size(0) > size(1) ? 0 : 1;
+    for (const int k : {j, 1 - j}) {
+      if (!is_nonzero(rows.left(j)) && is_nonzero(rows.right(k)) && result.x.empty()) {
+        const auto [left_low, left_high] = ends(rows.left(k).over);
+        const auto [right_low, right_high] = ends(rows.right(k).over);
+        const double least = std::max(right_low, -right_high) / std::max(-left_low, left_high);
+        result.x = {ends(tau.over), {least * (1 - 0x1p-40), HUGE_VAL}};
+      }
+    }
+    if (is_nonzero(rows.left(j))) {
+      result.x = {ends(tau.over), ends(T(rows.right(j) / rows.left(j)).over)};
+    }
+    return result;
+  }
+};
+
+std::vector<Strip> symmetric_strips(const StripQuestion& q) {
+  std::vector<Strip> strips;
+  for (const LoadPhase phase : {LoadPhase::first, LoadPhase::second}) {
+    if (phase == LoadPhase::first || q.given.data.p != 0 || q.place == 5) {
+      strips.push_back(strip_of(q, static_cast<int>(phase), -1, {{0, 0, 0}, {1, 0, 1}}, OverStrip{phase}));
+    }
+  }
+  return strips;
+}
+
 }  // namespace
 
 Vector SymmetricClosing::unknowns(const Motion& motion) const {
@@ -208,7 +249,8 @@ const Family& symmetric() {
             return std::string(
                 "$0 <= tau <= Theta$ at both load phases, $phi = (pi - omega tau)/2$ and that $+ pi$");
           },
-      .search = search_symmetric};
+      .search = search_symmetric,
+      .strips = symmetric_strips};
   return family;
 }
 

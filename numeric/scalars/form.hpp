@@ -187,6 +187,8 @@ struct Form {
   }
   // Whether it is zero everywhere: then products with it need not be computed.
   friend bool is_zero(const Form& a) { return is_zero(a.over); }
+  friend bool is_nonzero(const Form& a) { return a.over.is_nonzero(); }
+  friend void add_product(Form& sum, const S& factor, const Form& b) { sum += Form(factor) * b; }
   friend Form sqrt(const Form& a) {
     const S root = sqrt(a.over);
     return a.chain(sqrt(a.at), root, S(1) / (S(2) * root));

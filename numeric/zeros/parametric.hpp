@@ -215,4 +215,22 @@ template <class F>
   return result;
 }
 
+// Whether X, a box around that of the proof, holds no zero but the proof's either, for any p: by Krawczyk's
+// test. False also when it is not known.
+template <class F>
+[[nodiscard]] bool holds_one_zero(const F& f, const ParametricProof& proof, const Vector& X) {
+  const auto n = static_cast<int>(X.size());
+  const VectorOf<ParameterJet> p =
+      proof.p.unaryExpr([](const ParameterJet& q) { return ParameterJet(q.value); });
+  const Matrix by_x = scalars::jacobian<Ball, Eigen::Dynamic, Eigen::Dynamic>(
+      f.template closing<ParameterJet>(scalars::variables<Ball, Eigen::Dynamic>(X), p), n);
+  const std::optional<Matrix> Y = approximate_inverse<Ball, Eigen::Dynamic>(by_x);
+  if (!Y) {
+    return false;
+  }
+  // Two zeros x, y in X: (I - E)(x - y) = 0 for a member of E, so none are two where E has a norm below 1.
+  const Matrix E = Matrix::Identity(n, n) - product(*Y, by_x);
+  return detail::solve_near_identity(E, Matrix::Zero(n, 1), X).has_value();
+}
+
 }  // namespace stickslip::numeric::zeros

@@ -48,13 +48,17 @@ std::string result_of(const BranchList& list) {
                      list.interrupted ? "; interrupted" : "");
 }
 
-std::string searched_at(const BranchList& list) {
+std::string searched_in(const BranchList& list) {
   const BranchQuestion& q = list.question;
-  return fmt::format(
-      "{} at {}; branches that reach none of these values are not looked for", searched(q.orbits),
-      list.values.size() == 1
-          ? fmt::format("{} = {}", q.parameter, stickslip::to_string(list.values.front()))
-          : fmt::format("{} equidistant values of {}, the ends among them", list.values.size(), q.parameter));
+  return q.at ? fmt::format("{} at {} = {}; branches that do not reach this value are not looked for",
+                            searched(q.orbits), q.parameter, stickslip::to_string(*q.at))
+              : fmt::format("{} at every value of the interval", searched(q.orbits));
+}
+
+std::string complete_in_words(const BranchList& list) {
+  return list.complete      ? "yes: every orbit at any value is on one of the branches"
+         : list.question.at ? "no: only the branches of the orbits at one value were asked for"
+                            : "but for what is unresolved";
 }
 
 std::string state_in_words(const Piece& piece) {
@@ -163,7 +167,8 @@ std::string terminal_report(const BranchList& list, const Style& style) {
                         {{"along"},
                          {fmt::format("{} from {} to {}", q.parameter, stickslip::to_string(q.from),
                                       stickslip::to_string(q.to))}},
-                        {{"searched"}, {searched_at(list)}},
+                        {{"searched"}, {searched_in(list)}},
+                        {{"complete"}, {complete_in_words(list)}},
                         {{"result"}, {result_of(list)}}};
   for (const UnresolvedPart& part : list.unresolved) {
     std::string where;
@@ -181,13 +186,17 @@ std::string terminal_report(const BranchList& list, const Style& style) {
   for (std::size_t k = 0; k < list.branches.size(); ++k) {
     text += branch_text(list.branches[k], k + 1, style);
   }
+  // At most so many when what is open is decided.
+  const auto number = [](int least, int open) {
+    return open == 0 ? std::to_string(least) : fmt::format("{} to {}", least, least + open);
+  };
   rows = {{{q.parameter}, {""}, {"orbits"}, {"admissible"}, {"stable"}}};
   for (const Count& count : list.counts) {
     rows.push_back({{rounded(count.from, digits)},
                     {rounded(count.to, digits)},
-                    {std::to_string(count.orbits)},
-                    {std::to_string(count.admissible)},
-                    {std::to_string(count.stable)}});
+                    {number(count.orbits, count.undecided)},
+                    {number(count.admissible, count.undecided)},
+                    {number(count.stable, count.unsettled + count.undecided)}});
   }
   return text + "\n" + columns_of(rows, style.width);
 }
@@ -227,16 +236,16 @@ Json to_json(const BranchList& list) {
       json["parameters"][parameter.name] = notation(parameter.range);
     }
   }
-  json["complete"] = false;
-  json["searched_at"] =
-      list_of(list.values, [](const Rational& value) { return stickslip::to_string(value); });
+  json["complete"] = list.complete;
+  if (q.at) {
+    json["at"] = stickslip::to_string(*q.at);
+  }
   json["branches"] = list_of(list.branches, [&](const Branch& branch) { return branch_data(branch, q); });
   json["counts"] = list_of(list.counts, [](const Count& count) {
-    return Json{{"from", to_json(count.from, 20)},
-                {"to", to_json(count.to, 20)},
-                {"orbits", count.orbits},
-                {"admissible", count.admissible},
-                {"stable", count.stable}};
+    return Json{{"from", to_json(count.from, 20)}, {"to", to_json(count.to, 20)},
+                {"orbits", count.orbits},          {"admissible", count.admissible},
+                {"stable", count.stable},          {"unsettled", count.unsettled},
+                {"undecided", count.undecided}};
   });
   json["unresolved"] = list_of(list.unresolved, [](const UnresolvedPart& part) {
     Json one = {{"value", to_json(part.value, 20)}};
@@ -277,6 +286,9 @@ std::string plot_script(const BranchList& list, PlotFormat format) {
   };
   for (const Branch& branch : list.branches) {
     for (const Piece& piece : branch.pieces) {
+      if (piece.samples.empty()) {
+        continue;
+      }
       std::string& table = strokes[piece.state == State::inadmissible ? 2
                                    : piece.state == State::unstable   ? 1
                                                                       : 0]

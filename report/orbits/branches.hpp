@@ -19,13 +19,13 @@ namespace stickslip::report::orbits {
 // branch and piece (1, 2, …), state, the durations of the phases, phi, x10, x20, xdot10; with 17 digits.
 [[nodiscard]] std::string to_csv(const numeric::branches::BranchList& list);
 
-// What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "complete":
-// false, for only at the values "searched_at" all orbits were looked for, "branches": [{"from", "to",
+// What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "complete",
+// "at"?, "branches": [{"from", "to",
 // "closed", "ends": [{"at", "reason", "resolved"}], "pieces": [{"from", "to", "state", "violates"?}],
 // "changes": [{"kind", "condition" | "multiplier" | "duration" | "frequency"?, "words", "at", "time"?,
 // "verdict", "reason"?}], "samples": [{"value", "state", durations, "phi", "x10", "x20", "xdot10"}]}],
-// "counts": [{"from", "to", "orbits", "admissible", "stable"}], "unresolved": [{"value", "reason",
-// "resonance", …}], "interrupted"}.
+// "counts": [{"from", "to", "orbits", "admissible", "stable", "unsettled", "undecided"}], "unresolved":
+// [{"value", "reason", "resonance", …}], "interrupted"}.
 [[nodiscard]] tools::Json to_json(const numeric::branches::BranchList& list);
 
 // A script for gnuplot: x2 where the first phase begins against the parameter, stable, unstable and

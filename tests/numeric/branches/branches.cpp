@@ -8,6 +8,8 @@
 
 #include "core/error.hpp"
 #include "numeric/branches/crossing.hpp"
+#include "numeric/branches/search.hpp"
+#include "numeric/branches/setting.hpp"
 #include "numeric/families/family.hpp"
 
 using namespace stickslip;
@@ -112,6 +114,7 @@ std::vector<Change> changes_of(const BranchList& list, ChangeKind kind) {
 TEST_CASE("symmetric orbits over omega: a fold, a birth and a loss of stability, as the lists beside them") {
   const BranchList list = list_branches(along(S(), "omega", "0.58", "0.61"));
   CHECK(list.resolved());
+  CHECK(list.complete);
   CHECK(changes_of(list, ChangeKind::fold).size() == 1);
   CHECK(changes_of(list, ChangeKind::birth).size() == 1);
   const std::vector<Change> stability = changes_of(list, ChangeKind::stability);
@@ -129,6 +132,7 @@ TEST_CASE("symmetric orbits over omega: a fold, a birth and a loss of stability,
 TEST_CASE("orbits that never stick over p: folds of both kinds and conditions gained") {
   const BranchList list = list_branches(along(P(), "p", "0.4", "1"));
   CHECK(list.resolved());
+  CHECK(list.complete);
   CHECK(changes_of(list, ChangeKind::fold).size() == 4);
   CHECK(check_sides(list) >= 8);
 }
@@ -249,19 +253,108 @@ TEST_CASE("a quantity that may turn, or stand still, is not said to cross") {
 }
 
 TEST_CASE("the exit functions vanish exactly at their multipliers") {
-  using Square = Eigen::Matrix<Ball, Eigen::Dynamic, Eigen::Dynamic>;
-  Square A = Square::Zero(3, 3);
-  A(0, 0) = Ball(2);
-  A(1, 1) = Ball(3);
-  A(2, 2) = Ball(5);
-  A(0, 2) = Ball(7);
-  // (s - 2)(s - 3)(s - 5), and (s - 6)(s - 10)(s - 15) of the products.
-  const std::vector<int> expected{1, -10, 31, -30}, products{1, -31, 300, -900};
-  const auto c = characteristic_polynomial<Ball>(A);
-  const auto d = characteristic_polynomial<Ball>(second_compound<Ball>(A));
-  for (std::size_t k = 0; k < 4; ++k) {
-    CHECK((c[k] - Ball(expected[k])).contains_zero());
-    CHECK((d[k] - Ball(products[k])).contains_zero());
-    CHECK((c[k].radius() - Ball(1e-30)).is_negative());
+  // (x - 2)(x - 3)(x - 5), and that with x - 7, the leading coefficient first 4, then 1.
+  const std::vector<Ball> three{Ball(-120), Ball(124), Ball(-40), Ball(4)};
+  const std::vector<Ball> four{Ball(210), Ball(-247), Ball(101), Ball(-17), Ball(1)};
+  const auto is = [](const Ball& x, int value) {
+    return (x - Ball(value)).contains_zero() && (x.radius() - Ball(1e-20)).is_negative();
+  };
+  CHECK(is(exit_function(Exit::plus_one, three), 4 * (1 - 2) * (1 - 3) * (1 - 5)));
+  CHECK(is(exit_function(Exit::minus_one, three), 4 * (1 + 2) * (1 + 3) * (1 + 5)));
+  CHECK(is(exit_function(Exit::pair, three), 16 * (1 - 6) * (1 - 10) * (1 - 15)));
+  CHECK(is(exit_function(Exit::plus_one, four), (1 - 2) * (1 - 3) * (1 - 5) * (1 - 7)));
+  CHECK(is(exit_function(Exit::minus_one, four), (1 + 2) * (1 + 3) * (1 + 5) * (1 + 7)));
+  CHECK(is(exit_function(Exit::pair, four), (1 - 6) * (1 - 10) * (1 - 15) * (1 - 14) * (1 - 21) * (1 - 35)));
+}
+
+TEST_CASE("every orbit at any value is on a branch, and leaving out a branch is noticed") {
+  // No branch that begins between the ends of the interval is met at them.
+  const BranchQuestion question = along(S(), "omega", "0.58", "0.61");
+  const AllFollowed all = follow_all(question);
+  CHECK(all.complete);
+  CHECK(all.unresolved.empty());
+  const families::StripQuestion strip = strip_question(question);
+  for (const families::Strip& one : question.orbits.family->strips(strip)) {
+    const auto sheet = std::find_if(all.sheets.begin(), all.sheets.end(),
+                                    [&](const Sheet& s) { return s.system == one.system; });
+    REQUIRE(sheet != all.sheets.end());
+    // The strip around each orbit of the list at a value, between the branches' own cells.
+    for (const char * text : {"0.5907", "0.60628", "0.6072"}) {
+      const Rational value = parse_rational(text);
+      const OrbitList list = at(question, value);
+      for (const Orbit& orbit : list.orbits) {
+        const motion::Phase& slip = orbit.motion.phases[0];
+        const Ball u = slip.duration / motion::period(orbit.motion);
+        const Ball share = Ball(Rational((value - question.from) / (question.to - question.from))) *
+                           Ball(families::length_of(strip));
+        const Ball little = Ball::hull(Ball(-1e-9), Ball(1e-9));
+        families::StripBox box;
+        box << u.midpoint() + little, Ball(0), share.midpoint() + little;
+        const std::optional<families::Strip::View> view = one.look(box);
+        const bool first = (orbit.motion.phases[0].load - Ball(2)).is_negative();
+        if (first != (one.system == 0)) {
+          continue;  // it is an orbit at the other phase of the load
+        }
+        REQUIRE(view);  // an orbit is not excluded
+        int holding = 0;
+        for (const Followed& branch : sheet->branches) {
+          holding += branch.tubes.hold(view->x, view->parameter) ? 1 : 0;
+        }
+        CHECK(holding == 1);
+      }
+    }
   }
+}
+
+TEST_CASE("a tube holds nothing that reaches beyond it") {
+  const AllFollowed all = follow_all(along(S(), "omega", "0.595", "0.6"));
+  for (const Sheet& sheet : all.sheets) {
+    for (const Followed& branch : sheet.branches) {
+      const Cell& cell = branch.cells[branch.cells.size() / 2];
+      std::vector<families::Bounds> x;
+      for (const Ball& side : cell.proof.at_middle) {
+        x.push_back(scalars::ends(side));
+      }
+      const double value = cell.range.approximate();
+      const families::Bounds here{value, value};
+      CHECK(branch.tubes.hold(x, here));
+      CHECK(!branch.tubes.hold({}, here));
+      CHECK(!branch.tubes.hold(x, {value, 0.7}));
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        std::vector<families::Bounds> wide = x;
+        wide[i].second += 10;
+        CHECK(!branch.tubes.hold(wide, here));
+        wide[i] = {x[i].first, HUGE_VAL};
+        CHECK(!branch.tubes.hold(wide, here));
+      }
+    }
+  }
+}
+
+TEST_CASE("a branch listed twice is not taken for two") {
+  const BranchQuestion question = along(S(), "omega", "0.595", "0.6");
+  const AllFollowed all = follow_all(question);
+  CHECK(all.complete);
+  for (const Sheet& sheet : all.sheets) {
+    for (const Followed& one : sheet.branches) {
+      for (const Followed& other : sheet.branches) {
+        const bool same = &one == &other;
+        const bool meets = std::any_of(other.cells.begin(), other.cells.end(),
+                                       [&](const Cell& cell) { return may_meet(cell, one.ends[0]); });
+        CHECK(meets == same);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "where a branch at a given load phase turns, the map between starts at that phase has a fixed "
+    "direction") {
+  // At 0.618247176 two orbits meet.
+  const BranchQuestion question = along(O(), "omega", "0.6182", "0.6183");
+  const OrbitList orbits = at(question, parse_rational("0.6182473"));
+  REQUIRE(orbits.orbits.size() == 2);
+  const Ball a = turn_at_given_phase<Ball>(orbits.orbits[0].motion);
+  const Ball b = turn_at_given_phase<Ball>(orbits.orbits[1].motion);
+  CHECK((a * b).is_negative());
 }

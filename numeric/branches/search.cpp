@@ -1,0 +1,357 @@
+#include "numeric/branches/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/interruption.hpp"
+#include "numeric/branches/setting.hpp"
+#include "numeric/families/family.hpp"
+
+namespace stickslip::numeric::branches {
+
+using namespace families;
+using namespace motion;
+
+namespace {
+
+// So many times the size of others a motion is not followed.
+constexpr double far_away = 0x1p5;
+
+// How long the sides are of cells that are left open by the first search of a strip, and by those of what it
+// leaves. From `fine` on a part that stays as long as it was is given up.
+constexpr std::array lengths{0x1p-7, 0x1p-12, 0x1p-18, 0x1p-24, 0x1p-30, 0x1p-36};
+constexpr double fine = 0x1p-18;
+constexpr long most_cells = 400000;
+// At so many values more, after each search and in all, orbits are looked for.
+constexpr int more_values = 8;
+constexpr std::size_t most_values = 50;
+// Radius of boxes in which motions that are too large are not told apart any more.
+constexpr double small = 0x1p-10;
+
+// The point with its angle turned by all numbers of full turns that matter.
+template <class Predicate>
+bool for_some_turn(int angle, const zeros::Vector& x, const Predicate& predicate) {
+  for (int turn = angle < 0 ? 0 : -2; turn <= (angle < 0 ? 0 : 2); ++turn) {
+    zeros::Vector turned = x;
+    if (turn != 0) {
+      turned(angle) += Ball(2 * turn) * Ball::pi();
+    }
+    if (predicate(turned)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string words_of(const Path& path, const BranchQuestion& question) {
+  switch (path.end) {
+    case End::interval:
+      return "the end of the interval";
+    case End::absent:
+      return "a phase lasts no time";
+    case End::closed:
+      return "the branch is a closed curve";
+    case End::stopped:
+      return fmt::format("followed no further: {}", path.reason);
+  }
+  throw InternalError("a branch that ends in no known way at " + question.parameter);
+}
+
+BranchEnd end_of(const Path& path, const BranchQuestion& question) {
+  BranchEnd end{path.last.value, words_of(path, question), path.end != End::stopped};
+  if (path.end == End::stopped) {
+    const std::string resonance = resonance_near(path.last.value, question);
+    end.words += resonance;
+    end.resonance = !resonance.empty();
+  }
+  if (path.end == End::interval) {
+    const bool above = (path.last.value - Ball((question.from + question.to) / 2)).is_positive();
+    end.at = Ball(above ? question.to : question.from);
+  }
+  return end;
+}
+
+bool passes(const Followed& branch, const Point& point, int angle) {
+  return for_some_turn(angle, point.x, [&](const zeros::Vector& x) {
+    return std::any_of(branch.cells.begin(), branch.cells.end(), [&](const Cell& cell) {
+      return is_on(cell, {x, point.value});
+    });
+  });
+}
+
+class Search {
+ public:
+  explicit Search(const BranchQuestion& question) : question_(question) {}
+
+  AllFollowed run();
+
+ private:
+  void follow_from(const Rational& value);
+  // False, with the reason in `why`, when no motion is proved there.
+  [[nodiscard]] bool add(const Candidate& candidate, const Rational& value, std::string& why);
+  [[nodiscard]] Sheet& sheet_of(const Candidate& candidate);
+  void exhaust();
+  [[nodiscard]] std::vector<zeros::UnresolvedBox<3>> rest_of(const Strip& strip, const zeros::Cell<3>& cell,
+                                                             const zeros::SearchLimits& limits);
+  void separate();
+
+  const BranchQuestion& question_;
+  AllFollowed all_;
+  int found_ = 0;
+  // Where motions may close that are too large to be followed.
+  std::optional<Bounds> far_;
+  std::mutex far_mutex_;
+};
+
+Sheet& Search::sheet_of(const Candidate& candidate) {
+  std::vector<Sheet>& sheets = all_.sheets;
+  const auto found = std::find_if(sheets.begin(), sheets.end(),
+                                  [&](const Sheet& sheet) { return sheet.system == candidate.system; });
+  if (found != sheets.end()) {
+    return *found;
+  }
+  sheets.push_back({candidate.system, candidate.angle, curve_of(question_, candidate.equations), {}});
+  return sheets.back();
+}
+
+bool Search::add(const Candidate& candidate, const Rational& value, std::string& why) {
+  Sheet& sheet = sheet_of(candidate);
+  const ProvedPoint start = prove_at(sheet.curve, value, candidate.equations.unknowns(candidate.guess));
+  if (start.verdict.truth != Truth::proved) {
+    why = start.verdict.reason;
+    return false;
+  }
+  const Driven f{&sheet.curve, by_parameter};
+  if (!candidate.is_same(f.motion<Ball>(start.point.x, zeros::Vector::Constant(1, start.point.value)))) {
+    why = "the motion that was proved near a zero may be another one";
+    return false;
+  }
+  if (sheet.branches.empty()) {
+    // Of what is met first, and of 1.
+    sheet.curve.far = far_away;
+    for (const Ball& x : start.point.x) {
+      sheet.curve.far = std::max(sheet.curve.far, far_away * std::abs(x.approximate()));
+    }
+  } else if (is_far(sheet.curve, start.point)) {
+    why = "the motion is more than thirty times as large as others";
+    return false;
+  }
+  const auto same = [&](const Followed& known) { return passes(known, start.point, sheet.angle); };
+  if (std::any_of(sheet.branches.begin(), sheet.branches.end(), same)) {
+    return true;
+  }
+  Path up = follow(sheet.curve, value, start.point, 1);
+  const bool closed = up.end == End::closed;
+  Path down = closed ? Path{} : follow(sheet.curve, value, start.point, -1);
+  Followed found{start.point,
+                 {},
+                 end_of(closed ? up : down, question_),
+                 end_of(up, question_),
+                 {closed ? up.last : down.last, up.last},
+                 closed,
+                 {}};
+  found.cells = reversed(std::move(down.cells));
+  std::ranges::move(up.cells, std::back_inserter(found.cells));
+  // One that was followed less far before.
+  std::erase_if(sheet.branches,
+                [&](const Followed& known) { return passes(found, known.start, sheet.angle); });
+  if (!question_.at) {
+    found.tubes = Tubes(sheet.curve, found.cells, sheet.angle);
+  }
+  sheet.branches.push_back(std::move(found));
+  ++found_;
+  return true;
+}
+
+// All orbits at that value: those that are on no branch yet are followed. What is left open here matters when
+// nothing else is asked for only: else it is open in the strip, too.
+void Search::follow_from(const Rational& value) {
+  std::vector<UnresolvedPart> open;
+  try {
+    const Found found = question_.orbits.family->search(data_at(question_, value));
+    for (const Unresolved& one : found.unresolved) {
+      open.push_back({Ball(value), one.where, one.reason});
+    }
+    for (const Candidate& candidate : found.candidates) {
+      std::string why;
+      if (!add(candidate, value, why)) {
+        open.push_back({Ball(value), candidate.where, why});
+      }
+    }
+  } catch (const DomainError& error) {  // a resonance at this very value
+    open.push_back({Ball(value), {}, error.what(), true});
+  }
+  if (question_.at) {
+    all_.unresolved = std::move(open);
+  }
+}
+
+// The boxes of the cell that may hold closed motions on no branch.
+std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const zeros::Cell<3>& cell,
+                                                     const zeros::SearchLimits& limits) {
+  const auto sheet = std::find_if(all_.sheets.begin(), all_.sheets.end(),
+                                  [&](const Sheet& s) { return s.system == strip.system; });
+  const auto is_known = [&](const Strip::View& view) {
+    return sheet != all_.sheets.end() &&
+           std::any_of(sheet->branches.begin(), sheet->branches.end(),
+                       [&](const Followed& branch) { return branch.tubes.hold(view.x, view.parameter); });
+  };
+  const double far = sheet == all_.sheets.end() ? HUGE_VAL : sheet->curve.far;
+  const auto are_far = [&](const std::vector<Bounds>& x) {
+    return std::any_of(x.begin(), x.end(),
+                       [&](const Bounds& side) { return side.first > far || side.second < -far; });
+  };
+  const auto is_small = [](const StripBox& X) {
+    return std::all_of(X.begin(), X.end(),
+                       [](const Ball& side) { return side.radius().approximate() < small; });
+  };
+  const auto contract = [&](const StripBox& X) -> std::optional<StripBox> {
+    const std::optional<Strip::View> view = strip.look(X);
+    if (!view || is_known(*view)) {
+      return std::nullopt;
+    }
+    if (are_far(view->x) && is_small(X)) {
+      const std::lock_guard lock(far_mutex_);
+      far_ = far_ ? Bounds{std::min(far_->first, view->parameter.first),
+                           std::max(far_->second, view->parameter.second)}
+                  : view->parameter;
+      return std::nullopt;
+    }
+    return view->rest;
+  };
+  const auto decide = [](const StripBox&) {
+    return zeros::Decision<3>{std::nullopt, false, "the search went to the end of its accuracy"};
+  };
+  return zeros::search<3>(cell, contract, decide, limits).unresolved;
+}
+
+// Around the box, within the domain.
+zeros::Cell<3> cell_around(const StripBox& box, const zeros::Cell<3>& domain) {
+  zeros::Cell<3> cell = domain;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [low, high] = scalars::ends(box(static_cast<int>(i)));
+    cell.lower[i] = std::clamp(low, domain.lower[i], domain.upper[i]);
+    cell.upper[i] = std::clamp(high, domain.lower[i], domain.upper[i]);
+  }
+  return cell;
+}
+
+// Coarse cells first: where they leave something open there may be a branch that is not known yet, so all
+// orbits at a value there are looked for.
+void Search::exhaust() {
+  struct Open {
+    const Strip * strip;
+    zeros::Cell<3> cell;
+    std::string reason;
+    bool given_up;
+
+    [[nodiscard]] double length() const { return cell.upper[2] - cell.lower[2]; }
+  };
+  const std::vector<Strip> strips = question_.orbits.family->strips(strip_question(question_));
+  std::vector<Open> open;
+  for (const Strip& strip : strips) {
+    open.push_back({&strip, strip.domain, "", false});
+  }
+  const double unit = strips.front().domain.upper[2];
+  const auto value_at = [&](double share) {
+    return Rational(question_.from + (question_.to - question_.from) * Rational(share / unit));
+  };
+  std::set<Rational> looked;
+  const auto look_for_more = [&] {
+    const int before = found_;
+    int values = 0;
+    for (const Open& one : open) {
+      const Rational value = value_at((one.cell.lower[2] + one.cell.upper[2]) / 2);
+      if (!interrupted() && looked.size() < most_values && values < more_values &&
+          looked.insert(value).second) {
+        ++values;
+        follow_from(value);
+      }
+    }
+    return found_ > before;
+  };
+  for (const double smallest : lengths) {
+    for (bool again = true; again && !open.empty();) {
+      std::vector<Open> rest;
+      for (const Open& one : open) {
+        if (one.given_up) {
+          rest.push_back(one);
+          continue;
+        }
+        for (const zeros::UnresolvedBox<3>& box : rest_of(*one.strip, one.cell, {smallest, most_cells})) {
+          rest.push_back({one.strip, cell_around(box.box, one.strip->domain), box.reason, false});
+          rest.back().given_up = smallest <= fine && rest.back().length() > one.length() / 2;
+        }
+      }
+      open = std::move(rest);
+      again = look_for_more();
+      if (again) {
+        for (Open& one : open) {
+          one.given_up = false;
+        }
+      }
+    }
+  }
+  for (const Open& one : open) {
+    all_.unresolved.push_back({between(value_at(one.cell.lower[2]), value_at(one.cell.upper[2])),
+                               {},
+                               "there may be orbits that are on no branch: " + one.reason});
+  }
+  if (far_) {
+    all_.unresolved.push_back({between(std::clamp(Rational(far_->first), question_.from, question_.to),
+                                       std::clamp(Rational(far_->second), question_.from, question_.to)),
+                               {},
+                               "there may be orbits more than thirty times as large as others"});
+  }
+  all_.complete = open.empty() && !far_;
+}
+
+// Two branches that overlap would be counted twice: then one of them ends on the other.
+void Search::separate() {
+  const auto apart = [](const Followed& branch, const Point& end, int angle) {
+    return !for_some_turn(angle, end.x, [&](const zeros::Vector& x) {
+      return std::any_of(branch.cells.begin(), branch.cells.end(), [&](const Cell& cell) {
+        return may_meet(cell, {x, end.value});
+      });
+    });
+  };
+  for (const Sheet& sheet : all_.sheets) {
+    for (const Followed& one : sheet.branches) {
+      for (const Followed& other : sheet.branches) {
+        for (const Point& end : one.ends) {
+          if (&one != &other && !apart(other, end, sheet.angle)) {
+            all_.unresolved.push_back({end.value, {}, "a branch that ends here may be part of another one"});
+            all_.complete = false;
+          }
+        }
+      }
+    }
+  }
+}
+
+AllFollowed Search::run() {
+  if (question_.at) {
+    follow_from(*question_.at);
+    separate();
+    return std::move(all_);
+  }
+  follow_from(question_.from);
+  follow_from(question_.to);
+  exhaust();
+  separate();
+  return std::move(all_);
+}
+
+}  // namespace
+
+AllFollowed follow_all(const BranchQuestion& question) {
+  return Search(question).run();
+}
+
+}  // namespace stickslip::numeric::branches

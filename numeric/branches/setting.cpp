@@ -1,0 +1,152 @@
+#include "numeric/branches/setting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "numeric/families/family.hpp"
+
+namespace stickslip::numeric::branches {
+
+using namespace families;
+using namespace motion;
+
+namespace {
+
+constexpr std::array parameters{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
+
+// The datum of that name in a question; nothing where it is not one of the family's.
+Range * datum(OrbitQuestion& q, const std::string& name) {
+  model::Parameters<Range>& a = q.parameters;
+  const std::array<Range *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (name == parameters[k]) {
+      return all[k];
+    }
+  }
+  std::optional<Range>& other = name == "phi" ? q.phi : q.ur;
+  if (!other) {
+    other = Range{};
+  }
+  return &*other;
+}
+
+// The question with the free parameter in this range.
+OrbitQuestion with(const BranchQuestion& question, const Range& range) {
+  OrbitQuestion q = question.orbits;
+  *datum(q, question.parameter) = range;
+  return q;
+}
+
+Given<Rational> exact(const OrbitQuestion& q) {
+  const model::Parameters<Range>& a = q.parameters;
+  const auto of = [](const std::optional<Range>& range) {
+    return range ? std::optional(range->middle) : std::nullopt;
+  };
+  return {
+      {a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle}, of(q.phi), of(q.ur)};
+}
+
+}  // namespace
+
+Given<Rational> data_at(const BranchQuestion& question, const Rational& value) {
+  return exact(with(question, {value}));
+}
+
+StripQuestion strip_question(const BranchQuestion& question) {
+  const auto place = std::find(parameters.begin(), parameters.end(), question.parameter) - parameters.begin();
+  return {data_at(question, question.from), static_cast<std::size_t>(place), question.from, question.to};
+}
+
+void require_question(const BranchQuestion& question) {
+  if (std::find(parameters.begin(), parameters.end(), question.parameter) == parameters.end()) {
+    throw UsageError(fmt::format("'{}' is none of {}, which a branch can be along", question.parameter,
+                                 "chi, eta, us, V, omega, p, phi and ur"));
+  }
+  if (question.from >= question.to) {
+    throw UsageError(fmt::format("{}: {}..{} does not rise: A..B needs A < B", question.parameter,
+                                 stickslip::to_string(question.from), stickslip::to_string(question.to)));
+  }
+  if (question.at && (*question.at < question.from || *question.at > question.to)) {
+    throw UsageError(fmt::format("at: {} = {} is not in the interval {}..{}", question.parameter,
+                                 stickslip::to_string(*question.at), stickslip::to_string(question.from),
+                                 stickslip::to_string(question.to)));
+  }
+  for (const Range& range :
+       {question.orbits.parameters.chi, question.orbits.parameters.eta, question.orbits.parameters.us,
+        question.orbits.parameters.V, question.orbits.parameters.omega, question.orbits.parameters.p,
+        question.orbits.phi.value_or(Range{}), question.orbits.ur.value_or(Range{})}) {
+    if (range.radius != 0) {
+      throw UsageError("a branch is along one interval A..B: all other parameters are exact");
+    }
+  }
+  require_answerable(with(question, {(question.from + question.to) / 2, (question.to - question.from) / 2}));
+}
+
+Law law_of(const BranchQuestion& question) {
+  const Family& family = *question.orbits.family;
+  const OrbitQuestion& q = question.orbits;
+  Law law;
+  law.ur_is_result = has_stick(family);
+  law.phi_is_given = q.phi.has_value() || question.parameter == "phi";
+  law.ur_is_free = !law.ur_is_result && question.parameter == "ur";
+  if (!law.ur_is_result && !law.ur_is_free && q.ur) {
+    law.ur = q.ur->middle;
+  }
+  law.requirements = requirements(family, law.ur_is_result || law.ur_is_free || law.ur);
+  if (!law.ur_is_result && !law.ur_is_free && !law.ur) {
+    for (Requirement requirement : family.requirements) {
+      if (needs_ur(requirement.quantity) && requirement.quantity != Quantity::friction_step) {
+        requirement.id = "ur_max";
+        law.at_us.push_back(requirement);
+      }
+    }
+  }
+  law.conditions = [&family](const ClosedMotion& closed, const std::optional<Ball>& ur) {
+    return families::conditions(family, closed, ur);
+  };
+  return law;
+}
+
+Curve curve_of(const BranchQuestion& question, const Closing& equations) {
+  const Given<Rational> given = data_at(question, question.from);
+  Given<Ball> balls{parameters_as<Ball>(given.data), {}, {}};
+  balls.phi = given.phi ? std::optional(Ball(*given.phi)) : std::nullopt;
+  balls.ur = given.ur ? std::optional(Ball(*given.ur)) : std::nullopt;
+  Curve curve{equations, equations.parameters(balls), 0, question.from, question.to};
+  const std::vector<std::string> names = equations.parameter_names();
+  const auto found = std::find(names.begin(), names.end(), question.parameter);
+  curve.place = static_cast<int>(found - names.begin());
+  if (found == names.end()) {
+    // The equations do not depend on it.
+    curve.data.conservativeResize(curve.data.size() + 1);
+    curve.data(curve.place) = Ball(question.from);
+  }
+  return curve;
+}
+
+std::string resonance_near(const Ball& value, const BranchQuestion& question) {
+  const Given<Rational> given = data_at(question, question.from);
+  model::Parameters<double> a = parameters_as<double>(given.data);
+  const std::array<double *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (question.parameter == parameters[k]) {
+      *all[k] = value.approximate();
+    }
+  }
+  const model::Modes<double> m = model::modes<double>(a.chi, a.eta);
+  for (const auto& [frequency, name] :
+       {std::pair(m.omega1, "omega1"), std::pair(1.0, "1"), std::pair(m.omega2, "omega2")}) {
+    const double k = std::round(frequency / a.omega);
+    if (k >= 1 && std::abs(k * a.omega - frequency) < 1e-6 * frequency) {
+      return fmt::format(", next to the resonance {}omega = {}", k == 1 ? "" : fmt::format("{:.0f} ", k),
+                         name);
+    }
+  }
+  return "";
+}
+
+}  // namespace stickslip::numeric::branches

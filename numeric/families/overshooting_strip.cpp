@@ -1,0 +1,113 @@
+#include "numeric/families/overshooting_strip.hpp"
+
+#include "numeric/families/one_stick_rows.hpp"
+
+namespace stickslip::numeric::families {
+
+using namespace motion;
+
+namespace {
+
+template <class T, class S>
+model::OvershootingData<T> data_of(const model::Parameters<T>& a) {
+  return {a.chi,   a.eta, model::modes<T>(a.chi, a.eta),          a.us, a.V,
+          a.omega, a.p,   T(T(2) * T(scalars::pi<S>()) / a.omega)};
+}
+
+// All linear unknowns eliminated from the rows: (a, C, D), where ur is given cos psi and sin psi, too, and the
+// functions that must vanish then. Nothing where the rows may be dependent.
+template <class T, int U>
+struct WithoutLinear {
+  Eigen::Matrix<T, 2, 1> vanish;
+  Eigen::Matrix<T, U, 1> linear;
+};
+
+template <Datum G, class T, class S>
+std::optional<WithoutLinear<T, OneStick<2, G>::columns - 1>> eliminated(const AllRows<T, 2, G>& rows) {
+  constexpr int R = OneStick<2, G>::rows;
+  constexpr int C = OneStick<2, G>::columns;
+  const Eigen::Matrix<S, R, C> at_middle = rows.unaryExpr([](const T& x) { return x.at; });
+  const auto combinations = zeros::row_combinations<R, C>(at_middle);
+  if (!combinations) {
+    return std::nullopt;
+  }
+  Eigen::Matrix<T, R, C> m = zeros::combined_rows<T, R, C>(*combinations, rows);
+  if (!zeros::eliminate<T, R, C>(m, 0, C - 1)) {
+    return std::nullopt;
+  }
+  const Eigen::Matrix<T, C - 1, 1> u = zeros::back_substituted<T, R, C>(m);
+  if constexpr (G == Datum::phase) {
+    return WithoutLinear<T, C - 1>{{m(3, 3), m(4, 3)}, u};
+  } else {
+    return WithoutLinear<T, C - 1>{{m(5, 5), T(u(3) * u(3) + (u(4) - T(1)) * (u(4) + T(1)))}, u};
+  }
+}
+
+// tau, tau1, a, C, D.
+template <class T, int U>
+std::vector<Bounds> bounds(const Eigen::Matrix<T, 2, 1>& t, const Eigen::Matrix<T, U, 1>& linear) {
+  return {scalars::ends(t(0).over), scalars::ends(t(1).over), scalars::ends(linear(0).over),
+          scalars::ends(linear(1).over), scalars::ends(linear(2).over)};
+}
+
+Ball as_ball(const Ball& x) {
+  return x;
+}
+Ball as_ball(const scalars::HardwareBall& x) {
+  return x.ball();
+}
+
+template <Datum G>
+struct OverStrip {
+  template <class T, class S>
+  [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& s, const T& w) const {
+    constexpr bool at_phase = G == Datum::phase;
+    const OneStickData<T> data{data_of<T, S>(given.data), at_phase ? *given.phi : *given.ur};
+    const Eigen::Matrix<T, 2, 1> sw(s, w);
+    const AllRows<T, 2, G> rows = rows_at<2, G, T>(data, sw);
+    constexpr int one = OneStick<2, G>::columns - 1;
+    const T odd = det2<T>(rows(0, 1), rows(0, one), rows(1, 1), rows(1, one));
+    Reduced<T> result;
+    if constexpr (at_phase) {
+      result.excluded = is_nonzero(odd);
+      result.vanish = {odd};
+    } else {
+      // sin psi - 1 and sin psi + 1, times the determinant of the odd rows in (C, sin psi).
+      const T size = det2<T>(rows(0, 1), rows(0, one - 1), rows(1, 1), rows(1, one - 1));
+      const S above = T(size - odd).over, below = T(-odd - size).over;
+      result.excluded =
+          (above.is_positive() && below.is_positive()) || (above.is_negative() && below.is_negative());
+    }
+    if (result.excluded) {
+      return result;
+    }
+    const auto rest = eliminated<G, T, S>(rows);
+    if (!rest) {
+      return result;
+    }
+    result.vanish.insert(result.vanish.end(), {rest->vanish(0), rest->vanish(1)});
+    const Eigen::Matrix<T, 2, 1> t = times<T, 2>(data.d.Theta, sw);
+    result.x = bounds<T>(t, rest->linear);
+    if constexpr (!at_phase) {
+      // phi, up to full turns.
+      Ball phi;
+      arb_atan2(phi.raw(), as_ball(rest->linear(4).over).raw(), as_ball(rest->linear(3).over).raw(),
+                WorkingPrecision::bits());
+      phi -= as_ball(T(data.d.omega * T(t(0) + t(1)) / T(2)).over);
+      result.x.push_back(scalars::ends(phi));
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+std::vector<Strip> overshooting_strips(const StripQuestion& q) {
+  const zeros::Cell<3> domain{{0, 0, 0}, {1, 1, 1}};
+  if (q.given.phi) {
+    return {strip_of(q, 0, -1, domain, OverStrip<Datum::phase>{})};
+  }
+  return {strip_of(q, 0, 5, domain, OverStrip<Datum::friction>{})};
+}
+
+}  // namespace stickslip::numeric::families

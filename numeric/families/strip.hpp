@@ -1,0 +1,213 @@
+// All closed motions of a family over an interval of one parameter: its reduced equations in the unknowns v
+// and that parameter, for searches that leave out what is known (zeros/search.hpp).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "numeric/motion/closing.hpp"
+#include "numeric/scalars/form.hpp"
+#include "numeric/zeros/search.hpp"
+
+namespace stickslip::numeric::families {
+
+// One parameter, by its place among chi, eta, us, V, omega, p, phi, ur, from end to end of its interval; the
+// others are exact.
+struct StripQuestion {
+  motion::Given<Rational> given;
+  std::size_t place = 0;
+  Rational from, to;
+};
+
+// v, of which a family with one unknown takes the first, and how far the parameter is on its way from the one
+// end of its interval to the other, 0 … length_of(question).
+using StripBox = zeros::Box<3>;
+using Bounds = std::pair<double, double>;
+
+// A power of two, such that the equations change about as much over this length as over that of a v: then
+// searches that halve the longest sides do well.
+[[nodiscard]] inline double length_of(const StripQuestion& q) {
+  const double size = std::max(std::abs(q.from.get_d()), std::abs(q.to.get_d()));
+  const double share = 4 * Rational(q.to - q.from).get_d() / size;
+  return std::exp2(std::round(std::log2(std::clamp(share, 0x1p-20, 1.0))));
+}
+
+struct Strip {
+  int system = 0;  // see Candidate
+  int angle = -1;
+  zeros::Cell<3> domain;  // every closed motion of the family with positive durations is in it
+  struct View {
+    StripBox rest;          // holds all zeros that the box has
+    std::vector<Bounds> x;  // bounds the unknowns of the closing conditions there, see Reduced
+    Bounds parameter;
+  };
+  // Nothing when the box has no zero.
+  std::function<std::optional<View>(const StripBox&)> look;
+};
+
+// What is known of a box: the functions that vanish wherever a motion closes, the unknowns of the closing
+// conditions, and whether none can close for another reason.
+template <class T>
+struct Reduced {
+  std::vector<T> vanish;
+  // At its zeros; empty where nothing is known. With an infinite upper bound the lower one is of the size.
+  std::vector<Bounds> x;
+  bool excluded = false;
+};
+
+namespace detail {
+
+template <class S>
+using StripForm = scalars::Form<S, 3>;
+
+// The middle and the radius, in doubles, of an interval that contains the ball.
+[[nodiscard]] inline std::pair<double, double> in_doubles(const Ball& x) {
+  const double middle = x.approximate();
+  return {middle, arf_get_d(arb_midref(abs(x - Ball(middle)).upper().raw()), ARF_RND_CEIL)};
+}
+
+template <class S>
+[[nodiscard]] motion::Given<StripForm<S>> forms(const StripQuestion& q, const StripForm<S>& parameter) {
+  const model::Parameters<Rational>& a = q.given.data;
+  const auto form = [&](std::size_t k, const Rational& value) {
+    return k == q.place ? parameter : StripForm<S>(scalars::scalar<S>(value));
+  };
+  motion::Given<StripForm<S>> given{
+      {form(0, a.chi), form(1, a.eta), form(2, a.us), form(3, a.V), form(4, a.omega), form(5, a.p)}, {}, {}};
+  if (q.given.phi) {
+    given.phi = form(6, *q.given.phi);
+  }
+  if (q.given.ur) {
+    given.ur = form(7, *q.given.ur);
+  }
+  return given;
+}
+
+using Shares = std::array<Bounds, 3>;  // of the box, each within [-1, 1]
+
+// The shares at which at + slopes · e vanishes; false when there are none. The slopes hold for all of the
+// box.
+template <class S>
+[[nodiscard]] bool shrink(const S& at, const std::array<S, 3>& slopes, Shares& e) {
+  std::array<S, 3> share;
+  S sum = at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    share[i] = slopes[i] * scalars::around<S>(e[i].first, e[i].second);
+    sum += share[i];
+  }
+  if (sum.is_nonzero()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!slopes[i].is_nonzero()) {
+      continue;
+    }
+    S others = at;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (j != i) {
+        others += share[j];
+      }
+    }
+    const auto [low, high] = scalars::ends(S(-others / slopes[i]));
+    e[i] = {std::max(e[i].first, low), std::min(e[i].second, high)};
+    if (e[i].first > e[i].second) {
+      return false;
+    }
+    share[i] = slopes[i] * scalars::around<S>(e[i].first, e[i].second);
+  }
+  return true;
+}
+
+// Two functions combined so that of two variables, those that they tell apart best, each has one.
+template <class S>
+[[nodiscard]] bool shrink_by_both(const StripForm<S>& f, const StripForm<S>& g, Shares& e) {
+  const auto slope = [](const StripForm<S>& h, std::size_t i) { return h.slopes[i].approximate(); };
+  double most = 0;
+  std::size_t first = 0, second = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i + 1; j < 3; ++j) {
+      const double det = slope(f, i) * slope(g, j) - slope(f, j) * slope(g, i);
+      if (std::abs(det) > std::abs(most)) {
+        most = det;
+        first = i;
+        second = j;
+      }
+    }
+  }
+  if (most == 0 || !std::isfinite(most)) {
+    return true;
+  }
+  const auto combined = [&](double of_f, double of_g) {
+    std::array<S, 3> slopes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      slopes[i] = S(of_f) * f.slopes[i] + S(of_g) * g.slopes[i];
+    }
+    return shrink<S>(S(S(of_f) * f.at + S(of_g) * g.at), slopes, e);
+  };
+  return combined(slope(g, second) / most, -slope(f, second) / most) &&
+         combined(-slope(g, first) / most, slope(f, first) / most);
+}
+
+template <class S, class F>
+[[nodiscard]] std::optional<Strip::View> look(const StripQuestion& q, const F& reduced, const StripBox& X) {
+  using T = StripForm<S>;
+  const Ball value = Ball(q.from) + Ball(Rational(q.to - q.from)) * X(2) / Ball(length_of(q));
+  std::array<std::pair<double, double>, 3> sides{in_doubles(X(0)), in_doubles(X(1)), in_doubles(value)};
+  const auto variable = [&](int i) {
+    const auto& [middle, radius] = sides[static_cast<std::size_t>(i)];
+    return T::variable(middle, radius, i);
+  };
+  const Reduced<T> here =
+      reduced.template operator()<T, S>(forms<S>(q, variable(2)), variable(0), variable(1));
+  if (here.excluded) {
+    return std::nullopt;
+  }
+  Strip::View view{X, here.x, scalars::ends(value)};
+  Shares e;
+  e.fill({-1, 1});
+  for (const T& f : here.vanish) {
+    if (f.over.is_nonzero() || !shrink<S>(f.at, f.slopes, e)) {
+      return std::nullopt;
+    }
+  }
+  if (here.vanish.size() >= 2 &&
+      !shrink_by_both<S>(here.vanish[here.vanish.size() - 2], here.vanish.back(), e)) {
+    return std::nullopt;
+  }
+  for (int i = 0; i < 2; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Ball side =
+        Ball(sides[k].first) + Ball(sides[k].second) * Ball::hull(Ball(e[k].first), Ball(e[k].second));
+    const std::optional<Ball> rest = zeros::intersection(X(i), side);
+    if (!rest) {
+      return std::nullopt;
+    }
+    view.rest(i) = *rest;
+  }
+  return view;
+}
+
+}  // namespace detail
+
+// F: template <class T, class S> Reduced<T> operator()(const Given<T>&, const T& v0, const T& v1), T =
+// Form<S, 3>. In doubles, or in Arb where the box is too narrow for them.
+template <class F>
+[[nodiscard]] Strip strip_of(const StripQuestion& q, int system, int angle, zeros::Cell<3> domain,
+                             const F& reduced) {
+  domain.upper[2] = length_of(q);
+  constexpr double too_narrow = 0x1p-28;
+  return {system, angle, domain, [q, reduced](const StripBox& X) {
+            double widest = 0;
+            for (const Ball& side : X) {
+              widest = std::max(widest, side.radius().approximate());
+            }
+            return widest > too_narrow ? detail::look<scalars::HardwareBall>(q, reduced, X)
+                                       : detail::look<Ball>(q, reduced, X);
+          }};
+}
+
+}  // namespace stickslip::numeric::families
