@@ -11,7 +11,7 @@ namespace stickslip::numeric::atlas {
 
 namespace {
 
-constexpr int boxes_of_block = 20000;
+constexpr int boxes_of_block = 2000;
 constexpr std::chrono::seconds longest_block{2};
 }  // namespace
 

@@ -86,6 +86,18 @@ std::size_t check_leaves(const Question& q, std::size_t one_in) {
 }
 
 TEST_CASE("Leaves say what the lists of orbits say at points in them") {
+  // The whole of the paper's neighbourhood, over resonances, folds, poles; and stripes that are fine there.
+  CHECK(check_leaves(question(families::symmetric(), {"0.5", "3.8", "0.02", "1", "0.5..0.8", "0..0.2"}, 6),
+                     60) > 0);
+  CHECK(check_leaves(
+            question(families::nonsticking(), {"0.3", "4", "0.1", "0", "0.5..0.8", "0.5..1.5", "0.2"}, 6),
+            60) > 0);
+  CHECK(check_leaves(
+            question(families::symmetric(), {"0.5", "3.8", "0.02", "1", "0.6..0.632", "0.1..0.101"}, 6), 30) >
+        0);
+  CHECK(check_leaves(
+            question(families::symmetric(), {"0.5", "3.8", "0.02", "1", "0.524..0.532", "0.1..0.101"}, 6),
+            30) > 0);
   CHECK(check_leaves(question(families::symmetric(), {"0.5", "3.8", "0.02", "1", "0.55..0.6", "0..0.1"}, 5),
                      30) > 0);
   CHECK(check_leaves(
