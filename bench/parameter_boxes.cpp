@@ -1,14 +1,19 @@
 // Existence and every condition over one box of parameters, in which each of them has the half width that the
-// name tells; items are boxes.
+// name tells, and the boxes of an atlas; items are boxes.
 #include <benchmark/benchmark.h>
 
 #include "bench/examples.hpp"
+#include "core/decimal.hpp"
+#include "numeric/atlas/work.hpp"
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/symmetric.hpp"
 #include "numeric/motion/shooting.hpp"
 
 namespace stickslip::bench {
 
 using namespace numeric::families;
 using namespace numeric::motion;
+namespace atlas = numeric::atlas;
 
 namespace {
 
@@ -51,6 +56,38 @@ void box_P(benchmark::State& state) {
   prove_boxes(state, problem("P"), {box("P", 1e-5), {}, widened(Ball(Rational(1, 5)), 1e-5)});
 }
 
+// Every 128th of the 4096 parts of an atlas of resolution 12, judged as far as that goes; items are boxes.
+void atlas_of(benchmark::State& state, const Family& family, atlas::Box region) {
+  const atlas::Question q{&family, std::move(region), {atlas::place_of_omega, atlas::place_of_p}, 12};
+  std::size_t boxes = 0;
+  for (auto _ : state) {
+    for (atlas::Tile part = 4096 + 37; part < 8192; part += 128) {
+      const atlas::Block block = atlas::work_on(q, part, [] { return false; });
+      boxes += 2 * block.leaves.size() - 1;
+    }
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(boxes));
+}
+
+atlas::Interval between(const char * lower, const char * upper) {
+  return {parse_rational(lower), parse_rational(upper)};
+}
+atlas::Interval at(const char * value) {
+  return between(value, value);
+}
+
+void atlas_S(benchmark::State& state) {
+  atlas_of(state, symmetric(),
+           {at("0.5"), at("3.8"), at("0.02"), at("1"), between("0.5", "0.8"), between("0", "0.2")});
+}
+
+void atlas_P(benchmark::State& state) {
+  atlas_of(state, nonsticking(),
+           {at("0.3"), at("4"), at("0.1"), at("0"), between("0.5", "0.8"), between("0.5", "1.5"), at("0.2")});
+}
+
+BENCHMARK(atlas_S)->Unit(benchmark::kMillisecond);
+BENCHMARK(atlas_P)->Unit(benchmark::kMillisecond);
 BENCHMARK(box_S)->Name("box_S, ±1e-5")->Unit(benchmark::kMillisecond);
 // Example O lies near a fold: its orbit moves some hundred times as far as the parameters.
 BENCHMARK(box_O_at_phi)->Name("box_O_at_phi, ±1e-7")->Unit(benchmark::kMillisecond);

@@ -128,9 +128,8 @@ ExitCode code_of(const Question& q, const std::vector<Leaf>& leaves) {
 // What the Arb balls say of a leaf of the file.
 enum class Second { confirmed, contradicted, silent };
 
-Second look_again(const Question& q, const Leaf& leaf) {
-  const Finding again = judge(q, leaf.tile, Balls::arb);
-  const auto compare = [](std::int8_t said, std::int8_t proved) {
+Second compare(const Leaf& leaf, const Finding& again) {
+  const auto count = [](std::int8_t said, std::int8_t proved) {
     return said < 0 || said == proved ? Second::confirmed
            : proved < 0               ? Second::silent
                                       : Second::contradicted;
@@ -142,15 +141,21 @@ Second look_again(const Question& q, const Leaf& leaf) {
   if (leaf.finding.is_decided() && leaf.finding.stable < 0) {
     return Second::contradicted;  // decided means that all is known
   }
-  return std::max(
-      {compare(leaf.finding.orbits, again.orbits), compare(leaf.finding.admissible, again.admissible),
-       compare(leaf.finding.stable, again.stable)},
-      [](Second a, Second b) {
-        const auto weight = [](Second s) {
-          return s == Second::contradicted ? 2 : s == Second::silent ? 1 : 0;
-        };
-        return weight(a) < weight(b);
-      });
+  return std::max({count(leaf.finding.orbits, again.orbits), count(leaf.finding.admissible, again.admissible),
+                   count(leaf.finding.stable, again.stable)},
+                  [](Second a, Second b) {
+                    const auto weight = [](Second s) {
+                      return s == Second::contradicted ? 2 : s == Second::silent ? 1 : 0;
+                    };
+                    return weight(a) < weight(b);
+                  });
+}
+
+// From the leaf alone; where that tells too little from the whole down.
+Second look_again(const Question& q, const Leaf& leaf) {
+  Knowledge nothing;
+  const Second alone = compare(leaf, judge(q, leaf.tile, Balls::arb, nothing));
+  return alone != Second::silent ? alone : compare(leaf, judge_from_whole(q, leaf.tile, Balls::arb));
 }
 
 ExitCode verify(const AtlasOptions& o) {

@@ -2,11 +2,12 @@
 // phase, by mean value forms in the time and the parameters at once.
 #pragma once
 
-#include <optional>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "core/verdict.hpp"
+#include "numeric/atlas/knowledge.hpp"
 #include "numeric/motion/requirements.hpp"
 #include "numeric/scalars/form.hpp"
 
@@ -18,25 +19,49 @@ template <class S>
   return x.is_positive() ? Truth::proved : x.is_negative() ? Truth::refuted : Truth::undecided;
 }
 
-// Whether g(t) > 0 for 0 < t < T, ends included but for those that g touches: there it is zero by
+// A truth, and for an undecided one whether smaller boxes are likely to decide.
+struct Decision {
+  Truth truth = Truth::undecided;
+  bool is_promising = false;
+};
+template <class T>
+[[nodiscard]] Decision decide_positive(const T& x) {
+  const Truth truth = is_positive_over(x.over);
+  return {truth, truth == Truth::undecided && scalars::is_likely_nonzero(x)};
+}
+
+// Whether g(t) > 0 for 0 < t < duration, ends included but for those that g touches: there it is zero by
 // construction, and has to leave zero with nonzero speed. Refuted when some time has g < 0 for every member,
-// the same share of T for all. `least` is how short pieces of the phase may become, as shares of T.
-template <class S, int N>
-[[nodiscard]] Truth is_positive_along(const model::Wave<scalars::Form<S, N>>& g, const scalars::Form<S, N>& T,
-                                      motion::Touches touches, double least) {
-  using Time = scalars::Form<S, N>;
+// the same share of the duration for all. Only the open times are looked at, and those that stay open are
+// left there. g(t) is the value with its derivative by t; `least` is how short pieces of the phase may
+// become, as shares of the duration.
+template <class T, class G>
+[[nodiscard]] Decision is_positive_along(const G& g, const T& duration, motion::Touches touches, double least,
+                                         Times& open) {
   constexpr int most_pieces = 300;
-  std::vector<std::pair<double, double>> open;
-  for (int k = 7; k >= 0; --k) {
-    open.emplace_back(k / 8.0, (k + 1) / 8.0);
-  }
-  bool all = true;
-  for (int examined = 0; !open.empty() && examined < most_pieces; ++examined) {
-    const auto [first, last] = open.back();
-    open.pop_back();
+  constexpr double longest = 0.125;
+  Times todo(open.rbegin(), open.rend());
+  open.clear();
+  bool is_promising = true;
+  for (int examined = 0; !todo.empty(); ++examined) {
+    const auto [first, last] = todo.back();
+    todo.pop_back();
+    if (examined >= most_pieces) {
+      open.emplace_back(first, last);
+      is_promising = false;
+      continue;
+    }
     const double middle = (first + last) / 2;
-    const Time t = T * Time::variable(middle, last - middle, 0);
-    const auto [value, slope] = model::value_and_slope<Time>(g, t);
+    const auto halve = [&, first = first, last = last] {
+      todo.emplace_back(middle, last);
+      todo.emplace_back(first, middle);
+    };
+    if (last - first > longest) {
+      halve();
+      continue;
+    }
+    const T t = duration * T::variable(middle, last - middle, 0);
+    const auto [value, slope] = g(t);
     const bool rises = touches.start && first == 0 && slope.over.is_positive();
     const bool falls = touches.end && last == 1 && slope.over.is_negative();
     if (value.over.is_positive() || rises || falls) {
@@ -45,50 +70,41 @@ template <class S, int N>
     const bool sinks = touches.start && first == 0 && slope.over.is_negative();
     const bool returns = touches.end && last == 1 && slope.over.is_positive();
     if (value.over_from(1).is_negative() || sinks || returns) {
-      return Truth::refuted;
+      return {Truth::refuted};
     }
     // What the parameters alone leave open no shorter piece decides.
     const bool touched = (touches.start && first == 0) || (touches.end && last == 1);
-    const Time& g_or_slope = touched ? slope : value;
-    const S spread = g_or_slope.over_from(1);
-    const bool hopeless = !spread.is_nonzero() && scalars::is_narrower(g_or_slope.over, spread * S(1.25));
+    const T& g_or_slope = touched ? slope : value;
+    const auto spread = g_or_slope.over_from(1);
+    const bool hopeless =
+        !spread.is_nonzero() && scalars::is_narrower(g_or_slope.over, spread * decltype(spread)(1.25));
     if (last - first > least && !hopeless) {
-      open.emplace_back(middle, last);
-      open.emplace_back(first, middle);
+      halve();
     } else {
-      all = false;  // go on: another piece may refute it
+      open.emplace_back(first, last);  // go on: another piece may refute it
+      is_promising = is_promising && scalars::is_likely_nonzero(g_or_slope, 1);
     }
   }
-  return all && open.empty() ? Truth::proved : Truth::undecided;
-}
-
-// One requirement on a motion whose phases are known to last; ur is the friction at rest.
-template <class S, int N>
-[[nodiscard]] Truth holds_over(const motion::Requirement& q,
-                               const motion::MotionOf<scalars::Form<S, N>>& motion,
-                               const std::vector<model::PhaseWaves<scalars::Form<S, N>>>& waves,
-                               const scalars::Form<S, N>& ur, double least) {
-  using T = scalars::Form<S, N>;
-  const model::Parameters<T>& a = motion.oscillator.data;
-  switch (q.quantity) {
-    case motion::Quantity::duration:
-      return Truth::proved;
-    case motion::Quantity::slipping_friction:
-      return is_positive_over(a.us.over);
-    case motion::Quantity::friction_step:
-      return is_positive_over(T(ur - a.us).over);
-    default:
-      break;
+  if (open.empty()) {
+    return {Truth::proved};
   }
-  const motion::Affine<T> form = motion::affine_form<T>(a, ur, q.quantity);
-  const motion::PhaseOf<T>& phase = motion.phases[q.phase];
-  if (!q.along) {
-    const T r = model::friction_at<T>(a, phase.Z, phase.load);
-    return is_positive_over(T(form.factor * r + form.offset).over);
+  // Next to an end that g touches only the slope tells, of one piece up to that end.
+  const auto gap = [](const auto& a, const auto& b) { return a.second != b.first; };
+  if (touches.start && open.front().first == 0) {
+    const auto last = std::adjacent_find(open.begin(), open.end(), gap);
+    const auto end = last == open.end() ? last : last + 1;
+    open.front().second = (end - 1)->second;
+    open.erase(open.begin() + 1, end);
   }
-  const model::Wave<T>& wave = form.of_speed ? waves[q.phase].zdot2 : waves[q.phase].r;
-  return is_positive_along<S, N>(model::affine<T>(form.factor, wave, form.offset), phase.duration, q.touches,
-                                 least);
+  if (touches.end && open.back().second == 1) {
+    auto first = open.end() - 1;
+    while (first != open.begin() && !gap(*(first - 1), *first)) {
+      --first;
+    }
+    first->second = 1;
+    open.erase(first + 1, open.end());
+  }
+  return {Truth::undecided, is_promising};
 }
 
 }  // namespace stickslip::numeric::atlas

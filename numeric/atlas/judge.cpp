@@ -4,20 +4,17 @@
 #include <cmath>
 #include <variant>
 
-#include "numeric/atlas/along.hpp"
-#include "numeric/atlas/multipliers.hpp"
-#include "numeric/atlas/sheets.hpp"
+#include "numeric/atlas/nonsticking_orbit.hpp"
+#include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/zeros_over.hpp"
 
 namespace stickslip::numeric::atlas {
 
-using motion::Requirement;
-
 namespace {
 
 constexpr long arb_bits = 64;
-// Boxes narrower than this, as a share of the parameter, are too narrow for doubles.
-constexpr double too_narrow = 0x1p-26;
+constexpr int enough_for_doubles = 26;  // halvings of a side
+constexpr int more_halvings = 6;        // of the finest boxes
 
 // ---- the domain, exactly
 
@@ -59,7 +56,7 @@ template <class T, class S>
 struct Data {
   model::Parameters<T> parameters;
   std::optional<T> ur;
-  double width = 0;  // the largest share of a parameter that a radius is
+  double least = 0;  // how short pieces of a phase, as shares of it, are worth looking at
 };
 
 // Variable 0 is left free.
@@ -67,6 +64,7 @@ template <class T, class S>
 Data<T, S> forms_of(const Box& box) {
   Data<T, S> data;
   std::vector<T> all;
+  double width = 0;  // the largest share of a parameter that a radius is
   int next = 1;
   for (const Interval& x : box) {
     if (x.is_point()) {
@@ -76,8 +74,9 @@ Data<T, S> forms_of(const Box& box) {
     const double middle = Rational((x.lower + x.upper) / 2).get_d();
     const double radius = std::max(above(x.upper - Rational(middle)), above(Rational(middle) - x.lower));
     all.push_back(T::variable(middle, radius, next++));
-    data.width = std::max(data.width, middle == 0 ? 1 : radius / std::abs(middle));
+    width = std::max(width, middle == 0 ? 1 : radius / std::abs(middle));
   }
+  data.least = std::clamp(width / 16, 0x1p-30, 0x1p-5);
   data.parameters = {all[0], all[1], all[2], all[3], all[4], all[5]};
   if (all.size() > place_of_ur) {
     data.ur = all[place_of_ur];
@@ -85,15 +84,12 @@ Data<T, S> forms_of(const Box& box) {
   return data;
 }
 
-// ---- what stands in the way of every orbit of the box
-
+// Whether a natural frequency may be a multiple of the load's, for orbits that never stick.
 template <class T>
-bool may_be_resonant(const model::Oscillator<T>& o, bool sticks) {
+bool may_be_resonant(const model::Oscillator<T>& o) {
   for (const T& omega_j : {o.modes.omega1, o.modes.omega2}) {
     const auto [low, high] = scalars::ends(T(omega_j / o.data.omega).over);
-    const double first = std::max(std::ceil(low), 1.0);
-    // For orbits that stick only the load's own frequency matters: there (7) has no Q.
-    if (!(high < first) && (!sticks || first == 1)) {
+    if (!(high < std::max(std::ceil(low), 1.0))) {
       return true;
     }
   }
@@ -102,128 +98,205 @@ bool may_be_resonant(const model::Oscillator<T>& o, bool sticks) {
 
 // ---- one orbit
 
-struct Judged {
-  Truth admissible = Truth::undecided;
-  Truth stable = Truth::undecided;
-  std::uint8_t reason = 0;
-};
-
-// The requirements that an orbit of a family that never sticks has to meet when ur is not given: that some ur
-// > us is small enough, so (25) and (26) at ur = us.
-bool is_asked(const Requirement& q, bool ur_known) {
-  return ur_known || q.quantity != motion::Quantity::friction_step;
-}
-
-template <class S, int N>
-Judged judge_orbit(const Question& q, const Data<scalars::Form<S, N>, S>& data,
-                   const motion::MotionOf<scalars::Form<S, N>>& motion, bool without_load) {
-  using T = scalars::Form<S, N>;
-  const families::Family& family = *q.family;
-  const motion::PhaseOf<T>& first = motion.phases.front();
-  const bool sticks = families::has_stick(family);
-  const bool ur_known = sticks || data.ur.has_value();
-  const T ur = sticks ? T(model::friction_at<T>(data.parameters, first.Z, first.load))
-                      : data.ur.value_or(data.parameters.us);
-  std::vector<model::PhaseWaves<T>> waves;
-  for (const motion::PhaseOf<T>& phase : motion.phases) {
-    waves.push_back(motion::waves_of<T>(motion.oscillator, phase));
-  }
-  const double least = std::clamp(data.width / 16, 0x1p-30, 0x1p-5);
-  Judged result;
-  for (std::size_t k = 0; k < family.requirements.size(); ++k) {
-    if (!is_asked(family.requirements[k], ur_known)) {
-      continue;
+// Looks at what is not known of an orbit.
+template <class Orbit>
+void judge_orbit(const families::Family& family, const Orbit& orbit, double least, bool without_load,
+                 Knowledge::Orbit& known) {
+  if (known.admissible == Truth::undecided) {
+    known.conditions.resize(family.requirements.size());
+    bool all = true;
+    for (const bool along : {false, true}) {  // what costs little first
+      for (std::size_t k = 0; k < known.conditions.size(); ++k) {
+        const motion::Requirement& requirement = family.requirements[k];
+        Knowledge::Condition& condition = known.conditions[k];
+        if (requirement.along != along || condition.truth == Truth::proved) {
+          continue;
+        }
+        const Decision decision = orbit.holds(requirement, least, condition.open);
+        condition.truth = decision.truth;
+        condition.is_promising = decision.is_promising;
+        if (condition.truth == Truth::refuted) {
+          known.admissible = Truth::refuted;
+          known.conditions.clear();
+          return;
+        }
+        all = all && condition.truth == Truth::proved;
+      }
     }
-    const Truth truth = holds_over<S, N>(family.requirements[k], motion, waves, ur, least);
-    if (truth == Truth::refuted) {
-      return {Truth::refuted, Truth::refuted, 0};
+    if (!all) {
+      return;
     }
-    if (truth != Truth::proved && result.reason == 0) {
-      result.reason = static_cast<std::uint8_t>(static_cast<std::size_t>(Reason::condition) + k);
-    }
-  }
-  if (result.reason != 0) {
-    return result;
+    known.admissible = Truth::proved;
+    known.conditions.clear();
   }
   // Without load each shift in time of the orbit is an orbit: none attracts all of its neighbours.
-  const Truth stable =
-      without_load ? Truth::refuted : is_inside_unit_circle(characteristic_polynomial<T>(motion));
-  return {Truth::proved, stable,
-          static_cast<std::uint8_t>(stable == Truth::undecided ? Reason::stability : Reason::none)};
+  const Decision stable = without_load ? Decision{Truth::refuted} : orbit.stability();
+  known.stable = stable.truth;
+  known.stability_promising = stable.is_promising;
 }
+
+// ---- all orbits
 
 Finding open(Reason reason) {
   return {-1, -1, -1, static_cast<std::uint8_t>(reason)};
 }
 
-template <class S, int N>
-Finding judge_inside(const Question& q, const Box& box) {
-  using T = scalars::Form<S, N>;
-  const Data<T, S> data = forms_of<T, S>(box);
-  const model::Oscillator<T> o = model::oscillator<T>(data.parameters);
-  const bool sticks = families::has_stick(*q.family);
-  if (may_be_resonant(o, sticks)) {
-    return open(Reason::resonance);
-  }
-  const Sheets<T> found = sticks ? symmetric_sheets<T, S>(o, box) : nonsticking_sheets<T, S>(o, box);
-  if (const auto * reason = std::get_if<Reason>(&found)) {
-    return open(*reason);
-  }
-  const auto& sheets = std::get<std::vector<Sheet<T>>>(found);
-  const double least = std::clamp(data.width / 16, 0x1p-30, 0x1p-5);
-  const bool without_load = box[place_of_p].is_point() && box[place_of_p].lower == 0;
+// What is said of a box whose orbits are these.
+Finding finding_of(const std::vector<Knowledge::Sheet>& sheets) {
   Finding finding{0, 0, 0, 0};
-  std::vector<motion::MotionOf<T>> motions;
-  for (const Sheet<T>& sheet : sheets) {
-    std::vector<T> zeros;
-    if (!sheet.value) {
-      zeros.push_back(T(1) / T(2));
-    } else {
-      const auto brackets = zeros_over<S, N>(sheet.value, sheet.slope, least);
-      if (const auto * reason = std::get_if<Reason>(&brackets)) {
-        return open(*reason);
+  const auto leave_open = [&](std::size_t reason) {
+    finding.reason = finding.reason == 0 ? static_cast<std::uint8_t>(reason) : finding.reason;
+  };
+  bool admissible_known = true;
+  bool stable_known = true;
+  for (const Knowledge::Sheet& sheet : sheets) {
+    for (const Knowledge::Orbit& orbit : *sheet.orbits) {
+      ++finding.orbits;
+      finding.admissible = static_cast<std::int8_t>(finding.admissible + (orbit.admissible == Truth::proved));
+      finding.stable = static_cast<std::int8_t>(finding.stable + (orbit.stable == Truth::proved));
+      if (orbit.admissible == Truth::undecided) {
+        admissible_known = stable_known = false;
+        const auto is_open = [](const Knowledge::Condition& c) { return c.truth != Truth::proved; };
+        leave_open(
+            static_cast<std::size_t>(Reason::condition) +
+            static_cast<std::size_t>(std::find_if(orbit.conditions.begin(), orbit.conditions.end(), is_open) -
+                                     orbit.conditions.begin()));
+      } else if (!orbit.is_decided()) {
+        stable_known = false;
+        leave_open(static_cast<std::size_t>(Reason::stability));
       }
-      for (const Bracket& bracket : std::get<std::vector<Bracket>>(brackets)) {
-        zeros.push_back(sheet.never_admissible ? T(0) : zero_over<S, N>(sheet.value, sheet.slope, bracket));
-      }
-    }
-    const std::size_t orbits = static_cast<std::size_t>(finding.orbits) + zeros.size();
-    if (orbits > most_orbits) {
-      return open(Reason::too_many);
-    }
-    finding.orbits = static_cast<std::int8_t>(orbits);
-    for (std::size_t k = 0; k < zeros.size() && !sheet.never_admissible; ++k) {
-      const auto motion = sheet.motion(zeros[k]);
-      if (const auto * reason = std::get_if<Reason>(&motion)) {
-        return open(*reason);
-      }
-      motions.push_back(std::get<motion::MotionOf<T>>(motion));
     }
   }
-  bool stability_known = true;
-  for (const motion::MotionOf<T>& motion : motions) {
-    const Judged one = judge_orbit<S, N>(q, data, motion, without_load);
-    finding.reason = finding.reason == 0 ? one.reason : finding.reason;
-    if (one.admissible == Truth::undecided) {
-      return {finding.orbits, -1, -1, one.reason};
-    }
-    finding.admissible =
-        static_cast<std::int8_t>(finding.admissible + (one.admissible == Truth::proved ? 1 : 0));
-    finding.stable = static_cast<std::int8_t>(finding.stable + (one.stable == Truth::proved ? 1 : 0));
-    stability_known = stability_known && one.stable != Truth::undecided;
-  }
-  finding.stable = stability_known ? finding.stable : std::int8_t{-1};
+  finding.admissible = admissible_known ? finding.admissible : std::int8_t{-1};
+  finding.stable = stable_known ? finding.stable : std::int8_t{-1};
   return finding;
 }
 
+template <class S, int N>
+class Judge {
+  using T = scalars::Form<S, N>;
+  using Jet = scalars::Jet<T, 1>;
+
+ public:
+  Judge(const Question& q, const Box& box, bool last)
+      : family_(*q.family),
+        box_(box),
+        last_(last),
+        data_(forms_of<T, S>(box)),
+        setting_(setting_of<T>(data_.parameters, T(scalars::pi<S>()))),
+        lifted_(setting_.template lifted<Jet>()) {}
+
+  Finding operator()(Knowledge& known) {
+    const bool sticks = families::has_stick(family_);
+    if (!sticks && may_be_resonant(setting_.o)) {
+      return open(Reason::resonance);
+    }
+    const auto found = sheets_of<T>(family_, setting_, box_);
+    if (const auto * reason = std::get_if<Reason>(&found)) {
+      return open(*reason);
+    }
+    const auto& sheets = std::get<std::vector<Sheet>>(found);
+    if (known.sheets.size() != sheets.size()) {
+      known.sheets.assign(sheets.size(), {});
+    }
+    const Reason why = count_all(sheets, known);
+    if (why != Reason::none) {
+      return open(why);
+    }
+    const bool all_exist =
+        sticks ? judge_all<SymmetricOrbit<T>>(sheets, known) : judge_all<NonstickingOrbit<T>>(sheets, known);
+    return all_exist ? finding_of(known.sheets) : open(sticks ? Reason::no_amplitude : Reason::merging);
+  }
+
+ private:
+  [[nodiscard]] auto f(const Sheet& sheet) const {
+    return [&](const T& u) { return equation<T>(sheet, setting_, u); };
+  }
+  [[nodiscard]] auto df(const Sheet& sheet) const {
+    return [&](const Jet& u) { return equation<Jet>(sheet, lifted_, u); };
+  }
+
+  // Counts the zeros where that was not done; the reason why it could not be.
+  Reason count_all(const std::vector<Sheet>& sheets, Knowledge& known) const {
+    Reason why = Reason::none;
+    std::size_t orbits = 0;
+    for (std::size_t i = 0; i < sheets.size() && !(last_ && why != Reason::none); ++i) {
+      const Reason reason = known.sheets[i].orbits ? Reason::none : count(sheets[i], known.sheets[i]);
+      why = why == Reason::none ? reason : why;
+      orbits += reason == Reason::none ? known.sheets[i].orbits->size() : 0;
+    }
+    return why == Reason::none && orbits > most_orbits ? Reason::too_many : why;
+  }
+
+  Reason count(const Sheet& sheet, Knowledge::Sheet& known) const {
+    std::vector<Bracket> zeros{{}};
+    if (sheet.has_equation()) {
+      known.cells = settled<S, N>(f(sheet), df(sheet), known.cells, data_.least);
+      const auto found =
+          zeros_between(known.cells, [&](int u) { return detail::sign_of(f(sheet)(T(u)).over); });
+      if (const auto * reason = std::get_if<Reason>(&found)) {
+        return *reason;
+      }
+      zeros = std::get<std::vector<Bracket>>(found);
+      known.cells.clear();
+    }
+    known.orbits.emplace();
+    for (const Bracket& zero : zeros) {
+      Knowledge::Orbit& orbit = known.orbits->emplace_back();
+      orbit.zero = zero;
+      if (sheet.is_never_admissible()) {
+        orbit.exists = true;
+        orbit.admissible = Truth::refuted;
+      }
+    }
+    return Reason::none;
+  }
+
+  // False when a zero may be no orbit.
+  template <class Orbit>
+  bool judge_all(const std::vector<Sheet>& sheets, Knowledge& known) const {
+    std::vector<std::pair<Orbit, Knowledge::Orbit *>> orbits;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      for (Knowledge::Orbit& orbit : *known.sheets[i].orbits) {
+        if (orbit.exists && orbit.is_decided()) {
+          continue;
+        }
+        const T share = sheets[i].has_equation() ? zero_over<S, N>(f(sheets[i]), df(sheets[i]), orbit.zero)
+                                                 : T(T(1) / T(2));
+        const std::optional<Orbit> here = Orbit::at(sheets[i], setting_, share, data_.ur);
+        if (!here) {
+          return false;
+        }
+        orbit.exists = true;
+        orbits.emplace_back(*here, &orbit);
+      }
+    }
+    const bool without_load = box_[place_of_p].is_point() && box_[place_of_p].lower == 0;
+    for (const auto& [orbit, of_orbit] : orbits) {
+      judge_orbit(family_, orbit, data_.least, without_load, *of_orbit);
+      if (last_ && of_orbit->admissible == Truth::undecided && !of_orbit->is_promising()) {
+        break;
+      }
+    }
+    return true;
+  }
+
+  const families::Family& family_;
+  const Box& box_;
+  bool last_;
+  Data<T, S> data_;
+  Setting<T> setting_;
+  Setting<Jet> lifted_;
+};
+
 template <class S>
-Finding judge_with(const Question& q, const Box& box) {
-  return q.axes.size() <= 2 ? judge_inside<S, 3>(q, box) : judge_inside<S, 5>(q, box);
+Finding judge_with(const Question& q, const Box& box, bool last, Knowledge& known) {
+  return q.axes.size() <= 2 ? Judge<S, 3>(q, box, last)(known) : Judge<S, 5>(q, box, last)(known);
 }
 
 }  // namespace
 
-Finding judge(const Question& q, Tile tile, Balls balls) {
+Finding judge(const Question& q, Tile tile, Balls balls, Knowledge& known) {
   const WorkingPrecision scope(arb_bits);
   const Box box = box_of(q, tile);
   switch (place(q, box)) {
@@ -234,18 +307,48 @@ Finding judge(const Question& q, Tile tile, Balls balls) {
     case Where::inside:
       break;
   }
-  if (balls == Balls::hardware) {
-    return judge_with<scalars::HardwareBall>(q, box);
+  const bool last = depth(tile) >= q.finest();
+  if (balls != Balls::arb) {
+    const Finding finding = judge_with<scalars::HardwareBall>(q, box, last, known);
+    if (finding.is_decided() || balls == Balls::hardware ||
+        depth(tile) < enough_for_doubles * static_cast<int>(q.axes.size())) {
+      return finding;
+    }
   }
-  return judge_with<Ball>(q, box);
+  return judge_with<Ball>(q, box, last, known);
 }
 
-Finding judge(const Question& q, Tile tile) {
-  const Finding finding = judge(q, tile, Balls::hardware);
-  if (finding.is_decided() || depth(tile) < 26 * static_cast<int>(q.axes.size())) {
-    return finding;
+Knowledge known_around(const Question& q, Tile tile, Balls balls) {
+  Knowledge known;
+  for (int halvings = depth(tile); halvings > 0; --halvings) {
+    (void)judge(q, tile >> halvings, balls, known);
   }
-  return judge(q, tile, Balls::arb);
+  return known;
+}
+
+namespace {
+
+Finding judge_halves(const Question& q, Tile tile, Balls balls, Knowledge known, int halvings) {
+  const Finding all = judge(q, tile, balls, known);
+  if (all.is_decided() || halvings == 0 || depth(tile) == most_depth || !known.is_promising()) {
+    return all;
+  }
+  const Finding lower = judge_halves(q, 2 * tile, balls, known, halvings - 1);
+  const bool agree =
+      lower.is_decided() && judge_halves(q, 2 * tile + 1, balls, std::move(known), halvings - 1) == lower;
+  return agree ? lower : all;
+}
+
+}  // namespace
+
+Finding judge_finest(const Question& q, Tile tile, Balls balls, Knowledge known) {
+  return judge_halves(q, tile, balls, std::move(known), more_halvings);
+}
+
+Finding judge_from_whole(const Question& q, Tile tile, Balls balls) {
+  Knowledge known = known_around(q, tile, balls);
+  return depth(tile) == q.finest() ? judge_finest(q, tile, balls, std::move(known))
+                                   : judge(q, tile, balls, known);
 }
 
 }  // namespace stickslip::numeric::atlas

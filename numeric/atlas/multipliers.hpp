@@ -1,71 +1,120 @@
-// Whether all multipliers of a motion lie inside the unit circle, by the coefficients of their polynomial:
-// over any scalar with enclosures, without the multipliers.
+// Whether all multipliers of an admissible orbit lie inside the unit circle, over any scalar with enclosures:
+// without the multipliers, for each family by what is particular to it. T has a member `over`, its enclosure.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "core/verdict.hpp"
-#include "numeric/motion/multipliers.hpp"
+#include "numeric/atlas/along.hpp"
+#include "numeric/motion/monodromy.hpp"
+#include "numeric/scalars/form.hpp"
 
 namespace stickslip::numeric::atlas {
 
-// The coefficients of motion/multipliers.hpp over the leading one, which is left out.
+// Orbits that never stick. Admissible ones are stable, but for coincidences of frequencies.
+//
+// On C⁴ let E(w) = (w'* M w' + w* M K w)/2, M = diag(eta, 1), for which M K is symmetric and positive
+// definite. The flow H of a deviation w keeps E. A crossing of the belt multiplies w2' by rho = a+/a, the
+// accelerations x2'' = eta (u - r) after and before it. By (26) r < -ur < -us where an overshoot begins, so
+// rho = (-us - r)/(us - r) lies in (0, 1), and by (25) likewise rho = (r - us)/(r + us) where a slip begins:
+// E falls by (1 - rho²) |w2'|²/2. So no multiplier exceeds 1 in size. If |mu| = 1 and Phi w = mu w, nothing
+// is lost at either crossing: w2'(0) = w2'(tau) = 0, and H(Theta) w = mu w. Hence w is a sum of modes
+// exp(i nu t) with nu among ±omega1, ±omega2 and exp(i nu Theta) = mu. One mode alone has no zero of w2', for
+// lambda_j ≠ 0. Two, nu and nu', may have one at 0, and then have one at tau if and only if
+// exp(i (nu - nu') tau) = 1. Here |nu - nu'| is one of 2 omega1, 2 omega2, omega1 + omega2, omega2 - omega1,
+// and a whole multiple k omega since both have the same mu; with tau = u Theta the rest reads: k u is whole.
+// Three modes with one mu make three of those four such multiples.
+//
+// Proved unless a member may be such a coincidence; then undecided. share is u.
 template <class T>
-[[nodiscard]] std::vector<T> characteristic_polynomial(const motion::MotionOf<T>& motion) {
-  std::vector<T> c = motion::multiplier_polynomial<T>(motion);
-  const T leading = c.back();
-  c.pop_back();
-  if (c.size() == 3) {  // with a stick; else it is 1
-    for (T& coefficient : c) {
-      coefficient = coefficient / leading;
+[[nodiscard]] Decision stability_without_stick(const model::Oscillator<T>& o, const T& share) {
+  const model::Modes<T>& m = o.modes;
+  int multiples = 0;
+  for (const T& difference :
+       {T(T(2) * m.omega1), T(T(2) * m.omega2), T(m.omega1 + m.omega2), T(m.omega2 - m.omega1)}) {
+    const auto [low, high] = scalars::ends(T(difference / o.data.omega).over);
+    const double k = std::max(std::ceil(low), 1.0);
+    if (high < k) {
+      continue;
+    }
+    ++multiples;
+    if (!(high < k + 1)) {
+      return {Truth::undecided};
+    }
+    const auto [least, greatest] = scalars::ends(T(T(static_cast<int>(k)) * share).over);
+    if (!(greatest < std::ceil(least))) {
+      return {Truth::undecided};
     }
   }
-  return c;
+  return {multiples < 3 ? Truth::proved : Truth::undecided};
 }
 
-// Proved: all zeros of x^n + … + c[0] have |x| < 1. Refuted: one has |x| > 1. Both for every member; T has a
-// member `over`, its enclosure.
+// The elementary symmetric functions e1, e2, e3 of the three multipliers of a motion that slips for tau and
+// sticks for `lasts`, besides the multiplier 0 of its landing.
 //
-// By p(1) < 0 and (-1)^n p(-1) < 0, each of which means a real zero beyond; then by Schur and Cohn: with
-// k = p(0), the polynomial (p(x) - k x^n p(1/x))/(x (1 - k²)) of degree n - 1 has as many zeros outside the
-// circle as p, provided |k| < 1; and |k| > 1 is the product of the moduli of all zeros.
+// The map is seen where the stick begins, for deviations (z1, z2, z1'): G, the first three rows and columns
+// of Gamma(T); at the break-away the deviation s (z1, z2, z1') of z2', s a row with s3 = 0; then the slip, H
+// = H(tau), after which z2' is dropped. With H3 the first three rows and columns of H, h the first three of
+// its last column, the map is A G, A = H3 + h s.
+//   e1 = tr(H3 G) + s G h.
+//   e3 = det A, since det G = 1. The graph of s has the normal q0 = (-s, 1), so with det H = 1
+//   det A = (q0 H⁻¹)4, and adj A = e3 (H⁻¹)3 - p q, p and q the first three of H⁻¹ e4 and of q0 H⁻¹.
+//   e2 = tr(adj(A G)) = e3 tr(G⁻¹ (H⁻¹)3) - q G⁻¹ p.
+// Both flows are reversible: H⁻¹ = R H R with R = diag(-1, -1, 1, 1), and so is G. Hence
+//   e3 = H44 + s h,  e2 = e3 tr(H3 G) - w G h,  w the first three of (s, 1) H.
+//
+// s = kappa (-1, 1, 0), kappa = chi x2''(0+)/r' (model/saltation.hpp).
 template <class T>
-[[nodiscard]] Truth is_inside_unit_circle(std::vector<T> c) {
-  const auto less_than_one = [](const T& k) {
-    const T rest = T(1) - k * k;
-    return rest.over.is_positive()   ? Truth::proved
-           : rest.over.is_negative() ? Truth::refuted
-                                     : Truth::undecided;
-  };
-  T at_one(1);
-  T at_minus_one(1);
-  for (std::size_t i = c.size(); i-- > 0;) {
-    at_one += c[i];
-    at_minus_one = c[i] - at_minus_one;
-  }
-  if (c.size() % 2 == 1) {
-    at_minus_one = -at_minus_one;
-  }
-  if (at_one.over.is_negative() || at_minus_one.over.is_negative()) {
-    return Truth::refuted;
-  }
-  while (!c.empty()) {
-    const T k = c.front();
-    const Truth here = less_than_one(k);
-    if (here != Truth::proved) {
-      return here;
+[[nodiscard]] std::array<T, 3> symmetric_functions(const T& chi, const model::Modes<T>& modes, const T& tau,
+                                                   const T& lasts, const T& kappa) {
+  const auto H = model::H<T>(modes, tau);
+  const auto G = model::Gamma<T>(chi, lasts);
+  T trace(0);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      trace += H(i, j) * G(j, i);
     }
-    const std::size_t n = c.size();
-    const T rest = T(1) - k * k;
-    std::vector<T> reduced;
-    for (std::size_t i = 1; i < n; ++i) {
-      reduced.push_back((c[i] - k * c[n - i]) / rest);
-    }
-    c = std::move(reduced);
   }
-  return Truth::proved;
+  T along_s(0);  // s G h
+  T along_w(0);  // w G h
+  for (int i = 0; i < 3; ++i) {
+    const T Gh = G(i, 0) * H(0, 3) + G(i, 1) * H(1, 3) + G(i, 2) * H(2, 3);
+    along_s += T(i == 0 ? -1 : i == 1 ? 1 : 0) * Gh;
+    along_w += T(kappa * T(H(1, i) - H(0, i)) + H(3, i)) * Gh;
+  }
+  const T e3 = H(3, 3) + kappa * T(H(1, 3) - H(0, 3));
+  return {T(trace + kappa * along_s), T(e3 * trace - along_w), e3};
+}
+
+// Whether the zeros a, b, c of x³ - e1 x² + e2 x - e3, for real e1, e2, e3, all lie inside the unit circle;
+// at_one has the sign of 1 - e1 + e2 - e3.
+// Proved if these four are positive for every member, refuted (one lies outside) if one of them is negative:
+//   (1-a)(1-b)(1-c) = 1 - e1 + e2 - e3,           (1+a)(1+b)(1+c) = 1 + e1 + e2 + e3,
+//   (1-ab)(1-bc)(1-ca) = 1 - e2 + e1 e3 - e3²,    1 - (abc)² = 1 - e3².
+// For inside the circle each factor is positive, or one of two conjugate ones. Now let all four be positive.
+// If b and c are conjugate, the first two say |a| < 1, and the third is (1 - |b|²) |1 - ab|². If all are
+// real, an even number of them exceeds 1, and an even number is less than -1. If a, b > 1, then |c| <= 1 and
+// by the third (1 - bc)(1 - ca) < 0, say ca > 1: then abc > 1, against the fourth. As well for a, b < -1.
+template <class T>
+[[nodiscard]] Decision is_inside_unit_circle(const std::array<T, 3>& e, const T& at_one) {
+  const auto& [e1, e2, e3] = e;
+  const T square = e3 * e3;
+  bool all = true;
+  bool all_likely = true;
+  bool is_promising = false;  // the one that refutes it
+  for (const T& quantity :
+       {T(T(1) - square), at_one, T(T(1) + e1 + e2 + e3), T(T(1) - e2 + e1 * e3 - square)}) {
+    const Decision decision = decide_positive(quantity);
+    if (decision.truth == Truth::refuted) {
+      return {Truth::refuted};
+    }
+    all = all && decision.truth == Truth::proved;
+    all_likely = all_likely && (decision.truth == Truth::proved || decision.is_promising);
+    is_promising = is_promising || (decision.is_promising && quantity.over.approximate() < 0);
+  }
+  return all ? Decision{Truth::proved} : Decision{Truth::undecided, all_likely || is_promising};
 }
 
 }  // namespace stickslip::numeric::atlas

@@ -69,7 +69,9 @@ std::string sentence_of(const families::Family& family, std::uint8_t reason) {
     case Reason::resonance:
       return "a natural frequency may be a multiple of omega";
     case Reason::no_load:
-      return "the load may not act: p = 0, or omega = 1 for orbits that never stick";
+      return "p = 0 for some members, where both load phases are one";
+    case Reason::idle_load:
+      return "the load may not act on the mass on the belt: p = 0 or omega = 1";
     case Reason::belt_at_rest:
       return "V = 0 for some members, where the closing conditions are others";
     case Reason::merging:

@@ -49,8 +49,9 @@ enum class Reason : std::uint8_t {
   none = 0,
   outside,       // of the domain, for all members
   reaches_out,   // of the domain, for some
-  resonance,     // a natural frequency may be a multiple of the load's
-  no_load,       // p = 0 for some members, where both load phases are one
+  resonance,     // a natural frequency may be a multiple of the load's, for orbits that never stick
+  no_load,       // p = 0 for some members, where both load phases of symmetric orbits are one
+  idle_load,     // the load may not act on x2, for orbits that never stick and V = 0
   belt_at_rest,  // V = 0 for some members, where the equations of orbits that never stick change
   merging,       // two orbits may be one
   no_time,       // an orbit one of whose phases may last no time at all

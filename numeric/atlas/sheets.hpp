@@ -1,9 +1,9 @@
 // The closing conditions of a family as equations in one unknown u, the share of a phase in the period, over
 // a box of parameters: every closed motion of the family is a zero 0 < u < 1 of exactly one sheet, and every
-// such zero is one, unless `motion` says that it may not be.
+// such zero is one, unless the making of the motion says that it may not be. Over any scalar of boxes
+// (form.hpp).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -13,59 +13,77 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/scalars/form.hpp"
-#include "numeric/scalars/jet.hpp"
 
 namespace stickslip::numeric::atlas {
 
-template <class T>
 struct Sheet {
-  using Jet = scalars::Jet<T, 1>;
-  // f(u), and f with its derivative by u. Null for a sheet whose only zero is u = 1/2.
-  std::function<T(const T& u)> value;
-  std::function<Jet(const Jet& u)> slope;
-  // The motion at a zero, or why it may be none.
-  std::function<std::variant<motion::MotionOf<T>, Reason>(const T& u)> motion;
+  enum class Kind {
+    symmetric,  // Section 4: the eliminant of the reduced equations; sign: of the load phase
+    moving,     // never sticks, V ≠ 0: mu eliminated
+    even,       // never sticks, V = 0, sin(mu) = 0: G(delta) + sign A = 0
+    half,       // never sticks, V = 0, tau = Theta/2: u = 1/2 is the only zero; sign: of sin(mu)
+  } kind;
+  int sign = 1;
+
+  [[nodiscard]] bool has_equation() const { return kind != Kind::half; }
   // Its motions disobey a condition, as is known beforehand.
-  bool never_admissible = false;
+  [[nodiscard]] bool is_never_admissible() const { return kind == Kind::even; }
+};
+
+// What the sheets' equations are written in.
+template <class T>
+struct Setting {
+  model::Oscillator<T> o;
+  T pi;
+  model::Vector2<T> rest;  // of model/nonsticking.hpp, as A = q2 omega
+  T A;
+
+  // As constants of another scalar, by which the parameters are not differentiated.
+  template <class Q>
+  [[nodiscard]] Setting<Q> lifted() const {
+    return {{model::lift<Q>(o.data), model::lift<Q>(o.modes), model::lift<Q>(o.Q), model::lift<Q>(o.d0)},
+            Q(pi),
+            model::lift<Q>(rest),
+            Q(A)};
+  }
 };
 template <class T>
-using Sheets = std::variant<std::vector<Sheet<T>>, Reason>;
+[[nodiscard]] Setting<T> setting_of(const model::Parameters<T>& data, const T& pi) {
+  const model::Oscillator<T> o = model::oscillator<T>(data);
+  return {o, pi, model::modal_rest<T>(o.modes, o.d0), T(o.Q(1) * data.omega)};
+}
 
-// Section 4: a sheet for each load phase, the eliminant of the reduced equations
-// (model/symmetric_closing.hpp). With p = 0 both have the same orbits.
-template <class T, class S>
-[[nodiscard]] Sheets<T> symmetric_sheets(const model::Oscillator<T>& o, const Box& box) {
-  const Interval& p = box[place_of_p];
-  if (p.lower == 0 && p.upper > 0) {
-    return Reason::no_load;
+template <class T>
+[[nodiscard]] model::SymmetricData<T> symmetric_data(const Setting<T>& s, int sign) {
+  const model::Parameters<T>& a = s.o.data;
+  return {a.chi, s.o.modes, a.V, a.omega, a.p, T(T(2) * s.pi / a.omega), T(sign)};
+}
+
+// G of the equations below at delta = pi u.
+template <class T>
+[[nodiscard]] T slip_speed(const Setting<T>& s, const T& u) {
+  return model::friction_speed<T>(s.o.modes, s.rest, s.o.data.omega, s.pi, T(s.pi * u));
+}
+
+// f(u). Orbits that never stick, with u = delta/pi, obey the two equations of model/nonsticking.hpp,
+//   V + A sin(mu) cos(delta) = 0,  G(delta) + A cos(mu) = 0,  A = q2 omega.
+// For V ≠ 0 neither A nor cos(delta) vanishes at a zero, and mu can be eliminated: there is one mu, modulo
+// 2 pi, for each zero delta of V² + cos²(delta) (G² - A²). For V = 0 and A ≠ 0 either cos(delta) = 0 and
+// cos(mu) = -G(pi/2)/A, which two mu obey if |G(pi/2)| < |A| and none if it exceeds |A|; or sin(mu) = 0 and
+// G(delta) = ∓A, where x2' < 0 on the slip is impossible (model/nonsticking.hpp). Both at once only where
+// |G(pi/2)| = |A|.
+template <class T>
+[[nodiscard]] T equation(const Sheet& sheet, const Setting<T>& s, const T& u) {
+  if (sheet.kind == Sheet::Kind::symmetric) {
+    const model::SymmetricData<T> data = symmetric_data(s, sheet.sign);
+    return model::symmetric_eliminant<T>(data, T(data.Theta * u));
   }
-  const T half_turn(scalars::pi<S>());
-  std::vector<Sheet<T>> sheets;
-  for (const int sigma : {1, -1}) {
-    const model::SymmetricData<T> data{
-        o.data.chi, o.modes, o.data.V, o.data.omega, o.data.p, T(T(2) * half_turn / o.data.omega), T(sigma)};
-    const auto motion = [=](const T& u) -> std::variant<motion::MotionOf<T>, Reason> {
-      const T tau = data.Theta * u;
-      const model::SymmetricRows<T> rows = model::symmetric_rows<T>(data, tau);
-      const auto size = [&](int j) { return std::abs(rows.left(j).at.approximate()); };
-      const int j = size(0) > size(1) ? 0 : 1;
-      if (!rows.left(j).over.is_nonzero()) {
-        return Reason::no_amplitude;
-      }
-      return families::symmetric_motion<T>(data, o, half_turn, tau, T(rows.right(j) / rows.left(j)));
-    };
-    using Jet = typename Sheet<T>::Jet;
-    const model::SymmetricData<Jet> lifted{
-        data.chi, model::lift<Jet>(data.m), data.V, data.omega, data.p, data.Theta, data.sigma};
-    sheets.push_back(
-        {[=](const T& u) { return model::symmetric_eliminant<T>(data, T(data.Theta * u)); },
-         [=](const Jet& u) { return model::symmetric_eliminant<Jet>(lifted, Jet(lifted.Theta * u)); }, motion,
-         false});
-    if (p.upper == 0) {
-      break;
-    }
+  const T G = slip_speed(s, u);
+  if (sheet.kind == Sheet::Kind::even) {
+    return G + T(sheet.sign) * s.A;
   }
-  return sheets;
+  const T cosine = cos(T(s.pi * u));
+  return s.o.data.V * s.o.data.V + cosine * cosine * T(G * G - s.A * s.A);
 }
 
 // The angle whose cosine and sine these are, for every member a point of the unit circle. With mu0 near it,
@@ -91,69 +109,61 @@ template <class S, int N>
   mu.sharpen();
   return mu;
 }
-
-// Orbits that never stick, with u = delta/pi in the two equations of model/nonsticking.hpp,
-//   V + A sin(mu) cos(delta) = 0,  G(delta) + A cos(mu) = 0,  A = q2 omega.
-// For V ≠ 0 neither A nor cos(delta) vanishes at a zero, and mu can be eliminated: there is one mu, modulo
-// 2 pi, for each zero delta of V² + cos²(delta) (G² - A²). For V = 0 and A ≠ 0 either cos(delta) = 0 and
-// cos(mu) = -G(pi/2)/A, which two mu obey if |G(pi/2)| < |A| and none if it exceeds |A|; or sin(mu) = 0 and
-// G(delta) = ∓A, where x2' < 0 on the slip is impossible (model/nonsticking.hpp). Both at once only where
-// |G(pi/2)| = |A|.
-template <class T, class S>
-[[nodiscard]] Sheets<T> nonsticking_sheets(const model::Oscillator<T>& o, const Box& box) {
-  const T pi(scalars::pi<S>());
-  const T A = o.Q(1) * o.data.omega;
-  const model::Vector2<T> c = model::modal_rest<T>(o.modes, o.d0);
-  const auto G = [=]<class Q>(const Q& delta) {
-    return model::friction_speed<Q>(model::lift<Q>(o.modes), model::lift<Q>(c), Q(o.data.omega), Q(pi),
-                                    delta);
-  };
-  const auto motion = [=](const T& delta, const T& cosine,
-                          const T& sine) -> std::variant<motion::MotionOf<T>, Reason> {
-    const std::optional<T> mu = angle_of(cosine, sine);
-    if (!mu) {
-      return Reason::merging;
+// The motion that never sticks at a zero; nothing when two of them may be one.
+template <class T>
+[[nodiscard]] std::optional<motion::MotionOf<T>> motion_of(const Sheet& sheet, const Setting<T>& s,
+                                                           const T& u) {
+  const T delta = s.pi * u;
+  const T cosine = -slip_speed(s, u) / s.A;
+  std::optional<T> mu;
+  if (sheet.kind == Sheet::Kind::half) {
+    const T square = T(1) - cosine * cosine;
+    if (square.over.is_positive()) {
+      mu = angle_of(cosine, T(T(sheet.sign) * T(sqrt(square))));
     }
-    return families::two_slips_motion<T>(o, pi, delta, *mu);
-  };
+  } else {
+    const T product = s.A * T(cos(delta));
+    if (product.over.is_nonzero()) {
+      mu = angle_of(cosine, T(-s.o.data.V / product));
+    }
+  }
+  if (!mu) {
+    return std::nullopt;
+  }
+  return families::two_slips_motion<T>(s.o, s.pi, delta, *mu);
+}
+
+// All sheets, the same for every member, or why that cannot be told. With p = 0 both load phases of symmetric
+// orbits have the same orbits.
+template <class T>
+[[nodiscard]] std::variant<std::vector<Sheet>, Reason> sheets_of(const families::Family& family,
+                                                                 const Setting<T>& s, const Box& box) {
+  using Kind = Sheet::Kind;
+  if (families::has_stick(family)) {
+    const Interval& p = box[place_of_p];
+    if (p.lower == 0 && p.upper > 0) {
+      return Reason::no_load;
+    }
+    return p.upper == 0 ? std::vector<Sheet>{{Kind::symmetric, 1}}
+                        : std::vector<Sheet>{{Kind::symmetric, 1}, {Kind::symmetric, -1}};
+  }
   const Interval& V = box[place_of_V];
   if (V.lower > 0 || V.upper < 0) {
-    const auto equation = [=]<class Q>(const Q& u) {
-      const Q delta = Q(pi) * u;
-      const Q speed = G(delta);
-      const Q cosine = cos(delta);
-      return Q(Q(T(o.data.V * o.data.V)) + cosine * cosine * Q(speed * speed - Q(T(A * A))));
-    };
-    const auto at_zero = [=](const T& u) -> std::variant<motion::MotionOf<T>, Reason> {
-      const T delta = pi * u;
-      const T product = A * T(cos(delta));
-      if (!product.over.is_nonzero()) {
-        return Reason::merging;
-      }
-      return motion(delta, T(-G(delta) / A), T(-o.data.V / product));
-    };
-    return std::vector<Sheet<T>>{{equation, equation, at_zero, false}};
+    return std::vector<Sheet>{{Kind::moving}};
   }
   if (!V.is_point()) {
     return Reason::belt_at_rest;
   }
-  if (!A.over.is_nonzero()) {
-    return Reason::no_load;
+  if (!s.A.over.is_nonzero()) {
+    return Reason::idle_load;
   }
-  std::vector<Sheet<T>> sheets;
-  for (const int sign : {1, -1}) {
-    const auto equation = [=]<class Q>(const Q& u) { return Q(G(Q(Q(pi) * u)) + Q(T(T(sign) * A))); };
-    sheets.push_back({equation, equation, nullptr, true});
-  }
-  const T half = pi / T(2);
-  const T cosine = -G(half) / A;
-  const T square = T(1) - cosine * cosine;
-  if (square.over.is_positive()) {
-    for (const int sign : {1, -1}) {
-      sheets.push_back({nullptr, nullptr,
-                        [=](const T&) { return motion(half, cosine, T(T(sign) * T(sqrt(square)))); }, false});
-    }
-  } else if (!square.over.is_negative()) {
+  std::vector<Sheet> sheets{{Kind::even, 1}, {Kind::even, -1}};
+  const T cosine = slip_speed(s, T(T(1) / T(2))) / s.A;
+  const auto square = T(T(1) - cosine * cosine).over;
+  if (square.is_positive()) {
+    sheets.push_back({Kind::half, 1});
+    sheets.push_back({Kind::half, -1});
+  } else if (!square.is_negative()) {
     return Reason::merging;
   }
   return sheets;

@@ -13,26 +13,35 @@ namespace {
 
 constexpr int boxes_of_block = 2000;
 constexpr std::chrono::seconds longest_block{2};
-
 }  // namespace
 
 Block work_on(const Question& q, Tile tile, const std::function<bool()>& stop) {
   const auto until = std::chrono::steady_clock::now() + longest_block;
+  struct Task {
+    Tile tile;
+    Knowledge known;  // of the box that it is a half of
+  };
+  std::vector<Task> tasks;
+  tasks.push_back({tile, known_around(q, tile, Balls::both)});
   Block block;
-  block.rest.push_back(tile);
   for (int judged = 0;
-       !block.rest.empty() && judged < boxes_of_block && std::chrono::steady_clock::now() < until && !stop();
+       !tasks.empty() && judged < boxes_of_block && std::chrono::steady_clock::now() < until && !stop();
        ++judged) {
-    const Tile here = block.rest.back();
-    block.rest.pop_back();
-    const Finding finding = judge(q, here);
+    auto [here, known] = std::move(tasks.back());
+    tasks.pop_back();
+    const bool finest = depth(here) == q.finest();
+    const Finding finding =
+        finest ? judge_finest(q, here, Balls::both, std::move(known)) : judge(q, here, Balls::both, known);
     const bool outside = finding.reason == static_cast<std::uint8_t>(Reason::outside);
-    if (finding.is_decided() || outside || depth(here) == q.finest()) {
+    if (finding.is_decided() || outside || finest) {
       block.leaves.push_back({here, finding});
     } else {
-      block.rest.push_back(2 * here + 1);
-      block.rest.push_back(2 * here);
+      tasks.push_back({2 * here + 1, known});
+      tasks.push_back({2 * here, std::move(known)});
     }
+  }
+  for (const Task& task : tasks) {
+    block.rest.push_back(task.tile);
   }
   return block;
 }

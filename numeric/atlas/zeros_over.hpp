@@ -7,11 +7,11 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 #include <tuple>
 #include <variant>
 #include <vector>
 
+#include "numeric/atlas/knowledge.hpp"
 #include "numeric/atlas/question.hpp"
 #include "numeric/scalars/form.hpp"
 #include "numeric/scalars/jet.hpp"
@@ -24,21 +24,7 @@ template <class T>
   return scalars::Jet<T, 1>::variable(u, 0);
 }
 
-// f has exactly one zero in [first, last], for every member of the box, and f' keeps its sign there: it lies
-// between these bounds.
-struct Bracket {
-  double first, last;
-  double least_slope, greatest_slope;
-};
-
 namespace detail {
-
-// On a cell: f keeps the sign `value`, or else f' keeps the sign `slope`; 0 where that is not known.
-struct Piece {
-  double first, last;
-  int value = 0, slope = 0;
-  double least_slope = 0, greatest_slope = 0;
-};
 
 template <class S>
 [[nodiscard]] int sign_of(const S& x) {
@@ -46,83 +32,96 @@ template <class S>
 }
 
 inline constexpr int most_cells = 500;
-
-// From left to right; nothing if cells below the given length are not settled.
-template <class S, int N, class F, class D>
-[[nodiscard]] std::optional<std::vector<Piece>> pieces_of(const F& f, const D& df, double least) {
-  using T = scalars::Form<S, N>;
-  std::vector<Piece> pieces;
-  std::vector<Piece> open;
-  for (int k = 7; k >= 0; --k) {
-    open.push_back({k / 8.0, (k + 1) / 8.0});
-  }
-  for (int examined = 0; !open.empty(); ++examined) {
-    Piece cell = open.back();
-    open.pop_back();
-    const double middle = (cell.first + cell.last) / 2;  // exact, as are the cells
-    const T u = T::variable(middle, cell.last - middle, 0);
-    cell.value = sign_of(f(u).over);
-    if (cell.value == 0) {
-      const S slope = df(as_variable(u)).partials[0].over;
-      cell.slope = sign_of(slope);
-      std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(slope);
-    }
-    if (cell.value != 0 || cell.slope != 0) {
-      pieces.push_back(cell);
-    } else if (cell.last - cell.first > least && examined < most_cells) {
-      open.push_back({middle, cell.last});
-      open.push_back({cell.first, middle});
-    } else {
-      return std::nullopt;
-    }
-  }
-  return pieces;
-}
+inline constexpr double longest_cell = 0.125;
 
 }  // namespace detail
 
-// All zeros. f: Form -> Form and df, the same from jets of Forms; their variable 0 is free for u. `least` is
-// how short cells may become.
+// Cuts what is not known of the cells until it is, or cells would be shorter than `least`. f: Form -> Form
+// and df, the same from jets of Forms; their variable 0 is free for u.
 template <class S, int N, class F, class D>
-[[nodiscard]] std::variant<std::vector<Bracket>, Reason> zeros_over(const F& f, const D& df, double least) {
+[[nodiscard]] std::vector<Cell> settled(const F& f, const D& df, const std::vector<Cell>& cells,
+                                        double least) {
   using T = scalars::Form<S, N>;
-  const auto pieces = detail::pieces_of<S, N>(f, df, least);
-  if (!pieces) {
-    return Reason::merging;
+  std::vector<Cell> result;
+  std::vector<Cell> todo(cells.rbegin(), cells.rend());
+  for (int examined = 0; !todo.empty();) {
+    Cell cell = todo.back();
+    todo.pop_back();
+    if (cell.value != 0 || cell.slope != 0 || examined >= detail::most_cells) {
+      result.push_back(cell);
+      continue;
+    }
+    const double middle = (cell.first + cell.last) / 2;  // exact, as are the cells
+    bool hopeless = false;
+    if (cell.last - cell.first <= detail::longest_cell) {
+      ++examined;
+      const T u = T::variable(middle, cell.last - middle, 0);
+      const T value = f(u);
+      cell.value = detail::sign_of(value.over);
+      if (cell.value == 0) {
+        const T slope = df(as_variable(u)).partials[0];
+        cell.slope = detail::sign_of(slope.over);
+        std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(slope.over);
+        // What the parameters alone leave open no shorter cell decides.
+        const auto is_wide = [](const T& x) {
+          const S spread = x.over_from(1);
+          return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.25));
+        };
+        hopeless = is_wide(value) && is_wide(slope);
+        cell.is_promising = scalars::is_likely_nonzero(value, 1) || scalars::is_likely_nonzero(slope, 1);
+      }
+    }
+    if (cell.value != 0 || cell.slope != 0 || hopeless || cell.last - cell.first <= least) {
+      result.push_back(cell);
+    } else {
+      todo.push_back({middle, cell.last});
+      todo.push_back({cell.first, middle});
+    }
   }
-  const auto sign_at_end = [&](int u) { return detail::sign_of(f(T(u)).over); };
+  return result;
+}
+
+// All zeros, of which these cells tell, or why not; sign_at_end(u) is the sign of f at u = 0 or 1.
+template <class Sign>
+[[nodiscard]] std::variant<std::vector<Bracket>, Reason> zeros_between(const std::vector<Cell>& cells,
+                                                                       const Sign& sign_at_end) {
+  const std::size_t n = cells.size();
+  for (const Cell& cell : cells) {
+    if (cell.value == 0 && cell.slope == 0) {
+      return Reason::merging;
+    }
+  }
   std::vector<Bracket> zeros;
-  const std::size_t n = pieces->size();
-  int before = (*pieces)[0].value != 0 ? 0 : sign_at_end(0);
-  if ((*pieces)[0].value == 0 && before == 0) {
+  int before = cells[0].value != 0 ? 0 : sign_at_end(0);
+  if (cells[0].value == 0 && before == 0) {
     return Reason::no_time;
   }
   for (std::size_t i = 0; i < n;) {
-    const detail::Piece& piece = (*pieces)[i];
-    if (piece.value != 0) {
-      if (before != 0 && before != piece.value) {
+    const Cell& cell = cells[i];
+    if (cell.value != 0) {
+      if (before != 0 && before != cell.value) {
         return Reason::merging;  // neighbours share a point: this cannot happen
       }
-      before = piece.value;
+      before = cell.value;
       ++i;
       continue;
     }
-    Bracket run{piece.first, piece.last, piece.least_slope, piece.greatest_slope};
+    Bracket run{cell.first, cell.last, cell.least_slope, cell.greatest_slope};
     std::size_t last = i;
-    for (; last + 1 < n && (*pieces)[last + 1].value == 0; ++last) {
-      const detail::Piece& next = (*pieces)[last + 1];
-      if (next.slope != piece.slope) {
+    for (; last + 1 < n && cells[last + 1].value == 0; ++last) {
+      const Cell& next = cells[last + 1];
+      if (next.slope != cell.slope) {
         return Reason::merging;  // nor this
       }
-      run = {piece.first, next.last, std::min(run.least_slope, next.least_slope),
+      run = {cell.first, next.last, std::min(run.least_slope, next.least_slope),
              std::max(run.greatest_slope, next.greatest_slope)};
     }
-    const int after = last + 1 < n ? (*pieces)[last + 1].value : sign_at_end(1);
+    const int after = last + 1 < n ? cells[last + 1].value : sign_at_end(1);
     if (after == 0) {
       return Reason::no_time;
     }
     if (after != before) {
-      if (after != piece.slope) {
+      if (after != cell.slope) {
         return Reason::merging;  // nor this
       }
       zeros.push_back(run);
@@ -135,11 +134,12 @@ template <class S, int N, class F, class D>
 
 // The zero as a function of the parameters: at the middle of the box, over it, and its slopes -f_i/f_u. The
 // bracket is cut as long as f keeps a sign a quarter from one of its ends over the whole box; then follows
-// Newton's interval operator, where the centre, a double, is only the point of expansion.
+// Newton's interval operator, where the centre, a double, is only the point of expansion. What is found out
+// of the bracket is left there.
 template <class S, int N, class F, class D>
-[[nodiscard]] scalars::Form<S, N> zero_over(const F& f, const D& df, const Bracket& bracket) {
+[[nodiscard]] scalars::Form<S, N> zero_over(const F& f, const D& df, Bracket& bracket) {
   using T = scalars::Form<S, N>;
-  const bool rises = bracket.least_slope > 0;
+  const bool rises = bracket.least_slope + bracket.greatest_slope > 0;
   double first = bracket.first;
   double last = bracket.last;
   for (bool cut = true; cut && last - first > 0x1p-40;) {
@@ -162,6 +162,7 @@ template <class S, int N, class F, class D>
     const scalars::Jet<T, 1> around = df(as_variable(T::variable(centre, reach, 0)));
     if (around.partials[0].over.is_nonzero()) {
       slope = around.partials[0].over;
+      std::tie(bracket.least_slope, bracket.greatest_slope) = scalars::ends(slope);
     }
     const T here = f(T(S(centre)));
     zero.at = S(centre) - here.at / slope;
@@ -178,6 +179,8 @@ template <class S, int N, class F, class D>
       break;
     }
   }
+  bracket.first = first;
+  bracket.last = last;
   const S range = scalars::around<S>(first, last);
   zero.over = scalars::is_narrower(range, zero.over) ? range : zero.over;
   return zero;

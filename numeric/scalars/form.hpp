@@ -105,7 +105,9 @@ struct Form {
     result.at = std::move(middle);
     result.over = std::move(range);
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-      result.slopes[i] = slope * slopes[i];
+      if (!is_zero(slopes[i])) {
+        result.slopes[i] = slope * slopes[i];
+      }
     }
     result.sharpen();
     return result;
@@ -132,7 +134,9 @@ struct Form {
     at += b.at;
     over += b.over;
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-      slopes[i] += b.slopes[i];
+      if (!is_zero(b.slopes[i])) {
+        slopes[i] += b.slopes[i];
+      }
     }
     sharpen();
     return *this;
@@ -141,7 +145,9 @@ struct Form {
     at -= b.at;
     over -= b.over;
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-      slopes[i] -= b.slopes[i];
+      if (!is_zero(b.slopes[i])) {
+        slopes[i] -= b.slopes[i];
+      }
     }
     sharpen();
     return *this;
@@ -155,7 +161,12 @@ struct Form {
     result.at = a.at * b.at;
     result.over = a.over * b.over;
     for (std::size_t i = 0; i < result.slopes.size(); ++i) {
-      result.slopes[i] = a.over * b.slopes[i] + b.over * a.slopes[i];
+      if (!is_zero(b.slopes[i])) {
+        result.slopes[i] = a.over * b.slopes[i];
+      }
+      if (!is_zero(a.slopes[i])) {
+        result.slopes[i] += b.over * a.slopes[i];
+      }
     }
     result.sharpen();
     return result;
@@ -165,7 +176,9 @@ struct Form {
     result.at = a.at / b.at;
     result.over = a.over / b.over;
     for (std::size_t i = 0; i < result.slopes.size(); ++i) {
-      result.slopes[i] = (a.slopes[i] - result.over * b.slopes[i]) / b.over;
+      if (!is_zero(a.slopes[i]) || !is_zero(b.slopes[i])) {
+        result.slopes[i] = (a.slopes[i] - result.over * b.slopes[i]) / b.over;
+      }
     }
     result.sharpen();
     return result;
@@ -201,6 +214,19 @@ struct Form {
     return zeros;
   }
 };
+
+// Whether a quantity would keep its sign where all variables before the first are 0, were the box so small
+// that the ranges of its slopes hardly had a width. It proves nothing: it tells whether smaller boxes are
+// likely to decide.
+template <class S, int N>
+[[nodiscard]] bool is_likely_nonzero(const Form<S, N>& x, std::size_t first = 0) {
+  double sum = 0;
+  for (std::size_t i = first; i < x.slopes.size(); ++i) {
+    const auto [low, high] = ends(x.slopes[i]);
+    sum += std::abs(low / 2 + high / 2) + 0x1p-8 * (high - low);
+  }
+  return std::abs(x.at.approximate()) > sum;
+}
 
 }  // namespace stickslip::numeric::scalars
 

@@ -79,7 +79,7 @@ TEST_CASE("Processes make the same atlas together, also when one of them, or mpi
     CHECK(content(out) == content(alone));
   }
   std::mt19937_64 random(23);
-  for (int k = 0; k < 10; ++k) {
+  for (int k = 0; k < kills(); ++k) {
     const std::string out = directory / ("k" + std::to_string(k));
     const std::string which = k % 3 == 0 ? "mpirun" : "stickslip";
     // The shell kills mpirun, or one of the processes that it has started, after a while, and then what may

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -71,6 +72,11 @@ Run run_into(const std::string& program, const Words& arguments, const std::stri
   result.out = std::filesystem::is_regular_file(output) ? content(output) : std::string();
   result.err = content(err);
   return result;
+}
+
+int kills() {
+  const char * const given = std::getenv("STICKSLIP_KILLS");
+  return given == nullptr ? 10 : std::atoi(given);
 }
 
 Run run(const std::string& program, const Words& arguments) {

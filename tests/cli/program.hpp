@@ -16,6 +16,9 @@ using Words = std::vector<std::string>;
 // What is in the file.
 [[nodiscard]] std::string content(const std::filesystem::path& file);
 
+// How often a test kills what it has started: STICKSLIP_KILLS, or ten times.
+[[nodiscard]] int kills();
+
 struct Run {
   int code = -1;  // the exit code; 128 + n if signal n ended the program
   std::string out;
