@@ -14,8 +14,8 @@ model::OvershootingData<T> data_of(const model::Parameters<T>& a) {
           a.omega, a.p,   T(T(2) * T(scalars::pi<S>()) / a.omega)};
 }
 
-// All linear unknowns eliminated from the rows: (a, C, D), where ur is given cos psi and sin psi, too, and the
-// functions that must vanish then. Nothing where the rows may be dependent.
+// All linear unknowns eliminated from the rows: (a, C, D), where ur is given cos psi and sin psi, too, and
+// the functions that must vanish then. Nothing where the rows may be dependent.
 template <class T, int U>
 struct WithoutLinear {
   Eigen::Matrix<T, 2, 1> vanish;
