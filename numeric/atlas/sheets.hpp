@@ -93,7 +93,8 @@ template <class S, int N>
 [[nodiscard]] std::optional<scalars::Form<S, N>> angle_of(const scalars::Form<S, N>& c,
                                                           const scalars::Form<S, N>& s) {
   const S mu0(std::atan2(s.at.approximate(), c.at.approximate()));
-  const auto [s0, c0] = sin_cos(mu0);
+  const std::pair<S, S> both = sin_cos(mu0);
+  const S &s0 = both.first, &c0 = both.second;
   if (!(c.over * c0 + s.over * s0).is_positive()) {
     return std::nullopt;
   }

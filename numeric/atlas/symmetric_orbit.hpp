@@ -160,7 +160,8 @@ class SymmetricOrbit {
     const model::Vector4<T> Z0 = model::symmetric_start<T>(a_, tau_, C_);
     const T det = a_.m.lambda2 - a_.m.lambda1;
     const T half = tau_ / T(2);
-    const auto [load_sine, load_cosine] = sin_cos(T(a_.omega * half));
+    const std::pair<T, T> load = sin_cos(T(a_.omega * half));
+    const T &load_sine = load.first, &load_cosine = load.second;
     const auto mode = [&](const T& omega, const T& lambda, const T& other, int sign) {
       // y_j and y_j' at s = -tau/2, where y_j is odd: b_j from sin² + cos² = 1.
       const T y = T(sign) * (Z0(1) - other * Z0(0)) / det;
