@@ -179,9 +179,14 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
 // The arguments that the program, as opposed to its commands, was given beyond its own.
 void require_command(const CLI::App& program) {
   const std::vector<std::string> strangers = program.remaining();
+  std::vector<std::string> names;
+  for (const CLI::App * command : program.get_subcommands([](const CLI::App *) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  const std::string last = names.back();
+  names.pop_back();
   const std::string known =
-      "the commands are audit, check, certify, latex, orbits, branch, attractors and simulate; see stickslip "
-      "--help";
+      fmt::format("the commands are {} and {}; see stickslip --help", fmt::join(names, ", "), last);
   if (!strangers.empty()) {
     const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
     throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
