@@ -8,7 +8,7 @@ using namespace stickslip;
 
 TEST_CASE("what is not understood is named in one sentence") {
   check_refused({
-      {{}, exit_usage, "a command is missing"},
+      {{}, exit_usage, "orbits, branch, attractors, atlas and simulate"},
       {{"frobnicate"}, exit_usage, "frobnicate"},
       {{"--frob"}, exit_usage, "--frob"},
       {{""}, exit_usage, "command"},
