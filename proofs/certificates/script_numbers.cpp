@@ -203,7 +203,8 @@ std::string Script::one_zero(const Theorem& theorem) {
       const Term slope = partial(one, x[number(j)]).term;
       row.push_back(coq(slope));
       slopes(i, j) = estimated(slope, values);
-      if (is_rational(slope)) {
+      const Real units = std::ldexp(slopes(i, j), unit_exponent);
+      if (is_rational(slope) && units == std::nearbyint(units)) {
         cases += fmt::format("  cbv [nth entry_of {0}_J {0}_M {0}_W]; exact_entry.\n", name);
         continue;
       }
