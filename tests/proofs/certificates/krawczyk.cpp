@@ -14,14 +14,18 @@ using namespace stickslip::proofs::kernel;
 
 namespace {
 
-// x y = 1/4, cos(x) = y + 1/2.
+// x y = 1/4, (cos(x) - y - 1/2)/5 = 0, of which one derivative is a number that has no finite binary
+// expansion.
 methods::Claim claim(const Rational& about_x, const Rational& about_y) {
   const Variable X{"X", real_matrix(2, 1)};
   const Term x = entry(X, 0), y = entry(X, 1);
   const Rational radius(1, 1L << 30);
-  const Theorem theorem =
-      Theorem::one_zero(X, matrix(2, 1, {x * y - Rational(1, 4), kernel::cos(x) - y - Rational(1, 2)}),
-                        {{about_x - radius, about_x + radius}, {about_y - radius, about_y + radius}});
+  const Theorem theorem = Theorem::one_zero(
+      X,
+      matrix(
+          2, 1,
+          {x * y - Rational(1, 4), Rational(1, 5) * kernel::cos(x) - Rational(1, 5) * y - Rational(1, 10)}),
+      {{about_x - radius, about_x + radius}, {about_y - radius, about_y + radius}});
   return {.id = "zero", .words = "two equations have one solution", .prove = [theorem](auto&, const auto&) {
             methods::Outcome outcome;
             outcome.theorems = {theorem};
