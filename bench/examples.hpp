@@ -38,7 +38,7 @@ struct Problem {
 };
 
 [[nodiscard]] inline Problem problem(const char * name) {
-  const proofs::pascal2012::Example& example = proofs::pascal2012::example_named(name);
+  const proofs::methods::Example& example = proofs::pascal2012::example_named(name);
   const numeric::motion::Given<Rational> given{example.data, example.phi, {}};
   const auto printed = example.results.front();  // tau, or for P Theta, which all orbits have
   for (const numeric::families::Candidate& candidate : example.family->search(given).candidates) {

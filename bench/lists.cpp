@@ -5,11 +5,12 @@
 #include <optional>
 
 #include "bench/examples.hpp"
-#include "proofs/pascal2012/example_orbits.hpp"
+#include "proofs/methods/example_orbits.hpp"
 
 namespace stickslip::bench {
 
-using namespace proofs::pascal2012;
+using namespace proofs::methods;
+using proofs::pascal2012::example_named;
 
 namespace {
 
