@@ -81,7 +81,7 @@ for target in "${targets[@]}"; do
       # What it writes, where it is told to, and says of it: no certificate at all.
       printf '%s\n' 'case "$*" in *--record*) echo "0 of 0 theorems certified, 0 axioms"; exit ;; esac' \
         'while [ $# -gt 1 ] && [ "$1" != --out ]; do shift; done' \
-        '[ $# -lt 2 ] || mkdir -p "$2"' | sed -i '1r /dev/stdin' "$here/cli/stickslip" ;;
+        '[ $# -lt 2 ] || { mkdir -p "$2" && echo all: >"$2/Makefile"; }' | sed -i '1r /dev/stdin' "$here/cli/stickslip" ;;
     stickslip_python) has python "$here/configured" || refuse "cmake: unknown target $target"; program python/$target ;;
     stickslip_bench) has bench "$here/configured" || refuse "cmake: unknown target $target"; program bench/$target ;;
     test_*) has test "$here/configured" || refuse "cmake: unknown target $target"; program "tests/$target" ;;
@@ -173,8 +173,10 @@ run() {
   ((++runs))
 }
 
-mkdir -p "$work/next/tree"
+mkdir -p "$work/next/tree/bench"
 cp -r "$root/script" "$root/.ci" "$work/next/tree"
+# Measures nothing, but needs what it would measure.
+echo 'open("build/release/bench/stickslip_bench")' >"$work/next/tree/bench/measure.py"
 for room in core symbolic numeric proofs report cli; do
   mkdir -p "$work/next/tree/$room" "$work/next/tree/tests/$room"
   touch "$work/next/tree/$room/CMakeLists.txt" "$work/next/tree/tests/$room/CMakeLists.txt"
