@@ -14,10 +14,16 @@ function(stickslip_precompiled name)
     <sstream> <string> <utility> <vector> ${arg_HEADERS})
 endfunction()
 
-# GiNaC's header needs GiNaC's library wherever it is included.
-stickslip_precompiled(stickslip_numeric_headers HEADERS <Eigen/Core> <fmt/format.h> LIBRARIES Eigen3::Eigen fmt::fmt)
-stickslip_precompiled(stickslip_symbolic_headers HEADERS <Eigen/Core> <fmt/format.h> <ginac/ginac.h>
-                      LIBRARIES Eigen3::Eigen fmt::fmt PkgConfig::GINAC)
+# Each room's set has those of the rooms below it. GiNaC's header needs GiNaC's library wherever it is included.
+set(stickslip_numeric_set <Eigen/Core> <fmt/format.h> <tbb/parallel_for.h>)
+set(stickslip_symbolic_set ${stickslip_numeric_set} <ginac/ginac.h>)
+set(stickslip_report_set ${stickslip_symbolic_set} <nlohmann/json.hpp>)
+set(stickslip_numeric_needs Eigen3::Eigen fmt::fmt TBB::tbb)
+set(stickslip_symbolic_needs ${stickslip_numeric_needs} PkgConfig::GINAC)
+set(stickslip_report_needs ${stickslip_symbolic_needs} nlohmann_json::nlohmann_json)
+foreach(room numeric symbolic report)
+  stickslip_precompiled(stickslip_${room}_headers HEADERS ${stickslip_${room}_set} LIBRARIES ${stickslip_${room}_needs})
+endforeach()
 
 # What computes nothing itself (statements, pages, tests) compiles in half the time with less optimisation. GCC 12 then
 # warns of its own library.
