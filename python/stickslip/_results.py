@@ -33,6 +33,12 @@ def _given(cls: Any, data: Dict[str, Any], **more: Any) -> Any:
     return cls(**{**{key: value for key, value in data.items() if key in names}, **more})
 
 
+def _with(result: Any, found: Any) -> Any:
+    """The result, which from now on knows what it is made of: what draws, and no field of it."""
+    result.__dict__["_found"] = found
+    return result
+
+
 @dataclass(frozen=True)
 class Condition:
     """An inequality along the whole motion, decided."""
@@ -125,13 +131,10 @@ class Orbits:
     remarks: Tuple[str, ...]
     seen: str  #: of a word: what was met in place of an orbit
     json: Dict[str, Any] = field(repr=False, compare=False)  #: as orbits --json prints it
-    _found: Any = field(repr=False, compare=False)  # what has json(); of a family, svg()
 
     @classmethod
     def _from(cls, found: Any) -> "Orbits":
-        orbits = object.__new__(cls)
-        orbits.__dict__["_found"] = found
-        return orbits
+        return _with(object.__new__(cls), found)
 
     def __getattr__(self, name: str) -> Any:
         if name not in _names(Orbits) or "_found" not in self.__dict__:
@@ -269,14 +272,14 @@ class Branches:
     unresolved: Tuple[Unresolved, ...]  #: where more may be; "value" is the parameter's
     at: Optional[str] = None  #: only the branches of the orbits at this value were asked for
     json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as branch --json prints it
-    _list: Any = field(default=None, repr=False, compare=False)
 
     @classmethod
     def _from(cls, found: Any) -> "Branches":
         data = _json.loads(found.json())
-        return _given(cls, data, interval=tuple(data["interval"]), json=data, _list=found,
-                      branches=tuple(Branch._from(b) for b in data["branches"]),
-                      counts=tuple(Count._from(c) for c in data["counts"]), unresolved=_unresolved(data))
+        branches = _given(cls, data, interval=tuple(data["interval"]), json=data, unresolved=_unresolved(data),
+                          branches=tuple(Branch._from(b) for b in data["branches"]),
+                          counts=tuple(Count._from(c) for c in data["counts"]))
+        return _with(branches, found)
 
     def __len__(self) -> int:
         return len(self.branches)
@@ -289,7 +292,7 @@ class Branches:
 
     def svg(self) -> str:
         """The diagram, drawn by gnuplot; empty where there is nothing to draw. Raises InputOutputError without it."""
-        return self._list.svg()
+        return self._found.svg()
 
     def _repr_svg_(self) -> Optional[str]:
         return self.svg() or None
@@ -311,29 +314,29 @@ class Atlas:
     stable: "numpy.ndarray"  #: of the latter; -1: not known
     reason: "numpy.ndarray"  #: shape (n,), of text: why a box is left open; empty where it is decided
     json: Dict[str, Any] = field(repr=False)  #: as atlas --json prints it
-    _archive: Any = field(repr=False)
 
     @classmethod
-    def _from(cls, archive: Any) -> "Atlas":
+    def _from(cls, found: Any) -> "Atlas":
         import numpy
 
-        data, columns = _json.loads(archive.json()), archive.columns()
+        data, columns = _json.loads(found.json()), found.columns()
         orbits, admissible, stable, reason = columns["found"].T
-        return cls(data["family"], tuple(data["axes"]), data["parameters"], data["resolution"],
-                   {name: Fraction(data["volume"][name]) for name in ("decided", "outside", "open")},
-                   columns["lower"], columns["upper"], orbits, admissible, stable,
-                   numpy.array(["", *columns["reasons"][1:]])[reason], data, archive)
+        atlas = cls(data["family"], tuple(data["axes"]), data["parameters"], data["resolution"],
+                    {name: Fraction(data["volume"][name]) for name in ("decided", "outside", "open")},
+                    columns["lower"], columns["upper"], orbits, admissible, stable,
+                    numpy.array(["", *columns["reasons"][1:]])[reason], data)
+        return _with(atlas, found)
 
     def __len__(self) -> int:
         return len(self.orbits)
 
     def box(self, number: int) -> Dict[str, Tuple[Fraction, Fraction]]:
         """The exact least and greatest value of each parameter in the box of this row. IndexError beyond the last."""
-        return {name: (Fraction(least), Fraction(greatest)) for name, least, greatest in self._archive.box(number)}
+        return {name: (Fraction(least), Fraction(greatest)) for name, least, greatest in self._found.box(number)}
 
     def svg(self) -> str:
         """The map, drawn by gnuplot: of two axes, else UsageError. Raises InputOutputError without gnuplot."""
-        return self._archive.svg()
+        return self._found.svg()
 
     def _repr_svg_(self) -> Optional[str]:
         return self.svg() if len(self.axes) == 2 else None
