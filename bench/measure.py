@@ -183,6 +183,9 @@ def main():
     say("mpmath and SciPy")
     results["mpmath"] = mpmath_orbits(orbits, 300) if installed("mpmath") else {}
     results["scipy"] = scipy_simulations(orbits) if installed("scipy") else {}
+    say("the Python module")
+    module = BUILD / "python"
+    results["python"] = peer("module.py", module) if (module / "stickslip").exists() else {}
     say("identities, SymPy beside")
     results["identities"] = identities(given.quick)
 

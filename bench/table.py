@@ -96,6 +96,13 @@ def targets(r):
                                    ("boxes.O.ur", "boxes of parameters, overshooting, u_r given", "box_O_at_ur", 200)):
         seconds = next(x["seconds"] for n, x in b.items() if n.startswith(name + ","))
         out.append(at_least(key, what, 1 / seconds, limit, per_second))
+    for e, family in (("S", "symmetric"), ("P", "nonsticking")):
+        if r.get("python"):
+            ratio = r["python"][e] / b[f"list_{family}_{e}"]["seconds"]
+            out.append(at_most(f"python.{e}", f"complete list, {family}, through Python, of the time in C++", ratio, 1.05,
+                               lambda x: f"{x:.3g} ×"))
+    if r.get("python"):
+        out.append(at_most("import", "import of the Python module", r["python"]["import"], 0.3))
     out += [at_most("wall", f"script/audit, wall, {r['audit']['cores']} cores", r["audit"]["wall"], 10),
             at_most("memory", "script/audit, peak memory of a process", r["audit"]["megabytes"], 500, lambda x: f"{x:.0f} MB")]
     return out

@@ -6,7 +6,6 @@
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
-#include "core/decimal.hpp"
 #include "core/interruption.hpp"
 #include "numeric/families/family.hpp"
 #include "report/orbits/branches.hpp"
@@ -19,46 +18,6 @@ using namespace numeric;
 using namespace numeric::branches;
 
 namespace {
-
-struct Interval {
-  std::string parameter;
-  Rational from, to;
-};
-
-// The one parameter that is typed as "A..B"; its lower end stands for it from then on.
-Interval interval_of(TypedParameters& typed) {
-  std::optional<Interval> found;
-  for (auto& [name, text] : typed) {
-    const std::size_t dots = text.find("..");
-    if (dots == std::string::npos) {
-      continue;
-    }
-    if (found) {
-      throw UsageError(
-          fmt::format("{} and {} are both intervals: a branch is along one", found->parameter, name));
-    }
-    found = {name, exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
-    text = to_string(found->from);
-  }
-  if (!found) {
-    throw UsageError("a branch needs one parameter as an interval A..B, such as --omega 0.5..0.6");
-  }
-  return *found;
-}
-
-BranchQuestion question_of(const BranchOptions& o, const ParameterFile& file, const Family& family,
-                           TypedParameters typed, const proofs::methods::Paper& paper) {
-  const Interval along = interval_of(typed);
-  BranchQuestion q;
-  q.orbits = question(paper, family, typed, file.parameters, o.example, OrbitsOptions::default_digits);
-  q.parameter = along.parameter;
-  q.from = along.from;
-  q.to = along.to;
-  if (!o.at.empty()) {
-    q.at = exact_number("at", o.at);
-  }
-  return q;
-}
 
 bool is_decided(const BranchList& list) {
   bool proved = true;
@@ -79,7 +38,7 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
   const Family& family = family_named(o.family);
   ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional);
   leave_results_out(file, family, o.parameters);
-  const BranchQuestion asked = question_of(o, file, family, o.parameters, paper);
+  const BranchQuestion asked = branch_question(paper, family, o.parameters, file.parameters, o.example, o.at);
   const Jobs limit = jobs(o.jobs);
   if (!o.csv.empty()) {
     report::tools::require_writable_file(o.csv);

@@ -116,6 +116,34 @@ OrbitQuestion question(const Paper& paper, const Family& family, const TypedPara
           digits};
 }
 
+branches::BranchQuestion branch_question(const Paper& paper, const Family& family, TypedParameters typed,
+                                         const TypedParameters& from_file, const std::string& example,
+                                         const std::string& at) {
+  branches::BranchQuestion asked;
+  for (auto& [name, text] : typed) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos) {
+      continue;
+    }
+    if (!asked.parameter.empty()) {
+      throw UsageError(
+          fmt::format("{} and {} are both intervals: a branch is along one", asked.parameter, name));
+    }
+    asked.parameter = name;
+    asked.from = exact_number(name, text.substr(0, dots));
+    asked.to = exact_number(name, text.substr(dots + 2));
+    text = to_string(asked.from);  // which stands for the interval from here on
+  }
+  if (asked.parameter.empty()) {
+    throw UsageError("a branch needs one parameter as an interval A..B, such as --omega 0.5..0.6");
+  }
+  asked.orbits = question(paper, family, typed, from_file, example, OrbitsOptions::default_digits);
+  if (!at.empty()) {
+    asked.at = exact_number("at", at);
+  }
+  return asked;
+}
+
 words::WordQuestion machine(const Paper& paper, const TypedParameters& typed,
                             const TypedParameters& from_file, const std::string& example, int digits) {
   constexpr int digits_of_ur = 17;

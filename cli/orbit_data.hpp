@@ -5,6 +5,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/typed_parameters.hpp"
+#include "numeric/branches/branches.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/words/word_orbit.hpp"
 #include "numeric/zeros/effort.hpp"
@@ -29,6 +30,13 @@ void require_given(const TypedParameters& parameters, const std::vector<std::str
                                               const numeric::Family& family, const TypedParameters& typed,
                                               const TypedParameters& from_file, const std::string& example,
                                               int digits);
+
+// The question about the family's orbits over the one parameter that is typed as an interval "A..B": all of
+// them, or the branches of the orbits at the value `at` unless that is empty. Throws likewise, and when none
+// or several of the parameters are intervals.
+[[nodiscard]] numeric::branches::BranchQuestion branch_question(
+    const proofs::methods::Paper& paper, const numeric::Family& family, TypedParameters typed,
+    const TypedParameters& from_file, const std::string& example, const std::string& at);
 
 // The machine whose motions are asked for: the same, with ur in any case, that of the example's own orbit to
 // 17 digits when none is given, and without phi, for the load is cos(omega t). Throws likewise, also for

@@ -21,8 +21,11 @@
 #include "numeric/simulation/record.hpp"
 #include "proofs/methods/progress.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "report/atlas/archive.hpp"
+#include "report/atlas/summary.hpp"
 #include "report/audit/json.hpp"
 #include "report/orbits/attractors.hpp"
+#include "report/orbits/branches.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/simulation.hpp"
@@ -85,9 +88,17 @@ OrbitList orbits(const std::string& family, const TypedParameters& parameters, c
   });
 }
 
-std::string word_orbits(const std::string& word, long periods, const std::optional<std::string>& near,
-                        const TypedParameters& parameters, const std::string& example, int digits,
-                        const Conduct& conduct) {
+branches::BranchList branch(const std::string& family, const TypedParameters& parameters,
+                            const std::string& example, const std::string& at, const Conduct& conduct) {
+  return carried_out(conduct, [&] {
+    return list_branches(
+        cli::branch_question(paper_for(example), family_named(family), parameters, {}, example, at));
+  });
+}
+
+attractors::WordOrbits word_orbits(const std::string& word, long periods,
+                                   const std::optional<std::string>& near, const TypedParameters& parameters,
+                                   const std::string& example, int digits, const Conduct& conduct) {
   return carried_out(conduct, [&] {
     attractors::WordSearch search{cli::machine(paper_for(example), parameters, {}, example, digits),
                                   words::Word::parse(word),
@@ -96,7 +107,7 @@ std::string word_orbits(const std::string& word, long periods, const std::option
     if (near) {
       search.near = cli::four_numbers("near", *near);
     }
-    return report::orbits::to_json(attractors::find_word_orbits(search)).dump();
+    return attractors::find_word_orbits(search);
   });
 }
 
@@ -189,9 +200,59 @@ std::vector<std::tuple<std::string, std::string, std::string>> expressions() {
   return result;
 }
 
-std::string svg(const OrbitList& list) {
+using report::atlas::Archive;
+
+Archive read_atlas(const std::string& file, const Conduct& conduct) {
+  return carried_out(conduct, [&] { return report::atlas::read_archive(file); });
+}
+
+// The exact parameters of a box of the atlas: name, least and greatest value.
+std::vector<std::tuple<std::string, std::string, std::string>> box(const Archive& a, std::size_t number) {
+  const numeric::atlas::Box exact = numeric::atlas::box_of(a.question, a.leaves.at(number).tile);
+  std::vector<std::tuple<std::string, std::string, std::string>> result;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    result.emplace_back(numeric::atlas::parameter_names()[i], to_string(exact[i].lower),
+                        to_string(exact[i].upper));
+  }
+  return result;
+}
+
+// A row for each box: least and greatest values of the axes, in doubles; then orbits, admissible, stable, -1
+// where unknown, and the reason's place in `reasons`.
+py::dict columns(const Archive& a) {
+  const auto count = static_cast<py::ssize_t>(a.leaves.size());
+  const auto& axes = a.question.axes;
+  py::array_t<double> lower({count, static_cast<py::ssize_t>(axes.size())});
+  py::array_t<double> upper({count, static_cast<py::ssize_t>(axes.size())});
+  py::array_t<int> found({count, py::ssize_t{4}});
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const numeric::atlas::Leaf& leaf = a.leaves[static_cast<std::size_t>(i)];
+    const numeric::atlas::Box exact = numeric::atlas::box_of(a.question, leaf.tile);
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      lower.mutable_at(i, k) = exact[axes[k]].lower.get_d();
+      upper.mutable_at(i, k) = exact[axes[k]].upper.get_d();
+    }
+    const numeric::atlas::Finding& f = leaf.finding;
+    std::ranges::copy(std::array<int, 4>{f.orbits, f.admissible, f.stable, f.reason},
+                      found.mutable_data(i, 0));
+  }
+  return py::dict(py::arg("lower") = lower, py::arg("upper") = upper, py::arg("found") = found,
+                  py::arg("reasons") = report::atlas::all_reasons(*a.question.family));
+}
+
+template <class List>
+std::string drawn(const List& list) {
+  return report::orbits::plot_script(list, report::tools::PlotFormat::svg);
+}
+std::string drawn(const Archive& a) {
+  return report::atlas::plot_script(a.question, a.leaves, report::tools::PlotFormat::svg);
+}
+
+// The picture, or nothing where there is nothing to draw.
+template <class Found>
+std::string svg(const Found& found) {
   const py::gil_scoped_release released;
-  const std::string script = report::orbits::plot_script(list, report::tools::PlotFormat::svg);
+  const std::string script = drawn(found);
   return script.empty() ? script : report::tools::gnuplot(script);
 }
 
@@ -213,9 +274,24 @@ PYBIND11_MODULE(_core, m) {
       .def(py::init<std::optional<std::size_t>, bool>(), py::arg("jobs"), py::arg("in_main_thread"));
   py::class_<numeric::OrbitList>(m, "OrbitList")
       .def("json", [](const numeric::OrbitList& list) { return report::orbits::to_json(list).dump(); })
-      .def("svg", &svg);
+      .def("svg", &svg<numeric::OrbitList>);
+  py::class_<numeric::attractors::WordOrbits>(m, "WordOrbits")
+      .def("json",
+           [](const numeric::attractors::WordOrbits& list) { return report::orbits::to_json(list).dump(); });
+  py::class_<numeric::branches::BranchList>(m, "BranchList")
+      .def("json",
+           [](const numeric::branches::BranchList& list) { return report::orbits::to_json(list).dump(); })
+      .def("svg", &svg<numeric::branches::BranchList>);
+  py::class_<Archive>(m, "Archive")
+      .def("json", [](const Archive& a) { return report::atlas::to_json(a.question, a.leaves).dump(); })
+      .def("svg", &svg<Archive>)
+      .def("columns", &columns)
+      .def("box", &box, py::arg("number"));
   m.def("orbits", &orbits, py::arg("family"), py::arg("parameters"), py::arg("example"), py::arg("digits"),
         py::arg("conduct"));
+  m.def("branch", &branch, py::arg("family"), py::arg("parameters"), py::arg("example"), py::arg("at"),
+        py::arg("conduct"));
+  m.def("atlas", &read_atlas, py::arg("file"), py::arg("conduct"));
   m.def("word_orbits", &word_orbits, py::arg("word"), py::arg("periods"), py::arg("near"),
         py::arg("parameters"), py::arg("example"), py::arg("digits"), py::arg("conduct"));
   m.def("attractors", &find_attractors, py::arg("parameters"), py::arg("example"), py::arg("starts"),

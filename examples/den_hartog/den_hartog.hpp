@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include <stickslip/proofs/methods/claim.hpp>
+#include <stickslip/proofs/methods/paper.hpp>
 #include <stickslip/proofs/tactics/tactics.hpp>
 
 namespace den_hartog {

@@ -1,3 +1,6 @@
+#include <set>
+#include <string>
+
 #include "den_hartog.hpp"
 
 namespace den_hartog {
@@ -25,6 +28,16 @@ methods::Claim claim(const char * id, const char * words, std::vector<Theorem> (
     methods::Outcome outcome;
     outcome.theorems = prove();
     outcome.by_kernel = true;
+    std::set<std::string> hypotheses;
+    for (const Theorem& theorem : outcome.theorems) {
+      for (const Formula& hypothesis : theorem.hypotheses()) {
+        hypotheses.insert(kernel::to_string(hypothesis));
+      }
+    }
+    outcome.route = "a theorem of the kernel";
+    for (const std::string& hypothesis : hypotheses) {
+      outcome.route += (hypothesis == *hypotheses.begin() ? ", if " : " and ") + hypothesis;
+    }
     outcome.verdict = stickslip::Verdict::proved();
     return outcome;
   };
@@ -68,10 +81,11 @@ std::vector<Theorem> every_motion() {
 }  // namespace
 
 std::vector<methods::Claim> motion() {
-  return {claim("motion.velocity", "the velocity is the rate of the position", velocity_is_rate),
-          claim("motion.equation", "the motion obeys x'' + x = a cos(omega t + phi) + f", equation_of_motion),
-          claim("motion.begins", "it begins at X at rest", begins),
-          claim("motion.every", "every motion that obeys the equation has this closed form", every_motion)};
+  return {
+      claim("motion.velocity", "the velocity is the rate of the position", velocity_is_rate),
+      claim("motion.equation", "the motion obeys $x'' + x = a cos(omega t + phi) + f$", equation_of_motion),
+      claim("motion.begins", "it begins at $X$ at rest", begins),
+      claim("motion.every", "every motion that obeys the equation has this closed form", every_motion)};
 }
 
 }  // namespace den_hartog

@@ -79,7 +79,7 @@ const std::vector<StatusFacts>& statuses() {
        .meaning = "proved; it is not a statement of the paper",
        .one = "is proved, and not printed",
        .many = "are proved, and not printed",
-       .lead = holds,
+       .lead = "What is stated is proved.",
        .tone = Tone::good,
        .stands = true,
        .finding = false},

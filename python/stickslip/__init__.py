@@ -18,21 +18,27 @@ Ctrl-C ends it.
 
 from __future__ import annotations
 
+import os as _os
 import threading as _threading
 from typing import Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._core import DomainError, Error, InputOutputError, InternalError, UsageError
 from ._exact import Ball, ComplexBall, Exact, exact
-from ._results import (Attractor, Attractors, Check, Claim, Condition, Event, Orbit, Orbits, Simulation, Unresolved)
+from ._results import (Atlas, Attractor, Attractors, Branch, Branches, BranchEnd, Change, Check, Claim, Condition,
+                       Count, Event, Orbit, Orbits, Piece, Simulation, Unresolved)
 
 __all__ = [
-    "orbits", "attractors", "simulate", "check", "latex", "expressions", "Ball", "ComplexBall", "Condition",
-    "Unresolved", "Orbit", "Orbits", "Attractor", "Attractors", "Event", "Simulation", "Claim", "Check", "Error",
-    "UsageError", "DomainError", "InputOutputError", "InternalError", "__version__"
+    "orbits", "branch", "atlas", "attractors", "simulate", "check", "latex", "expressions", "Ball", "ComplexBall",
+    "Condition", "Unresolved", "Orbit", "Orbits", "Change", "Piece", "BranchEnd", "Branch", "Count", "Branches",
+    "Atlas", "Attractor", "Attractors", "Event", "Simulation", "Claim", "Check", "Error", "UsageError", "DomainError",
+    "InputOutputError", "InternalError", "__version__"
 ]
 
 __version__ = _core.version()
+
+#: A number, or for the one parameter that varies the interval between two.
+Along = Union[Exact, Tuple[Exact, Exact]]
 
 _data = ("chi", "eta", "us", "V", "omega", "p")
 
@@ -91,14 +97,42 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     parameters = _parameters(example, _data, dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur))
     conduct = _conduct(jobs)
     if family and set(family) <= set("SOT"):
-        text = _core.word_orbits(family, _at_least("period", period, 1, 100000),
-                                 None if near is None else _state("near", near), parameters, example or "",
-                                 _digits(digits), conduct)
-        return Orbits._from(text)
+        return Orbits._from(
+            _core.word_orbits(family, _at_least("period", period, 1, 100000),
+                              None if near is None else _state("near", near), parameters, example or "",
+                              _digits(digits), conduct))
     if near is not None or period != 1:
         raise UsageError(f"period and near are for words of phases, not for the family '{family}'")
-    found = _core.orbits(family, parameters, example or "", _digits(digits), conduct)
-    return Orbits._from(found.json(), found)
+    return Orbits._from(_core.orbits(family, parameters, example or "", _digits(digits), conduct))
+
+
+def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = None, us: Optional[Along] = None,
+           V: Optional[Along] = None, omega: Optional[Along] = None, p: Optional[Along] = None,
+           phi: Optional[Along] = None, ur: Optional[Along] = None, at: Optional[Exact] = None,
+           example: Optional[str] = None, jobs: Optional[int] = None) -> Branches:
+    """The orbits of a family over an interval of one parameter, and every change along them, enclosed and proved.
+
+    family: as for orbits, but no word. One parameter is an interval: a pair of exact numbers, ("0.5", "0.6"), or
+    text, "0.5..0.6"; the others are numbers.
+    at: follow the branches of the orbits at this value of it only; otherwise all branches are looked for.
+
+    Raises as orbits does.
+    """
+    given = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
+    texts = {name: "..".join(exact(name, end) for end in value) if isinstance(value, tuple) else value
+             for name, value in given.items()}
+    return Branches._from(
+        _core.branch(family, _parameters(example, _data, texts), example or "", "" if at is None else exact("at", at),
+                     _conduct(jobs)))
+
+
+def atlas(file: Union[str, "_os.PathLike[str]"]) -> Atlas:
+    """What an atlas says, from the HDF5 file that the program's atlas command wrote.
+
+    Raises InputOutputError for what is no atlas or does not cover its rectangle, or when the module was built
+    without HDF5.
+    """
+    return Atlas._from(_core.atlas(_os.fspath(file), _conduct(None)))
 
 
 def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json as _json
 from dataclasses import dataclass, field, fields
+from fractions import Fraction
 from functools import lru_cache as _lru_cache
 from typing import TYPE_CHECKING, Any, Dict, FrozenSet, Iterator, List, Optional, Tuple
 
@@ -32,6 +33,12 @@ def _given(cls: Any, data: Dict[str, Any], **more: Any) -> Any:
     return cls(**{**{key: value for key, value in data.items() if key in names}, **more})
 
 
+def _with(result: Any, found: Any) -> Any:
+    """The result, which from now on knows what it is made of: what draws, and no field of it."""
+    result.__dict__["_found"] = found
+    return result
+
+
 @dataclass(frozen=True)
 class Condition:
     """An inequality along the whole motion, decided."""
@@ -51,6 +58,12 @@ class Unresolved:
 
     reason: str
     where: Dict[str, Ball]
+
+
+def _unresolved(data: Dict[str, Any]) -> Tuple[Unresolved, ...]:
+    return tuple(
+        Unresolved(part["reason"], {n: Ball(**b) for n, b in part.items() if isinstance(b, dict)})
+        for part in data["unresolved"])
 
 
 @dataclass(frozen=True)
@@ -103,28 +116,35 @@ class Orbit:
 
 @dataclass(frozen=True)
 class Orbits:
-    """A list of orbits, and what is known of its completeness; a sequence of its orbits."""
+    """A list of orbits, and what is known of its completeness; a sequence of its orbits.
+
+    Decimals are made of what was found when something of it is first asked for.
+    """
 
     parameters: Dict[str, str]  #: exact decimals or fractions
     complete: bool  #: no orbit is missing
     orbits: Tuple[Orbit, ...]
     unresolved: Tuple[Unresolved, ...]
-    family: Optional[str] = None
-    word: Optional[str] = None  #: in place of a family
-    period: Optional[int] = None  #: of a word, in periods of the load
-    remarks: Tuple[str, ...] = ()
-    seen: str = ""  #: of a word: what was met in place of an orbit
-    json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as orbits --json prints it
-    _list: Any = field(default=None, repr=False, compare=False)
+    family: Optional[str]  #: None of a word
+    word: Optional[str]  #: in place of a family
+    period: Optional[int]  #: of a word, in periods of the load
+    remarks: Tuple[str, ...]
+    seen: str  #: of a word: what was met in place of an orbit
+    json: Dict[str, Any] = field(repr=False, compare=False)  #: as orbits --json prints it
 
     @classmethod
-    def _from(cls, text: str, found: Any = None) -> "Orbits":
-        data = _json.loads(text)
-        unresolved = tuple(
-            Unresolved(part["reason"], {n: Ball(**b) for n, b in part.items() if isinstance(b, dict)})
-            for part in data["unresolved"])
-        return _given(cls, data, orbits=tuple(Orbit._from(o) for o in data["orbits"]), unresolved=unresolved,
-                      remarks=tuple(data.get("remarks", [])), json=data, _list=found)
+    def _from(cls, found: Any) -> "Orbits":
+        return _with(object.__new__(cls), found)
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in _names(Orbits) or "_found" not in self.__dict__:
+            raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
+        data = _json.loads(self._found.json())
+        self.__dict__.update(parameters=data["parameters"], complete=data["complete"],
+                             orbits=tuple(Orbit._from(o) for o in data["orbits"]), unresolved=_unresolved(data),
+                             family=data.get("family"), word=data.get("word"), period=data.get("period"),
+                             remarks=tuple(data.get("remarks", [])), seen=data.get("seen", ""), json=data)
+        return self.__dict__[name]
 
     def __len__(self) -> int:
         return len(self.orbits)
@@ -145,15 +165,184 @@ class Orbits:
 
         Raises InputOutputError without gnuplot; for orbits of a word, of which there is no picture, TypeError.
         """
-        if self._list is None:
+        if self.word is not None:
             raise TypeError("there are pictures of the orbits of a family, not of a word")
-        return self._list.svg()
+        return self._found.svg()
 
     def _repr_svg_(self) -> Optional[str]:
-        return (self.svg() or None) if self._list is not None else None
+        return (self.svg() or None) if self.word is None else None
 
 
 @dataclass(frozen=True)
+class Change:
+    """Where something changes along a branch."""
+
+    kind: str  #: "fold", "condition", "stability", "birth" or "resonance"
+    what: str  #: which condition (its id), multiplier, duration or frequency; empty for a fold
+    words: str  #: a sentence
+    at: Ball  #: contains the parameter's value
+    verdict: str  #: on "there is exactly one such change in `at`, and it is transversal": "proved" or "undecided"
+    reason: str = ""  #: of what is undecided
+    time: Optional[Ball] = None  #: of a condition: where in the motion, from its beginning
+
+    @classmethod
+    def _from(cls, data: Dict[str, Any]) -> "Change":
+        whats = (data[key] for key in ("condition", "multiplier", "duration", "frequency") if key in data)
+        return _given(cls, data, what=next(whats, ""), at=_ball(data["at"]), time=_ball(data.get("time")))
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A part of a branch on which nothing changes, every orbit of it proved."""
+
+    first: Ball  #: the parameter where it begins
+    last: Ball  #: and ends
+    state: str  #: "stable", "unstable", "marginal", "admissible" (stability undecided), "not admissible", "undecided"
+    violates: str = ""  #: a condition that is violated all along, if one is
+
+    @classmethod
+    def _from(cls, data: Dict[str, Any]) -> "Piece":
+        return _given(cls, data, first=_ball(data["from"]), last=_ball(data["to"]))
+
+
+@dataclass(frozen=True)
+class BranchEnd:
+    """Why a branch begins or ends where it does."""
+
+    at: Ball
+    reason: str
+    resolved: bool  #: else the branch may go on
+
+    @classmethod
+    def _from(cls, data: Dict[str, Any]) -> "BranchEnd":
+        return cls(_ball(data["at"]), data["reason"], data["resolved"])
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A curve of orbits, without a gap."""
+
+    first: BranchEnd
+    last: BranchEnd
+    closed: bool  #: a closed curve
+    pieces: Tuple[Piece, ...]  #: from first to last
+    changes: Tuple[Change, ...]  #: likewise
+    #: Nearly, for pictures: "value", "state", the durations by their names, "phi", "x10", "x20", "xdot10".
+    samples: Dict[str, "numpy.ndarray"] = field(compare=False)
+
+    @classmethod
+    def _from(cls, data: Dict[str, Any]) -> "Branch":
+        import numpy
+
+        rows = data["samples"]
+        first, last = (BranchEnd._from(end) for end in data["ends"])
+        return cls(first, last, data["closed"], tuple(Piece._from(p) for p in data["pieces"]),
+                   tuple(Change._from(c) for c in data["changes"]),
+                   {name: numpy.array([row[name] for row in rows]) for name in (rows[0] if rows else ())})
+
+
+@dataclass(frozen=True)
+class Count:
+    """How many orbits there are on the branches between two values of the parameter."""
+
+    first: Ball
+    last: Ball
+    orbits: int
+    admissible: int
+    stable: int
+    unsettled: int  #: of the admissible ones, those whose stability is undecided
+    undecided: int  #: further motions that close: whether they are orbits, or admissible, is undecided
+
+    @classmethod
+    def _from(cls, data: Dict[str, Any]) -> "Count":
+        return _given(cls, data, first=_ball(data["from"]), last=_ball(data["to"]))
+
+
+@dataclass(frozen=True)
+class Branches:
+    """Orbits over an interval of one parameter; a sequence of branches."""
+
+    family: str
+    parameter: str  #: the one that varies
+    interval: Tuple[str, str]  #: of its values
+    parameters: Dict[str, str]  #: the others, exact decimals or fractions
+    complete: bool  #: every orbit at any value of the interval is on one of the branches
+    branches: Tuple[Branch, ...]
+    counts: Tuple[Count, ...]
+    unresolved: Tuple[Unresolved, ...]  #: where more may be; "value" is the parameter's
+    at: Optional[str] = None  #: only the branches of the orbits at this value were asked for
+    json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as branch --json prints it
+
+    @classmethod
+    def _from(cls, found: Any) -> "Branches":
+        data = _json.loads(found.json())
+        branches = _given(cls, data, interval=tuple(data["interval"]), json=data, unresolved=_unresolved(data),
+                          branches=tuple(Branch._from(b) for b in data["branches"]),
+                          counts=tuple(Count._from(c) for c in data["counts"]))
+        return _with(branches, found)
+
+    def __len__(self) -> int:
+        return len(self.branches)
+
+    def __iter__(self) -> Iterator[Branch]:
+        return iter(self.branches)
+
+    def __getitem__(self, index: int) -> Branch:
+        return self.branches[index]
+
+    def svg(self) -> str:
+        """The diagram, drawn by gnuplot; empty where there is nothing to draw. Raises InputOutputError without it."""
+        return self._found.svg()
+
+    def _repr_svg_(self) -> Optional[str]:
+        return self.svg() or None
+
+
+@dataclass(frozen=True, eq=False)
+class Atlas:
+    """What is proved over a rectangle of parameters, box by box. Arrays have a row per box."""
+
+    family: str
+    axes: Tuple[str, ...]  #: the parameters that vary
+    parameters: Dict[str, str]  #: exact; of an axis its interval, "A..B"
+    resolution: int  #: each axis is halved so many times at most
+    volume: Dict[str, Fraction]  #: "decided", "outside" the domain and "open", as exact shares of the whole
+    lower: "numpy.ndarray"  #: shape (n, axes): each box's least values, rounded to floats; box() has them exactly
+    upper: "numpy.ndarray"  #: likewise the greatest
+    orbits: "numpy.ndarray"  #: shape (n,): how many orbits there are at each point of the box; -1: not known
+    admissible: "numpy.ndarray"  #: of these, obeying every condition; -1: not known
+    stable: "numpy.ndarray"  #: of the latter; -1: not known
+    reason: "numpy.ndarray"  #: shape (n,), of text: why a box is left open; empty where it is decided
+    json: Dict[str, Any] = field(repr=False)  #: as atlas --json prints it
+
+    @classmethod
+    def _from(cls, found: Any) -> "Atlas":
+        import numpy
+
+        data, columns = _json.loads(found.json()), found.columns()
+        orbits, admissible, stable, reason = columns["found"].T
+        atlas = cls(data["family"], tuple(data["axes"]), data["parameters"], data["resolution"],
+                    {name: Fraction(data["volume"][name]) for name in ("decided", "outside", "open")},
+                    columns["lower"], columns["upper"], orbits, admissible, stable,
+                    numpy.array(["", *columns["reasons"][1:]])[reason], data)
+        return _with(atlas, found)
+
+    def __len__(self) -> int:
+        return len(self.orbits)
+
+    def box(self, number: int) -> Dict[str, Tuple[Fraction, Fraction]]:
+        """The exact least and greatest value of each parameter in the box of this row. IndexError beyond the last."""
+        return {name: (Fraction(least), Fraction(greatest)) for name, least, greatest in self._found.box(number)}
+
+    def svg(self) -> str:
+        """The map, drawn by gnuplot: of two axes, else UsageError. Raises InputOutputError without gnuplot."""
+        return self._found.svg()
+
+    def _repr_svg_(self) -> Optional[str]:
+        return self.svg() if len(self.axes) == 2 else None
+
+
+@dataclass(frozen=True, eq=False)
 class Attractor:
     """A motion that starts end on. A periodic one is proved."""
 
@@ -208,7 +397,7 @@ class Attractors:
         return self.attractors[index]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Event:
     """Where a motion changes from one phase to another."""
 
@@ -219,7 +408,7 @@ class Event:
     state: "numpy.ndarray"  #: x1, x2, x1', x2'
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Simulation:
     """A motion under the friction law (2), (4), in floats: it proves nothing. Arrays have a row per sample."""
 

@@ -7,7 +7,6 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "report/atlas/summary.hpp"
-#include "report/tools/files.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::atlas {
@@ -137,8 +136,7 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
     }
   }
   data["title"] = fmt::format("How many {} orbits there are, at {}", q.family->name, fixed);
-  return tools::render("map.gp.mustache", tools::read_file(tools::template_directory() / "map.gp.mustache"),
-                       data, tools::plain_format);
+  return tools::render_file("map.gp", data, tools::plain_format);
 }
 
 }  // namespace stickslip::report::atlas

@@ -8,6 +8,7 @@
 #include "report/audit/graph.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/page_data.hpp"
+#include "report/audit/write_report.hpp"
 #include "report/orbits/orbit_data.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
@@ -78,7 +79,7 @@ void add_paper_and_pages(Report& report, const std::string& name, Json data, con
 }
 
 void add_style(std::vector<File>& files) {
-  files.push_back({"style.css", read_file(template_directory() / "style.css")});
+  files.push_back({"style.css", templates().at("style.css")});
 }
 
 std::string digits_in_words(int digits) {
@@ -129,8 +130,12 @@ Figures figures_of(const Paper& paper, bool with_pictures) {
 }
 
 Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figures& figures,
-             const std::optional<proofs::checks::Gate>& gate, const Certification& certificates) {
-  const Json json = to_json(paper, audit, gate ? "stickslip audit --mutants" : "stickslip audit",
+             const std::optional<proofs::checks::Gate>& gate, const Certification& certificates,
+             const std::string& command) {
+  const Json json = to_json(paper, audit,
+                            !command.empty() ? command
+                            : gate           ? "stickslip audit --mutants"
+                                             : "stickslip audit",
                             figures.examples, gate, certificates);
   Report report{{{"audit.json", to_text(json)}}, {}};
   Json data = page_data(paper, audit, json);
@@ -148,15 +153,27 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
   data["graph"]["svg"] = graph_svg(data.at("graph"));
   data["page_title"] = "The orbits of the paper’s figures";
   data["lists"] = data.at("examples");
-  add_paper_and_pages(report, "audit", std::move(data), [](const Json& complete) {
-    return with_formulas({{"index.html", render_file("index.html", complete, html_format)},
-                          {"paper.html", render_file("paper.html", complete, html_format)},
-                          {"statements.html", render_file("statements.html", complete, html_format)},
-                          {"orbits.html", render_file("orbits.html", complete, html_format)}});
+  add_paper_and_pages(report, "audit", std::move(data), [&](const Json& complete) {
+    std::vector<File> made;
+    for (const char * name : {"index.html", "paper.html", "statements.html", "orbits.html"}) {
+      if (name != std::string("orbits.html") || !figures.examples.empty()) {
+        made.push_back({name, render_file(name, complete, html_format)});
+      }
+    }
+    return with_formulas(made);
   });
   add_style(report.files);
-  report.files.push_back({"filter.js", read_file(template_directory() / "filter.js")});
+  report.files.push_back({"filter.js", templates().at("filter.js")});
   return report;
+}
+
+std::string write_report(const Paper& paper, const proofs::methods::Audit& audit,
+                         const std::filesystem::path& directory, const std::string& command) {
+  require_writable(directory);
+  require_page_tools(true);
+  const Report made = pages(paper, audit, figures_of(paper, true), {}, {}, command);
+  write_files(directory, made.files);
+  return made.note;
 }
 
 std::string errata(const Paper& paper, const proofs::methods::Audit& audit) {

@@ -29,12 +29,13 @@ struct Figures {
 // Throws InputOutputError if pictures are to be drawn and gnuplot is missing or fails.
 [[nodiscard]] Figures figures_of(const proofs::methods::Paper& paper, bool with_pictures);
 
-// index.html, paper.html, statements.html, orbits.html with style.css, katex.css and filter.js; audit.json;
-// audit.tex and, where there is TeX, audit.pdf; the figures. Throws InputOutputError if a template cannot be
-// read or a program that draws is missing or fails.
+// index.html, paper.html, statements.html and, of examples, orbits.html with style.css, katex.css and
+// filter.js; audit.json; audit.tex and, where there is TeX, audit.pdf; the
+// figures. `command` made it: without one, `stickslip audit`. Throws InputOutputError if a program that draws
+// is missing or fails.
 [[nodiscard]] Report pages(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                            const Figures& figures, const std::optional<proofs::checks::Gate>& gate = {},
-                           const Certification& certificates = {});
+                           const Certification& certificates = {}, const std::string& command = {});
 
 // The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
 // if the template cannot be read.

@@ -8,7 +8,6 @@
 #include "numeric/families/family.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
-#include "report/tools/files.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/templates.hpp"
 
@@ -329,8 +328,7 @@ std::string plot_script(const BranchList& list, PlotFormat format) {
   data["parameters"] = others(q);
   data["from"] = fmt::format("{:.8g}", q.from.get_d());
   data["to"] = fmt::format("{:.8g}", q.to.get_d());
-  return render("branches.gp.mustache", read_file(template_directory() / "branches.gp.mustache"), data,
-                plain_format);
+  return render_file("branches.gp", data, plain_format);
 }
 
 std::string command_of(const BranchQuestion& q) {

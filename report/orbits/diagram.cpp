@@ -5,7 +5,6 @@
 #include "core/decimal.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/parts.hpp"
-#include "report/tools/files.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
@@ -60,10 +59,6 @@ std::string plane_of(const BasinsQuestion& q) {
 
 Json formatted(PlotFormat format) {
   return {{"svg", format == PlotFormat::svg}, {"pdf", format == PlotFormat::pdf}};
-}
-
-std::string rendered(const std::string& name, const Json& data) {
-  return render(name, read_file(template_directory() / name), data, plain_format);
 }
 
 }  // namespace
@@ -219,7 +214,7 @@ std::string plot_script(const Diagram& d, PlotFormat format) {
   data["parameters"] = others(d.question);
   data["from"] = fmt::format("{:.8g}", d.question.from.get_d());
   data["to"] = fmt::format("{:.8g}", d.question.to.get_d());
-  return rendered("diagram.gp.mustache", data);
+  return render_file("diagram.gp", data, plain_format);
 }
 
 std::string plot_script(const Basins& b, PlotFormat format) {
@@ -255,7 +250,7 @@ std::string plot_script(const Basins& b, PlotFormat format) {
   data["right"] = fmt::format("{:.8g}", last(i) + margin(0, i));
   data["bottom"] = fmt::format("{:.8g}", first(j) - margin(1, j));
   data["top"] = fmt::format("{:.8g}", last(j) + margin(1, j));
-  return rendered("basins.gp.mustache", data);
+  return render_file("basins.gp", data, plain_format);
 }
 
 std::string command_of(const DiagramQuestion& q) {

@@ -4,7 +4,6 @@
 
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/simulation.hpp"
-#include "report/tools/files.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/templates.hpp"
 
@@ -100,8 +99,7 @@ std::string plot_script(const Record& record, const PictureSamples& samples, Plo
        fmt::format(
            "chi = {:.6g}, eta = {:.6g}, us = {:.6g}, ur = {:.6g}, V = {:.6g}, omega = {:.6g}, p = {:.6g}",
            a.chi, a.eta, a.us, record.start.ur, a.V, a.omega, a.p)}};
-  const std::string name = "simulation.gp.mustache";
-  return render(name, read_file(template_directory() / name), data, plain_format);
+  return render_file("simulation.gp", data, plain_format);
 }
 
 }  // namespace stickslip::report::orbits

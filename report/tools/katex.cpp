@@ -14,12 +14,9 @@ const Tool& typesetter() {
   return tool;
 }
 
-std::string script() {
-  return (template_directory() / "katex.js").string();
-}
-
 Json set(const Json& pages) {
-  const std::string answer = run(typesetter(), {script()}, Json{{"pages", pages}}.dump());
+  const std::string answer =
+      run(typesetter(), {"-e", templates().at("katex.js")}, Json{{"pages", pages}}.dump(), "/");
   if (!Json::accept(answer)) {
     throw InputOutputError("cannot set formulas: the answer of node is not whole");
   }

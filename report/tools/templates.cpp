@@ -3,30 +3,16 @@
 #include <fmt/format.h>
 
 #include <kainjow/mustache.hpp>
-#include <system_error>
 
 #include "core/error.hpp"
 #include "report/tools/escape.hpp"
-#include "report/tools/files.hpp"
 #include "report/tools/prose.hpp"
 
 namespace stickslip::report::tools {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Data = kainjow::mustache::data;
-
-fs::path installed_directory() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return (program.parent_path() / STICKSLIP_INSTALLED_TEMPLATES).lexically_normal();
-}
-
-bool names_directory(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored);
-}
 
 bool is_something(const Json& json) {
   return json.is_string() ? !json.get_ref<const std::string&>().empty() : !json.empty();
@@ -69,10 +55,9 @@ void add_prose(Data& data, const PageFormat& format) {
 }
 
 void add_partials(Data& data) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(template_directory())) {
-    const std::string name = entry.path().filename().string();
+  for (const auto& [name, text] : templates()) {
     if (name.starts_with('_')) {
-      data.set(entry.path().stem().string().substr(1), read_file(entry.path()));
+      data.set(name.substr(1, name.rfind('.') - 1), text);
     }
   }
 }
@@ -86,17 +71,6 @@ std::string as_it_is(std::string_view text) {
 const PageFormat html_format{escape_html, prose_html};
 const PageFormat tex_format{escape_tex, prose_tex};
 const PageFormat plain_format{as_it_is, as_it_is};
-
-fs::path template_directory() {
-  const fs::path installed = installed_directory();
-  for (const fs::path& place : {installed, fs::path(STICKSLIP_SOURCE_TEMPLATES)}) {
-    if (names_directory(place)) {
-      return place;
-    }
-  }
-  throw InputOutputError(fmt::format("cannot find the page templates, neither in {} nor in {}",
-                                     installed.string(), STICKSLIP_SOURCE_TEMPLATES));
-}
 
 std::string render(const std::string& name, const std::string& source, const Json& data,
                    const PageFormat& format) {
@@ -114,7 +88,7 @@ std::string render(const std::string& name, const std::string& source, const Jso
 
 std::string render_file(const std::string& name, const Json& data, const PageFormat& format) {
   const std::string file = name + ".mustache";
-  return render(file, read_file(template_directory() / file), data, format);
+  return render(file, templates().at(file), data, format);
 }
 
 }  // namespace stickslip::report::tools

@@ -1,7 +1,7 @@
 // Pages from mustache templates and JSON.
 #pragma once
 
-#include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -9,9 +9,8 @@
 
 namespace stickslip::report::tools {
 
-// Where the templates are: installed beside the running program, else in the source tree it was built from.
-// Throws InputOutputError naming both places if neither exists.
-[[nodiscard]] std::filesystem::path template_directory();
+// The text of each file in report/templates/, by its name; the library has them inside.
+[[nodiscard]] const std::map<std::string, std::string>& templates();
 
 using Escape = std::string (*)(std::string_view);
 
@@ -32,7 +31,7 @@ extern const PageFormat plain_format;  // nothing is escaped
 [[nodiscard]] std::string render(const std::string& name, const std::string& source, const tools::Json& data,
                                  const PageFormat& format);
 
-// The same for a file of the template directory: NAME.mustache.
+// The same for one of the templates: NAME.mustache.
 [[nodiscard]] std::string render_file(const std::string& name, const tools::Json& data,
                                       const PageFormat& format);
 

@@ -6,11 +6,10 @@ set -euo pipefail
 build=$1 source=$2 stage=$3
 rm -rf "$stage"
 cmake --install "$build" --prefix "$stage" >/dev/null
-for file in bin/stickslip include/stickslip/numeric/orbits.hpp share/stickslip/templates; do
+for file in bin/stickslip include/stickslip/numeric/orbits.hpp share/stickslip/schema; do
   [[ -e $stage/$file ]] || { echo "$file is not installed"; exit 1; }
 done
-# The program falls back on the templates in the sources, so it is not among these.
-if grep -rIlF -e "$build" -e "$source/" "$stage"; then
+if grep -rlF -e "$build" -e "$source/" "$stage"; then
   echo "these speak of the place where the package was built"
   exit 1
 fi

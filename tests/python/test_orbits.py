@@ -1,5 +1,6 @@
 """Orbits: the same as the program prints, and refusals in its words."""
 
+import dataclasses
 import json
 import os
 import subprocess
@@ -109,3 +110,11 @@ def test_pictures_and_formulas_for_notebooks():
     found = stickslip.orbits("nonsticking", **MACHINE)
     assert "<svg" in found._repr_svg_()
     assert r"\tau &= 5.4031075860350524982 \pm 9.94\cdot 10^{-21}" in found.admissible[0]._repr_latex_()
+
+
+def test_results_become_dictionaries():
+    found = stickslip.orbits("nonsticking", **MACHINE)
+    assert dataclasses.asdict(found)["orbits"][0]["tau"]["mid"] == found[0].tau.mid
+    assert repr(found).startswith("Orbits(parameters={'chi': '0.3'") and "_found" not in repr(found)
+    with pytest.raises(AttributeError, match="nothing"):
+        found.nothing

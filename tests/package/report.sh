@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# The report that a program on the installed package makes of a paper of its own: all pages, each claim, data as the
+# schema says, and nothing of another paper.
+#
+#   report.sh PROGRAM VALIDATE SCHEMAS
+set -euo pipefail
+program=$1 validate=$2 schemas=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$program" "$work" >"$work/said"
+for file in index.html paper.html statements.html style.css katex.css filter.js audit.json audit.tex; do
+  [[ -s $work/$file ]] || { echo "there is no $file"; exit 1; }
+done
+mapfile -t claims < <(sed -n 's/^\([a-z.]*\): proved, .*/\1/p' "$work/said")
+((${#claims[@]} >= 12)) || { echo "only these claims are proved: ${claims[*]}"; exit 1; }
+for claim in "${claims[@]}"; do
+  grep -qF "id=\"$claim\"" "$work/statements.html" || { echo "statements.html does not have $claim"; exit 1; }
+  grep -qF "statements.html#$claim" "$work/paper.html" || { echo "paper.html does not lead to $claim"; exit 1; }
+done
+# What has to be assumed stands there; and nobody printed anything.
+grep -qF "not ((omega + -1) = 0)" "$work/statements.html" || { echo "the hypotheses are not said"; exit 1; }
+if grep -i "as printed" "$work/index.html"; then exit 1; fi
+if grep -iE 'pascal|belt|fig\. [0-9]|u_s' "$work"/*.html "$work"/audit.*; then
+  echo "these speak of another paper"
+  exit 1
+fi
+"$validate" "$schemas" audit.schema.json "$work/audit.json"
