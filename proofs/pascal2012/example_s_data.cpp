@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
-#include "core/sinc.hpp"
 #include "numeric/words/complete_list.hpp"
+#include "proofs/methods/reading.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -23,20 +25,68 @@ const Example& printed() {
   return example_named("S");
 }
 
-// Where 13.slip leaves the load's phase free (4.lag.needed): omega_j tan(omega_j tau/2) = omega tan(omega
-// tau/2) for both j. Times the cosines these are omega_j^2 - omega^2 times tau/4 times s_j, where s_j =
-// sinc((omega_j + omega) tau/2) + sinc((omega_j - omega) tau/2). Whether in each part of [from, to] some s_j
-// has no zero.
-bool phase_is_fixed(const model::Oscillator<Ball>& o, const Rational& from, const Rational& to, int depth) {
-  const Ball half = Ball::hull(Ball(from), Ball(to)) / Ball(2);
-  const auto balance = [&](const Ball& omega_j) {
-    return sinc((omega_j + o.data.omega) * half) + sinc((omega_j - o.data.omega) * half);
+// Where 13.slip leaves the load's phase free (4.lag.needed) the balance of both modes is zero. Of the mode
+// j it is a wave in tau.
+kernel::Term balance_of(const kernel::Variable& frequency) {
+  Reader read;
+  const std::map<std::string, symbols::Term> letters{{"omega1", symmetric::omega1},
+                                                     {"omega2", symmetric::omega2}};
+  return substitute(read(symmetric::balance(letters.at(frequency.name))),
+                    {{kernel::Variable{"omega"}, printed().data.omega}});
+}
+model::Wave<tactics::Symbolic> wave_of(const kernel::Variable& frequency) {
+  const tactics::Symbolic omega = kernel::Term(printed().data.omega), omega_j = frequency;
+  model::Wave<tactics::Symbolic> wave;
+  wave.add((omega_j + omega) / 2, 0, (omega_j - omega) / 2);
+  wave.add((omega_j - omega) / 2, 0, (omega_j + omega) / 2);
+  return wave;
+}
+
+// For all 0 < tau < Theta not both are zero, from the ranges of omega1 and omega2: near 0 the second is
+// positive, as it rises from zero; later one of both has a sign in each piece.
+kernel::Theorem phase_is_fixed(const orbits::Ranges& ranges) {
+  using namespace kernel;
+  const Variable tau{"tau"}, omega1{"omega1"}, omega2{"omega2"};
+  const Term first = balance_of(omega1), second = balance_of(omega2);
+  const Term Theta = Term(2) * pi() / Term(printed().data.omega);
+  const Formula goal = negation(all({equal(first, 0), equal(second, 0)}));
+  const auto from_sign = [&](const Theorem& inequality) {
+    return Theorem::consequence({tactics::different(inequality)}, goal);
   };
-  if (balance(o.modes.omega1).is_nonzero() || balance(o.modes.omega2).is_nonzero()) {
-    return true;
-  }
-  const Rational middle = (from + to) / 2;
-  return depth > 0 && phase_is_fixed(o, from, middle, depth - 1) && phase_is_fixed(o, middle, to, depth - 1);
+  const Rational soon(1, 8), last(11);
+
+  const model::Wave<tactics::Symbolic> falls = model::affine<tactics::Symbolic>(-1, wave_of(omega2), 0);
+  const Theorem near_zero = orbits::stays_below(
+      {falls, 0, soon, Theorem::combination(equal(orbits::value(falls, 0), 0)), {}}, tau, ranges);
+  const Theorem early =
+      from_sign(Theorem::order(less(0, second), {Positive{{near_zero}}}));  // 0 < tau, tau <= soon
+
+  orbits::Ranges later = ranges;
+  later[tau] = {soon, last};
+  const Theorem late = orbits::in_pieces(tau, later, [&](const orbits::Ranges& here) {
+    for (const Term& balance : {first, second}) {
+      for (const Formula& relation : {less(0, balance), less(balance, 0)}) {
+        try {
+          return from_sign(Theorem::sign(relation, orbits::ranges_in(balance, here)));
+        } catch (const KernelError&) {
+          continue;
+        }
+      }
+    }
+    throw KernelError("both may be zero at one time");
+  });
+
+  const Formula during = between(0, tau, Theta);
+  const Theorem before_last = Theorem::order(
+      at_most(tau, last),
+      {Positive{{tactics::part(Theorem::assume(during), 1)}}, Positive{{Theorem::sign(less(Theta, last))}}});
+  const Theorem at_all =
+      Theorem::consequence({Theorem::discharge(early, at_most(tau, soon)),
+                            Theorem::discharge(late, at_most(soon, tau)), Theorem::trichotomy(tau, soon)},
+                           goal);
+  return tactics::for_every(
+      tau, during,
+      Theorem::cut(tactics::part(Theorem::assume(during), 0), Theorem::cut(before_last, at_all)));
 }
 
 Claim lag_claim() {
@@ -48,19 +98,14 @@ Claim lag_claim() {
               "phase free (4.lag.needed): the list of orbits, which has both phases of the time lag, is "
               "that of all orbits that obey (13)",
           .prove = [](Prover&, const Claim&) {
-            Outcome outcome =
-                at_the_data(printed(),
-                            "at each time up to 11, which is beyond $Theta$, $omega_j tan(omega_j tau/2)$ is "
-                            "not $omega tan(omega tau/2)$ for one of the two $j$, in balls; the load acts on "
-                            "both modes, by 7.modal");
+            Outcome outcome = at_the_data(
+                printed(),
+                "at each time up to $Theta$, $omega_j tan(omega_j tau/2)$ is not $omega tan(omega tau/2)$ "
+                "for one of the two $j$, by signs in balls; the load acts on both modes, by 7.modal");
             outcome.uses = {"4.lag.needed", "7.modal"};
-            const WorkingPrecision precision(128);
-            const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(printed().data));
-            const Rational last(11);
-            const bool beyond = (Ball(last) - Ball(2) * Ball::pi() / o.data.omega).is_positive();
-            outcome.verdict = beyond && phase_is_fixed(o, Rational(0), last, 20)
-                                  ? Verdict::proved()
-                                  : Verdict::undecided("both may hold at some time");
+            outcome.verdict = Verdict::proved();
+            prove(outcome,
+                  [] { return at_frequencies(printed().data.chi, printed().data.eta, phase_is_fixed); });
             return outcome;
           }};
 }
