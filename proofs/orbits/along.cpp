@@ -11,7 +11,7 @@ using Wave = model::Wave<Symbolic>;
 namespace {
 
 constexpr long bits = 64;
-constexpr int most_halvings = 14;
+constexpr int most_halvings = 24;
 
 // Of the ranges those of what occurs.
 Ranges of(const Formula& formula, const Ranges& ranges) {

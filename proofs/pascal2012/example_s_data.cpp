@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "model/symmetric_closing.hpp"
+#include "model/waves.hpp"
 #include "numeric/words/complete_list.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
@@ -110,6 +112,137 @@ Claim lag_claim() {
           }};
 }
 
+// The reduced equations (model/symmetric_closing.hpp) have no solution with the printed u_r, for a phase of
+// the load, sigma: where their eliminant is not zero there is none, and elsewhere what they say of C bounds
+// u_r.
+class OtherFriction {
+ public:
+  OtherFriction(const orbits::Ranges& ranges, int sigma) : ranges_(ranges) {
+    using namespace kernel;
+    const model::Parameters<Rational>& a = printed().data;
+    const auto number = [](const Rational& value) { return Symbolic(Term(value)); };
+    const Symbolic chi = number(a.chi), omega = number(a.omega), Theta = Symbolic(2) * Symbolic(pi()) / omega;
+    const model::SymmetricData<Symbolic> data{
+        chi, model::modes_of<Symbolic>(chi, omega1_, omega2_), number(a.V), omega, number(a.p), Theta, sigma};
+    Theta_ = Theta.term;
+    const auto Z = model::symmetric_start<Symbolic>(data, tau_, C_);
+    ur_ = model::friction_at<Symbolic>({chi, number(a.eta), number(a.us), number(a.V), omega, number(a.p)}, Z,
+                                       model::symmetric_phase<Symbolic>(data, pi(), tau_))
+              .term;
+
+    // The rows, regular at tau = 0, too: without sin(x)/x.
+    domain_ = {tactics::above(0, tau_)};
+    for (const Variable& omega_j : {omega1_, omega2_}) {
+      Rational below(mpz_class(ranges.at(omega_j).first * 4096), 4096);
+      below.canonicalize();
+      domain_.push_back(Theorem::sign(less(below, omega_j), {{omega_j, ranges.at(omega_j)}}));
+    }
+    const auto rows = model::symmetric_rows<Symbolic>(data, tau_);
+    for (int j = 0; j < 2; ++j) {
+      const Symbolic omega_j = j == 0 ? omega1_ : omega2_;
+      const Symbolic beta = omega * tau_ / 2, alpha = omega_j * tau_ / 2;
+      const Symbolic regular = (omega * cos(beta) * sin(alpha) - omega_j * sin(beta) * cos(alpha)) /
+                               (omega_j * omega_j - omega * omega);
+      const Term transfer = model::load_transfer<Symbolic>(omega_j, omega, tau_).term;
+      const Theorem same = discharged(Theorem::combination(equal(transfer, regular.term)));
+      equations_.push_back(equal((rows.left(j) * C_ - rows.right(j)).term, 0));
+      rows_.push_back(tactics::by_rewriting(Theorem::assume(equations_.back()), same));
+      left_.push_back(rows.left(j).term);
+      right_.push_back(replaced(rows.right(j).term, transfer, regular.term));
+    }
+    eliminant_ = left_[1] * right_[0] - left_[0] * right_[1];
+    vanishes_.push_back(discharged(
+        Theorem::combination(equal(eliminant_, 0), {{rows_[0], -left_[1]}, {rows_[1], left_[0]}})));
+    const Term slope = (-chi * sin((Theta - tau_) / 2)).term;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Term value = substitute(ur_, {{C_, right_[j] / left_[j]}});
+      values_.push_back(
+          tactics::nonzero(Theorem::combination(equal(ur_, value), {{rows_[j], slope / left_[j]}}), domain_,
+                           {differ(left_[j], 0)}));
+    }
+  }
+
+  // For all 0 < tau < Theta and all C that solve the equations u_r is not in the printed interval.
+  [[nodiscard]] kernel::Theorem operator()() const {
+    using namespace kernel;
+    const Rational last(10472, 1000);  // just beyond Theta
+    orbits::Ranges whole = ranges_;
+    whole[tau_] = {0, last};
+    Theorem result =
+        orbits::in_pieces(tau_, whole, [&](const orbits::Ranges& here) { return decided(here); });
+    const Formula during = between(0, tau_, Theta_), solved = all(equations_);
+    const Theorem since = tactics::part(Theorem::assume(during), 0),
+                  until = tactics::part(Theorem::assume(during), 1);
+    const std::vector<Theorem> known{
+        since, Theorem::order(at_most(0, tau_), {Positive{{since}}}),
+        Theorem::order(at_most(tau_, last),
+                       {Positive{{until}}, Positive{{Theorem::sign(less(Theta_, last))}}}),
+        tactics::part(Theorem::assume(solved), 0), tactics::part(Theorem::assume(solved), 1)};
+    for (const Theorem& one : known) {
+      result = Theorem::cut(one, result);
+    }
+    return tactics::for_every(tau_, during, tactics::for_every(C_, solved, result));
+  }
+
+ private:
+  using Symbolic = tactics::Symbolic;
+
+  [[nodiscard]] kernel::Theorem discharged(const kernel::Theorem& theorem) const {
+    return tactics::nonzero(theorem, domain_);
+  }
+  [[nodiscard]] static std::optional<kernel::Theorem> sign(const kernel::Formula& relation,
+                                                           const orbits::Ranges& here) {
+    try {
+      return kernel::Theorem::sign(relation, orbits::ranges_in(relation, here));
+    } catch (const kernel::KernelError&) {
+      return std::nullopt;
+    }
+  }
+
+  // In ranges that are small enough.
+  [[nodiscard]] kernel::Theorem decided(const orbits::Ranges& here) const {
+    using namespace kernel;
+    const Decimal given = printed().result("ur").value;
+    const Formula below = less(ur_, given.lower()), above = less(given.upper(), ur_),
+                  goal = any({below, above});
+    for (const Formula& relation : {less(0, eliminant_), less(eliminant_, 0)}) {
+      if (const auto known = sign(relation, here)) {
+        return Theorem::consequence({tactics::different(*known), vanishes_[0]}, goal);
+      }
+    }
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto divides = sign(differ(left_[j], 0), here);
+      const Term value = values_[j].conclusion().parts()[1];
+      for (const Formula& side : {below, above}) {
+        const auto known = divides ? sign(replaced(side, ur_, value), here) : std::nullopt;
+        if (known) {
+          const Rational turn = side == below ? -1 : 1;
+          const Theorem bounded =
+              tactics::nonzero(Theorem::order(side, {Positive{{*known}}}, {{values_[j], Term(turn)}}),
+                               domain_, {differ(left_[j], 0)});
+          return Theorem::consequence({Theorem::cut(*divides, bounded)}, goal);
+        }
+      }
+    }
+    throw KernelError(fmt::format("some orbit may have this u_r, where tau is between {} and {}",
+                                  here.at(tau_).first.get_d(), here.at(tau_).second.get_d()));
+  }
+
+  orbits::Ranges ranges_;
+  kernel::Variable tau_{"tau"}, C_{"C"}, omega1_{"omega1"}, omega2_{"omega2"};
+  kernel::Term Theta_ = 0, ur_ = 0, eliminant_ = 0;
+  tactics::Domain domain_;
+  std::vector<kernel::Formula> equations_;
+  std::vector<kernel::Theorem> rows_, vanishes_, values_;
+  std::vector<kernel::Term> left_, right_;
+};
+
+kernel::Theorem no_orbit_has_the_printed_friction() {
+  return at_frequencies(printed().data.chi, printed().data.eta, [](const orbits::Ranges& ranges) {
+    return tactics::both({OtherFriction(ranges, 1)(), OtherFriction(ranges, -1)()});
+  });
+}
+
 // Fig. 2 gives u_r as a datum, beside the others.
 Claim friction_claim() {
   return {.id = "S.data",
@@ -137,6 +270,7 @@ Claim friction_claim() {
                                                        Ball(given.value),
                                                        "$u_r$ of the orbit",
                                                        "the printed one"});
+            prove(outcome, no_orbit_has_the_printed_friction);
             return outcome;
           }};
 }

@@ -12,7 +12,22 @@ namespace {
 
 namespace v = symbols::vocabulary;
 
+// friction_speed divides by sinc(delta) + sinc(pi - delta), which is not 0 where sin(delta) = sin(pi - delta)
+// is not.
+kernel::Theorem sum_of_sincs_differs() {
+  using kernel::Theorem;
+  const kernel::Term delta = kernel::Variable{"delta"}, sine = sin(delta),
+                     sum = delta * sin(kernel::pi() - delta) - delta * sine + kernel::pi() * sine;
+  const kernel::Formula vanishes = kernel::equal(sum, 0);
+  const Theorem sine_vanishes = tactics::nonzero(
+      Theorem::combination(kernel::equal(sine, 0), {{Theorem::assume(vanishes), inverse(kernel::pi())}}), {});
+  return Theorem::consequence(
+      {Theorem::discharge(sine_vanishes, vanishes), Theorem::assume(kernel::differ(sine, 0))},
+      kernel::differ(sum, 0));
+}
+
 std::vector<Equal> two_slips_close(Flows& flows) {
+  flows.derivation.know(sum_of_sincs_differs());
   const Symbolic omega = symbol("omega");
   const Symbolic delta = symbol("delta");
   const Symbolic mu = symbol("mu");
