@@ -234,7 +234,8 @@ Phases phases_of(const std::vector<Term>& terms) {
     // Last, so that they go first.
     repeat(parts, "(2 * PI)", sum.turns);
     const std::string shown = coq(argument);
-    if (shown == "0" || (parts.size() == 1 && parts[0] == shown) || !done.insert(shown).second) {
+    const bool is_phase = parts.size() == 1 && parts[0] == shown && !is_quarters(sum.parts[0]);
+    if (shown == "0" || is_phase || !done.insert(shown).second) {
       continue;
     }
     const std::string all = parts.empty() ? "0" : fmt::format("{}", fmt::join(parts, " + "));

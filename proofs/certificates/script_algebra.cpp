@@ -73,13 +73,15 @@ std::string Script::solved(const Theorem& theorem, const Scope& scope) {
   const std::string open =
       step.unfolded.empty() ? "" : fmt::format("cbv beta delta [{}] in *; ", names_of(step.unfolded));
   std::string tries;
+  std::string reduced = open + "reduce_matrices; ";
   for (const std::string& divisor : divisors) {
+    reduced += fmt::format("reduce_matrices_in {}; ", divisor);
     tries += fmt::format("{}nonzero_like {}", tries.empty() ? "" : " | ", divisor);
   }
   return fmt::format(
-      "  apply (inverse_solves {} _ _).\n  {{\n  {}reduce_matrices; first [{}].\n  }}\n"
+      "  apply (inverse_solves {} _ _).\n  {{\n  {}first [{}].\n  }}\n"
       "  apply (by_difference_m 2 2 _ _ {}); [|reflexivity].\n{}",
-      coq(A), open, tries, nothing(right.type()),
+      coq(A), reduced, tries, nothing(right.type()),
       normal_form(difference(M, A * right), zero(right.type()), step, scope));
 }
 

@@ -36,6 +36,30 @@ std::string shape(const Formula& formula, std::map<Formula, std::string>& letter
   }
 }
 
+// The same as a sentence of prelude/Sentences.v.
+std::string sentence(const Formula& formula, const std::map<Formula, std::string>& letters) {
+  const std::vector<Term>& parts = formula.parts();
+  const auto joined = [&](const char * word, const char * none) {
+    std::string text = parts.empty() ? none : sentence(parts.back(), letters);
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+      text = part == parts.rbegin() ? text : fmt::format("({} {} {})", word, sentence(*part, letters), text);
+    }
+    return text;
+  };
+  switch (formula.kind()) {
+    case Kind::conjunction:
+      return joined("Both", "Yes");
+    case Kind::disjunction:
+      return joined("Either", "No");
+    case Kind::implication:
+      return joined("Then", "");
+    case Kind::negation:
+      return fmt::format("(Then {} No)", sentence(parts[0], letters));
+    default:
+      return fmt::format("(Letter {})", letters.at(formula).substr(1));
+  }
+}
+
 // Where the formula stands in a conjunction of conjunctions, as a proof of it from a proof of the whole.
 std::optional<std::string> projected(const Formula& whole, const Formula& formula, const std::string& proof) {
   if (whole == formula) {
@@ -79,10 +103,18 @@ std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
     std::transform(letters.begin(), letters.end(), std::back_inserter(names),
                    [](const auto& letter) { return letter.second; });
     std::sort(names.begin(), names.end());
-    const std::string name = fresh(file_ + "_truth");
-    text_ +=
-        fmt::format("Lemma {} : {}{}.\nProof. truth_table. Qed.\n\n", name,
-                    names.empty() ? "" : fmt::format("forall {} : Prop, ", fmt::join(names, " ")), statement);
+    const std::string name = fresh(file_ + "_truth"), all = fmt::format("{}", fmt::join(names, " "));
+    std::string numbered, said;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      numbered += fmt::format("A{} :: ", i);
+    }
+    for (const Theorem& premise : step.premises) {
+      said += fmt::format("(Then {} ", sentence(premise.conclusion(), letters));
+    }
+    said += sentence(theorem.conclusion(), letters) + std::string(step.premises.size(), ')');
+    text_ += fmt::format("Lemma {} : {}{}.\nProof{}. exact (truth_table ({}nil) {} {} eq_refl). Qed.\n\n",
+                         name, names.empty() ? "" : fmt::format("forall {} : Prop, ", all), statement,
+                         names.empty() ? "" : ". intros " + all, numbered, names.size(), said);
     known = library_.tautologies.emplace(statement, Lemma{.file = file_, .name = name, .stated = {}}).first;
   }
   // Its letters by number.

@@ -99,6 +99,9 @@ std::string without_theorem(const methods::Record& record) {
   if (record.status == methods::Status::model) {
     return "an equation of the model, taken as given";
   }
+  if (record.outcome.introduces_names) {
+    return "a definition, which introduces names: there is nothing to prove";
+  }
   const Truth truth = record.outcome.verdict.truth;
   return truth == Truth::proved || truth == Truth::refuted ? "decided in balls, outside the kernel"
          : record.outcome.verdict.reason.empty()           ? "no theorem of the kernel"

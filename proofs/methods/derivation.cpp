@@ -257,6 +257,9 @@ void record_under_given(Outcome& outcome, const Claim& claim, const GiNaC::ex& f
 }  // namespace
 
 void Derivation::record(Outcome& outcome, const Theorem& theorem) {
+  outcome.uses.insert(uses_.begin(), uses_.end());
+  outcome.uses.erase(Openings::coefficients);
+  outcome.uses.erase(claim_.id);
   for (const Formula& one : theorem.hypotheses()) {
     if (domain_formulas().contains(one)) {
       continue;
@@ -304,9 +307,6 @@ void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems
   }
   std::ranges::sort(outcome.free);
   outcome.free.erase(std::unique(outcome.free.begin(), outcome.free.end()), outcome.free.end());
-  outcome.uses.insert(uses_.begin(), uses_.end());
-  outcome.uses.erase(Openings::coefficients);
-  outcome.uses.erase(claim_.id);
   outcome.by_kernel = true;
   outcome.verdict = Verdict::proved();
 }

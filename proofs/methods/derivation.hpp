@@ -59,7 +59,7 @@ class Derivation {
   // Theorems of what the claim prints, in its order: the verdict, and what it assumes and divides by. Throws
   // KernelError if one of them says something else or rests on what the claim does not assume.
   void conclude(Outcome& outcome, const std::vector<kernel::Theorem>& theorems);
-  // Of a theorem that rests on no more than that: what it assumes and divides by.
+  // Of a theorem that rests on no more than that: what it assumes, divides by and uses.
   void record(Outcome& outcome, const kernel::Theorem& theorem);
   // The theorem without hypotheses that follow from what the claim assumes, or from claims that supply them.
   [[nodiscard]] kernel::Theorem settled(kernel::Theorem theorem);

@@ -91,12 +91,39 @@ Proof by_derivation(const std::string& route, std::function<std::vector<Derived>
   };
 }
 
-Proof by_comparison(const std::string& route, std::function<std::vector<Derived>()> derive) {
-  return [route, derive = std::move(derive)](Prover&, const Claim& claim) {
-    Outcome outcome = compared(claim, derive());
-    outcome.route = route;
-    return outcome;
+Outcome compared(const std::string& route, Prover& prover, const Claim& claim, const Compare& compare) {
+  Outcome outcome;
+  outcome.route = route;
+  Derivation derivation(prover, claim);
+  // With what the symbols mean in place of their letters.
+  const auto read = [&](const kernel::Term& term) {
+    kernel::Substitution meanings;
+    for (const kernel::Variable& letter : term.variables()) {
+      meanings.emplace(letter, derivation.read(symbols::scalar(letter.name)));
+    }
+    return substitute(term, meanings);
   };
+  try {
+    for (const Equal& equal : compare(derivation)) {
+      const kernel::Term left = read(equal.left), right = read(equal.right);
+      for (int i = 0; i < left.type().rows; ++i) {
+        const auto side = [i](const kernel::Term& term) {
+          return term.kind() == kernel::Kind::matrix ? term.parts()[static_cast<std::size_t>(i)] : term;
+        };
+        const kernel::Formula entry = kernel::equal(side(left), side(right));
+        outcome.theorems.push_back(derivation.settled(derivation.combination(entry)));
+        derivation.record(outcome, outcome.theorems.back());
+      }
+      outcome.decided.push_back({std::nullopt, expression(left), expression(right), Truth::proved});
+    }
+    outcome.by_kernel = true;
+    outcome.verdict = Verdict::proved();
+  } catch (const kernel::KernelError& error) {
+    outcome = {};
+    outcome.route = route;
+    outcome.verdict = Verdict::undecided(error.what());
+  }
+  return outcome;
 }
 
 Premise Premise::at(const std::string& symbol, const Term& value) const {

@@ -13,6 +13,8 @@
 
 namespace stickslip::proofs::methods {
 
+class Derivation;
+
 // Every printed equation holds identically, by normal form. Assumptions whose left side is a scalar symbol
 // (phi = (pi - omega*tau)/2) are put in where that helps. What is not proved may be refuted by a witness.
 [[nodiscard]] Proof by_normal_form();
@@ -27,8 +29,14 @@ struct Derived {
   symbols::Term stated;
 };
 [[nodiscard]] Proof by_derivation(const std::string& route, std::function<std::vector<Derived>()> derive);
-// The same of nothing that is printed: only what is derived is what is stated, by GiNaC's normal form.
-[[nodiscard]] Proof by_comparison(const std::string& route, std::function<std::vector<Derived>()> derive);
+// Where nothing is printed: terms that are equal by normal form, numbers or matrices of them; a variable is
+// the symbol of its name. A theorem of the kernel for each entry.
+struct Equal {
+  kernel::Term left, right;
+};
+using Compare = std::function<std::vector<Equal>(Derivation&)>;
+[[nodiscard]] Outcome compared(const std::string& route, Prover& prover, const Claim& claim,
+                               const Compare& compare);
 
 // A premise of a proof by rewriting: a claim, or one of the claim's own assumptions, with symbols of time
 // replaced (from("5").at("t", tau - t)), solved for its left side or for another product of letters.

@@ -11,7 +11,7 @@ using Wave = model::Wave<Symbolic>;
 namespace {
 
 constexpr long bits = 64;
-constexpr int most_halvings = 14;
+constexpr int most_halvings = 24;
 
 // Of the ranges those of what occurs.
 Ranges of(const Formula& formula, const Ranges& ranges) {
@@ -33,9 +33,10 @@ Theorem given(const Theorem& lemma, const Theorem& theorem) {
   return theorem.hypotheses().contains(lemma.conclusion()) ? Theorem::cut(lemma, theorem) : theorem;
 }
 
-Theorem halved(const Formula& inequality, const Variable& x, Ranges ranges, int depth) {
+Theorem halved(const Variable& x, Ranges ranges, const std::function<Theorem(const Ranges&)>& decide,
+               int depth) {
   try {
-    return sign(inequality, ranges);
+    return decide(ranges);
   } catch (const KernelError&) {
     if (depth == 0) {
       throw;
@@ -44,12 +45,12 @@ Theorem halved(const Formula& inequality, const Variable& x, Ranges ranges, int 
   const Interval whole = ranges.at(x);
   const Rational middle = (whole.first + whole.second) / 2;
   ranges[x] = {whole.first, middle};
-  const Theorem left = halved(inequality, x, ranges, depth - 1);
+  const Theorem left = halved(x, ranges, decide, depth - 1);
   ranges[x] = {middle, whole.second};
-  const Theorem right = halved(inequality, x, ranges, depth - 1);
+  const Theorem right = halved(x, ranges, decide, depth - 1);
   return Theorem::consequence({Theorem::discharge(left, at_most(x, middle)),
                                Theorem::discharge(right, at_most(middle, x)), Theorem::trichotomy(x, middle)},
-                              inequality);
+                              left.conclusion());
 }
 
 Rational dyadic(const Rational& value) {
@@ -210,7 +211,12 @@ Interval enclosure(const Term& term, const Ranges& ranges, const Rational& width
 }
 
 Theorem in_pieces(const Formula& inequality, const Variable& x, const Ranges& ranges) {
-  return halved(inequality, x, ranges, most_halvings);
+  return in_pieces(x, ranges, [&](const Ranges& here) { return sign(inequality, here); });
+}
+
+Theorem in_pieces(const Variable& x, const Ranges& ranges,
+                  const std::function<Theorem(const Ranges&)>& decide) {
+  return halved(x, ranges, decide, most_halvings);
 }
 
 Theorem stays_below(const Below& question, const Variable& s, const Ranges& ranges) {

@@ -2,6 +2,7 @@
 // the two sides meet at an end.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -18,10 +19,12 @@ using Ranges = std::map<kernel::Variable, kernel::Interval>;
 [[nodiscard]] kernel::Interval enclosure(const kernel::Term& term, const Ranges& ranges,
                                          const Rational& width);
 
-// l <= x, x <= u of the ranges ⊢ the inequality, for x in pieces as small as it takes. Throws KernelError
-// where that does not end.
+// l <= x, x <= u of the ranges ⊢ the inequality, or what `decide` always says, for x in pieces as small as it
+// takes. Throws KernelError where that does not end.
 [[nodiscard]] kernel::Theorem in_pieces(const kernel::Formula& inequality, const kernel::Variable& x,
                                         const Ranges& ranges);
+[[nodiscard]] kernel::Theorem in_pieces(const kernel::Variable& x, const Ranges& ranges,
+                                        const std::function<kernel::Theorem(const Ranges&)>& decide);
 
 // A wave below a bound for all times 0 < s < duration, or from 0 <= s, or to s <= duration.
 struct Below {

@@ -12,9 +12,9 @@ namespace {
 constexpr int rows = matrix_rows;
 constexpr long bits = matrix_bits;
 
-// Outwards to multiples of 2^-28, and one of them more.
-Interval rounded(const Interval& range) {
-  const mpz_class unit = mpz_class(1) << 28;
+// Outwards to multiples of 2^-places, and one of them more.
+Interval rounded(const Interval& range, int places) {
+  const mpz_class unit = mpz_class(1) << places;
   const auto multiple = [&](const Rational& value, int direction) {
     mpz_class whole;
     mpz_fdiv_q(whole.get_mpz_t(), mpz_class(value.get_num() * unit).get_mpz_t(), value.get_den_mpz_t());
@@ -38,9 +38,9 @@ Ranges ranges_in(const Term& term, const Ranges& ranges) {
   return result;
 }
 
-Known bounded(const Term& term, const Ranges& ranges) {
+Known bounded(const Term& term, const Ranges& ranges, int places) {
   const Ranges here = ranges_in(term, ranges);
-  const Interval range = rounded(enclosure(term, here, Rational(1, 1L << 28)));
+  const Interval range = rounded(enclosure(term, here, Rational(1, 1L << places)), places);
   return {term, range, Theorem::sign(at_most(range.first, term), here, bits),
           Theorem::sign(at_most(term, range.second), here, bits)};
 }

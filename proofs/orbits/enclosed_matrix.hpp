@@ -20,9 +20,9 @@ using Letters = std::map<kernel::Variable, Known>;
 // Of the ranges those of what occurs.
 [[nodiscard]] Ranges ranges_in(const kernel::Term& term, const Ranges& ranges);
 
-// ranges ⊢ l <= term, term <= u, with l and u near: multiples of 2^-28. Throws KernelError where a divisor
-// may be zero.
-[[nodiscard]] Known bounded(const kernel::Term& term, const Ranges& ranges);
+// ranges ⊢ l <= term, term <= u, with l and u near: multiples of 2^-places. Throws KernelError where a
+// divisor may be zero.
+[[nodiscard]] Known bounded(const kernel::Term& term, const Ranges& ranges, int places = 28);
 // The theorem with the letters' values in their place, and without the hypotheses on their ranges.
 [[nodiscard]] kernel::Theorem settled(const kernel::Theorem& theorem, const Letters& letters);
 

@@ -58,8 +58,10 @@ class Orbit {
       phase(k);
       transition(k);
     }
-    return with_zero(exists(), phases_.unknowns(), phases_.equations(), box_,
-                     {{phases_.omega(), phases_.question().data.omega}});
+    return with_zero(exists(), phases_.unknowns(), phases_.equations(), box_, at_value());
+  }
+  [[nodiscard]] Theorem unique() const {
+    return exactly_one_zero(phases_.unknowns(), phases_.equations(), box_, at_value());
   }
 
  private:
@@ -68,6 +70,7 @@ class Orbit {
     Term value;
   };
 
+  [[nodiscard]] Substitution at_value() const { return {{phases_.omega(), phases_.question().data.omega}}; }
   void declare(const Variable& variable, const Term& value) {
     named_.push_back({variable, value});
     values_.emplace(variable, value);
@@ -168,9 +171,11 @@ class Orbit {
     }
     say(formula, both(parts), definitions);
     const Formula meets = equal(entry(Names::state(k, names_.start(k)), 3), names_.V());
-    const Formula unnamed = substitute(meets, values_);
-    say(meets, stick ? Theorem::combination(unnamed)
-                     : Theorem::combination(unnamed, {{proof.meets_belt_at_start()}}));
+    std::vector<Multiple> because;
+    if (!stick) {
+      because.push_back({proof.meets_belt_at_start()});
+    }
+    say(meets, Theorem::combination(substitute(meets, values_), because));
   }
 
   // Where phase k ends and the next begins.
@@ -228,6 +233,10 @@ class Orbit {
 
 Theorem orbit_theorem(const Question& question, const numeric::motion::Motion& nearly) {
   return Orbit(question, nearly)();
+}
+
+Theorem locally_unique(const Question& question, const numeric::motion::Motion& nearly) {
+  return Orbit(question, nearly).unique();
 }
 
 }  // namespace stickslip::proofs::orbits

@@ -22,8 +22,14 @@ namespace stickslip::proofs::orbits {
 // reason, where one of these does not hold or is not decided.
 [[nodiscard]] kernel::Theorem orbit_theorem(const Question& question, const numeric::motion::Motion& nearly);
 
+// ⊢ exactly one zero of the equations by which the phases fit together (phases.hpp: the unknowns in their
+// order) lies in the box of half-width 2^-34 about what is found. The phases are motions in closed form, and
+// these are determined by the unknowns: the orbit is locally unique. Throws KernelError as before.
+[[nodiscard]] kernel::Theorem locally_unique(const Question& question, const numeric::motion::Motion& nearly);
+
 // ⊢ there is an orbit as before, and a value of it lies between the ends or, as `outside` says, does not. The
-// value is named as on the command line: tau, T, Theta, phi, ur, x10, z10, … . Throws KernelError where what
+// value is named as on the command line: tau, T, Theta, phi, ur, x10, z10, …; ur_max is the friction at rest
+// where the first phase, which slips, begins. Throws KernelError where what
 // the orbit theorem says of it does not decide that, or it says nothing.
 [[nodiscard]] kernel::Theorem value_theorem(const kernel::Theorem& orbit, const Question& question,
                                             const std::string& name, const Rational& lower,

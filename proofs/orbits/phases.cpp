@@ -35,6 +35,8 @@ bool sticks(PhaseKind kind) {
   return kind == PhaseKind::stick;
 }
 
+}  // namespace
+
 Rational near(const Ball& ball) {
   constexpr int bits = 96;
   fmpz_t scaled;
@@ -47,8 +49,6 @@ Rational near(const Ball& ball) {
   value.canonicalize();
   return value;
 }
-
-}  // namespace
 
 Question question_of(const numeric::OrbitQuestion& question, const numeric::motion::Motion& nearly) {
   const numeric::Family& family = *question.family;

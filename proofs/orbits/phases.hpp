@@ -43,6 +43,9 @@ struct Waves {
   model::Wave<tactics::Symbolic> x1, x2, r;
 };
 
+// A rational number near the ball's middle: a multiple of 2^-96.
+[[nodiscard]] Rational near(const Ball& ball);
+
 [[nodiscard]] kernel::Term value(const model::Wave<tactics::Symbolic>& wave, const kernel::Term& t);
 
 class Phases {

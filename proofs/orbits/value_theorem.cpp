@@ -1,7 +1,7 @@
 #include "proofs/orbits/definitions.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/orbits/orbit_with.hpp"
-#include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::orbits {
 
@@ -10,64 +10,75 @@ using namespace tactics;
 
 namespace {
 
-// A value of the orbit: something that its theorem bounds, minus a number.
-struct Value {
-  Term bounded;
-  Rational less;
-};
-
-Value named_value(const Question& question, const std::string& name) {
+// In what the orbit theorem bounds.
+Term named_value(const Question& question, const std::string& name) {
   const model::Parameters<Rational>& a = question.data;
   if (name == "Theta") {
-    return {Term(2 * question.period) * pi() / Term(a.omega), 0};
+    return Term(2 * question.period) * pi() / Term(a.omega);
+  }
+  const Term start = apply(Variable{"X1", motion_type}, 0);
+  if (name == "ur_max") {
+    const Term phi = question.phi ? Term(*question.phi) : Term(Variable{"phi"});
+    return friction()({start, 0, a.chi, a.eta, a.omega, a.p, phi});
   }
   static const std::vector<std::string> entries{"10", "20", "dot10"};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (name.substr(1) == entries[i]) {
       const Rational d01 = a.us / (1 - a.chi);
-      const Rational shift = name[0] != 'z' || i == 2 ? Rational(0) : i == 0 ? d01 : Rational(d01 / a.chi);
-      return {entry(apply(Variable{"X1", motion_type}, 0), static_cast<int>(i)), shift};
+      const Term place = entry(start, static_cast<int>(i));
+      return name[0] != 'z' || i == 2 ? place : place - Term(i == 0 ? d01 : Rational(d01 / a.chi));
     }
   }
-  return {Variable{name, real_number}, 0};
+  return Variable{name, real_number};
 }
 
-// low <= value, value <= high; strictly below, strictly above.
-Theorem decided(const Formula& inequality, const Value& value, const Theorem& orbit) {
-  if (inequality.variables().empty()) {
-    return certainly(inequality);
-  }
-  const std::vector<Term>& sides = inequality.parts();
-  const bool from_below = sides[0].kind() == Kind::number;
+// What the theorem bounds, each between numbers: l < term, term < u.
+std::map<Term, Interval> bounded_by(const Theorem& orbit) {
+  std::map<Term, Interval> result;
   for (const Formula& one : orbit.conclusion().parts()) {
-    if (one.kind() == Kind::less && one.parts()[from_below ? 1 : 0] == value.bounded &&
-        one.parts()[from_below ? 0 : 1].kind() == Kind::number) {
-      const Rational& known = one.parts()[from_below ? 0 : 1].value();
-      const Rational rest = from_below ? Rational(known - value.less - sides[0].value())
-                                       : Rational(sides[1].value() - known + value.less);
-      if (rest > 0) {
-        return Theorem::order(inequality,
-                              {Positive{{Theorem::consequence({orbit}, one)}}, Positive{{}, rest}});
+    if (one.kind() == Kind::less && one.parts()[0].kind() == Kind::number) {
+      for (const Formula& other : orbit.conclusion().parts()) {
+        if (other.kind() == Kind::less && other.parts()[0] == one.parts()[1] &&
+            other.parts()[1].kind() == Kind::number) {
+          result.emplace(one.parts()[1], Interval{one.parts()[0].value(), other.parts()[1].value()});
+        }
       }
     }
   }
-  throw KernelError("the bounds that are known do not decide " + to_string(inequality));
+  return result;
+}
+
+// Decided by these bounds.
+Theorem decided(const Formula& inequality, const Theorem& orbit) {
+  const Formula opened = unfold(inequality, {friction()});
+  Formula here = opened;
+  Letters letters;
+  for (const auto& [term, range] : bounded_by(orbit)) {
+    const Variable letter{"value " + std::to_string(letters.size())};
+    const auto at_most_said = [&](const Term& a, const Term& b) {
+      return Theorem::order(at_most(a, b), {Positive{{Theorem::consequence({orbit}, less(a, b))}}});
+    };
+    letters.emplace(letter,
+                    Known{term, range, at_most_said(range.first, term), at_most_said(term, range.second)});
+    here = replaced(here, term, letter);
+  }
+  const Theorem lemma = Theorem::sign(here, ranges_in(here, ranges_of(letters)));
+  return Theorem::convert(settled(lemma, letters), inequality, {friction()});
 }
 
 }  // namespace
 
 Theorem value_theorem(const Theorem& orbit, const Question& question, const std::string& name,
                       const Rational& lower, const Rational& upper, bool outside) {
-  const Value named = named_value(question, name);
-  const Term value = named.less == 0 ? named.bounded : named.bounded - Term(named.less);
+  const Term value = named_value(question, name);
   return orbit_with(orbit, [&](const Theorem& body) {
     if (!outside) {
-      return both({decided(at_most(lower, value), named, body), decided(at_most(value, upper), named, body)});
+      return both({decided(at_most(lower, value), body), decided(at_most(value, upper), body)});
     }
     try {
-      return decided(less(upper, value), named, body);
+      return decided(less(upper, value), body);
     } catch (const KernelError&) {
-      return decided(less(value, lower), named, body);
+      return decided(less(value, lower), body);
     }
   });
 }

@@ -22,19 +22,36 @@ Theorem row(const Formula& equation, const std::vector<Term>& terms, const Theor
   throw KernelError("this is none of the equations: " + to_string(equation));
 }
 
+// The unknowns as entries of one column.
+struct Column {
+  Variable Y;
+  Substitution entries;
+
+  explicit Column(const std::vector<Variable>& unknowns)
+      : Y{"Y", real_matrix(static_cast<int>(unknowns.size()), 1)} {
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      entries.emplace(unknowns[i], entry(Y, static_cast<int>(i)));
+    }
+  }
+  [[nodiscard]] Term system(const std::vector<Term>& terms) const {
+    return substitute(matrix(Y.type.rows, 1, terms), entries);
+  }
+};
+
 }  // namespace
+
+Theorem exactly_one_zero(const std::vector<Variable>& unknowns, const std::vector<Term>& terms,
+                         const Box& box, const Substitution& at_value) {
+  const Column column(unknowns);
+  return Theorem::one_zero(column.Y, substitute(column.system(terms), at_value), box);
+}
 
 Theorem with_zero(const Theorem& theorem, const std::vector<Variable>& unknowns,
                   const std::vector<Term>& terms, const Box& box, const Substitution& at_value) {
-  const auto n = static_cast<int>(box.size());
-  const Variable Y{"Y", real_matrix(n, 1)};
-  Substitution entries;
-  for (int i = 0; i < n; ++i) {
-    entries.emplace(unknowns.at(static_cast<std::size_t>(i)), entry(Y, i));
-  }
-  // With the letters of at_value; then at their values.
-  const Term system = substitute(matrix(n, 1, terms), entries);
-  const Theorem existence = part(Theorem::one_zero(Y, substitute(system, at_value), box), 0);
+  const Column column(unknowns);
+  const auto& [Y, entries] = column;
+  const Term system = column.system(terms);  // with the letters of at_value; then at their values
+  const Theorem existence = part(exactly_one_zero(unknowns, terms, box, at_value), 0);
   const Theorem found = Theorem::assume(all({inside(Y, box), equal(system, zero(Y.type))}));
   Theorem result = Theorem::instantiate(theorem, entries);
   const Formulas hypotheses = result.hypotheses();

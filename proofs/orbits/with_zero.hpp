@@ -7,6 +7,12 @@
 
 namespace stickslip::proofs::orbits {
 
+// ⊢ exactly one column of unknowns in the box lets the terms vanish, in which the variables of `at_value`
+// have their values. Throws KernelError where Krawczyk's test does not prove it.
+[[nodiscard]] kernel::Theorem exactly_one_zero(const std::vector<kernel::Variable>& unknowns,
+                                               const std::vector<kernel::Term>& terms, const kernel::Box& box,
+                                               const kernel::Substitution& at_value = {});
+
 // The theorem less its hypotheses on the unknowns, which are their ranges l <= x, x <= u and that the terms
 // vanish, equal(term, 0): by Krawczyk's test there are such unknowns. Its conclusion names none of them. In
 // the system and in the theorem the variables of `at_value` get their values; hypotheses without variables

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "proofs/methods/methods.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/paper.hpp"
-#include "proofs/symbols/meaning.hpp"
+#include "proofs/tactics/model_terms.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -99,20 +99,21 @@ std::vector<Claim> speeds() {
 }
 
 // model/appendix3.hpp says the same as the twenty claims.
-std::vector<Derived> computed() {
-  const Lookup<GiNaC::ex> s = symbolically();
-  const auto letters = model::appendix3_letters<GiNaC::ex>(
+std::vector<Equal> computed(Derivation& derivation) {
+  using tactics::Symbolic;
+  const auto s = [](const char * name) { return Symbolic(kernel::Variable{name}); };
+  const auto letters = model::appendix3_letters<Symbolic>(
       s("chi"), {s("omega1"), s("omega2"), s("lambda1"), s("lambda2")}, {s("q1"), s("q2")},
       {s("d01"), s("d02")}, s("omega"), s("V"), s("phi"), s("tau"), s("tau1"), s("T"));
-  const auto k = model::appendix3<GiNaC::ex>(letters, model::Reading::printed);
+  const auto k = model::appendix3<Symbolic>(letters, model::Reading::printed);
   const std::map<char, decltype(k.a)> columns{{'a', k.a}, {'b', k.b}, {'c', k.c}, {'d', k.d}};
-  std::vector<Derived> result;
+  std::vector<Equal> result;
   for (const std::vector<Claim>& claims : {components(), speeds()}) {
     for (const Claim& claim : claims) {
       const Statement& printed = claim.printed.front();
       const std::string& name = printed.left.name();  // "a_1"
-      const GiNaC::ex& value = columns.at(name.front())[static_cast<std::size_t>(name.back() - '1')];
-      result.push_back({symbolic::algebra::Matrix::Constant(1, 1, value), printed.right});
+      const Symbolic& value = columns.at(name.front())[static_cast<std::size_t>(name.back() - '1')];
+      result.push_back({value.term, derivation.read(printed.right)});
     }
   }
   return result;
@@ -123,9 +124,11 @@ Claim formulas() {
           .kind = Kind::identity,
           .origin = Origin::auxiliary,
           .words = "the program computes with the printed coefficients, but for the sign in $c_1$",
-          .prove = by_comparison(
-              "the formulas that the program computes with and the printed ones have the same normal form",
-              computed)};
+          .prove = [](Prover& prover, const Claim& claim) {
+            return compared(
+                "the formulas that the program computes with and the printed ones have the same normal form",
+                prover, claim, computed);
+          }};
 }
 
 }  // namespace

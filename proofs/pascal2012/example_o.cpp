@@ -7,7 +7,10 @@
 
 #include "model/appendix3.hpp"
 #include "model/waves.hpp"
+#include "proofs/methods/reading.hpp"
+#include "proofs/orbits/by_parts.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 #include "proofs/symbols/meaning.hpp"
@@ -40,6 +43,63 @@ Claim orbit_value(const std::string& name) {
 }
 
 // --- (21)-(24) at the printed values ---
+
+// (47)-(51) at these times, in the kernel's symbols for the entries of H, Gamma, ….
+model::ClosingCoefficients<tactics::Symbolic> coefficients(const kernel::Term& tau, const kernel::Term& tau1,
+                                                           model::Reading reading) {
+  using kernel::Variable;
+  using tactics::Symbolic;
+  const ExactParameters& a = printed().data;
+  const kernel::Term T = kernel::Term(2) * kernel::pi() / kernel::Term(a.omega) - tau - tau1;
+  Reader read;
+  const auto number = [&](const Term& symbol) -> Symbolic {
+    return substitute(read(symbol), {{Variable{"tau"}, tau},
+                                     {Variable{"tau1"}, tau1},
+                                     {Variable{"T"}, T},
+                                     {Variable{"omega"}, a.omega},
+                                     {Variable{"p"}, a.p},
+                                     {Variable{"us"}, a.us}});
+  };
+  const auto entries = [&](const char * name) {
+    return model::Matrix4<Symbolic>(model::Matrix4<Symbolic>::NullaryExpr([&](auto i, auto j) {
+      return number(Entries{name}(static_cast<int>(i) + 1, static_cast<int>(j) + 1));
+    }));
+  };
+  namespace v = symbols::vocabulary;
+  const Symbolic omega = kernel::Term(a.omega), phi = kernel::Term(*printed().phi);
+  return model::appendix3<Symbolic>({entries("H"),
+                                     entries("h"),
+                                     entries("Htilde"),
+                                     entries("Gamma"),
+                                     {number(v::q1), number(v::q2)},
+                                     {number(v::d01), number(v::d02)},
+                                     omega,
+                                     kernel::Term(a.V),
+                                     T,
+                                     phi,
+                                     omega * Symbolic(tau) + phi,
+                                     omega * (Symbolic(tau) + Symbolic(tau1)) + phi},
+                                    reading);
+}
+
+// Theorems on these, with tau, tau1 and whatever else is printed in the intervals that the decimals stand
+// for.
+struct Interval {
+  kernel::Variable name;
+  Decimal printed;
+};
+kernel::Theorem over_intervals(const std::vector<Interval>& intervals,
+                               const std::function<kernel::Theorem(const orbits::Ranges&)>& theorem) {
+  return at_frequencies(printed().data.chi, printed().data.eta, [&](orbits::Ranges ranges) {
+    std::vector<kernel::Variable> names;
+    for (const Interval& one : intervals) {
+      names.push_back(one.name);
+      ranges.emplace(one.name, kernel::Interval{one.printed.lower(), one.printed.upper()});
+    }
+    return orbits::for_all_in(theorem(ranges), names, ranges);
+  });
+}
+const kernel::Variable tau_{"tau"}, tau1_{"tau1"};
 
 model::ClosingCoefficients<Ball> coefficients(const Ball& tau, const Ball& tau1, model::Reading reading) {
   const model::Oscillator<Ball>& o = printed_orbit(printed()).motion.oscillator;
@@ -89,6 +149,23 @@ Decimal signed_decimal(const std::string& name) {
   return as_printed(printed().result(name), value_of(printed_orbit(printed()), name));
 }
 
+// z2' is not V at tau, by its equation (21) with the coefficients (50).
+kernel::Theorem belt_not_met() {
+  using kernel::Variable;
+  const Variable z10{"z10"}, z20{"z20"}, zdot10{"zdot10"};
+  const auto k = coefficients(tau_, tau1_, model::Reading::derived);
+  const tactics::Symbolic speed = k.a[3] * z10 + k.b[3] * z20 + k.c[3] * zdot10 + k.d[3];
+  return over_intervals({{tau_, decimal("tau")},
+                         {z10, signed_decimal("z10")},
+                         {z20, signed_decimal("z20")},
+                         {zdot10, decimal("zdot10")}},
+                        [&](const orbits::Ranges& ranges) {
+                          return orbits::in_pieces(tau_, ranges, [&](const orbits::Ranges& here) {
+                            return orbits::sign_by_parts(kernel::differ(speed.term, 0), here);
+                          });
+                        });
+}
+
 Claim printed_state_closes() {
   return number("O.21", Origin::reading,
                 "the printed $tau$, $tau_1$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its "
@@ -100,6 +177,9 @@ Claim printed_state_closes() {
                                                    {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
                                                     signed_decimal("z20"), decimal("zdot10")});
                   outcome.verdict = closing.verdict;
+                  if (outcome.verdict.truth == Truth::refuted) {
+                    prove(outcome, belt_not_met);
+                  }
                   if (outcome.verdict.truth != Truth::proved) {
                     outcome.verdict.reason +=
                         "; at the printed decimals $z2'(tau) - V$ and $Z(Theta) - Z_0$ are " +
@@ -109,20 +189,49 @@ Claim printed_state_closes() {
                 });
 }
 
-// (22) at the printed tau and tau_1.
-Ball by_22(Ball model::CramerDeterminants<Ball>::*member) {
-  const auto c = model::cramer<Ball>(coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
-  return c.*member / c.Delta;
+// (22) at the printed tau and tau_1: one of Delta1, Delta2, Delta3 over Delta.
+Claim by_22(const std::string& name,
+            const std::function<Ball(const model::CramerDeterminants<Ball>&)>& of_balls,
+            tactics::Symbolic model::CramerDeterminants<tactics::Symbolic>::*member) {
+  using tactics::Symbolic;
+  return computed_from(
+      where(), name, "(22) with $T = Theta - tau - tau_1$",
+      [of_balls] {
+        return of_balls(
+            model::cramer<Ball>(coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived)));
+      },
+      [member](const Decimal& decimal, bool it_is) {
+        const auto at = [](const char * time) { return kernel::Term(printed_decimal(printed(), time)); };
+        const auto c = model::cramer<Symbolic>(coefficients(at("tau"), at("tau1"), model::Reading::derived));
+        return over_intervals({}, [&](const orbits::Ranges& ranges) {
+          return rounds_to(decimal, (c.*member / c.Delta).term, it_is, ranges);
+        });
+      });
+}
+
+// The printed c_1 takes F_1 farther from zero than the derived one.
+kernel::Theorem farther_from_zero() {
+  const auto square = [](model::Reading reading) {
+    return power(model::compatibility<tactics::Symbolic>(coefficients(tau_, tau1_, reading))[0].term, 2);
+  };
+  return over_intervals(
+      {{tau_, decimal("tau")}, {tau1_, decimal("tau1")}}, [&](const orbits::Ranges& ranges) {
+        return orbits::sign_by_parts(
+            kernel::less(square(model::Reading::derived), square(model::Reading::printed)), ranges);
+      });
 }
 
 // Which printed number was computed from which.
 std::vector<Claim> origins() {
-  using Determinants = model::CramerDeterminants<Ball>;
-  const std::string formula22 = "(22) with $T = Theta - tau - tau_1$";
+  using Balls = model::CramerDeterminants<Ball>;
+  using Terms = model::CramerDeterminants<tactics::Symbolic>;
   return {
-      computed_from(where(), "z10", formula22, [] { return by_22(&Determinants::Delta1); }),
-      computed_from(where(), "z20", formula22, [] { return by_22(&Determinants::Delta2); }),
-      computed_from(where(), "zdot10", formula22, [] { return by_22(&Determinants::Delta3); }),
+      by_22(
+          "z10", [](const Balls& c) { return c.Delta1 / c.Delta; }, &Terms::Delta1),
+      by_22(
+          "z20", [](const Balls& c) { return c.Delta2 / c.Delta; }, &Terms::Delta2),
+      by_22(
+          "zdot10", [](const Balls& c) { return c.Delta3 / c.Delta; }, &Terms::Delta3),
       computed_by(where(), "ur", "(24)",
                   [](const auto& known) {
                     const std::array z{known("z10"), known("z20")};
@@ -145,6 +254,9 @@ std::vector<Claim> origins() {
                outcome.verdict = more.is_positive()   ? Verdict::proved()
                                  : more.is_negative() ? Verdict::refuted("it is nearer")
                                                       : Verdict::undecided("the balls overlap");
+               if (outcome.verdict.truth == Truth::proved) {
+                 prove(outcome, farther_from_zero);
+               }
                return outcome;
              }),
   };

@@ -9,6 +9,7 @@
 #include "core/printed.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/simulation/agreement.hpp"
+#include "proofs/orbits/by_parts.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/statements.hpp"
 #include "proofs/tactics/tactics.hpp"
@@ -163,8 +164,9 @@ Claim existence_claim(const PrintedPlace& where, const std::string& words) {
                 "between the ends by signs in balls, and by mean values where the two sides meet");
             try {
               const Motion& motion = printed_orbit(where.example).motion;
-              outcome.theorems = {
-                  orbits::orbit_theorem(orbits::question_of(question_of(where.example), motion), motion)};
+              const orbits::Question question = orbits::question_of(question_of(where.example), motion);
+              outcome.theorems = {orbits::orbit_theorem(question, motion),
+                                  orbits::locally_unique(question, motion)};
               outcome.by_kernel = true;
               outcome.verdict = Verdict::proved();
             } catch (const kernel::KernelError& error) {
@@ -190,11 +192,9 @@ Rational printed_decimal(const Example& example, const std::string& name) {
   return as_printed(example.result(name), value_of(printed_orbit(example), name)).value;
 }
 
-namespace {
-
-// Whether the value, a term without variables, lies within the interval for which the decimal stands.
-kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, bool it_does) {
-  const auto is = [](const kernel::Formula& relation) { return kernel::Theorem::sign(relation); };
+kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, bool it_does,
+                          const orbits::Ranges& ranges) {
+  const auto is = [&](const kernel::Formula& relation) { return orbits::sign_by_parts(relation, ranges); };
   if (it_does) {
     return tactics::both(
         {is(kernel::at_most(decimal.lower(), value)), is(kernel::at_most(value, decimal.upper()))});
@@ -206,24 +206,22 @@ kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, boo
   }
 }
 
-}  // namespace
-
 Claim computed_from(const PrintedPlace& where, const std::string& name, const std::string& formula,
-                    std::function<Ball()> value, std::function<kernel::Term()> term) {
+                    std::function<Ball()> value,
+                    std::function<kernel::Theorem(const Decimal&, bool)> theorem) {
   return {.id = fmt::format("{}.from.{}", where.example.name, name),
           .kind = Kind::numbers,
           .origin = Origin::auxiliary,
           .words = fmt::format("the printed ${}$ is {} of the other printed values, rounded", name, formula),
-          .prove = [=, value = std::move(value), term = std::move(term)](Prover&, const Claim&) {
+          .prove = [=, value = std::move(value), theorem = std::move(theorem)](Prover&, const Claim&) {
             const Ball computed = value();
             const Decimal printed = as_printed(where.example.result(name), computed);
             Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");
             outcome.comparisons = {compared(name, printed, computed)};
             outcome.verdict = outcome.comparisons.front().verdict;
             const Truth truth = outcome.verdict.truth;
-            if (term && (truth == Truth::proved || truth == Truth::refuted)) {
-              outcome.theorems = {rounds_to(printed, term(), truth == Truth::proved)};
-              outcome.by_kernel = true;
+            if (truth == Truth::proved || truth == Truth::refuted) {
+              prove(outcome, [&] { return theorem(printed, truth == Truth::proved); });
             }
             return outcome;
           }};

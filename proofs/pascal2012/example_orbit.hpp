@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "proofs/methods/example_orbits.hpp"
+#include "proofs/orbits/along.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -25,11 +26,15 @@ namespace stickslip::proofs::pascal2012 {
 // The printed decimal of that name, exactly; with the sign of the proved value where the source has lost it.
 [[nodiscard]] Rational printed_decimal(const methods::Example& example, const std::string& name);
 
-// "S.from.T": the printed result is what the formula gives at the other printed values, `value`, rounded; a
-// theorem of the kernel where the value is a closed term, too.
-[[nodiscard]] methods::Claim computed_from(const PrintedPlace& where, const std::string& name,
-                                           const std::string& formula, std::function<Ball()> value,
-                                           std::function<kernel::Term()> term = {});
+// From ranges of its variables: the value lies within the interval for which the decimal stands, or does not.
+[[nodiscard]] kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, bool it_does,
+                                        const orbits::Ranges& ranges = {});
+
+// "S.from.T": the printed result is what the formula gives at the other printed values, `value`, rounded; as
+// the theorem says, which is made of the decimal and whether it is.
+[[nodiscard]] methods::Claim computed_from(
+    const PrintedPlace& where, const std::string& name, const std::string& formula,
+    std::function<Ball()> value, std::function<kernel::Theorem(const Decimal& printed, bool it_is)> theorem);
 
 // What is printed of an example, as numbers of a scalar: balls, or terms.
 template <class S>
@@ -57,7 +62,9 @@ template <class Formula>
   const methods::Example& example = where.example;
   return computed_from(
       where, name, words, [&example, formula] { return formula(Printed<Ball>{example}); },
-      [&example, formula] { return formula(Printed<tactics::Symbolic>{example}).term; });
+      [&example, formula](const Decimal& printed, bool it_is) {
+        return rounds_to(printed, formula(Printed<tactics::Symbolic>{example}).term, it_is);
+      });
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/families/least_load.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 
@@ -44,7 +45,7 @@ Claim friction_claim() {
       .kind = Kind::numbers,
       .origin = Origin::auxiliary,
       .words = "$u_r = 0.2996$ is the largest $u_r$ for which the orbit exists, cut off after four digits",
-      .prove = [](Prover&, const Claim&) {
+      .prove = [](Prover& prover, const Claim&) {
         const Example& example = example_named("P");
         const Ball slack = largest_friction(example) - Ball(*example.ur);
         Outcome outcome =
@@ -55,6 +56,13 @@ Claim friction_claim() {
                           : slack.is_negative() || rest.is_negative()
                               ? Verdict::refuted("$ur_max - u_r$ is " + to_string(slack))
                               : Verdict::undecided("$ur_max - u_r$ is " + to_string(slack));
+        if (outcome.verdict.truth == Truth::proved) {
+          prove_of_orbit(outcome, prover, where(),
+                         [&](const kernel::Theorem& orbit, const orbits::Question& question) {
+                           return orbits::value_theorem(orbit, question, "ur_max", *example.ur,
+                                                        *example.ur + parse_rational("1e-4"), false);
+                         });
+        }
         return outcome;
       }};
 }

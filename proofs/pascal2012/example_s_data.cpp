@@ -5,9 +5,13 @@
 
 #include <algorithm>
 
-#include "core/sinc.hpp"
+#include "model/symmetric_closing.hpp"
+#include "model/waves.hpp"
 #include "numeric/words/complete_list.hpp"
+#include "proofs/methods/reading.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -23,20 +27,68 @@ const Example& printed() {
   return example_named("S");
 }
 
-// Where 13.slip leaves the load's phase free (4.lag.needed): omega_j tan(omega_j tau/2) = omega tan(omega
-// tau/2) for both j. Times the cosines these are omega_j^2 - omega^2 times tau/4 times s_j, where s_j =
-// sinc((omega_j + omega) tau/2) + sinc((omega_j - omega) tau/2). Whether in each part of [from, to] some s_j
-// has no zero.
-bool phase_is_fixed(const model::Oscillator<Ball>& o, const Rational& from, const Rational& to, int depth) {
-  const Ball half = Ball::hull(Ball(from), Ball(to)) / Ball(2);
-  const auto balance = [&](const Ball& omega_j) {
-    return sinc((omega_j + o.data.omega) * half) + sinc((omega_j - o.data.omega) * half);
+// Where 13.slip leaves the load's phase free (4.lag.needed) the balance of both modes is zero. Of the mode
+// j it is a wave in tau.
+kernel::Term balance_of(const kernel::Variable& frequency) {
+  Reader read;
+  const std::map<std::string, symbols::Term> letters{{"omega1", symmetric::omega1},
+                                                     {"omega2", symmetric::omega2}};
+  return substitute(read(symmetric::balance(letters.at(frequency.name))),
+                    {{kernel::Variable{"omega"}, printed().data.omega}});
+}
+model::Wave<tactics::Symbolic> wave_of(const kernel::Variable& frequency) {
+  const tactics::Symbolic omega = kernel::Term(printed().data.omega), omega_j = frequency;
+  model::Wave<tactics::Symbolic> wave;
+  wave.add((omega_j + omega) / 2, 0, (omega_j - omega) / 2);
+  wave.add((omega_j - omega) / 2, 0, (omega_j + omega) / 2);
+  return wave;
+}
+
+// For all 0 < tau < Theta not both are zero, from the ranges of omega1 and omega2: near 0 the second is
+// positive, as it rises from zero; later one of both has a sign in each piece.
+kernel::Theorem phase_is_fixed(const orbits::Ranges& ranges) {
+  using namespace kernel;
+  const Variable tau{"tau"}, omega1{"omega1"}, omega2{"omega2"};
+  const Term first = balance_of(omega1), second = balance_of(omega2);
+  const Term Theta = Term(2) * pi() / Term(printed().data.omega);
+  const Formula goal = negation(all({equal(first, 0), equal(second, 0)}));
+  const auto from_sign = [&](const Theorem& inequality) {
+    return Theorem::consequence({tactics::different(inequality)}, goal);
   };
-  if (balance(o.modes.omega1).is_nonzero() || balance(o.modes.omega2).is_nonzero()) {
-    return true;
-  }
-  const Rational middle = (from + to) / 2;
-  return depth > 0 && phase_is_fixed(o, from, middle, depth - 1) && phase_is_fixed(o, middle, to, depth - 1);
+  const Rational soon(1, 8), last(11);
+
+  const model::Wave<tactics::Symbolic> falls = model::affine<tactics::Symbolic>(-1, wave_of(omega2), 0);
+  const Theorem near_zero = orbits::stays_below(
+      {falls, 0, soon, Theorem::combination(equal(orbits::value(falls, 0), 0)), {}}, tau, ranges);
+  const Theorem early =
+      from_sign(Theorem::order(less(0, second), {Positive{{near_zero}}}));  // 0 < tau, tau <= soon
+
+  orbits::Ranges later = ranges;
+  later[tau] = {soon, last};
+  const Theorem late = orbits::in_pieces(tau, later, [&](const orbits::Ranges& here) {
+    for (const Term& balance : {first, second}) {
+      for (const Formula& relation : {less(0, balance), less(balance, 0)}) {
+        try {
+          return from_sign(Theorem::sign(relation, orbits::ranges_in(balance, here)));
+        } catch (const KernelError&) {
+          continue;
+        }
+      }
+    }
+    throw KernelError("both may be zero at one time");
+  });
+
+  const Formula during = between(0, tau, Theta);
+  const Theorem before_last = Theorem::order(
+      at_most(tau, last),
+      {Positive{{tactics::part(Theorem::assume(during), 1)}}, Positive{{Theorem::sign(less(Theta, last))}}});
+  const Theorem at_all =
+      Theorem::consequence({Theorem::discharge(early, at_most(tau, soon)),
+                            Theorem::discharge(late, at_most(soon, tau)), Theorem::trichotomy(tau, soon)},
+                           goal);
+  return tactics::for_every(
+      tau, during,
+      Theorem::cut(tactics::part(Theorem::assume(during), 0), Theorem::cut(before_last, at_all)));
 }
 
 Claim lag_claim() {
@@ -48,21 +100,147 @@ Claim lag_claim() {
               "phase free (4.lag.needed): the list of orbits, which has both phases of the time lag, is "
               "that of all orbits that obey (13)",
           .prove = [](Prover&, const Claim&) {
-            Outcome outcome =
-                at_the_data(printed(),
-                            "at each time up to 11, which is beyond $Theta$, $omega_j tan(omega_j tau/2)$ is "
-                            "not $omega tan(omega tau/2)$ for one of the two $j$, in balls; the load acts on "
-                            "both modes, by 7.modal");
+            Outcome outcome = at_the_data(
+                printed(),
+                "at each time up to $Theta$, $omega_j tan(omega_j tau/2)$ is not $omega tan(omega tau/2)$ "
+                "for one of the two $j$, by signs in balls; the load acts on both modes, by 7.modal");
             outcome.uses = {"4.lag.needed", "7.modal"};
-            const WorkingPrecision precision(128);
-            const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(printed().data));
-            const Rational last(11);
-            const bool beyond = (Ball(last) - Ball(2) * Ball::pi() / o.data.omega).is_positive();
-            outcome.verdict = beyond && phase_is_fixed(o, Rational(0), last, 20)
-                                  ? Verdict::proved()
-                                  : Verdict::undecided("both may hold at some time");
+            outcome.verdict = Verdict::proved();
+            prove(outcome,
+                  [] { return at_frequencies(printed().data.chi, printed().data.eta, phase_is_fixed); });
             return outcome;
           }};
+}
+
+// The reduced equations (model/symmetric_closing.hpp) have no solution with the printed u_r, for a phase of
+// the load, sigma: where their eliminant is not zero there is none, and elsewhere what they say of C bounds
+// u_r.
+class OtherFriction {
+ public:
+  OtherFriction(const orbits::Ranges& ranges, int sigma) : ranges_(ranges) {
+    using namespace kernel;
+    const model::Parameters<Rational>& a = printed().data;
+    const auto number = [](const Rational& value) { return Symbolic(Term(value)); };
+    const Symbolic chi = number(a.chi), omega = number(a.omega), Theta = Symbolic(2) * Symbolic(pi()) / omega;
+    const model::SymmetricData<Symbolic> data{
+        chi, model::modes_of<Symbolic>(chi, omega1_, omega2_), number(a.V), omega, number(a.p), Theta, sigma};
+    Theta_ = Theta.term;
+    const auto Z = model::symmetric_start<Symbolic>(data, tau_, C_);
+    ur_ = model::friction_at<Symbolic>({chi, number(a.eta), number(a.us), number(a.V), omega, number(a.p)}, Z,
+                                       model::symmetric_phase<Symbolic>(data, pi(), tau_))
+              .term;
+
+    // The rows, regular at tau = 0, too: without sin(x)/x.
+    domain_ = {tactics::above(0, tau_)};
+    for (const Variable& omega_j : {omega1_, omega2_}) {
+      Rational below(mpz_class(ranges.at(omega_j).first * 4096), 4096);
+      below.canonicalize();
+      domain_.push_back(Theorem::sign(less(below, omega_j), {{omega_j, ranges.at(omega_j)}}));
+    }
+    const auto rows = model::symmetric_rows<Symbolic>(data, tau_);
+    for (int j = 0; j < 2; ++j) {
+      const Symbolic omega_j = j == 0 ? omega1_ : omega2_;
+      const Symbolic beta = omega * tau_ / 2, alpha = omega_j * tau_ / 2;
+      const Symbolic regular = (omega * cos(beta) * sin(alpha) - omega_j * sin(beta) * cos(alpha)) /
+                               (omega_j * omega_j - omega * omega);
+      const Term transfer = model::load_transfer<Symbolic>(omega_j, omega, tau_).term;
+      const Theorem same = discharged(Theorem::combination(equal(transfer, regular.term)));
+      equations_.push_back(equal((rows.left(j) * C_ - rows.right(j)).term, 0));
+      rows_.push_back(tactics::by_rewriting(Theorem::assume(equations_.back()), same));
+      left_.push_back(rows.left(j).term);
+      right_.push_back(replaced(rows.right(j).term, transfer, regular.term));
+    }
+    eliminant_ = left_[1] * right_[0] - left_[0] * right_[1];
+    vanishes_.push_back(discharged(
+        Theorem::combination(equal(eliminant_, 0), {{rows_[0], -left_[1]}, {rows_[1], left_[0]}})));
+    const Term slope = (-chi * sin((Theta - tau_) / 2)).term;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Term value = substitute(ur_, {{C_, right_[j] / left_[j]}});
+      values_.push_back(
+          tactics::nonzero(Theorem::combination(equal(ur_, value), {{rows_[j], slope / left_[j]}}), domain_,
+                           {differ(left_[j], 0)}));
+    }
+  }
+
+  // For all 0 < tau < Theta and all C that solve the equations u_r is not in the printed interval.
+  [[nodiscard]] kernel::Theorem operator()() const {
+    using namespace kernel;
+    const Rational last(10472, 1000);  // just beyond Theta
+    orbits::Ranges whole = ranges_;
+    whole[tau_] = {0, last};
+    Theorem result =
+        orbits::in_pieces(tau_, whole, [&](const orbits::Ranges& here) { return decided(here); });
+    const Formula during = between(0, tau_, Theta_), solved = all(equations_);
+    const Theorem since = tactics::part(Theorem::assume(during), 0),
+                  until = tactics::part(Theorem::assume(during), 1);
+    const std::vector<Theorem> known{
+        since, Theorem::order(at_most(0, tau_), {Positive{{since}}}),
+        Theorem::order(at_most(tau_, last),
+                       {Positive{{until}}, Positive{{Theorem::sign(less(Theta_, last))}}}),
+        tactics::part(Theorem::assume(solved), 0), tactics::part(Theorem::assume(solved), 1)};
+    for (const Theorem& one : known) {
+      result = Theorem::cut(one, result);
+    }
+    return tactics::for_every(tau_, during, tactics::for_every(C_, solved, result));
+  }
+
+ private:
+  using Symbolic = tactics::Symbolic;
+
+  [[nodiscard]] kernel::Theorem discharged(const kernel::Theorem& theorem) const {
+    return tactics::nonzero(theorem, domain_);
+  }
+  [[nodiscard]] static std::optional<kernel::Theorem> sign(const kernel::Formula& relation,
+                                                           const orbits::Ranges& here) {
+    try {
+      return kernel::Theorem::sign(relation, orbits::ranges_in(relation, here));
+    } catch (const kernel::KernelError&) {
+      return std::nullopt;
+    }
+  }
+
+  // In ranges that are small enough.
+  [[nodiscard]] kernel::Theorem decided(const orbits::Ranges& here) const {
+    using namespace kernel;
+    const Decimal given = printed().result("ur").value;
+    const Formula below = less(ur_, given.lower()), above = less(given.upper(), ur_),
+                  goal = any({below, above});
+    for (const Formula& relation : {less(0, eliminant_), less(eliminant_, 0)}) {
+      if (const auto known = sign(relation, here)) {
+        return Theorem::consequence({tactics::different(*known), vanishes_[0]}, goal);
+      }
+    }
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto divides = sign(differ(left_[j], 0), here);
+      const Term value = values_[j].conclusion().parts()[1];
+      for (const Formula& side : {below, above}) {
+        const auto known = divides ? sign(replaced(side, ur_, value), here) : std::nullopt;
+        if (known) {
+          const Rational turn = side == below ? -1 : 1;
+          const Theorem bounded =
+              tactics::nonzero(Theorem::order(side, {Positive{{*known}}}, {{values_[j], Term(turn)}}),
+                               domain_, {differ(left_[j], 0)});
+          return Theorem::consequence({Theorem::cut(*divides, bounded)}, goal);
+        }
+      }
+    }
+    throw KernelError(fmt::format("some orbit may have this u_r, where tau is between {} and {}",
+                                  here.at(tau_).first.get_d(), here.at(tau_).second.get_d()));
+  }
+
+  orbits::Ranges ranges_;
+  kernel::Variable tau_{"tau"}, C_{"C"}, omega1_{"omega1"}, omega2_{"omega2"};
+  kernel::Term Theta_ = 0, ur_ = 0, eliminant_ = 0;
+  tactics::Domain domain_;
+  std::vector<kernel::Formula> equations_;
+  std::vector<kernel::Theorem> rows_, vanishes_, values_;
+  std::vector<kernel::Term> left_, right_;
+};
+
+kernel::Theorem no_orbit_has_the_printed_friction() {
+  return at_frequencies(printed().data.chi, printed().data.eta, [](const orbits::Ranges& ranges) {
+    return tactics::both({OtherFriction(ranges, 1)(), OtherFriction(ranges, -1)()});
+  });
 }
 
 // Fig. 2 gives u_r as a datum, beside the others.
@@ -92,6 +270,7 @@ Claim friction_claim() {
                                                        Ball(given.value),
                                                        "$u_r$ of the orbit",
                                                        "the printed one"});
+            prove(outcome, no_orbit_has_the_printed_friction);
             return outcome;
           }};
 }

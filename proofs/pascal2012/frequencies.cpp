@@ -5,6 +5,7 @@
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/openings.hpp"
 #include "proofs/methods/reading.hpp"
+#include "proofs/orbits/with_zero.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/tactics.hpp"
 
@@ -30,6 +31,30 @@ Root root_of(const Variable& name, const Term& a, const Theorem& positive) {
       detach(Theorem::square_root(a), Theorem::order(at_most(0, a), {Positive{{positive}}}));
   const Theorem here = Theorem::assume(opened(existence.conclusion(), name));
   return {name, existence, part(here, 0), part(here, 1)};
+}
+
+Term squares_less_one() {
+  return power(omega1, 2) + power(omega2, 2) - 1;
+}
+Term product_of_squares() {
+  return power(omega1, 2) * power(omega2, 2);
+}
+Domain domain() {
+  return {above(0, omega1), below(omega1, 1), above(1, omega2)};
+}
+
+// What the model's chi and eta are, from omega1² + omega2² - 1 = chi eta and omega1² omega2² = chi eta (1 -
+// chi), and the domain.
+Theorem of_model(const Term& at_chi, const Term& at_eta, const Theorem& of_sum, const Theorem& of_product) {
+  const Term D = squares_less_one(), W = product_of_squares(), product = at_chi * at_eta;
+  Reader read;
+  const auto is = [&](const symbols::Term& symbol, const Term& value, const std::vector<Multiple>& because) {
+    const Formula meant = equal(read(symbol), value);
+    return nonzero(Theorem::combination(meant, because, openings({meant}).all()), domain());
+  };
+  return both({is(symbols::vocabulary::chi, at_chi, {{of_sum, (1 - at_chi) / D}, {of_product, -1 / D}}),
+               is(symbols::vocabulary::eta, at_eta,
+                  {{of_sum, (D + product - at_eta) / (D - W)}, {of_product, at_eta / (D - W)}})});
 }
 
 // The frequencies at chi, eta, as the roots of s⁴ - (1 + chi eta) s² + chi eta (1 - chi): their squares are
@@ -78,25 +103,16 @@ class Frequencies {
         Theorem::order(less(power(1, 2), power(omega2, 2)), {Positive{{second_above}}}, {{y.square}}),
         y.not_negative, 1, omega2);
 
-    // omega1² + omega2² - 1 = chi eta and omega1² omega2² = chi eta (1 - chi), by Vieta.
-    const Term D = power(omega1, 2) + power(omega2, 2) - 1, W = power(omega1, 2) * power(omega2, 2);
-    const Theorem of_sum = Theorem::combination(equal(D, product), {{x.square}, {y.square}});
+    // By Vieta.
+    const Theorem of_sum = Theorem::combination(equal(squares_less_one(), product), {{x.square}, {y.square}});
     const Theorem of_product = Theorem::combination(
-        equal(W, last), {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
-    Reader read;
-    const auto of_model = [&](const symbols::Term& symbol, const Term& value,
-                              const std::vector<Multiple>& because) {
-      const Term meant = read(symbol);
-      const Theorem theorem =
-          nonzero(Theorem::combination(equal(meant, value), because, openings({equal(meant, value)}).all()),
-                  {above(0, omega1), below(omega1, 1), above(1, omega2)});
-      return Theorem::cut(y_above, Theorem::cut(x_below, Theorem::cut(x_positive, theorem)));
-    };
-    const Theorem is_chi = of_model(symbols::vocabulary::chi, chi,
-                                    {{of_sum, (1 - Term(chi)) / D}, {of_product, -1 / D}}),
-                  is_eta = of_model(symbols::vocabulary::eta, eta,
-                                    {{of_sum, (D + product - eta) / (D - W)}, {of_product, eta / (D - W)}});
-    return closed(both({x_positive, x_below, y_above, is_chi, is_eta}), {y, x}, r);
+        equal(product_of_squares(), last),
+        {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
+    Theorem data = of_model(chi, eta, of_sum, of_product);
+    for (const Theorem& known : {x_positive, x_below, y_above}) {
+      data = Theorem::cut(known, data);
+    }
+    return closed(both({x_positive, x_below, y_above, part(data, 0), part(data, 1)}), {y, x}, r);
   }
 
  private:
@@ -113,6 +129,47 @@ class Frequencies {
 };
 
 }  // namespace
+
+Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
+                       const std::function<Theorem(const orbits::Ranges&)>& more) {
+  if (at_chi <= 0 || at_chi >= 1 || at_eta <= 0) {
+    throw KernelError("chi is between 0 and 1, and eta is positive");
+  }
+  const WorkingPrecision precision(128);
+  const model::Modes<Ball> modes = model::modes<Ball>(Ball(at_chi), Ball(at_eta));
+  const Rational radius(1, 1L << 44);
+  const std::vector<Variable> unknowns{omega1, omega2};
+  Box box;
+  orbits::Ranges ranges;
+  for (const Ball& value : {modes.omega1, modes.omega2}) {
+    const Rational centre = orbits::near(value);
+    ranges.emplace(unknowns.at(box.size()), Interval{centre - radius, centre + radius});
+    box.emplace_back(centre - radius, centre + radius);
+  }
+  const Rational product = at_chi * at_eta, last = product * (1 - at_chi);
+  const std::vector<Term> equations{squares_less_one() - Term(product), product_of_squares() - Term(last)};
+  const auto from = [&](std::size_t i, const Formula& equation) {
+    return Theorem::combination(equation, {{Theorem::assume(equal(equations[i], 0))}});
+  };
+  const Theorem data = of_model(at_chi, at_eta, from(0, equal(squares_less_one(), product)),
+                                from(1, equal(product_of_squares(), last)));
+  std::vector<Theorem> parts;
+  for (const Theorem& side : domain()) {
+    const Formula& inequality = side.conclusion();
+    const Variable& which = inequality.variables().contains(omega1) ? omega1 : omega2;
+    parts.push_back(Theorem::sign(inequality, {{which, ranges.at(which)}}));
+  }
+  Theorem here = data;
+  for (const Theorem& one : parts) {
+    here = Theorem::cut(one, here);
+  }
+  parts.insert(parts.end(), {part(here, 0), part(here, 1), more(ranges)});
+  Theorem result = both(parts);
+  for (const Variable& one : {omega2, omega1}) {
+    result = Theorem::witness(result, exists(one, result.conclusion()), one);
+  }
+  return orbits::with_zero(result, unknowns, equations, box);
+}
 
 Claim frequencies_exist() {
   return {.id = "39.frequencies",

@@ -47,19 +47,24 @@ Outcome at_the_data(const Example& example, const std::string& route) {
   return outcome;
 }
 
+void prove(Outcome& outcome, const std::function<kernel::Theorem()>& theorem) {
+  try {
+    outcome.theorems = {theorem()};
+    outcome.by_kernel = true;
+  } catch (const kernel::KernelError& error) {
+    outcome.verdict = Verdict::undecided(error.what());
+  }
+}
+
 void prove_of_orbit(
     Outcome& outcome, Prover& prover, const PrintedPlace& where,
     const std::function<kernel::Theorem(const kernel::Theorem&, const orbits::Question&)>& theorem) {
   const std::vector<kernel::Theorem>& orbit = prover.prove(where.orbit).outcome.theorems;
-  if (orbit.empty()) {
-    return;
-  }
-  try {
-    outcome.theorems = {theorem(
-        orbit.front(), orbits::question_of(question_of(where.example), printed_orbit(where.example).motion))};
-    outcome.by_kernel = true;
-  } catch (const kernel::KernelError& error) {
-    outcome.verdict = Verdict::undecided(error.what());
+  if (!orbit.empty()) {
+    prove(outcome, [&] {
+      return theorem(orbit.front(),
+                     orbits::question_of(question_of(where.example), printed_orbit(where.example).motion));
+    });
   }
 }
 

@@ -28,6 +28,9 @@ struct PrintedPlace {
   std::string route;  // how its values were found
 };
 
+// Makes of what was decided in balls this theorem; undecided, with the reason, where it throws KernelError.
+void prove(methods::Outcome& outcome, const std::function<kernel::Theorem()>& theorem);
+
 // Makes of what was decided in balls a theorem: what `theorem` makes of the orbit's existence, if that is
 // proved; undecided, with the reason, where it makes none.
 void prove_of_orbit(

@@ -8,17 +8,16 @@
 namespace stickslip::proofs::pascal2012 {
 
 using namespace methods;
-using namespace symbolic::algebra;
 
 namespace {
 
 using namespace reduction;
 
 std::vector<Equal> modal_forms(Flows& flows) {
-  const model::Parameters<ex> a{symbol("chi"), symbol("eta"),   symbol("us"),
-                                symbol("V"),   symbol("omega"), symbol("p")};
+  const model::Parameters<Symbolic> a{symbol("chi"), symbol("eta"),   symbol("us"),
+                                      symbol("V"),   symbol("omega"), symbol("p")};
   flows.used.merge(std::set<std::string>{"6.d0", "7"});
-  return {{model::Q<ex>(a, modes()), load()}, {model::d0<ex>(a.chi, a.us), rest()}};
+  return {same(model::Q<Symbolic>(a, modes()), load()), same(model::d0<Symbolic>(a.chi, a.us), rest())};
 }
 
 }  // namespace

@@ -1,43 +1,57 @@
 // (28) for any tau and V against the two reduced equations.
 #include "model/nonsticking.hpp"
 #include "proofs/pascal2012/reduction.hpp"
-#include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012::reduction {
 
 using namespace methods;
 using namespace symbols;
-using namespace symbolic::algebra;
 
 namespace {
 
 namespace v = symbols::vocabulary;
 
+// friction_speed divides by sinc(delta) + sinc(pi - delta), which is not 0 where sin(delta) = sin(pi - delta)
+// is not.
+kernel::Theorem sum_of_sincs_differs() {
+  using kernel::Theorem;
+  const kernel::Term delta = kernel::Variable{"delta"}, sine = sin(delta),
+                     sum = delta * sin(kernel::pi() - delta) - delta * sine + kernel::pi() * sine;
+  const kernel::Formula vanishes = kernel::equal(sum, 0);
+  const Theorem sine_vanishes = tactics::nonzero(
+      Theorem::combination(kernel::equal(sine, 0), {{Theorem::assume(vanishes), inverse(kernel::pi())}}), {});
+  return Theorem::consequence(
+      {Theorem::discharge(sine_vanishes, vanishes), Theorem::assume(kernel::differ(sine, 0))},
+      kernel::differ(sum, 0));
+}
+
 std::vector<Equal> two_slips_close(Flows& flows) {
-  const ex omega = symbol("omega");
-  const ex delta = symbol("delta");
-  const ex mu = symbol("mu");
-  const ex V = symbol("V");
-  const Vector2 c = model::modal_rest<ex>(modes(), rest());
-  const model::Parameters<ex> a{symbol("chi"), symbol("eta"), symbol("us"), V, omega, symbol("p")};
-  const Vector2 rows = model::two_slips<ex>(a, modes(), load()(1), c, GiNaC::Pi, delta, mu);
-  const auto states = model::two_slips_states<ex>(V, modes(), load(), c, omega, GiNaC::Pi, delta, mu);
+  flows.derivation.know(sum_of_sincs_differs());
+  const Symbolic omega = symbol("omega");
+  const Symbolic delta = symbol("delta");
+  const Symbolic mu = symbol("mu");
+  const Symbolic V = symbol("V");
+  const Vector2 c = model::modal_rest<Symbolic>(modes(), rest());
+  const model::Parameters<Symbolic> a{symbol("chi"), symbol("eta"), symbol("us"), V, omega, symbol("p")};
+  const Vector2 rows = model::two_slips<Symbolic>(a, modes(), load()(1), c, half_turn(), delta, mu);
+  const auto states = model::two_slips_states<Symbolic>(V, modes(), load(), c, omega, half_turn(), delta, mu);
   // The response's own speeds z2' at 0 and tau, less V, are combinations of the rows.
   Vector4 Z0 = states.Z0;
   Vector4 ZB = states.ZB;
   Z0(3) += sin(delta) * rows(1) - rows(0);
   ZB(3) += -sin(delta) * rows(1) - rows(0);
-  const ex tau = 2 * delta / omega;
-  return {{flows.slip(Z0, mu - delta, tau), ZB}, {flows.overshoot(ZB, mu + delta, period() - tau), Z0}};
+  const Symbolic tau = 2 * delta / omega;
+  return {same(flows.slip(Z0, mu - delta, tau), ZB),
+          same(flows.overshoot(ZB, mu + delta, period() - tau), Z0)};
 }
 
 // det(H(Theta) - I) = (2 - 2 cos(omega_1 Theta))(2 - 2 cos(omega_2 Theta)).
-std::vector<Equal> one_response(Flows&) {
-  const ex Theta = period();
-  const ex product = (2 - 2 * cos(symbol("omega1") * Theta)) * (2 - 2 * cos(symbol("omega2") * Theta));
+std::vector<Equal> one_response(Flows& flows) {
+  const Symbolic Theta = period();
+  const Symbolic product = (2 - 2 * cos(symbol("omega1") * Theta)) * (2 - 2 * cos(symbol("omega2") * Theta));
   const Term stated = determinant(vocabulary::H(2 * pi() / vocabulary::omega) - vocabulary::I4);
-  return {{evaluate<ex>(stated, symbolically()), symbolic::algebra::Matrix::Constant(1, 1, product)}};
+  return {{flows.derivation.read(stated), product.term}};
 }
 
 std::vector<Assumption> two_slips_apart() {

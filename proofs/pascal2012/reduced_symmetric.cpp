@@ -6,18 +6,17 @@
 namespace stickslip::proofs::pascal2012::reduction {
 
 using namespace methods;
-using namespace symbolic::algebra;
 
 namespace {
 
 namespace v = symbols::vocabulary;
 
 Vector4 reversed(const Vector4& Z) {
-  return model::reversal<ex>() * Z;
+  return model::reversal<Symbolic>() * Z;
 }
 
-model::SymmetricData<ex> symmetric_data(int sigma) {
-  return {symbol("chi"), modes(), symbol("V"), symbol("omega"), symbol("p"), period(), ex(sigma)};
+model::SymmetricData<Symbolic> symmetric_data(int sigma) {
+  return {symbol("chi"), modes(), symbol("V"), symbol("omega"), symbol("p"), period(), Symbolic(sigma)};
 }
 
 // (13) at the state that (tau, C) stands for.
@@ -28,11 +27,11 @@ struct SymmetricSlip {
 
 SymmetricSlip symmetric_slip(Flows& flows, int sigma) {
   const auto a = symmetric_data(sigma);
-  const ex tau = symbol("tau");
-  const ex C = symbol("C");
-  const Vector4 Z0 = model::symmetric_start<ex>(a, tau, C);
-  const ex phi = model::symmetric_phase<ex>(a, GiNaC::Pi, tau);
-  return {flows.slip(Z0, phi, tau) - reversed(Z0), model::symmetric_closing<ex>(a, tau, C)};
+  const Symbolic tau = symbol("tau");
+  const Symbolic C = symbol("C");
+  const Vector4 Z0 = model::symmetric_start<Symbolic>(a, tau, C);
+  const Symbolic phi = model::symmetric_phase<Symbolic>(a, half_turn(), tau);
+  return {flows.slip(Z0, phi, tau) - reversed(Z0), model::symmetric_closing<Symbolic>(a, tau, C)};
 }
 
 // The residual that the rows make: mode j is (2 cos(alpha_j)/omega_j, -2 sin(alpha_j)) times row j over
@@ -41,7 +40,7 @@ Vector4 symmetric_residual_of(const Vector2& rows) {
   const Vector2 alpha = half_angles(symbol("tau"));
   Vector2 y, ydot;
   for (int j = 0; j < 2; ++j) {
-    const ex part = rows(j) / row_scale()(j);
+    const Symbolic part = rows(j) / row_scale()(j);
     y(j) = 2 * cos(alpha(j)) / frequencies()(j) * part;
     ydot(j) = -2 * sin(alpha(j)) * part;
   }
@@ -63,7 +62,7 @@ std::vector<Equal> symmetric_sufficient(Flows& flows) {
   std::vector<Equal> result;
   for (const int sigma : {1, -1}) {
     const SymmetricSlip slip = symmetric_slip(flows, sigma);
-    result.push_back({slip.residual, symmetric_residual_of(slip.reduced)});
+    result.push_back(same(slip.residual, symmetric_residual_of(slip.reduced)));
   }
   return result;
 }
@@ -71,30 +70,31 @@ std::vector<Equal> symmetric_sufficient(Flows& flows) {
 std::vector<Equal> symmetric_necessary(Flows& flows) {
   flows.used.insert("16.reduced");
   const Vector2 rows{symbol("r1"), symbol("r2")};
-  return {{rows, symmetric_rows_of(symmetric_residual_of(rows))}};
+  return {same(rows, symmetric_rows_of(symmetric_residual_of(rows)))};
 }
 
 std::vector<Equal> symmetric_stick(Flows& flows) {
   const auto a = symmetric_data(1);
-  const ex tau = symbol("tau");
-  const Vector4 Z0 = model::symmetric_start<ex>(a, tau, symbol("C"));
-  return {{flows.stick(reversed(Z0), a.Theta - tau), Z0}};
+  const Symbolic tau = symbol("tau");
+  const Vector4 Z0 = model::symmetric_start<Symbolic>(a, tau, symbol("C"));
+  return {same(flows.stick(reversed(Z0), a.Theta - tau), Z0)};
 }
 
 // Any state with z2' = V differs from that of its own C by a multiple of the residual of (15).
 std::vector<Equal> symmetric_all_sticks(Flows& flows) {
   const auto a = symmetric_data(1);
-  const ex tau = symbol("tau");
-  const ex half = (a.Theta - tau) / 2;
+  const Symbolic tau = symbol("tau");
+  const Symbolic half = (a.Theta - tau) / 2;
   const Vector4 Z0{symbol("z10"), symbol("z20"), symbol("zdot10"), a.V};
   const Vector4 r = flows.stick(reversed(Z0), a.Theta - tau) - Z0;
-  const ex u = Z0(0) - a.chi * Z0(1);
-  const ex v = Z0(2) - a.chi * a.V;
-  const ex C = u * sin(half) + v * cos(half);
-  const ex b = (sin(half) * r(2) - cos(half) * (r(0) - a.chi * r(1))) / 2;
-  const ex second = -r(1) / 2;
-  const Vector4 multiple{ex(cos(half) * b + a.chi * second), second, ex(-sin(half) * b), ex(0)};
-  return {{Z0 - model::symmetric_start<ex>(a, tau, C), multiple}};
+  const Symbolic u = Z0(0) - a.chi * Z0(1);
+  const Symbolic v = Z0(2) - a.chi * a.V;
+  const Symbolic C = u * sin(half) + v * cos(half);
+  const Symbolic b = (sin(half) * r(2) - cos(half) * (r(0) - a.chi * r(1))) / 2;
+  const Symbolic second = -r(1) / 2;
+  const Vector4 multiple{Symbolic(cos(half) * b + a.chi * second), second, Symbolic(-sin(half) * b),
+                         Symbolic(0)};
+  return {same(Z0 - model::symmetric_start<Symbolic>(a, tau, C), multiple)};
 }
 
 }  // namespace

@@ -7,40 +7,42 @@
 #include <vector>
 
 #include "model/flows.hpp"
-#include "proofs/methods/claim.hpp"
-#include "proofs/symbols/term.hpp"
-#include "symbolic/algebra/decide.hpp"
-#include "symbolic/algebra/symbols.hpp"
+#include "proofs/methods/derivation.hpp"
+#include "proofs/tactics/model_terms.hpp"
 
 namespace stickslip::proofs::pascal2012::reduction {
 
-using GiNaC::cos;
-using GiNaC::ex;
-using GiNaC::sin;
-using symbolic::algebra::symbol;
-using Vector2 = model::Vector2<ex>;
-using Vector4 = model::Vector4<ex>;
+using tactics::Symbolic;
+using Vector2 = model::Vector2<Symbolic>;
+using Vector4 = model::Vector4<Symbolic>;
 
-[[nodiscard]] model::Modes<ex> modes();
+// The letter of a symbol, and pi.
+[[nodiscard]] Symbolic symbol(const std::string& name);
+[[nodiscard]] Symbolic half_turn();
+
+[[nodiscard]] model::Modes<Symbolic> modes();
 // Q and d_0 by their modes.
 [[nodiscard]] Vector2 load();
 [[nodiscard]] Vector2 rest();
 // Theta = 2 pi/omega.
-[[nodiscard]] ex period();
+[[nodiscard]] Symbolic period();
 
 // The flows (5), (8), (10); the ids of the claims behind those that were used.
 struct Flows {
+  methods::Derivation& derivation;
   std::set<std::string> used{"39.derived"};
 
-  Vector4 slip(const Vector4& Z0, const ex& psi0, const ex& t);
-  Vector4 overshoot(const Vector4& Z0, const ex& psi0, const ex& t);
-  Vector4 stick(const Vector4& Z0, const ex& t);
+  Vector4 slip(const Vector4& Z0, const Symbolic& psi0, const Symbolic& t);
+  Vector4 overshoot(const Vector4& Z0, const Symbolic& psi0, const Symbolic& t);
+  Vector4 stick(const Vector4& Z0, const Symbolic& t);
 };
 
-struct Equal {
-  symbolic::algebra::Matrix left, right;
-};
-using Compare = std::vector<Equal> (*)(Flows&);
+using Compare = std::vector<methods::Equal> (*)(Flows&);
+// Two columns of the model's.
+template <class Left, class Right>
+[[nodiscard]] methods::Equal same(const Left& left, const Right& right) {
+  return {tactics::as_term(left), tactics::as_term(right)};
+}
 
 // z = Lambda y, z' = Lambda y', and back.
 [[nodiscard]] Vector4 from_modes(const Vector2& y, const Vector2& ydot);
@@ -50,7 +52,7 @@ using Compare = std::vector<Equal> (*)(Flows&);
 [[nodiscard]] Vector2 row_scale();
 // omega_j, and omega_j duration/2.
 [[nodiscard]] Vector2 frequencies();
-[[nodiscard]] Vector2 half_angles(const ex& duration);
+[[nodiscard]] Vector2 half_angles(const Symbolic& duration);
 
 // A claim that every pair that `compare` builds from the model's own formulas is equal.
 [[nodiscard]] methods::Claim reduced(const std::string& id, const std::string& words, Compare compare,

@@ -101,10 +101,6 @@ std::vector<Claim> ends() {
 // The time lag: sufficient (44.F0), and necessary but for one case.
 std::vector<Claim> lag() {
   const Term middle = cos(omega * tau / 2 + phi);
-  const auto balance = [](const Term& frequency) {
-    return frequency * sin(frequency * tau / 2) * cos(omega * tau / 2) -
-           omega * cos(frequency * tau / 2) * sin(omega * tau / 2);
-  };
   const auto share = [](const Term& row) { return row * inverse(Lambda) * Q; };
   const auto lines = [](const Term& row, const Term& frequency) {
     const Term mode = row * inverse(Lambda);

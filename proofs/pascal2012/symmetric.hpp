@@ -25,6 +25,12 @@ inline const methods::Assumption stick_lasts{"4.T", symbols::equation(T, Theta -
 inline const methods::Assumption stick_takes_time{"T.positive", {T, 0, symbols::Relation::greater}};
 inline const methods::Assumption sticks = half_period::sticks(tau, Theta);
 
+// Zero where omega_j tan(omega_j tau/2) = omega tan(omega tau/2).
+[[nodiscard]] inline symbols::Term balance(const symbols::Term& frequency) {
+  return frequency * sin(frequency * tau / 2) * cos(omega * tau / 2) -
+         omega * cos(frequency * tau / 2) * sin(omega * tau / 2);
+}
+
 }  // namespace stickslip::proofs::pascal2012::symmetric
 
 namespace stickslip::proofs::pascal2012 {

@@ -62,7 +62,13 @@ std::optional<Theorem> signed_by_bounds(const ex& factor, const Letters& letters
     const ex to = ends.upper ? symbolic::algebra::to_ex(ends.to()) : ex(0);
     moved[x] = ends.lower && ends.upper ? (from + to * x) / (1 + x) : ends.lower ? from + x : to - x;
   }
-  const ex expansion = factor.subs(moved, GiNaC::subs_options::no_pattern).numer();
+  ex opened = factor.subs(moved, GiNaC::subs_options::no_pattern);
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (bounds[i].lower && bounds[i].upper) {
+      opened *= pow(1 + letters.symbols()[i], degrees[i]);
+    }
+  }
+  const ex expansion = opened.normal().expand();
   std::vector<Positive> positives;
   int sign = 0;
   for (const Letters::Monomial& monomial : letters.monomials(expansion)) {
@@ -91,7 +97,7 @@ std::optional<Theorem> signed_by_bounds(const ex& factor, const Letters& letters
     positives.push_back(positive);
   }
   const Term term = letters.term(factor);
-  try {  // numer() may have dropped a factor: then the rule says so
+  try {
     return Theorem::order(sign > 0 ? less(0, term) : less(term, 0), positives);
   } catch (const KernelError&) {
     return std::nullopt;

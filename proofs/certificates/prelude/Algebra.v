@@ -1,5 +1,5 @@
 (* What the steps of a certificate are made of: sums of multiples, signs of products, cos and sin of sums. *)
-From Stickslip Require Export Matrices.
+From Stickslip Require Export Matrices Sentences.
 
 (* ---- logic *)
 
@@ -19,9 +19,6 @@ Lemma square_root : forall a, 0 <= a -> exists x, 0 <= x /\ x ^ 2 = a.
 Proof.
   intros a L. exists (sqrt a). split; [apply sqrt_pos|]. now rewrite <- Rsqr_pow2, Rsqr_sqrt.
 Qed.
-
-(* Truth tables: classical logic of sentences. *)
-Ltac truth_table := intros; apply NNPP; tauto.
 
 (* ---- sums of multiples *)
 
