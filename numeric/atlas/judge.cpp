@@ -14,7 +14,7 @@ namespace {
 
 constexpr long arb_bits = 64;
 constexpr int enough_for_doubles = 26;  // halvings of a side
-constexpr int more_halvings = 6;        // of the finest boxes
+constexpr int more_halvings = 8;        // of the finest boxes
 
 // ---- the domain, exactly
 
@@ -114,7 +114,7 @@ void judge_orbit(const families::Family& family, const Orbit& orbit, double leas
         }
         const Decision decision = orbit.holds(requirement, least, condition.open);
         condition.truth = decision.truth;
-        condition.is_promising = decision.is_promising;
+        condition.hope = decision.hope;
         if (condition.truth == Truth::refuted) {
           known.admissible = Truth::refuted;
           known.conditions.clear();
@@ -132,7 +132,7 @@ void judge_orbit(const families::Family& family, const Orbit& orbit, double leas
   // Without load each shift in time of the orbit is an orbit: none attracts all of its neighbours.
   const Decision stable = without_load ? Decision{Truth::refuted} : orbit.stability();
   known.stable = stable.truth;
-  known.stability_promising = stable.is_promising;
+  known.of_stability = stable.hope;
 }
 
 // ---- all orbits
@@ -274,7 +274,7 @@ class Judge {
     const bool without_load = box_[place_of_p].is_point() && box_[place_of_p].lower == 0;
     for (const auto& [orbit, of_orbit] : orbits) {
       judge_orbit(family_, orbit, data_.least, without_load, *of_orbit);
-      if (last_ && of_orbit->admissible == Truth::undecided && !of_orbit->is_promising()) {
+      if (last_ && of_orbit->admissible == Truth::undecided && !of_orbit->hope().is_promising) {
         break;
       }
     }
@@ -296,9 +296,11 @@ Finding judge_with(const Question& q, const Box& box, bool last, Knowledge& know
 
 }  // namespace
 
-Finding judge(const Question& q, Tile tile, Balls balls, Knowledge& known) {
+namespace {
+
+// `last`: no leaf is smaller, and what is open is said of all of it; `halvings` of the whole have led there.
+Finding judge_box(const Question& q, const Box& box, Balls balls, bool last, int halvings, Knowledge& known) {
   const WorkingPrecision scope(arb_bits);
-  const Box box = box_of(q, tile);
   switch (place(q, box)) {
     case Where::outside:
       return open(Reason::outside);
@@ -307,15 +309,38 @@ Finding judge(const Question& q, Tile tile, Balls balls, Knowledge& known) {
     case Where::inside:
       break;
   }
-  const bool last = depth(tile) >= q.finest();
   if (balls != Balls::arb) {
     const Finding finding = judge_with<scalars::HardwareBall>(q, box, last, known);
     if (finding.is_decided() || balls == Balls::hardware ||
-        depth(tile) < enough_for_doubles * static_cast<int>(q.axes.size())) {
+        halvings < enough_for_doubles * static_cast<int>(q.axes.size())) {
       return finding;
     }
   }
   return judge_with<Ball>(q, box, last, known);
+}
+
+// The box is halved across what it varies most with, if there is hope, and so are its halves: what all parts
+// say is said of it.
+Finding judge_parts(const Question& q, const Box& box, Balls balls, int halvings, Knowledge known, int more) {
+  const Finding all = judge_box(q, box, balls, true, halvings, known);
+  const Hope hope = known.hope();
+  if (all.is_decided() || more == 0 || !hope.is_promising) {
+    return all;
+  }
+  const std::size_t across = q.axes[static_cast<std::size_t>(std::max(hope.steepest - 1, 0))];
+  Box lower = box;
+  Box upper = box;
+  lower[across].upper = upper[across].lower = (box[across].lower + box[across].upper) / 2;
+  const Finding first = judge_parts(q, lower, balls, halvings + 1, known, more - 1);
+  const bool agree =
+      first.is_decided() && judge_parts(q, upper, balls, halvings + 1, std::move(known), more - 1) == first;
+  return agree ? first : all;
+}
+
+}  // namespace
+
+Finding judge(const Question& q, Tile tile, Balls balls, Knowledge& known) {
+  return judge_box(q, box_of(q, tile), balls, depth(tile) >= q.finest(), depth(tile), known);
 }
 
 Knowledge known_around(const Question& q, Tile tile, Balls balls) {
@@ -326,23 +351,8 @@ Knowledge known_around(const Question& q, Tile tile, Balls balls) {
   return known;
 }
 
-namespace {
-
-Finding judge_halves(const Question& q, Tile tile, Balls balls, Knowledge known, int halvings) {
-  const Finding all = judge(q, tile, balls, known);
-  if (all.is_decided() || halvings == 0 || depth(tile) == most_depth || !known.is_promising()) {
-    return all;
-  }
-  const Finding lower = judge_halves(q, 2 * tile, balls, known, halvings - 1);
-  const bool agree =
-      lower.is_decided() && judge_halves(q, 2 * tile + 1, balls, std::move(known), halvings - 1) == lower;
-  return agree ? lower : all;
-}
-
-}  // namespace
-
 Finding judge_finest(const Question& q, Tile tile, Balls balls, Knowledge known) {
-  return judge_halves(q, tile, balls, std::move(known), more_halvings);
+  return judge_parts(q, box_of(q, tile), balls, depth(tile), std::move(known), more_halvings);
 }
 
 Finding judge_from_whole(const Question& q, Tile tile, Balls balls) {

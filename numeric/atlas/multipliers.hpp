@@ -102,19 +102,23 @@ template <class T>
   const auto& [e1, e2, e3] = e;
   const T square = e3 * e3;
   bool all = true;
-  bool all_likely = true;
-  bool is_promising = false;  // the one that refutes it
+  Hope for_all{true};
+  Hope for_one;  // that refutes it
   for (const T& quantity :
        {T(T(1) - square), at_one, T(T(1) + e1 + e2 + e3), T(T(1) - e2 + e1 * e3 - square)}) {
     const Decision decision = decide_positive(quantity);
     if (decision.truth == Truth::refuted) {
       return {Truth::refuted};
     }
-    all = all && decision.truth == Truth::proved;
-    all_likely = all_likely && (decision.truth == Truth::proved || decision.is_promising);
-    is_promising = is_promising || (decision.is_promising && quantity.over.approximate() < 0);
+    if (decision.truth == Truth::undecided) {
+      all = false;
+      for_all = {for_all.is_promising && decision.hope.is_promising, decision.hope.steepest};
+      if (decision.hope.is_promising && quantity.over.approximate() < 0) {
+        for_one = decision.hope;
+      }
+    }
   }
-  return all ? Decision{Truth::proved} : Decision{Truth::undecided, all_likely || is_promising};
+  return {all ? Truth::proved : Truth::undecided, for_one.is_promising ? for_one : for_all};
 }
 
 }  // namespace stickslip::numeric::atlas
