@@ -21,7 +21,7 @@ template <class S>
 
 struct Decision {
   Truth truth = Truth::undecided;
-  Hope hope;
+  Hope hope = {};
 };
 template <class T>
 [[nodiscard]] Decision decide_positive(const T& x) {
@@ -80,8 +80,9 @@ template <class T, class G>
       halve();
     } else {
       open.emplace_back(first, last);  // go on: another piece may refute it
-      const Hope here = hope_of(g_or_slope, 1);
-      hope = {hope.is_promising && here.is_promising, here.steepest};
+      Hope here = hope_of(g_or_slope, 1);
+      here.is_below = here.is_below != (touched && last == 1);  // there it has to fall
+      hope = hope.of_both(here);
     }
   }
   if (open.empty()) {

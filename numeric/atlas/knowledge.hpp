@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -17,13 +18,25 @@ namespace stickslip::numeric::atlas {
 struct Hope {
   bool is_promising = false;
   int steepest = 0;
+  bool is_below = false;  // a quantity that is likely to be found negative
+
+  // Of two things each of which has to be decided.
+  [[nodiscard]] Hope and_also(const Hope& other) const {
+    return {is_promising && other.is_promising, steepest > 0 ? steepest : other.steepest};
+  }
+  // Of two quantities that both have to be positive: one that is not decides.
+  [[nodiscard]] Hope of_both(const Hope& other) const {
+    return is_promising && is_below                ? *this
+           : other.is_promising && other.is_below ? other
+                                                  : and_also(other);
+  }
 };
 
 // Of a quantity's sign where all variables before the first are 0. Were the box smaller by 2^-r, the ranges of
 // its slopes would be narrower by as much; r = 5 is what a few halvings of the steepest reach.
 template <class S, int N>
 [[nodiscard]] Hope hope_of(const scalars::Form<S, N>& x, std::size_t first = 0) {
-  Hope hope;
+  Hope hope = {};
   double sum = 0;
   double most = 0;
   for (std::size_t i = first; i < x.slopes.size(); ++i) {
@@ -36,6 +49,7 @@ template <class S, int N>
     }
   }
   hope.is_promising = std::abs(x.at.approximate()) > sum;
+  hope.is_below = x.at.approximate() < 0;
   return hope;
 }
 
@@ -45,7 +59,7 @@ struct Cell {
   double first, last;
   int value = 0, slope = 0;
   double least_slope = 0, greatest_slope = 0;
-  Hope hope;
+  Hope hope = {};
 };
 
 // f has exactly one zero in [first, last], for every member of the box, and f' keeps its sign there: it lies
@@ -63,6 +77,13 @@ struct Bracket {
   }
 };
 
+// A rectangle of two unknowns; and, for every member of the box, exactly one zero: in `where`, and no other in
+// `unique`, which contains that.
+using Patch = std::array<std::pair<double, double>, 2>;
+struct ZeroPatch {
+  Patch unique, where;
+};
+
 // Times of a phase, as shares of its duration.
 using Times = std::vector<std::pair<double, double>>;
 
@@ -70,14 +91,15 @@ struct Knowledge {
   struct Condition {
     Truth truth = Truth::undecided;
     Times open{{0, 1}};  // at the other times it holds
-    Hope hope;
+    Hope hope = {};
   };
   struct Orbit {
-    Bracket zero;
+    Bracket zero;      // of one unknown
+    ZeroPatch patch{};  // of two
     bool exists = false;  // the zero is an orbit
     Truth admissible = Truth::undecided;
     Truth stable = Truth::undecided;
-    Hope of_stability;
+    Hope of_stability = {};
     std::vector<Condition> conditions;  // one for each requirement of the family, while they are open
 
     [[nodiscard]] bool is_decided() const {
@@ -97,14 +119,18 @@ struct Knowledge {
       Hope hope{true};
       for (const Condition& condition : conditions) {
         if (condition.truth != Truth::proved) {
-          join(hope, condition.hope);
+          hope = hope.of_both(condition.hope);
         }
       }
       return hope;
     }
   };
   struct Sheet {
-    std::vector<Cell> cells{{0, 1}};           // from left to right
+    std::vector<Cell> cells{{0, 1}};  // of one unknown, from left to right
+    // Of two: where there may be zeros besides those that are known.
+    std::vector<Patch> patches{{{{0, 1}, {0, 1}}}};
+    std::vector<ZeroPatch> zeros = {};
+    Hope of_patches = {};
     std::optional<std::vector<Orbit>> orbits;  // all zeros, once their number is known
   };
   std::vector<Sheet> sheets;  // of sheets.hpp; empty where nothing is known
@@ -114,24 +140,18 @@ struct Knowledge {
     for (const Sheet& sheet : sheets) {
       if (sheet.orbits) {
         for (const Orbit& orbit : *sheet.orbits) {
-          join(hope, orbit.hope());
+          hope = hope.and_also(orbit.hope());
         }
       } else {
+        hope = hope.and_also(sheet.of_patches);
         for (const Cell& cell : sheet.cells) {
           if (cell.value == 0 && cell.slope == 0) {
-            join(hope, cell.hope);
+            hope = hope.and_also(cell.hope);
           }
         }
       }
     }
     return hope;
-  }
-
- private:
-  // Of two things that are open.
-  static void join(Hope& both, const Hope& other) {
-    both.is_promising = both.is_promising && other.is_promising;
-    both.steepest = both.steepest > 0 ? both.steepest : other.steepest;
   }
 };
 

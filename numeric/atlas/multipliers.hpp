@@ -102,8 +102,7 @@ template <class T>
   const auto& [e1, e2, e3] = e;
   const T square = e3 * e3;
   bool all = true;
-  Hope for_all{true};
-  Hope for_one;  // that refutes it
+  Hope hope{true};
   for (const T& quantity :
        {T(T(1) - square), at_one, T(T(1) + e1 + e2 + e3), T(T(1) - e2 + e1 * e3 - square)}) {
     const Decision decision = decide_positive(quantity);
@@ -112,13 +111,10 @@ template <class T>
     }
     if (decision.truth == Truth::undecided) {
       all = false;
-      for_all = {for_all.is_promising && decision.hope.is_promising, decision.hope.steepest};
-      if (decision.hope.is_promising && quantity.over.approximate() < 0) {
-        for_one = decision.hope;
-      }
+      hope = hope.of_both(decision.hope);
     }
   }
-  return {all ? Truth::proved : Truth::undecided, for_one.is_promising ? for_one : for_all};
+  return {all ? Truth::proved : Truth::undecided, hope};
 }
 
 }  // namespace stickslip::numeric::atlas
