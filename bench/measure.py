@@ -17,6 +17,7 @@ import time
 from decimal import Decimal, getcontext
 from pathlib import Path
 
+import atlases
 import table
 from completeness import complete_lists
 
@@ -136,11 +137,13 @@ def whole_audit():
             "cores": len(os.sched_getaffinity(0))}
 
 
-def orbits_timed(arguments):
-    """The program's output on one core, complete or not, and the seconds of processor time that it took."""
+def timed(before_it, arguments):
+    """The program's output, complete or not, and the seconds of processor time that it took, on one core unless started by
+    another program."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    run = subprocess.run([BUILD / "cli/stickslip", *arguments], stdout=subprocess.PIPE, text=True, check=False,
-                         preexec_fn=lambda: os.sched_setaffinity(0, {CORE}))
+    run = subprocess.run([*before_it, BUILD / "cli/stickslip", *arguments], stdout=subprocess.PIPE, text=True, check=False,
+                         env=atlases.environment(),
+                         preexec_fn=None if before_it else lambda: os.sched_setaffinity(0, {CORE}))
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if run.returncode not in (0, 2):
         sys.exit(f"measure.py: {' '.join(arguments)} failed with exit code {run.returncode}.")
@@ -179,7 +182,9 @@ def main():
     results["audit"] = whole_audit()
     orbits = proved_orbits(310)
     say("lists at random data")
-    results["completeness"] = complete_lists(orbits_timed, 5 if given.quick else 100)
+    results["completeness"] = complete_lists(lambda words: timed([], words), 5 if given.quick else 100)
+    say("atlases")
+    results["atlases"] = atlases.measured(timed, given.quick)
     say("mpmath and SciPy")
     results["mpmath"] = mpmath_orbits(orbits, 300) if installed("mpmath") else {}
     results["scipy"] = scipy_simulations(orbits) if installed("scipy") else {}

@@ -6,6 +6,7 @@
 #include "core/decimal.hpp"
 #include "numeric/atlas/work.hpp"
 #include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/motion/shooting.hpp"
 
@@ -56,9 +57,10 @@ void box_P(benchmark::State& state) {
   prove_boxes(state, problem("P"), {box("P", 1e-5), {}, widened(Ball(Rational(1, 5)), 1e-5)});
 }
 
-// Every 128th of the 4096 parts of an atlas of resolution 12, judged as far as that goes; items are boxes.
-void atlas_of(benchmark::State& state, const Family& family, atlas::Box region) {
-  const atlas::Question q{&family, std::move(region), {atlas::place_of_omega, atlas::place_of_p}, 12};
+// Every 128th of the 4096 parts of an atlas, judged as far as that goes; items are boxes.
+void atlas_of(benchmark::State& state, const Family& family, atlas::Box region, int resolution = 12) {
+  const atlas::Question q{
+      &family, std::move(region), {atlas::place_of_omega, atlas::place_of_p}, resolution};
   std::size_t boxes = 0;
   for (auto _ : state) {
     for (atlas::Tile part = 4096 + 37; part < 8192; part += 128) {
@@ -81,12 +83,19 @@ void atlas_S(benchmark::State& state) {
            {at("0.5"), at("3.8"), at("0.02"), at("1"), between("0.5", "0.8"), between("0", "0.2")});
 }
 
+void atlas_O(benchmark::State& state) {
+  atlas_of(state, overshooting(),
+           {at("0.2"), at("4"), at("0.05"), at("1"), between("0.61", "0.65"), between("0.03", "0.07"), at("0")},
+           8);
+}
+
 void atlas_P(benchmark::State& state) {
   atlas_of(state, nonsticking(),
            {at("0.3"), at("4"), at("0.1"), at("0"), between("0.5", "0.8"), between("0.5", "1.5"), at("0.2")});
 }
 
 BENCHMARK(atlas_S)->Unit(benchmark::kMillisecond);
+BENCHMARK(atlas_O)->Unit(benchmark::kMillisecond);
 BENCHMARK(atlas_P)->Unit(benchmark::kMillisecond);
 BENCHMARK(box_S)->Name("box_S, ±1e-5")->Unit(benchmark::kMillisecond);
 // Example O lies near a fold: its orbit moves some hundred times as far as the parameters.

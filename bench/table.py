@@ -171,6 +171,12 @@ def completeness_rows(r):
                  for place, x in r["completeness"].items()])
 
 
+def atlas_rows(r):
+    return rows(["what grows", "", "resolution", "boxes", "decided", "CPU", "boxes/s"],
+                [[x["grows"], x["name"], f"2^-{x['resolution']}", f"{x['boxes']:,}", f"{100 * x['decided']:.2f} %",
+                  duration(x["seconds"]), f"{x['boxes'] / x['seconds']:,.0f}"] for x in r.get("atlases", [])])
+
+
 def all_rows(r):
     return rows(["benchmark", "CPU time", "cells"], [[n, duration(x["seconds"]), f"{x['cells']:.0f}" if "cells" in x else ""]
                                                      for n, x in r["benchmarks"].items()])
@@ -198,6 +204,9 @@ def markdown(r):
         f"(35): {duration(r['mpmath'].get('P.closed'))} in mpmath.\n\n" + orbit_rows(r),
         "## Lists of overshooting orbits at random data, u_r given\n\nχ 0.02–0.98, η 0.05–50, u_s 0.001–1 (both "
         "logarithmic), V 0–3, ω 0.05–5, p 0–5, u_r/u_s 1–10; beside a resonance but for 10⁻⁴ to 10⁻¹ of ω.\n\n" + completeness_rows(r),
+        "## Atlases\n\nThe paper's data, χ, η, u_s, V as there; `symmetric` ω 0.5–0.8, p 0–0.2, `overshooting` ω 0.61–0.65, p 0.03–0.07, "
+        "φ = 0, `nonsticking` ω 0.5–0.8, p 0.5–1.5; area: shares of the symmetric one; dimension: parameters that vary, of the "
+        "symmetric orbit; processes: of mpirun, CPU time of all. Boxes are those that are kept.\n\n" + atlas_rows(r),
         "## Growth\n\n" + growth_rows(r),
         f"## `script/audit` on a built tree\n\n{r['audit']['wall']:.1f} s wall on {r['audit']['cores']} cores, "
         f"{r['audit']['seconds']:.1f} s CPU, {r['audit']['megabytes']:.0f} MB in its largest process.",

@@ -50,7 +50,7 @@ Interval interval(const std::string& name, const std::string& text) {
 
 Question question_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
   if (o.family.empty()) {
-    throw UsageError("a family of orbits is missing: symmetric or nonsticking");
+    throw UsageError("a family of orbits is missing: " + numeric::families::names_of_families());
   }
   Question q;
   q.family = &numeric::families::family_named(o.family);
@@ -66,10 +66,13 @@ Question question_of(const AtlasOptions& o, const proofs::methods::Paper& paper)
       given.erase(name);  // the example's
     }
   }
-  std::vector<std::string> needed(numeric::atlas::parameter_names().begin(),
-                                  numeric::atlas::parameter_names().begin() + place_of_ur);
+  if (takes_phi(*q.family) && o.parameters.contains("ur")) {
+    throw UsageError(fmt::format("ur: an atlas of {} orbits takes phi, and u_r is a result", q.family->name));
+  }
+  std::vector<std::string> needed(numeric::atlas::parameter_names(*q.family).begin(),
+                                  numeric::atlas::parameter_names(*q.family).begin() + place_of_datum);
   require_given(given, needed);
-  for (const std::string& name : numeric::atlas::parameter_names()) {
+  for (const std::string& name : numeric::atlas::parameter_names(*q.family)) {
     if (given.contains(name)) {
       q.region.push_back(interval(name, given.at(name)));
       if (!q.region.back().is_point()) {

@@ -28,7 +28,7 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
   CLI::App * command =
       program.add_subcommand("atlas", "Count orbits over ranges of parameters, proved everywhere");
   command->footer(details);
-  command->add_option("FAMILY", options.family, "symmetric or nonsticking")->type_name("");
+  command->add_option("FAMILY", options.family, "symmetric, overshooting or nonsticking")->type_name("");
   add_parameters(*command, options.parameters);
   add_sources(*command, options.example, options.file, paper);
   const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {

@@ -19,15 +19,13 @@ template <class S>
   return x.is_positive() ? Truth::proved : x.is_negative() ? Truth::refuted : Truth::undecided;
 }
 
-// A truth, and for an undecided one whether smaller boxes are likely to decide.
 struct Decision {
   Truth truth = Truth::undecided;
-  bool is_promising = false;
+  Hope hope = {};
 };
 template <class T>
 [[nodiscard]] Decision decide_positive(const T& x) {
-  const Truth truth = is_positive_over(x.over);
-  return {truth, truth == Truth::undecided && scalars::is_likely_nonzero(x)};
+  return {is_positive_over(x.over), hope_of(x)};
 }
 
 // Whether g(t) > 0 for 0 < t < duration, ends included but for those that g touches: there it is zero by
@@ -42,13 +40,13 @@ template <class T, class G>
   constexpr double longest = 0.125;
   Times todo(open.rbegin(), open.rend());
   open.clear();
-  bool is_promising = true;
+  Hope hope{true};
   for (int examined = 0; !todo.empty(); ++examined) {
     const auto [first, last] = todo.back();
     todo.pop_back();
     if (examined >= most_pieces) {
       open.emplace_back(first, last);
-      is_promising = false;
+      hope.is_promising = false;
       continue;
     }
     const double middle = (first + last) / 2;
@@ -82,7 +80,9 @@ template <class T, class G>
       halve();
     } else {
       open.emplace_back(first, last);  // go on: another piece may refute it
-      is_promising = is_promising && scalars::is_likely_nonzero(g_or_slope, 1);
+      Hope here = hope_of(g_or_slope, 1);
+      here.is_below = here.is_below != (touched && last == 1);  // there it has to fall
+      hope = hope.of_both(here);
     }
   }
   if (open.empty()) {
@@ -104,7 +104,7 @@ template <class T, class G>
     first->second = 1;
     open.erase(first + 1, open.end());
   }
-  return {Truth::undecided, is_promising};
+  return {Truth::undecided, hope};
 }
 
 }  // namespace stickslip::numeric::atlas

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <variant>
 
+#include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/nonsticking_orbit.hpp"
 #include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/zeros_over.hpp"
@@ -14,7 +16,10 @@ namespace {
 
 constexpr long arb_bits = 64;
 constexpr int enough_for_doubles = 26;  // halvings of a side
-constexpr int more_halvings = 6;        // of the finest boxes
+// Of the finest boxes. Arb's radii, of 30 bits and in sines to first order only, are a little wider than those
+// of the hardware balls: what these decided they have to decide again.
+constexpr int more_halvings = 10;
+constexpr int more_for_arb = 4;
 
 // ---- the domain, exactly
 
@@ -39,49 +44,11 @@ Where place(const Question& q, const Box& box) {
   if (sticks) {
     above(box[place_of_V], 0);
   }
-  if (box.size() > place_of_ur) {
-    see(box[place_of_ur].lower > box[place_of_us].upper, box[place_of_ur].upper <= box[place_of_us].lower);
+  if (box.size() > place_of_datum && !takes_phi(*q.family)) {
+    const Interval& ur = box[place_of_datum];
+    see(ur.lower > box[place_of_us].upper, ur.upper <= box[place_of_us].lower);
   }
   return where;
-}
-
-// ---- the box as forms
-
-// A double not below the number, which is not negative.
-double above(const Rational& x) {
-  return x == 0 ? 0 : std::nextafter(x.get_d(), INFINITY);
-}
-
-template <class T, class S>
-struct Data {
-  model::Parameters<T> parameters;
-  std::optional<T> ur;
-  double least = 0;  // how short pieces of a phase, as shares of it, are worth looking at
-};
-
-// Variable 0 is left free.
-template <class T, class S>
-Data<T, S> forms_of(const Box& box) {
-  Data<T, S> data;
-  std::vector<T> all;
-  double width = 0;  // the largest share of a parameter that a radius is
-  int next = 1;
-  for (const Interval& x : box) {
-    if (x.is_point()) {
-      all.push_back(T(scalars::scalar<S>(x.lower)));
-      continue;
-    }
-    const double middle = Rational((x.lower + x.upper) / 2).get_d();
-    const double radius = std::max(above(x.upper - Rational(middle)), above(Rational(middle) - x.lower));
-    all.push_back(T::variable(middle, radius, next++));
-    width = std::max(width, middle == 0 ? 1 : radius / std::abs(middle));
-  }
-  data.least = std::clamp(width / 16, 0x1p-30, 0x1p-5);
-  data.parameters = {all[0], all[1], all[2], all[3], all[4], all[5]};
-  if (all.size() > place_of_ur) {
-    data.ur = all[place_of_ur];
-  }
-  return data;
 }
 
 // Whether a natural frequency may be a multiple of the load's, for orbits that never stick.
@@ -96,81 +63,7 @@ bool may_be_resonant(const model::Oscillator<T>& o) {
   return false;
 }
 
-// ---- one orbit
-
-// Looks at what is not known of an orbit.
-template <class Orbit>
-void judge_orbit(const families::Family& family, const Orbit& orbit, double least, bool without_load,
-                 Knowledge::Orbit& known) {
-  if (known.admissible == Truth::undecided) {
-    known.conditions.resize(family.requirements.size());
-    bool all = true;
-    for (const bool along : {false, true}) {  // what costs little first
-      for (std::size_t k = 0; k < known.conditions.size(); ++k) {
-        const motion::Requirement& requirement = family.requirements[k];
-        Knowledge::Condition& condition = known.conditions[k];
-        if (requirement.along != along || condition.truth == Truth::proved) {
-          continue;
-        }
-        const Decision decision = orbit.holds(requirement, least, condition.open);
-        condition.truth = decision.truth;
-        condition.is_promising = decision.is_promising;
-        if (condition.truth == Truth::refuted) {
-          known.admissible = Truth::refuted;
-          known.conditions.clear();
-          return;
-        }
-        all = all && condition.truth == Truth::proved;
-      }
-    }
-    if (!all) {
-      return;
-    }
-    known.admissible = Truth::proved;
-    known.conditions.clear();
-  }
-  // Without load each shift in time of the orbit is an orbit: none attracts all of its neighbours.
-  const Decision stable = without_load ? Decision{Truth::refuted} : orbit.stability();
-  known.stable = stable.truth;
-  known.stability_promising = stable.is_promising;
-}
-
-// ---- all orbits
-
-Finding open(Reason reason) {
-  return {-1, -1, -1, static_cast<std::uint8_t>(reason)};
-}
-
-// What is said of a box whose orbits are these.
-Finding finding_of(const std::vector<Knowledge::Sheet>& sheets) {
-  Finding finding{0, 0, 0, 0};
-  const auto leave_open = [&](std::size_t reason) {
-    finding.reason = finding.reason == 0 ? static_cast<std::uint8_t>(reason) : finding.reason;
-  };
-  bool admissible_known = true;
-  bool stable_known = true;
-  for (const Knowledge::Sheet& sheet : sheets) {
-    for (const Knowledge::Orbit& orbit : *sheet.orbits) {
-      ++finding.orbits;
-      finding.admissible = static_cast<std::int8_t>(finding.admissible + (orbit.admissible == Truth::proved));
-      finding.stable = static_cast<std::int8_t>(finding.stable + (orbit.stable == Truth::proved));
-      if (orbit.admissible == Truth::undecided) {
-        admissible_known = stable_known = false;
-        const auto is_open = [](const Knowledge::Condition& c) { return c.truth != Truth::proved; };
-        leave_open(
-            static_cast<std::size_t>(Reason::condition) +
-            static_cast<std::size_t>(std::find_if(orbit.conditions.begin(), orbit.conditions.end(), is_open) -
-                                     orbit.conditions.begin()));
-      } else if (!orbit.is_decided()) {
-        stable_known = false;
-        leave_open(static_cast<std::size_t>(Reason::stability));
-      }
-    }
-  }
-  finding.admissible = admissible_known ? finding.admissible : std::int8_t{-1};
-  finding.stable = stable_known ? finding.stable : std::int8_t{-1};
-  return finding;
-}
+// ---- all orbits of a family with one unknown
 
 template <class S, int N>
 class Judge {
@@ -263,7 +156,7 @@ class Judge {
         }
         const T share = sheets[i].has_equation() ? zero_over<S, N>(f(sheets[i]), df(sheets[i]), orbit.zero)
                                                  : T(T(1) / T(2));
-        const std::optional<Orbit> here = Orbit::at(sheets[i], setting_, share, data_.ur);
+        const std::optional<Orbit> here = Orbit::at(sheets[i], setting_, share, data_.datum);
         if (!here) {
           return false;
         }
@@ -274,7 +167,7 @@ class Judge {
     const bool without_load = box_[place_of_p].is_point() && box_[place_of_p].lower == 0;
     for (const auto& [orbit, of_orbit] : orbits) {
       judge_orbit(family_, orbit, data_.least, without_load, *of_orbit);
-      if (last_ && of_orbit->admissible == Truth::undecided && !of_orbit->is_promising()) {
+      if (last_ && of_orbit->admissible == Truth::undecided && !of_orbit->hope().is_promising) {
         break;
       }
     }
@@ -291,14 +184,19 @@ class Judge {
 
 template <class S>
 Finding judge_with(const Question& q, const Box& box, bool last, Knowledge& known) {
+  if (takes_phi(*q.family)) {
+    return judge_overshooting(q, box, std::is_same_v<S, scalars::HardwareBall>, last, known);
+  }
   return q.axes.size() <= 2 ? Judge<S, 3>(q, box, last)(known) : Judge<S, 5>(q, box, last)(known);
 }
 
 }  // namespace
 
-Finding judge(const Question& q, Tile tile, Balls balls, Knowledge& known) {
+namespace {
+
+// `last`: no leaf is smaller, and what is open is said of all of it; `halvings` of the whole have led there.
+Finding judge_box(const Question& q, const Box& box, Balls balls, bool last, int halvings, Knowledge& known) {
   const WorkingPrecision scope(arb_bits);
-  const Box box = box_of(q, tile);
   switch (place(q, box)) {
     case Where::outside:
       return open(Reason::outside);
@@ -307,15 +205,68 @@ Finding judge(const Question& q, Tile tile, Balls balls, Knowledge& known) {
     case Where::inside:
       break;
   }
-  const bool last = depth(tile) >= q.finest();
   if (balls != Balls::arb) {
     const Finding finding = judge_with<scalars::HardwareBall>(q, box, last, known);
     if (finding.is_decided() || balls == Balls::hardware ||
-        depth(tile) < enough_for_doubles * static_cast<int>(q.axes.size())) {
+        halvings < enough_for_doubles * static_cast<int>(q.axes.size())) {
       return finding;
     }
   }
   return judge_with<Ball>(q, box, last, known);
+}
+
+// The box is halved across what it varies most with, if there is hope, and so are its halves: what all parts
+// say is said of it.
+Finding judge_parts(const Question& q, const Box& box, Balls balls, int halvings, Knowledge known, int more) {
+  const Finding all = judge_box(q, box, balls, true, halvings, known);
+  const Hope hope = known.hope();
+  if (all.is_decided() || more == 0 || !hope.is_promising) {
+    return all;
+  }
+  const std::size_t across = q.axes[static_cast<std::size_t>(std::max(hope.steepest - 1, 0))];
+  Box lower = box;
+  Box upper = box;
+  lower[across].upper = upper[across].lower = (box[across].lower + box[across].upper) / 2;
+  const Finding first = judge_parts(q, lower, balls, halvings + 1, known, more - 1);
+  const bool agree =
+      first.is_decided() && judge_parts(q, upper, balls, halvings + 1, std::move(known), more - 1) == first;
+  return agree ? first : all;
+}
+
+}  // namespace
+
+Finding finding_of(const std::vector<Knowledge::Sheet>& sheets) {
+  Finding finding{0, 0, 0, 0};
+  const auto leave_open = [&](std::size_t reason) {
+    finding.reason = finding.reason == 0 ? static_cast<std::uint8_t>(reason) : finding.reason;
+  };
+  bool admissible_known = true;
+  bool stable_known = true;
+  for (const Knowledge::Sheet& sheet : sheets) {
+    for (const Knowledge::Orbit& orbit : *sheet.orbits) {
+      ++finding.orbits;
+      finding.admissible = static_cast<std::int8_t>(finding.admissible + (orbit.admissible == Truth::proved));
+      finding.stable = static_cast<std::int8_t>(finding.stable + (orbit.stable == Truth::proved));
+      if (orbit.admissible == Truth::undecided) {
+        admissible_known = stable_known = false;
+        const auto is_open = [](const Knowledge::Condition& c) { return c.truth != Truth::proved; };
+        leave_open(
+            static_cast<std::size_t>(Reason::condition) +
+            static_cast<std::size_t>(std::find_if(orbit.conditions.begin(), orbit.conditions.end(), is_open) -
+                                     orbit.conditions.begin()));
+      } else if (!orbit.is_decided()) {
+        stable_known = false;
+        leave_open(static_cast<std::size_t>(Reason::stability));
+      }
+    }
+  }
+  finding.admissible = admissible_known ? finding.admissible : std::int8_t{-1};
+  finding.stable = stable_known ? finding.stable : std::int8_t{-1};
+  return finding;
+}
+
+Finding judge(const Question& q, Tile tile, Balls balls, Knowledge& known) {
+  return judge_box(q, box_of(q, tile), balls, depth(tile) >= q.finest(), depth(tile), known);
 }
 
 Knowledge known_around(const Question& q, Tile tile, Balls balls) {
@@ -326,29 +277,13 @@ Knowledge known_around(const Question& q, Tile tile, Balls balls) {
   return known;
 }
 
-namespace {
-
-Finding judge_halves(const Question& q, Tile tile, Balls balls, Knowledge known, int halvings) {
-  const Finding all = judge(q, tile, balls, known);
-  if (all.is_decided() || halvings == 0 || depth(tile) == most_depth || !known.is_promising()) {
-    return all;
-  }
-  const Finding lower = judge_halves(q, 2 * tile, balls, known, halvings - 1);
-  const bool agree =
-      lower.is_decided() && judge_halves(q, 2 * tile + 1, balls, std::move(known), halvings - 1) == lower;
-  return agree ? lower : all;
-}
-
-}  // namespace
-
 Finding judge_finest(const Question& q, Tile tile, Balls balls, Knowledge known) {
-  return judge_halves(q, tile, balls, std::move(known), more_halvings);
+  return judge_parts(q, box_of(q, tile), balls, depth(tile), std::move(known),
+                     more_halvings + (balls == Balls::arb ? more_for_arb : 0));
 }
 
 Finding judge_from_whole(const Question& q, Tile tile, Balls balls) {
-  Knowledge known = known_around(q, tile, balls);
-  return depth(tile) == q.finest() ? judge_finest(q, tile, balls, std::move(known))
-                                   : judge(q, tile, balls, known);
+  return judge_finest(q, tile, balls, known_around(q, tile, balls));
 }
 
 }  // namespace stickslip::numeric::atlas

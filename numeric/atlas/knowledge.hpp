@@ -2,13 +2,56 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/verdict.hpp"
+#include "numeric/scalars/form.hpp"
 
 namespace stickslip::numeric::atlas {
+
+// Of what is not decided: whether smaller boxes are likely to decide it, and which variable of the forms to
+// halve first, the one that it varies most with; 0 where that is not known. It proves nothing.
+struct Hope {
+  bool is_promising = false;
+  int steepest = 0;
+  bool is_below = false;  // a quantity that is likely to be found negative
+
+  // Of two things each of which has to be decided.
+  [[nodiscard]] Hope and_also(const Hope& other) const {
+    return {is_promising && other.is_promising, steepest > 0 ? steepest : other.steepest};
+  }
+  // Of two quantities that both have to be positive: one that is not decides.
+  [[nodiscard]] Hope of_both(const Hope& other) const {
+    return is_promising && is_below                ? *this
+           : other.is_promising && other.is_below ? other
+                                                  : and_also(other);
+  }
+};
+
+// Of a quantity's sign where all variables before the first are 0. Were the box smaller by 2^-r, the ranges of
+// its slopes would be narrower by as much; r = 5 is what a few halvings of the steepest reach.
+template <class S, int N>
+[[nodiscard]] Hope hope_of(const scalars::Form<S, N>& x, std::size_t first = 0) {
+  Hope hope = {};
+  double sum = 0;
+  double most = 0;
+  for (std::size_t i = first; i < x.slopes.size(); ++i) {
+    const auto [low, high] = scalars::ends(x.slopes[i]);
+    sum += std::abs(low / 2 + high / 2) + 0x1p-11 * (high - low);
+    const double size = std::max(std::abs(low), std::abs(high));
+    if (i > 0 && size > most) {
+      most = size;
+      hope.steepest = static_cast<int>(i);
+    }
+  }
+  hope.is_promising = std::abs(x.at.approximate()) > sum;
+  hope.is_below = x.at.approximate() < 0;
+  return hope;
+}
 
 // On first <= u <= last, for every member of the box: f keeps the sign `value`, or else f' keeps the sign
 // `slope` and lies between these bounds; 0 where that is not known.
@@ -16,7 +59,7 @@ struct Cell {
   double first, last;
   int value = 0, slope = 0;
   double least_slope = 0, greatest_slope = 0;
-  bool is_promising = false;  // smaller boxes are likely to tell
+  Hope hope = {};
 };
 
 // f has exactly one zero in [first, last], for every member of the box, and f' keeps its sign there: it lies
@@ -24,6 +67,21 @@ struct Cell {
 struct Bracket {
   double first = 0, last = 1;
   double least_slope = 0, greatest_slope = 0;
+  int steepest = 0;  // of f, see Hope
+
+  // Whether f' hardly varies, so that Newton's operator encloses the zero well.
+  [[nodiscard]] bool is_straight() const {
+    return least_slope * greatest_slope > 0 &&
+           std::max(std::abs(least_slope), std::abs(greatest_slope)) <
+               4 * std::min(std::abs(least_slope), std::abs(greatest_slope));
+  }
+};
+
+// A rectangle of two unknowns; and, for every member of the box, exactly one zero: in `where`, and no other in
+// `unique`, which contains that.
+using Patch = std::array<std::pair<double, double>, 2>;
+struct ZeroPatch {
+  Patch unique, where;
 };
 
 // Times of a phase, as shares of its duration.
@@ -32,43 +90,68 @@ using Times = std::vector<std::pair<double, double>>;
 struct Knowledge {
   struct Condition {
     Truth truth = Truth::undecided;
-    Times open{{0, 1}};         // at the other times it holds
-    bool is_promising = false;  // smaller boxes are likely to decide it
+    Times open{{0, 1}};  // at the other times it holds
+    Hope hope = {};
   };
   struct Orbit {
-    Bracket zero;
+    Bracket zero;      // of one unknown
+    ZeroPatch patch{};  // of two
     bool exists = false;  // the zero is an orbit
     Truth admissible = Truth::undecided;
     Truth stable = Truth::undecided;
-    bool stability_promising = false;
+    Hope of_stability = {};
     std::vector<Condition> conditions;  // one for each requirement of the family, while they are open
 
     [[nodiscard]] bool is_decided() const {
       return admissible == Truth::refuted || (admissible == Truth::proved && stable != Truth::undecided);
     }
-    // Whether smaller boxes are likely to decide it.
-    [[nodiscard]] bool is_promising() const {
-      const auto is_likely = [](const Condition& c) { return c.truth == Truth::proved || c.is_promising; };
-      return is_decided() ||
-             (admissible == Truth::proved ? stability_promising
-                                          : std::all_of(conditions.begin(), conditions.end(), is_likely));
+    // Of all that is open; what is not known nearly is hoped to be known better.
+    [[nodiscard]] Hope hope() const {
+      if (is_decided()) {
+        return {true};
+      }
+      if (!zero.is_straight() && zero.steepest > 0) {
+        return {true, zero.steepest};
+      }
+      if (admissible == Truth::proved) {
+        return of_stability;
+      }
+      Hope hope{true};
+      for (const Condition& condition : conditions) {
+        if (condition.truth != Truth::proved) {
+          hope = hope.of_both(condition.hope);
+        }
+      }
+      return hope;
     }
   };
   struct Sheet {
-    std::vector<Cell> cells{{0, 1}};           // from left to right
+    std::vector<Cell> cells{{0, 1}};  // of one unknown, from left to right
+    // Of two: where there may be zeros besides those that are known.
+    std::vector<Patch> patches{{{{0, 1}, {0, 1}}}};
+    std::vector<ZeroPatch> zeros = {};
+    Hope of_patches = {};
     std::optional<std::vector<Orbit>> orbits;  // all zeros, once their number is known
   };
   std::vector<Sheet> sheets;  // of sheets.hpp; empty where nothing is known
 
-  // Whether smaller boxes are likely to decide all that is open.
-  [[nodiscard]] bool is_promising() const {
-    return !sheets.empty() && std::all_of(sheets.begin(), sheets.end(), [](const Sheet& sheet) {
-      return sheet.orbits ? std::all_of(sheet.orbits->begin(), sheet.orbits->end(),
-                                        [](const Orbit& orbit) { return orbit.is_promising(); })
-                          : std::all_of(sheet.cells.begin(), sheet.cells.end(), [](const Cell& cell) {
-                              return cell.value != 0 || cell.slope != 0 || cell.is_promising;
-                            });
-    });
+  [[nodiscard]] Hope hope() const {
+    Hope hope{!sheets.empty()};
+    for (const Sheet& sheet : sheets) {
+      if (sheet.orbits) {
+        for (const Orbit& orbit : *sheet.orbits) {
+          hope = hope.and_also(orbit.hope());
+        }
+      } else {
+        hope = hope.and_also(sheet.of_patches);
+        for (const Cell& cell : sheet.cells) {
+          if (cell.value == 0 && cell.slope == 0) {
+            hope = hope.and_also(cell.hope);
+          }
+        }
+      }
+    }
+    return hope;
   }
 };
 

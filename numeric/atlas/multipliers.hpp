@@ -102,19 +102,19 @@ template <class T>
   const auto& [e1, e2, e3] = e;
   const T square = e3 * e3;
   bool all = true;
-  bool all_likely = true;
-  bool is_promising = false;  // the one that refutes it
+  Hope hope{true};
   for (const T& quantity :
        {T(T(1) - square), at_one, T(T(1) + e1 + e2 + e3), T(T(1) - e2 + e1 * e3 - square)}) {
     const Decision decision = decide_positive(quantity);
     if (decision.truth == Truth::refuted) {
       return {Truth::refuted};
     }
-    all = all && decision.truth == Truth::proved;
-    all_likely = all_likely && (decision.truth == Truth::proved || decision.is_promising);
-    is_promising = is_promising || (decision.is_promising && quantity.over.approximate() < 0);
+    if (decision.truth == Truth::undecided) {
+      all = false;
+      hope = hope.of_both(decision.hope);
+    }
   }
-  return all ? Decision{Truth::proved} : Decision{Truth::undecided, all_likely || is_promising};
+  return {all ? Truth::proved : Truth::undecided, hope};
 }
 
 }  // namespace stickslip::numeric::atlas

@@ -4,20 +4,22 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/families/nonsticking.hpp"
-#include "numeric/families/symmetric.hpp"
 
 namespace stickslip::numeric::atlas {
 
-const std::vector<std::string>& parameter_names() {
-  static const std::vector<std::string> names{"chi", "eta", "us", "V", "omega", "p", "ur"};
-  return names;
+bool takes_phi(const families::Family& family) {
+  return family.why_no_phi.empty();
+}
+
+const std::vector<std::string>& parameter_names(const families::Family& family) {
+  static const std::vector<std::string> with_phi{"chi", "eta", "us", "V", "omega", "p", "phi"};
+  static const std::vector<std::string> with_ur{"chi", "eta", "us", "V", "omega", "p", "ur"};
+  return takes_phi(family) ? with_phi : with_ur;
 }
 
 void require_understood(const Question& q) {
-  if (q.family != &families::symmetric() && q.family != &families::nonsticking()) {
-    throw UsageError(fmt::format("no atlas is made of {} orbits yet: of symmetric and nonsticking ones only",
-                                 q.family->name));
+  if (takes_phi(*q.family) && q.region.size() <= place_of_datum) {
+    throw UsageError(fmt::format("an atlas of {} orbits needs phi; u_r is a result", q.family->name));
   }
   if (q.axes.empty() || q.axes.size() > 4) {
     throw UsageError(
@@ -50,7 +52,7 @@ std::string text_of(const Question& q) {
   std::string text = q.family->name;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
     const Interval& range = q.region[i];
-    text += fmt::format(" --{} {}", parameter_names()[i], to_string(range.lower));
+    text += fmt::format(" --{} {}", parameter_names(*q.family)[i], to_string(range.lower));
     if (!range.is_point()) {
       text += ".." + to_string(range.upper);
     }

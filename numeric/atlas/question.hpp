@@ -18,10 +18,10 @@ struct Interval {
   [[nodiscard]] bool is_point() const { return lower == upper; }
 };
 
-// In the order of an OrbitQuestion: chi, eta, us, V, omega, p and, if it is given, ur.
+// chi, eta, us, V, omega, p and, if it is given, one datum more: phi for a family that takes it, else ur.
 using Box = std::vector<Interval>;
 inline constexpr std::size_t place_of_chi = 0, place_of_eta = 1, place_of_us = 2, place_of_V = 3,
-                             place_of_omega = 4, place_of_p = 5, place_of_ur = 6;
+                             place_of_omega = 4, place_of_p = 5, place_of_datum = 6;
 
 struct Question {
   const families::Family * family = nullptr;
@@ -32,7 +32,10 @@ struct Question {
   [[nodiscard]] int finest() const { return resolution * static_cast<int>(axes.size()); }
 };
 
-[[nodiscard]] const std::vector<std::string>& parameter_names();
+[[nodiscard]] bool takes_phi(const families::Family& family);
+
+// In the order of a Box, all seven.
+[[nodiscard]] const std::vector<std::string>& parameter_names(const families::Family& family);
 
 // Throws UsageError unless a family that atlases can be made of is asked about, one to four parameters vary,
 // and the finest tiles have at most most_depth halvings.

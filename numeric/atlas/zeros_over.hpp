@@ -68,7 +68,8 @@ template <class S, int N, class F, class D>
           return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.25));
         };
         hopeless = is_wide(value) && is_wide(slope);
-        cell.is_promising = scalars::is_likely_nonzero(value, 1) || scalars::is_likely_nonzero(slope, 1);
+        cell.hope = hope_of(value, 1);
+        cell.hope.is_promising = cell.hope.is_promising || hope_of(slope, 1).is_promising;
       }
     }
     if (cell.value != 0 || cell.slope != 0 || hopeless || cell.last - cell.first <= least) {
@@ -106,7 +107,7 @@ template <class Sign>
       ++i;
       continue;
     }
-    Bracket run{cell.first, cell.last, cell.least_slope, cell.greatest_slope};
+    Bracket run{cell.first, cell.last, cell.least_slope, cell.greatest_slope, 0};
     std::size_t last = i;
     for (; last + 1 < n && cells[last + 1].value == 0; ++last) {
       const Cell& next = cells[last + 1];
@@ -114,7 +115,7 @@ template <class Sign>
         return Reason::merging;  // nor this
       }
       run = {cell.first, next.last, std::min(run.least_slope, next.least_slope),
-             std::max(run.greatest_slope, next.greatest_slope)};
+             std::max(run.greatest_slope, next.greatest_slope), 0};
     }
     const int after = last + 1 < n ? cells[last + 1].value : sign_at_end(1);
     if (after == 0) {
@@ -164,6 +165,7 @@ template <class S, int N, class F, class D>
       slope = around.partials[0].over;
       std::tie(bracket.least_slope, bracket.greatest_slope) = scalars::ends(slope);
     }
+    bracket.steepest = hope_of(around.value, 1).steepest;
     const T here = f(T(S(centre)));
     zero.at = S(centre) - here.at / slope;
     zero.over = S(centre) - here.over / slope;

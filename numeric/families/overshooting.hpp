@@ -16,6 +16,26 @@ namespace stickslip::numeric::families {
 // With phi given, any real number; or with ur > 0 given, for which p > 0 is needed (DomainError).
 [[nodiscard]] const Family& overshooting();
 
+// The motion of (tau, tau1, a, C, D): z2' = V where the overshoot begins, and the stick from its own form, as
+// the reduced equations say.
+template <class T>
+[[nodiscard]] motion::MotionOf<T> overshooting_motion(const model::OvershootingData<T>& d,
+                                                      const model::Oscillator<T>& o, const T& phi,
+                                                      const zeros::VectorOf<T>& x) {
+  using motion::PhaseKind;
+  const T total = x(0) + x(1);
+  const T duration = d.Theta - total;
+  const model::Vector4<T> Z0 = model::overshooting_start<T>(d, duration, x(2), x(3), x(4));
+  model::Vector4<T> ZB = motion::flow<T>(o, PhaseKind::slip, phi, Z0, x(0));
+  ZB(3) = d.V;
+  // Half a stick before its middle, where half a stick after it is Z0.
+  const model::Vector4<T> ZC = model::overshooting_start<T>(d, T(-duration), x(2), x(3), x(4));
+  return {o,
+          {{PhaseKind::slip, T(0), x(0), phi, Z0},
+           {PhaseKind::overshoot, x(0), x(1), T(phi + d.omega * x(0)), ZB},
+           {PhaseKind::stick, total, duration, T(phi + d.omega * total), ZC}}};
+}
+
 // The reduced equations for motion/closing.hpp, in x = (tau, tau1, a, C, D) and, where ur is given, phi: for
 // positive durations they hold if and only if (12), (18), (19) and (20) do. Exactly one of the two is taken.
 struct OvershootingClosing {
@@ -43,24 +63,10 @@ struct OvershootingClosing {
     }
     return f;
   }
-  // z2' = V where the overshoot begins, and the stick from its own form: what the equations say.
   template <class T>
   [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
     using motion::PhaseKind;
-    const model::OvershootingData<T> d = data<T>(p);
-    const model::Oscillator<T> o = motion::oscillator_of<T>(p);
-    const T phi = takes_phi ? p(6) : x(5);
-    const T total = x(0) + x(1);
-    const T duration = d.Theta - total;
-    const model::Vector4<T> Z0 = model::overshooting_start<T>(d, duration, x(2), x(3), x(4));
-    model::Vector4<T> ZB = motion::flow<T>(o, PhaseKind::slip, phi, Z0, x(0));
-    ZB(3) = d.V;
-    // Half a stick before its middle, where half a stick after it is Z0.
-    const model::Vector4<T> ZC = model::overshooting_start<T>(d, T(-duration), x(2), x(3), x(4));
-    return {o,
-            {{PhaseKind::slip, T(0), x(0), phi, Z0},
-             {PhaseKind::overshoot, x(0), x(1), T(phi + d.omega * x(0)), ZB},
-             {PhaseKind::stick, total, duration, T(phi + d.omega * total), ZC}}};
+    return overshooting_motion<T>(data<T>(p), motion::oscillator_of<T>(p), takes_phi ? p(6) : x(5), x);
   }
   // Throws InternalError unless the motion has three phases.
   [[nodiscard]] zeros::Vector unknowns(const motion::Motion& motion) const;

@@ -1,47 +1,12 @@
 #include "numeric/families/overshooting_strip.hpp"
 
-#include "numeric/families/one_stick_rows.hpp"
+#include "numeric/families/overshooting_reduced.hpp"
 
 namespace stickslip::numeric::families {
 
 using namespace motion;
 
 namespace {
-
-template <class T, class S>
-model::OvershootingData<T> data_of(const model::Parameters<T>& a) {
-  return {a.chi,   a.eta, model::modes<T>(a.chi, a.eta),          a.us, a.V,
-          a.omega, a.p,   T(T(2) * T(scalars::pi<S>()) / a.omega)};
-}
-
-// All linear unknowns eliminated from the rows: (a, C, D), where ur is given cos psi and sin psi, too, and
-// the functions that must vanish then. Nothing where the rows may be dependent.
-template <class T, int U>
-struct WithoutLinear {
-  Eigen::Matrix<T, 2, 1> vanish;
-  Eigen::Matrix<T, U, 1> linear;
-};
-
-template <Datum G, class T, class S>
-std::optional<WithoutLinear<T, OneStick<2, G>::columns - 1>> eliminated(const AllRows<T, 2, G>& rows) {
-  constexpr int R = OneStick<2, G>::rows;
-  constexpr int C = OneStick<2, G>::columns;
-  const Eigen::Matrix<S, R, C> at_middle = rows.unaryExpr([](const T& x) { return x.at; });
-  const auto combinations = zeros::row_combinations<R, C>(at_middle);
-  if (!combinations) {
-    return std::nullopt;
-  }
-  Eigen::Matrix<T, R, C> m = zeros::combined_rows<T, R, C>(*combinations, rows);
-  if (!zeros::eliminate<T, R, C>(m, 0, C - 1)) {
-    return std::nullopt;
-  }
-  const Eigen::Matrix<T, C - 1, 1> u = zeros::back_substituted<T, R, C>(m);
-  if constexpr (G == Datum::phase) {
-    return WithoutLinear<T, C - 1>{{m(3, 3), m(4, 3)}, u};
-  } else {
-    return WithoutLinear<T, C - 1>{{m(5, 5), T(u(3) * u(3) + (u(4) - T(1)) * (u(4) + T(1)))}, u};
-  }
-}
 
 // tau, tau1, a, C, D.
 template <class T, int U>
@@ -62,7 +27,7 @@ struct OverStrip {
   template <class T, class S>
   [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& s, const T& w) const {
     constexpr bool at_phase = G == Datum::phase;
-    const OneStickData<T> data{data_of<T, S>(given.data), at_phase ? *given.phi : *given.ur};
+    const OneStickData<T> data{overshooting_data_of<T, S>(given.data), at_phase ? *given.phi : *given.ur};
     const Eigen::Matrix<T, 2, 1> sw(s, w);
     const AllRows<T, 2, G> rows = rows_at<2, G, T>(data, sw);
     constexpr int one = OneStick<2, G>::columns - 1;

@@ -179,13 +179,13 @@ void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leav
   }
   std::vector<std::string> axes;
   for (const std::size_t axis : q.axes) {
-    axes.push_back(parameter_names()[axis]);
+    axes.push_back(parameter_names(*q.family)[axis]);
   }
   std::vector<std::string> names;
   std::vector<std::string> lower;
   std::vector<std::string> upper;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
-    names.push_back(parameter_names()[i]);
+    names.push_back(parameter_names(*q.family)[i]);
     lower.push_back(to_string(q.region[i].lower));
     upper.push_back(to_string(q.region[i].upper));
   }
@@ -251,8 +251,8 @@ Question question_of(hid_t file) {
   const std::vector<std::string> names = texts(file, "parameters");
   const std::vector<std::string> lower = texts(file, "lower");
   const std::vector<std::string> upper = texts(file, "upper");
-  const auto& known = parameter_names();
-  if (names.size() < place_of_ur || names.size() > known.size() || lower.size() != names.size() ||
+  const auto& known = parameter_names(*q.family);
+  if (names.size() < place_of_datum || names.size() > known.size() || lower.size() != names.size() ||
       upper.size() != names.size() || !std::equal(names.begin(), names.end(), known.begin())) {
     throw InputOutputError("its parameters are not those of an atlas");
   }

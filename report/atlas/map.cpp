@@ -102,7 +102,7 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
     const Interval& range = q.region[q.axes[k]];
     ends[k] = {range.lower.get_d(), range.upper.get_d()};
     const std::string name = k == 0 ? "x" : "y";
-    data[name] = parameter_names()[q.axes[k]];
+    data[name] = parameter_names(*q.family)[q.axes[k]];
     data[name + "_from"] = fmt::format("{:.9g}", ends[k].first);
     data[name + "_to"] = fmt::format("{:.9g}", ends[k].second);
   }
@@ -131,7 +131,7 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
   std::string fixed;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
     if (q.region[i].is_point()) {
-      fixed += fmt::format("{}{}={}", fixed.empty() ? "" : ", ", parameter_names()[i],
+      fixed += fmt::format("{}{}={}", fixed.empty() ? "" : ", ", parameter_names(*q.family)[i],
                            to_string(q.region[i].lower));
     }
   }

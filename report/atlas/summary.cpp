@@ -44,7 +44,7 @@ std::string parameters_of(const Question& q, bool fixed_only) {
   std::string text;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
     if (!fixed_only || q.region[i].is_point()) {
-      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter_names()[i], text_of(q.region[i]));
+      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter_names(*q.family)[i], text_of(q.region[i]));
     }
   }
   return text;
@@ -106,9 +106,9 @@ Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
   const auto exact = [](std::uint64_t v) { return share(v).get_str(); };
   Json json = tools::provenance("stickslip atlas " + numeric::atlas::text_of(q));
   json["family"] = q.family->name;
-  json["axes"] = tools::list_of(q.axes, [](std::size_t axis) { return parameter_names()[axis]; });
+  json["axes"] = tools::list_of(q.axes, [&](std::size_t axis) { return parameter_names(*q.family)[axis]; });
   for (std::size_t i = 0; i < q.region.size(); ++i) {
-    json["parameters"][parameter_names()[i]] = text_of(q.region[i]);
+    json["parameters"][parameter_names(*q.family)[i]] = text_of(q.region[i]);
   }
   json["resolution"] = q.resolution;
   json["boxes"] = all.leaves;
@@ -132,7 +132,7 @@ Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
 std::string to_csv(const Question& q, const std::vector<Leaf>& leaves) {
   std::string text;
   for (const std::size_t axis : q.axes) {
-    text += fmt::format("{0}_from,{0}_to,", parameter_names()[axis]);
+    text += fmt::format("{0}_from,{0}_to,", parameter_names(*q.family)[axis]);
   }
   text += "orbits,admissible,stable,reason\n";
   const auto count = [](std::int8_t n) { return n < 0 ? std::string() : std::to_string(n); };

@@ -134,9 +134,7 @@ TEST_CASE("Questions that make no sense are refused in a sentence") {
   std::ofstream(directory / "no.h5") << "nothing\n";
   check_refused({
       {{"atlas"}, 64, "family"},
-      {{"atlas", "overshooting", "--example", "O", "--phi", "0", "--p", "0..1", "--out", out},
-       64,
-       "overshooting"},
+      {{"atlas", "overshooting", "--example", "O", "--ur", "0.5", "--p", "0..1", "--out", out}, 64, "phi"},
       {{"atlas", "symmetric", "--example", "S", "--out", out}, 64, "one to four"},
       {{"atlas", "symmetric", "--example", "S", "--p", "1..0", "--out", out}, 64, "p"},
       {{"atlas", "symmetric", "--example", "S", "--p", "0..x", "--out", out}, 64, "p"},

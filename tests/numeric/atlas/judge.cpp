@@ -10,7 +10,9 @@
 #include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/work.hpp"
 #include "numeric/atlas/zeros_over.hpp"
+#include "numeric/atlas/zeros_in_patches.hpp"
 #include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/scalars/form.hpp"
@@ -48,8 +50,8 @@ OrbitList list_at(const Question& q, const Box& box, std::mt19937_64& random) {
                  (side.upper - side.lower) * Rational(static_cast<unsigned long>(random() % 9), 8));
   }
   OrbitQuestion asked{q.family, {{at[0]}, {at[1]}, {at[2]}, {at[3]}, {at[4]}, {at[5]}}, {}, {}, 20};
-  if (at.size() > place_of_ur) {
-    asked.ur = Range{at[place_of_ur]};
+  if (at.size() > place_of_datum) {
+    (takes_phi(*q.family) ? asked.phi : asked.ur) = Range{at[place_of_datum]};
   }
   return list_orbits(asked);
 }
@@ -116,6 +118,9 @@ TEST_CASE("Leaves say what the lists of orbits say at points in them") {
   CHECK(check_leaves(
             question(families::symmetric(), {"0.5", "3.8", "0.02", "1", "0.624..0.64", "0.132..0.168"}, 5),
             40) > 0);
+  CHECK(check_leaves(
+            question(families::overshooting(), {"0.2", "4", "0.05", "1", "0.62..0.64", "0.04..0.06", "0"}, 4),
+            20) > 0);
 }
 
 // Nothing is known beforehand.
@@ -204,6 +209,62 @@ TEST_CASE("Zeros over a box are counted only where the number is the same for al
   CHECK(zero.at.ball().contains(Ball(Rational(4, 5))));
   for (const double a : {0.08, 0.085, 0.09, 0.1}) {
     CHECK(zero.over.ball().contains(Ball(0.5) + sqrt(Ball(a)).midpoint()));
+  }
+}
+
+// Four zeros (s, w) = (0.5 ± √a, 0.5 ± √b), which meet in pairs at a = 0 and b = 0.
+struct Crossing {
+  Form<HardwareBall, 4> a, b;
+  bool is_equivalent = true;
+  Seen<Form<HardwareBall, 4>> operator()(const Form<HardwareBall, 4>& s,
+                                         const Form<HardwareBall, 4>& w) const {
+    using T = Form<HardwareBall, 4>;
+    const T half(HardwareBall(0.5));
+    const T f = (s - half) * (s - half) - a;
+    const T g = (w - half) * (w - half) - b;
+    return {false, std::array<T, 2>{T(f + T(2) * g), T(f - g)}, [this] { return is_equivalent; }};
+  }
+};
+
+TEST_CASE("Common zeros of two functions over a box are counted only where the number is the same for all members") {
+  using T = Form<HardwareBall, 4>;
+  const auto settle = [](double a, double b, double radius, bool is_equivalent = true) {
+    Knowledge::Sheet sheet;
+    settle_patches<HardwareBall, 4>(
+        Crossing{T::variable(a, radius, 1), T::variable(b, radius, 2), is_equivalent}, sheet, 0x1p-10);
+    return sheet;
+  };
+  const auto count = [&](double a, double b, double radius) {
+    const Knowledge::Sheet sheet = settle(a, b, radius);
+    return sheet.patches.empty() ? static_cast<int>(sheet.zeros.size()) : -1;
+  };
+  CHECK(count(0.09, 0.04, 0.001) == 4);
+  CHECK(count(0.0625, 0.015625, 0.001) == 4);  // on the borders of patches
+  CHECK(count(-0.09, 0.04, 0.001) == 0);
+  CHECK(count(0.09, 0.0011, 0.001) == 4);
+  CHECK(count(0.09, 0.0009, 0.001) == -1);  // four or none
+  CHECK(count(0.5, 0.5, 0.01) == 0);        // outside of the square
+  CHECK_FALSE(settle(0.09, 0.04, 0.001, false).patches.empty());
+  CHECK(settle(0.09, 0.04, 0.001, false).zeros.empty());
+
+  // What is known of a box is right in its parts, and the zeros are functions of the parameters.
+  Knowledge::Sheet sheet = settle(0.09, 0.04, 0.001);
+  REQUIRE(sheet.zeros.size() == 4);
+  for (ZeroPatch& zero : sheet.zeros) {
+    const auto part =
+        zero_in_patch<HardwareBall, 4>(Crossing{T::variable(0.0905, 0.0005, 1), T(HardwareBall(0.0395))}, zero);
+    REQUIRE(part);
+    for (const double a : {0.0901, 0.0905, 0.0909}) {
+      const auto holds = [](const T& x, double square) {
+        const Ball root = sqrt(Ball(square));
+        return x.over.ball().overlaps(Ball(0.5) + root) || x.over.ball().overlaps(Ball(0.5) - root);
+      };
+      CHECK(holds((*part)[0], a));
+      CHECK(holds((*part)[1], 0.0395));
+    }
+    CHECK((*part)[0].over.radius() < 0.001);
+    // ds/da = ±1/(2 √a).
+    CHECK(std::abs((*part)[0].slopes[1].approximate()) == doctest::Approx(0.0005 / (2 * std::sqrt(0.0905))));
   }
 }
 

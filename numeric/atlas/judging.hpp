@@ -1,0 +1,99 @@
+// What the verdicts on boxes of all families have in common: for the sources of this folder.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "numeric/atlas/along.hpp"
+#include "numeric/atlas/question.hpp"
+
+namespace stickslip::numeric::atlas {
+
+[[nodiscard]] inline Finding open(Reason reason) {
+  return {-1, -1, -1, static_cast<std::uint8_t>(reason)};
+}
+
+// A double not below the number, which is not negative.
+[[nodiscard]] inline double above(const Rational& x) {
+  return x == 0 ? 0 : std::nextafter(x.get_d(), INFINITY);
+}
+
+template <class T, class S>
+struct Data {
+  model::Parameters<T> parameters;
+  std::optional<T> datum;  // the seventh, where it is given
+  double least = 0;  // how short pieces of a phase, as shares of it, are worth looking at
+};
+
+// The axes are the variables 1, 2, …; the others are left free.
+template <class T, class S>
+[[nodiscard]] Data<T, S> forms_of(const Box& box) {
+  Data<T, S> data;
+  std::vector<T> all;
+  double width = 0;  // the largest share of a parameter that a radius is
+  int next = 1;
+  for (const Interval& x : box) {
+    if (x.is_point()) {
+      all.push_back(T(scalars::scalar<S>(x.lower)));
+      continue;
+    }
+    const double middle = Rational((x.lower + x.upper) / 2).get_d();
+    const double radius = std::max(above(x.upper - Rational(middle)), above(Rational(middle) - x.lower));
+    all.push_back(T::variable(middle, radius, next++));
+    width = std::max(width, middle == 0 ? 1 : radius / std::abs(middle));
+  }
+  data.least = std::clamp(width / 16, 0x1p-30, 0x1p-5);
+  data.parameters = {all[0], all[1], all[2], all[3], all[4], all[5]};
+  if (all.size() > place_of_datum) {
+    data.datum = all[place_of_datum];
+  }
+  return data;
+}
+
+// Looks at what is not known of an orbit.
+template <class Orbit>
+void judge_orbit(const families::Family& family, const Orbit& orbit, double least, bool without_load,
+                 Knowledge::Orbit& known) {
+  if (known.admissible == Truth::undecided) {
+    known.conditions.resize(family.requirements.size());
+    bool all = true;
+    for (const bool along : {false, true}) {  // what costs little first
+      for (std::size_t k = 0; k < known.conditions.size(); ++k) {
+        const motion::Requirement& requirement = family.requirements[k];
+        Knowledge::Condition& condition = known.conditions[k];
+        if (requirement.along != along || condition.truth == Truth::proved) {
+          continue;
+        }
+        const Decision decision = orbit.holds(requirement, least, condition.open);
+        condition.truth = decision.truth;
+        condition.hope = decision.hope;
+        if (condition.truth == Truth::refuted) {
+          known.admissible = Truth::refuted;
+          known.conditions.clear();
+          return;
+        }
+        all = all && condition.truth == Truth::proved;
+      }
+    }
+    if (!all) {
+      return;
+    }
+    known.admissible = Truth::proved;
+    known.conditions.clear();
+  }
+  // Without load each shift in time of the orbit is an orbit: none attracts all of its neighbours.
+  const Decision stable = without_load ? Decision{Truth::refuted} : orbit.stability();
+  known.stable = stable.truth;
+  known.of_stability = stable.hope;
+}
+
+// What is said of a box whose orbits are these.
+[[nodiscard]] Finding finding_of(const std::vector<Knowledge::Sheet>& sheets);
+
+// Of overshooting orbits, phi given, in doubles or in Arb balls.
+[[nodiscard]] Finding judge_overshooting(const Question& q, const Box& box, bool in_doubles, bool last,
+                                         Knowledge& known);
+
+}  // namespace stickslip::numeric::atlas

@@ -1,0 +1,60 @@
+// The reduced equations of the overshooting family with all linear unknowns eliminated, over any scalar of
+// boxes (scalars/form.hpp): at (s, w) of overshooting.hpp, for whole boxes of parameters.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "numeric/families/one_stick_rows.hpp"
+#include "numeric/families/strip.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+
+namespace stickslip::numeric::families {
+
+template <class T, class S>
+[[nodiscard]] model::OvershootingData<T> overshooting_data_of(const model::Parameters<T>& a) {
+  return {a.chi,   a.eta, model::modes<T>(a.chi, a.eta),          a.us, a.V,
+          a.omega, a.p,   T(T(2) * T(scalars::pi<S>()) / a.omega)};
+}
+
+// All linear unknowns eliminated from the rows: (a, C, D), where ur is given cos psi and sin psi, too, and
+// the functions that must vanish then: if the matrix by which the rows were combined is invertible, both
+// vanish if and only if all rows hold for some values of the unknowns, `linear`.
+template <class T, Datum G>
+struct WithoutLinear {
+  static constexpr int R = OneStick<2, G>::rows;
+  static constexpr int U = OneStick<2, G>::columns - 1;
+  Eigen::Matrix<T, 2, 1> vanish;
+  Eigen::Matrix<T, U, 1> linear;
+  Eigen::Matrix<double, R, R> combinations;
+
+  [[nodiscard]] bool is_equivalent() const {
+    return zeros::is_invertible<R>(Eigen::Matrix<Ball, R, R>(combinations.template cast<Ball>()));
+  }
+};
+
+// Nothing where the rows may be dependent.
+template <Datum G, class T, class S>
+[[nodiscard]] std::optional<WithoutLinear<T, G>> eliminated(const AllRows<T, 2, G>& rows) {
+  constexpr int R = OneStick<2, G>::rows;
+  constexpr int C = OneStick<2, G>::columns;
+  const Eigen::Matrix<S, R, C> at_middle = rows.unaryExpr([](const T& x) { return x.at; });
+  const auto combinations = zeros::row_combinations<R, C>(at_middle);
+  if (!combinations) {
+    return std::nullopt;
+  }
+  Eigen::Matrix<T, R, C> m = zeros::combined_rows<T, R, C>(*combinations, rows);
+  if (!zeros::eliminate<T, R, C>(m, 0, C - 1)) {
+    return std::nullopt;
+  }
+  const Eigen::Matrix<double, R, R> exact =
+      combinations->unaryExpr([](const S& x) { return x.approximate(); });
+  const Eigen::Matrix<T, C - 1, 1> u = zeros::back_substituted<T, R, C>(m);
+  if constexpr (G == Datum::phase) {
+    return WithoutLinear<T, G>{{m(3, 3), m(4, 3)}, u, exact};
+  } else {
+    return WithoutLinear<T, G>{{m(5, 5), T(u(3) * u(3) + (u(4) - T(1)) * (u(4) + T(1)))}, u, exact};
+  }
+}
+
+}  // namespace stickslip::numeric::families
