@@ -8,7 +8,6 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
-#include "numeric/motion/shooting.hpp"
 
 namespace stickslip::bench {
 
@@ -49,7 +48,7 @@ void box_O_at_phi(benchmark::State& state) {
 void box_O_at_ur(benchmark::State& state) {
   Problem s = problem("O");
   const Ball ur = widened(friction_of(s.family, proved(s, 20)).midpoint(), 1e-7);
-  s.equations = Shooting{s.family.phases, false, true};
+  s.equations = OvershootingClosing{false, true};
   prove_boxes(state, s, {box("O", 1e-7), {}, ur});
 }
 

@@ -103,6 +103,15 @@ def targets(r):
                                lambda x: f"{x:.3g} ×"))
     if r.get("python"):
         out.append(at_most("import", "import of the Python module", r["python"]["import"], 0.3))
+    for key, what, name, limit in (("list.ST", "complete list of ST, S", "list_word/ST_S", 1e-2),
+                                   ("list.SOT.O", "complete list of SOT, O", "list_word/SOT_O", 0.5),
+                                   ("list.SOT.driven", "complete list of SOT, p = 2", "list_word/SOT_driven", 3),
+                                   ("chain.3", "a word of 8 phases", "prove_existence/P_3", 2e-3),
+                                   ("chain.13", "a word of 34 phases", "prove_existence/P_13", 25e-3),
+                                   ("chain.182", "a word of 182 periods", "prove_existence/S_182", 1.5),
+                                   ("stable.182", "its stability", "prove_stability/S_182", 8),
+                                   ("attractors.S", "500 starts, 2,000 periods each, S", "attractors_of/S", 6)):
+        out += [at_most(key, what, x["seconds"], limit) for n, x in b.items() if n.startswith(name)]
     out += [at_most("wall", f"script/audit, wall, {r['audit']['cores']} cores", r["audit"]["wall"], 10),
             at_most("memory", "script/audit, peak memory of a process", r["audit"]["megabytes"], 500, lambda x: f"{x:.0f} MB")]
     return out

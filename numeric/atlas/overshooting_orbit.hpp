@@ -50,7 +50,7 @@ class OvershootingOrbit {
   [[nodiscard]] static std::optional<OvershootingOrbit> at(const Setting& setting, const T& s, const T& w) {
     const Eigen::Matrix<T, 2, 1> sw(s, w);
     const auto reduced = families::eliminated<phi_given, T, S>(
-        families::rows_at<2, phi_given, T>(setting.closing, sw));
+        families::rows_of<2, phi_given, T>(setting.closing, sw));
     if (!reduced) {
       return std::nullopt;
     }

@@ -1,40 +1,43 @@
-// The rows of one_stick_closing.hpp, and what is left of them once the amplitudes are eliminated: for its
-// source file.
+// The rows of one_stick_closing.hpp: for source files.
 #pragma once
 
 #include <array>
 
+#include "model/slip_again.hpp"
+#include "numeric/families/linear_closing_search.hpp"
 #include "numeric/families/one_stick_closing.hpp"
-#include "numeric/zeros/elimination.hpp"
 
 namespace stickslip::numeric::families {
-
-inline constexpr int amplitudes = 3;  // columns to be eliminated
-
-template <class T, int R, int N, Datum G>
-using RowsOf = Eigen::Matrix<T, R, OneStick<N, G>::columns>;
-template <class T, int N, Datum G>
-using AllRows = RowsOf<T, OneStick<N, G>::rows, N, G>;
-// What is left of them once the amplitudes are eliminated.
-template <class T, int N, Datum G>
-using LoadRows = Eigen::Matrix<T, OneStick<N, G>::left, OneStick<N, G>::loads>;
 
 template <class T, class S>
 OneStickData<T> lifted(const OneStickData<S>& data) {
   return {model::lift<T>(data.d), T(data.given)};
 }
 
-// tau and tau1, which is 0 with one time.
+// A problem's data over T, of those that it has.
+template <class T, class P>
+auto data_over(const P& problem) {
+  if constexpr (std::is_constructible_v<T, scalars::HardwareBall>) {
+    return lifted<T>(problem.fast);
+  } else {
+    return lifted<T>(problem.exact);
+  }
+}
+
+// tau and tau1 for the halves of a motion: of three phases tau is all of them.
 template <class T, int N>
-std::pair<T, T> both_times(const OneStickData<T>& data, const Eigen::Matrix<T, N, 1>& x) {
-  const Eigen::Matrix<T, N, 1> t = times<T, N>(data.d.Theta, x);
-  return {t(0), N == 2 ? t(N - 1) : T(0)};
+std::pair<T, T> both_times(const Eigen::Matrix<T, N, 1>& t) {
+  if constexpr (N == 3) {
+    return {T(t(0) + t(1) + t(2)), T(0)};
+  } else {
+    return {t(0), N == 2 ? t(N - 1) : T(0)};
+  }
 }
 
 template <int N, Datum G, class T, std::size_t R>
-RowsOf<T, static_cast<int>(R), N, G> as_matrix(const OneStickData<T>& data, const T& total,
-                                               const std::array<model::OvershootingRow<T>, R>& all) {
-  RowsOf<T, static_cast<int>(R), N, G> m;
+Eigen::Matrix<T, static_cast<int>(R), OneStick<N, G>::columns> as_matrix(
+    const OneStickData<T>& data, const T& total, const std::array<model::OvershootingRow<T>, R>& all) {
+  Eigen::Matrix<T, static_cast<int>(R), OneStick<N, G>::columns> m;
   if constexpr (G == Datum::phase) {
     const std::pair<T, T> psi = sin_cos(T(data.given + data.d.omega * total / T(2)));
     for (std::size_t i = 0; i < R; ++i) {
@@ -56,35 +59,54 @@ RowsOf<T, static_cast<int>(R), N, G> as_matrix(const OneStickData<T>& data, cons
   return m;
 }
 
-// The data for the rows of a motion's two halves: with one time the friction does not turn.
+// The data for the rows of a motion's halves: with one time the friction does not turn, and with three
+// add_overshoot turns it.
 template <class T, int N>
 model::OvershootingData<T> of_halves(const model::OvershootingData<T>& d) {
   model::OvershootingData<T> result = d;
-  if (N == 1) {
+  if (N != 2) {
     result.us = T(0);
   }
   return result;
 }
 
-// odd_1 and odd_2: their columns a, D and cos psi are zero.
-template <int N, Datum G, class T>
-RowsOf<T, 2, N, G> odd_rows(const OneStickData<T>& data, const Eigen::Matrix<T, N, 1>& x) {
-  const auto [tau, tau1] = both_times<T, N>(data, x);
-  return as_matrix<N, G>(data, T(tau + tau1), model::overshooting_odd<T>(of_halves<T, N>(data.d), tau, tau1));
+template <class T>
+model::SlipTimes<T> slip_times(const Eigen::Matrix<T, 3, 1>& t) {
+  return {t(0), t(1), t(2)};
 }
 
-// even_1, even_2, with two times the turn, and where ur is given (12).
+// odd_1 and odd_2: their columns a, D and cos psi are zero.
 template <int N, Datum G, class T>
-RowsOf<T, OneStick<N, G>::rows - 2, N, G> other_rows(const OneStickData<T>& data,
-                                                     const Eigen::Matrix<T, N, 1>& x) {
-  const auto [tau, tau1] = both_times<T, N>(data, x);
-  const auto [even1, even2] = model::overshooting_even<T>(of_halves<T, N>(data.d), tau, tau1);
+FirstRows<OneStick<N, G>, T> odd_rows(const OneStickData<T>& data, const Eigen::Matrix<T, N, 1>& x) {
+  const Eigen::Matrix<T, N, 1> t = times<T, N>(data.d.Theta, x);
+  const auto [tau, tau1] = both_times<T, N>(t);
+  auto odd = model::overshooting_odd<T>(of_halves<T, N>(data.d), tau, tau1);
+  if constexpr (N == 3) {
+    std::array<model::OvershootingRow<T>, 2> even;
+    model::add_overshoot<T>(data.d, slip_times<T>(t), odd, even);
+  }
+  return as_matrix<N, G>(data, T(tau + tau1), odd);
+}
+
+// even_1, even_2, with more than one time the turns, and where ur is given (12).
+template <int N, Datum G, class T>
+OtherRows<OneStick<N, G>, T> even_rows(const OneStickData<T>& data, const Eigen::Matrix<T, N, 1>& x) {
+  const Eigen::Matrix<T, N, 1> t = times<T, N>(data.d.Theta, x);
+  const auto [tau, tau1] = both_times<T, N>(t);
+  auto even = model::overshooting_even<T>(of_halves<T, N>(data.d), tau, tau1);
   std::array<model::OvershootingRow<T>, OneStick<N, G>::rows - 2> all;
-  all[0] = even1;
-  all[1] = even2;
   if constexpr (N == 2) {
     all[2] = model::overshooting_turn<T>(data.d, tau, tau1);
   }
+  if constexpr (N == 3) {
+    std::array<model::OvershootingRow<T>, 2> odd;
+    model::add_overshoot<T>(data.d, slip_times<T>(t), odd, even);
+    const auto turns = model::slip_again_turns<T>(data.d, slip_times<T>(t), T(T(data.d.Theta - tau) / T(2)));
+    all[2] = turns[0];
+    all[3] = turns[1];
+  }
+  all[0] = even[0];
+  all[1] = even[1];
   if constexpr (G == Datum::friction) {
     all.back() = model::overshooting_friction<T>(data.d, data.given, tau, tau1);
   }
@@ -92,60 +114,8 @@ RowsOf<T, OneStick<N, G>::rows - 2, N, G> other_rows(const OneStickData<T>& data
 }
 
 template <int N, Datum G, class T>
-AllRows<T, N, G> stacked(const RowsOf<T, 2, N, G>& odd,
-                         const RowsOf<T, OneStick<N, G>::rows - 2, N, G>& others) {
-  AllRows<T, N, G> m;
-  m.template topRows<2>() = odd;
-  m.template bottomRows<OneStick<N, G>::rows - 2>() = others;
-  return m;
-}
-
-template <int N, Datum G, class T, class S>
-AllRows<T, N, G> rows_at(const OneStickData<S>& data, const Eigen::Matrix<T, N, 1>& x) {
-  const OneStickData<T> d = lifted<T>(data);
-  return stacked<N, G, T>(odd_rows<N, G, T>(d, x), other_rows<N, G, T>(d, x));
-}
-
-// What is left of combined rows; nothing where a pivot may vanish.
-template <int N, Datum G, class T>
-std::optional<LoadRows<T, N, G>> left_for_load(AllRows<T, N, G> m) {
-  using Problem = OneStick<N, G>;
-  if (!zeros::eliminate<T, Problem::rows, Problem::columns>(m, 0, amplitudes)) {
-    return std::nullopt;
-  }
-  return LoadRows<T, N, G>(m.template bottomRightCorner<Problem::left, Problem::loads>());
-}
-
-template <class T>
-T det2(const T& a, const T& b, const T& c, const T& d) {
-  return a * d - b * c;
-}
-
-template <int N, class T>
-Eigen::Matrix<T, 3, 1> direction(const LoadRows<T, N, Datum::friction>& m, int i, int j) {
-  const auto minor = [&](int k, int l) { return det2<T>(m(i, k), m(i, l), m(j, k), m(j, l)); };
-  return {minor(1, 2), minor(2, 0), minor(0, 1)};
-}
-
-template <class T>
-T circle(const Eigen::Matrix<T, 3, 1>& n) {
-  return n(0) * n(0) + n(1) * n(1) - n(2) * n(2);
-}
-
-// What must vanish.
-template <int N, Datum G, class T>
-Eigen::Matrix<T, N, 1> functions(const LoadRows<T, N, G>& m) {
-  if constexpr (G == Datum::phase) {
-    return m;
-  } else {
-    const Eigen::Matrix<T, 3, 1> n = direction<N, T>(m, 0, 1);
-    Eigen::Matrix<T, N, 1> f;
-    f(0) = circle<T>(n);
-    if constexpr (N == 2) {
-      f(1) = m(2, 0) * n(0) + m(2, 1) * n(1) + m(2, 2) * n(2);
-    }
-    return f;
-  }
+AllRows<OneStick<N, G>, T> rows_of(const OneStickData<T>& data, const Eigen::Matrix<T, N, 1>& x) {
+  return stacked<OneStick<N, G>, T>(odd_rows<N, G, T>(data, x), even_rows<N, G, T>(data, x));
 }
 
 }  // namespace stickslip::numeric::families

@@ -28,7 +28,7 @@ std::vector<NamedBall> named(const Box<2>& times) {
 template <Datum G, class Recipe>
 std::variant<std::monostate, Candidate, Unresolved> conclude(const ExactParameters& a, const Recipe& recipe,
                                                              const FoundZero<2>& found) {
-  const RefinedZero<2, G> zero = refined<2, G>(recipe, found, guess_bits);
+  const RefinedZero<OneStick<2, G>> zero = refined<OneStick<2, G>>(recipe, found, guess_bits);
   if (zero.place == Place::outside) {
     return {};
   }
@@ -36,7 +36,7 @@ std::variant<std::monostate, Candidate, Unresolved> conclude(const ExactParamete
   if (zero.place == Place::at_edge) {
     return Unresolved{where, no_time_at_all};
   }
-  const std::optional<OneStickMotion<2>> motion = zero.f.motion(zero.x);
+  const std::optional<ClosedTimes<2>> motion = motion_at(zero.f, zero.x);
   if (!motion) {
     return Unresolved{where, dependent};
   }

@@ -35,7 +35,7 @@ struct WithoutLinear {
 
 // Nothing where the rows may be dependent.
 template <Datum G, class T, class S>
-[[nodiscard]] std::optional<WithoutLinear<T, G>> eliminated(const AllRows<T, 2, G>& rows) {
+[[nodiscard]] std::optional<WithoutLinear<T, G>> eliminated(const AllRows<OneStick<2, G>, T>& rows) {
   constexpr int R = OneStick<2, G>::rows;
   constexpr int C = OneStick<2, G>::columns;
   const Eigen::Matrix<S, R, C> at_middle = rows.unaryExpr([](const T& x) { return x.at; });

@@ -29,7 +29,7 @@ struct OverStrip {
     constexpr bool at_phase = G == Datum::phase;
     const OneStickData<T> data{overshooting_data_of<T, S>(given.data), at_phase ? *given.phi : *given.ur};
     const Eigen::Matrix<T, 2, 1> sw(s, w);
-    const AllRows<T, 2, G> rows = rows_at<2, G, T>(data, sw);
+    const AllRows<OneStick<2, G>, T> rows = rows_of<2, G, T>(data, sw);
     constexpr int one = OneStick<2, G>::columns - 1;
     const T odd = det2<T>(rows(0, 1), rows(0, one), rows(1, 1), rows(1, one));
     Reduced<T> result;

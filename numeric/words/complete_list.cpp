@@ -1,11 +1,7 @@
 #include "numeric/words/complete_list.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "core/error.hpp"
-#include "numeric/families/family.hpp"
-#include "numeric/words/one_stick.hpp"
+#include "numeric/words/by_durations.hpp"
 #include "numeric/words/without_stick.hpp"
 
 namespace stickslip::numeric::words {
@@ -22,9 +18,8 @@ std::string why_no_motion(const Rational& V, const Word& word) {
 }
 
 bool has_complete_list(const WordQuestion& question, const Word& word, long periods) {
-  constexpr std::array searched{"ST", "OT", "OTS", "OST"};
   return !why_no_motion(question.data.V, word).empty() || is_without_stick(word, periods) ||
-         std::find(searched.begin(), searched.end(), word.letters()) != searched.end();
+         is_searched(word);
 }
 
 WordList all_orbits(const WordQuestion& question, const Word& word, long periods) {
@@ -36,7 +31,7 @@ WordList all_orbits(const WordQuestion& question, const Word& word, long periods
     return {{}, {}, 0, reason};
   }
   return is_without_stick(word, periods) ? all_without_stick(question, word, periods)
-                                         : all_with_one_stick(question, word, periods);
+                                         : all_by_durations(question, word, periods);
 }
 
 }  // namespace stickslip::numeric::words

@@ -7,7 +7,7 @@ namespace stickslip::numeric::words {
 
 struct WordList {
   std::vector<WordOrbit> orbits;  // each proved to exist, admissible or not
-  // Where: tau and tau1, how long the first and the second phase after the stick last, or tau, the slip.
+  // Where: tau, tau1, tau2, how long the phases after a stick last.
   std::vector<families::Unresolved> unresolved;
   long cells = 0;        // examined
   std::string why_none;  // in half a sentence, where the word alone tells; else empty
@@ -17,8 +17,9 @@ struct WordList {
 // >= 0, all the time, and not equal all the time, so x2 does not return. Empty where that says nothing.
 [[nodiscard]] std::string why_no_motion(const Rational& V, const Word& word);
 
-// Whether all_orbits takes the word over n periods: one for which why_no_motion knows why; ST, OT, OTS, OST;
-// a power of OS, unless its motion may cross the belt's speed more than twice in a period of the load.
+// Whether all_orbits takes the word over n periods: one for which why_no_motion knows why; one of up to four
+// phases that sticks; a power of OS, unless its motion may cross the belt's speed more than twice in a period
+// of the load.
 [[nodiscard]] bool has_complete_list(const WordQuestion& question, const Word& word, long periods);
 
 // Every motion of the word over n periods that closes and obeys the friction law is among the orbits or in an

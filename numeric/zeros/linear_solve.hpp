@@ -85,7 +85,7 @@ template <int N>
   if (!Y) {
     return false;
   }
-  const Eigen::Matrix<Ball, N, N> rest = Eigen::Matrix<Ball, N, N>::Identity() - *Y * a;
+  const Eigen::Matrix<Ball, N, N> rest = Eigen::Matrix<Ball, N, N>::Identity() - product(*Y, a);
   for (int i = 0; i < N; ++i) {
     Ball sum(-1);
     for (int j = 0; j < N; ++j) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "numeric/families/overshooting.hpp"
-#include "numeric/motion/shooting.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -42,11 +41,17 @@ PrintedClosing<4> printed_zero_of_16(const ExactParameters& a, const std::array<
 PrintedClosing<5> printed_closing_overshooting(const ExactParameters& a, const Rational& phi,
                                                const std::array<Decimal, 5>& printed) {
   require_stick_slip_domain(a);
-  const Shooting f{overshooting().phases, true};
-  const Vector p = Closing(f).parameters({parameters_as<Ball>(a), Ball(phi)});
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(a));
   const auto residuals = [&](const Vector& x) -> Box<5> {
-    const Vector r = f.closing<Ball>(x, p);
-    return (Box<5>() << r(0), r(2), r(3), r(4), r(1)).finished();  // a stick keeps z2' as it is
+    const Ball rest = Ball(2) * Ball::pi() / o.data.omega - x(0) - x(1);
+    const Motion m =
+        compose(o, Ball(phi), {x(2), x(3), x(4), o.data.V},
+                {{PhaseKind::slip, x(0)}, {PhaseKind::overshoot, x(1)}, {PhaseKind::stick, rest}});
+    const Phase& stick = m.phases[2];
+    const model::Vector4<Ball> Z = flow<Ball>(o, stick.kind, stick.load, stick.Z, stick.duration);
+    const Ball& V = o.data.V;  // a stick keeps z2' as it is
+    return (Box<5>() << m.phases[1].Z(3) - V, Z(0) - x(2), Z(1) - x(3), Z(2) - x(4), stick.Z(3) - V)
+        .finished();
   };
   PrintedClosing<5> result{residuals(points(printed)), residuals(intervals(printed)),
                            Verdict::undecided("every closing condition may hold somewhere in the intervals")};

@@ -97,7 +97,7 @@ TEST_CASE("an orbit of a word in JSON, any rotation of the word, and the command
 }
 
 TEST_CASE("a word without an orbit is exit code 2, with what was met instead") {
-  const Run result = stickslip_program({"orbits", "OSOT", "--example", "P", "--ur", "0.25"});
+  const Run result = stickslip_program({"orbits", "OSOSOT", "--example", "P", "--ur", "0.25"});
   CHECK(result.code == exit_undecided);
   CHECK(result.err.empty());
   CHECK(result.out.find("OS with the period 1") != std::string::npos);

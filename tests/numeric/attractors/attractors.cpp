@@ -142,7 +142,7 @@ TEST_CASE("where there is no orbit of the word it is said what was met") {
   CHECK(far.orbits.empty());
   CHECK(far.seen == "the motion from there settles on OS with the period 1");
   const WordOrbits none =
-      find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("OSOT"), 1, {}});
+      find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("OSOSOT"), 1, {}});
   CHECK(none.orbits.empty());
   CHECK_FALSE(none.complete());
   CHECK(none.seen == "100 random starts end on: OS with the period 1");

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "numeric/families/one_stick_closing.hpp"
-#include "numeric/motion/shooting.hpp"
 #include "numeric/zeros/elimination.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/search.hpp"
@@ -65,17 +64,9 @@ struct FlippedSymmetric {
   }
 };
 
-// At an orbit's own data: boxes off the root, and not a zero of another system in as many unknowns.
-void check_systems(const Closing& f, const Closing& mutant, const Given<Ball>& given, const Motion& motion) {
-  const Vector zero = f.unknowns(motion);
-  check_boxes<Eigen::Dynamic>(AtParameters<Closing>{f, f.parameters(given)}, zero);
-  check_not_here<Eigen::Dynamic>(AtParameters<Closing>{mutant, f.parameters(given)}, zero);
-}
-
-// The same phases, the first two in the other order.
-Shooting swapped(Shooting f) {
-  std::swap(f.phases[0], f.phases[1]);
-  return f;
+// At an orbit's own data: boxes off the root.
+void check_system(const Closing& f, const Given<Ball>& given, const Motion& motion) {
+  check_boxes<Eigen::Dynamic>(AtParameters<Closing>{f, f.parameters(given)}, f.unknowns(motion));
 }
 
 // The same of Section 5, at the load's phase phi: the rows of (a, C, D, 1), of which one coefficient's sign
@@ -167,14 +158,13 @@ TEST_CASE("Section 5: boxes off the root, phases swapped, signs flipped in each 
   const Composed<Ball> f{o, Ball(0), Ball(2) * Ball::pi() / o.data.omega, true};
   check_boxes<5>(f, orbit.proof.box);
   check_not_here<5>(SwappedPhases{f}, orbit.proof.box);
-  const Shooting at_phase{overshooting().phases, true}, at_friction{overshooting().phases, false, true};
-  check_systems(at_phase, swapped(at_phase), {parameters_as<Ball>(O()), Ball(0)}, orbit.motion);
-  check_systems(at_friction, swapped(at_friction), {parameters_as<Ball>(O()), {}, orbit.ur}, orbit.motion);
+  check_system(OvershootingClosing{true, false}, {parameters_as<Ball>(O()), Ball(0)}, orbit.motion);
+  check_system(OvershootingClosing{false, true}, {parameters_as<Ball>(O()), {}, orbit.ur}, orbit.motion);
 
   const OneStick<2, Datum::phase> problem({overshooting_data<Ball>(O()), Ball(0)}, true);
   const Ball total = orbit.proof.box(0) + orbit.proof.box(1);
   const Box<2> sw(total / problem.exact.d.Theta, orbit.proof.box(1) / total);
-  const auto reduced = eliminant_near<2, Datum::phase>(problem, sw);
+  const auto reduced = eliminant_near(problem, sw);
   REQUIRE(reduced.has_value());
   check_boxes<2>(*reduced, sw);
   OvershootingRows flipped{problem.exact.d, Ball(0), reduced->combinations};
@@ -197,8 +187,7 @@ TEST_CASE("Section 6: boxes off the root, and the friction's sign flipped") {
   const Ball delta = orbit.motion.oscillator.data.omega * orbit.value("tau") / Ball(2);
   const Box<2> zero(delta, orbit.value("phi") + delta);
   check_boxes<2>(f, zero);
-  const Shooting by_flows{nonsticking().phases};
-  check_systems(by_flows, swapped(by_flows), {parameters_as<Ball>(P("0.1"))}, orbit.motion);
+  check_system(NonstickingClosing{}, {parameters_as<Ball>(P("0.1"))}, orbit.motion);
   TwoSlips flipped = f;
   flipped.c = -flipped.c;
   check_not_here<2>(flipped, zero);

@@ -1,8 +1,6 @@
 // The same orbits enclosed at different precisions: the enclosures overlap, and the finer lie in the coarser.
 #include <doctest/doctest.h>
 
-#include "numeric/motion/shooting.hpp"
-
 #include "tests/numeric/examples.hpp"
 
 using namespace stickslip;
@@ -67,7 +65,7 @@ TEST_CASE("example S at 64, 128, 256 and 1024 bits") {
 
 TEST_CASE("example O at 64, 128, 256 and 1024 bits") {
   for (const Orbit& orbit : listed(overshooting(), O(), 20, Rational(0)).orbits) {
-    const Closing f{Shooting{overshooting().phases, true}};
+    const Closing f{OvershootingClosing{true, false}};
     check_precisions([&](int digits) {
       return values(overshooting(), f, {O(), Rational(0)}, orbit.motion, digits);
     });
@@ -84,7 +82,7 @@ TEST_CASE("a guess beside the orbit is not proved to be one, or a proved one is 
   Motion guess = listed(overshooting(), O(), 20, Rational(0)).orbits.at(1).motion;
   guess.phases[0].duration = Ball(4.5);
   guess.phases[1].duration = Ball(2.5);
-  const Closing f{Shooting{overshooting().phases, true}};
+  const Closing f{OvershootingClosing{true, false}};
   const AtParameters<Closing> system{f, f.parameters({parameters_as<Ball>(O()), Ball(0), {}})};
   const Vector nowhere = box_around<Eigen::Dynamic>(f.unknowns(guess), 1e-3);
   CHECK(krawczyk_test<Eigen::Dynamic>(system, nowhere).verdict.truth != Truth::proved);

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "core/error.hpp"
-#include "numeric/motion/shooting.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;
@@ -27,8 +26,8 @@ Ball around(const Ball& middle, const char * radius) {
 
 // What the examples' systems are.
 const Closing system_S = SymmetricClosing{LoadPhase::first};
-const Closing system_O = Shooting{overshooting().phases, true};
-const Closing system_O_at_ur = Shooting{overshooting().phases, false, true};
+const Closing system_O = OvershootingClosing{true, false};
+const Closing system_O_at_ur = OvershootingClosing{false, true};
 const Closing system_P = NonstickingClosing{};
 
 using Data = model::Parameters<Ball>;
