@@ -1,7 +1,7 @@
 // The closing conditions of a periodic motion through any given sequence of phases, by events and flows.
 //
 // Shooting: from a state at which a phase begins, through the flows (5), (8), (10) of all phases, back to
-// that state one period Theta = 2 pi/omega of the load later. Where a phase ends there is an event,
+// that state one or more periods Theta = 2 pi/omega of the load later. Where a phase ends there is an event,
 //   z2' = V          where a slip or an overshoot ends: (18), (19)
 //   r = ur or -ur    where a stick ends, before a slip or an overshoot: (12)
 // and the state has to return: (20), (28).
@@ -15,17 +15,18 @@ namespace stickslip::numeric::motion {
 // For Closing.
 //   x: the durations of all phases but the last; then z1, z2, z1' when the first phase begins, z2' = V, and,
 //      unless it is given, the load's phase phi then.
-// There are as many equations as unknowns when phi is given or ur is, for a last phase that sticks, and when
-// neither is, for one that does not.
+// There are as many equations as unknowns when ur is given, or phi is for a last phase that is the only one
+// that sticks, or neither is and none sticks.
 struct Shooting {
   std::vector<PhaseKind> phases;  // at least two
   bool takes_phi = false;
   bool takes_ur = false;  // else no condition is put on the friction when a stick ends: ur is a result
+  int periods = 1;        // of the load
 
   template <class T>
   [[nodiscard]] MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
     const model::Oscillator<T> o = oscillator_of<T>(p);
-    T last = T(2) * T(Ball::pi()) / o.data.omega;
+    T last = T(2 * periods) * T(Ball::pi()) / o.data.omega;
     std::vector<LegOf<T>> all;
     for (int i = 0; i < legs(); ++i) {
       all.push_back({phases[static_cast<std::size_t>(i)], x(i)});
