@@ -68,6 +68,7 @@ struct OrbitsOptions {
   bool all = false;
   bool json = false;
 
+  static constexpr int most_periods_of_word = 100000;
   static constexpr int default_digits = 20;
   static constexpr int most_digits = 2000;
   static constexpr int most_cells = 1000000000;
@@ -77,6 +78,7 @@ struct BranchOptions {
   std::string family;
   TypedParameters parameters;  // one of them an interval A..B
   std::string file, example, at, csv, plot, jobs;
+  std::string period;  // of a word
   bool json = false;
 };
 

@@ -20,8 +20,6 @@ using words::WordOrbit;
 
 namespace {
 
-constexpr int most_periods_of_word = 100000;
-
 // Whether existence, all conditions and, where they hold, stability are decided.
 bool is_decided(const WordOrbit& o) {
   return o.existence.truth == Truth::proved &&
@@ -104,7 +102,10 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
     throw UsageError("--plot and --out draw the orbits of a family; those of a word are printed only");
   }
   const Asked given = asked(options, paper);
-  WordSearch search{given.machine, word, whole_number("period", options.period, most_periods_of_word, 1), {}};
+  WordSearch search{given.machine,
+                    word,
+                    whole_number("period", options.period, OrbitsOptions::most_periods_of_word, 1),
+                    {}};
   if (options.with_near) {
     search.near = four_numbers("near", options.near);
   }

@@ -7,6 +7,8 @@
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/interruption.hpp"
+#include "numeric/attractors/word_search.hpp"
+#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 #include "report/orbits/branches.hpp"
 #include "report/tools/files.hpp"
@@ -18,6 +20,44 @@ using namespace numeric;
 using namespace numeric::branches;
 
 namespace {
+
+// What is asked, and the file with what does not count left out.
+struct Asked {
+  ParameterFile file;
+  BranchQuestion question;
+};
+
+Asked asked_of_family(const BranchOptions& o, const proofs::methods::Paper& paper) {
+  const Family& family = family_named(o.family);
+  if (!o.period.empty()) {
+    throw UsageError(fmt::format("--period is for words of phases, not for the family '{}'", o.family));
+  }
+  Asked asked{read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional), {}};
+  leave_results_out(asked.file, family, o.parameters);
+  asked.question = branch_question(paper, family, o.parameters, asked.file.parameters, o.example, o.at);
+  return asked;
+}
+
+// With the orbits that are found.
+Asked asked_of_word(const BranchOptions& o, const proofs::methods::Paper& paper) {
+  const words::Word word = words::Word::parse(o.family);
+  const int periods = whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1);
+  Asked asked{read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed), {}};
+  leave_out(asked.file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
+  TypedParameters typed = o.parameters;
+  const Along along = along_interval(typed);
+  const Rational at = o.at.empty() ? Rational((along.from + along.to) / 2) : exact_number("at", o.at);
+  typed[along.parameter] = to_string(at);
+  const words::WordQuestion machine_there =
+      machine(paper, typed, asked.file.parameters, o.example, OrbitsOptions::default_digits);
+  asked.question = word_question(machine_there, word, periods,
+                                 attractors::find_word_orbits({machine_there, word, periods, {}}).orbits);
+  asked.question.parameter = along.parameter;
+  asked.question.from = along.from;
+  asked.question.to = along.to;
+  asked.question.at = at;
+  return asked;
+}
 
 bool is_decided(const BranchList& list) {
   bool proved = true;
@@ -35,10 +75,6 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
   if (o.family.empty()) {
     throw UsageError("a family of orbits is missing: " + families::names_of_families());
   }
-  const Family& family = family_named(o.family);
-  ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional);
-  leave_results_out(file, family, o.parameters);
-  const BranchQuestion asked = branch_question(paper, family, o.parameters, file.parameters, o.example, o.at);
   const Jobs limit = jobs(o.jobs);
   if (!o.csv.empty()) {
     report::tools::require_writable_file(o.csv);
@@ -47,10 +83,12 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
     (void)report::tools::plot_format(o.plot);
     report::tools::require_plot(o.plot);
   }
-  const BranchList list = [&] {
+  const auto [file, list] = [&] {
     const Interruptible scope;
     const Progress progress("following branches ...");
-    return list_branches(asked);
+    const Asked asked =
+        words::looks_like_word(o.family) ? asked_of_word(o, paper) : asked_of_family(o, paper);
+    return std::pair(asked.file, list_branches(asked.question));
   }();
   if (!o.csv.empty()) {
     const std::filesystem::path csv = o.csv;

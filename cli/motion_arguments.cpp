@@ -32,7 +32,10 @@ constexpr const char * branch_details =
     "time. What cannot be resolved is listed, with its reason.\n\n"
     "All branches are looked for, and that every orbit at any value of the interval is on one\n"
     "of them is proved; where that is not so is listed. With --at only the branches of the\n"
-    "orbits at that value are followed.\n\n";
+    "orbits at that value are followed.\n\n"
+    "A word of S (slip), O (overshoot), T (stick) instead of a family, such as OTS: the branches\n"
+    "of those of its orbits at --ur in --period N periods of the load that are found at --at, by\n"
+    "default the middle of the interval; others are not looked for.\n\n";
 
 constexpr const char * branch_exits =
     "\nExit code: 0 every change is proved and nothing is unresolved but next to resonances; 2\n"
@@ -170,6 +173,7 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
   };
   add("--at", options.at, "NUMBER",
       "The branches of the orbits that there are at this value of the\nparameter alone");
+  add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
   add("--csv", options.csv, "FILE", "Also write an orbit of each part as a table");
   add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg or FILE.pdf");
   add_jobs(*command, options.jobs);

@@ -116,28 +116,35 @@ OrbitQuestion question(const Paper& paper, const Family& family, const TypedPara
           digits};
 }
 
-branches::BranchQuestion branch_question(const Paper& paper, const Family& family, TypedParameters typed,
-                                         const TypedParameters& from_file, const std::string& example,
-                                         const std::string& at) {
-  branches::BranchQuestion asked;
+Along along_interval(TypedParameters& typed) {
+  Along found;
   for (auto& [name, text] : typed) {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos) {
       continue;
     }
-    if (!asked.parameter.empty()) {
+    if (!found.parameter.empty()) {
       throw UsageError(
-          fmt::format("{} and {} are both intervals: a branch is along one", asked.parameter, name));
+          fmt::format("{} and {} are both intervals: a branch is along one", found.parameter, name));
     }
-    asked.parameter = name;
-    asked.from = exact_number(name, text.substr(0, dots));
-    asked.to = exact_number(name, text.substr(dots + 2));
-    text = to_string(asked.from);  // which stands for the interval from here on
+    found = {name, exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
+    text = to_string(found.from);
   }
-  if (asked.parameter.empty()) {
+  if (found.parameter.empty()) {
     throw UsageError("a branch needs one parameter as an interval A..B, such as --omega 0.5..0.6");
   }
+  return found;
+}
+
+branches::BranchQuestion branch_question(const Paper& paper, const Family& family, TypedParameters typed,
+                                         const TypedParameters& from_file, const std::string& example,
+                                         const std::string& at) {
+  branches::BranchQuestion asked;
+  const Along along = along_interval(typed);
   asked.orbits = question(paper, family, typed, from_file, example, OrbitsOptions::default_digits);
+  asked.parameter = along.parameter;
+  asked.from = along.from;
+  asked.to = along.to;
   if (!at.empty()) {
     asked.at = exact_number("at", at);
   }

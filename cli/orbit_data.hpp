@@ -31,6 +31,16 @@ void require_given(const TypedParameters& parameters, const std::vector<std::str
                                               const TypedParameters& from_file, const std::string& example,
                                               int digits);
 
+// The parameter that a branch is along.
+struct Along {
+  std::string parameter;
+  Rational from, to;
+};
+
+// The one parameter that is typed as an interval "A..B"; its lower end stands for it from then on. Throws
+// UsageError when none or several are intervals, and as exact_number.
+[[nodiscard]] Along along_interval(TypedParameters& typed);
+
 // The question about the family's orbits over the one parameter that is typed as an interval "A..B": all of
 // them, or the branches of the orbits at the value `at` unless that is empty. Throws likewise, and when none
 // or several of the parameters are intervals.

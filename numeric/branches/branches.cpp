@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
-#include "numeric/branches/changes.hpp"
+#include "numeric/branches/pieces.hpp"
 #include "numeric/branches/search.hpp"
 #include "numeric/branches/setting.hpp"
 
@@ -41,14 +41,21 @@ void trace(const BranchQuestion& question, const Law& law, const Sheet& sheet, c
   }
 }
 
-// Between two neighbouring values at which a piece begins or ends nothing changes.
-void count(const BranchQuestion& question, BranchList& list) {
+// Nothing changes between two neighbouring values at which a piece or an unresolved part begins or ends.
+// Where all branches are looked for, `open` are the parts in which there may be orbits on none.
+void count(const BranchQuestion& question, const std::vector<UnresolvedPart>& open, BranchList& list) {
   std::vector<Ball> ends{Ball(question.from), Ball(question.to)};
+  const auto add = [&](const Ball& low, const Ball& high) {
+    ends.push_back(low);
+    ends.push_back(high);
+  };
   for (const Branch& branch : list.branches) {
     for (const Piece& piece : branch.pieces) {
-      ends.push_back(piece.first);
-      ends.push_back(piece.last);
+      add(piece.first, piece.last);
     }
+  }
+  for (const UnresolvedPart& part : open) {
+    add(part.value.lower(), part.value.upper());
   }
   std::sort(ends.begin(), ends.end(), [](const Ball& a, const Ball& b) {
     return arf_cmp(arb_midref(a.raw()), arb_midref(b.raw())) < 0;
@@ -59,9 +66,11 @@ void count(const BranchQuestion& question, BranchList& list) {
     }
     const Ball middle = ((ends[k] + ends[k + 1]) / Ball(2)).midpoint();
     Count count{ends[k], ends[k + 1]};
+    bool known = true;
     for (const Branch& branch : list.branches) {
       for (const Piece& piece : branch.pieces) {
         if (Ball::hull(piece.first, piece.last).contains(middle)) {
+          known = known && !piece.may_turn;
           if (piece.state == State::undecided) {
             ++count.undecided;
             continue;
@@ -73,7 +82,11 @@ void count(const BranchQuestion& question, BranchList& list) {
         }
       }
     }
-    list.counts.push_back(count);
+    count.more = std::any_of(open.begin(), open.end(),
+                             [&](const UnresolvedPart& part) { return part.value.contains(middle); });
+    if (known) {
+      list.counts.push_back(count);
+    }
   }
 }
 
@@ -127,14 +140,14 @@ BranchList list_branches(const BranchQuestion& question) {
   BranchList list;
   list.question = question;
   const Law law = law_of(question);
-  AllFollowed all = follow_all(question);
-  list.unresolved = std::move(all.unresolved);
+  const AllFollowed all = follow_all(question);
+  list.unresolved = all.unresolved;
   for (const Sheet& sheet : all.sheets) {
     for (const Followed& branch : sheet.branches) {
       trace(question, law, sheet, branch, list);
     }
   }
-  count(question, list);
+  count(question, question.at ? std::vector<UnresolvedPart>{} : all.unresolved, list);
   list.interrupted = interrupted();
   list.complete = all.complete && !list.interrupted;
   return list;

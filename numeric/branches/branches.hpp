@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,12 +12,21 @@
 
 namespace stickslip::numeric::branches {
 
+// Orbits through any phases, at the friction and the value `at` that the question says: their branches are
+// followed, others are not looked for.
+struct WordOrbits {
+  std::shared_ptr<const families::Family> family;  // a record of the word: what question.orbits.family is
+  std::vector<motion::Motion> motions;             // that close, nearly
+  int periods = 1;                                 // of the load, each
+};
+
 struct BranchQuestion {
   OrbitQuestion orbits;   // exact; what it says of the free parameter does not count
   std::string parameter;  // chi, eta, us, V, omega, p; phi or ur where the family takes it
   Rational from, to;      // from < to
   // Follow the branches of the orbits that there are at this value; without it all branches are looked for.
   std::optional<Rational> at;
+  std::optional<WordOrbits> word = {};
 };
 
 // What the orbits on a piece of a branch are, every one of them.
@@ -65,6 +75,7 @@ struct Piece {
   std::string condition;  // one that is violated all along, if one is; of an inadmissible piece
   Ball first, last;       // the parameter where it begins and ends
   std::vector<Sample> samples;
+  bool may_turn = false;  // of an undecided piece: how many motions it has at a value is not known
 };
 
 // Why a branch begins or ends where it does.
@@ -92,17 +103,19 @@ struct UnresolvedPart {
 
 // How many orbits there are on the branches of the list between two values at which that may change; of those
 // that are admissible the stability of so many is `unsettled`, and of so many more motions that close it is
-// `undecided` whether they are orbits and admissible: neither counts in the numbers before.
+// `undecided` whether they are orbits and admissible: neither counts in the numbers before. There may be
+// `more` where all branches are looked for and an unresolved part may hold some.
 struct Count {
   Ball from, to;
   int orbits = 0, admissible = 0, stable = 0, unsettled = 0, undecided = 0;
+  bool more = false;
 };
 
 struct BranchList {
   BranchQuestion question;
   std::vector<Branch> branches;
   std::vector<UnresolvedPart> unresolved;
-  std::vector<Count> counts;
+  std::vector<Count> counts;  // leave out where a branch may turn
   // Every orbit of the family at any value of the interval is on a branch of the list.
   bool complete = false;
   bool interrupted = false;

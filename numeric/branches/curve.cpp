@@ -26,11 +26,6 @@ Vector one(const Ball& x) {
   return Vector::Constant(1, x);
 }
 
-Point point_of(const Driven& f, const Vector& y, const Vector& q) {
-  const auto s = f.split<Ball>(y, q);
-  return {s.x, s.p(f.curve->place)};
-}
-
 // The coordinates other than the driver, as the driven equations take them.
 Vector others(int driver, const Point& point) {
   Vector y = point.x;
@@ -45,13 +40,7 @@ const Ball& coordinate(int driver, const Point& point) {
 
 // Whether a motion at the point whose driver lies on the cell is that of the cell: proved, or not known.
 bool is_the_only_one(const Cell& cell, const Point& point) {
-  const Vector y = others(cell.driver, point);
-  for (int i = 0; i < y.size(); ++i) {
-    if (!cell.proof.unique(i).contains(y(i))) {
-      return false;
-    }
-  }
-  return true;
+  return contains(cell.proof.unique, others(cell.driver, point));
 }
 
 // A tangent of the curve near the point, by (x, parameter) in these units, its greatest entry ±1: a proposal.
@@ -260,6 +249,29 @@ Path Walk::follow(int direction) {
 }
 
 }  // namespace
+
+bool contains(const Vector& outer, const Vector& inner) {
+  for (int i = 0; i < inner.size(); ++i) {
+    if (!outer(i).contains(inner(i))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Point point_of(const Driven& f, const Vector& y, const Vector& q) {
+  const auto s = f.split<Ball>(y, q);
+  return {s.x, s.p(f.curve->place)};
+}
+
+Vector motion_near(const ParametricProof& proof, const Rational& value) {
+  const Ball ahead = (Ball(value) - proof.p0(0)).midpoint();
+  Vector guess = proof.at_middle;
+  for (int i = 0; i < guess.size(); ++i) {
+    guess(i) = (guess(i) + proof.x(i).partial(0).midpoint() * ahead).midpoint();
+  }
+  return guess;
+}
 
 Ball between(const Rational& a, const Rational& b) {
   return a == b ? Ball(a) : Ball::from_interval(std::min(a, b), std::max(a, b));

@@ -78,6 +78,15 @@ struct Cell {
   zeros::ParametricProof proof;
 };
 
+// Whether all members of one box are in the other.
+[[nodiscard]] bool contains(const zeros::Vector& outer, const zeros::Vector& inner);
+
+// The motion that (y, q) stand for, as Driven takes them.
+[[nodiscard]] Point point_of(const Driven& f, const zeros::Vector& y, const zeros::Vector& q);
+
+// A proposal for the unknowns at that value of the driver, to first order from the middle of the proof.
+[[nodiscard]] zeros::Vector motion_near(const zeros::ParametricProof& proof, const Rational& value);
+
 [[nodiscard]] Ball between(const Rational& a, const Rational& b);
 
 // Whether the motion at the point is on the cell: proved, or not known.

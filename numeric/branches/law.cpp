@@ -55,17 +55,19 @@ struct Motions {
 // Where one of the exit functions is negative a multiplier is outside the unit circle. Where none vanishes as
 // many multipliers are outside all over the part as at its middle. Else the multipliers of all motions are
 // enclosed together. Assumes that the conditions hold: then a stick ends with a rate that is not negative.
-Stability stability_over(const Motions& m, const ClosedMotion& closed) {
-  const std::vector<ParameterJet> jets = multiplier_polynomial(m.jets);
-  const std::vector<Ball> middle = multiplier_polynomial(m.middle);
-  const bool rises = m.proof.over_box(jets.back(), middle.back()).is_positive();
-  bool none_vanishes = rises;
+Stability stability_over(const Motions& m, const Law& law, const ClosedMotion& closed) {
+  const ExitFactors<ParameterJet> jets = law.exit_factors(m.jets);
+  const ExitFactors<Ball> middle = law.exit_factors(m.middle);
+  bool none_vanishes = m.proof.over_box(jets.is_regular, middle.is_regular).is_positive();
   for (const Exit exit : exits) {
-    const Ball value = m.proof.over_box(exit_function(exit, jets), exit_function(exit, middle));
-    if (rises && value.is_negative()) {
+    int product = none_vanishes ? 1 : 0;
+    for (std::size_t k = 0; k < jets[exit].size(); ++k) {
+      product *= sign(m.proof.over_box(jets[exit][k], middle[exit][k]));
+    }
+    if (product < 0) {
       return {StabilityKind::unstable, {}, {}};
     }
-    none_vanishes = none_vanishes && value.is_positive();
+    none_vanishes = none_vanishes && product > 0;
   }
   return decide_stability(none_vanishes ? m.middle : closed.motion);
 }
@@ -74,11 +76,18 @@ void decide_state(Part& part, const Law& law, const Motions& motions) {
   const ClosedMotion closed = closed_over(motions.proof, motions.jets, motions.middle);
   bool lasts = true;
   for (const Phase& phase : closed.motion.phases) {
+    lasts = lasts && phase.duration.is_positive();
     if (phase.duration.is_negative()) {
       part.state = State::absent;
-      return;
     }
-    lasts = lasts && phase.duration.is_positive();
+  }
+  if (part.state == State::absent) {
+    for (const Requirement& q : law.requirements) {
+      if (q.quantity == Quantity::duration) {
+        part.conditions.push_back(decide(closed.motion, {}, q));
+      }
+    }
+    return;
   }
   part.conditions = law.conditions(closed, friction_over(law, closed, part.value));
   if (!lasts) {
@@ -95,7 +104,7 @@ void decide_state(Part& part, const Law& law, const Motions& motions) {
     return;
   }
   part.admissible = true;
-  const Stability stability = stability_over(motions, closed);
+  const Stability stability = stability_over(motions, law, closed);
   part.reason = stability.reason;
   part.state = stability.kind == StabilityKind::stable     ? State::stable
                : stability.kind == StabilityKind::unstable ? State::unstable
@@ -162,27 +171,26 @@ std::vector<Part> divided(const Curve& curve, const Law& law, const std::vector<
 
 }  // namespace
 
+bool Part::refutes(const std::string& id) const {
+  return std::any_of(conditions.begin(), conditions.end(),
+                     [&](const Condition& c) { return c.id == id && c.verdict.truth == Truth::refuted; });
+}
+
 ParametricProof proof_on(const Curve& curve, const Cell& cell, const Rational& first, const Rational& last) {
   if (first == cell.first && last == cell.last) {
     return cell.proof;
   }
   const Driven f{&curve, cell.driver};
-  const Vector Q = Vector::Constant(1, between(first, last));
-  // The cell's own motion at the middle of the part, to first order.
-  Vector guess = cell.proof.at_middle;
-  for (int i = 0; i < guess.size(); ++i) {
-    guess(i) =
-        (guess(i) + cell.proof.x(i).partial(0).midpoint() * (Q(0) - cell.proof.p0(0)).midpoint()).midpoint();
-  }
-  ParametricProof proof = prove_over_parameters(f, Q, guess);
+  ParametricProof proof = prove_over_parameters(f, Vector::Constant(1, between(first, last)),
+                                                motion_near(cell.proof, (first + last) / 2));
   if (proof.verdict.truth != Truth::proved) {
     return proof;
   }
-  for (int i = 0; i < guess.size(); ++i) {
-    if (!cell.proof.unique(i).contains(proof.at_middle(i))) {
-      proof.verdict = Verdict::undecided("the motion on a part of a cell may be another one");
-      return proof;
-    }
+  if (!contains(cell.proof.unique, proof.at_middle)) {
+    proof.verdict = Verdict::undecided("the motion on a part of a cell may be another one");
+    return proof;
+  }
+  for (int i = 0; i < proof.box.size(); ++i) {
     // Both enclose the same motions.
     proof.box(i) = intersection(proof.box(i), cell.proof.box(i)).value_or(proof.box(i));
   }

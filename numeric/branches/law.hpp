@@ -8,6 +8,7 @@
 
 #include "numeric/branches/branches.hpp"
 #include "numeric/branches/curve.hpp"
+#include "numeric/branches/exits.hpp"
 #include "numeric/motion/conditions.hpp"
 #include "numeric/motion/stability.hpp"
 
@@ -26,6 +27,12 @@ struct Law {
   std::optional<Rational> ur;  // where it is given and not the free parameter
   bool ur_is_free = false;
   bool phi_is_given = false;  // of the load when the first phase begins
+  bool is_symmetric = false;  // all motions are orbits of Section 4
+
+  template <class S>
+  [[nodiscard]] ExitFactors<S> exit_factors(const motion::MotionOf<S>& motion) const {
+    return is_symmetric ? symmetric_exit_factors(motion) : branches::exit_factors(motion);
+  }
 };
 
 // A part of a cell, and what is known of it.
@@ -36,13 +43,14 @@ struct Part {
   int rises = 0;         // the parameter along the branch: 1 rises, -1 falls, 0 not known
   State state = State::undecided;
   std::string reason;
-  std::vector<motion::Condition> conditions;
+  std::vector<motion::Condition> conditions;  // of an absent part, on durations only
   // For the reader: the motion in the middle, and its multipliers where it is admissible.
   motion::MotionOf<double> sample;
   double sample_value = 0;
   bool admissible = false;  // is proved, whatever the state
 
   [[nodiscard]] bool decided() const { return state != State::undecided && rises != 0; }
+  [[nodiscard]] bool refutes(const std::string& id) const;
 };
 
 // The proof over that part of a cell: of the cell's own motions, or undecided.

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "numeric/branches/setting.hpp"
+#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 
 namespace stickslip::numeric::branches {
@@ -104,6 +105,7 @@ class Search {
   const BranchQuestion& question_;
   AllFollowed all_;
   int found_ = 0;
+  bool again_ = false;  // what was searched counts no more
   // Where motions may close that are too large to be followed.
   std::optional<Bounds> far_;
   std::mutex far_mutex_;
@@ -158,9 +160,12 @@ bool Search::add(const Candidate& candidate, const Rational& value, std::string&
                  {}};
   found.cells = reversed(std::move(down.cells));
   std::ranges::move(up.cells, std::back_inserter(found.cells));
-  // One that was followed less far before.
-  std::erase_if(sheet.branches,
-                [&](const Followed& known) { return passes(found, known.start, sheet.angle); });
+  // One that was followed less far before, on one side: on the other it may have been followed farther, and
+  // what its tubes held there has to be searched again.
+  again_ =
+      std::erase_if(sheet.branches,
+                    [&](const Followed& known) { return passes(found, known.start, sheet.angle); }) > 0 ||
+      again_;
   if (!question_.at) {
     found.tubes = Tubes(sheet.curve, found.cells, sheet.angle);
   }
@@ -174,9 +179,13 @@ bool Search::add(const Candidate& candidate, const Rational& value, std::string&
 void Search::follow_from(const Rational& value) {
   std::vector<UnresolvedPart> open;
   try {
-    const Found found = question_.orbits.family->search(data_at(question_, value));
+    const Found found = question_.word ? Found{word_candidates(*question_.word), {}}
+                                       : question_.orbits.family->search(data_at(question_, value));
     for (const Unresolved& one : found.unresolved) {
       open.push_back({Ball(value), one.where, one.reason});
+    }
+    if (question_.word && found.candidates.empty()) {
+      open.push_back({Ball(value), {}, "no orbit of the word is known here"});
     }
     for (const Candidate& candidate : found.candidates) {
       std::string why;
@@ -254,10 +263,15 @@ void Search::exhaust() {
     [[nodiscard]] double length() const { return cell.upper[2] - cell.lower[2]; }
   };
   const std::vector<Strip> strips = question_.orbits.family->strips(strip_question(question_));
-  std::vector<Open> open;
-  for (const Strip& strip : strips) {
-    open.push_back({&strip, strip.domain, "", false});
-  }
+  const auto everything = [&] {
+    std::vector<Open> all;
+    for (const Strip& strip : strips) {
+      all.push_back({&strip, strip.domain, "", false});
+    }
+    return all;
+  };
+  std::vector<Open> open = everything();
+  again_ = false;
   const double unit = strips.front().domain.upper[2];
   const auto value_at = [&](double share) {
     return Rational(question_.from + (question_.to - question_.from) * Rational(share / unit));
@@ -291,7 +305,10 @@ void Search::exhaust() {
       }
       open = std::move(rest);
       again = look_for_more();
-      if (again) {
+      if (again_) {
+        again_ = false;
+        open = everything();
+      } else if (again) {
         for (Open& one : open) {
           one.given_up = false;
         }

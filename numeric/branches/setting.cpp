@@ -8,6 +8,9 @@
 
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
+#include "numeric/families/nonsticking.hpp"
+#include "numeric/families/symmetric.hpp"
+#include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -62,6 +65,10 @@ StripQuestion strip_question(const BranchQuestion& question) {
 }
 
 void require_question(const BranchQuestion& question) {
+  if (question.word && (question.parameter == "phi" || !question.at)) {
+    throw UsageError(
+        "a branch of a word is along chi, eta, us, V, omega, p or ur, from its orbits at a value");
+  }
   if (std::find(parameters.begin(), parameters.end(), question.parameter) == parameters.end()) {
     throw UsageError(fmt::format("'{}' is none of {}, which a branch can be along", question.parameter,
                                  "chi, eta, us, V, omega, p, phi and ur"));
@@ -83,10 +90,38 @@ void require_question(const BranchQuestion& question) {
       throw UsageError("a branch is along one interval A..B: all other parameters are exact");
     }
   }
+  if (question.word) {
+    for (const Rational& end : {question.from, question.to}) {
+      const Given<Rational> given = data_at(question, end);
+      words::require_word_domain({given.data, *given.ur});
+    }
+    return;
+  }
   require_answerable(with(question, {(question.from + question.to) / 2, (question.to - question.from) / 2}));
 }
 
+namespace {
+
+Law law_of_word(const BranchQuestion& question) {
+  Law law;
+  law.ur_is_free = question.parameter == "ur";
+  if (!law.ur_is_free) {
+    law.ur = question.orbits.ur->middle;
+  }
+  law.requirements = question.orbits.family->requirements;
+  law.conditions = [family = question.word->family](const ClosedMotion& closed,
+                                                    const std::optional<Ball>& ur) {
+    return decide_all(family->phases, family->requirements, closed.motion, closed.waves, ur);
+  };
+  return law;
+}
+
+}  // namespace
+
 Law law_of(const BranchQuestion& question) {
+  if (question.word) {
+    return law_of_word(question);
+  }
   const Family& family = *question.orbits.family;
   const OrbitQuestion& q = question.orbits;
   Law law;
@@ -96,6 +131,7 @@ Law law_of(const BranchQuestion& question) {
   if (!law.ur_is_result && !law.ur_is_free && q.ur) {
     law.ur = q.ur->middle;
   }
+  law.is_symmetric = &family == &symmetric();
   law.requirements = requirements(family, law.ur_is_result || law.ur_is_free || law.ur);
   if (!law.ur_is_result && !law.ur_is_free && !law.ur) {
     for (Requirement requirement : family.requirements) {
@@ -104,6 +140,11 @@ Law law_of(const BranchQuestion& question) {
         law.at_us.push_back(requirement);
       }
     }
+  }
+  // (36) is (25) of an orbit whose slip lasts half a period at V = 0: there x(0) = Q cos(phi), for the motion
+  // that the friction excites alone is odd about t = 0.
+  if (&family == &nonsticking() && q.parameters.V.middle == 0 && question.parameter != "V") {
+    law.requirements.push_back({"36", "", Quantity::beyond_ur, 0});
   }
   law.conditions = [&family](const ClosedMotion& closed, const std::optional<Ball>& ur) {
     return families::conditions(family, closed, ur);

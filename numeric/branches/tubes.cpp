@@ -13,8 +13,9 @@ using families::Bounds;
 
 namespace {
 
-// As shares of a cell's length and of the radii of the box in which its motions are the only ones.
-constexpr double overlap = 0.25;
+// As shares of a cell's length, tried in this order, and of the radii of the box in which its motions are the
+// only ones.
+constexpr std::array overlaps{0.25, 0x1p-8, 0.0};
 constexpr double wider = 3;
 // As shares of the sizes of the unknowns: tubes around arcs that are short, or do not depend on the
 // parameter, could be too narrow for doubles.
@@ -28,36 +29,61 @@ Bounds within(const Ball& x) {
           arf_get_d(arb_midref(x.upper().raw()), ARF_RND_FLOOR)};
 }
 
-bool contains(const Bounds& outer, const Bounds& inner) {
+bool covers(const Bounds& outer, const Bounds& inner) {
   return outer.first <= inner.first && inner.second <= outer.second;
 }
 
-// The cell's arc, longer where it has neighbours, and in a wider box where that holds no more motions.
-// Nothing when it cannot be proved to be the same arc.
-std::optional<std::pair<Ball, Vector>> longer(const Curve& curve, const Cell& cell, bool before, bool after) {
-  const Rational more = (cell.last - cell.first) * Rational(overlap);
-  const auto at_end = [&](const Rational& value) {
-    return cell.driver == by_parameter && (value == curve.from || value == curve.to);
+// The arc of a cell made longer.
+struct Longer {
+  Ball range;  // of the driver
+  Vector sides;
+};
+
+// Whether the arc of the proof, from its middle on the cell to that value of the driver, is on the cell or on
+// its neighbour: both ends of what was added are. On a closed curve that could be the other way round it, if
+// the neighbour came back to the cell's middle.
+bool goes_on_with(const Driven& f, const ParametricProof& proof, const Rational& value,
+                  const Cell& neighbour) {
+  const Vector q = Vector::Constant(1, Ball(value));
+  const ZeroProof<Eigen::Dynamic> end = prove_zero_at(f, q, motion_near(proof, value));
+  return end.verdict.truth == Truth::proved && contains(proof.unique, end.box) &&
+         is_on(neighbour, point_of(f, end.box, q)) &&
+         !may_meet(neighbour, point_of(f, proof.at_middle, proof.p0));
+}
+
+// By that share of the cell's length where a neighbour goes on with it, and of the neighbour's where one
+// coordinate drives both; a little beyond the interval, for what is rounded. In a wider box where that holds
+// no more motions. Nothing when it cannot be proved to be the branch's own arc.
+std::optional<Longer> longer(const Curve& curve, const Cell& cell, const Cell * before, const Cell * after,
+                             double share) {
+  const Rational little = (curve.to - curve.from) * Rational(rounding);
+  const auto moved = [&](const Rational& end, const Rational& other, const Cell * neighbour) {
+    if (cell.driver == by_parameter && (end == curve.from || end == curve.to)) {
+      return end == curve.to ? Rational(end + little) : Rational(end - little);
+    }
+    if (neighbour == nullptr) {
+      return end;
+    }
+    Rational length = abs(cell.last - cell.first);
+    if (neighbour->driver == cell.driver) {
+      length = std::min(length, Rational(abs(neighbour->last - neighbour->first)));
+    }
+    const Rational result = end + (end > other ? length : Rational(-length)) * Rational(share);
+    return cell.driver == by_parameter ? std::clamp(result, curve.from, curve.to) : result;
   };
-  Rational first = before || at_end(cell.first) ? Rational(cell.first - more) : cell.first;
-  Rational last = after || at_end(cell.last) ? Rational(cell.last + more) : cell.last;
-  if (cell.driver == by_parameter) {
-    // A little beyond the interval, for what is rounded.
-    const Rational little = (curve.to - curve.from) * Rational(rounding);
-    first = std::clamp(first, Rational(curve.from - little), Rational(curve.to + little));
-    last = std::clamp(last, Rational(curve.from - little), Rational(curve.to + little));
-  }
+  const Rational first = moved(cell.first, cell.last, before);
+  const Rational last = moved(cell.last, cell.first, after);
   const Driven f{&curve, cell.driver};
-  const Vector Q = Vector::Constant(1, between(first, last));
-  const ParametricProof proof = prove_over_parameters(f, Q, cell.proof.at_middle);
+  const ParametricProof proof =
+      prove_over_parameters(f, Vector::Constant(1, between(first, last)), cell.proof.at_middle);
   // The middle of the longer arc is on the cell: by continuation all that they share is the same.
-  if (proof.verdict.truth != Truth::proved || !cell.range.contains(proof.p0(0))) {
+  if (proof.verdict.truth != Truth::proved || !cell.range.contains(proof.p0(0)) ||
+      !contains(cell.proof.unique, proof.at_middle)) {
     return std::nullopt;
   }
-  for (int i = 0; i < proof.at_middle.size(); ++i) {
-    if (!cell.proof.unique(i).contains(proof.at_middle(i))) {
-      return std::nullopt;
-    }
+  if ((before != nullptr && first != cell.first && !goes_on_with(f, proof, first, *before)) ||
+      (after != nullptr && last != cell.last && !goes_on_with(f, proof, last, *after))) {
+    return std::nullopt;
   }
   for (const double least : least_radii) {
     Vector wide = proof.unique;
@@ -67,10 +93,10 @@ std::optional<std::pair<Ball, Vector>> longer(const Curve& curve, const Cell& ce
       side = side.midpoint() + Ball::hull(-radius, radius);
     }
     if (holds_one_zero(f, proof, wide)) {
-      return std::pair(Q(0), wide);
+      return Longer{between(first, last), wide};
     }
   }
-  return std::pair(Q(0), proof.unique);
+  return Longer{between(first, last), proof.unique};
 }
 
 }  // namespace
@@ -78,9 +104,17 @@ std::optional<std::pair<Ball, Vector>> longer(const Curve& curve, const Cell& ce
 Tubes::Tubes(const Curve& curve, const std::vector<Cell>& cells, int angle) : angle_(angle) {
   tubes_ = parallel_map(cells.size(), [&](std::size_t k) {
     const Cell& cell = cells[k];
-    const auto better = longer(curve, cell, k > 0, k + 1 < cells.size());
-    Tube tube{{}, cell.driver, within(better ? better->first : cell.range)};
-    for (const Ball& side : better ? better->second : cell.proof.unique) {
+    Tube tube{{}, cell.driver, within(cell.range)};
+    Vector sides = cell.proof.unique;
+    for (const double share : overlaps) {
+      if (const auto better = longer(curve, cell, k > 0 ? &cells[k - 1] : nullptr,
+                                     k + 1 < cells.size() ? &cells[k + 1] : nullptr, share)) {
+        tube.range = within(better->range);
+        sides = better->sides;
+        break;
+      }
+    }
+    for (const Ball& side : sides) {
       tube.sides.push_back(within(side));
     }
     return tube;
@@ -116,7 +150,7 @@ bool Tubes::hold_turned(const std::vector<Bounds>& x, const Bounds& parameter) c
     const Bounds& driver = tube.driver == by_parameter ? parameter : x[place];
     bool here = tube.range.first <= driver.second && driver.first <= tube.range.second;
     for (std::size_t i = 0; here && i < x.size(); ++i) {
-      here = contains(tube.sides[i], i == place ? parameter : x[i]);
+      here = covers(tube.sides[i], i == place ? parameter : x[i]);
     }
     if (!here) {
       before = nullptr;
@@ -127,7 +161,7 @@ bool Tubes::hold_turned(const std::vector<Bounds>& x, const Bounds& parameter) c
     held = joins ? Bounds{std::min(held.first, tube.range.first), std::max(held.second, tube.range.second)}
                  : tube.range;
     before = &tube;
-    if (contains(held, driver)) {
+    if (covers(held, driver)) {
       return true;
     }
   }

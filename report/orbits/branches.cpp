@@ -49,6 +49,11 @@ std::string result_of(const BranchList& list) {
 
 std::string searched_in(const BranchList& list) {
   const BranchQuestion& q = list.question;
+  if (q.word) {
+    return fmt::format("near {} at {} = {}; other branches are not looked for",
+                       counted(q.word->motions.size(), "known orbit", "known orbits"), q.parameter,
+                       stickslip::to_string(*q.at));
+  }
   return q.at ? fmt::format("{} at {} = {}; branches that do not reach this value are not looked for",
                             searched(q.orbits), q.parameter, stickslip::to_string(*q.at))
               : fmt::format("{} at every value of the interval", searched(q.orbits));
@@ -186,16 +191,18 @@ std::string terminal_report(const BranchList& list, const Style& style) {
     text += branch_text(list.branches[k], k + 1, style);
   }
   // At most so many when what is open is decided.
-  const auto number = [](int least, int open) {
-    return open == 0 ? std::to_string(least) : fmt::format("{} to {}", least, least + open);
+  const auto number = [](const Count& count, int least, int open) {
+    return count.more  ? fmt::format("{} or more", least)
+           : open == 0 ? std::to_string(least)
+                       : fmt::format("{} to {}", least, least + open);
   };
   rows = {{{q.parameter}, {""}, {"orbits"}, {"admissible"}, {"stable"}}};
   for (const Count& count : list.counts) {
     rows.push_back({{rounded(count.from, digits)},
                     {rounded(count.to, digits)},
-                    {number(count.orbits, count.undecided)},
-                    {number(count.admissible, count.undecided)},
-                    {number(count.stable, count.unsettled + count.undecided)}});
+                    {number(count, count.orbits, count.undecided)},
+                    {number(count, count.admissible, count.undecided)},
+                    {number(count, count.stable, count.unsettled + count.undecided)}});
   }
   return text + "\n" + columns_of(rows, style.width);
 }
@@ -244,7 +251,7 @@ Json to_json(const BranchList& list) {
     return Json{{"from", to_json(count.from, 20)}, {"to", to_json(count.to, 20)},
                 {"orbits", count.orbits},          {"admissible", count.admissible},
                 {"stable", count.stable},          {"unsettled", count.unsettled},
-                {"undecided", count.undecided}};
+                {"undecided", count.undecided},    {"more", count.more}};
   });
   json["unresolved"] = list_of(list.unresolved, [](const UnresolvedPart& part) {
     Json one = {{"value", to_json(part.value, 20)}};
@@ -264,9 +271,11 @@ std::string plot_script(const BranchList& list, PlotFormat format) {
     const char *name, *style;
     std::string table;
   };
-  std::array<Stroke, 3> strokes{{{"stable", "lw 3 lc rgb \"#1f4e9c\"", {}},
-                                 {"unstable", "lw 1.6 dt (10,5) lc rgb \"#b2182b\"", {}},
-                                 {"not admissible", "lw 1.2 dt (2,5) lc rgb \"#777777\"", {}}}};
+  std::array<Stroke, 4> strokes{
+      {{"stable", "lw 3 lc rgb \"#1f4e9c\"", {}},
+       {"unstable", "lw 1.6 dt (10,5) lc rgb \"#b2182b\"", {}},
+       {"not admissible", "lw 1.2 dt (2,5) lc rgb \"#777777\"", {}},
+       {"admissible, stability open", "lw 2 dt (12,4,2,4) lc rgb \"#7b3294\"", {}}}};
   struct Mark {
     const char * name;
     int type;
@@ -288,9 +297,10 @@ std::string plot_script(const BranchList& list, PlotFormat format) {
       if (piece.samples.empty()) {
         continue;
       }
-      std::string& table = strokes[piece.state == State::inadmissible ? 2
-                                   : piece.state == State::unstable   ? 1
-                                                                      : 0]
+      std::string& table = strokes[piece.state == State::stable         ? 0
+                                   : piece.state == State::unstable     ? 1
+                                   : piece.state == State::inadmissible ? 2
+                                                                        : 3]
                                .table;
       for (const Sample& s : piece.samples) {
         table += fmt::format("{:.10g} {:.8g}\n", s.value, start_of(s.motion).x20);
@@ -333,6 +343,9 @@ std::string plot_script(const BranchList& list, PlotFormat format) {
 
 std::string command_of(const BranchQuestion& q) {
   std::string command = "stickslip branch " + q.orbits.family->name;
+  if (q.word && q.word->periods > 1) {
+    command += fmt::format(" --period={}", q.word->periods);
+  }
   for (const NamedRange& parameter : named_parameters(q.orbits)) {
     if (parameter.name != q.parameter) {
       command += fmt::format(" --{}={}", parameter.name, notation(parameter.range));

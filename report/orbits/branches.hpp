@@ -24,12 +24,14 @@ namespace stickslip::report::orbits {
 // "closed", "ends": [{"at", "reason", "resolved"}], "pieces": [{"from", "to", "state", "violates"?}],
 // "changes": [{"kind", "condition" | "multiplier" | "duration" | "frequency"?, "words", "at", "time"?,
 // "verdict", "reason"?}], "samples": [{"value", "state", durations, "phi", "x10", "x20", "xdot10"}]}],
-// "counts": [{"from", "to", "orbits", "admissible", "stable", "unsettled", "undecided"}], "unresolved":
+// "counts": [{"from", "to", "orbits", "admissible", "stable", "unsettled", "undecided",
+// "more"}], "unresolved":
 // [{"value", "reason", "resonance", …}], "interrupted"}.
 [[nodiscard]] tools::Json to_json(const numeric::branches::BranchList& list);
 
-// A script for gnuplot: x2 where the first phase begins against the parameter, stable, unstable and
-// inadmissible pieces by their strokes, changes by their marks. Empty when there is nothing to draw.
+// A script for gnuplot: x2 where the first phase begins against the parameter, stable, unstable,
+// inadmissible and unsettled pieces by their strokes, changes by their marks. Empty when there is nothing to
+// draw.
 [[nodiscard]] std::string plot_script(const numeric::branches::BranchList& list, tools::PlotFormat format);
 
 // What gives the same result again.

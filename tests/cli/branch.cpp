@@ -24,6 +24,11 @@ TEST_CASE("branch: questions that are none are named") {
       {{"branch", "symmetric", "--example", "S", "--omega", "0.5.."}, exit_usage, "omega: ''"},
       {{"branch", "symmetric", "--example", "S", "--omega", "a..b"}, exit_usage, "omega: 'a'"},
       {{"branch", "symmetric", "--example", "S", "--ur", "0.1..0.2"}, exit_usage, "ur is not given"},
+      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--period", "2"},
+       exit_usage,
+       "--period is for words"},
+      {{"branch", "OO", "--example", "O", "--ur", "0.43..0.44"}, exit_usage, "OO"},
+      {{"branch", "OTS", "--example", "O", "--ur", "0..0.44"}, exit_domain, "ur"},
       {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--at", "0.7"},
        exit_usage,
        "at: omega"},
@@ -65,4 +70,20 @@ TEST_CASE("branch: the table, the JSON and the CSV of a short interval") {
   const Run text = stickslip_program({"branch", "symmetric", "--example", "S", "--omega", "0.586..0.588"});
   CHECK(text.code == exit_decided);
   CHECK(text.out.find("stability real -1") != std::string::npos);
+}
+
+TEST_CASE("branch: of a word, and what is not looked for is said") {
+  const Run json = stickslip_program(
+      {"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438", "--json"});
+  CHECK(json.code == exit_decided);
+  const Json data = Json::parse(json.out);
+  CHECK(data["family"] == "OTS");
+  CHECK(data["complete"] == false);
+  CHECK(data["branches"].size() == 2);
+  CHECK(data["branches"][0]["samples"][0].contains("t3"));
+  const Run text =
+      stickslip_program({"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438"});
+  CHECK(text.code == exit_decided);
+  CHECK(text.out.find("other branches are not looked for") != std::string::npos);
+  CHECK(text.out.find("condition crossing") != std::string::npos);
 }

@@ -8,35 +8,14 @@
 
 #include "core/error.hpp"
 #include "numeric/branches/crossing.hpp"
-#include "numeric/branches/search.hpp"
-#include "numeric/branches/setting.hpp"
-#include "numeric/families/family.hpp"
+#include "tests/numeric/branches/questions.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;
 using namespace stickslip::numeric::branches;
+using namespace stickslip::numeric::branches::examples;
 
 namespace {
-
-OrbitQuestion data(const char * family, const std::array<const char *, 6>& values) {
-  const auto range = [&](std::size_t k) { return Range{parse_rational(values[k])}; };
-  return {&family_named(family), {range(0), range(1), range(2), range(3), range(4), range(5)}, {}, {}, 20};
-}
-OrbitQuestion S() {
-  return data("symmetric", {"0.5", "3.8", "0.02", "1", "0.6", "0.05"});
-}
-OrbitQuestion O() {
-  OrbitQuestion q = data("overshooting", {"0.2", "4", "0.05", "1", "0.6289", "0.05"});
-  q.phi = Range{0};
-  return q;
-}
-OrbitQuestion P() {
-  return data("nonsticking", {"0.3", "4", "0.1", "0.1", "0.6", "1"});
-}
-
-BranchQuestion along(OrbitQuestion orbits, const char * parameter, const char * from, const char * to) {
-  return {std::move(orbits), parameter, parse_rational(from), parse_rational(to), {}};
-}
 
 // The list of orbits with the parameter, omega or p, at that value.
 OrbitList at(const BranchQuestion& question, const Rational& value) {
@@ -194,47 +173,6 @@ TEST_CASE("a question that is none is refused in words") {
   CHECK_THROWS_AS((void)list_branches(box), UsageError);
 }
 
-TEST_CASE("a cell refuses the motion of another branch, however near") {
-  const OrbitQuestion q = S();
-  const families::Found found =
-      q.family->search({{Rational(1, 2), parse_rational("3.8"), parse_rational("0.02"), 1,
-                         parse_rational("0.6"), parse_rational("0.05")},
-                        {},
-                        {}});
-  std::vector<Curve> curves;
-  std::vector<Point> points;
-  for (const families::Candidate& candidate : found.candidates) {
-    const motion::Given<Ball> given{{Ball(0.5), Ball(parse_rational("3.8")), Ball(parse_rational("0.02")),
-                                     Ball(1), Ball(parse_rational("0.6")), Ball(parse_rational("0.05"))},
-                                    {},
-                                    {}};
-    curves.push_back({candidate.equations, candidate.equations.parameters(given), 4, parse_rational("0.59"),
-                      parse_rational("0.605")});
-    const ProvedPoint point =
-        prove_at(curves.back(), parse_rational("0.6"), candidate.equations.unknowns(candidate.guess));
-    REQUIRE(point.verdict.truth == Truth::proved);
-    points.push_back(point.point);
-  }
-  REQUIRE(points.size() == 4);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Path path = follow(curves[i], parse_rational("0.6"), points[i], 1);
-    REQUIRE(!path.cells.empty());
-    CHECK(path.end == End::interval);
-    for (std::size_t j = 0; j < points.size(); ++j) {
-      for (const Cell& cell : path.cells) {
-        if (i != j) {
-          CHECK(!is_on(cell, points[j]));
-        }
-      }
-    }
-    // Neighbours meet in a motion that is the only one of both: the proof of the one at their common end lies
-    // in the box of the other.
-    for (std::size_t k = 0; k + 1 < path.cells.size(); ++k) {
-      CHECK(zeros::intersection<Eigen::Dynamic>(path.cells[k].proof.unique, path.cells[k + 1].proof.unique));
-    }
-  }
-}
-
 TEST_CASE("a quantity that may turn, or stand still, is not said to cross") {
   using zeros::ParameterJet;
   motion::MotionOf<ParameterJet> m;
@@ -252,6 +190,21 @@ TEST_CASE("a quantity that may turn, or stand still, is not said to cross") {
   CHECK(trend(Ball(1), around_zero) == Trend::above);
 }
 
+TEST_CASE(
+    "where the friction stops an orbit that never sticks at V = 0, (25), (26) and (36) are all decided") {
+  OrbitQuestion orbits = data("nonsticking", {"0.3", "4", "0.1", "0", "0.6", "1"});
+  const BranchList list = list_branches(along(orbits, "ur", "0.25", "0.35"));
+  CHECK(list.complete);
+  CHECK(list.resolved());
+  std::vector<std::string> lost;
+  for (const Change& change : changes_of(list, ChangeKind::condition)) {
+    CHECK(change.verdict.truth == Truth::proved);
+    CHECK(change.at.overlaps(changes_of(list, ChangeKind::condition).front().at));
+    lost.push_back(change.what);
+  }
+  CHECK(lost == std::vector<std::string>{"25", "26", "36"});
+}
+
 TEST_CASE("the exit functions vanish exactly at their multipliers") {
   // (x - 2)(x - 3)(x - 5), and that with x - 7, the leading coefficient first 4, then 1.
   const std::vector<Ball> three{Ball(-120), Ball(124), Ball(-40), Ball(4)};
@@ -267,82 +220,17 @@ TEST_CASE("the exit functions vanish exactly at their multipliers") {
   CHECK(is(exit_function(Exit::pair, four), (1 - 6) * (1 - 10) * (1 - 15) * (1 - 14) * (1 - 21) * (1 - 35)));
 }
 
-TEST_CASE("every orbit at any value is on a branch, and leaving out a branch is noticed") {
-  // No branch that begins between the ends of the interval is met at them.
-  const BranchQuestion question = along(S(), "omega", "0.58", "0.61");
-  const AllFollowed all = follow_all(question);
-  CHECK(all.complete);
-  CHECK(all.unresolved.empty());
-  const families::StripQuestion strip = strip_question(question);
-  for (const families::Strip& one : question.orbits.family->strips(strip)) {
-    const auto sheet = std::find_if(all.sheets.begin(), all.sheets.end(),
-                                    [&](const Sheet& s) { return s.system == one.system; });
-    REQUIRE(sheet != all.sheets.end());
-    // The strip around each orbit of the list at a value, between the branches' own cells.
-    for (const char * text : {"0.5907", "0.60628", "0.6072"}) {
-      const Rational value = parse_rational(text);
-      const OrbitList list = at(question, value);
-      for (const Orbit& orbit : list.orbits) {
-        const motion::Phase& slip = orbit.motion.phases[0];
-        const Ball u = slip.duration / motion::period(orbit.motion);
-        const Ball share = Ball(Rational((value - question.from) / (question.to - question.from))) *
-                           Ball(families::length_of(strip));
-        const Ball little = Ball::hull(Ball(-1e-9), Ball(1e-9));
-        families::StripBox box;
-        box << u.midpoint() + little, Ball(0), share.midpoint() + little;
-        const std::optional<families::Strip::View> view = one.look(box);
-        const bool first = (orbit.motion.phases[0].load - Ball(2)).is_negative();
-        if (first != (one.system == 0)) {
-          continue;  // it is an orbit at the other phase of the load
-        }
-        REQUIRE(view);  // an orbit is not excluded
-        int holding = 0;
-        for (const Followed& branch : sheet->branches) {
-          holding += branch.tubes.hold(view->x, view->parameter) ? 1 : 0;
-        }
-        CHECK(holding == 1);
-      }
-    }
-  }
-}
-
-TEST_CASE("a tube holds nothing that reaches beyond it") {
-  const AllFollowed all = follow_all(along(S(), "omega", "0.595", "0.6"));
-  for (const Sheet& sheet : all.sheets) {
-    for (const Followed& branch : sheet.branches) {
-      const Cell& cell = branch.cells[branch.cells.size() / 2];
-      std::vector<families::Bounds> x;
-      for (const Ball& side : cell.proof.at_middle) {
-        x.push_back(scalars::ends(side));
-      }
-      const double value = cell.range.approximate();
-      const families::Bounds here{value, value};
-      CHECK(branch.tubes.hold(x, here));
-      CHECK(!branch.tubes.hold({}, here));
-      CHECK(!branch.tubes.hold(x, {value, 0.7}));
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        std::vector<families::Bounds> wide = x;
-        wide[i].second += 10;
-        CHECK(!branch.tubes.hold(wide, here));
-        wide[i] = {x[i].first, HUGE_VAL};
-        CHECK(!branch.tubes.hold(wide, here));
-      }
-    }
-  }
-}
-
-TEST_CASE("a branch listed twice is not taken for two") {
-  const BranchQuestion question = along(S(), "omega", "0.595", "0.6");
-  const AllFollowed all = follow_all(question);
-  CHECK(all.complete);
-  for (const Sheet& sheet : all.sheets) {
-    for (const Followed& one : sheet.branches) {
-      for (const Followed& other : sheet.branches) {
-        const bool same = &one == &other;
-        const bool meets = std::any_of(other.cells.begin(), other.cells.end(),
-                                       [&](const Cell& cell) { return may_meet(cell, one.ends[0]); });
-        CHECK(meets == same);
-      }
+TEST_CASE("the exit functions of symmetric orbits are those of all orbits, but for positive factors") {
+  for (const char * omega : {"0.51", "0.528", "0.5295", "0.6"}) {
+    const BranchQuestion question = along(S(), "omega", "0.5", "0.61");
+    for (const Orbit& orbit : at(question, parse_rational(omega)).orbits) {
+      const ExitFactors<Ball> all = exit_factors(orbit.motion), few = symmetric_exit_factors(orbit.motion);
+      const model::Modes<Ball>& m = orbit.motion.oscillator.modes;
+      const Ball d = m.lambda2 - m.lambda1;
+      const Ball product =
+          few[Exit::plus_one].at(0) * few[Exit::plus_one].at(1) * Ball(8) / (d * d * m.omega1 * m.omega2);
+      CHECK((product - all[Exit::plus_one].front()).contains_zero());
+      CHECK((product.radius() - Ball(1e-12)).is_negative());
     }
   }
 }

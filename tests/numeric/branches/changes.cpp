@@ -1,0 +1,92 @@
+// From parts to pieces and changes: what would be false of a branch, or hide something of it, is not said.
+#include "numeric/branches/changes.hpp"
+
+#include <doctest/doctest.h>
+
+#include "numeric/branches/pieces.hpp"
+#include "tests/numeric/branches/questions.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::branches;
+using namespace stickslip::numeric::branches::examples;
+
+namespace {
+
+Part part(State state, int rises, double from, double to) {
+  Part result;
+  result.state = state;
+  result.rises = rises;
+  result.value = Ball::hull(Ball(from), Ball(to));
+  result.reason = "for a test";
+  return result;
+}
+
+struct Described {
+  Branch branch;
+  std::vector<UnresolvedPart> unresolved;
+};
+
+// Of parts by hand, on no cells: a gap that is narrow would need some.
+Described described(const std::vector<Part>& parts) {
+  const BranchQuestion question = along(S(), "omega", "0.5", "0.6");
+  const Curve curve = curve_of(question, starts(question, question.from).front().curve.equations);
+  Described result;
+  result.branch.last.words = "the end of the path";
+  describe({curve, {}, {}, parts}, result.branch, result.unresolved);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("an undecided part where the branch may turn is as wide as it is, and marked") {
+  // It may reach 0.54 and come back.
+  const Described d = described({part(State::stable, 1, 0.5, 0.52), part(State::undecided, 0, 0.52, 0.54),
+                                 part(State::unstable, -1, 0.5, 0.52)});
+  REQUIRE(d.branch.pieces.size() == 3);
+  CHECK(Ball::hull(d.branch.pieces[2].first, d.branch.pieces[2].last).contains(Ball(0.51)));
+  const Piece& open = d.branch.pieces[1];
+  CHECK(open.state == State::undecided);
+  CHECK(open.may_turn);
+  CHECK(Ball::hull(open.first, open.last).contains(Ball(0.53)));
+  CHECK(d.branch.changes.empty());
+  CHECK(d.unresolved.size() == 1);
+}
+
+TEST_CASE("a long decided part between two short undecided ones stays decided") {
+  const Described d =
+      described({part(State::stable, 1, 0.5, 0.51), part(State::undecided, 1, 0.51, 0.5101),
+                 part(State::unstable, 1, 0.5101, 0.53), part(State::undecided, 1, 0.53, 0.5301),
+                 part(State::stable, 1, 0.5301, 0.6)});
+  REQUIRE(d.branch.pieces.size() == 5);
+  CHECK(d.branch.pieces[2].state == State::unstable);
+  CHECK(!d.branch.pieces[1].may_turn);
+  CHECK(d.unresolved.size() == 2);
+}
+
+TEST_CASE("beside a resonance the motions are undecided, not gone") {
+  const double omega1 = model::modes<double>(0.5, 3.8).omega1;
+  const Described d = described({part(State::stable, 1, 0.6, omega1 - 1e-5),
+                                 part(State::undecided, 1, omega1 - 1e-5, omega1 + 1e-5),
+                                 part(State::stable, 1, omega1 + 1e-5, 0.62)});
+  REQUIRE(d.branch.changes.size() == 1);
+  CHECK(d.branch.changes.front().kind == ChangeKind::resonance);
+  CHECK(d.branch.changes.front().verdict.truth == Truth::undecided);
+  REQUIRE(d.branch.pieces.size() == 3);
+  CHECK(d.branch.pieces[1].state == State::undecided);
+}
+
+TEST_CASE("a change of stability is proved only where one exit function alone may vanish") {
+  const Ball at(0.5);
+  const auto proved = [&](const Crossings& crossings) {
+    const std::vector<Change> changes = stability_changes(crossings, true, at);
+    return std::count_if(changes.begin(), changes.end(),
+                         [](const Change& c) { return c.verdict.truth == Truth::proved; });
+  };
+  CHECK(proved({{Exit::minus_one}, {Exit::minus_one, Exit::pair}}) == 1);
+  CHECK(proved({{Exit::minus_one}, {Exit::pair}}) == 0);
+  // That of a pair may be the one that vanishes, whether its members are complex or not.
+  CHECK(proved({{Exit::plus_one, Exit::pair}, {Exit::plus_one, Exit::minus_one, Exit::pair}}) == 0);
+  CHECK(stability_changes({{Exit::pair}, {}}, false, at).front().what == "complex pair");
+  CHECK(stability_changes({{Exit::pair}, {}}, false, at).front().words == "stability is gained");
+}

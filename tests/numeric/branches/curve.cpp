@@ -1,0 +1,34 @@
+// Branches as chains of cells: two branches cannot be joined.
+#include "numeric/branches/curve.hpp"
+
+#include <doctest/doctest.h>
+
+#include "tests/numeric/branches/questions.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::branches;
+using namespace stickslip::numeric::branches::examples;
+
+TEST_CASE("a cell refuses the motion of another branch, however near") {
+  const Rational at = parse_rational("0.6");
+  const std::vector<Start> all = starts(along(S(), "omega", "0.59", "0.605"), at);
+  REQUIRE(all.size() == 4);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Path path = follow(all[i].curve, at, all[i].point, 1);
+    REQUIRE(!path.cells.empty());
+    CHECK(path.end == End::interval);
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      for (const Cell& cell : path.cells) {
+        if (i != j) {
+          CHECK(!is_on(cell, all[j].point));
+        }
+      }
+    }
+    // Neighbours meet in a motion that is the only one of both: the proof of the one at their common end lies
+    // in the box of the other.
+    for (std::size_t k = 0; k + 1 < path.cells.size(); ++k) {
+      CHECK(zeros::intersection<Eigen::Dynamic>(path.cells[k].proof.unique, path.cells[k + 1].proof.unique));
+    }
+  }
+}

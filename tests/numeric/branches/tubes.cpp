@@ -1,0 +1,147 @@
+// The tubes around branches, which are left out of the search for more: what would hide an orbit that is on
+// no branch is refused.
+#include "numeric/branches/tubes.hpp"
+
+#include <doctest/doctest.h>
+
+#include "numeric/branches/law.hpp"
+#include "numeric/branches/search.hpp"
+#include "numeric/orbits.hpp"
+#include "tests/numeric/branches/questions.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::branches;
+using namespace stickslip::numeric::branches::examples;
+
+namespace {
+
+std::vector<families::Bounds> bounds(const zeros::Vector& x) {
+  std::vector<families::Bounds> all;
+  for (const Ball& side : x) {
+    all.push_back(scalars::ends(side));
+  }
+  return all;
+}
+
+// Whether the tubes hold the motion of the cell at that value of the parameter, which drives it.
+bool hold_motion(const Tubes& tubes, const Curve& curve, const Cell& cell, const Rational& value) {
+  const ProvedPoint point = prove_at(curve, value, cell.proof.at_middle);
+  REQUIRE(point.verdict.truth == Truth::proved);
+  REQUIRE(is_on(cell, point.point));
+  return tubes.hold(bounds(point.point.x), scalars::ends(Ball(value)));
+}
+
+}  // namespace
+
+TEST_CASE("every orbit at any value is on a branch, and leaving out a branch is noticed") {
+  // No branch that begins between the ends of the interval is met at them.
+  const BranchQuestion question = along(S(), "omega", "0.58", "0.61");
+  const AllFollowed all = follow_all(question);
+  CHECK(all.complete);
+  CHECK(all.unresolved.empty());
+  const families::StripQuestion strip = strip_question(question);
+  for (const families::Strip& one : question.orbits.family->strips(strip)) {
+    const auto sheet = std::find_if(all.sheets.begin(), all.sheets.end(),
+                                    [&](const Sheet& s) { return s.system == one.system; });
+    REQUIRE(sheet != all.sheets.end());
+    // The strip around each orbit of the list at a value, between the branches' own cells.
+    for (const char * text : {"0.5907", "0.60628", "0.6072"}) {
+      const Rational value = parse_rational(text);
+      OrbitQuestion orbits_at = question.orbits;
+      orbits_at.parameters.omega = {value};
+      const OrbitList list = list_orbits(orbits_at);
+      for (const Orbit& orbit : list.orbits) {
+        const motion::Phase& slip = orbit.motion.phases[0];
+        const Ball u = slip.duration / motion::period(orbit.motion);
+        const Ball share = Ball(Rational((value - question.from) / (question.to - question.from))) *
+                           Ball(families::length_of(strip));
+        const Ball little = Ball::hull(Ball(-1e-9), Ball(1e-9));
+        families::StripBox box;
+        box << u.midpoint() + little, Ball(0), share.midpoint() + little;
+        const std::optional<families::Strip::View> view = one.look(box);
+        const bool first = (orbit.motion.phases[0].load - Ball(2)).is_negative();
+        if (first != (one.system == 0)) {
+          continue;  // it is an orbit at the other phase of the load
+        }
+        REQUIRE(view);  // an orbit is not excluded
+        int holding = 0;
+        for (const Followed& branch : sheet->branches) {
+          holding += branch.tubes.hold(view->x, view->parameter) ? 1 : 0;
+        }
+        CHECK(holding == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("a tube holds nothing that reaches beyond it") {
+  const AllFollowed all = follow_all(along(S(), "omega", "0.595", "0.6"));
+  for (const Sheet& sheet : all.sheets) {
+    for (const Followed& branch : sheet.branches) {
+      const Cell& cell = branch.cells[branch.cells.size() / 2];
+      const std::vector<families::Bounds> x = bounds(cell.proof.at_middle);
+      const double value = cell.range.approximate();
+      const families::Bounds here{value, value};
+      CHECK(branch.tubes.hold(x, here));
+      CHECK(!branch.tubes.hold({}, here));
+      CHECK(!branch.tubes.hold(x, {value, 0.7}));
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        std::vector<families::Bounds> wide = x;
+        wide[i].second += 10;
+        CHECK(!branch.tubes.hold(wide, here));
+        wide[i] = {x[i].first, HUGE_VAL};
+        CHECK(!branch.tubes.hold(wide, here));
+      }
+    }
+  }
+}
+
+TEST_CASE("a branch listed twice is not taken for two") {
+  const BranchQuestion question = along(S(), "omega", "0.595", "0.6");
+  const AllFollowed all = follow_all(question);
+  CHECK(all.complete);
+  for (const Sheet& sheet : all.sheets) {
+    for (const Followed& one : sheet.branches) {
+      for (const Followed& other : sheet.branches) {
+        const bool same = &one == &other;
+        const bool meets = std::any_of(other.cells.begin(), other.cells.end(),
+                                       [&](const Cell& cell) { return may_meet(cell, one.ends[0]); });
+        CHECK(meets == same);
+      }
+    }
+  }
+}
+
+TEST_CASE("where a branch stops its tubes stop, however short its last cell is") {
+  const BranchQuestion question = along(S(), "omega", "0.59", "0.605");
+  const Rational at = parse_rational("0.6");
+  for (const Start& start : starts(question, at)) {
+    for (const int direction : {1, -1}) {
+      const Path path = follow(start.curve, at, start.point, direction);
+      REQUIRE(path.cells.size() >= 3);
+      // As if the third cell had been followed for a thousandth of its length and no further.
+      std::vector<Cell> cells(path.cells.begin(), path.cells.begin() + 3);
+      const Cell whole = cells[2];
+      REQUIRE(whole.driver == by_parameter);
+      Cell& last = cells[2];
+      last.last = whole.first + (whole.last - whole.first) / 1000;
+      last.range = between(last.first, last.last);
+      last.proof = proof_on(start.curve, whole, last.first, last.last);
+      REQUIRE(last.proof.verdict.truth == Truth::proved);
+      const auto along_whole = [&](int percent) {
+        return Rational(whole.first + (whole.last - whole.first) * percent / 100);
+      };
+      for (const bool turned_round : {false, true}) {
+        const Tubes tubes(start.curve, turned_round ? reversed(cells) : cells, -1);
+        CHECK(hold_motion(tubes, start.curve, cells[1], (cells[1].first + cells[1].last) / 2));
+        // The cells' common ends are held, too.
+        CHECK(hold_motion(tubes, start.curve, cells[1], cells[1].first));
+        CHECK(hold_motion(tubes, start.curve, cells[1], cells[1].last));
+        for (const int percent : {1, 5, 20}) {
+          CHECK(!hold_motion(tubes, start.curve, whole, along_whole(percent)));
+        }
+      }
+    }
+  }
+}
