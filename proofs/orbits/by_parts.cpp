@@ -51,7 +51,8 @@ class Parts {
     return term;
   }
 
-  Term letter(const Term& applied) {
+  Term letter(const Term& lettered_application) {
+    const Term applied = substitute(lettered_application, values_);
     if (const auto known = names_.find(applied); known != names_.end()) {
       return known->second;
     }
@@ -66,12 +67,14 @@ class Parts {
                                  said(at_most(applied, one.range.second), one.upper)});
     ranges_.emplace(name, one.range);
     names_.emplace(applied, name);
+    values_.emplace(name, applied);
     return name;
   }
 
   Ranges ranges_;  // of the variables, and of the letters
   Letters letters_;
   std::map<Term, Variable> names_;
+  Substitution values_;  // of the letters
 };
 
 }  // namespace
