@@ -37,8 +37,8 @@ class OvershootingOrbit {
     if (families::det2<T>(odd(0, 1), odd(0, 3), odd(1, 1), odd(1, 3)).over.is_nonzero()) {
       return {true, {}, {}};
     }
-    const auto reduced = families::eliminated<phi_given, T, S>(families::stacked<2, phi_given, T>(
-        odd, families::other_rows<2, phi_given, T>(setting.closing, sw)));
+    const auto reduced = families::eliminated<phi_given, T, S>(
+        families::stacked<2, phi_given, T>(odd, families::other_rows<2, phi_given, T>(setting.closing, sw)));
     if (!reduced) {
       return {};
     }
@@ -49,8 +49,8 @@ class OvershootingOrbit {
   // That of the zero (s, w), with positive durations; nothing when its amplitudes may be unbounded.
   [[nodiscard]] static std::optional<OvershootingOrbit> at(const Setting& setting, const T& s, const T& w) {
     const Eigen::Matrix<T, 2, 1> sw(s, w);
-    const auto reduced = families::eliminated<phi_given, T, S>(
-        families::rows_at<2, phi_given, T>(setting.closing, sw));
+    const auto reduced =
+        families::eliminated<phi_given, T, S>(families::rows_at<2, phi_given, T>(setting.closing, sw));
     if (!reduced) {
       return std::nullopt;
     }
