@@ -243,7 +243,7 @@ TEST_CASE(
   CHECK(count(0.09, 0.04, 0.001) == 4);
   CHECK(count(0.0625, 0.015625, 0.001) == 4);  // on the borders of patches
   CHECK(count(-0.09, 0.04, 0.001) == 0);
-  CHECK(count(0.09, 0.0011, 0.001) == 4);
+  CHECK(count(0.09, 0.004, 0.001) == 4);
   CHECK(count(0.09, 0.0009, 0.001) == -1);  // four or none
   CHECK(count(0.5, 0.5, 0.01) == 0);        // outside of the square
   CHECK_FALSE(settle(0.09, 0.04, 0.001, false).patches.empty());
