@@ -58,8 +58,7 @@ void box_P(benchmark::State& state) {
 
 // Every 128th of the 4096 parts of an atlas, judged as far as that goes; items are boxes.
 void atlas_of(benchmark::State& state, const Family& family, atlas::Box region, int resolution = 12) {
-  const atlas::Question q{
-      &family, std::move(region), {atlas::place_of_omega, atlas::place_of_p}, resolution};
+  const atlas::Question q{&family, std::move(region), {atlas::place_of_omega, atlas::place_of_p}, resolution};
   std::size_t boxes = 0;
   for (auto _ : state) {
     for (atlas::Tile part = 4096 + 37; part < 8192; part += 128) {
@@ -83,9 +82,10 @@ void atlas_S(benchmark::State& state) {
 }
 
 void atlas_O(benchmark::State& state) {
-  atlas_of(state, overshooting(),
-           {at("0.2"), at("4"), at("0.05"), at("1"), between("0.61", "0.65"), between("0.03", "0.07"), at("0")},
-           8);
+  atlas_of(
+      state, overshooting(),
+      {at("0.2"), at("4"), at("0.05"), at("1"), between("0.61", "0.65"), between("0.03", "0.07"), at("0")},
+      8);
 }
 
 void atlas_P(benchmark::State& state) {

@@ -16,9 +16,9 @@ namespace {
 
 constexpr long arb_bits = 64;
 constexpr int enough_for_doubles = 26;  // halvings of a side
-// Of the finest boxes. Arb's radii, of 30 bits and in sines to first order only, are a little wider than those
-// of the hardware balls: what these decided they have to decide again.
-constexpr int more_halvings = 10;
+// Of the finest boxes. Arb's radii, of 30 bits and in sines to first order only, are a little wider than
+// those of the hardware balls: what these decided they have to decide again.
+constexpr int more_halvings = 14;
 constexpr int more_for_arb = 4;
 
 // ---- the domain, exactly
@@ -215,15 +215,17 @@ Finding judge_box(const Question& q, const Box& box, Balls balls, bool last, int
   return judge_with<Ball>(q, box, last, known);
 }
 
-// The box is halved across what it varies most with, if there is hope, and so are its halves: what all parts
-// say is said of it.
+// The box is halved, if there is hope, and so are its halves: what all parts say is said of it. Two times of
+// three across what it varies most with, else across each parameter in turn.
 Finding judge_parts(const Question& q, const Box& box, Balls balls, int halvings, Knowledge known, int more) {
   const Finding all = judge_box(q, box, balls, true, halvings, known);
   const Hope hope = known.hope();
   if (all.is_decided() || more == 0 || !hope.is_promising) {
     return all;
   }
-  const std::size_t across = q.axes[static_cast<std::size_t>(std::max(hope.steepest - 1, 0))];
+  const auto turn = static_cast<std::size_t>(more / 3) % q.axes.size();
+  const std::size_t across =
+      q.axes[more % 3 == 0 || hope.steepest == 0 ? turn : static_cast<std::size_t>(hope.steepest - 1)];
   Box lower = box;
   Box upper = box;
   lower[across].upper = upper[across].lower = (box[across].lower + box[across].upper) / 2;

@@ -18,8 +18,8 @@ enum class Balls {
 // the tile. Proofs in different balls never contradict each other.
 [[nodiscard]] Finding judge(const Question& question, Tile tile, Balls balls, Knowledge& known);
 
-// The same of a tile of which nothing is known: from the whole down, box by box around it. Where smaller boxes
-// are likely to decide it, it is halved a few times: what all parts say is said of it.
+// The same of a tile of which nothing is known: from the whole down, box by box around it. Where smaller
+// boxes are likely to decide it, it is halved a few times: what all parts say is said of it.
 [[nodiscard]] Finding judge_from_whole(const Question& question, Tile tile, Balls balls);
 
 // The two steps of that: what the boxes around a tile tell of it, and the verdict on one that is cut no more.

@@ -24,7 +24,7 @@ template <class T, class S>
 struct Data {
   model::Parameters<T> parameters;
   std::optional<T> datum;  // the seventh, where it is given
-  double least = 0;  // how short pieces of a phase, as shares of it, are worth looking at
+  double least = 0;        // how short pieces of a phase, as shares of it, are worth looking at
 };
 
 // The axes are the variables 1, 2, …; the others are left free.

@@ -26,14 +26,13 @@ struct Hope {
   }
   // Of two quantities that both have to be positive: one that is not decides.
   [[nodiscard]] Hope of_both(const Hope& other) const {
-    return is_promising && is_below                ? *this
-           : other.is_promising && other.is_below ? other
-                                                  : and_also(other);
+    return is_promising && is_below ? *this : other.is_promising && other.is_below ? other : and_also(other);
   }
 };
 
-// Of a quantity's sign where all variables before the first are 0. Were the box smaller by 2^-r, the ranges of
-// its slopes would be narrower by as much; r = 5 is what a few halvings of the steepest reach.
+// Of a quantity's sign where all variables before the first are 0. Were the box smaller by 2^-r, the ranges
+// of its slopes would be narrower by as much, and so would it be; r = 7 is what some halvings of the steepest
+// reach.
 template <class S, int N>
 [[nodiscard]] Hope hope_of(const scalars::Form<S, N>& x, std::size_t first = 0) {
   Hope hope = {};
@@ -41,7 +40,7 @@ template <class S, int N>
   double most = 0;
   for (std::size_t i = first; i < x.slopes.size(); ++i) {
     const auto [low, high] = scalars::ends(x.slopes[i]);
-    sum += std::abs(low / 2 + high / 2) + 0x1p-11 * (high - low);
+    sum += std::abs(low / 2 + high / 2) + 0x1p-15 * (high - low);
     const double size = std::max(std::abs(low), std::abs(high));
     if (i > 0 && size > most) {
       most = size;
@@ -77,8 +76,8 @@ struct Bracket {
   }
 };
 
-// A rectangle of two unknowns; and, for every member of the box, exactly one zero: in `where`, and no other in
-// `unique`, which contains that.
+// A rectangle of two unknowns; and, for every member of the box, exactly one zero: in `where`, and no other
+// in `unique`, which contains that.
 using Patch = std::array<std::pair<double, double>, 2>;
 struct ZeroPatch {
   Patch unique, where;
@@ -94,8 +93,8 @@ struct Knowledge {
     Hope hope = {};
   };
   struct Orbit {
-    Bracket zero;      // of one unknown
-    ZeroPatch patch{};  // of two
+    Bracket zero;         // of one unknown
+    ZeroPatch patch{};    // of two
     bool exists = false;  // the zero is an orbit
     Truth admissible = Truth::undecided;
     Truth stable = Truth::undecided;
@@ -130,7 +129,7 @@ struct Knowledge {
     // Of two: where there may be zeros besides those that are known.
     std::vector<Patch> patches{{{{0, 1}, {0, 1}}}};
     std::vector<ZeroPatch> zeros = {};
-    Hope of_patches = {};
+    Hope of_patches{true};
     std::optional<std::vector<Orbit>> orbits;  // all zeros, once their number is known
   };
   std::vector<Sheet> sheets;  // of sheets.hpp; empty where nothing is known

@@ -13,6 +13,8 @@ namespace {
 
 constexpr int boxes_of_block = 2000;
 constexpr std::chrono::seconds longest_block{2};
+constexpr int small = 8;  // halvings: what is known around a rest must be found again, so none is smaller
+
 }  // namespace
 
 Block work_on(const Question& q, Tile tile, const std::function<bool()>& stop) {
@@ -24,9 +26,11 @@ Block work_on(const Question& q, Tile tile, const std::function<bool()>& stop) {
   std::vector<Task> tasks;
   tasks.push_back({tile, known_around(q, tile, Balls::both)});
   Block block;
-  for (int judged = 0;
-       !tasks.empty() && judged < boxes_of_block && std::chrono::steady_clock::now() < until && !stop();
-       ++judged) {
+  const auto is_over = [&](int judged) {
+    return (judged >= boxes_of_block || std::chrono::steady_clock::now() >= until) &&
+           depth(tasks.back().tile) <= q.finest() - small;
+  };
+  for (int judged = 0; !tasks.empty() && !is_over(judged) && !stop(); ++judged) {
     auto [here, known] = std::move(tasks.back());
     tasks.pop_back();
     const bool finest = depth(here) == q.finest();

@@ -14,8 +14,8 @@ struct Block {
   std::vector<Tile> rest;  // what was not looked at
 };
 
-// Judges the boxes of a tile, depth first, until none is left, some thousand were judged, some seconds have
-// passed, or `stop` says so; then nothing of this block is lost.
+// Judges the boxes of a tile, depth first, until none is left, or some thousand were judged or some seconds
+// have passed and what is left is large, or `stop` says so; then nothing of this block is lost.
 [[nodiscard]] Block work_on(const Question& question, Tile tile, const std::function<bool()>& stop);
 
 // All of these tiles on as many threads as Jobs allow, each block's leaves given to `done`, one call at a

@@ -3,9 +3,9 @@
 // what f is. Of the variables of a form the first is s, the last is w, those between are the parameters.
 //
 // The square is cut into patches. With forms over a patch and the box, f lies in f(0) + J e + f_p q, e and q
-// the shares of (s, w) and of the parameters, J the range of the slopes. For Y near the inverse of J each zero
-// has e in K = -Y (f(0) + f_p [-1, 1]) + (1 - Y J) [-1, 1]²; where K lies inside the patch each member has
-// exactly one zero there, by Krawczyk's theorem.
+// the shares of (s, w) and of the parameters, J the range of the slopes. For Y near the inverse of J each
+// zero has e in K = -Y (f(0) + f_p [-1, 1]) + (1 - Y J) [-1, 1]²; where K lies inside the patch each member
+// has exactly one zero there, by Krawczyk's theorem.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace stickslip::numeric::atlas {
 // What is seen of a patch.
 template <class T>
 struct Seen {
-  bool excluded = false;             // no member has a zero
-  std::optional<std::array<T, 2>> f;  // all zeros are common ones of these; where such are known
+  bool excluded = false;                // no member has a zero
+  std::optional<std::array<T, 2>> f;    // all zeros are common ones of these; where such are known
   std::function<bool()> is_equivalent;  // whether the converse is proved, too
 };
 
@@ -58,10 +58,10 @@ template <class T>
 // K, and the parts that it is made of.
 template <class S, int N>
 struct Image {
-  std::array<S, 2> at;                                                  // -Y f(0)
-  std::array<std::array<S, 2>, static_cast<std::size_t>(N)> slopes;     // -Y f_p, of the parameters
-  std::array<std::array<S, 2>, 2> rest;                                 // 1 - Y J
-  std::array<S, 2> over;                                                // K
+  std::array<S, 2> at;                                               // -Y f(0)
+  std::array<std::array<S, 2>, static_cast<std::size_t>(N)> slopes;  // -Y f_p, of the parameters
+  std::array<std::array<S, 2>, 2> rest;                              // 1 - Y J
+  std::array<S, 2> over;                                             // K
 
   [[nodiscard]] bool is_contraction() const {
     const auto size = [](const S& x) {
@@ -173,8 +173,8 @@ template <class T>
     const double all = by_parameters + size(0) + size(w);
     by_s += size(0) / all;
     by_w += size(w) / all;
-    is_hopeless = is_hopeless && std::abs(g.at.approximate()) < by_parameters &&
-                  size(0) + size(w) < by_parameters;
+    is_hopeless =
+        is_hopeless && std::abs(g.at.approximate()) < by_parameters && size(0) + size(w) < by_parameters;
   }
   return is_hopeless ? -1 : by_s >= by_w ? 0 : 1;
 }

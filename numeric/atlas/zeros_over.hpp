@@ -68,8 +68,8 @@ template <class S, int N, class F, class D>
           return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.25));
         };
         hopeless = is_wide(value) && is_wide(slope);
-        cell.hope = hope_of(value, 1);
-        cell.hope.is_promising = cell.hope.is_promising || hope_of(slope, 1).is_promising;
+        const Hope of_value = hope_of(value, 1);
+        cell.hope = of_value.is_promising ? of_value : hope_of(slope, 1);
       }
     }
     if (cell.value != 0 || cell.slope != 0 || hopeless || cell.last - cell.first <= least) {

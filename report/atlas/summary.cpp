@@ -44,7 +44,8 @@ std::string parameters_of(const Question& q, bool fixed_only) {
   std::string text;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
     if (!fixed_only || q.region[i].is_point()) {
-      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter_names(*q.family)[i], text_of(q.region[i]));
+      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter_names(*q.family)[i],
+                          text_of(q.region[i]));
     }
   }
   return text;

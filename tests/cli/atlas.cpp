@@ -120,6 +120,18 @@ TEST_CASE("A table has a row for each box, and its volumes make the whole") {
   CHECK(nlohmann::json::parse(made.out)["boxes"] == rows);
 }
 
+TEST_CASE("An atlas of overshooting orbits is one at the phase of the load that is given") {
+  const TemporaryDirectory directory;
+  const Run made =
+      stickslip_program({"atlas", "overshooting", "--example", "O", "--omega", "0.63..0.631", "--p",
+                         "0.05..0.051", "--resolution", "3", "--out", directory / "a.h5", "--json"});
+  REQUIRE(made.code == 0);
+  const nlohmann::json json = nlohmann::json::parse(made.out);
+  CHECK(json["parameters"]["phi"] == "0");
+  REQUIRE(json["counts"].size() > 0);
+  CHECK(json["counts"][0]["orbits"] == 2);
+}
+
 TEST_CASE("What lies outside the domain is no error, and said") {
   const TemporaryDirectory directory;
   const Run made = stickslip_program({"atlas", "symmetric", "--example", "S", "--p", "-1..1", "--resolution",
