@@ -13,7 +13,7 @@ using words::WordOrbit;
 namespace {
 
 constexpr long starts = 100;
-constexpr long most_periods = 4000;
+constexpr long most_periods = 20000;  // as in attractors, which finds what nears an orbit slowly
 
 // A word for readers, shortened.
 std::string shown(const std::string& word) {

@@ -14,9 +14,10 @@ namespace stickslip::numeric::words {
 // n/omega is a whole number and no phase lasts longer than pi but the stick. None of these obeys the law:
 // x1'' + x1 = chi x2 returns after n Theta, a multiple of 2 pi, only if the integral of (x2' - V) exp(i t)
 // over the motion is zero. But where x2' - V has one sign on less than half a turn, or first one and then the
-// other on such a stretch each, some cos(t - t0) has the same signs. A word that repeats another one over
-// fewer periods, such as STST over two, is for the other one's list: here its orbits are unresolved where
-// they are repetitions. Assumes the domain of words and is_searched.
+// other on such a stretch each, some cos(t - t0) has the same signs. Of a word that repeats another one over
+// fewer periods, such as STST over two, the repetitions are left out: they are orbits of the other one. Lists
+// of four phases mostly stay open where n/omega is a whole number: there the rows lose rank as all phases but
+// the sticks become short. Assumes the domain of words and is_searched.
 [[nodiscard]] WordList all_by_durations(const WordQuestion& question, const Word& word, long periods);
 
 }  // namespace stickslip::numeric::words

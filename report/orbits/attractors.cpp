@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/decimal.hpp"
+#include "numeric/words/pure_stick.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
@@ -198,9 +199,16 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
   if (const words::PureSlip slip = words::pure_slip(q.machine.data); slip.exists.truth == Truth::proved) {
     head.push_back(
         {{"pure slip"},
-         {fmt::format("proved: some motions never touch the belt, for |q2| omega = {} < V; they are "
-                      "neutral, not stable",
-                      rounded(slip.forced, 4))}});
+         {fmt::format("proved: motions never touch the belt if the amplitudes of the two free oscillations "
+                      "of x2' add up to less than V - |q2| omega = {}; they are neutral, not stable",
+                      rounded(Ball(q.machine.data.V) - slip.forced, 4))}});
+  }
+  if (words::pure_stick(q.machine.data, q.machine.ur).truth == Truth::proved) {
+    head.push_back(
+        {{"pure stick"},
+         {fmt::format("proved: mass 2 rests on the belt for ever where chi (1 - chi) |x2| + chi a < "
+                      "ur - p/eta = {}, a the amplitude of x1 - chi x2",
+                      to_string(Rational(q.machine.ur - q.machine.data.p / q.machine.data.eta)))}});
   }
   std::string text =
       columns_of({{{"What the machine does", bold(style)}}}, style.width) + columns_of(head, style.width);

@@ -141,8 +141,11 @@ TEST_CASE("Section 4: boxes off the root, and signs flipped in the reduced equat
     }
   }
   check_not_here<1>(SymmetricEliminant{symmetric_data(S(), LoadPhase::second)}, zero);
-  check_systems(SymmetricClosing{LoadPhase::first}, SymmetricClosing{LoadPhase::second},
-                {parameters_as<Ball>(S())}, orbit.motion);
+  const Closing first = SymmetricClosing{LoadPhase::first}, second = SymmetricClosing{LoadPhase::second};
+  const Given<Ball> given{parameters_as<Ball>(S())};
+  check_system(first, given, orbit.motion);
+  check_not_here<Eigen::Dynamic>(AtParameters<Closing>{second, second.parameters(given)},
+                                 first.unknowns(orbit.motion));
   const Equations16 sixteen = equations_16(S(), LoadPhase::first);
   const Box<4> state(orbit.value("tau"), orbit.value("z10"), orbit.value("z20"), orbit.value("zdot10"));
   check_boxes<4>(sixteen, state);

@@ -9,7 +9,9 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/simulation/simulation.hpp"
 #include "numeric/words/pure_slip.hpp"
+#include "numeric/words/pure_stick.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 
@@ -261,4 +263,23 @@ TEST_CASE(
   CHECK(pure_slip(O()).exists.truth == Truth::proved);
   CHECK(near(pure_slip(O()).forced, "0.22", "0.01"));
   CHECK(pure_slip(P("0.1")).exists.truth == Truth::undecided);
+}
+
+TEST_CASE("motions that stick for ever: at P's data, not on a moving belt, and a simulation agrees") {
+  const Rational ur = parse_rational("0.2996");
+  CHECK(pure_stick(P(), ur).truth == Truth::proved);
+  CHECK(pure_stick(P("0.1"), ur).truth == Truth::refuted);
+  CHECK(pure_stick(P(), Rational(1, 4)).truth == Truth::undecided);  // p/eta = ur
+  const auto sticks = [&](double amplitude, double x2) {
+    const auto a = parameters_as<double>(P());
+    simulation::Simulation motion(a, 0.2996, 0, {a.chi * x2 + amplitude, x2, 0, 0});
+    std::vector<simulation::Transition> log;
+    for (int k = 0; k < 500; ++k) {
+      motion.advance(motion.period(), &log);
+    }
+    return log.empty() && motion.phase() == PhaseKind::stick;
+  };
+  // chi (1 - chi) |x2| + chi a < ur - p/eta = 0.0496
+  CHECK(sticks(0.09, 0.1));        // 0.048
+  CHECK_FALSE(sticks(0.12, 0.1));  // 0.057
 }

@@ -235,6 +235,24 @@ TEST_CASE("OTST: a complete list holds the one orbit that Newton's method finds 
   }
 }
 
+TEST_CASE("OSOT on a belt that runs backwards: the one orbit that Newton's method finds from a grid") {
+  const WordQuestion q{parse_parameters("0.47", "4.69", "0.181", "-0.64", "2.12", "1.37"),
+                       parse_rational("0.38915"), 20};
+  const WordList list = all_orbits(q, Word::parse("OSOT"), 1);
+  CHECK(list.unresolved.empty());
+  REQUIRE(list.orbits.size() == 1);
+  // The word's first rotation is OSOT.
+  const auto& all = list.orbits[0].orbit.motion.phases;
+  const Eigen::Vector3d times(all[0].duration.approximate(), all[1].duration.approximate(),
+                              all[2].duration.approximate());
+  const std::vector<Eigen::Vector3d> found = grid_orbits(
+      flows(q, {PhaseKind::overshoot, PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}), 8);
+  CHECK_FALSE(found.empty());
+  for (const Eigen::Vector3d& t : found) {
+    CHECK((t - times).norm() < 1e-6);
+  }
+}
+
 TEST_CASE("STST: a complete list is empty where Newton's method finds none from a grid") {
   const WordQuestion q{parse_parameters("0.5", "3.8", "0.02", "1", "1.3", "0.05"), parse_rational("0.16"),
                        20};
