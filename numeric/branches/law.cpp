@@ -230,6 +230,9 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
     return part;
   }
   decide_state(part, law, {proof, f.motion<ParameterJet>(proof.x, proof.p), middle});
+  if (part.rises == 0 && part.reason.empty()) {
+    part.reason = "the branch may turn here";
+  }
   return part;
 }
 
