@@ -8,6 +8,7 @@
 
 #include "model/symmetric_closing.hpp"
 #include "numeric/motion/multipliers.hpp"
+#include "numeric/zeros/parametric.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -85,32 +86,100 @@ template <class S>
   return result;
 }
 
-// Those of a symmetric orbit. For the multiplier 1 they are r' times the two factors that the symmetry gives
-// det(I - M) (atlas/symmetric_orbit.hpp),
-//   lambda_2 s_2 P_1 - lambda_1 s_1 P_2  and  omega_1 P_1 E_2 - omega_2 P_2 E_1,
-//   E_j = lambda_j omega_j (s_j + k omega_j c_j),  k = (r - us)/r' at the break-away,
-// for chi eta (lambda_j - 1) = lambda_j omega_j². Each is far larger than their product where the stick
-// hardly lasts: there a multiplier is near 1.
+// sin x - x cos x, that is x³/3 for small x, by its derivative x sin x: with a small relative error.
+[[nodiscard]] inline Ball cubic(const Ball& x) {
+  const Ball m = x.midpoint();
+  return sin(m) - m * cos(m) + x * sin(x) * (x - m);
+}
+[[nodiscard]] inline zeros::ParameterJet cubic(zeros::ParameterJet x) {
+  const Ball slope = x.value * sin(x.value);
+  x.value = cubic(x.value);
+  for (Ball& partial : x.partials) {
+    partial *= slope;
+  }
+  return x;
+}
+
+// A symmetric orbit, with the symbols of model/symmetric_closing.hpp; x = T/2 and rho(x) = r - us at the
+// break-away, with the rate rho'(x) there (atlas/symmetric_orbit.hpp).
+//
+// Its symmetry gives det(I - M) two factors, F = lambda_2 s_2 P_1 - lambda_1 s_1 P_2 and N = omega_1 P_1 E_2
+// - omega_2 P_2 E_1, with E_j = lambda_j omega_j (s_j rho' + omega_j c_j rho) when N is multiplied by rho',
+// for chi eta (lambda_j - 1) = lambda_j omega_j².
+//
+// Where k omega = omega_j, s_j, P_j and E_j vanish with x, and 1 is a multiplier there. With u_j = s_j +
+// omega_j c_j x and D(x) = sin x - x cos x,
+//   P_j = u_j cos x + omega_j c_j D(x),  E_j = lambda_j omega_j (u_j rho' + omega_j c_j G),
+//   G = rho - x rho' = -chi C D(x) - sigma (p/eta) D(omega x),
+// and R_j = u_j, S_j = -(omega u_j cos(omega x) + omega_j c_j D(omega x))/(omega_j² - omega²), so the closing
+// condition C lambda_k P_j = V omega_k² R_j + sigma p S_j reads u_j B = -omega_j c_j A,
+//   B = C lambda_k cos x - V omega_k² + f omega cos(omega x),  A = C lambda_k D(x) + f D(omega x),
+//   f = sigma p/(omega_j² - omega²).
+// Then N B is omega_j c_j times what has A, D and G as factors, all of the order x³: nothing cancels.
+template <class S>
+class SymmetricExits {
+ public:
+  explicit SymmetricExits(const motion::MotionOf<S>& motion)
+      : a_(motion.oscillator.data),
+        tau_(motion.phases.at(0).duration),
+        x_(motion.phases.at(1).duration / S(2)) {
+    const motion::PhaseOf<S>& slip = motion.phases[0];
+    const model::Modes<S>& m = motion.oscillator.modes;
+    rho_ = model::friction_at<S>(a_, slip.Z, slip.load) - a_.us;
+    rate_ = model::friction_rate<S>(a_, slip.Z, slip.load);
+    const auto [sine, cosine] = sin_cos(x_);
+    C_ = S(slip.Z(0) - a_.chi * slip.Z(1)) * sine + S(slip.Z(2) - a_.chi * a_.V) * cosine;
+    load_ = a_.p * S(sin(S(slip.load + a_.omega * tau_ / S(2))));
+    modes_ = {mode(m.omega1, m.lambda1), mode(m.omega2, m.lambda2)};
+  }
+
+  // A positive multiple of det(I - M), if rho' is positive.
+  [[nodiscard]] std::vector<S> at_one() const {
+    const auto& [one, two] = modes_;
+    return {F(), S(one.omega * one.P * two.E - two.omega * two.P * one.E)};
+  }
+
+  // The same by the closing condition of mode j, 0 or 1.
+  [[nodiscard]] std::vector<S> at_one_by_mode(std::size_t j) const {
+    const Mode &mode = modes_.at(j), &other = modes_.at(1 - j);
+    const S f = load_ / S(mode.omega * mode.omega - a_.omega * a_.omega);
+    const S wx = a_.omega * x_;
+    const S cosine = cos(x_), D = cubic(x_), D_load = cubic(wx);
+    const S G = -a_.chi * C_ * D - load_ / a_.eta * D_load;
+    const S B = C_ * other.lambda * cosine - a_.V * other.omega * other.omega + f * a_.omega * S(cos(wx));
+    const S A = C_ * other.lambda * D + f * D_load;
+    const S rest =
+        other.omega * other.P * mode.lambda * S(B * G - A * rate_) - other.E * S(B * D - A * cosine);
+    return {F(), S(S(j == 1 ? 1 : -1) * mode.cosine), B, rest};
+  }
+
+ private:
+  struct Mode {
+    S omega, lambda, P, E, sine, cosine;
+  };
+  [[nodiscard]] Mode mode(const S& omega, const S& lambda) const {
+    const auto [sine, cosine] = sin_cos(S(omega * tau_ / S(2)));
+    return {omega,
+            lambda,
+            model::stick_transfer<S>(omega, S(tau_ + S(2) * x_), tau_).odd,
+            S(lambda * omega * S(rate_ * sine + rho_ * omega * cosine)),
+            sine,
+            cosine};
+  }
+  [[nodiscard]] S F() const {
+    const auto& [one, two] = modes_;
+    return two.lambda * two.sine * one.P - one.lambda * one.sine * two.P;
+  }
+
+  const model::Parameters<S>& a_;
+  S tau_, x_, rho_, rate_, C_, load_;  // load_ is sigma p
+  std::array<Mode, 2> modes_;
+};
+
 template <class S>
 [[nodiscard]] ExitFactors<S> symmetric_exit_factors(const motion::MotionOf<S>& motion) {
-  const model::Parameters<S>& a = motion.oscillator.data;
-  const model::Modes<S>& m = motion.oscillator.modes;
-  const motion::PhaseOf<S>& slip = motion.phases.at(0);
-  const S& tau = slip.duration;
-  const S period = tau + motion.phases.at(1).duration;
-  const S step = model::friction_at<S>(a, slip.Z, slip.load) - a.us;
   ExitFactors<S> result = exit_factors(motion);
-  struct Mode {
-    S P, sine, E;
-  };
-  const auto mode = [&](const S& omega, const S& lambda) {
-    const std::pair<S, S> at_half = sin_cos(S(omega * tau / S(2)));
-    return Mode{model::stick_transfer<S>(omega, period, tau).odd, at_half.first,
-                S(lambda * omega * S(result.is_regular * at_half.first + step * omega * at_half.second))};
-  };
-  const Mode one = mode(m.omega1, m.lambda1), two = mode(m.omega2, m.lambda2);
-  result.of[0] = {S(m.lambda2 * two.sine * one.P - m.lambda1 * one.sine * two.P),
-                  S(m.omega1 * one.P * two.E - m.omega2 * two.P * one.E)};
+  result.of[static_cast<std::size_t>(Exit::plus_one)] = SymmetricExits<S>(motion).at_one();
   return result;
 }
 

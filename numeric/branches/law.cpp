@@ -58,13 +58,22 @@ struct Motions {
 Stability stability_over(const Motions& m, const Law& law, const ClosedMotion& closed) {
   const ExitFactors<ParameterJet> jets = law.exit_factors(m.jets);
   const ExitFactors<Ball> middle = law.exit_factors(m.middle);
-  bool none_vanishes = m.proof.over_box(jets.is_regular, middle.is_regular).is_positive();
-  for (const Exit exit : exits) {
-    int product = none_vanishes ? 1 : 0;
-    for (std::size_t k = 0; k < jets[exit].size(); ++k) {
-      product *= sign(m.proof.over_box(jets[exit][k], middle[exit][k]));
+  const auto sign_of = [&](const std::vector<ParameterJet>& over, const std::vector<Ball>& at_middle) {
+    int product = 1;
+    for (std::size_t k = 0; k < over.size(); ++k) {
+      product *= sign(m.proof.over_box(over[k], at_middle[k]));
     }
-    if (product < 0) {
+    return product;
+  };
+  const bool is_regular = m.proof.over_box(jets.is_regular, middle.is_regular).is_positive();
+  bool none_vanishes = is_regular;
+  for (const Exit exit : exits) {
+    int product = sign_of(jets[exit], middle[exit]);
+    for (std::size_t j = 0; j < 2 && product == 0 && exit == Exit::plus_one && law.is_symmetric; ++j) {
+      product = sign_of(SymmetricExits<ParameterJet>(m.jets).at_one_by_mode(j),
+                        SymmetricExits<Ball>(m.middle).at_one_by_mode(j));
+    }
+    if (is_regular && product < 0) {
       return {StabilityKind::unstable, {}, {}};
     }
     none_vanishes = none_vanishes && product > 0;
@@ -221,6 +230,9 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
     return part;
   }
   decide_state(part, law, {proof, f.motion<ParameterJet>(proof.x, proof.p), middle});
+  if (part.rises == 0 && part.reason.empty()) {
+    part.reason = "the branch may turn here";
+  }
   return part;
 }
 

@@ -220,6 +220,13 @@ TEST_CASE("the exit functions vanish exactly at their multipliers") {
   CHECK(is(exit_function(Exit::pair, four), (1 - 6) * (1 - 10) * (1 - 15) * (1 - 14) * (1 - 21) * (1 - 35)));
 }
 
+TEST_CASE("the stability of an orbit that hardly sticks is decided, with a multiplier near 1") {
+  // 3 omega = omega2 at 0.529522, where T = 0.
+  const BranchList list = list_branches(along(S(), "omega", "0.529", "0.5295"));
+  CHECK(list.complete);
+  CHECK(list.resolved());
+}
+
 TEST_CASE("the exit functions of symmetric orbits are those of all orbits, but for positive factors") {
   for (const char * omega : {"0.51", "0.528", "0.5295", "0.6"}) {
     const BranchQuestion question = along(S(), "omega", "0.5", "0.61");
@@ -227,10 +234,17 @@ TEST_CASE("the exit functions of symmetric orbits are those of all orbits, but f
       const ExitFactors<Ball> all = exit_factors(orbit.motion), few = symmetric_exit_factors(orbit.motion);
       const model::Modes<Ball>& m = orbit.motion.oscillator.modes;
       const Ball d = m.lambda2 - m.lambda1;
-      const Ball product =
-          few[Exit::plus_one].at(0) * few[Exit::plus_one].at(1) * Ball(8) / (d * d * m.omega1 * m.omega2);
-      CHECK((product - all[Exit::plus_one].front()).contains_zero());
-      CHECK((product.radius() - Ball(1e-12)).is_negative());
+      const Ball scale = Ball(8) / (d * d * m.omega1 * m.omega2);
+      const Ball N = few[Exit::plus_one].at(1);
+      CHECK((few[Exit::plus_one].at(0) * N * scale - all[Exit::plus_one].front()).contains_zero());
+      CHECK((N.radius() - Ball(1e-12)).is_negative());
+      // By the closing condition of a mode: F, c, B, rest with N B = omega² c rest.
+      for (const std::size_t j : {0U, 1U}) {
+        const std::vector<Ball> by_mode = SymmetricExits<Ball>(orbit.motion).at_one_by_mode(j);
+        const Ball& omega_j = j == 0 ? m.omega1 : m.omega2;
+        CHECK((by_mode.at(0) - few[Exit::plus_one].at(0)).contains_zero());
+        CHECK((N * by_mode.at(2) - omega_j * omega_j * by_mode.at(1) * by_mode.at(3)).contains_zero());
+      }
     }
   }
 }
