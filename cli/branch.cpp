@@ -7,8 +7,6 @@
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/interruption.hpp"
-#include "numeric/attractors/word_search.hpp"
-#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 #include "report/orbits/branches.hpp"
 #include "report/tools/files.hpp"
@@ -38,24 +36,13 @@ Asked asked_of_family(const BranchOptions& o, const proofs::methods::Paper& pape
   return asked;
 }
 
-// With the orbits that are found.
 Asked asked_of_word(const BranchOptions& o, const proofs::methods::Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
   const int periods = whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1);
   Asked asked{read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed), {}};
   leave_out(asked.file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  TypedParameters typed = o.parameters;
-  const Along along = along_interval(typed);
-  const Rational at = o.at.empty() ? Rational((along.from + along.to) / 2) : exact_number("at", o.at);
-  typed[along.parameter] = to_string(at);
-  const words::WordQuestion machine_there =
-      machine(paper, typed, asked.file.parameters, o.example, OrbitsOptions::default_digits);
-  asked.question = word_question(machine_there, word, periods,
-                                 attractors::find_word_orbits({machine_there, word, periods, {}}).orbits);
-  asked.question.parameter = along.parameter;
-  asked.question.from = along.from;
-  asked.question.to = along.to;
-  asked.question.at = at;
+  asked.question =
+      word_branch_question(paper, word, periods, o.parameters, asked.file.parameters, o.example, o.at);
   return asked;
 }
 

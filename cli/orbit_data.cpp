@@ -8,6 +8,8 @@
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/attractors/word_search.hpp"
+#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 #include "proofs/methods/example_orbits.hpp"
 
@@ -148,6 +150,22 @@ branches::BranchQuestion branch_question(const Paper& paper, const Family& famil
   if (!at.empty()) {
     asked.at = exact_number("at", at);
   }
+  return asked;
+}
+
+branches::BranchQuestion word_branch_question(const Paper& paper, const words::Word& word, int periods,
+                                              TypedParameters typed, const TypedParameters& from_file,
+                                              const std::string& example, const std::string& at) {
+  const Along along = along_interval(typed);
+  const Rational value = at.empty() ? Rational((along.from + along.to) / 2) : exact_number("at", at);
+  typed[along.parameter] = to_string(value);
+  const words::WordQuestion there = machine(paper, typed, from_file, example, OrbitsOptions::default_digits);
+  branches::BranchQuestion asked = branches::word_question(
+      there, word, periods, attractors::find_word_orbits({there, word, periods, {}}).orbits);
+  asked.parameter = along.parameter;
+  asked.from = along.from;
+  asked.to = along.to;
+  asked.at = value;
   return asked;
 }
 

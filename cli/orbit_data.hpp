@@ -48,6 +48,12 @@ struct Along {
     const proofs::methods::Paper& paper, const numeric::Family& family, TypedParameters typed,
     const TypedParameters& from_file, const std::string& example, const std::string& at);
 
+// The same about the orbits through a word, over so many periods of the load, that are found at the value
+// `at`, or in the middle of the interval if that is empty.
+[[nodiscard]] numeric::branches::BranchQuestion word_branch_question(
+    const proofs::methods::Paper& paper, const numeric::words::Word& word, int periods, TypedParameters typed,
+    const TypedParameters& from_file, const std::string& example, const std::string& at);
+
 // The machine whose motions are asked for: the same, with ur in any case, that of the example's own orbit to
 // 17 digits when none is given, and without phi, for the load is cos(omega t). Throws likewise, also for
 // intervals.

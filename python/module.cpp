@@ -88,6 +88,14 @@ OrbitList orbits(const std::string& family, const TypedParameters& parameters, c
   });
 }
 
+branches::BranchList word_branch(const std::string& word, int periods, const TypedParameters& parameters,
+                                 const std::string& example, const std::string& at, const Conduct& conduct) {
+  return carried_out(conduct, [&] {
+    return list_branches(cli::word_branch_question(paper_for(example), words::Word::parse(word), periods,
+                                                   parameters, {}, example, at));
+  });
+}
+
 branches::BranchList branch(const std::string& family, const TypedParameters& parameters,
                             const std::string& example, const std::string& at, const Conduct& conduct) {
   return carried_out(conduct, [&] {
@@ -291,6 +299,8 @@ PYBIND11_MODULE(_core, m) {
         py::arg("conduct"));
   m.def("branch", &branch, py::arg("family"), py::arg("parameters"), py::arg("example"), py::arg("at"),
         py::arg("conduct"));
+  m.def("word_branch", &word_branch, py::arg("word"), py::arg("periods"), py::arg("parameters"),
+        py::arg("example"), py::arg("at"), py::arg("conduct"));
   m.def("atlas", &read_atlas, py::arg("file"), py::arg("conduct"));
   m.def("word_orbits", &word_orbits, py::arg("word"), py::arg("periods"), py::arg("near"),
         py::arg("parameters"), py::arg("example"), py::arg("digits"), py::arg("conduct"));

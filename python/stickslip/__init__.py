@@ -76,6 +76,10 @@ def _state(name: str, state: Sequence[Union[Exact, float]]) -> str:
     return ",".join(repr(x) if isinstance(x, float) else exact(name, x) for x in state)
 
 
+def _is_word(family: str) -> bool:
+    return bool(family) and set(family) <= set("SOT")
+
+
 def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,
            V: Optional[Exact] = None, omega: Optional[Exact] = None, p: Optional[Exact] = None,
            phi: Optional[Exact] = None, ur: Optional[Exact] = None, example: Optional[str] = None,
@@ -96,7 +100,7 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     """
     parameters = _parameters(example, _data, dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur))
     conduct = _conduct(jobs)
-    if family and set(family) <= set("SOT"):
+    if _is_word(family):
         return Orbits._from(
             _core.word_orbits(family, _at_least("period", period, 1, 100000),
                               None if near is None else _state("near", near), parameters, example or "",
@@ -109,10 +113,11 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
 def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = None, us: Optional[Along] = None,
            V: Optional[Along] = None, omega: Optional[Along] = None, p: Optional[Along] = None,
            phi: Optional[Along] = None, ur: Optional[Along] = None, at: Optional[Exact] = None,
-           example: Optional[str] = None, jobs: Optional[int] = None) -> Branches:
+           example: Optional[str] = None, period: int = 1, jobs: Optional[int] = None) -> Branches:
     """The orbits of a family over an interval of one parameter, and every change along them, enclosed and proved.
 
-    family: as for orbits, but no word. One parameter is an interval: a pair of exact numbers, ("0.5", "0.6"), or
+    family: as for orbits; of a word the branches of the orbits that are found at `at`, or else in the middle of
+    the interval, are followed, and no others are looked for. One parameter is an interval: a pair of exact numbers, ("0.5", "0.6"), or
     text, "0.5..0.6"; the others are numbers.
     at: follow the branches of the orbits at this value of it only; otherwise all branches are looked for.
 
@@ -121,9 +126,14 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
     given = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
     texts = {name: "..".join(exact(name, end) for end in value) if isinstance(value, tuple) else value
              for name, value in given.items()}
-    return Branches._from(
-        _core.branch(family, _parameters(example, _data, texts), example or "", "" if at is None else exact("at", at),
-                     _conduct(jobs)))
+    parameters = _parameters(example, _data, texts)
+    where = "" if at is None else exact("at", at)
+    if _is_word(family):
+        return Branches._from(_core.word_branch(family, _at_least("period", period, 1, 100000), parameters,
+                                                example or "", where, _conduct(jobs)))
+    if period != 1:
+        raise UsageError(f"period is for words of phases, not for the family '{family}'")
+    return Branches._from(_core.branch(family, parameters, example or "", where, _conduct(jobs)))
 
 
 def atlas(file: Union[str, "_os.PathLike[str]"]) -> Atlas:

@@ -252,6 +252,7 @@ class Count:
     stable: int
     unsettled: int  #: of the admissible ones, those whose stability is undecided
     undecided: int  #: further motions that close: whether they are orbits, or admissible, is undecided
+    more: bool  #: an unresolved part may hold more orbits
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Count":

@@ -40,6 +40,15 @@ def test_an_interval_is_a_pair_too():
     assert pair == text and pair.interval == ("0.6", "0.61") and pair.at == "0.6" and not pair.complete
 
 
+def test_branches_of_a_word():
+    found = stickslip.branch("OTS", example="O", ur="0.439..0.441", at="0.44")
+    assert found.family == "OTS" and found.parameter == "ur" and found.at == "0.44" and not found.complete
+    assert found.json == json.loads(program("branch", "OTS", "--example=O", "--ur=0.439..0.441", "--at=0.44",
+                                            "--json").stdout)
+    with pytest.raises(stickslip.UsageError, match="period is for words"):
+        stickslip.branch("symmetric", example="S", omega="0.5..0.6", period=2)
+
+
 @pytest.mark.parametrize("given, error, words", [
     (dict(), stickslip.UsageError, "interval"),
     (dict(omega="0.5..0.6", p="0..1"), stickslip.UsageError, "omega and p"),
