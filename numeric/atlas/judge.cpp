@@ -215,12 +215,13 @@ Finding judge_box(const Question& q, const Box& box, Balls balls, bool last, int
   return judge_with<Ball>(q, box, last, known);
 }
 
-// The box is halved, if there is hope, and so are its halves: what all parts say is said of it. Two times of
-// three across what it varies most with, else across each parameter in turn.
+// The box is halved, if there is hope or Arb alone is asked, and so are its halves: what all parts say is
+// said of it. Two times of three across what it varies most with, else across each parameter in turn.
 Finding judge_parts(const Question& q, const Box& box, Balls balls, int halvings, Knowledge known, int more) {
   const Finding all = judge_box(q, box, balls, true, halvings, known);
   const Hope hope = known.hope();
-  if (all.is_decided() || more == 0 || !hope.is_promising) {
+  const bool goes_on = hope.is_promising || balls == Balls::arb;  // those have time
+  if (all.is_decided() || more == 0 || !goes_on) {
     return all;
   }
   const auto turn = static_cast<std::size_t>(more / 3) % q.axes.size();

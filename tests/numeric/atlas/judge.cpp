@@ -118,9 +118,13 @@ TEST_CASE("Leaves say what the lists of orbits say at points in them") {
   CHECK(check_leaves(
             question(families::symmetric(), {"0.5", "3.8", "0.02", "1", "0.624..0.64", "0.132..0.168"}, 5),
             40) > 0);
-  CHECK(check_leaves(
-            question(families::overshooting(), {"0.2", "4", "0.05", "1", "0.62..0.64", "0.04..0.06", "0"}, 4),
-            20) > 0);
+  // On both sides of the curve where (18) fails, and of a fold.
+  CHECK(check_leaves(question(families::overshooting(),
+                              {"0.2", "4", "0.05", "1", "0.63..0.6325", "0.049..0.051", "0"}, 4),
+                     20) > 0);
+  CHECK(check_leaves(question(families::overshooting(),
+                              {"0.2", "4", "0.05", "1", "0.614..0.624", "0.05..0.051", "0"}, 5),
+                     30) > 0);
 }
 
 // Nothing is known beforehand.
