@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "numeric/motion/shooting.hpp"
+#include "numeric/branches/shooting.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -36,7 +36,7 @@ BranchQuestion word_question(const words::WordQuestion& machine, const words::Wo
 
 std::vector<families::Candidate> word_candidates(const WordOrbits& word) {
   const std::vector<motion::PhaseKind>& phases = word.family->phases;
-  const motion::Closing equations = closing_of(motion::Shooting{phases, false, true, word.periods});
+  const motion::Closing equations = Shooting{phases, word.periods};
   const int phi = static_cast<int>(phases.size()) + 2;  // its place among the unknowns
   std::vector<families::Candidate> all;
   for (const motion::Motion& motion : word.motions) {

@@ -10,7 +10,7 @@
 // flow grows with its duration. The reduced equations stay regular over boxes that are ten to a hundred times
 // as wide, are what a search can exclude with, and leave the datum free; but they are the work of a
 // derivation for each family. That both lead to the same orbits, digit by digit, is a test
-// (tests/numeric/words).
+// (tests/numeric/words). Branches of words take the flows, too, from end to end (branches/shooting.hpp).
 //
 // The search isolates the zeros of reduced equations in one or two unknowns, the only ones in which
 // everything else can be excluded; a motion that is then proved to close counts as the zero in whose box of

@@ -1,4 +1,5 @@
-// The closing conditions of a periodic motion through any given sequence of phases, by events and flows.
+// The closing conditions of a periodic motion through any given sequence of phases, ur given, by events and
+// flows, in as few unknowns as there can be.
 //
 // Shooting: from a state at which a phase begins, through the flows (5), (8), (10) of all phases, back to
 // that state one or more periods Theta = 2 pi/omega of the load later. Where a phase ends there is an event,
@@ -10,48 +11,46 @@
 #include "core/error.hpp"
 #include "numeric/motion/closing.hpp"
 
-namespace stickslip::numeric::motion {
+namespace stickslip::numeric::branches {
 
 // For Closing.
-//   x: the durations of all phases but the last; then z1, z2, z1' when the first phase begins, z2' = V, and,
-//      unless it is given, the load's phase phi then.
-// There are as many equations as unknowns when ur is given, or phi is for a last phase that is the only one
-// that sticks, or neither is and none sticks.
+//   x: the durations of all phases but the last; then z1, z2, z1' when the first phase begins, z2' = V, and
+//   the
+//      load's phase phi then.
+// There are as many equations as unknowns: each phase ends with an event, and three components return.
 struct Shooting {
-  std::vector<PhaseKind> phases;  // at least two
-  bool takes_phi = false;
-  bool takes_ur = false;  // else no condition is put on the friction when a stick ends: ur is a result
-  int periods = 1;        // of the load
+  std::vector<motion::PhaseKind> phases;  // at least two
+  int periods = 1;                        // of the load
 
   template <class T>
-  [[nodiscard]] MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    const model::Oscillator<T> o = oscillator_of<T>(p);
+  [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
+    const model::Oscillator<T> o = motion::oscillator_of<T>(p);
     T last = T(2 * periods) * T(Ball::pi()) / o.data.omega;
-    std::vector<LegOf<T>> all;
+    std::vector<motion::LegOf<T>> all;
     for (int i = 0; i < legs(); ++i) {
       all.push_back({phases[static_cast<std::size_t>(i)], x(i)});
       last -= x(i);
     }
     all.push_back({phases.back(), last});
-    const T phi = takes_phi ? p(6) : x(legs() + 3);
-    return compose_motion<T>(o, phi, {x(legs()), x(legs() + 1), x(legs() + 2), o.data.V}, all);
+    return motion::compose_motion<T>(o, x(legs() + 3), {x(legs()), x(legs() + 1), x(legs() + 2), o.data.V},
+                                     all);
   }
 
   // The events in their order, then the return of z1, z2, z1'.
   template <class T>
   [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    const MotionOf<T> m = motion<T>(x, p);
-    const PhaseOf<T>& last = m.phases.back();
+    const motion::MotionOf<T> m = motion<T>(x, p);
+    const motion::PhaseOf<T>& last = m.phases.back();
     const model::Vector4<T>& Z0 = m.phases.front().Z;
-    const model::Vector4<T> Z = flow<T>(m.oscillator, last.kind, last.load, last.Z, last.duration);
+    const model::Vector4<T> Z = motion::flow<T>(m.oscillator, last.kind, last.load, last.Z, last.duration);
     std::vector<T> f;
     for (std::size_t k = 0; k < m.phases.size(); ++k) {
-      const PhaseOf<T>& next = m.phases[(k + 1) % m.phases.size()];
-      if (m.phases[k].kind != PhaseKind::stick) {
+      const motion::PhaseOf<T>& next = m.phases[(k + 1) % m.phases.size()];
+      if (m.phases[k].kind != motion::PhaseKind::stick) {
         f.push_back((&m.phases[k] == &last ? Z : next.Z)(3) - m.oscillator.data.V);
-      } else if (takes_ur) {
+      } else {
         const T r = model::friction_at<T>(m.oscillator.data, next.Z, next.load);
-        f.push_back(next.kind == PhaseKind::slip ? T(r - p(p.size() - 1)) : T(r + p(p.size() - 1)));
+        f.push_back(next.kind == motion::PhaseKind::slip ? T(r - p(p.size() - 1)) : T(r + p(p.size() - 1)));
       }
     }
     f.insert(f.end(), {T(Z(0) - Z0(0)), T(Z(1) - Z0(1)), T(Z(2) - Z0(2))});
@@ -59,20 +58,18 @@ struct Shooting {
   }
 
   // Throws InternalError when the motion has another number of phases.
-  [[nodiscard]] zeros::Vector unknowns(const Motion& motion) const {
+  [[nodiscard]] zeros::Vector unknowns(const motion::Motion& motion) const {
     if (motion.phases.size() != phases.size()) {
       throw InternalError("a guess of " + std::to_string(motion.phases.size()) + " phases for " +
                           std::to_string(phases.size()));
     }
-    const Phase& first = motion.phases.front();
-    zeros::Vector x(legs() + (takes_phi ? 3 : 4));
+    const motion::Phase& first = motion.phases.front();
+    zeros::Vector x(legs() + 4);
     for (int i = 0; i < legs(); ++i) {
       x(i) = motion.phases[static_cast<std::size_t>(i)].duration;
     }
     x.segment(legs(), 3) = first.Z.head<3>();
-    if (!takes_phi) {
-      x(legs() + 3) = first.load;
-    }
+    x(legs() + 3) = first.load;
     return x;
   }
 
@@ -80,7 +77,4 @@ struct Shooting {
   [[nodiscard]] int legs() const { return static_cast<int>(phases.size()) - 1; }
 };
 
-// The same as Closing(f), compiled once.
-[[nodiscard]] Closing closing_of(const Shooting& f);
-
-}  // namespace stickslip::numeric::motion
+}  // namespace stickslip::numeric::branches
