@@ -21,6 +21,8 @@ namespace stickslip::numeric::branches {
 struct Shooting {
   std::vector<motion::PhaseKind> phases;  // at least two
   int periods = 1;                        // of the load
+  static constexpr bool takes_phi = false;
+  static constexpr bool takes_ur = true;
 
   template <class T>
   [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {

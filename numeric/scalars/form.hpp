@@ -215,19 +215,6 @@ struct Form {
   }
 };
 
-// Whether a quantity would keep its sign where all variables before the first are 0, were the box so small
-// that the ranges of its slopes hardly had a width. It proves nothing: it tells whether smaller boxes are
-// likely to decide.
-template <class S, int N>
-[[nodiscard]] bool is_likely_nonzero(const Form<S, N>& x, std::size_t first = 0) {
-  double sum = 0;
-  for (std::size_t i = first; i < x.slopes.size(); ++i) {
-    const auto [low, high] = ends(x.slopes[i]);
-    sum += std::abs(low / 2 + high / 2) + 0x1p-8 * (high - low);
-  }
-  return std::abs(x.at.approximate()) > sum;
-}
-
 }  // namespace stickslip::numeric::scalars
 
 namespace Eigen {
