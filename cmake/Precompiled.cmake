@@ -14,14 +14,15 @@ function(stickslip_precompiled name)
     <sstream> <string> <utility> <vector> ${arg_HEADERS})
 endfunction()
 
-# Each room's set has those of the rooms below it. GiNaC's header needs GiNaC's library wherever it is included.
+# Each room's set has those of the rooms below it; report/ makes its own, where there is that room. GiNaC's header needs
+# GiNaC's library wherever it is included.
 set(stickslip_numeric_set <Eigen/Core> <fmt/format.h> <tbb/parallel_for.h>)
 set(stickslip_symbolic_set ${stickslip_numeric_set} <ginac/ginac.h>)
 set(stickslip_report_set ${stickslip_symbolic_set} <nlohmann/json.hpp>)
 set(stickslip_numeric_needs Eigen3::Eigen fmt::fmt TBB::tbb)
 set(stickslip_symbolic_needs ${stickslip_numeric_needs} PkgConfig::GINAC)
 set(stickslip_report_needs ${stickslip_symbolic_needs} nlohmann_json::nlohmann_json)
-foreach(room numeric symbolic report)
+foreach(room numeric symbolic)
   stickslip_precompiled(stickslip_${room}_headers HEADERS ${stickslip_${room}_set} LIBRARIES ${stickslip_${room}_needs})
 endforeach()
 
