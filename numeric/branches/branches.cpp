@@ -147,7 +147,9 @@ BranchList list_branches(const BranchQuestion& question) {
       trace(question, law, sheet, branch, list);
     }
   }
-  count(question, question.at ? std::vector<UnresolvedPart>{} : all.unresolved, list);
+  if (!question.at || !list.branches.empty()) {
+    count(question, question.at ? std::vector<UnresolvedPart>{} : all.unresolved, list);
+  }
   list.interrupted = interrupted();
   list.complete = all.complete && !list.interrupted;
   return list;

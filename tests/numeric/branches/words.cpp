@@ -106,7 +106,9 @@ TEST_CASE("a question about a word that is none is refused in words") {
   question.to = parse_rational("0.4");
   CHECK_THROWS_AS((void)list_branches(question), UsageError);  // no value to begin at
   question.at = question.from;
-  CHECK(!list_branches(question).resolved());  // and no orbit
+  const BranchList none = list_branches(question);
+  CHECK(!none.resolved());  // and no orbit
+  CHECK(none.counts.empty());
   question.from = 0;
   CHECK_THROWS_AS((void)list_branches(question), DomainError);  // ur <= us
 }
