@@ -90,7 +90,7 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     family: "symmetric" (Section 4; phi and ur are results), "overshooting" (Section 5; exactly one of phi and
     ur is given), "nonsticking" (Section 6 and any V; ur may be given); or a word of S (slip), O (overshoot), T
     (stick) such as "OTS": its orbits over `period` periods of the load at ur, near a state (x1, x2, x1', x2')
-    or where random starts end; complete for ST, OTS, OST and OS.
+    or where random starts end; complete for up to four phases, OSOS aside, without `near`.
     digits: significant ones of each value, at most 2000. jobs: the most threads; the result is the same.
 
     A parameter may be a box ("0.3+-1e-4", a Ball): then each orbit is proved for all its members.
