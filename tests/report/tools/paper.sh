@@ -1,5 +1,6 @@
 #!/bin/sh
-# Compiles NAME.tex of a report with pdflatex, in a copy; fails when LaTeX has anything to remark.
+# Compiles NAME.tex of a report with pdflatex, in a copy; fails when LaTeX has anything to remark,
+# or an option of a command is set so that it cannot be copied.
 #
 #   paper.sh DIRECTORY NAME [PAGES]
 #
@@ -21,6 +22,8 @@ for pass in 1 2 3; do
   }
 done
 test -s "$2.pdf"
+# Two hyphens become a dash, which no shell takes.
+if grep -n '\\texttt{[^}]*--' "$2.tex" >&2; then exit 1; fi
 if grep -aE 'Warning|Overfull' "$2.log" >&2; then exit 1; fi
 if [ $# -gt 2 ]; then
   pages=$(sed -n "s/^Output written on $2.pdf (\([0-9]*\) page.*/\1/p" "$2.log")
