@@ -1,4 +1,5 @@
 // How many zeros there are over a box of parameters, in one unknown and in two.
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -84,6 +85,26 @@ TEST_CASE(
   CHECK(count(0.5, 0.5, 0.01) == 0);        // outside of the square
   CHECK_FALSE(settle(0.09, 0.04, 0.001, false).patches.empty());
   CHECK(settle(0.09, 0.04, 0.001, false).zeros.empty());
+
+  // Where a zero is said to be there is one for every member.
+  for (const double a : {0.001, 0.0015, 0.003, 0.01, 0.1}) {
+    for (const double b : {0.012, 0.0166, 0.03, 0.24}) {
+      for (const double radius : {0.0005, 0.0011, 0.0014, 0.01}) {
+        for (const ZeroPatch& zero : settle(a, b, radius).zeros) {
+          const auto holds = [&](std::size_t k, double square) {
+            const double root = std::sqrt(square);
+            const auto& [first, last] = zero.where[k];
+            return (first <= 0.5 + root && 0.5 + root <= last) || (first <= 0.5 - root && 0.5 - root <= last);
+          };
+          REQUIRE(std::min(a, b) > radius);
+          for (const double end : {-radius, radius}) {
+            CHECK(holds(0, a + end));
+            CHECK(holds(1, b + end));
+          }
+        }
+      }
+    }
+  }
 
   // What is known of a box is right in its parts, and the zeros are functions of the parameters.
   Knowledge::Sheet sheet = settle(0.09, 0.04, 0.001);
