@@ -166,6 +166,21 @@ TEST_CASE("slip and overshoot confused: the speed condition is refuted, with a v
   CHECK((state(orbit.motion, 0, wrong.violation->time)(3) - orbit.motion.oscillator.data.V).is_negative());
 }
 
+TEST_CASE("a phase that does not begin at the belt's velocity is no slip") {
+  const ComposedOrbit orbit = orbit_O();
+  Motion begun = orbit.motion;  // the end of the slip is looked at, too: it is left out here
+  begun.phases[0].duration = begun.phases[0].duration / Ball(2);
+  const Requirement slip{"", "", Quantity::below_belt, 0, true, {true, false}, true};
+  REQUIRE(decide(begun, orbit.ur, slip).verdict.truth == Truth::proved);
+  for (const char * off : {"1e-20", "-1e-20"}) {
+    Motion motion = begun;
+    motion.phases[0].Z(3) += Ball(parse_rational(off));
+    const Verdict verdict = decide(motion, orbit.ur, slip).verdict;
+    CHECK(verdict.truth == Truth::refuted);
+    CHECK(verdict.reason.find("is not met") != std::string::npos);
+  }
+}
+
 TEST_CASE("grazing decides nothing: ur at the largest |r| of the stick") {
   const ComposedOrbit orbit = orbit_O();
   const Requirement lower{"", "", Quantity::above_minus_ur, 2, true, {}, true};
