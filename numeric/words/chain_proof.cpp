@@ -119,8 +119,9 @@ Nodes boxes(const Nodes& nodes, long exponent) {
   return X;
 }
 
-// Newton's test for the box with that radius about m.
-ChainProof in_box(const ChainQuestion& question, const Nodes& m, long exponent) {
+}  // namespace
+
+ChainProof newton_test(const ChainQuestion& question, const Nodes& m, long exponent) {
   const Chain chain(question);
   const Nodes X = boxes(m, exponent);
   const std::vector<Link> links = links_of(chain, X);
@@ -138,8 +139,6 @@ ChainProof in_box(const ChainQuestion& question, const Nodes& m, long exponent) 
   return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
 }
 
-}  // namespace
-
 ChainProof prove_chain(const ChainQuestion& question, const Nodes& guess, long bits, long most_bits) {
   ChainProof proof = open("Newton's method leads to no closed motion from there");
   Nodes nodes = guess;
@@ -155,7 +154,7 @@ ChainProof prove_chain(const ChainQuestion& question, const Nodes& guess, long b
     const WorkingPrecision scope(precision);
     // Wide boxes have much of the motion's surroundings in them, narrow ones are the easiest.
     for (const long exponent : {-precision * 3 / 4, -precision * 7 / 8}) {
-      proof = in_box(question, nodes, exponent);
+      proof = newton_test(question, nodes, exponent);
       if (proof.verdict.truth == Truth::proved) {
         return proof;
       }
