@@ -95,7 +95,7 @@ std::vector<Row> rows_of(const Attractor& a, const Units& units) {
       rows.push_back({{"multipliers"}, {multipliers}});
     }
     if (const std::string contact = contact_in_words(o); !contact.empty()) {
-      rows.push_back({{"nearest"}, {contact}});
+      rows.push_back({{"nearest"}, {contact + units.unit(" (in the units of the data taken)")}});
     }
   }
   rows.push_back({{units.labelled("x1, x2, x1', x2'", "m and m/s")},
