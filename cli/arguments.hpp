@@ -86,7 +86,8 @@ struct AttractorsOptions {
   TypedParameters parameters;
   std::string file, units, example, starts, seed, most_periods, digits, jobs;
   std::vector<std::string> along;  // a parameter and A..B, or nothing
-  std::string values, plane, pixels, through, csv, plot;
+  std::string values, plane, pixels, through, csv, plot, out;
+  bool with_out = false;
   bool json = false;
 
   static constexpr int default_starts = 500;
@@ -94,6 +95,7 @@ struct AttractorsOptions {
   static constexpr int default_values = 41;
   static constexpr int most_values = 10000;
   static constexpr int default_pixels = 60;
+  static constexpr int pixels_beside_starts = 40;  // of a report
   static constexpr int most_pixels = 1000;
   static constexpr int most_starts = 100000;
   static constexpr int greatest_number = 1000000000;  // of periods and seeds
@@ -113,7 +115,7 @@ struct AtlasOptions {
 
 struct SimulateOptions {
   TypedParameters parameters;
-  std::string file, example, orbit, state, perturb, periods, every, csv, plot;
+  std::string file, units, example, orbit, state, perturb, periods, every, csv, plot;
   bool with_csv = false, with_plot = false, json = false;
 
   static constexpr double default_periods = 100;

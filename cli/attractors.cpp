@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "cli/commands.hpp"
@@ -10,7 +11,10 @@
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
 #include "core/interruption.hpp"
+#include "numeric/attractors/settle.hpp"
 #include "report/orbits/attractors.hpp"
+#include "report/orbits/attractors_page.hpp"
+#include "report/orbits/pure_word.hpp"
 
 namespace stickslip::cli {
 
@@ -38,15 +42,13 @@ struct Asked {
 };
 
 template <class Options>
-Asked asked(const Options& options, const proofs::methods::Paper& paper) {
-  ParameterFile file =
-      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::needed);
+Asked asked(const Options& options, const TypedParameters& typed, const proofs::methods::Paper& paper) {
+  ParameterFile file = read_parameters(options.file, typed, options.example, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   const int digits =
       whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits);
   return {file, units_of(options.units, file, options.json),
-          machine(paper, options.parameters, file.parameters, options.example, digits), jobs(options.jobs),
-          options.json};
+          machine(paper, typed, file.parameters, options.example, digits), jobs(options.jobs), options.json};
 }
 
 template <class Result>
@@ -55,6 +57,20 @@ void print_result(const Result& result, const Asked& asked) {
   print(asked.json ? report::tools::to_text(with_machine(report::orbits::to_json(result), asked.file))
                    : machine_report(asked.file) +
                          report::orbits::terminal_report(result, terminal_style(), asked.units));
+}
+
+// Whether motions of one phase are possible, which has no events that a search could go through.
+ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+  if (!options.period.empty() || options.with_near || options.parameters.contains("phi")) {
+    throw UsageError(fmt::format(
+        "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
+        options.family));
+  }
+  const Asked given = asked(options, options.parameters, paper);
+  words::require_machine_domain(given.machine);
+  const report::orbits::PureWord word{given.machine, kind};
+  print_result(word, given);
+  return report::orbits::exists(word).truth == Truth::undecided ? exit_undecided : exit_decided;
 }
 
 }  // namespace
@@ -74,7 +90,10 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   const auto whole = [](const char * name, const std::string& text, int otherwise) {
     return whole_number(name, text, AttractorsOptions::greatest_number, otherwise);
   };
-  const Asked given = asked(options, paper);
+  if (options.with_out) {
+    require_page(options.out);
+  }
+  const Asked given = asked(options, options.parameters, paper);
   const AttractorQuestion question{
       given.machine,
       whole_number("starts", options.starts, AttractorsOptions::most_starts,
@@ -86,7 +105,22 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
     const Progress progress("following the starts ...");
     return find_attractors(question);
   }();
+  std::optional<Basins> basins;
+  if (options.with_out && !list.interrupted) {
+    const Interruptible scope;
+    const Progress progress("following starts in a plane ...");
+    constexpr long pixels = AttractorsOptions::pixels_beside_starts;
+    basins = basins_of({question, {0, 1}, {}, {pixels, pixels}});
+  }
+  if (options.with_out) {
+    const Progress progress("making the page ...");
+    report::tools::write_files(
+        options.out, report::orbits::pages(list, basins, {given.file.name, given.file.machine, given.units}));
+  }
   print_result(list, given);
+  if (options.with_out) {
+    tell(fmt::format("The report is in {}: index.html.", options.out));
+  }
   if (list.interrupted) {
     return exit_interrupted;
   }
@@ -97,17 +131,28 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
 }
 
 ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
-  const words::Word word = words::Word::parse(options.family);
   if (options.with_plot || options.with_out) {
     throw UsageError("--plot and --out draw the orbits of a family; those of a word are printed only");
   }
-  const Asked given = asked(options, paper);
+  if (const auto kind = words::kind_of(options.family)) {
+    return run_pure(*kind, options, paper);
+  }
+  const words::Word word = words::Word::parse(options.family);
+  TypedParameters typed = options.parameters;
+  const auto phase = typed.extract("phi");
+  if (phase && !options.with_near) {
+    throw UsageError("phi is the load's phase at the start that --near gives, and that is missing");
+  }
+  const Asked given = asked(options, typed, paper);
   WordSearch search{given.machine,
                     word,
                     whole_number("period", options.period, OrbitsOptions::most_periods_of_word, 1),
                     {}};
   if (options.with_near) {
-    search.near = four_numbers("near", options.near);
+    search.near = at_phase_0({motion::parameters_as<double>(given.machine.data),
+                              numeric::scalars::scalar<double>(given.machine.ur),
+                              phase ? number("phi", phase.mapped()) : 0,
+                              given.units.of_state(four_numbers("near", options.near))});
   }
   const zeros::Effort patience = effort(options);
   const WordOrbits list = [&] {

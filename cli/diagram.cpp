@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "cli/commands.hpp"
@@ -11,6 +12,7 @@
 #include "cli/output.hpp"
 #include "core/decimal.hpp"
 #include "core/interruption.hpp"
+#include "report/orbits/attractors_page.hpp"
 #include "report/orbits/diagram.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/plot.hpp"
@@ -19,15 +21,13 @@ namespace stickslip::cli {
 
 using namespace numeric::attractors;
 using Options = AttractorsOptions;
+using report::orbits::Units;
 
 namespace {
 
 void require_sense(const Options& o) {
   if (!o.along.empty() && !o.plane.empty()) {
     throw UsageError("--along and --plane are two questions: give one of them");
-  }
-  if (!o.units.empty()) {
-    throw UsageError("--units is not for --along and --plane: their numbers are those of the data taken");
   }
   const bool along = !o.along.empty();
   for (const auto& [name, text, fits] :
@@ -74,6 +74,24 @@ std::array<int, 2> plane(const std::string& text) {
   return across;
 }
 
+// For --along by a value of a machine in SI units: the data taken at each.
+std::function<numeric::DataTaken(const Rational&)> machine_along(const Options& o,
+                                                                 const ParameterFile& file) {
+  const std::string& name = o.along[0];
+  if (!file.in_SI.contains(name)) {
+    return {};
+  }
+  if (o.json) {
+    throw UsageError(fmt::format(
+        "--json does not go with --along {}: the unit of length of JSON would change along it", name));
+  }
+  return [&file, name](const Rational& value) {
+    TypedParameters there = file.in_SI;
+    there[name] = to_string(value);
+    return numeric::data_taken(machine_in_SI(there, file.name, FrictionAtRest::needed));
+  };
+}
+
 // Before long work.
 void require_outputs(const Options& o) {
   if (!o.csv.empty()) {
@@ -83,31 +101,34 @@ void require_outputs(const Options& o) {
     (void)report::tools::plot_format(o.plot);
     report::tools::require_plot(o.plot);
   }
-}
-
-bool is_empty(const Diagram& d) {
-  return std::all_of(d.points.begin(), d.points.end(),
-                     [](const DiagramPoint& point) { return point.attractors.empty(); });
-}
-bool is_empty(const Basins& b) {
-  return b.attractors.empty();
+  if (o.with_out) {
+    require_page(o.out);
+  }
 }
 
 template <class Result>
-ExitCode finish(const Result& result, const Options& o, const ParameterFile& file) {
+ExitCode finish(const Result& result, const Options& o, const ParameterFile& file, const Units& units) {
   if (!o.csv.empty()) {
     const std::filesystem::path csv = o.csv;
     report::tools::write_files(csv.has_parent_path() ? csv.parent_path() : ".",
-                               {{csv.filename().string(), report::orbits::to_csv(result)}});
+                               {{csv.filename().string(), report::orbits::to_csv(result, units)}});
   }
-  if (!o.plot.empty() && is_empty(result)) {
-    tell(fmt::format("There is nothing to draw: {} is not written.", o.plot));
+  const std::string script =
+      o.plot.empty() ? "" : report::orbits::plot_script(result, report::tools::plot_format(o.plot), units);
+  if (!script.empty()) {
+    report::tools::write_plot(o.plot, script);
   } else if (!o.plot.empty()) {
-    report::tools::write_plot(o.plot,
-                              report::orbits::plot_script(result, report::tools::plot_format(o.plot)));
+    tell(fmt::format("There is nothing to draw: {} is not written.", o.plot));
+  }
+  if (o.with_out) {
+    const Progress progress("making the page ...");
+    report::tools::write_files(o.out, report::orbits::pages(result, {file.name, file.machine, units}));
   }
   print(o.json ? report::tools::to_text(with_machine(report::orbits::to_json(result), file))
-               : machine_report(file) + report::orbits::terminal_report(result, terminal_style()));
+               : machine_report(file) + report::orbits::terminal_report(result, terminal_style(), units));
+  if (o.with_out) {
+    tell(fmt::format("The report is in {}: index.html.", o.out));
+  }
   return result.interrupted ? exit_interrupted : exit_decided;
 }
 
@@ -116,6 +137,7 @@ ExitCode finish(const Result& result, const Options& o, const ParameterFile& fil
 ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
   require_sense(o);
   const ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed);
+  const Units units = units_of(o.units, file, o.json);
   const auto whole = [](const char * name, const std::string& text, int most, int otherwise) {
     return whole_number(name, text, most, otherwise);
   };
@@ -136,9 +158,9 @@ ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
     const Diagram diagram = [&] {
       const Interruptible scope;
       const Progress progress("following the starts ...");
-      return diagram_of({machine_asked, o.along[0], from, to, values});
+      return diagram_of({machine_asked, o.along[0], from, to, values, machine_along(o, file)});
     }();
-    return finish(diagram, o, file);
+    return finish(diagram, o, file, units);
   }
   BasinsQuestion question{machine_asked, plane(o.plane), {}, {}};
   if (o.pixels == "1") {
@@ -147,7 +169,7 @@ ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
   const long pixels = whole("pixels", o.pixels, Options::most_pixels, Options::default_pixels);
   question.pixels = {pixels, pixels};
   if (!o.through.empty()) {
-    question.through = four_numbers("through", o.through);
+    question.through = units.of_state(four_numbers("through", o.through));
   }
   require_outputs(o);
   const Basins basins = [&] {
@@ -155,7 +177,7 @@ ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
     const Progress progress("following the starts ...");
     return basins_of(question);
   }();
-  return finish(basins, o, file);
+  return finish(basins, o, file, units);
 }
 
 }  // namespace stickslip::cli

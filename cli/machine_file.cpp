@@ -101,7 +101,7 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
   }
   const TypedParameters parameters = parse_parameters(report::tools::read_file(file), file);
   if (!are_in_SI(parameters)) {
-    return {file, parameters, std::nullopt, {}};
+    return {file, parameters, std::nullopt, {}, {}};
   }
   if (!example.empty()) {
     throw UsageError(fmt::format("--example does not go with the machine of {}: both give all data", file));
@@ -120,7 +120,7 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
   if (taken.ur) {
     dimensionless["ur"] = to_string(*taken.ur);
   }
-  return {file, dimensionless, taken, {}};
+  return {file, dimensionless, taken, parameters, {}};
 }
 
 void leave_out(ParameterFile& file, const std::string& parameter, const std::string& why) {

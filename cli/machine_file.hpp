@@ -17,6 +17,7 @@ struct ParameterFile {
   std::string name;                           // empty if there is none
   TypedParameters parameters;                 // dimensionless, without phi for a machine
   std::optional<numeric::DataTaken> machine;  // in SI units
+  TypedParameters in_SI;                      // of the machine, as they stand in the file
   std::vector<std::string> left_out;          // a sentence for each
 };
 
@@ -46,8 +47,9 @@ void tell_left_out(const ParameterFile& file);
 [[nodiscard]] std::string machine_report(const ParameterFile& file);
 [[nodiscard]] report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file);
 
-// What --units says: "si", or nothing for the units of (2). Throws UsageError for anything else, for "si"
-// without a machine in SI units, and with JSON, which says in any case what its units are.
+// What --units says: "si", or nothing for the units of (2); states that are typed are in them, too. Throws
+// UsageError for anything else, for "si" without a machine in SI units, and with JSON, which says in any case
+// what its units are.
 [[nodiscard]] report::orbits::Units units_of(const std::string& text, const ParameterFile& file, bool json);
 
 }  // namespace stickslip::cli

@@ -18,7 +18,8 @@ constexpr const char * words_details =
     "orbits through these phases in --period N periods of the load, at --ur, that a\n"
     "simulation finds, from --near at t = 0 or from random starts; the load is cos(omega t).\n"
     "Each is proved. For up to four phases, OSOS aside, without --near all orbits are\n"
-    "listed, in any order of the load's phases; for another word there may be more.\n\n"
+    "listed, in any order of the load's phases; for another word there may be more.\n"
+    "S, O or T alone: whether motions stay in that phase for ever, and which.\n\n"
     "Exit code: 0 the list is complete, or not empty where it cannot be, and everything in it\n"
     "is decided, also if no orbit is admissible; 2 something is undecided or unresolved; 130\n"
     "after Ctrl-C, which ends the search: what it has found is still printed and written,\n"
@@ -73,8 +74,10 @@ void add_parameter(CLI::App& command, TypedParameters& parameters, const std::st
 
 void add_units(CLI::App& command, std::string& text) {
   command
-      .add_option("--units", text,
-                  "si: say times, lengths, velocities and forces in SI units, for a\nmachine in SI units")
+      .add_option(
+          "--units", text,
+          "si: say times, lengths, velocities and forces in SI units, and\ntake states in them, for a "
+          "machine in SI units")
       ->type_name("UNITS");
 }
 
@@ -120,7 +123,8 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
   add_parameters(*command, options.parameters);
   command->add_option("--period", options.period, "Of a word: periods of the load, 1 by default")
       ->type_name("N");
-  CLI::Option * near = command->add_option("--near", options.near, "Of a word: start at x1,x2,x1',x2'");
+  CLI::Option * near = command->add_option("--near", options.near,
+                                           "Of a word: start at x1,x2,x1',x2', at load phase --phi or 0");
   near->type_name("X");
   add_sources(*command, options.example, options.file, paper);
   command
@@ -199,8 +203,8 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
   command
       ->add_option(
           "--along", options.along,
-          "At each of many values of a parameter, such as ur 0.1..0.5:\na table; --csv and --plot have "
-          "the states once a period of the load")
+          "At each of many values of a parameter, such as ur 0.1..0.5, or\nload_frequency 2..4 of a machine "
+          "in SI units: a table; --csv and\n--plot have the states once a period of the load")
       ->expected(2)
       ->type_name("NAME A..B");
   add("--values", options.values, "N",
@@ -212,12 +216,20 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
   add("--through", options.through, "X", "A state x1,x2,x1',x2' in the middle of the plane");
   add("--csv", options.csv, "FILE", "Of --along and --plane: write a table, too");
   add("--plot", options.plot, "FILE", "Of --along and --plane: draw FILE.svg or FILE.pdf");
+  CLI::Option * out = command->add_option(
+      "--out", options.out,
+      "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "
+      "created if only its last part is missing");
+  out->type_name("DIR");
   add("--digits", options.digits, "N",
       fmt::format("Significant digits of each value in JSON: {} by default", OrbitsOptions::default_digits));
   add_units(*command, options.units);
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the result as JSON");
-  command->callback([&options, &request] { request = options; });
+  command->callback([&options, &request, out] {
+    options.with_out = out->count() > 0;
+    request = options;
+  });
 }
 
 void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper) {
@@ -244,6 +256,7 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
           "Write the samples, with r, u and the energy; -: on standard\noutput, in place of the report");
   CLI::Option * plot =
       add("--plot", options.plot, "FILE", "Draw phase portraits, speed and energy into FILE.svg or FILE.pdf");
+  add_units(*command, options.units);
   command->add_flag("--json", options.json, "Print the result as JSON");
   command->callback([&options, &request, csv, plot] {
     options.with_csv = csv->count() > 0;

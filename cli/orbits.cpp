@@ -135,8 +135,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     report::tools::require_plot(options.plot);
   }
   if (options.with_out) {
-    report::tools::require_writable(options.out);
-    report::orbits::require_page_tools(false);
+    require_page(options.out);
   }
   if (!options.certify.empty()) {
     if (asks_for_box(asked)) {

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "proofs/methods/progress.hpp"
+#include "report/orbits/pictures.hpp"
 
 namespace stickslip::cli {
 namespace {
@@ -95,6 +96,11 @@ std::string report_line(const std::string& directory, const std::string& name,
   const std::string pdf = report.note.empty() ? fmt::format(" {}.pdf,", name) : "";
   return fmt::format("The report is in {0}: index.html,{1} {2}.tex and {2}.json.{3}", directory, pdf, name,
                      report.note.empty() ? "" : " " + report.note);
+}
+
+void require_page(const std::string& directory) {
+  report::tools::require_writable(directory);
+  report::orbits::require_page_tools(false);
 }
 
 report::tools::Style terminal_style() {

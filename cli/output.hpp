@@ -55,6 +55,10 @@ class Progress {
 [[nodiscard]] std::string report_line(const std::string& directory, const std::string& name,
                                       const report::audit::Report& report);
 
+// Before long work whose result is a page in the directory: throws InputOutputError unless the page can be
+// made and written.
+void require_page(const std::string& directory);
+
 // As wide as the terminal, within bounds, eighty columns elsewhere; coloured on a terminal, unless NO_COLOR
 // is set to something or the terminal is dumb.
 [[nodiscard]] report::tools::Style terminal_style();

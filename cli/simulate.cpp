@@ -16,6 +16,7 @@
 #include "cli/output.hpp"
 #include "cli/simulation_start.hpp"
 #include "core/interruption.hpp"
+#include "numeric/attractors/settle.hpp"
 #include "numeric/simulation/record.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "report/orbits/simulation.hpp"
@@ -29,6 +30,7 @@ using namespace numeric::simulation;
 using proofs::methods::Paper;
 using report::orbits::PictureSamples;
 using report::orbits::Simulated;
+using report::orbits::Units;
 
 namespace {
 
@@ -68,22 +70,23 @@ class Bar {
 class Samples {
  public:
   // Throws InputOutputError where they cannot go.
-  Samples(const SimulateOptions& options, double period) {
+  Samples(const SimulateOptions& options, double period, const Units& units) : units_(units) {
     if (options.with_plot) {
-      picture_.emplace(period);
+      picture_.emplace(units.time(period));
     }
     to_output_ = options.with_csv && options.csv == standard_output;
     if (options.with_csv && !to_output_) {
       file_.emplace(options.csv);
     }
     if (options.with_csv) {
-      write(report::orbits::csv_names());
+      write(report::orbits::csv_names(units));
     }
   }
 
   [[nodiscard]] bool wanted() const { return picture_ || file_ || to_output_; }
 
-  void add(const Sample& sample) {
+  void add(const Sample& in_data) {
+    const Sample sample = units_.sample(in_data);
     if (picture_) {
       picture_->add(sample);
     }
@@ -101,8 +104,8 @@ class Samples {
     }
     if (picture_) {
       report::tools::write_plot(
-          options.plot,
-          report::orbits::plot_script(record, *picture_, report::tools::plot_format(options.plot)));
+          options.plot, report::orbits::plot_script(units_.record(record), *picture_,
+                                                    report::tools::plot_format(options.plot), units_));
     }
     if (file_) {
       file_->take_place();
@@ -126,6 +129,7 @@ class Samples {
 
   static constexpr std::size_t chunk = 1 << 16;
 
+  Units units_;
   std::optional<PictureSamples> picture_;
   std::optional<report::tools::PendingFile> file_;
   std::string output_;
@@ -149,15 +153,15 @@ void require_places(const SimulateOptions& options) {
 }
 
 // Without settling.
-Simulated simulate(const Start& start, const SimulateOptions& options) {
+Simulated simulate(const Start& start, const SimulateOptions& options, const Units& units) {
   const double period = 2 * std::acos(-1.0) / start.data.omega;
   Simulated simulated;
   simulated.periods =
       options.periods.empty() ? SimulateOptions::default_periods : positive("periods", options.periods);
-  const double every =
-      options.every.empty() ? period / SimulateOptions::samples_in_period : positive("every", options.every);
+  const double every = options.every.empty() ? period / SimulateOptions::samples_in_period
+                                             : units.of_time(positive("every", options.every));
   const Interruptible scope;
-  Samples samples(options, period);
+  Samples samples(options, period, units);
   if (samples.wanted()) {
     simulated.every = every;
   }
@@ -192,15 +196,12 @@ std::optional<attractors::Attractor> settles_on(const Record& record, const word
   if (!(periods >= fewest_periods)) {
     return std::nullopt;
   }
-  // On to the next time when the load's phase is 0.
-  const Start& start = record.start;
-  const double turn = 2 * std::acos(-1.0);
-  const double phase = std::fmod(start.phi + start.data.omega * record.done, turn);
-  Simulation simulation(start.data, start.ur, phase, record.end.X);
-  simulation.advance((phase > 0 ? turn - phase : -phase) / start.data.omega);
+  Start end = record.start;
+  end.phi += end.data.omega * record.done;
+  end.X = record.end.X;
   const Interruptible scope;
   attractors::Attractor found =
-      attractors::find_attractor(machine, simulation.state(), static_cast<long>(periods));
+      attractors::find_attractor(machine, attractors::at_phase_0(end), static_cast<long>(periods));
   return interrupted() ? std::nullopt : std::optional(std::move(found));
 }
 
@@ -211,15 +212,17 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
   ParameterFile file =
       read_parameters(options.file, options.parameters, options.example,
                       options.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
-  const SimulationStart from = simulation_start(options, file, paper);
-  Simulated simulated = simulate(from.start, options);
+  const Units units = units_of(options.units, file, options.json);
+  const SimulationStart from = simulation_start(options, file, paper, units);
+  Simulated simulated = simulate(from.start, options, units);
   if (options.csv == Samples::standard_output) {
     return simulated.record.interrupted ? exit_interrupted : exit_decided;
   }
   simulated.settles = settles_on(simulated.record, from.machine);
   tell_left_out(file);
-  print(options.json ? report::tools::to_text(with_machine(report::orbits::to_json(simulated), file))
-                     : machine_report(file) + report::orbits::terminal_report(simulated, terminal_style()));
+  print(options.json
+            ? report::tools::to_text(with_machine(report::orbits::to_json(simulated), file))
+            : machine_report(file) + report::orbits::terminal_report(simulated, terminal_style(), units));
   return simulated.record.interrupted ? exit_interrupted : exit_decided;
 }
 

@@ -69,7 +69,8 @@ void replace(double& value, const TypedParameters& typed, const char * name) {
 }
 
 // From a state, or from the orbit of an example.
-SimulationStart from_state(const SimulateOptions& options, const ParameterFile& file, const Paper& paper) {
+SimulationStart from_state(const SimulateOptions& options, const ParameterFile& file, const Paper& paper,
+                           const report::orbits::Units& units) {
   TypedParameters typed = file.parameters;
   if (file.machine) {
     typed["phi"] = to_string(file.machine->machine.load_phase);
@@ -93,7 +94,7 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
   replace(start.phi, typed, "phi");
   replace(start.ur, typed, "ur");
   if (!options.state.empty()) {
-    start.X = four_numbers("state", options.state);
+    start.X = units.of_state(four_numbers("state", options.state));
   }
   typed.erase("phi");
   return {start, machine(paper, typed, {}, options.example, OrbitsOptions::default_digits)};
@@ -101,14 +102,15 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
 
 }  // namespace
 
-SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file, const Paper& paper) {
+SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file, const Paper& paper,
+                                 const report::orbits::Units& units) {
   if (options.example.empty() && options.state.empty() && options.orbit.empty()) {
     throw UsageError("a start is missing: give --state x1,x2,x1',x2', --example or --orbit");
   }
   SimulationStart from =
-      options.orbit.empty() ? from_state(options, file, paper) : from_orbit(options, file, paper);
+      options.orbit.empty() ? from_state(options, file, paper, units) : from_orbit(options, file, paper);
   if (!options.perturb.empty()) {
-    from.start.X += four_numbers("perturb", options.perturb);
+    from.start.X += units.of_state(four_numbers("perturb", options.perturb));
   }
   return from;
 }

@@ -15,11 +15,12 @@ struct SimulationStart {
   numeric::words::WordQuestion machine;
 };
 
-// The state that is given, or where the example's orbit or orbit K of a family begins; what the options say
-// goes before what the file says. What is in the file and a result of the family's is left out of it.
-// Searches for the orbits. Throws UsageError for what is missing or malformed and for an orbit that there is
-// not, DomainError as list_orbits does.
+// The state that is given, in these units, or where the example's orbit or orbit K of a family begins; what
+// the options say goes before what the file says. What is in the file and a result of the family's is left
+// out of it. Searches for the orbits. Throws UsageError for what is missing or malformed and for an orbit
+// that there is not, DomainError as list_orbits does.
 [[nodiscard]] SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file,
-                                               const proofs::methods::Paper& paper);
+                                               const proofs::methods::Paper& paper,
+                                               const report::orbits::Units& units);
 
 }  // namespace stickslip::cli

@@ -28,7 +28,22 @@ words::WordQuestion with(words::WordQuestion machine, const std::string& name, c
   return machine;
 }
 
-std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, const Attractor& a) {
+// The machine when the question's parameter has the value.
+words::WordQuestion machine_at(const DiagramQuestion& question, DiagramPoint& point) {
+  words::WordQuestion machine = question.machine.machine;
+  if (!question.taken) {
+    return with(machine, question.parameter, point.value);
+  }
+  point.taken = question.taken(point.value);
+  machine.data = point.taken->data;
+  machine.ur = point.taken->ur.value();
+  return machine;
+}
+
+}  // namespace
+
+std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, const Attractor& a,
+                                           long most) {
   std::vector<Vector4<double>> states{a.state};
   if (a.is_too_slow) {
     return states;
@@ -36,15 +51,13 @@ std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, c
   simulation::Simulation simulation(motion::parameters_as<double>(machine.data),
                                     scalars::scalar<double>(machine.ur), 0, a.state);
   const bool moves = a.kind != Kind::stuck && a.kind != Kind::unsettled;
-  const long count = a.kind == Kind::periodic ? std::min(a.periods, most_once) : moves ? most_once : 1;
+  const long count = a.kind == Kind::periodic ? std::min(a.periods, most) : moves ? most : 1;
   while (static_cast<long>(states.size()) < count && !interrupted()) {
     simulation.advance(simulation.period());
     states.push_back(simulation.state());
   }
   return states;
 }
-
-}  // namespace
 
 Diagram diagram_of(const DiagramQuestion& question) {
   Diagram result{question, {}, false};
@@ -56,8 +69,8 @@ Diagram diagram_of(const DiagramQuestion& question) {
     share.canonicalize();
     point.value = question.from + (question.to - question.from) * share;
     AttractorQuestion here = question.machine;
-    here.machine = with(here.machine, question.parameter, point.value);
     try {
+      here.machine = machine_at(question, point);
       const AttractorList list = find_attractors(here);
       if (list.interrupted) {
         result.interrupted = true;

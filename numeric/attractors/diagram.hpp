@@ -3,29 +3,41 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "numeric/attractors/attractors.hpp"
+#include "numeric/machine.hpp"
 
 namespace stickslip::numeric::attractors {
 
 struct DiagramQuestion {
   AttractorQuestion machine;  // at each value
-  std::string parameter;      // chi, eta, us, V, omega, p or ur
+  std::string parameter;      // chi, eta, us, V, omega, p or ur; or one of a machine in SI units
   Rational from, to;          // from < to
   long values = 41;           // at least 2, equally far apart, both ends among them
+  // Of a machine in SI units: what is taken for it, with ur, when the parameter, one of its own, has a value.
+  std::function<DataTaken(const Rational&)> taken = {};
 };
 
 struct DiagramPoint {
   Rational value;
-  std::string outside;  // of the domain, in one sentence; nothing else is known then
+  std::string outside;             // of the domain, in one sentence; nothing else is known then
+  std::optional<DataTaken> taken;  // if the question has it
   std::vector<Attractor> attractors;
   // Of each of them states at load phase 0, one period apart: its n, but at most most_once; of one that is
   // not periodic so many.
   std::vector<std::vector<model::Vector4<double>>> once;
 };
 inline constexpr long most_once = 200;
+
+// The attractor's state at load phase 0, and those that follow one period apart: its n, but at most `most`;
+// of one that moves and is not periodic so many; fewer after an interruption.
+[[nodiscard]] std::vector<model::Vector4<double>> once_a_period(const words::WordQuestion& machine,
+                                                                const Attractor& attractor,
+                                                                long most = most_once);
 
 struct Diagram {
   DiagramQuestion question;

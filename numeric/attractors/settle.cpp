@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/interruption.hpp"
 #include "numeric/attractors/lyapunov.hpp"
@@ -50,6 +51,14 @@ bool returns_again(Simulation simulation, long n, double before) {
 double distance(const Vector4<double>& X, const Vector4<double>& Y) {
   return (X - Y).lpNorm<Eigen::Infinity>() /
          std::max(X.lpNorm<Eigen::Infinity>(), Y.lpNorm<Eigen::Infinity>());
+}
+
+Vector4<double> at_phase_0(const simulation::Start& start) {
+  const double turn = 2 * std::numbers::pi;
+  const double phase = std::fmod(start.phi, turn);
+  Simulation simulation(start.data, start.ur, phase, start.X);
+  simulation.advance((phase > 0 ? turn - phase : -phase) / start.data.omega);
+  return simulation.state();
 }
 
 Follower::Follower(const model::Parameters<double>& a, double ur, const Vector4<double>& X)

@@ -27,6 +27,9 @@ struct Return {
 // The n periods that follow, from a time when the load's phase is 0.
 [[nodiscard]] Return over_periods(simulation::Simulation simulation, long n);
 
+// The state of the motion when the load's phase is next a multiple of 2 pi.
+[[nodiscard]] model::Vector4<double> at_phase_0(const simulation::Start& start);
+
 class Follower {
  public:
   // From X at t = 0, the load being cos omega t. Throws as Simulation does.

@@ -34,6 +34,90 @@ struct Scaled {
   }
 };
 
+// The motion of half a period and its mirror image, for V = 0: the load's phase is the unknown. Regular where
+// omega_j is an even multiple of omega.
+struct HalfPeriodClosing {
+  static constexpr bool takes_phi = false, takes_ur = false;
+
+  template <class T>
+  [[nodiscard]] static model::HalfPeriod<T> half(const model::Oscillator<T>& o) {
+    return model::half_period<T>(o.data.chi, o.modes, o.d0, o.data.omega, T(Ball::pi()));
+  }
+  // Nothing is known of data of which some have V ≠ 0.
+  template <class T>
+  [[nodiscard]] static bool stands_still(const T& V) {
+    if constexpr (std::is_same_v<T, Ball>) {
+      return arb_is_zero(V.raw()) != 0;
+    } else {
+      return arb_is_zero(V.value.raw()) != 0;
+    }
+  }
+  template <class T>
+  [[nodiscard]] VectorOf<T> closing(const VectorOf<T>& x, const VectorOf<T>& p) const {
+    const model::Oscillator<T> o = oscillator_of<T>(p);
+    VectorOf<T> f(1);
+    f << half(o).friction_speed + o.Q(1) * o.data.omega * T(sin(x(0)));
+    if (!stands_still(o.data.V)) {
+      f(0) = f(0) / T(0);
+    }
+    return f;
+  }
+  template <class T>
+  [[nodiscard]] MotionOf<T> motion(const VectorOf<T>& x, const VectorOf<T>& p) const {
+    const model::Oscillator<T> o = oscillator_of<T>(p);
+    const T pi(Ball::pi());
+    const T tau = pi / o.data.omega;
+    const model::Vector4<T> Z0 =
+        model::half_period_start<T>(half(o), o.Q, o.d0, o.data.omega, T(cos(x(0))), T(sin(x(0))));
+    model::Vector4<T> ZB = -Z0;
+    ZB(0) -= T(2) * o.d0(0);
+    ZB(1) -= T(2) * o.d0(1);
+    return {o, {{PhaseKind::slip, T(0), tau, x(0), Z0}, {PhaseKind::overshoot, tau, tau, T(x(0) + pi), ZB}}};
+  }
+  [[nodiscard]] Vector unknowns(const Motion& motion) const {
+    Vector x(1);
+    x << motion.phases.front().load;
+    return x;
+  }
+};
+
+// V = 0, omega_j an even multiple of omega: the two motions of half a period, if there are any.
+Found symmetric_ones(const ExactParameters& a) {
+  const WorkingPrecision scope(guess_bits);
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(a));
+  const Ball speed = HalfPeriodClosing::half(o).friction_speed / (-o.Q(1) * o.data.omega);
+  const Ball tau = Ball::pi() / o.data.omega;
+  Found result;
+  result.remarks.push_back(Remark::closes_without_stick);
+  if ((Ball(1) - abs(speed)).is_negative()) {
+    return result;
+  }
+  if (!(Ball(1) - abs(speed)).is_positive()) {
+    result.unresolved.push_back({{{"tau", tau}}, "two zeros that cannot be told from a multiple one"});
+    return result;
+  }
+  Ball phi;
+  arb_asin(phi.raw(), speed.raw(), guess_bits);
+  for (const int side : {1, -1}) {
+    if (side == -1) {
+      phi = (speed.is_negative() ? -Ball::pi() : Ball::pi()) - phi;
+    }
+    const Closing equations = HalfPeriodClosing{};
+    Vector x(1);
+    x << phi;
+    const auto is_same = [side](const Motion& motion) {
+      return (Ball(side) * cos(motion.phases.front().load)).is_positive();
+    };
+    result.candidates.push_back({equations,
+                                 equations.motion<Ball>(x, equations.parameters({o.data})),
+                                 {{"tau", tau}, {"phi", phi}},
+                                 is_same,
+                                 0,
+                                 0});
+  }
+  return result;
+}
+
 // omega_j = k omega: where an orbit may be, as nonsticking.hpp says.
 Found at_resonance(const ExactParameters& a, const Resonances& k) {
   if (k.first == 1 || k.second == 1) {
@@ -41,14 +125,16 @@ Found at_resonance(const ExactParameters& a, const Resonances& k) {
                       "not a natural frequency: omega ≠ omega1, omega2");
   }
   Found result;
-  if (a.V == 0 && (k.first % 2 != 0 || k.second % 2 != 0)) {
+  if (a.V == 0) {
+    if (k.first % 2 == 0 && k.second % 2 == 0) {
+      return symmetric_ones(a);
+    }
     result.remarks.push_back(Remark::odd_resonance);
     return result;
   }
   const long most = std::max(k.first, k.second);
   for (long l = 1; l < most; ++l) {
-    const bool returns = k.first * l % most == 0 && k.second * l % most == 0;
-    if (returns && (a.V != 0 || 2 * l == most)) {
+    if (k.first * l % most == 0 && k.second * l % most == 0) {
       const Ball tau = Ball(2 * l) * Ball::pi() / (Ball(most) * Ball(a.omega));
       result.unresolved.push_back(
           {{{"tau", tau}},

@@ -16,7 +16,9 @@
 // of its frequency (the load has none): sin(k omega tau/2) = 0, tau = l Theta/k with 0 < l < k. Then mode j
 // is free, and motions that close come in families. For V = 0, w above is the sum of x and its mirror image,
 // with u(x2') = u(y2') again, so tau = Theta/2, and k is even; for odd k there is none. With two resonances
-// both hold.
+// both hold. With x that obeys the law, x - w/2 does, has the phases of x, and is its own mirror image: so
+// where none of the two motions that are, (34), obeys it, none does, and else those that do are one of them
+// with a free oscillation of mode j added.
 #pragma once
 
 #include "model/nonsticking.hpp"
@@ -26,10 +28,11 @@ namespace stickslip::numeric::families {
 
 // For any V and, if it is given, any ur: without it ur_max, the largest for which (25) and (26) hold, is a
 // result. At resonance, omega_j = k omega with an integer k > 1, what the list may hold is unresolved, with
-// that reason, and for V = 0 and k odd it is empty; the search throws DomainError for k = 1. When the load
-// does not act on x2 (q2 = 0: p = 0 or omega = 1) there is none for V ≠ 0. For V = 0 there is none that obeys
-// the friction law, and others are not looked for: w = x - Q cos(omega t + phi) moves without load and has
-// w2' = x2', so with E as above E' = -eta us |x2'|, and E returns only if x2' = 0 always.
+// that reason; but for V = 0 and k odd it is empty, and for V = 0 and k even it has the motions that are
+// their own mirror images, with a remark that they are not alone. The search throws DomainError for k = 1.
+// When the load does not act on x2 (q2 = 0: p = 0 or omega = 1) there is none for V ≠ 0. For V = 0 there is
+// none that obeys the friction law, and others are not looked for: w = x - Q cos(omega t + phi) moves without
+// load and has w2' = x2', so with E as above E' = -eta us |x2'|, and E returns only if x2' = 0 always.
 [[nodiscard]] const Family& nonsticking();
 
 // The reduced equations at balls around the parameters.

@@ -18,7 +18,7 @@ std::string why_no_motion(const Rational& V, const Word& word) {
 }
 
 bool has_complete_list(const WordQuestion& question, const Word& word, long periods) {
-  return !why_no_motion(question.data.V, word).empty() || is_without_stick(word, periods) ||
+  return !why_no_motion(question.data.V, word).empty() || is_without_stick(question, word, periods) ||
          is_searched(word);
 }
 
@@ -30,8 +30,8 @@ WordList all_orbits(const WordQuestion& question, const Word& word, long periods
   if (const std::string reason = why_no_motion(question.data.V, word); !reason.empty()) {
     return {{}, {}, 0, reason};
   }
-  return is_without_stick(word, periods) ? all_without_stick(question, word, periods)
-                                         : all_by_durations(question, word, periods);
+  return is_searched(word) ? all_by_durations(question, word, periods)
+                           : all_without_stick(question, word, periods);
 }
 
 }  // namespace stickslip::numeric::words

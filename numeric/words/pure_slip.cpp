@@ -4,11 +4,24 @@
 
 namespace stickslip::numeric::words {
 
-PureSlip pure_slip(const motion::ExactParameters& data) {
-  const model::Oscillator<Ball> o = model::oscillator<Ball>(motion::parameters_as<Ball>(data));
+using namespace motion;
+
+PureSlip pure_slip(const ExactParameters& data, PhaseKind kind) {
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(data));
+  const Rational V = kind == PhaseKind::slip ? data.V : Rational(-data.V);
   const Ball forced = abs(o.Q(1)) * o.data.omega;
-  return {forced, (o.data.V - forced).is_positive() ? Verdict::proved()
-                                                    : Verdict::undecided("$|q2| omega$ is not below $V$")};
+  PureSlip result{forced, Ball(V) - forced, {}};
+  const auto [first, second] = resonances(data);
+  if (result.room.is_positive()) {
+    result.exists = Verdict::proved();
+  } else if (V <= 0) {
+    result.exists = Verdict::refuted("the mean of $x2'$ over a long time is 0");
+  } else if (first == 0 && second == 0 && result.room.is_negative()) {
+    result.exists = Verdict::refuted("the load alone moves $x2$ faster than the belt");
+  } else {
+    result.exists = Verdict::undecided("$|q2| omega$ is not below $V$");
+  }
+  return result;
 }
 
 }  // namespace stickslip::numeric::words

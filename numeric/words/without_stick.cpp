@@ -52,11 +52,19 @@ void conclude(const WordQuestion& q, const Candidate& candidate, WordList& list)
   }
 }
 
+// Whether OS is proved to have an orbit that obeys the law.
+bool has_orbit(const WordQuestion& question) {
+  const WordList list = all_without_stick(question, Word::parse("OS"), 1);
+  return std::any_of(list.orbits.begin(), list.orbits.end(), [](const WordOrbit& o) {
+    return o.orbit.admissible.truth == Truth::proved;
+  });
+}
+
 }  // namespace
 
-bool is_without_stick(const Word& word, long periods) {
+bool is_without_stick(const WordQuestion& question, const Word& word, long periods) {
   const long k = turns(word);
-  return k > 0 && (k % periods != 0 || k == periods);
+  return k > 0 && (k % periods != 0 || k == periods || has_orbit(question));
 }
 
 WordList all_without_stick(const WordQuestion& question, const Word& word, long periods) {
@@ -74,6 +82,10 @@ WordList all_without_stick(const WordQuestion& question, const Word& word, long 
   }
   if (turns(word) % periods != 0) {
     list.why_none = "a motion that never sticks returns after one period of the load already";
+    return list;
+  }
+  if (turns(word) != periods) {
+    list.why_none = "OS has an orbit that obeys the friction law, and no other motion that never sticks returns";
     return list;
   }
   const families::Found found = families::nonsticking().search({question.data, {}, {}});

@@ -53,6 +53,10 @@ char letter(PhaseKind kind) {
   return alphabet[static_cast<std::size_t>(kind)];
 }
 
+std::optional<PhaseKind> kind_of(std::string_view text) {
+  return text.size() == 1 && looks_like_word(text) ? std::optional(kind_of(text.front())) : std::nullopt;
+}
+
 bool looks_like_word(std::string_view text) {
   return !text.empty() && text.find_first_not_of(alphabet) == std::string_view::npos;
 }

@@ -5,6 +5,7 @@
 // alphabet: OTS for slip, overshoot, stick.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ class Word {
 };
 
 [[nodiscard]] char letter(motion::PhaseKind kind);
+
+// The phase of a text of one letter, S, O or T: of a motion that never leaves it, and so is no word.
+[[nodiscard]] std::optional<motion::PhaseKind> kind_of(std::string_view text);
 
 // Where the rotation of a text that comes first in the alphabet begins.
 [[nodiscard]] std::size_t first_rotation(std::string_view text);

@@ -208,15 +208,19 @@ Requirements requirements_of(const std::vector<PhaseKind>& phases) {
   return list;
 }
 
-void require_word_domain(const WordQuestion& question) {
+void require_machine_domain(const WordQuestion& question) {
   const ExactParameters& a = question.data;
   require_response(a);
-  if (a.p == 0) {
-    throw DomainError("p", "0",
-                      "p > 0: without load each shift in time of an orbit is an orbit, so none is alone");
-  }
   if (question.ur <= a.us) {
     throw DomainError("ur", stickslip::to_string(question.ur), "ur > us = " + stickslip::to_string(a.us));
+  }
+}
+
+void require_word_domain(const WordQuestion& question) {
+  require_machine_domain(question);
+  if (question.data.p == 0) {
+    throw DomainError("p", "0",
+                      "p > 0: without load each shift in time of an orbit is an orbit, so none is alone");
   }
 }
 

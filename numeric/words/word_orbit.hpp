@@ -39,8 +39,10 @@ struct WordOrbit {
 // The whole of the friction law for a motion through these phases, (4), with ur known.
 [[nodiscard]] motion::Requirements requirements_of(const std::vector<motion::PhaseKind>& phases);
 
-// Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and no natural frequency, p > 0, ur > us:
-// there a closed motion is isolated, but for chance.
+// Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and no natural frequency, p >= 0, ur >
+// us.
+void require_machine_domain(const WordQuestion& question);
+// Likewise, and unless p > 0: there a closed motion is isolated, but for chance.
 void require_word_domain(const WordQuestion& question);
 [[nodiscard]] bool in_word_domain(const WordQuestion& question);
 

@@ -33,13 +33,6 @@ void append(std::vector<File>& files, std::vector<File> more) {
   }
 }
 
-void add_provenance(Json& data, bool with_graph) {
-  data["drawn_by"] = Json::array();
-  for (const Component& component : drawn_by(with_graph)) {
-    data["drawn_by"].push_back({{"name", component.name}, {"version", component.version}});
-  }
-}
-
 // What the partial orbit_list sees.
 Json list_data(const OrbitList& list, const std::string& anchor, const std::string& heading,
                const std::string& stem, bool drawn) {
@@ -139,7 +132,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
                             figures.examples, gate, certificates);
   Report report{{{"audit.json", to_text(json)}}, {}};
   Json data = page_data(paper, audit, json);
-  add_provenance(data, true);
+  data["drawn_by"] = drawn_by(true);
   data["precision"] = digits_in_words(OrbitQuestion{}.digits);
   data["meaning_of_margin"] = meaning_of_margin();
   data["meaning_of_units"] = meaning_of_units();
@@ -200,7 +193,7 @@ Report pages(const OrbitList& list) {
   const Json json = orbits::to_json(list);
   Report report{{{"orbits.json", to_text(json)}}, {}};
   Json data = provenance(command_of(list.question));
-  add_provenance(data, false);
+  data["drawn_by"] = drawn_by(false);
   data["precision"] = digits_in_words(list.question.digits);
   std::vector<File> drawn = pictures(list, "figure");
   data["lists"] = Json::array();

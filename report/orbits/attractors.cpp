@@ -48,30 +48,6 @@ std::string proved(const std::optional<WordOrbit>& orbit) {
   return fmt::format("proved, {}{}{}", to_string(o.stability->kind), why, radius);
 }
 
-std::string remark(const Attractor& a) {
-  switch (a.kind) {
-    case Kind::periodic:
-      return proved(a.orbit) + (a.family.empty() ? "" : ", " + a.family);
-    case Kind::irregular:
-    case Kind::quasi_periodic:
-      return fmt::format("Lyapunov exponent {:.2g} per period of the load", a.lyapunov.value_or(0));
-    case Kind::slides:
-      return "no contact with the belt any more";
-    case Kind::stuck:
-      return "does not leave the belt any more";
-    case Kind::unsettled:
-      return a.is_too_slow
-                 ? "a period of the load takes more than two million steps of simulation: too slow to be "
-                   "followed"
-                 : "within the periods allowed";
-  }
-  return "";
-}
-
-std::string state_of(const model::Vector4<double>& X) {
-  return fmt::format("{:.10g},{:.10g},{:.10g},{:.10g}", X(0), X(1), X(2), X(3));
-}
-
 // Of the conditions of one kind the one with the worst verdict, then the least margin.
 std::vector<Condition> worst(const WordOrbit& o) {
   const auto badness = [](const Condition& c) {
@@ -98,14 +74,13 @@ std::vector<Condition> worst(const WordOrbit& o) {
 
 std::string phases(const WordOrbit& o, const Style& style, const Units& units) {
   const Motion& m = o.orbit.motion;
-  const bool si = units.are_SI();
-  const int digits = si ? 8 : 10;
+  const int digits = units.are_SI() ? 8 : 10;
   std::vector<Row> rows{{{"  phase"},
-                         {si ? "from t in s" : "begins at t"},
-                         {si ? "lasts in s" : "lasts"},
-                         {si ? "x1 in m" : "x1"},
-                         {si ? "x2 in m" : "x2"},
-                         {si ? "x1' in m/s" : "x1'"}}};
+                         {units.are_SI() ? "from t in s" : "begins at t"},
+                         {units.labelled("lasts", "s")},
+                         {units.labelled("x1", "m")},
+                         {units.labelled("x2", "m")},
+                         {units.labelled("x1'", "m/s")}}};
   for (std::size_t k = 0; k < std::min(m.phases.size(), most_phases); ++k) {
     const Phase& f = m.phases[k];
     rows.push_back({{fmt::format("  {} {}", words::letter(f.kind), to_string(f.kind))},
@@ -170,6 +145,30 @@ std::string verdict_of(const WordOrbit& o) {
 
 }  // namespace
 
+std::string remark(const Attractor& a) {
+  switch (a.kind) {
+    case Kind::periodic:
+      return proved(a.orbit) + (a.family.empty() ? "" : ", " + a.family);
+    case Kind::irregular:
+    case Kind::quasi_periodic:
+      return fmt::format("Lyapunov exponent {:.2g} per period of the load", a.lyapunov.value_or(0));
+    case Kind::slides:
+      return "no contact with the belt any more";
+    case Kind::stuck:
+      return "does not leave the belt any more";
+    case Kind::unsettled:
+      return a.is_too_slow
+                 ? "a period of the load takes more than two million steps of simulation: too slow to be "
+                   "followed"
+                 : "within the periods allowed";
+  }
+  return "";
+}
+
+std::string state_of(const model::Vector4<double>& X) {
+  return fmt::format("{:.10g},{:.10g},{:.10g},{:.10g}", X(0), X(1), X(2), X(3));
+}
+
 std::string shortened(const std::string& word) {
   constexpr std::size_t most = 18;
   return word.size() <= most ? word : fmt::format("{}... ({})", word.substr(0, most), word.size());
@@ -188,7 +187,7 @@ std::string in_words(const Attractor& a) {
   return fmt::format("{} with the period {}: {}", shortened(a.word), a.periods, remark(a));
 }
 
-std::string terminal_report(const AttractorList& list, const Style& style, const Units& units) {
+std::vector<Row> rows_of(const AttractorList& list) {
   const AttractorQuestion& q = list.question;
   std::vector<Row> head{{{"parameters"}, {parameter_list(q.machine)}},
                         {{"starts"},
@@ -210,8 +209,12 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
                       "ur - p/eta = {}, a the amplitude of x1 - chi x2",
                       to_string(Rational(q.machine.ur - q.machine.data.p / q.machine.data.eta)))}});
   }
-  std::string text =
-      columns_of({{{"What the machine does", bold(style)}}}, style.width) + columns_of(head, style.width);
+  return head;
+}
+
+std::string terminal_report(const AttractorList& list, const Style& style, const Units& units) {
+  std::string text = columns_of({{{"What the machine does", bold(style)}}}, style.width) +
+                     columns_of(rows_of(list), style.width);
   std::vector<Row> rows{{{"   "}, {"share"}, {"95 %"}, {"motion"}, {"period"}, {"word"}, {""}}};
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     const Attractor& a = list.attractors[i];

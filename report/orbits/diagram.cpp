@@ -25,10 +25,6 @@ const char * colour(std::size_t k) {
   return colours[k % colours.size()];
 }
 
-std::string short_name(const Attractor& a) {
-  return a.kind == Kind::periodic ? fmt::format("{} ({})", shortened(a.word), a.periods) : to_string(a.kind);
-}
-
 std::string stable(const Attractor& a) {
   const bool decided = a.orbit && a.orbit->existence.truth == Truth::proved && a.orbit->orbit.stability;
   const motion::StabilityKind kind =
@@ -57,42 +53,80 @@ std::string plane_of(const BasinsQuestion& q) {
                      coordinates[static_cast<std::size_t>(q.across[1])]);
 }
 
+// Along a parameter in SI units, each value has its own.
+Units units_at(const DiagramPoint& point, const Units& units) {
+  return point.taken ? Units(*point.taken) : units;
+}
+Units units_at(const Diagram& d, const Units& units) {
+  return d.points.empty() ? units : units_at(d.points.front(), units);
+}
+
+// "x1,x2,x1',x2'", with their units in SI.
+std::string states_named(const Units& units) {
+  std::string text;
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    text += (k == 0 ? "" : ",") + units.labelled(coordinates[k], k < 2 ? "m" : "m/s");
+  }
+  return text;
+}
+
 Json formatted(PlotFormat format) {
   return {{"svg", format == PlotFormat::svg}, {"pdf", format == PlotFormat::pdf}};
 }
 
 }  // namespace
 
-std::string terminal_report(const Diagram& d, const Style& style) {
+std::string short_name(const Attractor& a) {
+  return a.kind == Kind::periodic ? fmt::format("{} ({})", shortened(a.word), a.periods) : to_string(a.kind);
+}
+
+std::string parameter_of(const DiagramQuestion& q) {
+  return q.parameter + (q.taken ? in_unit_of(q.parameter) : "");
+}
+
+std::vector<Row> rows_of(const Diagram& d) {
   const DiagramQuestion& q = d.question;
-  std::vector<Row> head{{{"parameters"}, {others(q)}},
-                        {{"along"},
-                         {fmt::format("{} from {} to {}, {} values", q.parameter, to_string(q.from),
-                                      to_string(q.to), q.values)}},
-                        {{"starts"},
-                         {fmt::format("{} at random, seed {}, at each value{}", q.machine.starts,
-                                      q.machine.seed, d.interrupted ? "; interrupted" : "")}}};
-  std::string text =
-      columns_of({{{"What the machine does along " + q.parameter, bold(style)}}}, style.width) +
-      columns_of(head, style.width);
-  std::vector<Row> rows{{{q.parameter}, {"share, word (period)"}}};
+  return {{{"parameters"}, {q.taken ? "of the machine, but for " + q.parameter : others(q)}},
+          {{"along"},
+           {fmt::format("{} from {} to {}, {} values", parameter_of(q), to_string(q.from), to_string(q.to),
+                        q.values)}},
+          {{"starts"},
+           {fmt::format("{} at random, seed {}, at each value{}", q.machine.starts, q.machine.seed,
+                        d.interrupted ? "; interrupted" : "")}}};
+}
+
+std::vector<DiagramLine> lines_of(const Diagram& d) {
+  std::vector<DiagramLine> lines;
   for (const DiagramPoint& point : d.points) {
     std::string all = point.outside;
     for (const Attractor& a : point.attractors) {
       all += fmt::format("{}{:.0f} % {}", all.empty() ? "" : ", ", 100 * a.share, short_name(a));
     }
-    rows.push_back({{fmt::format("{:.6g}", point.value.get_d())}, {all}});
+    lines.push_back({fmt::format("{:.6g}", point.value.get_d()), all});
   }
-  return text + "\n" + columns_of(rows, style.width);
+  return lines;
 }
 
-std::string terminal_report(const Basins& b, const Style& style) {
+std::string terminal_report(const Diagram& d, const Style& style, const Units& /*units*/) {
+  std::vector<Row> rows{{{parameter_of(d.question)}, {"share, word (period)"}}};
+  for (const DiagramLine& line : lines_of(d)) {
+    rows.push_back({{line.value}, {line.ends}});
+  }
+  return columns_of({{{"What the machine does along " + d.question.parameter, bold(style)}}}, style.width) +
+         columns_of(rows_of(d), style.width) + "\n" + columns_of(rows, style.width);
+}
+
+std::string plane_in_words(const Basins& b, const Units& units) {
   const BasinsQuestion& q = b.question;
-  std::vector<Row> head{{{"parameters"}, {parameter_list(q.machine.machine)}},
-                        {{"plane"},
-                         {fmt::format("{} from {} to {}, {} x {} starts{}", plane_of(q),
-                                      comma_separated(b.starts.front()), comma_separated(b.starts.back()),
-                                      q.pixels[0], q.pixels[1], b.interrupted ? "; interrupted" : "")}}};
+  return fmt::format("{} from {} to {}{}, {} x {} starts{}", plane_of(q),
+                     comma_separated(units.state(b.starts.front())),
+                     comma_separated(units.state(b.starts.back())), units.unit(" in m and m/s"), q.pixels[0],
+                     q.pixels[1], b.interrupted ? "; interrupted" : "");
+}
+
+std::string terminal_report(const Basins& b, const Style& style, const Units& units) {
+  std::vector<Row> head{{{"parameters"}, {parameter_list(b.question.machine.machine)}},
+                        {{"plane"}, {plane_in_words(b, units)}}};
   std::string text = columns_of({{{"Where starts in a plane end", bold(style)}}}, style.width) +
                      columns_of(head, style.width);
   std::vector<Row> rows{{{"   "}, {"share"}, {""}}};
@@ -104,10 +138,12 @@ std::string terminal_report(const Basins& b, const Style& style) {
   return text + "\n" + columns_of(rows, style.width);
 }
 
-std::string to_csv(const Diagram& d) {
-  std::string text = d.question.parameter + ",attractor,share,kind,period,word,stable,x1,x2,x1',x2'\n";
+std::string to_csv(const Diagram& d, const Units& units) {
+  std::string text = parameter_of(d.question) + ",attractor,share,kind,period,word,stable," +
+                     states_named(units_at(d, units)) + "\n";
   for (const DiagramPoint& point : d.points) {
-    const std::string value = fmt::format("{:.17g}", point.value.get_d());
+    // To the nearest double, not towards zero.
+    const std::string value = fmt::format("{:.17g}", scalars::scalar<double>(point.value));
     if (!point.outside.empty()) {
       text += value + ",,,outside the domain,,,,,,,\n";
     }
@@ -118,19 +154,19 @@ std::string to_csv(const Diagram& d) {
           fmt::format("{},{},{:.17g},{},{},{},{},", value, k + 1, a.share, to_string(a.kind),
                       periodic ? std::to_string(a.periods) : "", a.word, stable(a));
       for (const Vector4<double>& X : point.once[k]) {
-        text += begin + comma_separated(X) + "\n";
+        text += begin + comma_separated(units_at(point, units).state(X)) + "\n";
       }
     }
   }
   return text;
 }
 
-std::string to_csv(const Basins& b) {
-  std::string text = "x1,x2,x1',x2',attractor,kind,period,word\n";
+std::string to_csv(const Basins& b, const Units& units) {
+  std::string text = states_named(units) + ",attractor,kind,period,word\n";
   for (std::size_t i = 0; i < b.starts.size() && !b.attractors.empty(); ++i) {
     const Attractor& a = b.attractors[b.at[i]];
-    text += fmt::format("{},{},{},{},{}\n", comma_separated(b.starts[i]), b.at[i] + 1, to_string(a.kind),
-                        a.kind == Kind::periodic ? std::to_string(a.periods) : "", a.word);
+    text += fmt::format("{},{},{},{},{}\n", comma_separated(units.state(b.starts[i])), b.at[i] + 1,
+                        to_string(a.kind), a.kind == Kind::periodic ? std::to_string(a.periods) : "", a.word);
   }
   return text;
 }
@@ -182,18 +218,19 @@ Json to_json(const Basins& b) {
   return json;
 }
 
-std::string plot_script(const Diagram& d, PlotFormat format) {
+std::string plot_script(const Diagram& d, PlotFormat format, const Units& units) {
   Json data = formatted(format);
   data["kinds"] = Json::array();
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     std::string table;
     for (const DiagramPoint& point : d.points) {
+      const Units here = units_at(point, units);
       for (std::size_t i = 0; i < point.attractors.size(); ++i) {
         if (point.attractors[i].kind != kinds[k]) {
           continue;
         }
         for (const Vector4<double>& X : point.once[i]) {
-          table += fmt::format("{:.8g} {:.8g}\n", point.value.get_d(), X(1));
+          table += fmt::format("{:.8g} {:.8g}\n", point.value.get_d(), here.state(X)(1));
         }
       }
     }
@@ -210,20 +247,25 @@ std::string plot_script(const Diagram& d, PlotFormat format) {
   if (data["kinds"].empty()) {
     return "";
   }
-  data["parameter"] = d.question.parameter;
-  data["parameters"] = others(d.question);
+  data["parameter"] = parameter_of(d.question);
+  data["parameters"] = d.question.taken ? "the machine" : others(d.question);
+  data["x2"] = units_at(d, units).labelled("x2", "m");
   data["from"] = fmt::format("{:.8g}", d.question.from.get_d());
   data["to"] = fmt::format("{:.8g}", d.question.to.get_d());
   return render_file("diagram.gp", data, plain_format);
 }
 
-std::string plot_script(const Basins& b, PlotFormat format) {
+std::string plot_script(const Basins& b, PlotFormat format, const Units& units) {
+  if (b.attractors.empty()) {
+    return "";
+  }
   const BasinsQuestion& q = b.question;
   const auto [i, j] = q.across;
   Json data = formatted(format);
   std::string table;
   for (std::size_t k = 0; k < b.starts.size(); ++k) {
-    table += fmt::format("{:.8g} {:.8g} {}\n", b.starts[k](i), b.starts[k](j), b.at[k]);
+    const Vector4<double> X = units.state(b.starts[k]);
+    table += fmt::format("{:.8g} {:.8g} {}\n", X(i), X(j), b.at[k]);
   }
   data["table"] = table;
   data["attractors"] = Json::array();
@@ -239,9 +281,9 @@ std::string plot_script(const Basins& b, PlotFormat format) {
   data["count"] = std::max<std::size_t>(b.attractors.size(), 2);
   data["last"] = fmt::format("{}.5", std::max<std::size_t>(b.attractors.size(), 2) - 1);
   data["parameters"] = parameter_list(q.machine.machine);
-  data["x"] = coordinates[static_cast<std::size_t>(i)];
-  data["y"] = coordinates[static_cast<std::size_t>(j)];
-  const Vector4<double>&first = b.starts.front(), &last = b.starts.back();
+  data["x"] = units.labelled(coordinates[static_cast<std::size_t>(i)], i < 2 ? "m" : "m/s");
+  data["y"] = units.labelled(coordinates[static_cast<std::size_t>(j)], j < 2 ? "m" : "m/s");
+  const Vector4<double> first = units.state(b.starts.front()), last = units.state(b.starts.back());
   // To the outer edges of the pixels.
   const auto margin = [&](std::size_t k, int axis) {
     return (last(axis) - first(axis)) / static_cast<double>(std::max(q.pixels[k] - 1, 1L)) / 2;
@@ -253,11 +295,14 @@ std::string plot_script(const Basins& b, PlotFormat format) {
   return render_file("basins.gp", data, plain_format);
 }
 
+std::string options_along(const DiagramQuestion& q) {
+  return fmt::format(" --along {} {}..{} --values {} --starts {} --seed {} --most-periods {}", q.parameter,
+                     to_string(q.from), to_string(q.to), q.values, q.machine.starts, q.machine.seed,
+                     q.machine.most_periods);
+}
+
 std::string command_of(const DiagramQuestion& q) {
-  return fmt::format(
-      "stickslip attractors{} --along {} {}..{} --values {} --starts {} --seed {} --most-periods {}",
-      options_of(q.machine.machine), q.parameter, to_string(q.from), to_string(q.to), q.values,
-      q.machine.starts, q.machine.seed, q.machine.most_periods);
+  return "stickslip attractors" + options_of(q.machine.machine) + options_along(q);
 }
 
 std::string command_of(const BasinsQuestion& q) {

@@ -1,28 +1,34 @@
 // Diagrams along a parameter and basins in a plane, for readers, for programs and as pictures.
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "numeric/attractors/diagram.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
 
 namespace stickslip::report::orbits {
 
+// In all of these states are in the units; along a parameter in SI units they are in SI. The data are those
+// of (2).
+
 // A line for each value: the shares of what the starts end on.
 [[nodiscard]] std::string terminal_report(const numeric::attractors::Diagram& diagram,
-                                          const tools::Style& style);
+                                          const tools::Style& style, const Units& units = {});
 // The plane, then a line for each attractor in words.
 [[nodiscard]] std::string terminal_report(const numeric::attractors::Basins& basins,
-                                          const tools::Style& style);
+                                          const tools::Style& style, const Units& units = {});
 
 // Names, then a line for each state of each attractor at load phase 0: the parameter, attractor (1, 2, ... at
 // this value), share, kind, period, word, stable (yes, no or empty), x1, x2, x1', x2'; a value outside the
 // domain has its own line with that as the kind. Numbers with 17 digits.
-[[nodiscard]] std::string to_csv(const numeric::attractors::Diagram& diagram);
+[[nodiscard]] std::string to_csv(const numeric::attractors::Diagram& diagram, const Units& units = {});
 // Names, then a line for each start: x1, x2, x1', x2', attractor (1, 2, ...), kind, period, word.
-[[nodiscard]] std::string to_csv(const numeric::attractors::Basins& basins);
+[[nodiscard]] std::string to_csv(const numeric::attractors::Basins& basins, const Units& units = {});
 
 // What provenance() says, and {"along", "parameters", "starts", "seed", "most_periods", "points": [{"value",
 // "outside"?, "attractors": as of attractors.hpp, each with "once": [[x1, x2, x1', x2']]}], "interrupted"}.
@@ -33,11 +39,27 @@ namespace stickslip::report::orbits {
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Basins& basins);
 
 // Scripts for gnuplot: x2 once a period against the parameter, and the plane in a colour for each attractor.
-[[nodiscard]] std::string plot_script(const numeric::attractors::Diagram& diagram, tools::PlotFormat format);
-[[nodiscard]] std::string plot_script(const numeric::attractors::Basins& basins, tools::PlotFormat format);
+// Empty where there is nothing to draw.
+[[nodiscard]] std::string plot_script(const numeric::attractors::Diagram& diagram, tools::PlotFormat format,
+                                      const Units& units = {});
+[[nodiscard]] std::string plot_script(const numeric::attractors::Basins& basins, tools::PlotFormat format,
+                                      const Units& units = {});
+
+// "0.1, 54 % OTS (1), 46 % quasi-periodic": the value and what the starts end on there.
+struct DiagramLine {
+  std::string value, ends;
+};
+[[nodiscard]] std::vector<DiagramLine> lines_of(const numeric::attractors::Diagram& diagram);
+
+// What varies, with its unit; what the other data are.
+[[nodiscard]] std::string parameter_of(const numeric::attractors::DiagramQuestion& question);
+[[nodiscard]] std::vector<tools::Row> rows_of(const numeric::attractors::Diagram& diagram);
+[[nodiscard]] std::string plane_in_words(const numeric::attractors::Basins& basins, const Units& units = {});
 
 // What gives the same result again.
 [[nodiscard]] std::string command_of(const numeric::attractors::DiagramQuestion& question);
+// Of the same, all that stands behind the machine: " --along ur 0.1..0.5 ...".
+[[nodiscard]] std::string options_along(const numeric::attractors::DiagramQuestion& question);
 [[nodiscard]] std::string command_of(const numeric::attractors::BasinsQuestion& question);
 
 // x1, x2, x1', x2'.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "report/orbits/parts.hpp"
@@ -10,6 +12,7 @@
 namespace stickslip::report::orbits {
 
 using namespace numeric;
+using namespace numeric::simulation;
 using namespace tools;
 
 namespace {
@@ -90,15 +93,33 @@ std::string natural_frequencies(const DataTaken& taken) {
 
 }  // namespace
 
+std::string in_unit_of(const std::string& name) {
+  static const std::map<std::string, const char *> units{{"m1", "kg"},
+                                                         {"m2", "kg"},
+                                                         {"k1", "N/m"},
+                                                         {"k2", "N/m"},
+                                                         {"normal_force", "N"},
+                                                         {"friction_force_at_rest", "N"},
+                                                         {"load_amplitude", "N"},
+                                                         {"friction_force_sliding", "N"},
+                                                         {"load_phase", "rad"},
+                                                         {"belt_velocity", "m/s"},
+                                                         {"load_frequency", "Hz"}};
+  const auto found = units.find(name);
+  return found == units.end() ? "" : std::string(" in ") + found->second;
+}
+
+std::vector<Row> machine_rows(const DataTaken& taken) {
+  return {{{"machine"}, {in_SI(taken.machine)}},
+          {{"natural"}, {natural_frequencies(taken)}},
+          {{"data taken"}, {dimensionless(taken)}},
+          {{"exactness"}, {exactness(taken)}},
+          {{"units"}, {units(taken)}}};
+}
+
 std::string terminal_report(const DataTaken& taken, const Style& style) {
   return columns_of({{{"A machine in SI units", bold(style)}}}, style.width) +
-         columns_of({{{"machine"}, {in_SI(taken.machine)}},
-                     {{"natural"}, {natural_frequencies(taken)}},
-                     {{"data taken"}, {dimensionless(taken)}},
-                     {{"exactness"}, {exactness(taken)}},
-                     {{"units"}, {units(taken)}}},
-                    style.width) +
-         "\n";
+         columns_of(machine_rows(taken), style.width) + "\n";
 }
 
 Json to_json(const DataTaken& taken) {
@@ -131,6 +152,17 @@ Json to_json(const DataTaken& taken) {
   return json;
 }
 
+Units::Units(const DataTaken& si)
+    : si_(si),
+      factors_{1 / si.Omega().approximate(), si.length().approximate(), si.velocity().approximate(),
+               si.force().approximate(), 0} {
+  factors_.energy = si.machine.m1.get_d() * factors_.velocity * factors_.velocity;
+}
+
+std::string Units::labelled(const std::string& name, const char * unit) const {
+  return si_ ? fmt::format("{} in {}", name, unit) : name;
+}
+
 Ball Units::time(const Ball& t) const {
   return si_ ? t / si_->Omega() : t;
 }
@@ -140,13 +172,46 @@ Ball Units::length(const Ball& x) const {
 Ball Units::velocity(const Ball& v) const {
   return si_ ? v * si_->velocity() : v;
 }
+Ball Units::force(const Ball& f) const {
+  return si_ ? f * si_->force() : f;
+}
 
 model::Vector4<double> Units::state(const model::Vector4<double>& X) const {
-  if (!si_) {
-    return X;
+  const double x = factors_.length, v = factors_.velocity;
+  return {x * X(0), x * X(1), v * X(2), v * X(3)};
+}
+model::Vector4<double> Units::of_state(const model::Vector4<double>& told) const {
+  const double x = factors_.length, v = factors_.velocity;
+  return {told(0) / x, told(1) / x, told(2) / v, told(3) / v};
+}
+
+Sample Units::sample(Sample s) const {
+  s.time *= factors_.time;
+  s.X = state(s.X);
+  s.r *= factors_.force;
+  s.u *= factors_.force;
+  s.energy *= factors_.energy;
+  return s;
+}
+
+Record Units::record(Record r) const {
+  r.start.X = state(r.start.X);
+  for (double * const time : {&r.period, &r.done, &r.time_in[0], &r.time_in[1], &r.time_in[2]}) {
+    *time *= factors_.time;
   }
-  const double length = si_->length().approximate(), velocity = si_->velocity().approximate();
-  return {length * X(0), length * X(1), velocity * X(2), velocity * X(3)};
+  for (std::vector<Transition> * const events : {&r.first_events, &r.last_events}) {
+    for (Transition& e : *events) {
+      e.time *= factors_.time;
+      e.r *= factors_.force;
+      e.X = state(e.X);
+    }
+  }
+  if (r.energy) {
+    r.energy->least *= factors_.energy;
+    r.energy->greatest *= factors_.energy;
+  }
+  r.end = sample(r.end);
+  return r;
 }
 
 Units::Measured Units::measured(const families::NamedBall& value) const {

@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "numeric/families/orbit.hpp"
 #include "numeric/machine.hpp"
+#include "numeric/simulation/record.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 
@@ -19,11 +21,17 @@ namespace stickslip::report::orbits {
 // "rounded": ["omega", "V"]}. Friction is in N; friction_at_rest is absent where it is a result.
 [[nodiscard]] tools::Json to_json(const numeric::DataTaken& taken);
 
-// In which units a text says its times, lengths, velocities and forces.
+// " in kg", "" for a coefficient: of a value of a machine in SI units, by its name in the machine's file.
+[[nodiscard]] std::string in_unit_of(const std::string& name);
+
+// What the terminal's report is made of: a label and a sentence each.
+[[nodiscard]] std::vector<tools::Row> machine_rows(const numeric::DataTaken& taken);
+
+// In which units a text says its times, lengths, velocities, forces and energies, and is told them.
 class Units {
  public:
-  Units() = default;                                         // those of (2)
-  explicit Units(const numeric::DataTaken& si) : si_(si) {}  // s, m, m/s, N
+  Units() = default;                             // those of (2)
+  explicit Units(const numeric::DataTaken& si);  // s, m, m/s, N, J
 
   [[nodiscard]] bool are_SI() const { return si_.has_value(); }
   // A value of an orbit by its name, z10, tau, ur, ..., to at most so many digits, with its unit:
@@ -31,11 +39,22 @@ class Units {
   [[nodiscard]] std::string text(const numeric::families::NamedBall& value, int digits) const;
   // The same without its radius, each digit right to one unit of the last one.
   [[nodiscard]] std::string short_text(const numeric::families::NamedBall& value, int digits) const;
-  // A state (x1, x2, x1', x2').
+  // "x1 in m", or "x1": what stands over numbers.
+  [[nodiscard]] std::string labelled(const std::string& name, const char * unit) const;
+  // The unit behind a number, or nothing.
+  [[nodiscard]] const char * unit(const char * in_SI) const { return si_ ? in_SI : ""; }
+  // A state (x1, x2, x1', x2'), and back; a time; what a simulation tells, its data left as they are.
   [[nodiscard]] model::Vector4<double> state(const model::Vector4<double>& X) const;
+  [[nodiscard]] model::Vector4<double> of_state(const model::Vector4<double>& told) const;
+  [[nodiscard]] double time(double t) const { return t * factors_.time; }
+  [[nodiscard]] double of_time(double told) const { return told / factors_.time; }
+  [[nodiscard]] double velocity(double v) const { return v * factors_.velocity; }
+  [[nodiscard]] numeric::simulation::Sample sample(numeric::simulation::Sample s) const;
+  [[nodiscard]] numeric::simulation::Record record(numeric::simulation::Record r) const;
   [[nodiscard]] Ball time(const Ball& t) const;
   [[nodiscard]] Ball length(const Ball& x) const;
   [[nodiscard]] Ball velocity(const Ball& v) const;
+  [[nodiscard]] Ball force(const Ball& f) const;
 
  private:
   struct Measured {
@@ -45,6 +64,9 @@ class Units {
   [[nodiscard]] Measured measured(const numeric::families::NamedBall& value) const;
 
   std::optional<numeric::DataTaken> si_;
+  struct {
+    double time = 1, length = 1, velocity = 1, force = 1, energy = 1;
+  } factors_;
 };
 
 }  // namespace stickslip::report::orbits

@@ -61,8 +61,10 @@ std::string describe(Remark remark) {
       return "$p = 0$: the load's phase means nothing, and each orbit is listed for the first of the two "
              "phases only.";
     case Remark::closes_without_stick:
-      return "A natural frequency is a multiple of $omega$: there are also closed motions that slip all the "
-             "time, which are not in this list.";
+      return "A natural frequency is a multiple of $omega$, so its free oscillation closes: there are also "
+             "closed motions that never stick and are not in this list; for $V = 0$ it has those that are "
+             "their own mirror images half a period later, and the others that obey the law are one of these "
+             "with such an oscillation added.";
     case Remark::nothing_drives:
       return "$V = 0$ and the load does not act on $x2$, for $p = 0$ or $omega = 1$: friction takes energy "
              "whenever $x2$ moves and nothing gives it back, so no such motion obeys the law.";

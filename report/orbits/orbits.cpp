@@ -41,6 +41,15 @@ std::string colour_of(Truth truth, const Style& style) {
   return truth == Truth::proved ? "\x1b[32m" : truth == Truth::refuted ? "\x1b[31m" : "\x1b[33m";
 }
 
+std::string contact_in_words(const Orbit& orbit) {
+  const std::optional<Contact> contact = contact_of(orbit.conditions);
+  if (!orbit.stability || orbit.stability->kind != StabilityKind::stable || !contact) {
+    return "";
+  }
+  return fmt::format("{}, by {} at t = {}: a disturbance that reaches as far may lead to another motion",
+                     contact->condition, shown(contact->margin), shown(contact->at));
+}
+
 std::string stability_rows(const Orbit& orbit, int digits, const Style& style) {
   if (!orbit.stability) {
     return {};
@@ -50,12 +59,8 @@ std::string stability_rows(const Orbit& orbit, int digits, const Style& style) {
   for (const ComplexBall& mu : s.multipliers) {
     rows.push_back({{"  multiplier"}, {complex_text(mu, digits)}});
   }
-  const std::optional<Contact> contact = contact_of(orbit.conditions);
-  if (s.kind == StabilityKind::stable && contact) {
-    rows.push_back({{"  nearest"},
-                    {fmt::format("{}, by {} at t = {}: a disturbance that reaches as far may lead to another "
-                                 "motion",
-                                 contact->condition, shown(contact->margin), shown(contact->at))}});
+  if (const std::string contact = contact_in_words(orbit); !contact.empty()) {
+    rows.push_back({{"  nearest"}, {contact}});
   }
   return "\n" + columns_of(rows, style.width);
 }

@@ -28,6 +28,17 @@ void add_stability(tools::Json& json, const numeric::Orbit& orbit, int digits);
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Attractor& attractor, int digits);
 [[nodiscard]] tools::Json to_json(const numeric::words::WordQuestion& machine);
 
+// What is known of an attractor: "proved, stable, |mu| = 0.6545, overshooting".
+[[nodiscard]] std::string remark(const numeric::attractors::Attractor& attractor);
+// "OTS (1)", or its kind.
+[[nodiscard]] std::string short_name(const numeric::attractors::Attractor& attractor);
+// "0.1,0.2,0.3,0.4"
+[[nodiscard]] std::string state_of(const model::Vector4<double>& X);
+// What was asked, and what is known of pure slip and stick.
+[[nodiscard]] std::vector<tools::Row> rows_of(const numeric::attractors::AttractorList& list);
+// How little it takes to leave a stable orbit; empty where that is not known.
+[[nodiscard]] std::string contact_in_words(const numeric::Orbit& orbit);
+
 // A word as a table bears it, "OSOSOSTOTSOSTOSOSO... (34)", and the data, "chi=0.3, ...".
 [[nodiscard]] std::string shortened(const std::string& word);
 [[nodiscard]] std::string parameter_list(const numeric::words::WordQuestion& machine);

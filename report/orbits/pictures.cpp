@@ -42,10 +42,10 @@ void require_page_tools(bool with_graph) {
   }
 }
 
-std::vector<Component> drawn_by(bool with_graph) {
-  std::vector<Component> programs{{"gnuplot", gnuplot_version()}};
+Json drawn_by(bool with_graph) {
+  Json programs = {{{"name", "gnuplot"}, {"version", gnuplot_version()}}};
   if (with_graph) {
-    programs.push_back({"Graphviz", graphviz_version()});
+    programs.push_back({{"name", "Graphviz"}, {"version", graphviz_version()}});
   }
   return programs;
 }

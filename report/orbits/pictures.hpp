@@ -8,7 +8,7 @@
 
 #include "numeric/orbits.hpp"
 #include "report/tools/files.hpp"
-#include "report/tools/versions.hpp"
+#include "report/tools/json.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -21,7 +21,7 @@ namespace stickslip::report::orbits {
 // with KaTeX, gnuplot and, if asked for, Graphviz. Called before long work whose result is a page.
 void require_page_tools(bool with_graph);
 
-// The programs that draw, with their versions.
-[[nodiscard]] std::vector<tools::Component> drawn_by(bool with_graph);
+// The programs that draw: [{"name", "version"}].
+[[nodiscard]] tools::Json drawn_by(bool with_graph);
 
 }  // namespace stickslip::report::orbits

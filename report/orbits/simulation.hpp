@@ -9,6 +9,7 @@
 
 #include "numeric/attractors/attractors.hpp"
 #include "numeric/simulation/record.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
@@ -24,8 +25,9 @@ struct Simulated {
 };
 
 // The data; how long; shares of slip, overshoot and stick; energy; what it settles on; the first and the last
-// events.
-[[nodiscard]] std::string terminal_report(const Simulated& simulated, const tools::Style& style);
+// events. The data are those of (2) in any units.
+[[nodiscard]] std::string terminal_report(const Simulated& simulated, const tools::Style& style,
+                                          const Units& units = {});
 
 // As report/schema/simulation.schema.json says: what provenance() says, and {"parameters": {"chi", "eta",
 // "us", "V", "omega", "p", "phi", "ur"}, "start": [x1, x2, x1', x2'], "periods", "done": {"periods", "t"},
@@ -35,8 +37,9 @@ struct Simulated {
 // it was not seen; that is an attractor of attractors.schema.json without shares.
 [[nodiscard]] tools::Json to_json(const Simulated& simulated);
 
-// A line of names; a line for a sample: t, phase, x1, x2, x1', x2', r, u, E; numbers with 17 digits.
-[[nodiscard]] std::string csv_names();
+// A line of names, with their units if they are in SI; a line for a sample: t, phase, x1, x2, x1', x2', r, u,
+// E; numbers with 17 digits.
+[[nodiscard]] std::string csv_names(const Units& units = {});
 [[nodiscard]] std::string csv_line(const numeric::simulation::Sample& sample);
 
 // The samples that a picture shows, a bounded number of them whatever the length of the motion: the last
@@ -61,10 +64,16 @@ class PictureSamples {
   std::size_t count_ = 0, stride_ = 1;
 };
 
+// The samples from a time on as blocks of a script, one for each kind of phase that there is: [{"block",
+// "kind", "colour", "table": lines t x1 x2 x1' x2' E, "first": of them}].
+[[nodiscard]] tools::Json phase_tables(const std::deque<numeric::simulation::Sample>& samples,
+                                       double from = 0);
+
 // The script for gnuplot: phase portraits of both masses, the motion (its last samples) thin and its last
 // three periods in the colours of their phases; the speed of mass 2 against the belt's in those; the energy
-// over all times.
+// over all times. Record and samples are in the units.
 [[nodiscard]] std::string plot_script(const numeric::simulation::Record& record,
-                                      const PictureSamples& samples, tools::PlotFormat format);
+                                      const PictureSamples& samples, tools::PlotFormat format,
+                                      const Units& units = {});
 
 }  // namespace stickslip::report::orbits

@@ -71,11 +71,10 @@ void PictureSamples::add(const Sample& sample) {
   }
 }
 
-std::string plot_script(const Record& record, const PictureSamples& samples, PlotFormat format) {
-  const double from = std::max(0.0, record.done - PictureSamples::periods_at_end * record.period);
+Json phase_tables(const std::deque<Sample>& samples, double from) {
   Json phases = Json::array();
   for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
-    const std::string table = stretches(samples.last(), from, kind);
+    const std::string table = stretches(samples, from, kind);
     if (!table.empty()) {
       phases.push_back({{"block", "$" + to_string(kind)},
                         {"kind", to_string(kind)},
@@ -84,16 +83,26 @@ std::string plot_script(const Record& record, const PictureSamples& samples, Plo
                         {"first", phases.empty()}});
     }
   }
+  return phases;
+}
+
+std::string plot_script(const Record& record, const PictureSamples& samples, PlotFormat format,
+                        const Units& units) {
+  const double from = std::max(0.0, record.done - PictureSamples::periods_at_end * record.period);
   const model::Parameters<double>& a = record.start.data;
   const Json data = {
       {"svg", format == PlotFormat::svg},
       {"pdf", format == PlotFormat::pdf},
       {"portrait", lines(samples.last())},
       {"history", lines(samples.all_times())},
-      {"phases", phases},
+      {"phases", phase_tables(samples.last(), from)},
       {"from", fmt::format("{:.8g}", from)},
       {"to", fmt::format("{:.8g}", record.done)},
-      {"V", fmt::format("{:.8g}", a.V)},
+      {"V", fmt::format("{:.8g}", units.velocity(a.V))},
+      {"metres", units.unit(" in m")},
+      {"speed", units.unit(" in m/s")},
+      {"seconds", units.unit(" in s")},
+      {"joules", units.unit(" in J")},
       {"periods", fmt::format("{:.6g}", record.done / record.period)},
       {"parameters",
        fmt::format(

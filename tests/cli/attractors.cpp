@@ -16,7 +16,10 @@ TEST_CASE("words that are none, and options that do not go with them, are named"
   check_refused({
       {{"orbits", "SOS", "--example", "O"}, exit_usage, "S follows S from its end to its start"},
       {{"orbits", "TT", "--example", "O"}, exit_usage, "T follows T"},
-      {{"orbits", "S", "--example", "O"}, exit_usage, "one phase"},
+      {{"orbits", "S", "--example", "O", "--period", "2"}, exit_usage, "--period"},
+      {{"orbits", "T", "--example", "O", "--near", "0,0,0,0"}, exit_usage, "--near"},
+      {{"orbits", "T", "--example", "O", "--chi", "2"}, exit_domain, "chi = 2"},
+      {{"orbits", "TS", "--example", "O", "--near", "0,0,0,0", "--phi", "x"}, exit_usage, "phi: 'x'"},
       {{"orbits", "OTX", "--example", "O"}, exit_usage, "'OTX'"},
       {{"orbits", "OTS", "--example", "O", "--period", "0"}, exit_usage, "period: '0'"},
       {{"orbits", "OTS", "--example", "O", "--period", "two"}, exit_usage, "period: 'two'"},
@@ -94,6 +97,69 @@ TEST_CASE("an orbit of a word in JSON, any rotation of the word, and the command
     CHECK(orbit.at(key).contains("mid"));
   }
   CHECK(orbit.at("conditions").at(0).contains("phase"));
+}
+
+TEST_CASE(
+    "motions of one phase: some slip at S, none overshoots, some stick at P, and none on a moving belt") {
+  const auto asked = [](const char * word, const char * example) {
+    const Run result = stickslip_program({"orbits", word, "--example", example, "--json"});
+    CHECK(result.code == exit_decided);
+    return Json::parse(result.out);
+  };
+  const Json slip = asked("S", "S");
+  CHECK(slip.at("verdict") == "proved");
+  CHECK(slip.at("stability") == "neutral");
+  CHECK(std::stod(slip.at("forced").at("mid").get<std::string>()) == doctest::Approx(0.54).epsilon(0.01));
+  CHECK(std::stod(slip.at("room").at("mid").get<std::string>()) == doctest::Approx(0.46).epsilon(0.01));
+  CHECK(asked("O", "S").at("verdict") == "refuted");
+  CHECK(asked("T", "S").at("verdict") == "refuted");
+  const Json stick = asked("T", "P");
+  CHECK(stick.at("verdict") == "proved");
+  CHECK(std::stod(stick.at("room").at("mid").get<std::string>()) == 0.0496);
+  const Run text = stickslip_program({"orbits", "T", "--example", "P"});
+  CHECK(text.out.find("neutral, not stable") != std::string::npos);
+  // p/eta = ur
+  CHECK(stickslip_program({"orbits", "T", "--example", "P", "--ur", "0.25"}).code == exit_undecided);
+}
+
+TEST_CASE("a start at another phase of the load leads to the same orbit") {
+  // The state of orbit O where its overshoot begins, at the load's phase there.
+  const Json list = Json::parse(stickslip_program({"orbits", "SOT", "--example", "O", "--json"}).out);
+  const Json& orbit = list.at("orbits").at(1);
+  const auto text = [&](const char * key) { return orbit.at(key).at("mid").get<std::string>(); };
+  const std::string state = text("x10") + "," + text("x20") + "," + text("xdot10") + ",1.0000001";
+  const Run near =
+      stickslip_program({"orbits", "SOT", "--example", "O", "--near", state, "--phi", text("phi"), "--json"});
+  CHECK(near.code == exit_decided);
+  const Json found = Json::parse(near.out);
+  REQUIRE(found.at("orbits").size() == 1);
+  CHECK(found.at("orbits").at(0).at("z10") == orbit.at("z10"));
+}
+
+TEST_CASE(
+    "the page of attractors has their pictures, the basins and the data; that of a diagram the diagram") {
+  const TemporaryDirectory directory;
+  const auto page = directory.path() / "page";
+  const Words at_P{"attractors", "--example", "P", "--starts", "10"};
+  CHECK(stickslip_program(with(at_P, {"--out", page})).code == exit_decided);
+  const std::string html = content(page / "index.html");
+  CHECK(html.ends_with("</html>\n"));
+  CHECK(html.find("OSOTSOST") != std::string::npos);
+  CHECK(html.find("<tex>") == std::string::npos);
+  for (const char * file : {"portrait-1.svg", "portrait-1-narrow.svg", "basins.svg"}) {
+    CHECK(html.find(std::string("\"") + file + "\"") != std::string::npos);
+    CHECK(content(page / file).find("</svg>") != std::string::npos);
+  }
+  Words as_json = with(at_P, {"--json"});
+  CHECK(content(page / "attractors.json") == stickslip_program(as_json).out);
+  const auto along = directory.path() / "along";
+  CHECK(stickslip_program(with(at_P, {"--along", "ur", "0.28..0.3", "--values", "3", "--out", along})).code ==
+        exit_decided);
+  CHECK(content(along / "index.html").find("\"diagram.svg\"") != std::string::npos);
+  CHECK(content(along / "diagram.svg").find("</svg>") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(along / "attractors.json"));
+  const Run nowhere = stickslip_program(with(at_P, {"--out", "/no/such/place"}));
+  CHECK(nowhere.code == exit_io);
 }
 
 TEST_CASE("a word without an orbit is exit code 2, with what was met instead") {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
@@ -203,4 +204,72 @@ TEST_CASE("a machine that is none is named in one sentence") {
     check_refused({{refused.arguments, refused.code, refused.named}},
                   [&](const Words& arguments) { return run_with(refused.machine, arguments); });
   }
+}
+
+TEST_CASE("a simulation and its start in SI units are those of the data in other units") {
+  const TemporaryDirectory temporary;
+  const auto csv = [&](const char * name, const Words& options) {
+    const std::string file = temporary.path() / name;
+    const Run run = run_with(O, with({"simulate", "--periods", "1", "--csv", file}, options));
+    CHECK(run.code == exit_decided);
+    std::istringstream lines(content(file));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(lines, line);) {
+      all.push_back(line);
+    }
+    return all;
+  };
+  const auto plain = csv("a.csv", {"--state", "1,2,3,4"});
+  const auto in_SI = csv("b.csv", {"--state", "1e-3,2e-3,3e-2,4e-2", "--units", "si"});
+  CHECK(in_SI.at(0) == "t in s,phase,x1 in m,x2 in m,x1' in m/s,x2' in m/s,r in N,u in N,E in J");
+  REQUIRE(plain.size() == in_SI.size());
+  // Energies in m1 (x' = 1)² = 4 kg (0.01 m/s)².
+  const std::vector<double> units{0.1, 0, 1e-3, 1e-3, 1e-2, 1e-2, 0.4, 0.4, 4e-4};
+  const auto cells = [](const std::string& line) {
+    std::istringstream stream(line);
+    std::vector<std::string> all;
+    for (std::string cell; std::getline(stream, cell, ',');) {
+      all.push_back(cell);
+    }
+    return all;
+  };
+  for (const std::size_t k : {std::size_t{1}, plain.size() / 2, plain.size() - 1}) {
+    const auto a = cells(plain[k]), b = cells(in_SI[k]);
+    CHECK(a[1] == b[1]);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      CHECK((i == 1 || std::stod(b[i]) == doctest::Approx(units[i] * std::stod(a[i])).epsilon(1e-9)));
+    }
+  }
+  const Run text = run_with(O, {"simulate", "--periods", "1", "--state", "1e-3,0,0,0", "--units", "si"});
+  CHECK(text.out.find("x1 = 0.001, x2 = 0, x1' = 0, x2' = 0 in m and m/s") != std::string::npos);
+  CHECK(text.out.find("event at t in s") != std::string::npos);
+}
+
+TEST_CASE("along a value of the machine in SI units the states are in SI, whatever the unit of length is") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "along.csv";
+  // At 1e-5 N the unit of length is smaller.
+  const Words along{"attractors", "--along", "load_amplitude", "0.00001..0.005",
+                    "--values",   "2",       "--starts",       "3"};
+  CHECK(run_with(O, with(along, {"--csv", file})).code == exit_decided);
+  const std::string table = content(file);
+  CHECK(table.starts_with("load_amplitude in N,attractor,share,kind,period,word,stable,x1 in m,"));
+  const std::size_t line = table.find("\n0.0050000000000000001,1,");
+  REQUIRE(line != std::string::npos);
+  std::istringstream cells(table.substr(line + 1));
+  std::vector<std::string> first(11);
+  for (std::string& cell : first) {
+    std::getline(cells, cell, cells.good() && &cell == &first.back() ? '\n' : ',');
+  }
+  const Json alone = Json::parse(run_with(O, {"attractors", "--starts", "3", "--json"}).out);
+  const Json& state = alone.at("attractors").at(0).at("state");
+  CHECK(std::stod(first[7]) == doctest::Approx(1e-3 * state.at(0).get<double>()).epsilon(1e-9));
+  CHECK(std::stod(first[10]) == doctest::Approx(1e-2 * state.at(3).get<double>()).epsilon(1e-9));
+  const Run refused = run_with(O, with(along, {"--json"}));
+  CHECK(refused.code == exit_usage);
+  CHECK(is_one_sentence(refused.err, "--json"));
+  const Run plane = run_with(O, {"attractors", "--plane", "x1,x2", "--pixels", "3", "--units", "si", "--csv",
+                                 temporary.path() / "p.csv"});
+  CHECK(plane.code == exit_decided);
+  CHECK(content(temporary.path() / "p.csv").starts_with("x1 in m,x2 in m,x1' in m/s,x2' in m/s,attractor,"));
 }

@@ -148,8 +148,11 @@ TEST_CASE("degenerate data: a precise answer or a precise refusal, for each fami
   // omega1 = 1/2, omega2 = 2.
   const Words half{"--chi", "9/13", "--eta", "169/36", "--omega", "1/2"};
   const Run families = orbits(with(P, {"--chi", "9/13", "--eta", "169/36", "--omega", "1/4"}));
-  CHECK(families.code == exit_undecided);
-  CHECK(families.out.find("2 omega is a natural frequency") != std::string::npos);
+  CHECK(families.code == exit_decided);
+  CHECK(families.out.find("with such an oscillation added") != std::string::npos);
+  const Run moving = orbits(with(P, {"--chi", "9/13", "--eta", "169/36", "--omega", "1/4", "--V", "0.1"}));
+  CHECK(moving.code == exit_undecided);
+  CHECK(moving.out.find("2 omega is a natural frequency") != std::string::npos);
   check_orbits_refused({
       {with(S, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},
       {with(O, half), exit_domain, "omega = 0.5 is outside the allowed range: not a natural frequency"},

@@ -271,11 +271,33 @@ TEST_CASE(
   CHECK(odd.orbits.empty());
   CHECK(odd.remarks == std::vector{families::Remark::odd_resonance});
   CHECK(beside(Rational(7, 30)) == 0);
+  // At an even one the orbit that is its own mirror image goes on, with its neighbours' values.
   const OrbitList even = at(Rational(7, 20), 0);
-  CHECK(even.orbits.empty());
-  REQUIRE(even.unresolved.size() == 1);
-  CHECK(near(even.unresolved[0].where[0].value, "8.97597901", "1e-7"));  // Theta/2
+  CHECK(even.complete());
+  CHECK(even.remarks == std::vector{families::Remark::closes_without_stick});
+  REQUIRE(even.orbits.size() == 2);
+  const auto obeys = [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; };
+  CHECK(std::ranges::count_if(even.orbits, obeys) == 1);
   CHECK(beside(Rational(7, 20)) == 2);
+  const OrbitList next = at(Rational(7, 20) * parse_rational("1.000000001"), 0);
+  const Orbit& orbit = *std::ranges::find_if(even.orbits, obeys);
+  const Orbit& neighbour = *std::ranges::find_if(next.orbits, obeys);
+  for (const char * name : {"tau", "phi", "z10", "z20", "zdot10", "ur_max"}) {
+    CHECK((abs(orbit.value(name) - neighbour.value(name)) - Ball(1e-7)).is_negative());
+  }
+  check_closes(orbit, "1e-18");
+  // On a belt that moves a little for some members of a box nothing is proved.
+  CHECK_FALSE(list_orbits({&families::nonsticking(),
+                           {{Rational(3519, 11800)},
+                            {Rational(13924, 3519)},
+                            {Rational(1, 10)},
+                            {Rational(0), Rational(1, 1000000)},
+                            {Rational(7, 20)},
+                            {Rational(3)}},
+                           {},
+                           {},
+                           20})
+                  .complete());
   // On a moving belt tau is Theta/3 or twice that.
   CHECK(at(Rational(7, 30), Rational(1, 10)).unresolved.size() == 2);
 }

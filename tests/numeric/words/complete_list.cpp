@@ -238,9 +238,13 @@ TEST_CASE("OS: the orbit of the family, at any friction, and none of two periods
   CHECK(still.orbits.empty());
   CHECK(still.unresolved.empty());
   CHECK(still.why_none.find("friction") != std::string::npos);
-  // Two crossings more in a period are not looked for.
-  CHECK(has_complete_list(q, Word::parse("OSOS"), 2));
-  CHECK_FALSE(has_complete_list(q, Word::parse("OSOS"), 1));
+  // Two crossings more in a period are not looked for, but that motion would be a second one.
+  const Word OSOS = Word::parse("OSOS");
+  CHECK(has_complete_list(q, OSOS, 2));
+  CHECK(has_complete_list(q, OSOS, 1));
+  CHECK(all_orbits(q, OSOS, 1).why_none.find("no other motion") != std::string::npos);
+  // Where the orbit of OS breaks (25) nothing is known.
+  CHECK_FALSE(has_complete_list({P(), parse_rational("0.31"), 20}, OSOS, 1));
 }
 
 TEST_CASE("OS over two periods stays open where twice a natural frequency is a multiple of the load's") {
@@ -256,13 +260,50 @@ TEST_CASE("OS over two periods stays open where twice a natural frequency is a m
   CHECK(all_orbits(q, OS, 3).unresolved.empty());
 }
 
-TEST_CASE(
-    "some motions slip for ever at S and O, and nothing is said at P, where the load alone is too fast") {
+TEST_CASE("some motions slip for ever at S and O, and none at P, where the load alone is too fast") {
   CHECK(pure_slip(S()).exists.truth == Truth::proved);
   CHECK(near(pure_slip(S()).forced, "0.54", "0.01"));
   CHECK(pure_slip(O()).exists.truth == Truth::proved);
   CHECK(near(pure_slip(O()).forced, "0.22", "0.01"));
-  CHECK(pure_slip(P("0.1")).exists.truth == Truth::undecided);
+  CHECK(pure_slip(P("0.1")).exists.truth == Truth::refuted);
+  CHECK(pure_slip(P()).exists.truth == Truth::refuted);
+  // The third harmonic of the load may take from its peaks: omega1 = 3 omega.
+  ExactParameters third{Rational(5, 8),  Rational(12, 5), Rational(1, 10),
+                        Rational(1, 10), Rational(1, 6),  Rational(9)};
+  CHECK((pure_slip(third).forced - Ball(third.V)).is_positive());
+  CHECK(pure_slip(third).exists.truth == Truth::undecided);
+  third.omega = Rational(7, 40);
+  CHECK(pure_slip(third).exists.truth == Truth::refuted);
+}
+
+TEST_CASE("overshoots for ever are slips for ever on a belt that runs backwards") {
+  ExactParameters back = S();
+  back.V = -back.V;
+  CHECK(pure_slip(S(), PhaseKind::overshoot).exists.truth == Truth::refuted);
+  CHECK(pure_slip(back, PhaseKind::slip).exists.truth == Truth::refuted);
+  CHECK(pure_slip(back, PhaseKind::overshoot).exists.truth == Truth::proved);
+  CHECK(pure_slip(back, PhaseKind::overshoot).room.overlaps(pure_slip(S()).room));
+}
+
+TEST_CASE(
+    "a motion slips for ever where the free amplitudes leave room, and touches the belt where they do not") {
+  const auto a = parameters_as<double>(S());
+  const double room = pure_slip(S()).room.approximate();
+  const auto o = model::oscillator<double>(a);
+  const auto slips = [&](double amplitude) {
+    // The first mode alone, with this amplitude of x2', begun at rest.
+    const model::Modes<double> m = model::modes<double>(a.chi, a.eta);
+    const double x2 = amplitude / m.omega1;
+    simulation::Simulation motion(a, 0.16, 0,
+                                  {o.d0(0) + o.Q(0) + x2 / m.lambda1, o.d0(1) + o.Q(1) + x2, 0, 0});
+    std::vector<simulation::Transition> log;
+    for (int k = 0; k < 2000; ++k) {
+      motion.advance(motion.period(), &log);
+    }
+    return log.empty();
+  };
+  CHECK(slips(0.99 * room));
+  CHECK_FALSE(slips(1.02 * room));
 }
 
 TEST_CASE("motions that stick for ever: at P's data, not on a moving belt, and a simulation agrees") {
@@ -270,6 +311,10 @@ TEST_CASE("motions that stick for ever: at P's data, not on a moving belt, and a
   CHECK(pure_stick(P(), ur).truth == Truth::proved);
   CHECK(pure_stick(P("0.1"), ur).truth == Truth::refuted);
   CHECK(pure_stick(P(), Rational(1, 4)).truth == Truth::undecided);  // p/eta = ur
+  CHECK(pure_stick(P(), Rational(1, 5)).truth == Truth::refuted);
+  ExactParameters half = P();
+  half.omega = Rational(1, 2);  // the free oscillation may take from the load's peaks
+  CHECK(pure_stick(half, Rational(1, 5)).truth == Truth::undecided);
   const auto sticks = [&](double amplitude, double x2) {
     const auto a = parameters_as<double>(P());
     simulation::Simulation motion(a, 0.2996, 0, {a.chi * x2 + amplitude, x2, 0, 0});

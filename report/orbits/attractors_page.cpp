@@ -1,0 +1,255 @@
+#include "report/orbits/attractors_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/parallel.hpp"
+#include "numeric/motion/contact.hpp"
+#include "report/orbits/attractors.hpp"
+#include "report/orbits/diagram.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/orbits/parts.hpp"
+#include "report/orbits/pictures.hpp"
+#include "report/orbits/portraits.hpp"
+#include "report/tools/katex.hpp"
+#include "report/tools/numbers.hpp"
+#include "report/tools/templates.hpp"
+
+namespace stickslip::report::orbits {
+
+using namespace numeric;
+using namespace numeric::attractors;
+using namespace tools;
+using words::WordOrbit;
+using words::WordQuestion;
+
+namespace {
+
+constexpr std::size_t most_durations = 16;
+constexpr std::size_t most_letters = 600;
+constexpr int short_digits = 10;
+constexpr int multiplier_digits = 6;
+
+Json rows_data(const std::vector<Row>& rows) {
+  return list_of(rows, [](const Row& row) { return Json{{"label", row[0].text}, {"text", row[1].text}}; });
+}
+
+Json table(const char * anchor, const char * heading, const std::vector<Row>& rows) {
+  return {{"anchor", anchor}, {"heading", heading}, {"rows", rows_data(rows)}};
+}
+
+// What all pages have.
+Json frame_data(const PageFrame& frame, const std::string& title, const std::string& command, int digits) {
+  Json data = provenance(command);
+  data["page_title"] = title;
+  data["drawn_by"] = drawn_by(false);
+  data["precision"] = fmt::format(
+      "motions are followed in floating point; periodic ones are then proved in balls, their values enclosed "
+      "to {} significant digits, and computed with more bits wherever a verdict needs them",
+      digits);
+  data["tables"] = Json::array();
+  if (frame.machine) {
+    data["tables"].push_back(table("machine", "Machine", machine_rows(*frame.machine)));
+  }
+  data["attractors"] = Json::array();
+  data["along"] = nullptr;
+  data["basins"] = nullptr;
+  data["data_file"] = "";
+  return data;
+}
+
+std::string durations(const WordOrbit& o, const Units& units) {
+  std::string text;
+  const auto& phases = o.orbit.motion.phases;
+  for (std::size_t k = 0; k < std::min(phases.size(), most_durations); ++k) {
+    text += fmt::format("{}{} {}", k == 0 ? "" : ", ", words::letter(phases[k].kind),
+                        rounded(units.time(phases[k].duration), short_digits));
+  }
+  return text + units.unit(" s") +
+         (phases.size() > most_durations ? fmt::format(", and {} more", phases.size() - most_durations) : "");
+}
+
+// All that is known of an attractor.
+std::vector<Row> rows_of(const Attractor& a, const Units& units) {
+  std::vector<Row> rows{{{"starts"},
+                         {fmt::format("{}: {:.1f} %, within {:.1f} and {:.1f} %", a.count, 100 * a.share,
+                                      100 * a.least, 100 * a.most)}},
+                        {{"what is known"}, {remark(a)}}};
+  if (a.kind == Kind::periodic) {
+    rows.push_back({{"word"},
+                    {a.word.size() <= most_letters
+                         ? a.word
+                         : fmt::format("{}… ({} phases)", a.word.substr(0, most_letters), a.word.size())}});
+    rows.push_back({{"period"}, {fmt::format("{} of the load", a.periods)}});
+  }
+  if (a.orbit && a.orbit->existence.truth == Truth::proved) {
+    const families::Orbit& o = a.orbit->orbit;
+    rows.push_back({{"durations"}, {durations(*a.orbit, units)}});
+    std::string multipliers;
+    for (const motion::ComplexBall& mu :
+         o.stability ? o.stability->multipliers : decltype(o.stability->multipliers){}) {
+      multipliers += (multipliers.empty() ? "" : "; ") + complex_text(mu, multiplier_digits);
+    }
+    if (!multipliers.empty()) {
+      rows.push_back({{"multipliers"}, {multipliers}});
+    }
+    if (const std::string contact = contact_in_words(o); !contact.empty()) {
+      rows.push_back({{"nearest"}, {contact + units.unit(" (in the units of the data taken)")}});
+    }
+  }
+  rows.push_back({{units.labelled("x1, x2, x1', x2'", "m and m/s")},
+                  {state_of(units.state(a.state)) + " at load phase 0"}});
+  return rows;
+}
+
+std::string tone(const Attractor& a) {
+  const bool known = a.orbit && a.orbit->existence.truth == Truth::proved;
+  return a.kind != Kind::periodic ? "checked"
+         : known                  ? to_string(a.orbit->orbit.admissible.truth)
+                                  : "undecided";
+}
+
+// "proved, stable", or what kind of motion it seems to be.
+std::string tell(const Attractor& a) {
+  if (a.kind != Kind::periodic) {
+    return "seen in a simulation";
+  }
+  const bool known = a.orbit && a.orbit->existence.truth == Truth::proved;
+  return !known                     ? "not proved"
+         : a.orbit->orbit.stability ? "proved, " + to_string(a.orbit->orbit.stability->kind)
+                                    : verdict_on(a.orbit->orbit);
+}
+
+// What stands on the page, and the pictures.
+struct Drawn {
+  Json data;
+  std::vector<File> pictures;
+};
+
+Drawn drawn(const WordQuestion& machine, const Attractor& a, std::size_t number, const Units& units) {
+  const bool periodic = a.kind == Kind::periodic;
+  Drawn result{
+      {{"number", number},
+       {"name", periodic ? fmt::format("{}, period {}", shortened(a.word), a.periods) : to_string(a.kind)},
+       {"tone", tone(a)},
+       {"tell", tell(a)},
+       {"rows", rows_data(rows_of(a, units))},
+       {"picture", nullptr},
+       {"picture_in_words", ""}},
+      {}};
+  if (a.is_too_slow || number > most_pictured) {
+    return result;
+  }
+  const Portrait shown = portrait(machine, a, units);
+  const std::string stem = fmt::format("portrait-{}", number);
+  result.data["picture"] = stem;
+  result.data["picture_in_words"] = picture_in_words(shown);
+  for (const auto& [end, shape] : {std::pair("", PlotShape::wide), std::pair("-narrow", PlotShape::narrow)}) {
+    result.pictures.push_back(
+        {stem + end + ".svg", gnuplot(plot_script(shown, PlotFormat::svg, shape, units))});
+  }
+  return result;
+}
+
+void add_attractors(Json& data, std::vector<File>& files, const WordQuestion& machine,
+                    const std::vector<Attractor>& all, const Units& units) {
+  for (Drawn& one :
+       parallel_map(all.size(), [&](std::size_t i) { return drawn(machine, all[i], i + 1, units); })) {
+    data["attractors"].push_back(std::move(one.data));
+    for (File& picture : one.pictures) {
+      files.push_back(std::move(picture));
+    }
+  }
+}
+
+void add_basins(Json& data, std::vector<File>& files, const Basins& basins, const Units& units) {
+  if (const std::string script = plot_script(basins, PlotFormat::svg, units); !script.empty()) {
+    std::string ends;
+    for (const Attractor& a : basins.attractors) {
+      ends += fmt::format("{}{:.1f} % {}", ends.empty() ? "" : ", ", 100 * a.share, short_name(a));
+    }
+    const std::string plane = plane_in_words(basins, units);
+    data["basins"] = {{"words", "Where starts in the plane of " + plane + " end."},
+                      {"picture_in_words", fmt::format("Starts in the plane of {}: {}.", plane, ends)}};
+    files.push_back({"basins.svg", gnuplot(script)});
+  }
+}
+
+// Nothing is added under an empty name.
+void add_json(Json& data, std::vector<File>& files, const std::string& name, Json json,
+              const PageFrame& frame) {
+  if (frame.machine) {
+    json["machine"] = to_json(*frame.machine);
+  }
+  data["data_file"] = name;
+  files.push_back({name, to_text(json)});
+}
+
+std::vector<File> complete(const Json& data, std::vector<File> files) {
+  for (File& file : with_formulas({{"index.html", render_file("attractors.html", data, html_format)}})) {
+    files.push_back(std::move(file));
+  }
+  files.push_back({"style.css", templates().at("style.css")});
+  return files;
+}
+
+}  // namespace
+
+std::vector<File> pages(const AttractorList& list, const std::optional<Basins>& basins,
+                        const PageFrame& frame) {
+  const WordQuestion& machine = list.question.machine;
+  Json data = frame_data(frame, "What the machine does", command_of(list.question), machine.digits);
+  data["tables"].push_back(table("question", "Question", rows_of(list)));
+  std::vector<File> files;
+  add_attractors(data, files, machine, list.attractors, frame.units);
+  if (basins) {
+    add_basins(data, files, *basins, frame.units);
+  }
+  add_json(data, files, "attractors.json", to_json(list), frame);
+  return complete(data, std::move(files));
+}
+
+std::vector<File> pages(const Basins& basins, const PageFrame& frame) {
+  const WordQuestion& machine = basins.question.machine.machine;
+  Json data = frame_data(frame, "Where starts in a plane end", command_of(basins.question), machine.digits);
+  data["tables"].push_back(table(
+      "question", "Question",
+      {{{"parameters"}, {parameter_list(machine)}}, {{"plane"}, {plane_in_words(basins, frame.units)}}}));
+  std::vector<File> files;
+  add_attractors(data, files, machine, basins.attractors, frame.units);
+  add_basins(data, files, basins, frame.units);
+  add_json(data, files, "basins.json", to_json(basins), frame);
+  return complete(data, std::move(files));
+}
+
+std::vector<File> pages(const Diagram& diagram, const PageFrame& frame) {
+  const DiagramQuestion& q = diagram.question;
+  const std::string& parameter = q.parameter;
+  const std::string command =
+      q.taken ? fmt::format("stickslip attractors --params {}{}", frame.file, options_along(q))
+              : command_of(q);
+  Json data =
+      frame_data(frame, "What the machine does along " + parameter, command, q.machine.machine.digits);
+  data["tables"].push_back(table("question", "Question", rows_of(diagram)));
+  data["along"] = {{"heading", "Along " + parameter},
+                   {"parameter", parameter_of(q)},
+                   {"picture", nullptr},
+                   {"points", list_of(lines_of(diagram), [](const DiagramLine& line) {
+                      return Json{{"value", line.value}, {"ends", line.ends}};
+                    })}};
+  std::vector<File> files;
+  if (const std::string script = plot_script(diagram, PlotFormat::svg, frame.units); !script.empty()) {
+    data["along"]["picture"] = "diagram.svg";
+    data["along"]["picture_in_words"] =
+        fmt::format("x2 once a period of the load against {}; the table below says what the starts end on",
+                    parameter_of(q));
+    files.push_back({"diagram.svg", gnuplot(script)});
+  }
+  if (!q.taken) {
+    add_json(data, files, "diagram.json", to_json(diagram), frame);
+  }
+  return complete(data, std::move(files));
+}
+
+}  // namespace stickslip::report::orbits

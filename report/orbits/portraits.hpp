@@ -1,0 +1,38 @@
+// Attractors as pictures: phase portraits, and the states once a period of the load.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "numeric/attractors/attractors.hpp"
+#include "report/orbits/machine.hpp"
+#include "report/tools/plot.hpp"
+
+namespace stickslip::report::orbits {
+
+// What a picture shows of a motion, in double; in the units of the text.
+struct Portrait {
+  static constexpr long most_drawn = 20;     // periods of the load, of the curves
+  static constexpr long most_states = 2000;  // of the section
+  static constexpr double samples_in_period = 240;
+
+  std::deque<numeric::simulation::Sample> samples;  // from a time of load phase 0 on
+  std::vector<model::Vector4<double>> once;         // states at load phase 0, one period apart
+  long drawn = 0;                                   // periods that the samples are over
+};
+
+// Of a motion that settled: a periodic one over its n periods as far as these bounds allow; less of it after
+// an interruption. Assumes that the load is not too slow to be followed.
+[[nodiscard]] Portrait portrait(const numeric::words::WordQuestion& machine,
+                                const numeric::attractors::Attractor& attractor, const Units& units = {});
+
+// The script for gnuplot: (x1, x1') and (x2, x2') in the colours of their phases; (x2, x2') once a period of
+// the load, a Poincaré section.
+[[nodiscard]] std::string plot_script(const Portrait& portrait, tools::PlotFormat format,
+                                      tools::PlotShape shape, const Units& units = {});
+
+// The same for one who does not see it.
+[[nodiscard]] std::string picture_in_words(const Portrait& portrait);
+
+}  // namespace stickslip::report::orbits
