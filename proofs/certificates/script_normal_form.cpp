@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "proofs/certificates/identities.hpp"
@@ -15,21 +16,22 @@ using namespace kernel;
 
 namespace {
 
-// What a normal form takes as it stands and has entries: variables, functions and definitions applied.
-void collect_matrices(const Term& term, std::vector<Term>& found, std::set<Term>& seen) {
-  if (!seen.insert(term).second) {
+// What a normal form takes as it stands: variables, functions and definitions applied, pi. What stands in
+// the argument of a cos or sin is part of a phase.
+void collect_atoms(const Term& term, std::vector<Term>& found, std::set<Term>& seen) {
+  if (!seen.insert(term).second || term.kind() == Kind::cosine || term.kind() == Kind::sine) {
     return;
   }
-  const bool atom =
-      term.kind() == Kind::variable || term.kind() == Kind::apply || term.kind() == Kind::defined;
+  const bool atom = term.kind() == Kind::variable || term.kind() == Kind::apply ||
+                    term.kind() == Kind::defined || term.kind() == Kind::pi;
   if (atom) {
-    if (term.type().is_numeric() && !term.type().is_scalar()) {
+    if (term.type().is_numeric()) {
       found.push_back(term);
     }
     return;
   }
   for (const Term& part : term.parts()) {
-    collect_matrices(part, found, seen);
+    collect_atoms(part, found, seen);
   }
 }
 
@@ -267,34 +269,37 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
     text += fmt::format("  assert (E'{} : {} = {}) by angle.\n", i, argument, sum);
     expansions += fmt::format("  expand_circle E'{}.\n", i);
   }
-  text += reverted() + expansions;
-  std::vector<std::string> circles;
-  for (const std::string& phase : phases.phases) {
-    const std::string n = std::to_string(circles.size());
-    circles.push_back("K'" + n);
-    text += fmt::format(
-        "  generalize (circle {0}); generalize (cos {0}) (sin {0}); intros c'{1} s'{1} K'{1}.\n", phase, n);
+  text += reverted() + expansions + "  forget.\n";
+  for (std::size_t i = 0; i < phases.phases.size(); ++i) {
+    text +=
+        fmt::format("  generalize (circle {0}); generalize (cos {0}) (sin {0}); intros c'{1} s'{1} K'{1}.\n",
+                    phases.phases[i], i);
   }
-  std::vector<Term> matrices;
+  std::vector<Term> atoms;
   std::set<Term> seen;
   for (const Term& term : terms) {
-    collect_matrices(term, matrices, seen);
+    collect_atoms(term, atoms, seen);
   }
-  std::stable_sort(matrices.begin(), matrices.end(), [](const Term& a, const Term& b) {
-    return (a.kind() == Kind::variable) < (b.kind() == Kind::variable);
-  });
-  for (std::size_t i = 0; i < matrices.size(); ++i) {
-    const std::string shown = coq(matrices[i]), name = fmt::format("m'{}", i);
-    text += matrices[i].kind() == Kind::variable
-                ? fmt::format("  destruct {} as {}.\n", shown, pattern(matrices[i].type(), name))
-                : fmt::format("  generalize {}; intros {}.\n", shown, pattern(matrices[i].type(), name));
+  // Variables last: others speak of them.
+  const auto is_matrix = [](const Term& atom) { return !atom.type().is_scalar(); };
+  const auto is_variable = [](const Term& atom) { return atom.kind() == Kind::variable; };
+  std::ranges::stable_partition(atoms, is_matrix);
+  std::ranges::stable_partition(atoms, std::not_fn(is_variable));
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    const std::string shown = coq(atoms[i]), name = fmt::format("m'{}", i);
+    if (is_matrix(atoms[i])) {
+      text += fmt::format("  {} {} {} {}.\n", is_variable(atoms[i]) ? "destruct" : "generalize", shown,
+                          is_variable(atoms[i]) ? "as" : "; intros", pattern(atoms[i].type(), name));
+    } else if (atoms[i].kind() == Kind::pi) {
+      text += "  generalize PI_neq0; generalize PI; intros pi' n'.\n";
+    } else if (!is_variable(atoms[i]) || atoms[i].type().sort == Sort::integer) {
+      text += fmt::format("  generalize {}; intros {}.\n", shown, name);
+    }
   }
   if (!divisors.empty()) {
     text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
   }
-  const std::string rewriting = circles.empty() ? "" : fmt::format(" [{}]", fmt::join(circles, " "));
-  return text + fmt::format("  rewrite ?cos_0, ?sin_0; each_entry; first [ring{0} | field{0}; nonzero].\n",
-                            rewriting);
+  return text + "  rewrite ?cos_0, ?sin_0; each_entry; by_fractions.\n";
 }
 
 }  // namespace stickslip::proofs::certificates

@@ -1,5 +1,6 @@
 (* What the steps of a certificate are made of: sums of multiples, signs of products, cos and sin of sums. *)
 From Stickslip Require Export Matrices Sentences.
+From Stickslip Require Fractions.
 
 (* ---- logic *)
 
@@ -117,6 +118,12 @@ Ltac each_entry :=
          | |- pair _ _ = pair _ _ => apply f_equal2
          | |- tt = tt => reflexivity
          end.
+
+(* What is known beside the goal is not needed. *)
+Ltac forget :=
+  repeat match goal with H : ?P |- _ => lazymatch type of P with Prop => clear H end end.
+(* An equation of numbers; what stands in it are variables, some of them cos and sin, and numbers. *)
+Ltac by_fractions := Fractions.by_fractions.
 
 Lemma factor_left : forall a b : R, a * b <> 0 -> a <> 0.
 Proof. intros a b N E. apply N. rewrite E. ring. Qed.

@@ -21,7 +21,7 @@ struct Sequent {
 // An equation from others: by_difference, the identity, the multiples.
 const char * const combined = R"(
   apply (by_difference _ _ (/ d * (d * z10 - 0) * 1)).
-  { first [ring | field; nonzero]. }
+  { by_fractions. }
   { assert (z'1 : / d * (d * z10 - 0) * 1 = 0) by (rewrite (rdiffer _ _ hyp1); vanish). exact z'1. })";
 
 const std::vector<Sequent> sequents{
@@ -31,7 +31,19 @@ const std::vector<Sequent> sequents{
      "tau1 <> 0",
      {},
      "tau1 / tau1 = 1",
-     "apply (by_difference _ _ 0). { first [ring | field; nonzero]. } { exact eq_refl. }"},
+     "apply (by_difference _ _ 0). { by_fractions. } { exact eq_refl. }"},
+    {"a sum of fractions over what may be 0",
+     "(tau tau1 : R)",
+     "tau + tau1 <> 0",
+     {"tau - tau1 <> 0"},
+     "tau / (2 * tau + 2 * tau1) + / 2 * (tau1 / (tau + tau1)) = / 2",
+     "by_fractions."},
+    {"a cosine and a sine of no angle",
+     "(c s : R)",
+     "c * c = 1 - s * s",
+     {"s <> 0"},
+     "c ^ 3 / s = c / s - c * s",
+     "by_fractions."},
     {"a sine divided by q2 omega",
      "(q omega phi : R)",
      "q * omega <> 0",
@@ -39,7 +51,7 @@ const std::vector<Sequent> sequents{
      "sin phi = 0",
      R"(
   apply (by_difference _ _ (/ (q * omega) * (q * omega * sin phi - 0) * 1)).
-  { split_factors. first [ring | field; nonzero]. }
+  { generalize (sin phi). intros. split_factors. by_fractions. }
   { assert (z'1 : / (q * omega) * (q * omega * sin phi - 0) * 1 = 0) by (rewrite (rdiffer _ _ hyp1); vanish).
     exact z'1. })"},
     {"an equation of one state said of all",
