@@ -186,10 +186,12 @@ std::string Script::one_zero(const Theorem& theorem) {
   const std::string r = coq(radius), size = std::to_string(n);
   const auto number = [](int i) { return static_cast<std::size_t>(i); };
 
-  std::string letters;
+  std::string letters, all_letters, places;
   std::vector<std::string> centre;
   for (int i = 0; i < n; ++i) {
     letters += fmt::format("let x{0} := x {0}%nat in ", i);
+    all_letters += fmt::format("x{} ", i);
+    places += fmt::format(" (x {}%nat)", i);
     centre.push_back(coq(middle[number(i)]));
   }
   std::vector<std::string> functions, rows;
@@ -229,23 +231,24 @@ std::string Script::one_zero(const Theorem& theorem) {
       "(* A system of {1} equations, its derivatives, the middle of the box, and numbers for Krawczyk's "
       "test. "
       "*)\n"
-      "Definition {0}_f (x : nat -> R) : list R := {2}{3}.\n"
+      "Definition {0}_rows ({9}: R) : list R := {3}.\n"
+      "Definition {0}_f (x : nat -> R) : list R := {0}_rows{10}.\n"
       "Definition {0}_J (x : nat -> R) : list (list R) := {2}{4}.\n"
       "Definition {0}_c : list R := {5}.\n"
       "Definition {0}_M : list (list Z) := {6}.\nDefinition {0}_Y : list (list Z) := {7}.\n"
       "Definition {0}_W : list (list Z) := {8}.\n",
       name, size, letters, list(functions), list(rows), list(centre), in_units(slopes), in_units(inverse),
-      in_units(spreads));
+      in_units(spreads), all_letters, places);
   text_ += bounds;
   text_ += fmt::format(
-      "Lemma {0}_slope : slopes {1} {0}_f {0}_J.\nProof. intros i I y d t. each_row. all: cbv [{0}_f {0}_J "
-      "nth "
-      "rsum]; by_derivative. Qed.\n"
+      "Lemma {0}_slope : slopes {1} {0}_f {0}_J.\nProof. intros i I y d t. each_row. all: cbv [{0}_f "
+      "{0}_rows {0}_J "
+      "nth rsum]; by_derivative. Qed.\n"
       "Lemma {0}_near x : inbox {1} (fun i => nth i {0}_c 0) {2} x ->\n  near {1} {3}%Z {0}_J {0}_M {0}_W "
       "x.\n"
       "Proof.\n  intros B i j I J. revert j J. each_row. all: intros j J; each_row.\n{4}Qed.\n"
       "Lemma {0}_start : small {1} {3}%Z {2} {0}_f {0}_c {5}%Z.\n"
-      "Proof. intros i I. each_row. all: cbv [{0}_f {0}_c nth]; by_fine_enclosure. Qed.\n\n",
+      "Proof. intros i I. each_row. all: cbv [{0}_f {0}_rows {0}_c nth]; by_fine_enclosure. Qed.\n\n",
       name, size, r, 1L << unit_exponent, cases, residual);
   std::string tuple, sides;
   for (int i = 0; i < n; ++i) {
@@ -261,15 +264,16 @@ std::string Script::one_zero(const Theorem& theorem) {
       "    [lra | reflexivity | exact {1}_slope | exact {1}_near | exact {1}_start | vm_compute; reflexivity "
       "|].\n"
       "  split.\n"
-      "  - exists (mat {0} 1 ⟦{5}⟧). split.\n"
-      "    + {6}\n      reduce_matrices; repeat split; lra.\n"
-      "    + apply mequal_entries. intros i j I J. pose proof (Z i I) as Q. each_row; exact Q.\n"
+      "  - set (Y := mat {0} 1 ⟦{5}⟧). exists Y. split.\n"
+      "    + {6}\n      unfold Y; reduce_matrices; repeat split; lra.\n"
+      "    + apply (column_zero {0} ({1}_f (fun i => ent i 0 Y))).\n"
+      "      change ({1}_f (fun i => ent i 0 Y)) with ({1}_f x). exact Z.\n"
       "  - intros x0 x1 [[B0 Z0] [B1 Z1]].\n"
       "    apply mequal_entries. intros i j I J. destruct j as [|j]; [|exfalso; lia].\n"
       "    apply (U (fun i => ent i 0 x0) (fun i => ent i 0 x1)).\n"
       "    + {7}.\n    + {8}.\n"
-      "    + intros k K. pose proof (f_equal (ent k 0) Z0) as Q. clear I. each_row; exact Q.\n"
-      "    + intros k K. pose proof (f_equal (ent k 0) Z1) as Q. clear I. each_row; exact Q.\n"
+      "    + exact (zero_column {0} ({1}_f (fun i => ent i 0 x0)) Z0).\n"
+      "    + exact (zero_column {0} ({1}_f (fun i => ent i 0 x1)) Z1).\n"
       "    + exact I.",
       size, name, r, 1L << unit_exponent, residual, tuple, sides, fmt::format(fmt::runtime(box), "B0"),
       fmt::format(fmt::runtime(box), "B1"));

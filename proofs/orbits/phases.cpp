@@ -38,7 +38,7 @@ bool sticks(PhaseKind kind) {
 }  // namespace
 
 Rational near(const Ball& ball) {
-  constexpr int bits = 96;
+  constexpr int bits = 60;
   fmpz_t scaled;
   fmpz_init(scaled);
   arf_get_fmpz_fixed_si(scaled, arb_midref(ball.raw()), -bits);

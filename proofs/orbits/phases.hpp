@@ -43,7 +43,7 @@ struct Waves {
   model::Wave<tactics::Symbolic> x1, x2, r;
 };
 
-// A rational number near the ball's middle: a multiple of 2^-96.
+// A rational number near the ball's middle: a multiple of 2^-60.
 [[nodiscard]] Rational near(const Ball& ball);
 
 [[nodiscard]] kernel::Term value(const model::Wave<tactics::Symbolic>& wave, const kernel::Term& t);

@@ -23,14 +23,14 @@ using namespace methods;
 
 namespace {
 
-Claim list_claim(const PrintedPlace& where) {
+Claim list_claim(const PrintedPlace& where, const ListTheorem& theorem) {
   return {
       .id = where.example.name + ".list",
       .kind = Kind::numbers,
       .origin = Origin::new_result,
       .words =
           fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
-      .prove = [where](Prover&, const Claim&) {
+      .prove = [where, theorem](Prover&, const Claim&) {
         const OrbitList& list = orbits_of(where.example).list;
         const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const Orbit& orbit) {
           return orbit.admissible.truth == Truth::proved;
@@ -43,6 +43,10 @@ Claim list_claim(const PrintedPlace& where) {
             list.complete()
                 ? Verdict::proved()
                 : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
+        if (theorem.prove && list.complete()) {
+          outcome.uses = theorem.uses;
+          prove(outcome, [&] { return theorem.prove(list); });
+        }
         return outcome;
       }};
 }
@@ -176,8 +180,8 @@ Claim existence_claim(const PrintedPlace& where, const std::string& words) {
           }};
 }
 
-std::vector<Claim> orbit_claims(const PrintedPlace& where) {
-  std::vector<Claim> claims{list_claim(where)};
+std::vector<Claim> orbit_claims(const PrintedPlace& where, const ListTheorem& list) {
+  std::vector<Claim> claims{list_claim(where, list)};
   const Family& family = *where.example.family;
   const bool ur_known = families::has_stick(family) || where.example.ur.has_value();
   for (const Requirement& requirement : families::requirements(family, ur_known)) {

@@ -19,9 +19,16 @@ namespace stickslip::proofs::pascal2012 {
 // "S.orbit": the printed orbit exists, as a theorem of the kernel.
 [[nodiscard]] methods::Claim existence_claim(const PrintedPlace& where, const std::string& words);
 
+// That a list found in balls is complete, as a theorem, and what reduces the orbits' conditions to what it
+// says.
+struct ListTheorem {
+  std::function<kernel::Theorem(const numeric::OrbitList& list)> prove = {};
+  std::set<std::string> uses = {};
+};
 // "S.list": the list is complete; "S.if.14.lower", …: each condition along the printed orbit; "S.stability";
 // "S.raw": the friction law integrated without closed forms agrees.
-[[nodiscard]] std::vector<methods::Claim> orbit_claims(const PrintedPlace& where);
+[[nodiscard]] std::vector<methods::Claim> orbit_claims(const PrintedPlace& where,
+                                                       const ListTheorem& list = {});
 
 // The printed decimal of that name, exactly; with the sign of the proved value where the source has lost it.
 [[nodiscard]] Rational printed_decimal(const methods::Example& example, const std::string& name);

@@ -2,6 +2,7 @@
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
+#include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -84,7 +85,7 @@ std::vector<Claim> example_S() {
       orbit_value("ur"),
       printed_values_close(),
   };
-  for (std::vector<Claim> more : {data_of_S(), origins(), orbit_claims(where())}) {
+  for (std::vector<Claim> more : {data_of_S(), origins(), orbit_claims(where(), list_of_S())}) {
     std::move(more.begin(), more.end(), std::back_inserter(claims));
   }
   return claims;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "model/symmetric_closing.hpp"
 #include "model/waves.hpp"
 #include "numeric/words/complete_list.hpp"
 #include "proofs/methods/reading.hpp"
@@ -13,6 +12,7 @@
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
+#include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -112,135 +112,105 @@ Claim lag_claim() {
           }};
 }
 
-// The reduced equations (model/symmetric_closing.hpp) have no solution with the printed u_r, for a phase of
-// the load, sigma: where their eliminant is not zero there is none, and elsewhere what they say of C bounds
-// u_r.
-class OtherFriction {
- public:
-  OtherFriction(const orbits::Ranges& ranges, int sigma) : ranges_(ranges) {
-    using namespace kernel;
-    const model::Parameters<Rational>& a = printed().data;
-    const auto number = [](const Rational& value) { return Symbolic(Term(value)); };
-    const Symbolic chi = number(a.chi), omega = number(a.omega), Theta = Symbolic(2) * Symbolic(pi()) / omega;
-    const model::SymmetricData<Symbolic> data{
-        chi, model::modes_of<Symbolic>(chi, omega1_, omega2_), number(a.V), omega, number(a.p), Theta, sigma};
-    Theta_ = Theta.term;
-    const auto Z = model::symmetric_start<Symbolic>(data, tau_, C_);
-    ur_ = model::friction_at<Symbolic>({chi, number(a.eta), number(a.us), number(a.V), omega, number(a.p)}, Z,
-                                       model::symmetric_phase<Symbolic>(data, pi(), tau_))
-              .term;
-
-    // The rows, regular at tau = 0, too: without sin(x)/x.
-    domain_ = {tactics::above(0, tau_)};
-    for (const Variable& omega_j : {omega1_, omega2_}) {
-      Rational below(mpz_class(ranges.at(omega_j).first * 4096), 4096);
-      below.canonicalize();
-      domain_.push_back(Theorem::sign(less(below, omega_j), {{omega_j, ranges.at(omega_j)}}));
-    }
-    const auto rows = model::symmetric_rows<Symbolic>(data, tau_);
-    for (int j = 0; j < 2; ++j) {
-      const Symbolic omega_j = j == 0 ? omega1_ : omega2_;
-      const Symbolic beta = omega * tau_ / 2, alpha = omega_j * tau_ / 2;
-      const Symbolic regular = (omega * cos(beta) * sin(alpha) - omega_j * sin(beta) * cos(alpha)) /
-                               (omega_j * omega_j - omega * omega);
-      const Term transfer = model::load_transfer<Symbolic>(omega_j, omega, tau_).term;
-      const Theorem same = discharged(Theorem::combination(equal(transfer, regular.term)));
-      equations_.push_back(equal((rows.left(j) * C_ - rows.right(j)).term, 0));
-      rows_.push_back(tactics::by_rewriting(Theorem::assume(equations_.back()), same));
-      left_.push_back(rows.left(j).term);
-      right_.push_back(replaced(rows.right(j).term, transfer, regular.term));
-    }
-    eliminant_ = left_[1] * right_[0] - left_[0] * right_[1];
-    vanishes_.push_back(discharged(
-        Theorem::combination(equal(eliminant_, 0), {{rows_[0], -left_[1]}, {rows_[1], left_[0]}})));
-    const Term slope = (-chi * sin((Theta - tau_) / 2)).term;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const Term value = substitute(ur_, {{C_, right_[j] / left_[j]}});
-      values_.push_back(
-          tactics::nonzero(Theorem::combination(equal(ur_, value), {{rows_[j], slope / left_[j]}}), domain_,
-                           {differ(left_[j], 0)}));
+// Of numbers near tau of the orbits in the list, those of one phase of the load.
+std::vector<Rational> slips_at(const OrbitList& list, int phase) {
+  std::vector<Rational> result;
+  for (const Orbit& orbit : list.orbits) {
+    const Ball later =
+        orbit.value("phi") - (Ball::pi() - Ball(printed().data.omega) * orbit.value("tau")) / 2;
+    if (later.is_positive() == (phase < 0)) {
+      result.push_back(orbits::near(orbit.value("tau")));
     }
   }
+  return result;
+}
 
-  // For all 0 < tau < Theta and all C that solve the equations u_r is not in the printed interval.
-  [[nodiscard]] kernel::Theorem operator()() const {
-    using namespace kernel;
-    const Rational last(10472, 1000);  // just beyond Theta
-    orbits::Ranges whole = ranges_;
-    whole[tau_] = {0, last};
-    Theorem result =
-        orbits::in_pieces(tau_, whole, [&](const orbits::Ranges& here) { return decided(here); });
-    const Formula during = between(0, tau_, Theta_), solved = all(equations_);
-    const Theorem since = tactics::part(Theorem::assume(during), 0),
-                  until = tactics::part(Theorem::assume(during), 1);
-    const std::vector<Theorem> known{
-        since, Theorem::order(at_most(0, tau_), {Positive{{since}}}),
-        Theorem::order(at_most(tau_, last),
-                       {Positive{{until}}, Positive{{Theorem::sign(less(Theta_, last))}}}),
-        tactics::part(Theorem::assume(solved), 0), tactics::part(Theorem::assume(solved), 1)};
-    for (const Theorem& one : known) {
-      result = Theorem::cut(one, result);
+// At both phases of the load.
+kernel::Theorem at_both(const OrbitList& list,
+                        const std::function<kernel::Theorem(const SymmetricEquations&, const SymmetricList&,
+                                                            int, const orbits::Ranges&)>& theorem) {
+  return at_frequencies(printed().data.chi, printed().data.eta, [&](const orbits::Ranges& ranges) {
+    const SymmetricEquations equations(printed());
+    std::vector<kernel::Theorem> parts;
+    for (const int phase : {1, -1}) {
+      const SymmetricList found = symmetric_list(equations, printed(), phase, ranges, slips_at(list, phase));
+      parts.push_back(theorem(equations, found, phase, ranges));
     }
-    return tactics::for_every(tau_, during, tactics::for_every(C_, solved, result));
-  }
-
- private:
-  using Symbolic = tactics::Symbolic;
-
-  [[nodiscard]] kernel::Theorem discharged(const kernel::Theorem& theorem) const {
-    return tactics::nonzero(theorem, domain_);
-  }
-  [[nodiscard]] static std::optional<kernel::Theorem> sign(const kernel::Formula& relation,
-                                                           const orbits::Ranges& here) {
-    try {
-      return kernel::Theorem::sign(relation, orbits::ranges_in(relation, here));
-    } catch (const kernel::KernelError&) {
-      return std::nullopt;
-    }
-  }
-
-  // In ranges that are small enough.
-  [[nodiscard]] kernel::Theorem decided(const orbits::Ranges& here) const {
-    using namespace kernel;
-    const Decimal given = printed().result("ur").value;
-    const Formula below = less(ur_, given.lower()), above = less(given.upper(), ur_),
-                  goal = any({below, above});
-    for (const Formula& relation : {less(0, eliminant_), less(eliminant_, 0)}) {
-      if (const auto known = sign(relation, here)) {
-        return Theorem::consequence({tactics::different(*known), vanishes_[0]}, goal);
-      }
-    }
-    for (std::size_t j = 0; j < 2; ++j) {
-      const auto divides = sign(differ(left_[j], 0), here);
-      const Term value = values_[j].conclusion().parts()[1];
-      for (const Formula& side : {below, above}) {
-        const auto known = divides ? sign(replaced(side, ur_, value), here) : std::nullopt;
-        if (known) {
-          const Rational turn = side == below ? -1 : 1;
-          const Theorem bounded =
-              tactics::nonzero(Theorem::order(side, {Positive{{*known}}}, {{values_[j], Term(turn)}}),
-                               domain_, {differ(left_[j], 0)});
-          return Theorem::consequence({Theorem::cut(*divides, bounded)}, goal);
-        }
-      }
-    }
-    throw KernelError(fmt::format("some orbit may have this u_r, where tau is between {} and {}",
-                                  here.at(tau_).first.get_d(), here.at(tau_).second.get_d()));
-  }
-
-  orbits::Ranges ranges_;
-  kernel::Variable tau_{"tau"}, C_{"C"}, omega1_{"omega1"}, omega2_{"omega2"};
-  kernel::Term Theta_ = 0, ur_ = 0, eliminant_ = 0;
-  tactics::Domain domain_;
-  std::vector<kernel::Formula> equations_;
-  std::vector<kernel::Theorem> rows_, vanishes_, values_;
-  std::vector<kernel::Term> left_, right_;
-};
-
-kernel::Theorem no_orbit_has_the_printed_friction() {
-  return at_frequencies(printed().data.chi, printed().data.eta, [](const orbits::Ranges& ranges) {
-    return tactics::both({OtherFriction(ranges, 1)(), OtherFriction(ranges, -1)()});
+    return tactics::both(parts);
   });
+}
+
+// The one of both inequalities that holds.
+kernel::Theorem decided_one_of(const kernel::Formula& either, const orbits::Ranges& ranges) {
+  for (const kernel::Formula& relation : either.parts()) {
+    try {
+      return kernel::Theorem::sign(relation, orbits::ranges_in(relation, ranges));
+    } catch (const kernel::KernelError&) {
+      continue;
+    }
+  }
+  throw kernel::KernelError("some orbit may have this u_r");
+}
+
+// For all 0 < tau < Theta and all C that solve the equations u_r is not in the printed interval, as it is not
+// at any solution of the list.
+kernel::Theorem has_other_friction(const SymmetricEquations& e, const SymmetricList& list, int phase,
+                                   const orbits::Ranges& frequencies) {
+  using namespace kernel;
+  const Decimal given = printed().result("ur").value;
+  const Term ur = substitute(e.ur, {{e.sigma, phase}});
+  const Formula goal = any({less(ur, given.lower()), less(given.upper(), ur)});
+  const Formula during = between(0, e.tau, e.Theta);
+  const std::size_t count = list.tau.size();
+
+  // The list, opened.
+  Formula said = list.theorem.conclusion();
+  std::vector<std::pair<Variable, Formula>> openings;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const Variable& x : {list.tau[k], list.C[k]}) {
+      openings.emplace_back(x, said);
+      said = opened(said, x);
+    }
+  }
+  const Theorem known = Theorem::assume(said);
+  const Formula every = said.parts().back();
+  const Formula rows = opened(opened(every, e.tau).parts()[1], e.C).parts()[0];
+  const Theorem one_of =
+      tactics::at(tactics::at(Theorem::consequence({known}, every), e.tau, Theorem::assume(during)), e.C,
+                  Theorem::assume(rows));
+  std::vector<Theorem> cases{one_of};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::vector<Formula>& parts = list.says[k].parts();
+    const orbits::Ranges bounds{{list.tau[k], {parts[0].parts()[0].value(), parts[1].parts()[1].value()}},
+                                {list.C[k], {parts[2].parts()[0].value(), parts[3].parts()[1].value()}}};
+    orbits::Ranges here = frequencies;
+    here.insert(bounds.begin(), bounds.end());
+    const Formula there = substitute(goal, {{e.tau, list.tau[k]}, {e.C, list.C[k]}});
+    Theorem other = Theorem::consequence({decided_one_of(there, here)}, there);
+    for (const auto& [x, range] : bounds) {
+      for (const auto& [bound, strict] : {std::pair{at_most(range.first, x), less(range.first, x)},
+                                          {at_most(x, range.second), less(x, range.second)}}) {
+        other =
+            Theorem::cut(x == list.tau[k] ? Theorem::order(bound, {{{Theorem::consequence({known}, strict)}}})
+                                          : Theorem::consequence({known}, bound),
+                         other);
+      }
+    }
+    for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
+      const Formula equation = equal(x, value);
+      other = tactics::by_rewriting(other, tactics::symmetric(Theorem::assume(equation)));
+    }
+    for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
+      other = Theorem::discharge(other, equal(x, value));
+    }
+    cases.push_back(other);
+  }
+  Theorem result =
+      tactics::for_every(e.tau, during, tactics::for_every(e.C, rows, Theorem::consequence(cases, goal)));
+  for (auto opening = openings.rbegin(); opening != openings.rend(); ++opening) {
+    result = Theorem::choose(Theorem::assume(opening->second), opening->first, result);
+  }
+  return Theorem::cut(list.theorem, result);
 }
 
 // Fig. 2 gives u_r as a datum, beside the others.
@@ -270,7 +240,7 @@ Claim friction_claim() {
                                                        Ball(given.value),
                                                        "$u_r$ of the orbit",
                                                        "the printed one"});
-            prove(outcome, no_orbit_has_the_printed_friction);
+            prove(outcome, [&] { return at_both(list, has_other_friction); });
             return outcome;
           }};
 }
@@ -318,6 +288,15 @@ Claim asymmetric_claim() {
 
 std::vector<Claim> data_of_S() {
   return {lag_claim(), friction_claim(), asymmetric_claim()};
+}
+
+ListTheorem list_of_S() {
+  return {[](const OrbitList& list) {
+            return at_both(list, [](const auto&, const SymmetricList& found, auto, const auto&) {
+              return found.theorem;
+            });
+          },
+          {"16.reduced", "16.reduced.converse", "15.reduced", "15.reduced.converse"}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

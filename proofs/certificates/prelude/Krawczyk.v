@@ -410,6 +410,24 @@ Proof.
   intros i I. rewrite nth_repeat_same by exact I. now apply S.
 Qed.
 
+(* A list as a column. *)
+Fixpoint column (n : nat) (l : list R) : Mat n 1 :=
+  match n with O => tt | S m => ((hd 0 l, tt), column m (tl l)) end.
+Lemma column_zero : forall n l, (forall i, (i < n)%nat -> nth i l 0 = 0) -> column n l = mzero n 1.
+Proof.
+  induction n; intros l Z; [reflexivity|]. change (((hd 0 l, tt), column n (tl l)) = ((0, tt), mzero n 1)).
+  f_equal.
+  - f_equal. generalize (Z O ltac:(lia)). destruct l; trivial.
+  - apply IHn. intros i I. generalize (Z (S i) ltac:(lia)). destruct l; [destruct i|]; trivial.
+Qed.
+Lemma zero_column : forall n l, column n l = mzero n 1 -> forall i, (i < n)%nat -> nth i l 0 = 0.
+Proof.
+  induction n; intros l Z i I; [lia|].
+  change (((hd 0 l, tt), column n (tl l)) = ((0, tt), mzero n 1)) in Z. injection Z as H T.
+  destruct i as [|i]; [destruct l; trivial|].
+  generalize (IHn (tl l) T i ltac:(lia)). destruct l; [destruct i|]; trivial.
+Qed.
+
 (* A case for each index below a given number, in their order. *)
 Ltac each_row :=
   repeat match goal with

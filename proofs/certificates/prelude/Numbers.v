@@ -25,7 +25,8 @@ Ltac by_enclosure :=
 Ltac by_enclosure_along x :=
   first
     [ interval with (i_prec 40)
-    | as_gap; first [interval with (i_prec 40) | interval with (i_bisect x, i_depth 12, i_prec 40)] ].
+    | as_gap; first [interval with (i_prec 40) | interval with (i_bisect x, i_depth 12, i_prec 40)]
+    | interval with (i_bisect x, i_depth 12, i_prec 40) ].
 (* In Krawczyk's test: where a derivative is, and how small a value is. *)
 Ltac by_coarse_enclosure := interval with (i_prec 40).
 Ltac by_fine_enclosure := interval with (i_prec 80).

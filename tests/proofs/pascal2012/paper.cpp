@@ -2,21 +2,36 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/statements.hpp"
+#include "proofs/pascal2012/symmetric_list.hpp"
 #include "tests/proofs/checks/decided.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs;
 using namespace stickslip::proofs::methods;
 using namespace stickslip::proofs::pascal2012;
+using numeric::Orbit;
+using numeric::OrbitList;
 
 namespace {
 
 const Audit& whole() {
   static const Audit result = audit(paper().claims);
   return result;
+}
+
+// All numbers l in l < x.
+void numbers_below(const kernel::Term& term, std::vector<double>& found) {
+  if (term.kind() == kernel::Kind::less && term.parts()[0].kind() == kernel::Kind::number) {
+    found.push_back(term.parts()[0].value().get_d());
+  }
+  for (const kernel::Term& part : term.parts()) {
+    numbers_below(part, found);
+  }
 }
 
 }  // namespace
@@ -170,6 +185,23 @@ TEST_CASE("examples: the printed orbits obey every condition, and it is told wha
     CHECK(record(id).status == (is_stated(id) ? Status::as_printed : Status::proved));
   }
   CHECK(record("P.x20").status == Status::digits_off);
+}
+
+TEST_CASE("the kernel's list of symmetric orbits has those found in balls, and refuses fewer") {
+  const OrbitList& list = orbits_of(example_named("S")).list;
+  REQUIRE(list.orbits.size() == 4);
+  std::vector<double> lower;  // bounds of the theorem
+  numbers_below(list_of_S().prove(list).conclusion(), lower);
+  for (const Orbit& orbit : list.orbits) {
+    const double tau = orbit.value("tau").approximate();
+    CAPTURE(tau);
+    CHECK(std::ranges::count_if(lower, [&](double l) { return l < tau && tau < l + 4e-9; }) == 1);
+    OrbitList fewer = list;
+    std::erase_if(fewer.orbits, [&](const Orbit& other) { return other.value("tau").approximate() == tau; });
+    CHECK(fewer.orbits.size() == 3);
+    CHECK_THROWS_AS((void)list_of_S().prove(fewer), kernel::KernelError);
+  }
+  CHECK(record("S.list").outcome.by_kernel);
 }
 
 TEST_CASE("every claim stands in a section of the paper, section by section") {

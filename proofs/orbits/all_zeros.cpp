@@ -1,0 +1,255 @@
+#include "proofs/orbits/all_zeros.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "proofs/orbits/enclosed_matrix.hpp"
+
+namespace stickslip::proofs::orbits {
+
+using namespace kernel;
+using namespace tactics;
+
+namespace {
+
+Rational rounded_down(const Rational& value, long unit) {
+  mpz_class whole;
+  const Rational scaled = value * unit;
+  mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  Rational result(whole, unit);
+  result.canonicalize();
+  return result;
+}
+
+// What contradicts itself is not so: from Γ, A ⊢ 0 < 0.
+Theorem impossible(const Theorem& contradiction, const Formula& a) {
+  return Theorem::consequence(
+      {Theorem::discharge(contradiction, a), Theorem::trichotomy(0, 0), Theorem::reflexive(0)}, negation(a));
+}
+
+class Zeros {
+ public:
+  Zeros(const Differentiable& f, const std::vector<Term>& others, const Variable& t, const Interval& ends,
+        const Ranges& ranges)
+      : f_(f), others_(others), t_(t), ends_(ends), ranges_(ranges), rate_(f.rate) {
+    const std::vector<Variable>& parameters = f.value.parameters();
+    Substitution values;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      values.emplace(parameters.at(i), others[i]);
+    }
+    values.emplace(parameters.back(), s_);
+    rate_ = Theorem::instantiate(rate_, values);
+  }
+
+  AllZeros operator()(std::vector<Rational> nearly) {
+    if (nearly.empty()) {
+      throw KernelError("there are no zeros to enclose");
+    }
+    std::sort(nearly.begin(), nearly.end());
+    for (std::size_t k = 0; k < nearly.size(); ++k) {
+      enclose(nearly[k], {fmt::format("{}_{}", t_.name, k + 1)});
+    }
+    std::vector<Formula> cases;
+    for (const Zero& zero : zeros_) {
+      cases.push_back(equal(t_, zero.said.x));
+    }
+    const Formula goal = cases.size() == 1 ? cases.front() : any(cases);
+    // From one end to the other.
+    std::optional<Theorem> so_far;
+    Rational reached = ends_.first;
+    for (std::size_t k = 0; k < zeros_.size(); ++k) {
+      const Rational lower = k == 0 ? ends_.first : (nearly[k - 1] + nearly[k]) / 2,
+                     upper = k + 1 == zeros_.size() ? ends_.second : (nearly[k] + nearly[k + 1]) / 2;
+      const Near near = about(zeros_[k], lower, upper);
+      append(so_far, reached, near.from, goal);
+      const Theorem here = Theorem::consequence({near.is_it}, goal);
+      so_far = so_far ? either(*so_far, here, near.from) : here;
+      reached = near.to;
+    }
+    append(so_far, reached, ends_.second, goal);
+    AllZeros result{{}, *so_far};
+    for (const Zero& zero : zeros_) {
+      result.zeros.push_back(zero.said);
+    }
+    return result;
+  }
+
+ private:
+  struct Zero {
+    EnclosedZero said;
+    bool rises;
+  };
+  struct Near {
+    Rational from, to;
+    Theorem is_it;  // from <= t, t <= to, f(t) = 0 ⊢ t is the zero
+  };
+
+  [[nodiscard]] Term with(const Definition& definition, const Term& x) const {
+    std::vector<Term> arguments = others_;
+    arguments.push_back(x);
+    return definition(arguments);
+  }
+  [[nodiscard]] Term value(const Term& x) const { return with(f_.value, x); }
+  [[nodiscard]] Term slope(const Term& x) const { return with(f_.slope, x); }
+  [[nodiscard]] Term function(bool rises) const { return lambda(s_, rises ? value(s_) : -value(s_)); }
+  [[nodiscard]] Theorem sign(const Formula& relation, const Ranges& ranges) const {
+    return Theorem::sign(relation, ranges_in(relation, ranges));
+  }
+  [[nodiscard]] bool holds(const Formula& relation) const {
+    try {
+      static_cast<void>(sign(relation, ranges_));
+      return true;
+    } catch (const KernelError&) {
+      return false;
+    }
+  }
+  // Less what it divides by.
+  [[nodiscard]] Theorem discharged(Theorem theorem) const {
+    const Formulas hypotheses = theorem.hypotheses();
+    for (const Formula& one : hypotheses) {
+      if (is_divisor(one)) {
+        theorem = Theorem::cut(sign(one, ranges_), theorem);
+      }
+    }
+    return theorem;
+  }
+
+  // By the intermediate value, between decimals of nine places.
+  void enclose(const Rational& nearly, const Variable& x) {
+    constexpr long unit = 1000000000;
+    const Rational a = rounded_down(nearly, unit) - Rational(1, unit), b = a + Rational(3, unit);
+    const bool rises = holds(less(value(a), 0));
+    const Term f = function(rises);
+    const Theorem found = Theorem::intermediate_value(
+        discharged(Theorem::continuity(f, a, b)), sign(less(apply(f, a), 0), ranges_),
+        sign(less(0, apply(f, b)), ranges_), sign(less(a, b), ranges_));
+    const Theorem there = Theorem::assume(opened(found.conclusion(), x));
+    const Theorem vanishes = part(there, 1);
+    const Theorem says =
+        both({Theorem::consequence({there}, less(a, x)), Theorem::consequence({there}, less(x, b)),
+              rises ? vanishes : Theorem::combination(equal(value(x), 0), {{vanishes, -1}})});
+    const Formula exists = kernel::exists(x, says.conclusion());
+    zeros_.push_back(
+        {{x, {a, b}, says.conclusion(), Theorem::choose(found, x, Theorem::witness(says, exists, x))},
+         rises});
+  }
+
+  // As far about the zero as the slope keeps its sign, of a quarter, an eighth, … to both sides.
+  [[nodiscard]] Near about(const Zero& zero, const Rational& lower, const Rational& upper) const {
+    const auto& [a, b] = zero.said.bounds;
+    for (Rational reach(1, 4); reach > Rational(1, 1L << 20); reach = reach / 2) {
+      const Rational from = std::max(lower, rounded_down(a - reach, 1L << 22)),
+                     to = std::min(upper, rounded_down(b + reach, 1L << 22));
+      const Variable c{"c"};
+      Ranges here = ranges_;
+      here[c] = {from, to};
+      std::optional<Theorem> keeps;
+      try {
+        keeps = in_pieces(zero.rises ? less(0, slope(c)) : less(slope(c), 0), c, here);
+      } catch (const KernelError&) {
+        continue;
+      }
+      return {from, to, is_zero(zero, from, to, c, *keeps)};
+    }
+    throw KernelError("there may be other zeros of " + f_.value.name() + " near this one");
+  }
+
+  [[nodiscard]] Theorem is_zero(const Zero& zero, const Rational& from, const Rational& to, const Variable& c,
+                                const Theorem& keeps) const {
+    const Variable& x = zero.said.x;
+    Theorem result =
+        Theorem::consequence({not_before(t_, x, zero.rises, from, to, c, keeps),
+                              not_before(x, t_, zero.rises, from, to, c, keeps), Theorem::trichotomy(t_, x)},
+                             equal(t_, x));
+    const Theorem says = Theorem::assume(zero.said.says);
+    const auto& [a, b] = zero.said.bounds;
+    for (const Theorem& known :
+         {Theorem::order(at_most(from, x), {{{part(says, 0)}}, Positive{{}, a - from}}),
+          Theorem::order(at_most(x, to), {{{part(says, 1)}}, Positive{{}, to - b}}), part(says, 2)}) {
+      result = Theorem::cut(known, result);
+    }
+    return result;
+  }
+
+  // from <= x, y <= to, f(x) = 0, f(y) = 0 ⊢ not x < y: else the slope would be zero between them.
+  [[nodiscard]] Theorem not_before(const Variable& x, const Variable& y, bool rises, const Rational& from,
+                                   const Rational& to, const Variable& c, const Theorem& keeps) const {
+    const Theorem before = Theorem::assume(less(x, y));
+    const Term f = function(true);
+    const Theorem mean = Theorem::mean_value(discharged(Theorem::continuity(f, x, y)),
+                                             for_every(s_, between(x, s_, y), discharged(rate_)), before);
+    const Theorem there = Theorem::assume(opened(mean.conclusion(), c));
+    const Theorem where = part(there, 0);
+    Theorem falls = keeps;
+    falls = Theorem::cut(
+        Theorem::order(at_most(from, c), {{{part(where, 0)}}, {{Theorem::assume(at_most(from, x))}}}), falls);
+    falls = Theorem::cut(
+        Theorem::order(at_most(c, to), {{{part(where, 1)}}, {{Theorem::assume(at_most(y, to))}}}), falls);
+    const int direction = rises ? 1 : -1;
+    const Theorem contradiction = Theorem::order(less(0, 0), {{{falls, before}}},
+                                                 {{part(there, 1), direction},
+                                                  {Theorem::assume(equal(value(y), 0)), -direction},
+                                                  {Theorem::assume(equal(value(x), 0)), direction}});
+    return impossible(Theorem::choose(mean, c, contradiction), before.conclusion());
+  }
+
+  // from <= t, t <= to, f(t) = 0 ⊢ the goal, as f(t) is not zero there.
+  void append(std::optional<Theorem>& so_far, const Rational& from, const Rational& to,
+              const Formula& goal) const {
+    if (from >= to) {
+      return;
+    }
+    Ranges here = ranges_;
+    here[t_] = {from, to};
+    const Theorem vanishes = Theorem::assume(equal(value(t_), 0));
+    const Theorem away = in_pieces(t_, here, [&](const Ranges& piece) {
+      return Theorem::consequence({different(away_from_zero(piece)), vanishes}, goal);
+    });
+    so_far = so_far ? either(*so_far, away, from) : away;
+  }
+
+  // That the function is above zero, or that it is below.
+  [[nodiscard]] Theorem away_from_zero(const Ranges& piece) const {
+    try {
+      return sign(less(0, value(t_)), piece);
+    } catch (const KernelError&) {
+      return sign(less(value(t_), 0), piece);
+    }
+  }
+
+  // From what holds for t <= at and what holds for at <= t.
+  [[nodiscard]] Theorem either(const Theorem& before, const Theorem& after, const Rational& at) const {
+    return Theorem::consequence({Theorem::discharge(before, at_most(t_, at)),
+                                 Theorem::discharge(after, at_most(at, t_)), Theorem::trichotomy(t_, at)},
+                                before.conclusion());
+  }
+
+  const Differentiable& f_;
+  const std::vector<Term>& others_;
+  const Variable& t_;
+  Interval ends_;
+  const Ranges& ranges_;
+  const Variable s_{"s"};
+  Theorem rate_;  // at s
+  std::vector<Zero> zeros_;
+};
+
+}  // namespace
+
+Differentiable differentiable(const Definition& value) {
+  const std::vector<Variable>& parameters = value.parameters();
+  const Variable& t = parameters.back();
+  const Term f = lambda(t, value({parameters.begin(), parameters.end()}));
+  const Theorem found = Theorem::differentiate(f, t);
+  const Definition slope(value.name() + "_slope", parameters, found.conclusion().parts()[2]);
+  return {value, slope,
+          Theorem::convert(found, derivative(f, t, slope({parameters.begin(), parameters.end()})), {slope})};
+}
+
+AllZeros all_zeros(const Differentiable& f, const std::vector<Term>& others, const Variable& t,
+                   const Interval& ends, const Ranges& ranges, const std::vector<Rational>& nearly) {
+  return Zeros(f, others, t, ends, ranges)(nearly);
+}
+
+}  // namespace stickslip::proofs::orbits

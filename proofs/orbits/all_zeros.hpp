@@ -1,0 +1,36 @@
+// All zeros of a function of one number between two ends, each enclosed, as theorems.
+#pragma once
+
+#include "proofs/orbits/along.hpp"
+
+namespace stickslip::proofs::orbits {
+
+// A definition, of whose last parameter it is a function, its derivative by that parameter, and ⊢ that it is:
+// from what it divides by.
+struct Differentiable {
+  kernel::Definition value, slope;
+  kernel::Theorem rate;
+};
+// The slope has the value's name and "_slope".
+[[nodiscard]] Differentiable differentiable(const kernel::Definition& value);
+
+struct EnclosedZero {
+  kernel::Variable x;
+  kernel::Interval bounds;
+  kernel::Formula says;    // l < x, x < u, f(x) = 0
+  kernel::Theorem exists;  // ranges ⊢ there is x: that
+};
+struct AllZeros {
+  std::vector<EnclosedZero> zeros;  // as they were given
+  // ranges, what is said of each zero, from <= t, t <= to, f(t) = 0 ⊢ t = x1 or t = x2 or ….
+  kernel::Theorem only;
+};
+// Of f with these values of its other parameters, of which the ranges say where they are: between two ends,
+// ends included, it has one zero within 1e-9 of each number given, and no other. The zeros are named
+// t_1, t_2, …. Signs in balls show that, of f away from the numbers, and of its slope near them. Throws
+// KernelError where they do not, and where no number is given.
+[[nodiscard]] AllZeros all_zeros(const Differentiable& f, const std::vector<kernel::Term>& others,
+                                 const kernel::Variable& t, const kernel::Interval& ends,
+                                 const Ranges& ranges, const std::vector<Rational>& nearly);
+
+}  // namespace stickslip::proofs::orbits
