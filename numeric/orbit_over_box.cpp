@@ -21,10 +21,14 @@ using namespace zeros;
 
 namespace {
 
+// How often a part is halved at most: where something changes within the box, it would never end.
+constexpr int deepest = 12;
+
 // A part of the box, and where it was halved its halves, by their places in a list.
 struct Part {
   Vector members;  // of the parameters that the closing conditions take
   ParametricProof proof;
+  int depth = 0;
   Orbit orbit = {};  // if the proof is one
   std::optional<std::array<std::size_t, 2>> halves = {};
 
@@ -62,20 +66,28 @@ class Common {
   void add(const Orbit& orbit) {
     const std::vector<Fact> more = facts(orbit);
     known_.resize(more.size(), Fact::open);
-    differ_.resize(more.size(), false);
+    given_up_.resize(more.size(), false);
     for (std::size_t k = 0; k < more.size(); ++k) {
       if (more[k] == Fact::open || more[k] == Fact::not_asked) {
         continue;
       }
-      differ_[k] = differ_[k] || (known_[k] != Fact::open && known_[k] != more[k]);
+      given_up_[k] = given_up_[k] || (known_[k] != Fact::open && known_[k] != more[k]);
       known_[k] = more[k];
+    }
+  }
+  // What is open of that orbit will stay so.
+  void give_up(const Orbit& orbit) {
+    const std::vector<Fact> all = facts(orbit);
+    given_up_.resize(all.size(), false);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      given_up_[k] = given_up_[k] || all[k] == Fact::open;
     }
   }
   // Whether something is open that may be the same for all: a condition, or, later, the stability.
   [[nodiscard]] bool is_open(const Orbit& orbit, bool with_stability) const {
     const std::vector<Fact> all = facts(orbit);
     for (std::size_t k = 0; k < all.size() - (with_stability ? 0 : 1); ++k) {
-      if (all[k] == Fact::open && !(k < differ_.size() && differ_[k])) {
+      if (all[k] == Fact::open && !(k < given_up_.size() && given_up_[k])) {
         return true;
       }
     }
@@ -84,7 +96,7 @@ class Common {
 
  private:
   std::vector<Fact> known_;
-  std::vector<bool> differ_;
+  std::vector<bool> given_up_;  // for they differ, or will stay open
 };
 
 // "Holds for all": of both, which are on the same condition.
@@ -143,7 +155,7 @@ class Division {
  public:
   Division(const Family& family, const Candidate& candidate, const Given<Ball>& box)
       : family_(family), f_(candidate.equations), ur_(box.ur) {
-    parts_.push_back(look(f_.parameters(box), f_.unknowns(candidate.guess)));
+    parts_.push_back(look(f_.parameters(box), f_.unknowns(candidate.guess), 0));
   }
 
   // Halves what is open, of the existence and the conditions, and then of the stability, too; not at all
@@ -191,8 +203,8 @@ class Division {
   }
 
  private:
-  [[nodiscard]] Part look(const Vector& members, const Vector& guess) const {
-    Part part{members, prove_over_parameters(f_, members, guess)};
+  [[nodiscard]] Part look(const Vector& members, const Vector& guess, int depth) const {
+    Part part{members, prove_over_parameters(f_, members, guess), depth};
     if (part.is_proved()) {
       const ParametricProof& proof = part.proof;
       const MotionOf<ParameterJet> jets = f_.motion<ParameterJet>(proof.x, proof.p);
@@ -214,7 +226,7 @@ class Division {
     Vector members = part.members;
     const Ball& side = part.members(k);
     members(k) = Ball::hull(end == 0 ? side.lower() : side.upper(), proof.p0(k));
-    return look(members, proof.at_middle);
+    return look(members, proof.at_middle, part.depth + 1);
   }
 
   // Until nothing is open, or there are too many parts.
@@ -234,10 +246,16 @@ class Division {
       }
       open.clear();
       for (std::size_t i = first; i < parts_.size(); ++i) {
-        if (is_open(parts_[i], with_stability)) {
+        const Part& part = parts_[i];
+        if (part.depth < deepest) {
           open.push_back(i);
+        } else if (!part.is_proved()) {
+          return;
+        } else {
+          common_.give_up(part.orbit);
         }
       }
+      std::erase_if(open, [&](std::size_t i) { return !is_open(parts_[i], with_stability); });
     }
   }
 
@@ -249,7 +267,8 @@ class Division {
   // Whether the parts next to the middle come to an end.
   [[nodiscard]] bool is_promising(std::size_t most_parts, bool with_stability) const {
     Part part = undivided_at(parts_[0], parts_[0].proof.p0);
-    for (std::size_t parts = 1; parts < most_parts && is_open(part, with_stability); parts *= 2) {
+    for (std::size_t parts = 1; parts < most_parts && part.depth < deepest && is_open(part, with_stability);
+         parts *= 2) {
       part = half(part, 1);
     }
     return part.is_proved() && !is_open(part, with_stability);

@@ -23,11 +23,11 @@ struct OrbitOverBox {
 // At the working precision of the moment. First the whole box; while the motion, a condition or the stability
 // is not decided over it, it is halved in the parameter that the motion varies most with, and so are its
 // parts, until all is decided, or what is open is known to hold for some members and not for others, or there
-// would be more than `most_parts` parts. In each part exactly one closed motion lies in a box of the
-// unknowns; at a point that both halves share, the middle of what was halved, that of the one is proved to be
-// that of the other, and so it is wherever they meet.
+// would be more than `most_parts` parts, or parts that were halved more than twelve times. In each part
+// exactly one closed motion lies in a box of the unknowns; at a point that both halves share, the middle of
+// what was halved, that of the one is proved to be that of the other, and so it is wherever they meet.
 [[nodiscard]] OrbitOverBox prove_over_box(const families::Family& family,
                                           const families::Candidate& candidate,
-                                          const motion::Given<Ball>& box, std::size_t most_parts = 4096);
+                                          const motion::Given<Ball>& box, std::size_t most_parts = 512);
 
 }  // namespace stickslip::numeric
