@@ -10,6 +10,7 @@
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/families/family.hpp"
+#include "numeric/orbit_over_box.hpp"
 
 namespace stickslip::numeric {
 
@@ -71,16 +72,14 @@ Entry at_the_point(const OrbitQuestion& q, const Candidate& candidate, int digit
 
 // The orbit that the middle of the box has, over the whole box.
 Entry over_the_box(const OrbitQuestion& q, const Candidate& candidate) {
-  const Given<Ball> given = each(q, ball);
-  const ClosedMotion closed = prove_closed_over(candidate.equations, given, candidate.guess);
-  if (closed.existence.truth != Truth::proved) {
+  OrbitOverBox over = prove_over_box(*q.family, candidate, each(q, ball));
+  if (over.existence.truth != Truth::proved) {
     return Unresolved{candidate.where,
                       "the orbit at the middle of the parameters is not proved for all of them: " +
-                          closed.existence.reason + ", first " + closed.split};
+                          over.existence.reason + ", first " + over.split};
   }
-  Orbit orbit = decided_orbit(*q.family, closed, given.ur);
-  orbit.split = orbit.admissible.truth == Truth::undecided ? closed.split : "";
-  return orbit;
+  over.orbit.split = over.orbit.admissible.truth == Truth::undecided ? over.split : "";
+  return over.orbit;
 }
 
 void require_understood(const OrbitQuestion& q) {

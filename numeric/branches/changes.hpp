@@ -32,11 +32,26 @@ struct Gap {
 
 // Which of the exit functions (crossing.hpp) may vanish somewhere, and which pass zero once at most.
 struct Crossings {
-  std::vector<Exit> possible;
-  std::vector<Exit> once;
+  std::vector<motion::Exit> possible;
+  std::vector<motion::Exit> once;
 };
 
 // The changes of stability that these allow between a part that is stable and one that is not.
 [[nodiscard]] std::vector<Change> stability_changes(const Crossings& crossings, bool is_lost, const Ball& at);
+
+// Vanishes where a branch along which the load's phase is given turns: det(I - M), M the derivative of the
+// map from one start of the first phase to the next, both at that phase of the load whatever the friction,
+// after a stick. With the friction given instead, that of the return map does so.
+template <class S>
+[[nodiscard]] S turn_at_given_phase(const motion::MotionOf<S>& motion) {
+  model::Matrix4<S> M = motion::tangent_flow<S>(motion.oscillator, motion.phases.front());
+  for (std::size_t k = 1; k < motion.phases.size(); ++k) {
+    M = motion::saltation_between<S>(motion.oscillator, motion.phases[k - 1].kind, motion.phases[k]) * M;
+    M = motion::tangent_flow<S>(motion.oscillator, motion.phases[k]) * M;
+  }
+  const auto d = [&](int i, int j) { return S(S(i == j ? 1 : 0) - M(i, j)); };
+  const auto minor = [&](int j, int k) { return S(d(1, j) * d(2, k) - d(1, k) * d(2, j)); };
+  return d(0, 0) * minor(1, 2) - d(0, 1) * minor(0, 2) + d(0, 2) * minor(0, 1);
+}
 
 }  // namespace stickslip::numeric::branches

@@ -92,8 +92,4 @@ Trend trend_of(const Requirement& q, const MotionOf<ParameterJet>& motion,
                 from_start(model::reversed<ParameterJet>(g, phase.duration), half, q.touches.end));
 }
 
-std::string to_string(Exit exit) {
-  return exit == Exit::plus_one ? "real +1" : exit == Exit::minus_one ? "real -1" : "complex pair";
-}
-
 }  // namespace stickslip::numeric::branches

@@ -52,35 +52,6 @@ struct Motions {
   Motion middle;
 };
 
-// Where one of the exit functions is negative a multiplier is outside the unit circle. Where none vanishes as
-// many multipliers are outside all over the part as at its middle. Else the multipliers of all motions are
-// enclosed together. Assumes that the conditions hold: then a stick ends with a rate that is not negative.
-Stability stability_over(const Motions& m, const Law& law, const ClosedMotion& closed) {
-  const ExitFactors<ParameterJet> jets = law.exit_factors(m.jets);
-  const ExitFactors<Ball> middle = law.exit_factors(m.middle);
-  const auto sign_of = [&](const std::vector<ParameterJet>& over, const std::vector<Ball>& at_middle) {
-    int product = 1;
-    for (std::size_t k = 0; k < over.size(); ++k) {
-      product *= sign(m.proof.over_box(over[k], at_middle[k]));
-    }
-    return product;
-  };
-  const bool is_regular = m.proof.over_box(jets.is_regular, middle.is_regular).is_positive();
-  bool none_vanishes = is_regular;
-  for (const Exit exit : exits) {
-    int product = sign_of(jets[exit], middle[exit]);
-    for (std::size_t j = 0; j < 2 && product == 0 && exit == Exit::plus_one && law.is_symmetric; ++j) {
-      product = sign_of(SymmetricExits<ParameterJet>(m.jets).at_one_by_mode(j),
-                        SymmetricExits<Ball>(m.middle).at_one_by_mode(j));
-    }
-    if (is_regular && product < 0) {
-      return {StabilityKind::unstable, {}, {}};
-    }
-    none_vanishes = none_vanishes && product > 0;
-  }
-  return decide_stability(none_vanishes ? m.middle : closed.motion);
-}
-
 void decide_state(Part& part, const Law& law, const Motions& motions) {
   const ClosedMotion closed = closed_over(motions.proof, motions.jets, motions.middle);
   bool lasts = true;
@@ -113,7 +84,8 @@ void decide_state(Part& part, const Law& law, const Motions& motions) {
     return;
   }
   part.admissible = true;
-  const Stability stability = stability_over(motions, law, closed);
+  const auto kind = stability_over(motions.proof, motions.jets, motions.middle, law.is_symmetric);
+  const Stability stability = kind ? Stability{*kind, {}, {}} : decide_stability(closed.motion);
   part.reason = stability.reason;
   part.state = stability.kind == StabilityKind::stable     ? State::stable
                : stability.kind == StabilityKind::unstable ? State::unstable

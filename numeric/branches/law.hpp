@@ -8,8 +8,8 @@
 
 #include "numeric/branches/branches.hpp"
 #include "numeric/branches/curve.hpp"
-#include "numeric/branches/exits.hpp"
 #include "numeric/motion/conditions.hpp"
+#include "numeric/motion/exits.hpp"
 #include "numeric/motion/stability.hpp"
 
 namespace stickslip::numeric::branches {
@@ -30,8 +30,8 @@ struct Law {
   bool is_symmetric = false;  // all motions are orbits of Section 4
 
   template <class S>
-  [[nodiscard]] ExitFactors<S> exit_factors(const motion::MotionOf<S>& motion) const {
-    return is_symmetric ? symmetric_exit_factors(motion) : branches::exit_factors(motion);
+  [[nodiscard]] motion::ExitFactors<S> exit_factors(const motion::MotionOf<S>& motion) const {
+    return is_symmetric ? motion::symmetric_exit_factors(motion) : motion::exit_factors(motion);
   }
 };
 

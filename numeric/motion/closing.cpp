@@ -1,66 +1,13 @@
 #include "numeric/motion/closing.hpp"
 
 #include "core/error.hpp"
+#include "numeric/motion/zip.hpp"
 
 namespace stickslip::numeric::motion {
 
 using namespace zeros;
 
 namespace {
-
-// What a quantity of a motion over jets and of the motion at the middle say together, see parametric.hpp.
-struct OverBox {
-  const ParametricProof& proof;
-
-  [[nodiscard]] Ball operator()(const ParameterJet& g, const Ball& middle) const {
-    return proof.over_box(g, middle);
-  }
-  template <int N>
-  [[nodiscard]] Eigen::Matrix<Ball, N, 1> operator()(const Eigen::Matrix<ParameterJet, N, 1>& g,
-                                                     const Eigen::Matrix<Ball, N, 1>& middle) const {
-    Eigen::Matrix<Ball, N, 1> result;
-    for (int i = 0; i < N; ++i) {
-      result(i) = (*this)(g(i), middle(i));
-    }
-    return result;
-  }
-  [[nodiscard]] model::Wave<Ball> operator()(const model::Wave<ParameterJet>& g,
-                                             const model::Wave<Ball>& middle) const {
-    model::Wave<Ball> w;
-    w.constant = (*this)(g.constant, middle.constant);
-    w.slope = (*this)(g.slope, middle.slope);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(g.count); ++k) {
-      const model::Harmonic<ParameterJet>& h = g.harmonics[k];
-      const model::Harmonic<Ball>& at = middle.harmonics[k];
-      w.add((*this)(h.nu, at.nu), (*this)(h.a, at.a), (*this)(h.b, at.b));
-    }
-    return w;
-  }
-  [[nodiscard]] model::PhaseWaves<Ball> operator()(const model::PhaseWaves<ParameterJet>& g,
-                                                   const model::PhaseWaves<Ball>& middle) const {
-    return {(*this)(g.z1, middle.z1), (*this)(g.z2, middle.z2), (*this)(g.zdot2, middle.zdot2),
-            (*this)(g.r, middle.r)};
-  }
-  [[nodiscard]] Phase operator()(const PhaseOf<ParameterJet>& g, const Phase& middle) const {
-    return {g.kind, (*this)(g.start, middle.start), (*this)(g.duration, middle.duration),
-            (*this)(g.load, middle.load), (*this).operator()<4>(g.Z, middle.Z)};
-  }
-  [[nodiscard]] model::Parameters<Ball> operator()(const model::Parameters<ParameterJet>& g,
-                                                   const model::Parameters<Ball>& middle) const {
-    return {(*this)(g.chi, middle.chi), (*this)(g.eta, middle.eta),     (*this)(g.us, middle.us),
-            (*this)(g.V, middle.V),     (*this)(g.omega, middle.omega), (*this)(g.p, middle.p)};
-  }
-  [[nodiscard]] model::Oscillator<Ball> operator()(const model::Oscillator<ParameterJet>& g,
-                                                   const model::Oscillator<Ball>& middle) const {
-    const auto& m = g.modes;
-    const auto& n = middle.modes;
-    return {(*this)(g.data, middle.data),
-            {(*this)(m.omega1, n.omega1), (*this)(m.omega2, n.omega2), (*this)(m.lambda1, n.lambda1),
-             (*this)(m.lambda2, n.lambda2)},
-            (*this).operator()<2>(g.Q, middle.Q),
-            (*this).operator()<2>(g.d0, middle.d0)};
-  }
-};
 
 template <class S>
 S friction_of(const MotionOf<S>& motion, std::size_t k) {
@@ -130,12 +77,13 @@ ClosedMotion prove_closed(const Closing& f, const Given<Rational>& given, const 
 
 ClosedMotion closed_over(const ParametricProof& proof, const MotionOf<ParameterJet>& jets,
                          const Motion& middle) {
-  ClosedMotion closed{proof.verdict, {}, {}, {}, {}};
-  const OverBox over{proof};
-  closed.motion.oscillator = over(jets.oscillator, middle.oscillator);
+  const auto over = [&](const ParameterJet& g, const Ball& at_middle) {
+    return proof.over_box(g, at_middle);
+  };
+  const Zip zip{over};
+  ClosedMotion closed{proof.verdict, {}, zip(jets, middle), {}, {}};
   for (std::size_t k = 0; k < middle.phases.size(); ++k) {
-    closed.motion.phases.push_back(over(jets.phases[k], middle.phases[k]));
-    closed.waves.push_back(over(waves_of<ParameterJet>(jets.oscillator, jets.phases[k]), waves(middle, k)));
+    closed.waves.push_back(zip(waves_of<ParameterJet>(jets.oscillator, jets.phases[k]), waves(middle, k)));
     closed.friction.push_back(over(friction_of<ParameterJet>(jets, k), friction_of<Ball>(middle, k)));
   }
   return closed;
@@ -143,14 +91,14 @@ ClosedMotion closed_over(const ParametricProof& proof, const MotionOf<ParameterJ
 
 ClosedMotion prove_closed_over(const Closing& f, const Given<Ball>& given, const Motion& guess) {
   const ParametricProof proof = prove_over_parameters(f, f.parameters(given), f.unknowns(guess));
-  ClosedMotion closed{proof.verdict, f.parameter_names()[static_cast<std::size_t>(proof.widest)], {}, {}, {}};
+  const std::string split = f.parameter_names()[static_cast<std::size_t>(proof.widest)];
   if (proof.verdict.truth != Truth::proved) {
-    return closed;
+    return {proof.verdict, split, {}, {}, {}};
   }
-  ClosedMotion over =
+  ClosedMotion closed =
       closed_over(proof, f.motion<ParameterJet>(proof.x, proof.p), f.motion<Ball>(proof.at_middle, proof.p0));
-  over.split = closed.split;
-  return over;
+  closed.split = split;
+  return closed;
 }
 
 }  // namespace stickslip::numeric::motion

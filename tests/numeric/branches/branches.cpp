@@ -7,12 +7,13 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "numeric/branches/crossing.hpp"
+#include "numeric/branches/changes.hpp"
 #include "tests/numeric/branches/questions.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;
 using namespace stickslip::numeric::branches;
+using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::branches::examples;
 
 namespace {

@@ -9,6 +9,7 @@
 using namespace stickslip;
 using namespace stickslip::numeric;
 using namespace stickslip::numeric::branches;
+using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::branches::examples;
 
 namespace {

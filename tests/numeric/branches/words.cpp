@@ -5,8 +5,8 @@
 
 #include "core/error.hpp"
 #include "numeric/attractors/word_search.hpp"
-#include "numeric/branches/exits.hpp"
 #include "numeric/branches/word_branches.hpp"
+#include "numeric/motion/exits.hpp"
 #include "tests/numeric/branches/questions.hpp"
 
 using namespace stickslip;
@@ -84,8 +84,8 @@ TEST_CASE("a word with two sticks, whose branches the general multipliers carry"
   motion::Motion twice = single.front().orbit.motion;
   const std::vector<motion::Phase> once = twice.phases;
   twice.phases.insert(twice.phases.end(), once.begin(), once.end());
-  const std::vector<Ball> one = multiplier_coefficients(single.front().orbit.motion);
-  const std::vector<Ball> two = multiplier_coefficients(twice);
+  const std::vector<Ball> one = motion::multiplier_coefficients(single.front().orbit.motion);
+  const std::vector<Ball> two = motion::multiplier_coefficients(twice);
   REQUIRE(one.size() == 4);
   REQUIRE(two.size() == 4);
   const auto at = [](const std::vector<Ball>& c, const Ball& x) {

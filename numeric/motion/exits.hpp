@@ -1,16 +1,18 @@
-// The ways in which a multiplier can cross the unit circle, and where a branch turns, as functions of the
-// motion over any scalar.
+// The ways in which a multiplier can cross the unit circle, as functions of the motion over any scalar; and
+// what they say of the stability of many motions at once.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/symmetric_closing.hpp"
 #include "numeric/motion/multipliers.hpp"
+#include "numeric/motion/stability.hpp"
 #include "numeric/zeros/parametric.hpp"
 
-namespace stickslip::numeric::branches {
+namespace stickslip::numeric::motion {
 
 // The ways in which a multiplier can cross the unit circle, as functions that vanish exactly then: det(I -
 // M), det(I + M), and the product of 1 - mu_i mu_j over i < j, which also vanishes for a real pair mu, 1/mu.
@@ -58,18 +60,18 @@ struct ExitFactors {
 // The coefficients of a polynomial whose zeros are the multipliers, but for zeros: that of the return map
 // seen where a stick begins, with more than one. Then not finite where one of them may end at rest.
 template <class S>
-[[nodiscard]] std::vector<S> multiplier_coefficients(const motion::MotionOf<S>& motion) {
+[[nodiscard]] std::vector<S> multiplier_coefficients(const MotionOf<S>& motion) {
   std::size_t stick = 0, sticks = 0;
   for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-    if (motion.phases[k].kind == motion::PhaseKind::stick) {
+    if (motion.phases[k].kind == PhaseKind::stick) {
       stick = k;
       ++sticks;
     }
   }
   if (sticks < 2) {
-    return motion::multiplier_polynomial(motion);
+    return multiplier_polynomial(motion);
   }
-  const model::Matrix4<S> M = motion::monodromy<S>(motion, stick);
+  const model::Matrix4<S> M = monodromy<S>(motion, stick);
   const auto minor = [&](int i, int j) { return S(M(i, i) * M(j, j) - M(i, j) * M(j, i)); };
   const S det = M(0, 0) * minor(1, 2) - M(0, 1) * S(M(1, 0) * M(2, 2) - M(1, 2) * M(2, 0)) +
                 M(0, 2) * S(M(1, 0) * M(2, 1) - M(1, 1) * M(2, 0));
@@ -77,7 +79,7 @@ template <class S>
 }
 
 template <class S>
-[[nodiscard]] ExitFactors<S> exit_factors(const motion::MotionOf<S>& motion) {
+[[nodiscard]] ExitFactors<S> exit_factors(const MotionOf<S>& motion) {
   const std::vector<S> c = multiplier_coefficients(motion);
   ExitFactors<S> result{{}, c.back()};
   for (const Exit exit : exits) {
@@ -119,11 +121,11 @@ template <class S>
 template <class S>
 class SymmetricExits {
  public:
-  explicit SymmetricExits(const motion::MotionOf<S>& motion)
+  explicit SymmetricExits(const MotionOf<S>& motion)
       : a_(motion.oscillator.data),
         tau_(motion.phases.at(0).duration),
         x_(motion.phases.at(1).duration / S(2)) {
-    const motion::PhaseOf<S>& slip = motion.phases[0];
+    const PhaseOf<S>& slip = motion.phases[0];
     const model::Modes<S>& m = motion.oscillator.modes;
     rho_ = model::friction_at<S>(a_, slip.Z, slip.load) - a_.us;
     rate_ = model::friction_rate<S>(a_, slip.Z, slip.load);
@@ -177,25 +179,18 @@ class SymmetricExits {
 };
 
 template <class S>
-[[nodiscard]] ExitFactors<S> symmetric_exit_factors(const motion::MotionOf<S>& motion) {
+[[nodiscard]] ExitFactors<S> symmetric_exit_factors(const MotionOf<S>& motion) {
   ExitFactors<S> result = exit_factors(motion);
   result.of[static_cast<std::size_t>(Exit::plus_one)] = SymmetricExits<S>(motion).at_one();
   return result;
 }
 
-// Vanishes where a branch along which the load's phase is given turns: det(I - M), M the derivative of the
-// map from one start of the first phase to the next, both at that phase of the load whatever the friction,
-// after a stick. With the friction given instead, that of the return map does so.
-template <class S>
-[[nodiscard]] S turn_at_given_phase(const motion::MotionOf<S>& motion) {
-  model::Matrix4<S> M = motion::tangent_flow<S>(motion.oscillator, motion.phases.front());
-  for (std::size_t k = 1; k < motion.phases.size(); ++k) {
-    M = motion::saltation_between<S>(motion.oscillator, motion.phases[k - 1].kind, motion.phases[k]) * M;
-    M = motion::tangent_flow<S>(motion.oscillator, motion.phases[k]) * M;
-  }
-  const auto d = [&](int i, int j) { return S(S(i == j ? 1 : 0) - M(i, j)); };
-  const auto minor = [&](int j, int k) { return S(d(1, j) * d(2, k) - d(1, k) * d(2, j)); };
-  return d(0, 0) * minor(1, 2) - d(0, 1) * minor(0, 2) + d(0, 2) * minor(0, 1);
-}
+// Of all motions of a proof (zeros/parametric.hpp), each of which obeys the friction law: by their jets, and
+// the one at the middle. Where one of the exit functions is negative a multiplier is outside the unit circle;
+// where none vanishes as many are outside all over the box as at its middle. Nothing where that decides
+// nothing. `is_symmetric`: all are orbits of Section 4.
+[[nodiscard]] std::optional<StabilityKind> stability_over(const zeros::ParametricProof& proof,
+                                                          const MotionOf<zeros::ParameterJet>& jets,
+                                                          const Motion& middle, bool is_symmetric);
 
-}  // namespace stickslip::numeric::branches
+}  // namespace stickslip::numeric::motion
