@@ -21,9 +21,14 @@ class CMakeBuild(build_ext):
     def build_extension(self, extension):
         python = getattr(sys, "_base_executable", sys.executable)
         settings = [] if os.path.samefile(python, "/usr/bin/python3") else [f"-DPython3_EXECUTABLE={python}"]
-        if not (build / "CMakeCache.txt").exists() or settings:
-            subprocess.run(["cmake", "--preset", "release", "-B", build, *settings], cwd=root, check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "stickslip_python"], cwd=root, check=True)
+        # Each time, which takes a second: what can be built depends on the packages that are there now.
+        known = (build / "CMakeCache.txt").exists() and not settings
+        configure = ["cmake", build] if known else ["cmake", "--preset", "release", "-B", build, *settings]
+        try:
+            subprocess.run(configure, cwd=root, check=True)
+            subprocess.run(["cmake", "--build", build, "--target", "stickslip_python"], cwd=root, check=True)
+        except (OSError, subprocess.CalledProcessError):
+            sys.exit("The module cannot be built: 'script/bootstrap build python' installs what it needs.")
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(build / "python" / "stickslip" / target.name, target)

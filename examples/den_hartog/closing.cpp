@@ -76,8 +76,10 @@ std::vector<methods::Claim> closing() {
       claim("closing.sine", "and $(1 + cos(pi/omega)) omega q sin(phi) = -f sin(pi/omega)$", sine),
       claim("closing.amplitude", "$X^2 = q^2 - (f sin(pi/omega)/(omega (1 + cos(pi/omega))))^2$", amplitudes),
       claim("closing.lag", "the lag, without $q$", lag),
-      claim("closing.sufficient", "these two equations give the symmetric motion back", sufficient),
-      claim("closing.third", "at $omega = 1/3$ only a motion without friction is symmetric", third),
+      claim("closing.sufficient", "these two equations give the symmetric motion back", sufficient,
+            methods::Origin::converse),
+      claim("closing.third", "at $omega = 1/3$ only a motion without friction is symmetric", third,
+            methods::Origin::new_result),
       claim("closing.frictionless", "without friction, $X^2 = q^2$", frictionless)};
 }
 

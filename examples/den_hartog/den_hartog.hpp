@@ -26,8 +26,9 @@ inline const Term q = Term(a) / (1 - power(omega, 2)), half = kernel::pi() / ome
 [[nodiscard]] Term position(const Term& time);
 [[nodiscard]] Term velocity(const Term& time);
 
-// A claim with theorems of the kernel, made when it is asked for.
-[[nodiscard]] methods::Claim claim(const char * id, const char * words, std::vector<Theorem> (*prove)());
+// A claim with theorems of the kernel, made when it is asked for; of text books, if it is not of our own.
+[[nodiscard]] methods::Claim claim(const char * id, const char * words, std::vector<Theorem> (*prove)(),
+                                   methods::Origin origin = methods::Origin::textbook);
 
 [[nodiscard]] std::vector<methods::Claim> motion();   // what the motion between two turns is
 [[nodiscard]] std::vector<methods::Claim> closing();  // when it is symmetric: amplitude and lag

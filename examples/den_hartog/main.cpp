@@ -25,13 +25,15 @@ methods::Paper text_book() {
     paper.sections.push_back({id, title, id});
     for (methods::Claim& claim : claims) {
       claim.place = id;
-      const std::string number = std::to_string(1001 + paper.statements.size()).substr(1);
-      paper.statements.push_back({.id = "S" + number,
-                                  .place = claim.id,
-                                  .kind = claim.kind,
-                                  .words = claim.words,
-                                  .claims = {claim.id},
-                                  .section = title});
+      if (claim.origin == methods::Origin::textbook) {
+        const std::string number = std::to_string(1001 + paper.statements.size()).substr(1);
+        paper.statements.push_back({.id = "S" + number,
+                                    .place = claim.id,
+                                    .kind = claim.kind,
+                                    .words = claim.words,
+                                    .claims = {claim.id},
+                                    .section = title});
+      }
       paper.claims.push_back(std::move(claim));
     }
   };

@@ -18,11 +18,12 @@ Term velocity(const Term& time) {
          q * omega * sin(Term(omega) * time + phi);
 }
 
-methods::Claim claim(const char * id, const char * words, std::vector<Theorem> (*prove)()) {
+methods::Claim claim(const char * id, const char * words, std::vector<Theorem> (*prove)(),
+                     methods::Origin origin) {
   methods::Claim claim;
   claim.id = id;
   claim.kind = methods::Kind::theorem;
-  claim.origin = methods::Origin::reading;
+  claim.origin = origin;
   claim.words = words;
   claim.prove = [prove](methods::Prover&, const methods::Claim&) {
     methods::Outcome outcome;
@@ -82,7 +83,8 @@ std::vector<Theorem> every_motion() {
 
 std::vector<methods::Claim> motion() {
   return {
-      claim("motion.velocity", "the velocity is the rate of the position", velocity_is_rate),
+      claim("motion.velocity", "the velocity is the rate of the position", velocity_is_rate,
+            methods::Origin::auxiliary),
       claim("motion.equation", "the motion obeys $x'' + x = a cos(omega t + phi) + f$", equation_of_motion),
       claim("motion.begins", "it begins at $X$ at rest", begins),
       claim("motion.every", "every motion that obeys the equation has this closed form", every_motion)};

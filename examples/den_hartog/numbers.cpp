@@ -61,11 +61,14 @@ std::vector<Theorem> other_figure() {
 }  // namespace
 
 std::vector<methods::Claim> numbers() {
+  using methods::Origin;
   return {claim("half.velocity", "at $omega = 1/2$ the velocity is $sin(t/2)$ times $2 (f cos(t/2) - a/3)$",
-                factors),
+                factors, Origin::auxiliary),
           claim("half.moves", "there, for $0 < 3 f < a$, the mass does not stop between its turns", no_stop),
-          claim("figure.amplitude", "$omega = 3/4$, $a = 1$, $f = 1/5$: $5.011 < X^2 < 5.012$", figure),
-          claim("figure.omega", "without $omega$ in the denominator it would be above 5.1", other_figure)};
+          claim("figure.amplitude", "$omega = 3/4$, $a = 1$, $f = 1/5$: $5.011 < X^2 < 5.012$", figure,
+                Origin::auxiliary),
+          claim("figure.omega", "without $omega$ in the denominator it would be above 5.1", other_figure,
+                Origin::auxiliary)};
 }
 
 }  // namespace den_hartog

@@ -31,16 +31,19 @@ std::string to_string(Kind kind) {
 }
 
 const std::vector<OriginFacts>& origins() {
+  static const char * const granted = "The paper takes for granted";
   static const std::vector<OriginFacts> all{
       {Origin::paper, "paper", "claim of the paper", "claims of the paper",
-       "printed: a statement of the paper names it"},
+       "printed: a statement of the paper names it", "The paper says", "the paper"},
+      {Origin::textbook, "textbook", "claim of text books", "claims of text books",
+       "as text books give it: the original is not at hand", "Text books say", "text books"},
       {Origin::reading, "reading", "reading", "readings",
-       "what the paper means or takes for granted, and does not print"},
+       "what the paper means or takes for granted, and does not print", granted},
       {Origin::converse, "converse", "converse", "converses",
-       "the other direction of something printed, which the paper does not assert"},
-      {Origin::new_result, "new", "new result", "new results", "a result of this audit"},
+       "the other direction of something printed, which the paper does not assert", granted},
+      {Origin::new_result, "new", "new result", "new results", "a result of this audit", granted},
       {Origin::auxiliary, "auxiliary", "auxiliary claim", "auxiliary claims",
-       "a step of ours on the way to others, or a check of our own"},
+       "a step of ours on the way to others, or a check of our own", granted},
   };
   return all;
 }
@@ -76,9 +79,9 @@ const std::vector<StatusFacts>& statuses() {
        .finding = false},
       {.status = Status::proved,
        .name = "proved",
-       .meaning = "proved; it is not a statement of the paper",
-       .one = "is proved, and not printed",
-       .many = "are proved, and not printed",
+       .meaning = "proved; there is no print to compare it with",
+       .one = "is proved",
+       .many = "are proved",
        .lead = "What is stated is proved.",
        .tone = Tone::good,
        .stands = true,

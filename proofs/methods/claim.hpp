@@ -24,6 +24,7 @@ enum class Kind { definition, model, identity, step, theorem, condition, numbers
 // Whose statement a claim is.
 enum class Origin {
   paper,       // printed: a statement of the paper names it (PrintedStatement in paper.hpp)
+  textbook,    // as text books give it: the original is not at hand, and nothing is "as printed"
   reading,     // what the paper means or takes for granted, and does not print
   converse,    // the other direction of something printed, which the paper does not assert
   new_result,  // a result of the audit
@@ -37,6 +38,9 @@ struct OriginFacts {
   const char * one;      // "new result"
   const char * many;     // "new results"
   const char * meaning;  // in half a sentence
+  const char * says;     // of what does not hold: "The paper says"
+  // Whose statements they are that it states: "the paper"; null of claims of our own.
+  const char * source = nullptr;
 };
 
 // In the order of the enumeration.

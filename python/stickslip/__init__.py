@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import os as _os
 import threading as _threading
+from numbers import Integral as _Integral
 from typing import Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _core
@@ -37,6 +38,12 @@ __all__ = [
 
 __version__ = _core.version()
 
+Error.__doc__ = "What all errors of this module are; its text is the program's sentence."
+UsageError.__doc__ = "Something is missing, malformed, or not asked for in this way; a ValueError, too."
+DomainError.__doc__ = "A parameter lies outside its domain, which the sentence names; a ValueError, too."
+InputOutputError.__doc__ = "A file or another program failed; an OSError, too."
+InternalError.__doc__ = "Engines disagree, or a rule of this program is broken; a RuntimeError, too."
+
 #: A number, or for the one parameter that varies the interval between two.
 Along = Union[Exact, Tuple[Exact, Exact]]
 
@@ -44,9 +51,8 @@ _data = ("chi", "eta", "us", "V", "omega", "p")
 
 
 def _conduct(jobs: Optional[int]) -> _core.Conduct:
-    if jobs is not None and jobs < 1:
-        raise UsageError(f"jobs: {jobs} threads are too few: at least 1")
-    return _core.Conduct(jobs, _threading.current_thread() is _threading.main_thread())
+    threads = None if jobs is None else _whole("jobs", jobs, 1, 1024)
+    return _core.Conduct(threads, _threading.current_thread() is _threading.main_thread())
 
 
 def _parameters(example: Optional[str], needed: Sequence[str], given: Dict[str, Optional[Exact]]) -> Dict[str, str]:
@@ -58,16 +64,10 @@ def _parameters(example: Optional[str], needed: Sequence[str], given: Dict[str, 
     return texts
 
 
-def _digits(digits: int) -> int:
-    if not 1 <= digits <= 2000:
-        raise UsageError(f"digits: {digits} is not from 1 to 2000")
-    return digits
-
-
-def _at_least(name: str, value: int, least: int, most: int) -> int:
-    if not least <= value <= most:
-        raise UsageError(f"{name}: {value} is not from {least} to {most}")
-    return value
+def _whole(name: str, value: int, least: int, most: int) -> int:
+    if not isinstance(value, _Integral) or not least <= value <= most:
+        raise UsageError(f"{name}: {value!r} is not a whole number from {least} to {most}")
+    return int(value)
 
 
 def _state(name: str, state: Sequence[Union[Exact, float]]) -> str:
@@ -102,12 +102,12 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     conduct = _conduct(jobs)
     if _is_word(family):
         return Orbits._from(
-            _core.word_orbits(family, _at_least("period", period, 1, 100000),
+            _core.word_orbits(family, _whole("period", period, 1, 100000),
                               None if near is None else _state("near", near), parameters, example or "",
-                              _digits(digits), conduct))
+                              _whole("digits", digits, 1, 2000), conduct))
     if near is not None or period != 1:
         raise UsageError(f"period and near are for words of phases, not for the family '{family}'")
-    return Orbits._from(_core.orbits(family, parameters, example or "", _digits(digits), conduct))
+    return Orbits._from(_core.orbits(family, parameters, example or "", _whole("digits", digits, 1, 2000), conduct))
 
 
 def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = None, us: Optional[Along] = None,
@@ -117,8 +117,8 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
     """The orbits of a family over an interval of one parameter, and every change along them, enclosed and proved.
 
     family: as for orbits; of a word the branches of the orbits that are found at `at`, or else in the middle of
-    the interval, are followed, and no others are looked for. One parameter is an interval: a pair of exact numbers, ("0.5", "0.6"), or
-    text, "0.5..0.6"; the others are numbers.
+    the interval, are followed, and no others are looked for. One parameter is an interval: a pair of exact
+    numbers, ("0.5", "0.6"), or text, "0.5..0.6"; the others are numbers.
     at: follow the branches of the orbits at this value of it only; otherwise all branches are looked for.
 
     Raises as orbits does.
@@ -129,7 +129,7 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
     parameters = _parameters(example, _data, texts)
     where = "" if at is None else exact("at", at)
     if _is_word(family):
-        return Branches._from(_core.word_branch(family, _at_least("period", period, 1, 100000), parameters,
+        return Branches._from(_core.word_branch(family, _whole("period", period, 1, 100000), parameters,
                                                 example or "", where, _conduct(jobs)))
     if period != 1:
         raise UsageError(f"period is for words of phases, not for the family '{family}'")
@@ -159,9 +159,9 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
     """
     parameters = _parameters(example, (*_data, "ur"), dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur))
     return Attractors._from(
-        _core.attractors(parameters, example or "", _at_least("starts", starts, 1, 100000),
-                         _at_least("seed", seed, 0, 10**9), _at_least("most_periods", most_periods, 1, 10**9),
-                         _digits(digits), _conduct(jobs)))
+        _core.attractors(parameters, example or "", _whole("starts", starts, 1, 100000),
+                         _whole("seed", seed, 0, 10**9), _whole("most_periods", most_periods, 1, 10**9),
+                         _whole("digits", digits, 1, 2000), _conduct(jobs)))
 
 
 def simulate(state: Sequence[Union[Exact, float]], *, chi: Exact, eta: Exact, us: Exact, V: Exact, omega: Exact,
@@ -188,7 +188,7 @@ def check(*ids: str, jobs: Optional[int] = None) -> Check:
     """Proves statements of the paper, or all of them, and says what became of each.
 
     ids: a statement ("44.H"), an equation with its parts ("47"), a place ("sec4", "A3"), a kind ("theorem"), an
-    origin ("new"); nothing for all, which takes about half a minute.
+    origin ("new"); nothing for all, which takes some seconds.
 
     Raises UsageError for what names nothing, KeyboardInterrupt after Ctrl-C.
     """

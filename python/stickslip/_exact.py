@@ -6,7 +6,7 @@ import numbers
 from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
-from math import inf, nextafter
+from math import inf, isfinite, nextafter
 from typing import Any, Tuple, Union
 
 Exact = Union[str, int, Fraction, Decimal, "Ball"]
@@ -126,7 +126,7 @@ def exact(name: str, value: Exact) -> str:
         return str(Fraction(value))
     if isinstance(value, Decimal):
         return str(value)
-    if isinstance(value, numbers.Real):
+    if isinstance(value, numbers.Real) and isfinite(value):
         short = repr(float(value))
         raise TypeError(f"{name}: the float {short} is not exact: write '{short}' for the decimal, or "
                         f"Fraction({short}) for what the float holds")

@@ -413,16 +413,16 @@ class Event:
 class Simulation:
     """A motion under the friction law (2), (4), in floats: it proves nothing. Arrays have a row per sample."""
 
-    t: "numpy.ndarray"  #: shape (n,)
-    state: "numpy.ndarray"  #: shape (n, 4): x1, x2, x1', x2'
-    phase: "numpy.ndarray"  #: shape (n,), of text: "slip", "overshoot", "stick"
-    r: "numpy.ndarray"  #: the friction at rest (4)
-    u: "numpy.ndarray"  #: the friction force
-    energy: "numpy.ndarray"
+    t: "numpy.ndarray" = field(repr=False)  #: shape (n,)
+    state: "numpy.ndarray" = field(repr=False)  #: shape (n, 4): x1, x2, x1', x2'
+    phase: "numpy.ndarray" = field(repr=False)  #: shape (n,), of text: "slip", "overshoot", "stick"
+    r: "numpy.ndarray" = field(repr=False)  #: the friction at rest (4)
+    u: "numpy.ndarray" = field(repr=False)  #: the friction force
+    energy: "numpy.ndarray" = field(repr=False)
     shares: Dict[str, float]  #: of the time in each kind of phase
     events: int  #: how many changes of phase there were
-    first_events: Tuple[Event, ...]
-    last_events: Tuple[Event, ...]
+    first_events: Tuple[Event, ...] = field(repr=False)
+    last_events: Tuple[Event, ...] = field(repr=False)
     json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as simulate --json prints it
 
     @classmethod
@@ -448,6 +448,7 @@ class Claim:
     status: str  #: "as_printed", "needs_hypotheses", "misprint_corrected", …
     meaning: str  #: the same in words
     words: str  #: what it says
+    origin: str  #: whose it is: "paper", "reading", "converse", "new", "auxiliary"
     verdict: str  #: on the printed form: "proved", "refuted", …
     reason: str
     printed: Tuple[str, ...]  #: LaTeX
@@ -464,7 +465,8 @@ class Claim:
             return tuple(item["latex"] for item in where[key])
 
         return cls(id=data["id"], status=data["status"], meaning=data["meaning"], words=data["words"],
-                   verdict=outcome["verdict"], reason=outcome["reason"], printed=latex("printed", data),
+                   origin=data["origin"], verdict=outcome["verdict"], reason=outcome["reason"],
+                   printed=latex("printed", data),
                    corrected=latex("corrected", data), hypotheses=latex("hypotheses", outcome),
                    uses=tuple(outcome["uses"]), theorems=tuple(outcome["theorems"]))
 

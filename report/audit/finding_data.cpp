@@ -86,9 +86,9 @@ Json empty_groups() {
 
 // Where a reader finds the claim among the findings.
 std::string heading_of(const Record& record, const Remark * remark) {
-  return !remark                                ? facts(record.status).heading
-         : record.claim.origin == Origin::paper ? not_so
-                                                : taken_for_granted;
+  return !remark                             ? facts(record.status).heading
+         : facts(record.claim.origin).source ? not_so
+                                             : taken_for_granted;
 }
 
 Json& group_of(Json& groups, const std::string& heading) {

@@ -56,7 +56,7 @@ std::string verdict_sentence(const Paper& paper, const Audit& audit) {
     return {};
   }
   const std::size_t total = statements_in(paper, audit).size();
-  return fmt::format("Of {} statement{} of the paper, {}.", total, total == 1 ? "" : "s",
+  return fmt::format("Of {} statement{} of {}, {}.", total, total == 1 ? "" : "s", source_of(audit),
                      fmt::join(parts, "; "));
 }
 
@@ -64,8 +64,8 @@ std::string sentence_of_ours(const Audit& audit) {
   std::vector<std::string> parts;
   std::size_t total = 0;
   for (const OriginCount& entry : count_origins(audit)) {
-    if (entry.origin != Origin::paper) {
-      const OriginFacts& known = facts(entry.origin);
+    const OriginFacts& known = facts(entry.origin);
+    if (!known.source) {
       parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
       total += entry.count;
     }

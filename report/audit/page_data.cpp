@@ -99,12 +99,9 @@ const OriginFacts& origin_named(const std::string& name) {
 
 // A remark with its sentences.
 Json remark_sentences(const Remark& remark, Origin origin) {
-  return {{"place", remark.place},
-          {"who", origin == Origin::paper ? "The paper says" : "The paper takes for granted"},
-          {"says", sentence(remark.says)},
-          {"fact", sentence(remark.fact)},
-          {"because", sentence(remark.because)},
-          {"see", remark.see}};
+  return {
+      {"place", remark.place},         {"who", facts(origin).says},           {"says", sentence(remark.says)},
+      {"fact", sentence(remark.fact)}, {"because", sentence(remark.because)}, {"see", remark.see}};
 }
 
 // The paper's statements that the audit answers, section by section.

@@ -73,6 +73,15 @@ std::vector<OriginCount> count_origins(const Audit& audit) {
   return counts;
 }
 
+std::string source_of(const Audit& audit) {
+  for (const OriginCount& entry : count_origins(audit)) {
+    if (const char * source = facts(entry.origin).source) {
+      return source;
+    }
+  }
+  return facts(Origin::paper).source;
+}
+
 bool is_finding(const Record& record) {
   if (record.status == Status::needs_hypotheses) {
     return std::ranges::any_of(record.outcome.hypotheses, [&](const proofs::methods::Hypothesis& hypothesis) {
@@ -144,7 +153,7 @@ std::string summary_line(const Paper& paper, const Audit& audit) {
   const bool whole = is_whole(paper, audit);
   std::vector<std::string> ours;
   for (const OriginCount& entry : count_origins(audit)) {
-    if (!whole || entry.origin != Origin::paper) {
+    if (!whole || !facts(entry.origin).source) {
       const OriginFacts& known = facts(entry.origin);
       ours.push_back(count_in_words(entry.count, entry.count == 1 ? known.one : known.many, entry.statuses));
     }
@@ -154,7 +163,7 @@ std::string summary_line(const Paper& paper, const Audit& audit) {
     return (claims.empty() ? "no claims" : claims) + ".";
   }
   const std::size_t total = statements_in(paper, audit).size();
-  const std::string what = total == 1 ? "statement of the paper" : "statements of the paper";
+  const std::string what = (total == 1 ? "statement of " : "statements of ") + source_of(audit);
   return count_in_words(total, what, count_statements(paper, audit)) + "." +
          (claims.empty() ? "" : " Beside them " + claims + ".");
 }

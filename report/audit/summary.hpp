@@ -29,6 +29,9 @@ struct OriginCount {
 // The origins that occur among the claims.
 [[nodiscard]] std::vector<OriginCount> count_origins(const proofs::methods::Audit& audit);
 
+// Whose statements are audited: "the paper", or where no claim is of a paper's print "text books".
+[[nodiscard]] std::string source_of(const proofs::methods::Audit& audit);
+
 // Worth a reader's attention: everything that is neither proved as it stands nor part of the model. A claim
 // that only inherits another claim's hypothesis is not a finding of its own.
 [[nodiscard]] bool is_finding(const proofs::methods::Record& record);

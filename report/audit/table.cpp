@@ -135,7 +135,7 @@ std::vector<const Record *> findings_by_weight(const Paper& paper, const Audit& 
   const auto last = static_cast<std::ptrdiff_t>(paper.remarks.size());
   std::ranges::stable_sort(found, std::less<>(), [&](const Record * record) {
     const Remark * remark = remark_on(paper, record->claim.id);
-    const bool taken_for_granted = remark && record->claim.origin != Origin::paper;
+    const bool taken_for_granted = remark && !facts(record->claim.origin).source;
     return !remark ? last : remark - paper.remarks.data() + (taken_for_granted ? last + 1 : 0);
   });
   return found;
@@ -147,7 +147,7 @@ std::string findings(const Paper& paper, const Audit& audit, const Style& style)
     const Record& record = *finding;
     Details details(style.width);
     if (const Remark * remark = remark_on(paper, record.claim.id)) {
-      details.add(record.claim.origin == Origin::paper ? "says" : "granted", remark->says);
+      details.add(facts(record.claim.origin).source ? "says" : "granted", remark->says);
       details.add("in fact", remark->fact);
       details.add("because", remark->because);
       details.add("see", remark->see);

@@ -98,10 +98,14 @@ def test_what_is_missing_or_out_of_range_is_named():
         stickslip.orbits("symmetric", chi="0.5")
     with pytest.raises(stickslip.UsageError, match="'nothing'"):
         stickslip.orbits("nothing", **MACHINE)
-    with pytest.raises(stickslip.UsageError, match="digits: 0 is not from 1 to 2000"):
-        stickslip.orbits("nonsticking", **MACHINE, digits=0)
+    for digits in (0, "20", 2.5):
+        with pytest.raises(stickslip.UsageError, match=f"digits: {digits!r} is not a whole number from 1 to 2000"):
+            stickslip.orbits("nonsticking", **MACHINE, digits=digits)
     with pytest.raises(stickslip.UsageError, match="jobs: 0"):
         stickslip.orbits("nonsticking", **MACHINE, jobs=0)
+    # There is no way to write it exactly.
+    with pytest.raises(TypeError, match="eta: nan is no number"):
+        stickslip.orbits("nonsticking", **{**MACHINE, "eta": float("nan")})
     with pytest.raises(TypeError, match="kappa"):
         stickslip.orbits("nonsticking", **MACHINE, kappa=1)
 

@@ -176,9 +176,11 @@ TEST_CASE("claims are named by their origin") {
   CHECK(converses.contains("12.back"));
   CHECK_FALSE(converses.contains("12"));
   CHECK(ids_named(paper().claims, "new").contains("A5.unique"));
+  // A printed paper has no claims of text books.
+  CHECK_THROWS_AS((void)ids_named(paper().claims, "textbook"), UsageError);
   std::size_t all = 0;
   for (const OriginFacts& origin : origins()) {
-    all += ids_named(paper().claims, origin.name).size();
+    all += origin.origin == Origin::textbook ? 0 : ids_named(paper().claims, origin.name).size();
   }
   CHECK(all == paper().claims.size());
 }

@@ -5,6 +5,7 @@
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "report/audit/graph.hpp"
+#include "report/audit/summary.hpp"
 #include "tests/report/audit/sample.hpp"
 
 using namespace stickslip;
@@ -63,6 +64,22 @@ TEST_CASE("the verdict counts the paper's statements, each once, and what is not
   CHECK(sentence_of_ours(sample_audit()) ==
         "Beside these 1 claim of our own is counted apart: 1 new result.");
   CHECK(sentence_of_ours({}).empty());
+}
+
+TEST_CASE("what text books say is a statement of theirs, proved and never as printed") {
+  Audit audit = with_status(Status::proved);
+  for (Record& record : audit.records) {
+    record.claim.origin = Origin::textbook;
+    record.status = Status::proved;
+  }
+  CHECK(verdict_sentence(sample_paper(), audit) ==
+        "Of 5 statements of text books, 4 are proved; 1 is stated by no claim of ours.");
+  CHECK(verdict_lead(sample_paper(), audit) == "What is stated is proved.");
+  CHECK(sentence_of_ours(audit).empty());
+  CHECK(summary_line(sample_paper(), audit).find("statements of text books: 4 proved") != std::string::npos);
+  // One printed statement, and it is a paper that is audited.
+  audit.records.front().claim.origin = Origin::paper;
+  CHECK(source_of(audit) == "the paper");
 }
 
 TEST_CASE("a hypothesis is shown once, at its origin, with the claims that inherit it") {
