@@ -26,6 +26,18 @@ foreach(room numeric symbolic)
   stickslip_precompiled(stickslip_${room}_headers HEADERS ${stickslip_${room}_set} LIBRARIES ${stickslip_${room}_needs})
 endforeach()
 
+# stickslip_together(TARGET NAME SOURCES…): these sources of the target are compiled as one, so that the headers and
+# templates which they share are read once. Their unnamed namespaces are then one, and no local variable can be told from
+# a name in another source: the preset `debug` compiles each alone, and warns of shadows.
+function(stickslip_together target name)
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  target_compile_options(${target} PRIVATE -Wno-shadow)
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${name})
+endfunction()
+
 # What computes nothing itself (statements, pages, tests) compiles in half the time with less optimisation. GCC 12 then
 # warns of its own library.
 set(stickslip_light $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)

@@ -154,9 +154,7 @@ std::string text(const Term& term, int level) {
   const std::vector<Term>& parts = term.parts();
   switch (term.kind()) {
     case Kind::variable:
-      return term.type().sort == Sort::integer
-                 ? bracketed(applied_level, level, "IZR " + identifier(term.name()))
-                 : identifier(term.name());
+      return identifier(term.name());
     case Kind::number:
       return number(term.value(), level);
     case Kind::pi:
@@ -221,18 +219,12 @@ std::string text(const Term& term, int level) {
 }  // namespace
 
 std::string coq_type(const Type& type) {
-  if (type.sort == Sort::integer) {
-    return "Z";
-  }
   const std::string values =
       type.rows == 1 && type.columns == 1 ? "R" : fmt::format("Mat {} {}", type.rows, type.columns);
   return type.sort == Sort::function ? "R -> " + values : values;
 }
 
 std::string any_value(const Type& type) {
-  if (type.sort == Sort::integer) {
-    return "0%Z";
-  }
   const std::string zero =
       type.rows == 1 && type.columns == 1 ? "0" : fmt::format("(mzero {} {})", type.rows, type.columns);
   return type.sort == Sort::function ? fmt::format("(fun _ : R => {})", zero) : zero;
@@ -249,23 +241,6 @@ std::string binders(const std::vector<Variable>& variables) {
     text += fmt::format(": {})", coq_type(type));
   }
   return text;
-}
-
-std::string coq_integer(const Term& term) {
-  switch (term.kind()) {
-    case Kind::variable:
-      return identifier(term.name());
-    case Kind::number:
-      return fmt::format("({})%Z", term.value().get_str());
-    case Kind::sum:
-    case Kind::product: {
-      std::vector<std::string> texts;
-      std::transform(term.parts().begin(), term.parts().end(), std::back_inserter(texts), coq_integer);
-      return fmt::format("({})%Z", fmt::join(texts, term.kind() == Kind::sum ? " + " : " * "));
-    }
-    default:
-      throw KernelError("such an integer has no form in Coq");
-  }
 }
 
 std::string coq(const Term& term) {

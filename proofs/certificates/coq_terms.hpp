@@ -21,8 +21,6 @@ namespace stickslip::proofs::certificates {
 // The same with as few parentheses as Coq needs where nothing follows, or only "->".
 [[nodiscard]] std::string coq_statement(const kernel::Term& term);
 [[nodiscard]] std::string coq_premise(const kernel::Term& term);
-// A term of sort integer as Coq's Z, an argument.
-[[nodiscard]] std::string coq_integer(const kernel::Term& term);
 
 // "(omega1 tau : R) (X : R -> Mat 4 1)": in the order given.
 [[nodiscard]] std::string binders(const std::vector<kernel::Variable>& variables);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <regex>
 
 namespace stickslip::proofs::certificates {
 
@@ -14,8 +13,8 @@ namespace {
 
 // Steps that are written where they are used, however often.
 bool is_a_word(const std::string& rule) {
-  return rule == "assume" || rule == "weaken" || rule == "reflexive" || rule == "trichotomy" ||
-         rule == "zero_product" || rule == "sine_is_positive" || rule == "square_root";
+  return rule == "assume" || rule == "reflexive" || rule == "trichotomy" || rule == "zero_product" ||
+         rule == "sine_is_positive" || rule == "square_root";
 }
 
 // Steps that are a term rather than tactics.
@@ -113,7 +112,7 @@ std::string Script::applied(const Lemma& lemma, const Scope& scope, const Substi
   for (const Variable& variable : lemma.stated.variables) {
     const auto value = values.find(variable);
     if (value != values.end()) {
-      call += " " + (variable.type.sort == Sort::integer ? coq_integer(value->second) : coq(value->second));
+      call += " " + coq(value->second);
     } else {
       call +=
           " " + (scope.variables.contains(variable) ? identifier(variable.name) : any_value(variable.type));
@@ -150,9 +149,6 @@ std::string Script::inlined(const Theorem& theorem, const Scope& scope) {
   if (step.rule == "assume") {
     return hypothesis(step.data[0], scope);
   }
-  if (step.rule == "weaken") {
-    return term(step.premises[0], scope);
-  }
   if (step.rule == "reflexive") {
     return fmt::format("(eq_refl {})", coq(within_scope(step.data[0], scope.variables)));
   }
@@ -188,27 +184,17 @@ std::string Script::inlined(const Theorem& theorem, const Scope& scope) {
                        term(step.premises[0], inside));
   }
   if (step.rule == "specialize") {
-    const bool integer = step.premises[0].conclusion().binds().sort == Sort::integer;
     return fmt::format("({} {})", term(step.premises[0], scope),
-                       integer ? coq_integer(within_scope(step.data[0], scope.variables))
-                               : coq(within_scope(step.data[0], scope.variables)));
+                       coq(within_scope(step.data[0], scope.variables)));
   }
   if (step.rule == "replace") {
     const Theorem& equation = step.premises[0];
     const Term& place = step.data[0];
-    const Type& type = place.type();
-    // A place for a whole number is one for a number.
-    const Variable variable{place.name(), place.type()};
-    std::string property = coq(step.data[1]);
-    if (type.sort == Sort::integer) {
-      property =
-          std::regex_replace(property, std::regex("IZR (" + identifier(variable.name) + ")\\b(?!')"), "$1");
-    }
-    const std::string numbers = coq_type({Sort::real, type.rows, type.columns});
+    const std::string numbers = coq_type(place.type());
     return fmt::format("(@eq_ind ({}) {} (fun {} : {} => {}) {} {} {})", numbers,
-                       coq(equation.conclusion().parts()[0]), identifier(variable.name), numbers, property,
-                       term(step.premises[1], scope), coq(equation.conclusion().parts()[1]),
-                       term(equation, scope));
+                       coq(equation.conclusion().parts()[0]), identifier(place.name()), numbers,
+                       coq(step.data[1]), term(step.premises[1], scope),
+                       coq(equation.conclusion().parts()[1]), term(equation, scope));
   }
   return applied(lemma(theorem), scope);
 }

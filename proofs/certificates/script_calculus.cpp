@@ -47,8 +47,7 @@ std::string blanks(int count) {
 
 bool Script::is_calculus(const std::string& rule) {
   return lemmas.contains(rule) || rule == "constant" || rule == "mean_value" || rule == "finite_shift" ||
-         rule == "finite_point" || rule == "differentiate" || rule == "continuity" ||
-         rule == "zeros_between" || rule == "inverse_of";
+         rule == "differentiate" || rule == "continuity" || rule == "zeros_between" || rule == "inverse_of";
 }
 
 std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
@@ -65,9 +64,6 @@ std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
     }
     needs_.insert("Inverses");
     return fmt::format("  exact (inverse_of _ _ {}).", term(step.premises[0], scope));
-  }
-  if (step.rule == "finite_point") {
-    return fmt::format("  exact (finite_point {}).", coq(step.data[0]));
   }
   std::vector<std::string> premises;
   std::transform(step.premises.begin(), step.premises.end(), std::back_inserter(premises),

@@ -9,18 +9,16 @@
 namespace stickslip::proofs::kernel {
 
 // Terms in balls, or in jets of balls: the entries contain the exact values (and partial derivatives) for all
-// values of the variables in theirs. A divisor whose ball contains zero gives what is not finite, or
-// KernelError if `strict`.
+// values of the variables in theirs. Throws KernelError where a divisor's ball contains zero.
 template <class T>
 struct Balls {
   using Number = T;
   std::map<Variable, std::vector<T>> values;
-  bool strict;
 
   [[nodiscard]] static T number(const Rational& value) { return T(Ball(value)); }
   [[nodiscard]] static T pi() { return T(Ball::pi()); }
   [[nodiscard]] T reciprocal(const T& value) const {
-    require(!strict || is_nonzero(value), "a divisor may be zero");
+    require(is_nonzero(value), "a divisor may be zero");
     return T(Ball(1)) / value;
   }
   [[nodiscard]] static T cosine(const Term& argument, auto& entries) { return cos(entries(argument)[0]); }
@@ -36,8 +34,8 @@ struct Balls {
 };
 
 template <class T>
-std::vector<T> evaluated(const Term& term, const std::map<Variable, std::vector<T>>& values, bool strict) {
-  return Entrywise<Balls<T>>({values, strict})(term);
+std::vector<T> evaluated(const Term& term, const std::map<Variable, std::vector<T>>& values) {
+  return Entrywise<Balls<T>>({values})(term);
 }
 
 inline Term number(const Rational& value) {

@@ -141,23 +141,18 @@ Theorem Theorem::same_derivative(const Theorem& derivative, const Theorem& agree
   const auto [a, above] = sides(lower, Kind::less);
   const auto [below, b] = sides(upper, Kind::less);
   require(above == known.parts()[1] && below == known.parts()[1], "the bounds are of another point");
-  const Term other = second_function(agreement, known.parts()[0], a, b, between);
+  const Formula& claim = agreement.conclusion();
+  const Variable t = fresh(real_number, {claim, known, a, b});
+  require(claim.kind() == Kind::for_all && claim.binds() == real_number, "the functions agree at all times");
+  const Formula body = opened(claim, t);
+  require(body.kind() == Kind::implication && body.parts()[0] == between(a, t, b) &&
+              body.parts()[1].kind() == Kind::equal &&
+              body.parts()[1].parts()[0] == apply(known.parts()[0], t),
+          "the functions do not agree on this interval, the known one on the left");
+  const Term other = lambda(t, body.parts()[1].parts()[1]);
   return {{.rule = "same_derivative", .premises = {derivative, agreement, lower, upper}},
           hypotheses_of({derivative, agreement, lower, upper}),
           kernel::derivative(other, known.parts()[1], known.parts()[2])};
-}
-
-// for all t: range(a, t, b) ⇒ f(t) = g(t): the g.
-Term second_function(const Theorem& agreement, const Term& f, const Term& a, const Term& b,
-                     Formula (*range)(const Term&, const Term&, const Term&)) {
-  const Formula& claim = agreement.conclusion();
-  const Variable t = fresh(real_number, {claim, f, a, b});
-  require(claim.kind() == Kind::for_all && claim.binds() == real_number, "the functions agree at all times");
-  const Formula body = opened(claim, t);
-  require(body.kind() == Kind::implication && body.parts()[0] == range(a, t, b) &&
-              body.parts()[1].kind() == Kind::equal && body.parts()[1].parts()[0] == apply(f, t),
-          "the functions do not agree on this interval, the known one on the left");
-  return lambda(t, body.parts()[1].parts()[1]);
 }
 
 Theorem Theorem::constant(const Theorem& continuity, const Theorem& no_derivative) {

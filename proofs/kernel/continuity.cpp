@@ -102,26 +102,6 @@ Theorem Theorem::continuity(const Term& function, const Term& a, const Term& b,
   return {step, hypotheses, continuous(function, a, b)};
 }
 
-Theorem Theorem::differentiable_is_continuous(const Theorem& theorem) {
-  const Formula& claim = theorem.conclusion();
-  const Variable t = fresh(real_number, {claim});
-  require(claim.kind() == Kind::for_all && claim.binds() == real_number,
-          "the derivative is not given everywhere");
-  const Formula body = opened(claim, t);
-  require(body.kind() == Kind::implication && body.parts()[1].kind() == Kind::derivative &&
-              body.parts()[1].parts()[1] == Term(t) && body.parts()[0].kind() == Kind::conjunction &&
-              body.parts()[0].parts().size() == 2 && body.parts()[0].parts()[0].kind() == Kind::at_most &&
-              body.parts()[0].parts()[1].kind() == Kind::at_most,
-          "the derivative is not given on a closed interval");
-  const Term a = body.parts()[0].parts()[0].parts()[0];
-  const Term b = body.parts()[0].parts()[1].parts()[1];
-  const Term f = body.parts()[1].parts()[0];
-  require(body.parts()[0] == within(a, t, b), "the derivative is not given on a closed interval");
-  const Formula conclusion = continuous(f, a, b);
-  require(!conclusion.variables().contains(t), "the function or the interval depends on the time");
-  return {{.rule = "differentiable_is_continuous", .premises = {theorem}}, theorem.hypotheses(), conclusion};
-}
-
 Theorem Theorem::continuous_within(const Theorem& theorem, const Theorem& lower, const Theorem& upper) {
   const Formula& known = theorem.conclusion();
   require(known.kind() == Kind::continuous, "the first premise is no continuity");
@@ -131,20 +111,6 @@ Theorem Theorem::continuous_within(const Theorem& theorem, const Theorem& lower,
   return {{.rule = "continuous_within", .premises = {theorem, lower, upper}},
           hypotheses_of({theorem, lower, upper}),
           continuous(known.parts()[0], c, d)};
-}
-
-Theorem Theorem::same_continuity(const Theorem& continuity, const Theorem& agreement) {
-  const Formula& known = continuity.conclusion();
-  require(known.kind() == Kind::continuous, "the first premise is no continuity");
-  const Term &a = known.parts()[1], &b = known.parts()[2];
-  return {{.rule = "same_continuity", .premises = {continuity, agreement}},
-          hypotheses_of({continuity, agreement}),
-          continuous(second_function(agreement, known.parts()[0], a, b, within), a, b)};
-}
-
-Theorem Theorem::finite_point(const Term& x) {
-  const Variable t = fresh(real_number, {x});
-  return {{.rule = "finite_point", .data = {x}}, {}, kernel::finite(t, equal(t, x))};
 }
 
 Theorem Theorem::finite_part(const Theorem& finite, const Theorem& part) {

@@ -124,12 +124,6 @@ Theorem Theorem::assume(const Formula& a) {
   return {{.rule = "assume", .data = {a}}, {a}, a};
 }
 
-Theorem Theorem::weaken(const Theorem& theorem, const Formulas& more) {
-  Formulas hypotheses = theorem.hypotheses();
-  hypotheses.insert(more.begin(), more.end());
-  return {{.rule = "weaken", .premises = {theorem}}, hypotheses, theorem.conclusion()};
-}
-
 Theorem Theorem::discharge(const Theorem& theorem, const Formula& a) {
   return {{.rule = "discharge", .premises = {theorem}, .data = {a}},
           without(theorem.hypotheses(), a),

@@ -77,7 +77,7 @@ Theorem Theorem::sign(const Formula& relation, const std::map<Variable, Interval
   const Ranged known = ranged(ranges);
   Step step{.rule = "sign", .data = {relation, bits}};
   step.data.insert(step.data.end(), known.data.begin(), known.data.end());
-  const Ball difference = evaluated<Ball>(compared.parts()[1] - compared.parts()[0], known.values, true)[0];
+  const Ball difference = evaluated<Ball>(compared.parts()[1] - compared.parts()[0], known.values)[0];
   require(differs ? difference.is_nonzero() : difference.is_positive(), "the balls do not decide the sign");
   return {step, known.hypotheses, relation};
 }
@@ -89,7 +89,7 @@ Theorem Theorem::jury(const Term& coefficients, const std::map<Variable, Interva
   const Ranged known = ranged(ranges);
   Step step{.rule = "jury", .data = {coefficients, bits}};
   step.data.insert(step.data.end(), known.data.begin(), known.data.end());
-  require(passes_jury(evaluated<Ball>(coefficients, known.values, true)), "Jury's test does not prove it");
+  require(passes_jury(evaluated<Ball>(coefficients, known.values)), "Jury's test does not prove it");
   return {step, known.hypotheses, conclusion};
 }
 

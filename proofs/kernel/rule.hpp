@@ -21,8 +21,4 @@ inline void require(bool holds, const std::string& message) {
   return {theorem.conclusion().parts()[0], theorem.conclusion().parts()[1]};
 }
 
-// Of a theorem for all t: range(a, t, b) ⇒ f(t) = g(t), the function g.
-[[nodiscard]] Term second_function(const Theorem& agreement, const Term& f, const Term& a, const Term& b,
-                                   Formula (*range)(const Term&, const Term&, const Term&));
-
 }  // namespace stickslip::proofs::kernel

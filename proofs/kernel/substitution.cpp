@@ -100,7 +100,7 @@ Term substitute(const Term& term, const Substitution& substitution) {
     if (!value.is_closed()) {
       throw KernelError("what is substituted is no part of a binder's body");
     }
-    if (value.type() != variable.type && !(variable.type == real_number && value.type() == integer_number)) {
+    if (value.type() != variable.type) {
       throw KernelError("the variable " + variable.name + " is replaced by something of another type");
     }
   }
@@ -121,8 +121,7 @@ Term opened(const Term& binder, const Term& argument) {
   if (!is_binder(binder.kind()) || !binder.is_closed() || !argument.is_closed()) {
     throw KernelError("only a closed binder is opened, and with a closed term");
   }
-  const Type& wanted = binder.binds();
-  if (argument.type() != wanted && !(wanted == real_number && argument.type() == integer_number)) {
+  if (argument.type() != binder.binds()) {
     throw KernelError("what is bound is replaced by something of another type");
   }
   return instantiated(binder.parts()[0], argument);

@@ -18,8 +18,7 @@ void require(bool holds, const char * message) {
 void require_valid(const Type& type) {
   require(type.rows >= 1 && type.columns >= 1 && type.rows <= 64 && type.columns <= 64,
           "a matrix has between 1 and 64 rows and columns");
-  require(type.sort == Sort::real || type.sort == Sort::function || (type.rows == 1 && type.columns == 1),
-          "integers and formulas have no shape");
+  require(type.sort != Sort::formula || (type.rows == 1 && type.columns == 1), "formulas have no shape");
 }
 
 Type shape_of_sum(const std::vector<Term>& parts) {
@@ -29,16 +28,12 @@ Type shape_of_sum(const std::vector<Term>& parts) {
     require(part.type().is_numeric(), "only numbers and matrices are added");
     require(part.type().rows == type.rows && part.type().columns == type.columns,
             "a sum's parts differ in shape");
-    type.sort = part.type().sort == Sort::integer ? type.sort : Sort::real;
   }
   return type;
 }
 
 Type shape_of_product(const Type& a, const Type& b) {
   require(a.is_numeric() && b.is_numeric(), "only numbers and matrices are multiplied");
-  if (a.sort == Sort::integer && b.sort == Sort::integer) {
-    return integer_number;
-  }
   if (a.is_scalar() || b.is_scalar()) {
     return a.is_scalar() ? Type{Sort::real, b.rows, b.columns} : Type{Sort::real, a.rows, a.columns};
   }
@@ -50,10 +45,7 @@ Type shape_of_definition(const Node& node) {
   const std::vector<Variable>& parameters = node.definition->parameters();
   require(parameters.size() == node.parts.size(), "a definition has another number of arguments");
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Type& wanted = parameters[i].type;
-    const Type& given = node.parts[i].type();
-    require(given == wanted || (wanted == real_number && given == integer_number),
-            "a definition's argument is of another type");
+    require(node.parts[i].type() == parameters[i].type, "a definition's argument is of another type");
   }
   return node.definition->body().type();
 }
@@ -62,7 +54,6 @@ Type numeric_type(const Node& node) {
   const std::vector<Term>& parts = node.parts;
   switch (node.kind) {
     case Kind::number:
-      return node.value->get_den() == 1 ? integer_number : real_number;
     case Kind::pi:
       return real_number;
     case Kind::sum:

@@ -1,8 +1,8 @@
 // What can be said: terms with sorts and shapes, binders locally nameless, equality by structure.
 //
-// Sorts: real matrices r×c (a number is 1×1), integers (a subsort of numbers), functions of time R → R^{r×c},
-// and formulas. Every function is total: an inverse that does not exist is some matrix that nobody knows
-// anything about, so that a term always means something and only rules need conditions.
+// Sorts: real matrices r×c (a number is 1×1), functions of time R → R^{r×c}, and formulas. Every function is
+// total: an inverse that does not exist is some matrix that nobody knows anything about, so that a term
+// always means something and only rules need conditions.
 //
 // A Term is immutable and well-formed: each constructor here checks sorts and shapes and throws KernelError.
 // Names matter for free variables only, together with their type; what a binder binds is an index. Nothing is
@@ -30,7 +30,7 @@ struct ZeroDivisor : KernelError {
   using KernelError::KernelError;
 };
 
-enum class Sort { real, integer, function, formula };
+enum class Sort { real, function, formula };
 
 struct Type {
   Sort sort = Sort::real;
@@ -38,11 +38,10 @@ struct Type {
   int columns = 1;
 
   friend auto operator<=>(const Type&, const Type&) = default;
-  [[nodiscard]] bool is_numeric() const { return sort == Sort::real || sort == Sort::integer; }
+  [[nodiscard]] bool is_numeric() const { return sort == Sort::real; }
   [[nodiscard]] bool is_scalar() const { return is_numeric() && rows == 1 && columns == 1; }
 };
 inline constexpr Type real_number{};
-inline constexpr Type integer_number{Sort::integer, 1, 1};
 inline constexpr Type truth_value{Sort::formula, 1, 1};
 // Throw KernelError unless 1 <= rows, columns <= 64.
 [[nodiscard]] Type real_matrix(int rows, int columns);
@@ -179,7 +178,7 @@ using Definitions = std::set<Definition>;
 [[nodiscard]] Formula within(const Term& a, const Term& t, const Term& b);
 
 // Variables replaced at once, everywhere; nothing is captured. Throws KernelError if a value is not of its
-// variable's type (an integer is a number).
+// variable's type.
 [[nodiscard]] Term substitute(const Term& term, const Substitution& substitution);
 // Every occurrence of a part, which is no binder's variable, replaced by a term of its type.
 [[nodiscard]] Term replaced(const Term& term, const Term& part, const Term& by);

@@ -43,8 +43,6 @@ class Theorem final {
   // ---- Logic (logic.cpp). Γ, Δ are hypotheses.
   // A ⊢ A.
   [[nodiscard]] static Theorem assume(const Formula& a);
-  // Γ ⊢ C gives Γ, Δ ⊢ C.
-  [[nodiscard]] static Theorem weaken(const Theorem& theorem, const Formulas& more);
   // Γ ⊢ C gives Γ less A ⊢ A ⇒ C.
   [[nodiscard]] static Theorem discharge(const Theorem& theorem, const Formula& a);
   // Γ ⊢ A and Δ ⊢ C give Γ, Δ less A ⊢ C.
@@ -94,19 +92,13 @@ class Theorem final {
   // third.
   [[nodiscard]] static Theorem trichotomy(const Term& a, const Term& b);
 
-  // ---- Sine, cosine, integers (trigonometry.cpp)
+  // ---- Sine, cosine (trigonometry.cpp)
   // Γ ⊢ sin x = 0 (or cos x = 0), ⊢ m*pi < x, ⊢ x < n*pi with numbers m, n give ⊢ x = k1*pi or x = k2*pi or
   // …: all zeros strictly between, perhaps none.
   [[nodiscard]] static Theorem zeros_between(const Theorem& equation, const Theorem& lower,
                                              const Theorem& upper);
-  // ⊢ sin x = 0 ⇒ there is an integer k: x = k*pi.
-  [[nodiscard]] static Theorem zeros_of_sine(const Term& x);
   // ⊢ 0 < x and x < pi ⇒ 0 < sin x.
   [[nodiscard]] static Theorem sine_is_positive(const Term& x);
-  // ⊢ m ≤ n or n + 1 ≤ m, for integers.
-  [[nodiscard]] static Theorem integer_gap(const Term& m, const Term& n);
-  // A(0), for all integers k: A(k) ⇒ A(k + 1) and A(k) ⇒ A(k - 1), give for all k: A(k), which is given.
-  [[nodiscard]] static Theorem induction(const Formula& claim, const Theorem& start, const Theorem& step);
 
   // ---- Calculus (calculus.cpp, continuity.cpp). Intervals as in between() and within().
   // ⊢ f has a derivative at the point, and that of the chain, product and quotient rules: the value is
@@ -124,13 +116,9 @@ class Theorem final {
   // former. A divisor d(t) becomes the hypothesis for all t: a ≤ t ≤ b ⇒ d(t) ≠ 0.
   [[nodiscard]] static Theorem continuity(const Term& function, const Term& a, const Term& b,
                                           const std::vector<Theorem>& premises = {});
-  // for all t: a ≤ t ≤ b ⇒ derivative(f, t, v(t)) gives continuous(f, a, b).
-  [[nodiscard]] static Theorem differentiable_is_continuous(const Theorem& theorem);
   // continuous(f, a, b), a ≤ c, d ≤ b give continuous(f, c, d).
   [[nodiscard]] static Theorem continuous_within(const Theorem& theorem, const Theorem& lower,
                                                  const Theorem& upper);
-  // continuous(f, a, b) and for all t: a ≤ t ≤ b ⇒ f(t) = g(t) give continuous(g, a, b).
-  [[nodiscard]] static Theorem same_continuity(const Theorem& continuity, const Theorem& agreement);
   // continuous(f, a, b) and for all t: a < t < b ⇒ derivative(f, t, 0) give for all t: a ≤ t ≤ b ⇒ f(t) =
   // f(a). Instead of the latter: finite t: a < t < b and not derivative(f, t, 0).
   [[nodiscard]] static Theorem constant(const Theorem& continuity, const Theorem& no_derivative);
@@ -144,10 +132,9 @@ class Theorem final {
   // continuous(f, a, b), f(a) < 0, 0 < f(b), a < b give there is c: a < c < b and f(c) = 0. f is a number.
   [[nodiscard]] static Theorem intermediate_value(const Theorem& continuity, const Theorem& start,
                                                   const Theorem& end, const Theorem& order);
-  // ⊢ finite t: t = x, and finite t: A(t), for all t: B(t) ⇒ A(t) give finite t: B(t);
+  // finite t: A(t), for all t: B(t) ⇒ A(t) give finite t: B(t);
   // finite t: A(t), finite t: B(t) give finite t: A(t) or B(t);
   // finite t: A(t) gives finite t: A(t + c).
-  [[nodiscard]] static Theorem finite_point(const Term& x);
   [[nodiscard]] static Theorem finite_part(const Theorem& finite, const Theorem& part);
   [[nodiscard]] static Theorem finite_union(const Theorem& one, const Theorem& other);
   [[nodiscard]] static Theorem finite_shift(const Theorem& finite, const Term& c);
@@ -160,10 +147,6 @@ class Theorem final {
   // ⊢ exactly one X in the box solves f = 0: Krawczyk's test. X is a column, f a column of as many, with no
   // other variable.
   [[nodiscard]] static Theorem one_zero(const Variable& X, const Term& f, const Box& box, long bits = 128);
-  // ⊢ every X in the box that solves f = 0 lies in one of these boxes: an exhaustive search. X is a column of
-  // 1 to 4.
-  [[nodiscard]] static Theorem every_zero(const Variable& X, const Term& f, const Box& box,
-                                          const std::vector<Box>& boxes);
   // Every complex zero of the polynomial lies inside the unit circle, for all values of its variables in the
   // ranges, as in sign: Jury's test in balls.
   [[nodiscard]] static Theorem jury(const Term& coefficients, const std::map<Variable, Interval>& ranges = {},

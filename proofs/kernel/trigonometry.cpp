@@ -38,32 +38,8 @@ Theorem Theorem::zeros_between(const Theorem& equation, const Theorem& lower, co
           any(cases)};
 }
 
-Theorem Theorem::zeros_of_sine(const Term& x) {
-  const Variable k = fresh(integer_number, {x});
-  return {{.rule = "zeros_of_sine", .data = {x}},
-          {},
-          implies(equal(sin(x), 0), exists(k, equal(x, Term(k) * pi())))};
-}
-
 Theorem Theorem::sine_is_positive(const Term& x) {
   return {{.rule = "sine_is_positive", .data = {x}}, {}, implies(between(0, x, pi()), less(0, sin(x)))};
-}
-
-Theorem Theorem::integer_gap(const Term& m, const Term& n) {
-  require(m.type() == integer_number && n.type() == integer_number, "only integers have gaps");
-  return {{.rule = "integer_gap", .data = {m, n}}, {}, any({at_most(m, n), at_most(n + 1, m)})};
-}
-
-Theorem Theorem::induction(const Formula& claim, const Theorem& start, const Theorem& step) {
-  require(claim.kind() == Kind::for_all && claim.binds() == integer_number, "induction is over the integers");
-  const Variable k = fresh(integer_number, {claim});
-  const Formula here = opened(claim, k);
-  const auto leads_to = [&](const Term& next) { return implies(here, opened(claim, next)); };
-  require(start.conclusion() == opened(claim, 0), "the induction does not start at 0");
-  require(step.conclusion() == for_all(k, all({leads_to(Term(k) + 1), leads_to(Term(k) - 1)})),
-          "the induction does not step up and down");
-  return {
-      {.rule = "induction", .premises = {start, step}, .data = {claim}}, hypotheses_of({start, step}), claim};
 }
 
 }  // namespace stickslip::proofs::kernel

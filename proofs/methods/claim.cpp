@@ -209,4 +209,12 @@ bool is_status(const std::string& word) {
       statuses(), [&](const StatusFacts& row) { return word == row.name && row.status < Status::in_part; });
 }
 
+std::vector<Claim> joined(const std::vector<std::vector<Claim>>& lists) {
+  std::vector<Claim> all;
+  for (const std::vector<Claim>& list : lists) {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
 }  // namespace stickslip::proofs::methods

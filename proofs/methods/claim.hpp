@@ -197,6 +197,8 @@ struct Audit {
   std::vector<Record> records;
 };
 
+[[nodiscard]] std::vector<Claim> joined(const std::vector<std::vector<Claim>>& lists);
+
 // Proves the claims with these ids (all of them if `ids` is empty) and whatever they use; the records are of
 // the ids asked for, in the paper's order. Throws InternalError if a proof uses itself or an unknown id.
 [[nodiscard]] Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids = {});

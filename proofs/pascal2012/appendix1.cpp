@@ -69,10 +69,6 @@ std::vector<Claim> flow_properties(const std::string& id, const Function& G, con
   };
 }
 
-void append(std::vector<Claim>& claims, std::vector<Claim> more) {
-  claims.insert(claims.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 std::vector<Claim> modes() {
   return {
       {.id = "38",
@@ -133,31 +129,30 @@ std::vector<Claim> modes() {
 }  // namespace
 
 std::vector<Claim> appendix1() {
-  std::vector<Claim> claims = modes();
-  append(claims, flow_properties("38", H, H1, H2, H3, first_order(K)));
-  claims.push_back({.id = "40",
-                    .kind = Kind::identity,
-                    .printed = {equation(power(H1(t), 2) - I2 - H2(t) * H3(t), 0)},
-                    .words = "$H_1^2 - I - H_2 H_3 = 0$",
-                    .prove = by_normal_form()});
-  claims.push_back({.id = "41",
-                    .kind = Kind::definition,
-                    .printed = {equation(Gamma1(t), Sigma * gamma1(t) * inverse(Sigma)),
-                                equation(Gamma2(t), Sigma * gamma2(t) * inverse(Sigma)),
-                                equation(Gamma3(t), Sigma * gamma3(t) * inverse(Sigma)),
-                                equation(gamma2(t), block(2, {sin(t), 0, 0, t})),
-                                equation(gamma1(t), derivative(gamma2(t))),
-                                equation(gamma3(t), derivative(derivative(gamma2(t)))),
-                                equation(Sigma, block(2, {1, chi, 0, 1}))},
-                    .words = "$Gamma_i = Sigma gamma_i Sigma^{-1}$",
-                    .prove = by_normal_form()});
-  append(claims, flow_properties("41", Gamma, Gamma1, Gamma2, Gamma3, first_order(stick_matrix)));
-  claims.push_back({.id = "42",
-                    .kind = Kind::identity,
-                    .printed = {equation(power(Gamma1(t), 2) - I2 - Gamma2(t) * Gamma3(t), 0)},
-                    .words = "$Gamma_1^2 - I - Gamma_2 Gamma_3 = 0$",
-                    .prove = by_normal_form()});
-  return claims;
+  return joined({modes(),
+                 flow_properties("38", H, H1, H2, H3, first_order(K)),
+                 {{.id = "40",
+                   .kind = Kind::identity,
+                   .printed = {equation(power(H1(t), 2) - I2 - H2(t) * H3(t), 0)},
+                   .words = "$H_1^2 - I - H_2 H_3 = 0$",
+                   .prove = by_normal_form()},
+                  {.id = "41",
+                   .kind = Kind::definition,
+                   .printed = {equation(Gamma1(t), Sigma * gamma1(t) * inverse(Sigma)),
+                               equation(Gamma2(t), Sigma * gamma2(t) * inverse(Sigma)),
+                               equation(Gamma3(t), Sigma * gamma3(t) * inverse(Sigma)),
+                               equation(gamma2(t), block(2, {sin(t), 0, 0, t})),
+                               equation(gamma1(t), derivative(gamma2(t))),
+                               equation(gamma3(t), derivative(derivative(gamma2(t)))),
+                               equation(Sigma, block(2, {1, chi, 0, 1}))},
+                   .words = "$Gamma_i = Sigma gamma_i Sigma^{-1}$",
+                   .prove = by_normal_form()}},
+                 flow_properties("41", Gamma, Gamma1, Gamma2, Gamma3, first_order(stick_matrix)),
+                 {{.id = "42",
+                   .kind = Kind::identity,
+                   .printed = {equation(power(Gamma1(t), 2) - I2 - Gamma2(t) * Gamma3(t), 0)},
+                   .words = "$Gamma_1^2 - I - Gamma_2 Gamma_3 = 0$",
+                   .prove = by_normal_form()}}});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -136,11 +136,7 @@ std::vector<Claim> stick_part() {
 }  // namespace
 
 std::vector<Claim> appendix2() {
-  std::vector<Claim> claims = slip_part();
-  for (Claim& claim : stick_part()) {
-    claims.push_back(std::move(claim));
-  }
-  return claims;
+  return joined({slip_part(), stick_part()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

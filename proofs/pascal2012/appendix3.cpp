@@ -134,17 +134,14 @@ Claim formulas() {
 }  // namespace
 
 std::vector<Claim> appendix3() {
-  std::vector<Claim> claims = components();
-  for (Claim& claim : speeds()) {
-    claims.push_back(std::move(claim));
-  }
-  claims.push_back({.id = "51.phi",
-                    .kind = Kind::definition,
-                    .printed = {equation(phiB, omega * tau + phi), equation(phiC, phiB + omega * tau1)},
-                    .words = "the load's phase at $tau$ and at $tau + tau_1$",
-                    .prove = by_normal_form()});
-  claims.push_back(formulas());
-  return claims;
+  return joined({components(),
+                 speeds(),
+                 {{.id = "51.phi",
+                   .kind = Kind::definition,
+                   .printed = {equation(phiB, omega * tau + phi), equation(phiC, phiB + omega * tau1)},
+                   .words = "the load's phase at $tau$ and at $tau + tau_1$",
+                   .prove = by_normal_form()},
+                  formulas()}});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -340,23 +340,11 @@ std::vector<Claim> resonance() {
   };
 }
 
-void append(std::vector<Claim>& claims, std::vector<Claim> more) {
-  claims.insert(claims.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 }  // namespace
 
 std::vector<Claim> appendix5() {
-  std::vector<Claim> claims = motion();
-  append(claims, relations());
-  append(claims, through_P());
-  append(claims, weaker_hypotheses());
-  append(claims, symmetry());
-  append(claims, theorem());
-  append(claims, longer_slip());
-  append(claims, resonance());
-  append(claims, uniqueness());
-  return claims;
+  return joined({motion(), relations(), through_P(), weaker_hypotheses(), symmetry(), theorem(),
+                 longer_slip(), resonance(), uniqueness()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -260,12 +260,7 @@ Claim at_the_data_of_S() {
 }  // namespace
 
 std::vector<Claim> determinant_of_16() {
-  std::vector<Claim> claims = factors();
-  for (Claim& claim : necessity()) {
-    claims.push_back(std::move(claim));
-  }
-  claims.push_back(at_the_data_of_S());
-  return claims;
+  return joined({factors(), necessity(), {at_the_data_of_S()}});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -352,11 +352,8 @@ std::vector<Claim> example_O() {
   for (const char * name : {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}) {
     claims.push_back(orbit_value(name));
   }
-  for (std::vector<Claim> more :
-       {orbit_claims(where()), {printed_times(), printed_state_closes()}, origins(), {spurious()}}) {
-    claims.insert(claims.end(), more.begin(), more.end());
-  }
-  return claims;
+  return joined(
+      {claims, orbit_claims(where()), {printed_times(), printed_state_closes()}, origins(), {spurious()}});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -105,10 +105,7 @@ std::vector<Claim> half_period::example_P() {
   }
   claims.push_back(friction_claim());
   claims.push_back(least_load_claim());
-  for (Claim& claim : orbit_claims(where())) {
-    claims.push_back(std::move(claim));
-  }
-  return claims;
+  return joined({claims, orbit_claims(where())});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -72,7 +72,7 @@ std::vector<Claim> origins() {
 }  // namespace
 
 std::vector<Claim> example_S() {
-  std::vector<Claim> claims{
+  const std::vector<Claim> claims{
       existence_claim(where(),
                       "an orbit with the data of Fig. 2 exists: a slip and a stick that close, with the "
                       "paper's time lag, and obey the friction law at all times"),
@@ -85,10 +85,7 @@ std::vector<Claim> example_S() {
       orbit_value("ur"),
       printed_values_close(),
   };
-  for (std::vector<Claim> more : {data_of_S(), origins(), orbit_claims(where(), list_of_S())}) {
-    std::move(more.begin(), more.end(), std::back_inserter(claims));
-  }
-  return claims;
+  return joined({claims, data_of_S(), origins(), orbit_claims(where(), list_of_S())});
 }
 
 }  // namespace stickslip::proofs::pascal2012

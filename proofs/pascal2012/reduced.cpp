@@ -23,13 +23,10 @@ std::vector<Equal> modal_forms(Flows& flows) {
 }  // namespace
 
 std::vector<Claim> reduced() {
-  std::vector<Claim> result{
-      reduced("7.modal", "$Q$ and $d_0$ by their modes", modal_forms, off_load_resonance()),
-  };
-  for (const std::vector<Claim>& family : {symmetric_claims(), overshooting_claims(), nonsticking_claims()}) {
-    result.insert(result.end(), family.begin(), family.end());
-  }
-  return result;
+  return joined({{reduced("7.modal", "$Q$ and $d_0$ by their modes", modal_forms, off_load_resonance())},
+                 symmetric_claims(),
+                 overshooting_claims(),
+                 nonsticking_claims()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

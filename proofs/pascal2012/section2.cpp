@@ -163,11 +163,7 @@ std::vector<Claim> friction_law() {
 }  // namespace
 
 std::vector<Claim> section2() {
-  std::vector<Claim> claims = equations();
-  for (std::vector<Claim> more : {unit_of_time(), friction_law()}) {
-    std::move(more.begin(), more.end(), std::back_inserter(claims));
-  }
-  return claims;
+  return joined({equations(), unit_of_time(), friction_law()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

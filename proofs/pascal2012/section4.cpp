@@ -229,11 +229,7 @@ std::vector<Claim> stick_conditions() {
 }  // namespace
 
 std::vector<Claim> section4() {
-  std::vector<Claim> claims = ends();
-  for (std::vector<Claim> more : {lag(), closing(), determinant_of_16(), stick_conditions(), example_S()}) {
-    std::move(more.begin(), more.end(), std::back_inserter(claims));
-  }
-  return claims;
+  return joined({ends(), lag(), closing(), determinant_of_16(), stick_conditions(), example_S()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

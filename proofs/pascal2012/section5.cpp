@@ -191,18 +191,10 @@ std::vector<Claim> motion() {
   };
 }
 
-void append(std::vector<Claim>& claims, std::vector<Claim> more) {
-  claims.insert(claims.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 }  // namespace
 
 std::vector<Claim> section5() {
-  std::vector<Claim> claims = conditions();
-  append(claims, motion());
-  append(claims, section5_linear());
-  append(claims, example_O());
-  return claims;
+  return joined({conditions(), motion(), section5_linear(), example_O()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

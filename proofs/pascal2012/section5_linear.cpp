@@ -26,7 +26,7 @@ std::vector<Multiple> coefficients_of(int i, const Term& factor) {
           {from(id_of(i, 'd')), 0, factor}};
 }
 
-std::vector<Multiple> joined(std::vector<Multiple> a, const std::vector<Multiple>& b) {
+std::vector<Multiple> sum_of(std::vector<Multiple> a, const std::vector<Multiple>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
@@ -41,7 +41,7 @@ Assumption assumed_line(int i) {
 
 // The gap i by equation i of (21).
 std::vector<Multiple> gap_from_line(int i, const Term& factor) {
-  return joined({{assuming(line(i)), 0, factor}}, coefficients_of(i, -factor));
+  return sum_of({{assuming(line(i)), 0, factor}}, coefficients_of(i, -factor));
 }
 
 std::vector<Claim> linear_equations() {
@@ -53,9 +53,9 @@ std::vector<Claim> linear_equations() {
     const Multiple gap = i <= 3   ? Multiple{from("21.gap"), 0, row(i)}
                          : i == 4 ? Multiple{from("18.speed")}
                                   : Multiple{from("19.speed")};
-    forward.push_back(joined({gap}, coefficients_of(i, 1)));
+    forward.push_back(sum_of({gap}, coefficients_of(i, 1)));
     if (i != 4) {
-      state = joined(state, gap_from_line(i, place(i == 5 ? 4 : i)));
+      state = sum_of(state, gap_from_line(i, place(i == 5 ? 4 : i)));
     }
   }
   const Term speed_C = scalar("zdot2C");
@@ -77,8 +77,8 @@ std::vector<Claim> linear_equations() {
        .words = "conversely the five equations give the state at $tau + tau_1$ that closes the motion, all "
                 "four components of (20), and $z2' = V$ at $tau$ and $tau + tau_1$",
        .assumptions = slips_and_lines,
-       .prove = by_combination({state, joined({{from("56.B"), 0, row(4)}}, gap_from_line(4, 1)),
-                                joined({{from("20.slips"), 0, row(4)}}, gap_from_line(5, 1))})},
+       .prove = by_combination({state, sum_of({{from("56.B"), 0, row(4)}}, gap_from_line(4, 1)),
+                                sum_of({{from("20.slips"), 0, row(4)}}, gap_from_line(5, 1))})},
   };
 }
 
@@ -111,7 +111,7 @@ Statement compatible(int i) {
 std::vector<Multiple> necessary(int i) {
   std::vector<Multiple> result{{assuming(line(i)), 0, Delta}};
   for (int k = 1; k <= 3; ++k) {
-    result = joined(result, by_cramer(k, -coefficient("abc"[k - 1], i)));
+    result = sum_of(result, by_cramer(k, -coefficient("abc"[k - 1], i)));
   }
   return result;
 }
@@ -218,11 +218,7 @@ std::vector<Claim> exceptions() {
 }  // namespace
 
 std::vector<Claim> section5_linear() {
-  std::vector<Claim> claims = linear_equations();
-  for (std::vector<Claim> more : {solution(), exceptions()}) {
-    claims.insert(claims.end(), more.begin(), more.end());
-  }
-  return claims;
+  return joined({linear_equations(), solution(), exceptions()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -267,21 +267,11 @@ std::vector<Claim> closed_forms() {
   };
 }
 
-void append(std::vector<Claim>& claims, std::vector<Claim> more) {
-  claims.insert(claims.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 }  // namespace
 
 std::vector<Claim> section6() {
-  std::vector<Claim> claims = conditions();
-  append(claims, closing());
-  append(claims, states());
-  append(claims, closed_forms());
-  append(claims, section6_load());
-  append(claims, even_resonance());
-  append(claims, example_P());
-  return claims;
+  return joined(
+      {conditions(), closing(), states(), closed_forms(), section6_load(), even_resonance(), example_P()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -188,11 +188,7 @@ std::vector<Claim> condition37() {
 }  // namespace
 
 std::vector<Claim> section6_load() {
-  std::vector<Claim> claims = condition36();
-  for (Claim& claim : condition37()) {
-    claims.push_back(std::move(claim));
-  }
-  return claims;
+  return joined({condition36(), condition37()});
 }
 
 }  // namespace stickslip::proofs::pascal2012::half_period

@@ -242,11 +242,7 @@ std::vector<Claim> weaker_hypotheses() {
 }
 
 std::vector<Claim> uniqueness() {
-  std::vector<Claim> claims = decrease();
-  for (std::vector<Claim> more : {free_motion(), one_motion(), mirror()}) {
-    std::move(more.begin(), more.end(), std::back_inserter(claims));
-  }
-  return claims;
+  return joined({decrease(), free_motion(), one_motion(), mirror()});
 }
 
 }  // namespace stickslip::proofs::pascal2012::two_slips

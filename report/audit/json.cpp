@@ -55,7 +55,7 @@ Json coordinate(const Coordinate& c) {
 // Enough to tell the sides apart. The digits beyond depend on the order of GiNaC's sums, which no two runs
 // share.
 constexpr int witness_digits = 10;
-constexpr int unit_digits = 4;
+constexpr int digits_of_units = 4;
 
 Json witness(const std::optional<Witness>& w) {
   if (!w) {
@@ -72,7 +72,7 @@ Json comparison(const proofs::methods::Comparison& c) {
           {"latex", c.latex},
           {"printed", c.printed},
           {"proved", ball(to_text(c.proved))},
-          {"units_off", ball(to_text(c.units_off, unit_digits))},
+          {"units_off", ball(to_text(c.units_off, digits_of_units))},
           {"verdict", to_string(c.verdict.truth)},
           {"reason", plain(c.verdict.reason)}};
 }

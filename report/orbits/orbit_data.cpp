@@ -2,6 +2,7 @@
 
 #include "numeric/families/family.hpp"
 #include "report/orbits/orbit_words.hpp"
+#include "report/orbits/parts.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
 
@@ -13,7 +14,6 @@ using namespace tools;
 
 namespace {
 
-constexpr int margin_digits = 5;
 constexpr int short_digits = 15;
 constexpr int multiplier_digits = 8;
 
@@ -30,10 +30,6 @@ Json value(const NamedBall& named, int digits) {
           {"rad", text.rad},
           {"unit", unit_of(named.name)},
           {"short", to_string(named.value, known_digits(named.value, std::min(digits, short_digits)))}};
-}
-
-std::string shown(const std::optional<Ball>& ball) {
-  return ball ? rounded(*ball, margin_digits) : "";
 }
 
 Json condition(const Condition& c) {

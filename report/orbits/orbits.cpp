@@ -20,15 +20,13 @@ using namespace tools;
 
 namespace {
 
-constexpr int margin_digits = 5;
-constexpr int short_digits = 6;
-
-// A margin or its time, if known.
-std::string shown(const std::optional<Ball>& ball) {
-  return ball ? rounded(*ball, margin_digits) : "";
-}
+constexpr int digits_in_rows = 6;
 
 }  // namespace
+
+std::string shown(const std::optional<Ball>& margin) {
+  return margin ? rounded(*margin, 5) : "";
+}
 
 std::string bold(const Style& style) {
   return style.colour ? "\x1b[1m" : "";
@@ -171,7 +169,7 @@ std::string formal_solutions(const OrbitList& list, const std::vector<std::size_
     Row row{{fmt::format("  {}", i + 1)}};
     for (const NamedBall& value : list.orbits[i].values) {
       if (tells_apart(value, list.question)) {
-        row.push_back({units.short_text(value, short_digits)});
+        row.push_back({units.short_text(value, digits_in_rows)});
       }
     }
     row.push_back({violated(list.orbits[i]), colour_of(Truth::refuted, style)});

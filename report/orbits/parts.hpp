@@ -45,6 +45,9 @@ void add_stability(tools::Json& json, const numeric::Orbit& orbit, int digits);
 // What the program's options say of the data: " --chi=0.3 ...".
 [[nodiscard]] std::string options_of(const numeric::words::WordQuestion& machine);
 
+// A condition's margin or its time, to a few digits; empty if it is not known.
+[[nodiscard]] std::string shown(const std::optional<Ball>& margin);
+
 // For a terminal: the escape sequences, empty without colours; lines that begin with two spaces.
 [[nodiscard]] std::string bold(const tools::Style& style);
 [[nodiscard]] std::string colour_of(Truth truth, const tools::Style& style);

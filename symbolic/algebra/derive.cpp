@@ -11,7 +11,7 @@ using GiNaC::ex_to;
 
 // One term of a partial fraction, 1/(s² + w²) etc., multiplied by the common denominator, and what it is the
 // Laplace transform of.
-struct Fraction {
+struct Transform {
   ex transform;  // polynomial in s
   ex original;   // function of t
 };
@@ -24,9 +24,9 @@ ex common_denominator(const Spectrum& spectrum, const ex& s) {
   return result;
 }
 
-std::vector<Fraction> fractions(const Spectrum& spectrum, const ex& s, const ex& t) {
+std::vector<Transform> fractions(const Spectrum& spectrum, const ex& s, const ex& t) {
   const ex denominator = common_denominator(spectrum, s);
-  std::vector<Fraction> result;
+  std::vector<Transform> result;
   for (const ex& w : spectrum.frequencies) {
     const ex rest = denominator / (s * s + w * w);
     result.push_back({(rest * s).expand(), GiNaC::cos(w * t)});
@@ -40,11 +40,11 @@ std::vector<Fraction> fractions(const Spectrum& spectrum, const ex& s, const ex&
 }
 
 // numerator/denominator as a combination of the fractions, transformed back.
-ex inverse_transform(const ex& numerator, const std::vector<Fraction>& parts, const ex& s) {
+ex inverse_transform(const ex& numerator, const std::vector<Transform>& parts, const ex& s) {
   GiNaC::lst unknowns;
   ex combination = 0;
   ex original = 0;
-  for (const Fraction& part : parts) {
+  for (const Transform& part : parts) {
     const ex coefficient = GiNaC::symbol();
     unknowns.append(coefficient);
     combination += coefficient * part.transform;
@@ -101,7 +101,7 @@ Matrix4 exponential(const Matrix4& A, const Spectrum& spectrum, const ex& t) {
   const GiNaC::matrix identity = ex_to<GiNaC::matrix>(GiNaC::unit_matrix(4));
   const GiNaC::matrix resolvent = identity.mul_scalar(s).sub(to_ginac(A)).inverse();
   const ex denominator = common_denominator(spectrum, s);
-  const std::vector<Fraction> parts = fractions(spectrum, s, t);
+  const std::vector<Transform> parts = fractions(spectrum, s, t);
   Matrix4 result;
   for (unsigned i = 0; i < 4; ++i) {
     for (unsigned j = 0; j < 4; ++j) {

@@ -13,10 +13,6 @@ bool is_zero(const Fraction& fraction) {
   return fraction.numerator.coefficient.is_zero();
 }
 
-bool is_one(const Product& product) {
-  return product.coefficient.is_equal(1) && product.powers.empty();
-}
-
 std::vector<Power>::iterator find_base(std::vector<Power>& powers, const Power& wanted) {
   return std::find_if(powers.begin(), powers.end(),
                       [&](const Power& power) { return std::is_eq(compare_bases(power, wanted)); });
@@ -62,7 +58,7 @@ Common take_common_factor(std::vector<Fraction> entries) {
       }
     }
   }
-  if (is_one(factor.denominator)) {
+  if (factor.denominator.is_one()) {
     return {{}, std::move(entries)};
   }
   factor.negative = first->negative;

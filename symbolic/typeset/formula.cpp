@@ -12,6 +12,10 @@ namespace stickslip::symbolic::typeset {
 using GiNaC::ex;
 using GiNaC::numeric;
 
+bool Product::is_one() const {
+  return coefficient.is_equal(1) && powers.empty();
+}
+
 namespace {
 
 struct Signed {

@@ -25,6 +25,8 @@ struct Power;
 struct Product {
   GiNaC::numeric coefficient = 1;
   std::vector<Power> powers;
+
+  [[nodiscard]] bool is_one() const;
 };
 
 // ± numerator / denominator.

@@ -20,10 +20,6 @@ enum class Style { latex, text };
 // Where a fraction may be built up, in display size or in a matrix, and where it has a slash.
 enum class Place { display, entry, inside };
 
-bool is_one(const Product& product) {
-  return product.coefficient.is_equal(1) && product.powers.empty();
-}
-
 bool is_sum(const Power& power) {
   return !power.sum.empty();
 }
@@ -64,7 +60,7 @@ class Printer {
  private:
   // Without the sign, which stands before it.
   [[nodiscard]] std::string magnitude(const Fraction& f, Place place) const {
-    if (is_one(f.denominator)) {
+    if (f.denominator.is_one()) {
       return f.negative ? product(f.numerator, place) : bare(f.numerator, place);
     }
     if (latex_ && place != Place::inside) {
@@ -107,7 +103,7 @@ class Printer {
       } else if (term.negative) {
         result += "-";
       }
-      const bool whole = is_one(term.denominator);
+      const bool whole = term.denominator.is_one();
       result += whole ? product(term.numerator, place) : magnitude(term, Place::inside);
     }
     return result;
@@ -138,7 +134,7 @@ class Printer {
   [[nodiscard]] std::string trigonometric(const Power& p, Place place) const {
     const std::string name = "\\" + p.atom.name + exponent(p.exponent);
     const Sum& argument = p.atom.arguments[0];
-    const bool fits = is_one(argument[0].denominator) || place != Place::inside;
+    const bool fits = argument[0].denominator.is_one() || place != Place::inside;
     if (argument.size() == 1 && fits && is_plain(argument[0].numerator) &&
         is_plain(argument[0].denominator)) {
       return joined(name, magnitude(argument[0], place));
@@ -210,7 +206,7 @@ std::string latex(const std::vector<ex>& entries, std::size_t columns) {
   const bool tall = std::any_of(printed.begin(), printed.end(), [](const std::string& entry) {
     return entry.find("\\dfrac") != std::string::npos;
   });
-  std::string result = is_one(common.factor.denominator) ? "" : print(common.factor, Style::latex);
+  std::string result = common.factor.denominator.is_one() ? "" : print(common.factor, Style::latex);
   result += "\\begin{pmatrix}\n";
   for (std::size_t i = 0; i < printed.size(); ++i) {
     const bool ends_row = (i + 1) % columns == 0;

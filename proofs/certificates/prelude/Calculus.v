@@ -266,8 +266,6 @@ Qed.
 
 (* ---- finite sets *)
 
-Lemma finite_point : forall x, finite (fun t => t = x).
-Proof. intros x. exists (x :: nil). intros t ->. left. reflexivity. Qed.
 Lemma finite_part : forall A B : R -> Prop, finite A -> (forall t, B t -> A t) -> finite B.
 Proof. exact finite_sub. Qed.
 Lemma finite_union : forall A B : R -> Prop, finite A -> finite B -> finite (fun t => A t \/ B t).

@@ -10,6 +10,7 @@
 #include "proofs/certificates/script.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "tests/proofs/kernel/refuses.hpp"
 
 using namespace stickslip::proofs;
 using namespace stickslip::proofs::kernel;
@@ -143,7 +144,7 @@ TEST_CASE("what an audit records is another thing for every theorem that is not 
     };
     for (std::size_t which = 0; which < record.outcome.theorems.size(); ++which) {
       const Theorem& theorem = record.outcome.theorems[which];
-      differs("a hypothesis added", which, Theorem::weaken(theorem, {less(Variable{"another"}, 0)}));
+      differs("a hypothesis added", which, kernel::weakened(theorem, {less(Variable{"another"}, 0)}));
       for (const Formula& hypothesis : theorem.hypotheses()) {
         differs("a hypothesis moved", which, Theorem::discharge(theorem, hypothesis));
       }

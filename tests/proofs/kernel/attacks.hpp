@@ -7,7 +7,6 @@ namespace stickslip::proofs::kernel::attacks {
 
 inline const Variable x{"x"}, y{"y"}, t{"t"}, s{"s"}, a{"a"}, b{"b"}, c{"c"};
 inline const Variable f{"f", function_of_time()}, g{"g", function_of_time()};
-inline const Variable n{"n", integer_number}, m{"m", integer_number};
 inline const Variable M{"M", {Sort::real, 2, 2}}, v{"v", {Sort::real, 2, 1}};
 inline const Formula falsity = any({});
 

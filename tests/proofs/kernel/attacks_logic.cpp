@@ -31,8 +31,8 @@ TEST_CASE("logic") {
   }
   SUBCASE("for all: the variable is in no hypothesis") {
     REFUSES(Theorem::generalize(assume(A), x));
-    REFUSES(Theorem::generalize(Theorem::weaken(Theorem::trichotomy(x, 1), {less(x, y)}), x));
-    REFUSES(Theorem::generalize(Theorem::weaken(Theorem::trichotomy(x, 1), {for_all(y, less(x, y))}), x));
+    REFUSES(Theorem::generalize(weakened(Theorem::trichotomy(x, 1), {less(x, y)}), x));
+    REFUSES(Theorem::generalize(weakened(Theorem::trichotomy(x, 1), {for_all(y, less(x, y))}), x));
     REFUSES(for_every(x, B, assume(A)));
     CHECK_NOTHROW(static_cast<void>(Theorem::generalize(assume(for_all(x, A)), x)));
     // The divisor of a step is a hypothesis too.
@@ -45,8 +45,6 @@ TEST_CASE("logic") {
   SUBCASE("for all to one, of its own type") {
     REFUSES(Theorem::specialize(assume(A), 0));
     REFUSES(Theorem::specialize(assume(exists(x, A)), 0));
-    REFUSES(Theorem::specialize(assume(for_all(n, equal(n, 0))), Rational(1, 2)));
-    REFUSES(Theorem::specialize(assume(for_all(n, equal(n, 0))), x));
     REFUSES(Theorem::specialize(assume(for_all(v, equal(v, zero(v.type)))), M));
     REFUSES(Theorem::specialize(assume(for_all(f, equal(apply(f, 0), 0))), x));
   }
@@ -54,20 +52,16 @@ TEST_CASE("logic") {
     REFUSES(Theorem::witness(assume(A), exists(x, less(x, 0)), 0));
     REFUSES(Theorem::witness(assume(A), for_all(x, A), x));
     REFUSES(Theorem::witness(assume(A), exists(x, A), y));
-    REFUSES(Theorem::witness(assume(equal(Rational(1, 2), 0)), exists(n, equal(n, 0)), Rational(1, 2)));
     const Theorem some = assume(exists(x, A));
     REFUSES(Theorem::choose(some, x, assume(A)));
     REFUSES(Theorem::choose(some, y, assume(B)));
-    REFUSES(Theorem::choose(some, y, Theorem::weaken(assume(C), {B, less(y, 1)})));
+    REFUSES(Theorem::choose(some, y, weakened(assume(C), {B, less(y, 1)})));
     REFUSES(Theorem::choose(assume(exists(x, equal(x, y))), y, assume(C)));
     REFUSES(Theorem::choose(assume(for_all(x, A)), y, assume(C)));
-    REFUSES(Theorem::choose(some, n, assume(C)));
-    REFUSES(Theorem::choose(assume(exists(n, equal(n, 0))), x, assume(C)));
-    CHECK(Theorem::choose(some, y, Theorem::weaken(assume(C), {B})).hypotheses() ==
-          Formulas{C, exists(x, A)});
+    CHECK(Theorem::choose(some, y, weakened(assume(C), {B})).hypotheses() == Formulas{C, exists(x, A)});
   }
   SUBCASE("discharge and cut take away that one hypothesis and no other") {
-    const Theorem theorem = Theorem::weaken(assume(A), {B});
+    const Theorem theorem = weakened(assume(A), {B});
     CHECK(Theorem::discharge(theorem, C).hypotheses() == Formulas{A, B});
     CHECK(Theorem::discharge(theorem, C).conclusion() == implies(C, A));
     CHECK(Theorem::cut(assume(C), theorem).hypotheses() == Formulas{A, B, C});
@@ -99,23 +93,12 @@ TEST_CASE("a premise is of the kind that the rule needs, not only of its parts")
   REFUSES(Theorem::monotone(rate, few));
   REFUSES(Theorem::mean_value(rate, flat, assume(less(a, b))));
   REFUSES(Theorem::continuous_within(rate, assume(at_most(a, c)), assume(at_most(x, b))));
-  REFUSES(Theorem::same_continuity(rate, agree));
   REFUSES(Theorem::same_derivative(smooth, open_agree, assume(less(c, a)), assume(less(a, x))));
   REFUSES(Theorem::unique_derivative(smooth, assume(continuous(f, a, c))));
   REFUSES(Theorem::unique_derivative(rate, assume(continuous(f, a, c))));
   REFUSES(Theorem::unique_derivative(assume(continuous(f, a, c)), rate));
   REFUSES(Theorem::mean_value(smooth, assume(for_all(t, implies(between(a, t, b), continuous(f, t, 0)))),
                               assume(less(a, b))));
-  REFUSES(Theorem::differentiable_is_continuous(
-      assume(for_all(t, implies(within(a, t, b), continuous(f, t, 0))))));
-  REFUSES(Theorem::same_continuity(
-      smooth, assume(exists(t, implies(within(a, t, b), equal(apply(f, t), apply(g, t)))))));
-  REFUSES(Theorem::same_continuity(
-      smooth, assume(for_all(t, all({within(a, t, b), equal(apply(f, t), apply(g, t))})))));
-  REFUSES(Theorem::same_continuity(
-      smooth, assume(for_all(t, implies(within(a, t, b), less(apply(f, t), apply(g, t)))))));
-  REFUSES(Theorem::same_continuity(
-      smooth, assume(for_all(t, implies(within(a, t, b), equal(apply(g, t), apply(f, t)))))));
   REFUSES(Theorem::finite_part(assume(for_all(t, less(0, t))),
                                assume(for_all(t, implies(less(1, t), less(0, t))))));
   REFUSES(Theorem::finite_part(assume(exists(t, less(0, t))),
@@ -127,8 +110,6 @@ TEST_CASE("a premise is of the kind that the rule needs, not only of its parts")
   REFUSES(Theorem::finite_union(assume(exists(t, less(0, t))), assume(finite(t, less(1, t)))));
   REFUSES(Theorem::finite_union(assume(finite(t, less(1, t))), assume(exists(t, less(0, t)))));
   REFUSES(Theorem::order(less(a, b), {{{assume(equal(a, b))}}}));
-  REFUSES(Theorem::differentiable_is_continuous(
-      assume(for_all(t, implies(all({at_most(a, s), at_most(t, b)}), derivative(f, t, 0))))));
   // finite, exists and for all have a body alike.
   const Formula positive = less(0, t);
   REFUSES(Theorem::specialize(assume(finite(t, positive)), 0));
@@ -138,10 +119,6 @@ TEST_CASE("a premise is of the kind that the rule needs, not only of its parts")
                               assume(less(a, b))));
   REFUSES(Theorem::mean_value(smooth, assume(finite(t, implies(between(a, t, b), derivative(f, t, 0)))),
                               assume(less(a, b))));
-  REFUSES(Theorem::differentiable_is_continuous(
-      assume(exists(t, implies(within(a, t, b), derivative(f, t, 0))))));
-  REFUSES(Theorem::same_continuity(
-      smooth, assume(finite(t, implies(within(a, t, b), equal(apply(f, t), apply(g, t)))))));
   REFUSES(
       Theorem::finite_part(assume(finite(t, positive)), assume(finite(t, implies(less(1, t), positive)))));
   // An implication is no "and", whatever its parts.
@@ -180,7 +157,6 @@ TEST_CASE("finite sets") {
   REFUSES(Theorem::finite_part(some, assume(implies(less(1, t), less(0, t)))));
   REFUSES(Theorem::finite_part(assume(negation(finite(t, less(0, t)))),
                                assume(for_all(t, implies(less(1, t), less(0, t))))));
-  REFUSES(Theorem::finite_part(some, assume(for_all(n, implies(less(1, n), less(0, n))))));
   REFUSES(Theorem::finite_union(some, assume(for_all(t, less(1, t)))));
   CHECK(Theorem::finite_part(some, assume(for_all(t, implies(less(1, t), less(0, t))))).conclusion() ==
         finite(s, less(1, s)));

@@ -38,9 +38,8 @@ TEST_CASE("what is built alike is one term, and what only looks alike is not") {
   CHECK(to_string(exists(y, for_all(x, less(x, y)))) == "there is y: for all x: (x < y)");
   CHECK(Term(x) + y == Term(x) + y);
   CHECK_FALSE(Term(x) + y == Term(y) + x);
-  const Variable column{"x", {Sort::real, 2, 1}}, integer{"x", integer_number};
+  const Variable column{"x", {Sort::real, 2, 1}};
   CHECK_FALSE(Term(x) == Term(column));
-  CHECK_FALSE(Term(x) == Term(integer));
   CHECK_FALSE(power(x, 2) == power(x, 3));
   CHECK_FALSE(entry(column, 0) == entry(column, 1));
   CHECK_FALSE(matrix(1, 2, {x, y}) == matrix(2, 1, {x, y}));
@@ -57,8 +56,6 @@ TEST_CASE("fresh names cannot be guessed: every name a rule makes up is bound at
     const Variable guess{name};
     const Theorem slope = Theorem::differentiate(lambda(t, Term(t) * guess), 0);
     CHECK_NOTHROW(static_cast<void>(Theorem::combination(equal(slope.conclusion().parts()[2], guess))));
-    const Theorem sine = Theorem::zeros_of_sine(guess);
-    CHECK(sine.conclusion().variables() == Variables{guess});
     const Theorem smooth = Theorem::continuity(lambda(t, 1 / (Term(t) - guess)), 0, guess);
     CHECK(smooth.hypotheses().begin()->kind() == Kind::for_all);
     CHECK(smooth.hypotheses().begin()->variables() == Variables{guess});
@@ -92,7 +89,6 @@ TEST_CASE("shapes and sorts are checked in every construction") {
   REFUSES(matrix(65536, 65536, {}));
   REFUSES(Term(Variable{"huge", {Sort::real, 1 << 20, 1 << 20}}));
   REFUSES(Term(Variable{"A", truth_value}));
-  REFUSES(Term(Variable{"k", {Sort::integer, 2, 2}}));
   REFUSES(apply(x, t));
   REFUSES(apply(f, v));
   REFUSES(apply(f, f));
@@ -104,8 +100,6 @@ TEST_CASE("shapes and sorts are checked in every construction") {
   REFUSES(lambda(t, equal(t, 0)));
   REFUSES(lambda(t, f));
   REFUSES(lambda(v, entry(v, 0)));
-  REFUSES(lambda(n, Term(n)));
-  REFUSES(finite(n, equal(n, n)));
   REFUSES(for_all(x, x));
   REFUSES(for_all(Variable{"A", truth_value}, equal(x, x)));
   REFUSES(derivative(x, t, 0));
@@ -124,14 +118,9 @@ TEST_CASE("substitution: types, capture, and one name for two things") {
   REFUSES(Theorem::instantiate(theorem, {{x, v}}));
   REFUSES(Theorem::instantiate(theorem, {{x, f}}));
   REFUSES(Theorem::instantiate(theorem, {{x, equal(x, x)}}));
-  REFUSES(Theorem::instantiate(assume(equal(n, m)), {{n, Rational(1, 2)}}));
-  REFUSES(Theorem::instantiate(assume(equal(n, m)), {{n, x}}));
-  REFUSES(Theorem::instantiate(assume(equal(n, m)), {{n, Term(m) / 2}}));
-  CHECK_NOTHROW(static_cast<void>(Theorem::instantiate(theorem, {{x, n}})));
   // One name with two shapes, in one sequent.
   const Variable x_column{"x", {Sort::real, 2, 1}};
   REFUSES(assume(all({equal(x, 0), equal(x_column, zero(x_column.type))})));
-  REFUSES(Theorem::weaken(theorem, {equal(x_column, zero(x_column.type))}));
   REFUSES(Theorem::cut(assume(equal(x_column, zero(x_column.type))), theorem));
   REFUSES(Theorem::instantiate(theorem, {{y, entry(x_column, 0)}}));
   // for all x there is y: y = x + 1; with y for x nothing is captured.
@@ -166,12 +155,9 @@ TEST_CASE("what is cut out of a binder goes into no other") {
   REFUSES(Theorem::instantiate(assume(equal(y, 0)), {{y, body.parts()[0]}}));
   REFUSES(Theorem::specialize(assume(for_all(x, equal(x, y))), body.parts()[0]));
   REFUSES(Theorem::discharge(assume(equal(x, x)), body));
-  REFUSES(Theorem::weaken(assume(equal(x, x)), {body}));
   REFUSES(Theorem::trichotomy(body.parts()[0], 0));
   REFUSES(Theorem::zero_product(body.parts()[0], x));
-  REFUSES(Theorem::zeros_of_sine(body.parts()[0]));
   REFUSES(Theorem::differentiate(lambda(t, t), body.parts()[0]));
-  REFUSES(Theorem::finite_point(body.parts()[0]));
   REFUSES(Theorem::sign(less(body.parts()[0], 1)));
   REFUSES(Definition("d", {y}, body.parts()[0]));
   REFUSES(replaced(equal(x, y), x, body.parts()[0]));
@@ -182,8 +168,6 @@ TEST_CASE("definitions") {
   REFUSES(square({v}));
   REFUSES(square({}));
   REFUSES(square({x, y}));
-  REFUSES(Definition("k", {n}, Term(n))({Rational(1, 2)}));
-  REFUSES(Definition("k", {n}, Term(n))({x}));
   REFUSES(Theorem::convert(assume(equal(square({x}), 4)), equal(other({x}), 4), {square, other}));
   REFUSES(Theorem::convert(assume(equal(square({x}), 4)), equal(power(x, 2), 4), {}));
   REFUSES(Theorem::convert(assume(equal(square({x}), 4)), equal(x, 2), {square}));

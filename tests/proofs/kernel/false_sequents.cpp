@@ -152,15 +152,6 @@ TEST_CASE("class 4: zeros of sin and cos lie in a range that was proved") {
     CHECK(cosine.conclusion() ==
           any({equal(phase, Rational(1, 2) * pi()), equal(phase, Rational(3, 2) * pi())}));
   }
-  SUBCASE("without a range there is only an integer") {
-    const Theorem theorem = detach(Theorem::zeros_of_sine(phase), equation);
-    CHECK(theorem.conclusion().kind() == Kind::exists);
-    CHECK(theorem.conclusion().binds() == integer_number);
-    const Formula one = equal(phase, Term(1) * pi());
-    REFUSES(Theorem::consequence({theorem}, one));
-    const Variable k{"k", integer_number};
-    REFUSES(Theorem::choose(theorem, k, Theorem::assume(equal(phase, Term(k) * pi()))));
-  }
 }
 
 TEST_CASE("class 5: a letter is tied to what it stands for by a hypothesis or not at all") {

@@ -19,6 +19,15 @@ template <class Attack>
   return false;
 }
 
+// Γ ⊢ C gives Γ, Δ ⊢ C.
+[[nodiscard]] inline Theorem weakened(const Theorem& theorem, const Formulas& more) {
+  std::vector<Theorem> premises{theorem};
+  for (const Formula& hypothesis : more) {
+    premises.push_back(Theorem::assume(hypothesis));
+  }
+  return Theorem::consequence(premises, theorem.conclusion());
+}
+
 }  // namespace stickslip::proofs::kernel
 
 #define REFUSES(...) CHECK(refuses([&] { static_cast<void>(__VA_ARGS__); }))
