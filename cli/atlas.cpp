@@ -92,12 +92,19 @@ void write_text(const fs::path& file, const std::string& text) {
                              {{file.filename().string(), text}});
 }
 
+// Whether --plot asks for a mesh that ParaView opens.
+bool is_mesh(const fs::path& plot) {
+  return plot.extension() == ".vtk";
+}
+
 // What was asked for beside the atlas.
 void write_pictures(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
   if (!o.csv.empty()) {
     write_text(o.csv, report::atlas::to_csv(q, leaves));
   }
-  if (!o.plot.empty()) {
+  if (is_mesh(o.plot)) {
+    write_text(o.plot, report::atlas::to_vtk(q, leaves));
+  } else if (!o.plot.empty()) {
     report::tools::write_plot(o.plot,
                               report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot)));
   }
@@ -113,7 +120,12 @@ void require_outputs(const AtlasOptions& o, const Question& q) {
   if (!o.csv.empty()) {
     report::tools::require_writable_file(o.csv);
   }
-  if (!o.plot.empty()) {
+  if (is_mesh(o.plot)) {
+    if (q.axes.size() > 3) {
+      throw UsageError("plot: a mesh has at most three parameters that vary");
+    }
+    report::tools::require_writable_file(o.plot);
+  } else if (!o.plot.empty()) {
     if (q.axes.size() != 2) {
       throw UsageError("plot: a map needs two parameters that vary");
     }

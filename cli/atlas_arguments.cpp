@@ -40,7 +40,8 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
   command->add_flag("--resume", options.resume, "Go on with what FILE.log holds");
   add("--time-limit", options.time_limit, "T", "End in order after T seconds");
   add("--csv", options.csv, "FILE", "Write the boxes as a table, too");
-  add("--plot", options.plot, "FILE", "Of two parameters: draw a map into FILE.svg or FILE.pdf");
+  add("--plot", options.plot, "FILE",
+      "Draw a map of two parameters into FILE.svg or FILE.pdf; FILE.vtk: of up to three, for ParaView");
   add_jobs(*command, options.jobs);
   add("--verify", options.verify, "FILE", "Prove boxes of this atlas again");
   add("--sample", options.sample, "N",

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "core/verdict.hpp"
+#include "numeric/atlas/convex.hpp"
 #include "numeric/atlas/knowledge.hpp"
 #include "numeric/motion/requirements.hpp"
 #include "numeric/scalars/form.hpp"
@@ -58,30 +60,41 @@ template <class T, class G>
       halve();
       continue;
     }
-    const T t = duration * T::variable(middle, last - middle, 0);
-    const auto [value, slope] = g(t);
-    const bool rises = touches.start && first == 0 && slope.over.is_positive();
-    const bool falls = touches.end && last == 1 && slope.over.is_negative();
-    if (value.over.is_positive() || rises || falls) {
+    const bool from_zero = touches.start && first == 0;
+    const bool to_zero = touches.end && last == 1;
+    const std::array<T, 2> over = g(duration * T::variable(middle, last - middle, 0));
+    const auto& [value, slope] = over;
+    if (value.over.is_positive() || (from_zero && slope.over.is_positive()) ||
+        (to_zero && slope.over.is_negative())) {
       continue;
     }
-    const bool sinks = touches.start && first == 0 && slope.over.is_negative();
-    const bool returns = touches.end && last == 1 && slope.over.is_positive();
-    if (value.over_from(1).is_negative() || sinks || returns) {
+    if (value.over_from(1).is_negative() || (from_zero && slope.over.is_negative()) ||
+        (to_zero && slope.over.is_positive())) {
+      return {Truth::refuted};
+    }
+    const T half = duration * T(decltype(duration.at)(last - middle));
+    const auto at = [&, half_length = last - middle](double e) {
+      return g(duration * T(decltype(duration.at)(std::clamp(middle + e * half_length, 0.0, 1.0))));
+    };
+    const auto bent = convex<T>(over, half, from_zero, to_zero, at);
+    if (bent && bent->is_proved) {
+      continue;
+    }
+    if (bent && bent->is_refuted) {
       return {Truth::refuted};
     }
     // What the parameters alone leave open no shorter piece decides.
-    const bool touched = (touches.start && first == 0) || (touches.end && last == 1);
-    const T& g_or_slope = touched ? slope : value;
-    const auto spread = g_or_slope.over_from(1);
+    const bool touched = from_zero || to_zero;
+    const T& told = bent ? bent->least : touched ? slope : value;
+    const auto spread = told.over_from(1);
     const bool hopeless =
-        !spread.is_nonzero() && scalars::is_narrower(g_or_slope.over, spread * decltype(spread)(1.25));
+        !spread.is_nonzero() && scalars::is_narrower(told.over, spread * decltype(spread)(1.25));
     if (last - first > least && !hopeless) {
       halve();
     } else {
       open.emplace_back(first, last);  // go on: another piece may refute it
-      Hope here = hope_of(g_or_slope, 1);
-      here.is_below = here.is_below != (touched && last == 1);  // there it has to fall
+      Hope here = hope_of(told, 1);
+      here.is_below = here.is_below != (to_zero && !bent);  // there it has to fall
       hope = hope.of_both(here);
     }
   }

@@ -7,6 +7,7 @@
 
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/nonsticking_orbit.hpp"
+#include "numeric/atlas/steep_zero.hpp"
 #include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/zeros_over.hpp"
 
@@ -156,9 +157,15 @@ class Judge {
         }
         const T share = sheets[i].has_equation() ? zero_over<S, N>(f(sheets[i]), df(sheets[i]), orbit.zero)
                                                  : T(T(1) / T(2));
-        const std::optional<Orbit> here = Orbit::at(sheets[i], setting_, share, data_.datum);
+        std::optional<Orbit> here = Orbit::at(sheets[i], setting_, share, data_.datum);
         if (!here) {
           return false;
+        }
+        if (!orbit.zero.is_straight() && orbit.zero.steepest > 0) {
+          if (auto better = at_steep_zero<Orbit>(sheets[i], orbit.zero)) {
+            here = std::move(better);
+            orbit.zero.steepest = 0;
+          }
         }
         orbit.exists = true;
         orbits.emplace_back(*here, &orbit);
@@ -172,6 +179,23 @@ class Judge {
       }
     }
     return true;
+  }
+
+  // The orbit, and some beyond the box, as a function of u; nothing where it is none.
+  template <class Orbit>
+  [[nodiscard]] std::optional<Orbit> at_steep_zero(const Sheet& sheet, const Bracket& zero) const {
+    const int k = zero.steepest;
+    const auto setting_at = [&](const Data<T, S>& data) {
+      return setting_of<T>(data.parameters, T(scalars::pi<S>()));
+    };
+    const auto steep = steep_zero<S, N>(
+        [&](const T& u, const T& q) { return equation<T>(sheet, setting_at(forms_of<T, S>(box_, k, q)), u); },
+        zero, k, data_.axes[static_cast<std::size_t>(k - 1)]);
+    if (!steep) {
+      return std::nullopt;
+    }
+    const Data<T, S> data = forms_of<T, S>(box_, k, steep->q);
+    return Orbit::at(sheet, setting_at(data), steep->u, data.datum);
   }
 
   const families::Family& family_;

@@ -25,11 +25,12 @@ struct Data {
   model::Parameters<T> parameters;
   std::optional<T> datum;  // the seventh, where it is given
   double least = 0;        // how short pieces of a phase, as shares of it, are worth looking at
+  std::vector<T> axes;     // those that vary
 };
 
-// The axes are the variables 1, 2, …; the others are left free.
+// The axes are the variables 1, 2, …, of which the k-th, if k > 0, is `instead`; the others are left free.
 template <class T, class S>
-[[nodiscard]] Data<T, S> forms_of(const Box& box) {
+[[nodiscard]] Data<T, S> forms_of(const Box& box, int k = 0, const T& instead = T()) {
   Data<T, S> data;
   std::vector<T> all;
   double width = 0;  // the largest share of a parameter that a radius is
@@ -41,7 +42,9 @@ template <class T, class S>
     }
     const double middle = Rational((x.lower + x.upper) / 2).get_d();
     const double radius = std::max(above(x.upper - Rational(middle)), above(Rational(middle) - x.lower));
-    all.push_back(T::variable(middle, radius, next++));
+    all.push_back(next == k ? instead : T::variable(middle, radius, next));
+    data.axes.push_back(all.back());
+    ++next;
     width = std::max(width, middle == 0 ? 1 : radius / std::abs(middle));
   }
   data.least = std::clamp(width / 16, 0x1p-30, 0x1p-5);

@@ -180,22 +180,39 @@ class SymmetricOrbit {
             mode(a_.m.omega2, a_.m.lambda2, a_.m.lambda1, 1)};
   }
 
-  // z2' and its derivative as functions of s.
+  // z2' and its derivative as functions of s: what does not depend on s is computed once.
   [[nodiscard]] auto slip() const {
-    return [modes = modes(), omega = a_.omega, p = a_.p](const T& s) {
+    struct Wave {
+      T omega, sum, difference;    // omega_j, and half of what omega_j and omega make
+      T free, forced;              // of cos(omega_j s), and of D_j'
+      T free_slope, forced_slope;  // the same with omega_j
+    };
+    const auto wave = [this](const Mode& m) {
+      const T free = m.lambda * m.omega * m.b;
+      const T forced = m.lambda * a_.p * m.push / T(m.omega + a_.omega);
+      return Wave{m.omega,
+                  T((m.omega + a_.omega) / T(2)),
+                  T((m.omega - a_.omega) / T(2)),
+                  free,
+                  forced,
+                  T(free * m.omega),
+                  T(forced * m.omega)};
+    };
+    const std::array<Mode, 2> m = modes();
+    const T of_cosine = T(m[0].lambda * m[0].push / T(m[0].omega + a_.omega) +
+                          m[1].lambda * m[1].push / T(m[1].omega + a_.omega)) *
+                        a_.p;
+    const T of_sine = T(m[0].lambda * m[0].push + m[1].lambda * m[1].push) * a_.p;
+    return [waves = std::array<Wave, 2>{wave(m[0]), wave(m[1])}, of_cosine, of_sine,
+            omega = a_.omega](const T& s) {
       const auto [load_sine, load_cosine] = sin_cos(T(omega * s));
-      std::array<T, 2> speed{T(0), T(0)};
-      for (const Mode& m : modes) {
-        const T sum = m.omega + omega;
-        const auto [sine, cosine] = sin_cos(T(m.omega * s));
-        const T wide = s * sinc(T((m.omega - omega) * s / T(2)));
-        const auto [beat_sine, beat_cosine] = sin_cos(T(sum * s / T(2)));
-        const T D = beat_cosine * wide / sum;
-        const T D_dot = (load_cosine - m.omega * beat_sine * wide) / sum;
-        const T free = m.omega * m.b;
-        const T forced = p * m.push;
-        speed[0] += m.lambda * T(free * cosine + forced * D_dot);
-        speed[1] -= m.lambda * T(m.omega * T(free * sine + m.omega * T(forced * D)) + forced * load_sine);
+      std::array<T, 2> speed{T(of_cosine * load_cosine), T(-of_sine * load_sine)};
+      for (const Wave& w : waves) {
+        const auto [sine, cosine] = sin_cos(T(w.omega * s));
+        const T wide = w.forced_slope * T(s * sinc(T(w.difference * s)));
+        const auto [beat_sine, beat_cosine] = sin_cos(T(w.sum * s));
+        speed[0] += w.free * cosine - beat_sine * wide;
+        speed[1] -= w.free_slope * sine + w.omega * T(beat_cosine * wide);
       }
       return speed;
     };

@@ -6,11 +6,13 @@
 // ones.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <variant>
 #include <vector>
 
+#include "numeric/atlas/convex.hpp"
 #include "numeric/atlas/knowledge.hpp"
 #include "numeric/atlas/question.hpp"
 #include "numeric/scalars/form.hpp"
@@ -62,14 +64,32 @@ template <class S, int N, class F, class D>
         const T slope = df(as_variable(u)).partials[0];
         cell.slope = detail::sign_of(slope.over);
         std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(slope.over);
-        // What the parameters alone leave open no shorter cell decides.
-        const auto is_wide = [](const T& x) {
-          const S spread = x.over_from(1);
-          return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.25));
-        };
-        hopeless = is_wide(value) && is_wide(slope);
-        const Hope of_value = hope_of(value, 1);
-        cell.hope = of_value.is_promising ? of_value : hope_of(slope, 1);
+        if (cell.slope == 0) {
+          // Where f bends away from zero its least distance tells.
+          const int side = detail::sign_of(slope.slopes[0]);
+          const T away(side);
+          const T half = T(S(cell.last - middle));
+          const auto at = [&](double e) {
+            const auto here = df(as_variable(T(S(middle + e * (cell.last - middle)))));
+            return std::array<T, 2>{away * here.value, away * here.partials[0]};
+          };
+          const auto bent = convex<T>({away * value, away * slope}, half, false, false, at);
+          if (bent && bent->is_proved) {
+            cell.value = side;
+          } else if (bent && !bent->is_refuted) {
+            hopeless = !bent->least.over_from(1).is_nonzero();
+            cell.hope = hope_of(bent->least, 1);
+          } else {
+            // What the parameters alone leave open no shorter cell decides.
+            const auto is_wide = [](const T& x) {
+              const S spread = x.over_from(1);
+              return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.25));
+            };
+            hopeless = is_wide(value) && is_wide(slope);
+            const Hope of_value = hope_of(value, 1);
+            cell.hope = of_value.is_promising ? of_value : hope_of(slope, 1);
+          }
+        }
       }
     }
     if (cell.value != 0 || cell.slope != 0 || hopeless || cell.last - cell.first <= least) {
@@ -133,17 +153,18 @@ template <class Sign>
   return zeros;
 }
 
-// The zero as a function of the parameters: at the middle of the box, over it, and its slopes -f_i/f_u. The
-// bracket is cut as long as f keeps a sign a quarter from one of its ends over the whole box; then follows
-// Newton's interval operator, where the centre, a double, is only the point of expansion. What is found out
-// of the bracket is left there.
+// The zero as a function of the parameters: at the middle of the box, over it, and its slopes -f_i/f_u, by
+// Newton's interval operator, where the centre, a double, is only the point of expansion: first with the
+// slopes that are known, then with those next to the zero. While these vary much the bracket is cut where f
+// keeps a sign a quarter from one of its ends over the whole box. What is found out of the bracket is left
+// there.
 template <class S, int N, class F, class D>
 [[nodiscard]] scalars::Form<S, N> zero_over(const F& f, const D& df, Bracket& bracket) {
   using T = scalars::Form<S, N>;
   const bool rises = bracket.least_slope + bracket.greatest_slope > 0;
   double first = bracket.first;
   double last = bracket.last;
-  for (bool cut = true; cut && last - first > 0x1p-40;) {
+  for (bool cut = !bracket.is_straight(); cut && last - first > 0x1p-40;) {
     cut = false;
     for (const double share : {0.25, 0.75}) {
       const double u = first + share * (last - first);
@@ -157,8 +178,26 @@ template <class S, int N, class F, class D>
   S slope = scalars::around<S>(bracket.least_slope, bracket.greatest_slope);
   double centre = first + (last - first) / 2;
   T zero;
-  for (int step = 0; step < 4; ++step) {
+  // Newton's operator at the centre.
+  const auto step = [&] {
+    const T here = f(T(S(centre)));
+    zero.at = S(centre) - here.at / slope;
+    zero.over = S(centre) - here.over / slope;
+    const auto [low, high] = scalars::ends(zero.over);
+    first = std::max(first, low);
+    last = std::min(last, high);
+    centre = std::clamp(zero.at.approximate(), first, last);
+  };
+  constexpr int most_steps = 4;
+  for (int k = 0; k < most_steps; ++k) {
     const double before = last - first;
+    step();
+    if (k == 0 && last - first < 0.5 * before) {
+      step();  // from a better centre, before the slopes are looked at
+    }
+    if (k > 0 && last - first > 0.8 * before) {
+      break;
+    }
     const double reach = std::nextafter(std::max(last - centre, centre - first), INFINITY);
     const scalars::Jet<T, 1> around = df(as_variable(T::variable(centre, reach, 0)));
     if (around.partials[0].over.is_nonzero()) {
@@ -166,25 +205,15 @@ template <class S, int N, class F, class D>
       std::tie(bracket.least_slope, bracket.greatest_slope) = scalars::ends(slope);
     }
     bracket.steepest = hope_of(around.value, 1).steepest;
-    const T here = f(T(S(centre)));
-    zero.at = S(centre) - here.at / slope;
-    zero.over = S(centre) - here.over / slope;
     for (std::size_t i = 1; i < zero.slopes.size(); ++i) {
       zero.slopes[i] = -around.value.slopes[i] / slope;
     }
-    zero.sharpen();
-    const auto [low, high] = scalars::ends(zero.over);
-    first = std::max(first, low);
-    last = std::min(last, high);
-    centre = std::clamp(zero.at.approximate(), first, last);
-    if (step > 0 && last - first > 0.8 * before) {
-      break;
-    }
   }
-  bracket.first = first;
-  bracket.last = last;
+  zero.sharpen();
   const S range = scalars::around<S>(first, last);
   zero.over = scalars::is_narrower(range, zero.over) ? range : zero.over;
+  bracket.first = first;
+  bracket.last = last;
   return zero;
 }
 

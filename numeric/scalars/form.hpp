@@ -60,6 +60,24 @@ template <std::size_t N>
   return Ball::hull(-bound, bound);
 }
 
+// middle + sway(slopes).
+template <std::size_t N>
+[[nodiscard]] HardwareBall mean_value(const HardwareBall& middle, const std::array<HardwareBall, N>& slopes) {
+  double sum = middle.radius();
+  for (const HardwareBall& slope : slopes) {
+    sum += std::abs(slope.approximate()) + slope.radius();
+  }
+  return {middle.approximate(), sum * (1 + 0x1p-48)};
+}
+template <std::size_t N>
+[[nodiscard]] Ball mean_value(const Ball& middle, const std::array<Ball, N>& slopes) {
+  return middle + sway(slopes);
+}
+
+[[nodiscard]] inline Ball sum_of_products(const Ball& a, const Ball& x, const Ball& b, const Ball& y) {
+  return a * x + b * y;
+}
+
 // The second derivative of sinc. It lies in [-1/3, 1/3], and so does the fourth in [-1/5, 1/5].
 template <class S>
 [[nodiscard]] S sinc_curvature(const S& x) {
@@ -124,7 +142,7 @@ struct Form {
 
   // Keeps the narrower of the range and the mean value form.
   void sharpen() {
-    S mean = at + sway(slopes);
+    S mean = mean_value(at, slopes);
     if (is_narrower(mean, over)) {
       over = std::move(mean);
     }
@@ -161,23 +179,32 @@ struct Form {
     result.at = a.at * b.at;
     result.over = a.over * b.over;
     for (std::size_t i = 0; i < result.slopes.size(); ++i) {
-      if (!is_zero(b.slopes[i])) {
+      if (is_zero(b.slopes[i])) {
+        if (!is_zero(a.slopes[i])) {
+          result.slopes[i] = b.over * a.slopes[i];
+        }
+      } else if (is_zero(a.slopes[i])) {
         result.slopes[i] = a.over * b.slopes[i];
-      }
-      if (!is_zero(a.slopes[i])) {
-        result.slopes[i] += b.over * a.slopes[i];
+      } else {
+        result.slopes[i] = sum_of_products(a.over, b.slopes[i], b.over, a.slopes[i]);
       }
     }
     result.sharpen();
     return result;
   }
   friend Form operator/(const Form& a, const Form& b) {
+    const S inverse = S(1) / b.over;
+    if (std::all_of(b.slopes.begin(), b.slopes.end(), [](const S& slope) { return is_zero(slope); })) {
+      return a.chain(a.at * inverse, a.over * inverse, inverse);  // a constant
+    }
     Form result;
     result.at = a.at / b.at;
     result.over = a.over / b.over;
     for (std::size_t i = 0; i < result.slopes.size(); ++i) {
-      if (!is_zero(a.slopes[i]) || !is_zero(b.slopes[i])) {
-        result.slopes[i] = (a.slopes[i] - result.over * b.slopes[i]) / b.over;
+      if (!is_zero(b.slopes[i])) {
+        result.slopes[i] = (a.slopes[i] - result.over * b.slopes[i]) * inverse;
+      } else if (!is_zero(a.slopes[i])) {
+        result.slopes[i] = a.slopes[i] * inverse;
       }
     }
     result.sharpen();

@@ -1,6 +1,7 @@
 #include "numeric/scalars/hardware_ball.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace stickslip::numeric::scalars {
 namespace {
@@ -16,22 +17,34 @@ constexpr double half_pi_1 = 0x1.921fb544p+0;
 constexpr double half_pi_2 = 0x1.0b4611a6p-34;
 constexpr double half_pi_3 = 0x1.3198a2e037073p-69;
 
-// Taylor's polynomials for |x| < 0.8, where the first term left out is below 2^-58.
+// sum of c[k] q^k.
+template <std::size_t N>
+double polynomial(const std::array<double, N>& c, double q) {
+  double sum = c[N - 1];
+  for (std::size_t k = N - 1; k-- > 0;) {
+    sum = c[k] + q * sum;
+  }
+  return sum;
+}
+
+// Taylor's polynomials for |x| < 0.8, where the first term left out is below 2^-58: (sinc x - 1)/x² and (cos
+// x
+// - 1)/x² in q = x².
+constexpr std::array sinc_series{-1 / 6.0,        1 / 120.0,        -1 / 5040.0,       1 / 362880.0,
+                                 -1 / 39916800.0, 1 / 6227020800.0, -1 / 1307674368e3, 1 / 355687428096e3};
+constexpr std::array cosine_series{-1 / 2.0,       1 / 24.0,        -1 / 720.0,         1 / 40320.0,
+                                   -1 / 3628800.0, 1 / 479001600.0, -1 / 87178291200.0, 1 / 20922789888e3};
+// Of sinc', divided by x: (-1)^(k+1)/((2k+1)! (2k + 3)).
+constexpr std::array slope_series{-1 / 3.0,       1 / 30.0,        -1 / 840.0,      1 / 45360.0,
+                                  -1 / 3991680.0, 1 / 518918400.0, -1 / 93405312e3, 1 / 22230464256e3};
+
 double small_sine(double x) {
   const double q = x * x;
-  double sum = 0;
-  for (int k = 17; k >= 3; k -= 2) {
-    sum = (1 + sum) * (-q / (k * (k - 1)));
-  }
-  return x + x * sum;
+  return x + x * q * polynomial(sinc_series, q);
 }
 double small_cosine(double x) {
   const double q = x * x;
-  double sum = 0;
-  for (int k = 16; k >= 2; k -= 2) {
-    sum = (1 + sum) * (-q / (k * (k - 1)));
-  }
-  return 1 + sum;
+  return 1 + q * polynomial(cosine_series, q);
 }
 
 // (sin x, cos x) off by at most `error`, for |x| <= largest_argument.
@@ -62,36 +75,16 @@ bool is_reducible(const HardwareBall& x) {
   return std::abs(x.approximate()) <= largest_argument && x.radius() <= largest_argument;
 }
 
-// Of sin(x)/x and of its derivative the sums of sign x^(2k)/((2k)! (2k + 1)), x^(2k+1)/((2k+1)! (2k + 3)),
-// for |x| <= 1/2.
-double small_sinc(double x) {
-  const double q = x * x;
-  double sum = 0;
-  double term = 1;  // (-1)^k x^(2k)/(2k+1)!
-  for (int k = 0; k < 8; ++k) {
-    sum += term;
-    term *= -q / ((2 * k + 2) * (2 * k + 3));
-  }
-  return sum;
-}
-double small_sinc_slope(double x) {
-  const double q = x * x;
-  double sum = 0;
-  double term = -x;  // (-1)^(k+1) x^(2k+1)/(2k+1)!
-  for (int k = 0; k < 8; ++k) {
-    sum += term / (2 * k + 3);
-    term *= -q / ((2 * k + 2) * (2 * k + 3));
-  }
-  return sum;
-}
-
 // Off by at most four times `error`: what is divided by is at least 1/2.
 std::pair<double, double> sinc_at_point(double x) {
   if (std::abs(x) <= 0.5) {
-    return {small_sinc(x), small_sinc_slope(x)};
+    const double q = x * x;
+    return {1 + q * polynomial(sinc_series, q), x * polynomial(slope_series, q)};
   }
   const auto [s, c] = at_point(x);
-  return {s / x, (c - s / x) / x};
+  const double inverse = 1 / x;
+  const double value = s * inverse;
+  return {value, (c - value) * inverse};
 }
 
 }  // namespace

@@ -91,6 +91,18 @@ class HardwareBall {
 [[nodiscard]] inline bool is_nonzero(const HardwareBall& x) {
   return x.is_nonzero();
 }
+// a x + b y, a little narrower and in half the time.
+[[nodiscard]] inline HardwareBall sum_of_products(const HardwareBall& a, const HardwareBall& x,
+                                                  const HardwareBall& b, const HardwareBall& y) {
+  const double ax = a.approximate() * x.approximate();
+  const double by = b.approximate() * y.approximate();
+  const double mid = ax + by;
+  const double spread =
+      std::abs(a.approximate()) * x.radius() + a.radius() * (std::abs(x.approximate()) + x.radius()) +
+      std::abs(b.approximate()) * y.radius() + b.radius() * (std::abs(y.approximate()) + y.radius());
+  const double rounding = (std::abs(ax) + std::abs(by) + std::abs(mid)) * 0x1p-53 + 0x1p-998;
+  return {mid, (spread + rounding) * (1 + 0x1p-48)};
+}
 inline void add_product(HardwareBall& sum, const HardwareBall& a, const HardwareBall& b) {
   sum += a * b;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/decimal.hpp"
@@ -146,6 +147,53 @@ std::string to_csv(const Question& q, const std::vector<Leaf>& leaves) {
     text += fmt::format("{},{},{},{}\n", count(f.orbits), count(f.admissible), count(f.stable),
                         f.is_decided() ? "" : "\"" + sentence_of(*q.family, f.reason) + "\"");
   }
+  return text;
+}
+
+std::string to_vtk(const Question& q, const std::vector<Leaf>& leaves) {
+  constexpr std::array types{3, 8, 11};  // a line, a rectangle and a cuboid along the axes
+  const std::size_t axes = q.axes.size();
+  if (axes > types.size()) {
+    throw UsageError("plot: a mesh has at most three parameters that vary");
+  }
+  const std::size_t corners = std::size_t{1} << axes;
+  std::string text = fmt::format(
+      "# vtk DataFile Version 3.0\nstickslip atlas {}\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double\n",
+      q.family->name, corners * leaves.size());
+  for (const Leaf& leaf : leaves) {
+    const Box box = box_of(q, leaf.tile);
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+      std::array<double, 3> x{};
+      for (std::size_t k = 0; k < axes; ++k) {
+        const Interval& side = box[q.axes[k]];
+        x[k] = ((corner >> k) & 1) == 0 ? side.lower.get_d() : side.upper.get_d();
+      }
+      text += fmt::format("{:.17g} {:.17g} {:.17g}\n", x[0], x[1], x[2]);
+    }
+  }
+  text += fmt::format("CELLS {} {}\n", leaves.size(), (corners + 1) * leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    text += std::to_string(corners);
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+      text += fmt::format(" {}", corners * i + corner);
+    }
+    text += "\n";
+  }
+  text += fmt::format("CELL_TYPES {}\n", leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    text += fmt::format("{}\n", types[axes - 1]);
+  }
+  text += fmt::format("CELL_DATA {}\n", leaves.size());
+  const auto column = [&](const char * name, const auto& value) {
+    text += fmt::format("SCALARS {} int 1\nLOOKUP_TABLE default\n", name);
+    for (const Leaf& leaf : leaves) {
+      text += fmt::format("{}\n", static_cast<int>(value(leaf.finding)));
+    }
+  };
+  column("orbits", [](const Finding& f) { return f.orbits; });
+  column("admissible", [](const Finding& f) { return f.admissible; });
+  column("stable", [](const Finding& f) { return f.stable; });
+  column("reason", [](const Finding& f) { return f.reason; });
   return text;
 }
 

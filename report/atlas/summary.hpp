@@ -34,4 +34,10 @@ namespace stickslip::report::atlas {
                                       const std::vector<numeric::atlas::Leaf>& leaves,
                                       tools::PlotFormat format);
 
+// The boxes as a mesh for ParaView and other readers of VTK's legacy format: lines, rectangles or cuboids in
+// the space of the axes (of which x is the first), with orbits, admissible, stable (-1: not known) and the
+// number of the reason (0: decided). Throws UsageError for more than three axes.
+[[nodiscard]] std::string to_vtk(const numeric::atlas::Question& question,
+                                 const std::vector<numeric::atlas::Leaf>& leaves);
+
 }  // namespace stickslip::report::atlas

@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include "tests/cli/program.hpp"
 #include "tests/report/temporary.hpp"
@@ -120,6 +122,61 @@ TEST_CASE("A table has a row for each box, and its volumes make the whole") {
   CHECK(nlohmann::json::parse(made.out)["boxes"] == rows);
 }
 
+TEST_CASE("A mesh for ParaView has the boxes as they are, and what was found in each") {
+  const TemporaryDirectory directory;
+  const std::string mesh = directory / "a.vtk";
+  const Run made = stickslip_program(
+      with(near_S(directory / "a.h5", "3"), {"--plot", mesh, "--csv", directory / "a.csv"}));
+  REQUIRE(made.code == 0);
+  std::ifstream stream(mesh);
+  std::string word;
+  const auto skip_to = [&](const char * name) {
+    while (stream >> word && word != name) {
+    }
+  };
+  skip_to("POINTS");
+  std::size_t points = 0;
+  stream >> points >> word;
+  std::vector<std::array<double, 3>> corners(points);
+  for (auto& x : corners) {
+    stream >> x[0] >> x[1] >> x[2];
+  }
+  skip_to("CELLS");
+  std::size_t cells = 0, size = 0;
+  stream >> cells >> size;
+  CHECK(points == 4 * cells);
+  CHECK(size == 5 * cells);
+  double area = 0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    std::array<std::size_t, 5> cell{};
+    for (std::size_t& x : cell) {
+      stream >> x;
+    }
+    REQUIRE(cell[0] == 4);
+    const auto& from = corners.at(cell[1]);
+    const auto& to = corners.at(cell[4]);
+    CHECK(corners.at(cell[2]) == std::array<double, 3>{to[0], from[1], 0});
+    CHECK(corners.at(cell[3]) == std::array<double, 3>{from[0], to[1], 0});
+    area += (to[0] - from[0]) * (to[1] - from[1]);
+  }
+  CHECK(area == doctest::Approx(0.02 * 0.1));
+  skip_to("orbits");
+  skip_to("default");
+  std::ifstream table(directory / "a.csv");
+  std::string line;
+  std::getline(table, line);
+  for (std::size_t i = 0; i < cells; ++i) {
+    std::string orbits;
+    stream >> orbits;
+    REQUIRE(std::getline(table, line));
+    for (int k = 0; k < 4; ++k) {
+      line = line.substr(line.find(',') + 1);
+    }
+    CHECK(orbits == (line[0] == ',' ? "-1" : line.substr(0, line.find(','))));
+  }
+  CHECK_FALSE(std::getline(table, line));
+}
+
 TEST_CASE("An atlas of overshooting orbits is one at the phase of the load that is given") {
   const TemporaryDirectory directory;
   const Run made =
@@ -161,6 +218,13 @@ TEST_CASE("Questions that make no sense are refused in a sentence") {
       {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--out", out, "--plot", directory / "a.svg"},
        64,
        "map"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--out", out, "--plot", "/none/a.vtk"},
+       74,
+       "/none"},
+      {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--eta", "3..4", "--V", "1..2", "--omega",
+        "0.5..0.6", "--out", out, "--plot", directory / "a.vtk"},
+       64,
+       "three"},
       {{"atlas", "--verify", directory / "no.h5"}, 74, ""},
       {{"atlas", "--verify", directory / "none.h5"}, 74, ""},
       {{"atlas", "symmetric", "--example", "S", "--p", "0..1", "--sample", "5", "--out", out},

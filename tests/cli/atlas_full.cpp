@@ -81,18 +81,16 @@ TEST_CASE("Processes make the same atlas together, also when one of them, or mpi
   std::mt19937_64 random(23);
   for (int k = 0; k < kills(); ++k) {
     const std::string out = directory / ("k" + std::to_string(k));
-    const std::string which = k % 3 == 0 ? "mpirun" : "stickslip";
-    // The shell kills mpirun, or one of the processes that it has started, after a while, and then what may
-    // be left of these.
-    std::string command = "cd '" + (directory / ".") + "'; '" STICKSLIP_MPIRUN "'";
+    // The shell kills mpirun, the first process or the last of those that it has started, after a while.
+    const char * const which = k % 3 == 0 ? "$m" : k % 3 == 1 ? "${1:-$m}" : "${2:-$m}";
+    std::string command = "exec 2>/dev/null; cd '" + (directory / ".") + "'; '" STICKSLIP_MPIRUN "'";
     for (const std::string& word : copies(2, near_S(out))) {
       command += " '" + word + "'";
     }
     // Then all that is left of them, started since or not: Open MPI may wait for ever for a process that was
     // killed.
-    command += " >/dev/null 2>&1 & m=$!; sleep 0." + std::to_string(2 + random() % 8) +
-               "; all=$(cat /proc/$m/task/*/children); " +
-               (which == "mpirun" ? std::string("kill -9 $m") : "set -- $all; kill -9 $1") +
+    command += " >/dev/null & m=$!; sleep 0." + std::to_string(2 + random() % 8) +
+               "; set -- $(cat /proc/$m/task/*/children); kill -9 " + which +
                "; sleep 0.5; kill -9 $m; wait $m; for c in /proc/[0-9]*; do if [ \"$(cat $c/comm)\" = "
                "stickslip ] && "
                "grep -qsF '" +

@@ -59,6 +59,7 @@ TEST_CASE("every operation contains the exact result for every member") {
     CHECK(holds(a.ball - b.ball, a.member - b.member));
     CHECK(holds(a.ball * b.ball, a.member * b.member));
     CHECK(holds(-a.ball, -a.member));
+    CHECK(holds(sum_of_products(a.ball, b.ball, c.ball, a.ball), a.member * b.member + c.member * a.member));
     if (!b.member.contains_zero()) {
       CHECK(holds(a.ball / b.ball, a.member / b.member));
     }
