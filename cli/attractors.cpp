@@ -141,7 +141,8 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   TypedParameters typed = options.parameters;
   const auto phase = typed.extract("phi");
   if (phase && !options.with_near) {
-    throw UsageError("phi is the load's phase at the start that --near gives, and that is missing");
+    throw UsageError(
+        "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
   }
   const Asked given = asked(options, typed, paper);
   WordSearch search{given.machine,

@@ -55,9 +55,8 @@ void conclude(const WordQuestion& q, const Candidate& candidate, WordList& list)
 // Whether OS is proved to have an orbit that obeys the law.
 bool has_orbit(const WordQuestion& question) {
   const WordList list = all_without_stick(question, Word::parse("OS"), 1);
-  return std::any_of(list.orbits.begin(), list.orbits.end(), [](const WordOrbit& o) {
-    return o.orbit.admissible.truth == Truth::proved;
-  });
+  return std::any_of(list.orbits.begin(), list.orbits.end(),
+                     [](const WordOrbit& o) { return o.orbit.admissible.truth == Truth::proved; });
 }
 
 }  // namespace
@@ -85,7 +84,8 @@ WordList all_without_stick(const WordQuestion& question, const Word& word, long 
     return list;
   }
   if (turns(word) != periods) {
-    list.why_none = "OS has an orbit that obeys the friction law, and no other motion that never sticks returns";
+    list.why_none =
+        "OS has an orbit that obeys the friction law, and no other motion that never sticks returns";
     return list;
   }
   const families::Found found = families::nonsticking().search({question.data, {}, {}});

@@ -4,8 +4,8 @@
 //   E = (w'ᵀ M w' + wᵀ M K w)/2,  E' = eta (x2' - y2') (u(x2') - u(y2')) <= 0
 // (families/nonsticking.hpp). If they return after n periods so does E, so w is a free motion that does, and
 // zero unless some n omega_j is a multiple of omega. So off these resonances there is at most one such
-// motion, whatever the number of its phases, and it returns after one period already: where OS has an orbit that
-// obeys the law, OSOS has none.
+// motion, whatever the number of its phases, and it returns after one period already: where OS has an orbit
+// that obeys the law, OSOS has none.
 #pragma once
 
 #include "numeric/words/complete_list.hpp"

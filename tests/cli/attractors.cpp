@@ -1,6 +1,9 @@
 // stickslip attractors and stickslip orbits WORD from outside: exit codes, sentences, JSON.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -122,22 +125,29 @@ TEST_CASE(
   CHECK(stickslip_program({"orbits", "T", "--example", "P", "--ur", "0.25"}).code == exit_undecided);
 }
 
-TEST_CASE("a start at another phase of the load leads to the same orbit") {
-  // The state of orbit O where its overshoot begins, at the load's phase there.
-  const Json list = Json::parse(stickslip_program({"orbits", "SOT", "--example", "O", "--json"}).out);
-  const Json& orbit = list.at("orbits").at(1);
-  const auto text = [&](const char * key) { return orbit.at(key).at("mid").get<std::string>(); };
-  const std::string state = text("x10") + "," + text("x20") + "," + text("xdot10") + ",1.0000001";
-  const Run near =
-      stickslip_program({"orbits", "SOT", "--example", "O", "--near", state, "--phi", text("phi"), "--json"});
-  CHECK(near.code == exit_decided);
-  const Json found = Json::parse(near.out);
-  REQUIRE(found.at("orbits").size() == 1);
-  CHECK(found.at("orbits").at(0).at("z10") == orbit.at("z10"));
+TEST_CASE("a start on an unstable orbit, at the phase of the load there, leads to that orbit") {
+  const Json list = Json::parse(stickslip_program({"orbits", "ST", "--example", "S", "--json"}).out);
+  const auto unstable = std::find_if(list.at("orbits").begin(), list.at("orbits").end(),
+                                     [](const Json& o) { return o.value("stability", "") == "unstable"; });
+  REQUIRE(unstable != list.at("orbits").end());
+  const auto text = [&](const char * key) { return unstable->at(key).at("mid").get<std::string>(); };
+  const std::string state = text("x10") + "," + text("x20") + "," + text("xdot10") + ",1";
+  const auto near = [&](const std::string& phi) {
+    const Run run =
+        stickslip_program({"orbits", "ST", "--example", "S", "--near", state, "--phi", phi, "--json"});
+    return Json::parse(run.out).at("orbits");
+  };
+  // Before a time of load phase 0, and after one.
+  for (const double turn : {0.0, 2 * std::acos(-1.0)}) {
+    const Json found = near(fmt::format("{:.17g}", std::stod(text("phi")) + turn));
+    REQUIRE(found.size() == 1);
+    CHECK(found.at(0).at("z10") == unstable->at("z10"));
+  }
+  CHECK(near("2").empty());
 }
 
 TEST_CASE(
-    "the page of attractors has their pictures, the basins and the data; that of a diagram the diagram") {
+    "the page of attractors has their pictures, the basins and the data, that of a diagram the diagram") {
   const TemporaryDirectory directory;
   const auto page = directory.path() / "page";
   const Words at_P{"attractors", "--example", "P", "--starts", "10"};

@@ -254,17 +254,28 @@ TEST_CASE("along a value of the machine in SI units the states are in SI, whatev
   CHECK(run_with(O, with(along, {"--csv", file})).code == exit_decided);
   const std::string table = content(file);
   CHECK(table.starts_with("load_amplitude in N,attractor,share,kind,period,word,stable,x1 in m,"));
-  const std::size_t line = table.find("\n0.0050000000000000001,1,");
-  REQUIRE(line != std::string::npos);
-  std::istringstream cells(table.substr(line + 1));
-  std::vector<std::string> first(11);
-  for (std::string& cell : first) {
-    std::getline(cells, cell, cells.good() && &cell == &first.back() ? '\n' : ',');
+  const std::pair<const char *, const char *> ends[] = {{"0.00001", "\n1.0000000000000001e-05,1,"},
+                                                        {"0.005", "\n0.0050000000000000001,1,"}};
+  for (const auto& [value, begin] : ends) {
+    const std::size_t line = table.find(begin);
+    REQUIRE(line != std::string::npos);
+    std::istringstream cells(table.substr(line + 1, table.find('\n', line + 1) - line - 1));
+    std::vector<std::string> first;
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      first.push_back(cell);
+    }
+    REQUIRE(first.size() == 11);
+    const Json alone = Json::parse(
+        run_with(with(O, "load_amplitude", value), {"attractors", "--starts", "3", "--json"}).out);
+    const Json& units = alone.at("machine").at("units");
+    const auto unit = [&](const char * name) {
+      return std::stod(units.at(name).at("mid").get<std::string>());
+    };
+    const Json& state = alone.at("attractors").at(0).at("state");
+    CHECK(std::stod(first[7]) == doctest::Approx(unit("length") * state.at(0).get<double>()).epsilon(1e-9));
+    CHECK(std::stod(first[10]) ==
+          doctest::Approx(unit("velocity") * state.at(3).get<double>()).epsilon(1e-9));
   }
-  const Json alone = Json::parse(run_with(O, {"attractors", "--starts", "3", "--json"}).out);
-  const Json& state = alone.at("attractors").at(0).at("state");
-  CHECK(std::stod(first[7]) == doctest::Approx(1e-3 * state.at(0).get<double>()).epsilon(1e-9));
-  CHECK(std::stod(first[10]) == doctest::Approx(1e-2 * state.at(3).get<double>()).epsilon(1e-9));
   const Run refused = run_with(O, with(along, {"--json"}));
   CHECK(refused.code == exit_usage);
   CHECK(is_one_sentence(refused.err, "--json"));
