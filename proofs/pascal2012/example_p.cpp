@@ -7,6 +7,7 @@
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/nonsticking_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -105,7 +106,7 @@ std::vector<Claim> half_period::example_P() {
   }
   claims.push_back(friction_claim());
   claims.push_back(least_load_claim());
-  return joined({claims, orbit_claims(where())});
+  return joined({claims, orbit_claims(where(), list_of_P())});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -21,12 +21,13 @@ Ltac by_enclosure :=
     | interval with (i_prec 60)
     | interval with (i_prec 128)
     | lra ].
-(* The same where a variable has a wide range: in parts of it. *)
+(* The same where a variable has a wide range: in parts of it, of which a few do mostly. *)
 Ltac by_enclosure_along x :=
   first
-    [ interval with (i_prec 40)
+    [ interval with (i_bisect x, i_depth 4, i_prec 30)
+    | interval with (i_prec 40)
     | as_gap; first [interval with (i_prec 40) | interval with (i_bisect x, i_depth 12, i_prec 40)]
     | interval with (i_bisect x, i_depth 12, i_prec 40) ].
 (* In Krawczyk's test: where a derivative is, and how small a value is. *)
-Ltac by_coarse_enclosure := interval with (i_prec 40).
-Ltac by_fine_enclosure := interval with (i_prec 80).
+Ltac by_coarse_enclosure := first [interval with (i_prec 30) | interval with (i_prec 40)].
+Ltac by_fine_enclosure := first [interval with (i_prec 64) | interval with (i_prec 80)].

@@ -3,9 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/nonsticking_list.hpp"
 #include "proofs/pascal2012/statements.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 #include "tests/proofs/checks/decided.hpp"
@@ -202,6 +205,27 @@ TEST_CASE("the kernel's list of symmetric orbits has those found in balls, and r
     CHECK_THROWS_AS((void)list_of_S().prove(fewer), kernel::KernelError);
   }
   CHECK(record("S.list").outcome.by_kernel);
+}
+
+TEST_CASE("the kernel's list of nonsticking orbits has those found in balls, and refuses fewer") {
+  const Example& example = example_named("P");
+  const OrbitList& list = orbits_of(example).list;
+  REQUIRE(list.orbits.size() == 2);
+  std::vector<double> lower;
+  numbers_below(list_of_P().prove(list).conclusion(), lower);
+  for (std::size_t k : {0, 1}) {
+    const Orbit& orbit = list.orbits[k];
+    // mu, between -pi and pi.
+    const double middle =
+        orbit.phi().approximate() + example.data.omega.get_d() * orbit.value("tau").approximate() / 2;
+    const double mu = std::remainder(middle, 2 * std::numbers::pi);
+    CAPTURE(mu);
+    CHECK(std::ranges::count_if(lower, [&](double l) { return l < mu && mu < l + 4e-9; }) == 1);
+    OrbitList fewer = list;
+    fewer.orbits.erase(fewer.orbits.begin() + static_cast<std::ptrdiff_t>(k));
+    CHECK_THROWS_AS((void)list_of_P().prove(fewer), kernel::KernelError);
+  }
+  CHECK(record("P.list").outcome.by_kernel);
 }
 
 TEST_CASE("every claim stands in a section of the paper, section by section") {
