@@ -52,6 +52,19 @@ TEST_CASE("a mass on a belt that stands still is stuck if the load cannot move i
   CHECK(moved.kind() != Kind::stuck);
 }
 
+TEST_CASE("a motion is carried on to the next time of load phase 0, from any phase") {
+  const model::Parameters<double> a = in_double(O());
+  simulation::Simulation whole(a, 0.4585, 0, {0.1, 0.2, 0.3, 0.4});
+  simulation::Simulation part = whole;
+  whole.advance(whole.period());
+  part.advance(0.3 * part.period());
+  const double turn = 2 * std::acos(-1.0);
+  for (const double phi : {0.3 * turn, -0.7 * turn, 5.3 * turn}) {
+    CHECK(distance(at_phase_0({a, 0.4585, phi, part.state()}), whole.state()) < 1e-9);
+  }
+  CHECK(distance(at_phase_0({a, 0.4585, 0, part.state()}), part.state()) < 1e-14);
+}
+
 TEST_CASE("the period and the word of a motion that settles") {
   Follower three(in_double(P()), 0.2996, {0.5, 1, 0, -0.2});
   three.follow(20000, 1e-6);
