@@ -1,6 +1,7 @@
 #include "proofs/pascal2012/statements.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -11,9 +12,9 @@ using namespace methods;
 
 namespace {
 
-std::vector<std::string> split(const std::string& words) {
+void append(std::vector<std::string>& ids, const std::string& words) {
   std::istringstream stream(words);
-  return {std::istream_iterator<std::string>(stream), {}};
+  ids.insert(ids.end(), std::istream_iterator<std::string>(stream), {});
 }
 
 Kind kind_of(const std::string& name) {
@@ -54,9 +55,9 @@ std::vector<PrintedStatement> read_all(const std::string& text) {
     } else if (follows("  but: ")) {
       all.back().missing = line.substr(7);
     } else if (follows("  see: ")) {
-      all.back().see = split(line.substr(7));
+      append(all.back().see, line.substr(7));
     } else {
-      all.back().claims = split(line);
+      append(all.back().claims, line);
     }
   }
   return all;

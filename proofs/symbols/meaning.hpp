@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "model/linear.hpp"
 #include "numeric/scalars/exact.hpp"
+#include "numeric/scalars/scalars.hpp"
 #include "proofs/symbols/term.hpp"
 #include "symbolic/algebra/scalar.hpp"
 #include "symbolic/algebra/symbols.hpp"
