@@ -84,6 +84,8 @@ struct BranchEnd {
   std::string words;
   bool resolved = true;    // else the branch may go on
   bool resonance = false;  // the reason why it is not resolved
+  bool infinite = false;   // the motion grows beyond all bounds
+  bool may_turn = false;   // and on the way there the parameter may rise and fall
 };
 
 struct Branch {

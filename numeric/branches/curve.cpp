@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/interruption.hpp"
+#include "numeric/branches/infinity.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -222,6 +223,8 @@ bool Walk::is_over() {
     return true;
   }
   if (is_far(curve_, here_)) {
+    path_.limit = limit_at_infinity(curve_, here_);
+    path_.end = path_.limit ? End::infinite : End::stopped;
     path_.reason = "the motion grows to more than thirty times its size, perhaps beyond all bounds";
     return true;
   }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,23 @@
 
 namespace stickslip::numeric::branches {
 
+// How motions can grow beyond all bounds: those unknowns that are lengths and do, those that do not, and the
+// closing conditions that do not depend on the first.
+struct Growth {
+  std::vector<int> growing, bounded;
+  std::vector<int> free_rows;
+};
+
 // Closing conditions with one free parameter: where it stands among the data, and its interval.
 struct Curve {
   motion::Closing equations;
   zeros::Vector data;  // whatever stands at `place`
   int place = 0;
   Rational from, to;
-  // A motion with an unknown of more than this size counts as left for infinity, and is followed no further.
+  // Motions with an unknown of more than this size are followed no further unless the branch is proved to
+  // leave for infinity there, in one of these ways.
   double far = HUGE_VAL;
+  std::vector<Growth> growths = {};
 };
 
 inline constexpr int by_parameter = -1;
@@ -95,11 +105,18 @@ struct Cell {
 // False: no motion at the point is on the cell.
 [[nodiscard]] bool may_meet(const Cell& cell, const Point& point);
 
+// Where a motion that grows beyond all bounds leaves for infinity.
+struct Limit {
+  Ball value;             // of the free parameter
+  bool may_turn = false;  // on the way there the parameter may rise and fall
+};
+
 // Why a path ends.
 enum class End {
   interval,  // the parameter leaves its interval
   absent,    // a phase has a negative duration
   closed,    // it is back where it began: the branch is a closed curve
+  infinite,  // the motion grows beyond all bounds
   stopped,   // with the reason
 };
 
@@ -108,6 +125,7 @@ struct Path {
   End end = End::stopped;
   std::string reason;
   Point last;
+  std::optional<Limit> limit = {};  // where it is infinite
 };
 
 // The proved motion at that value of the free parameter near the guess; its existence is undecided where no

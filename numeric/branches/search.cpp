@@ -58,6 +58,8 @@ std::string words_of(const Path& path, const BranchQuestion& question) {
       return "a phase lasts no time";
     case End::closed:
       return "the branch is a closed curve";
+    case End::infinite:
+      return "the motion grows beyond all bounds";
     case End::stopped:
       return fmt::format("followed no further: {}", path.reason);
   }
@@ -70,6 +72,11 @@ BranchEnd end_of(const Path& path, const BranchQuestion& question) {
     const std::string resonance = resonance_near(path.last.value, question);
     end.words += resonance;
     end.resonance = !resonance.empty();
+  }
+  if (path.end == End::infinite) {
+    end.at = path.limit->value;
+    end.infinite = true;
+    end.may_turn = path.limit->may_turn;
   }
   if (path.end == End::interval) {
     const bool above = (path.last.value - Ball((question.from + question.to) / 2)).is_positive();

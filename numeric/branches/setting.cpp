@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/words/word_orbit.hpp"
 
@@ -152,6 +153,26 @@ Law law_of(const BranchQuestion& question) {
   return law;
 }
 
+namespace {
+
+std::vector<Growth> growths_of(const BranchQuestion& question) {
+  const Family& family = *question.orbits.family;
+  if (question.word) {
+    const int first = static_cast<int>(family.phases.size()) - 1;  // z1, z2, z1'
+    return {{{first, first + 1, first + 2}, {}, {}}};
+  }
+  if (&family == &symmetric()) {
+    return {{{1}, {}, {}}};  // C
+  }
+  if (&family == &overshooting()) {
+    // a, C, D: the odd rows, which come first, are free of a and D, the even ones of C.
+    return {{{2, 4}, {3}, {0, 1}}, {{3}, {2, 4}, {2, 3}}, {{2, 3, 4}, {}, {}}};
+  }
+  return {};
+}
+
+}  // namespace
+
 Curve curve_of(const BranchQuestion& question, const Closing& equations) {
   const Given<Rational> given = data_at(question, question.from);
   Given<Ball> balls{parameters_as<Ball>(given.data), {}, {}};
@@ -161,6 +182,7 @@ Curve curve_of(const BranchQuestion& question, const Closing& equations) {
   const std::vector<std::string> names = equations.parameter_names();
   const auto found = std::find(names.begin(), names.end(), question.parameter);
   curve.place = static_cast<int>(found - names.begin());
+  curve.growths = growths_of(question);
   if (found == names.end()) {
     // The equations do not depend on it.
     curve.data.conservativeResize(curve.data.size() + 1);

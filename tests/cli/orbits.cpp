@@ -111,7 +111,7 @@ TEST_CASE(
     "a box of parameters with the friction given: proved where it is small, where to split where it is not") {
   const Run small = orbits({"overshooting", "--example", "O", "--ur", "0.4589+-1e-6"});
   CHECK(small.code == exit_decided);
-  const Run wide = orbits({"overshooting", "--example", "O", "--ur", "0.4589+-1e-2"});
+  const Run wide = orbits({"overshooting", "--example", "O", "--ur", "0.4589+-1e-1"});
   CHECK(wide.code == exit_undecided);
   CHECK(wide.out.find("first ur") != std::string::npos);
 }

@@ -1,0 +1,96 @@
+// Branches that leave for infinity, and those that do not.
+#include "numeric/branches/infinity.hpp"
+
+#include <doctest/doctest.h>
+
+#include "numeric/families/symmetric.hpp"
+#include "tests/numeric/branches/questions.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::branches;
+using namespace stickslip::numeric::branches::examples;
+
+namespace {
+
+// Closing conditions in one length x, and motions whose phases last. Homogeneous in x and V.
+template <class F>
+struct OneLength {
+  static constexpr bool takes_phi = false, takes_ur = false;
+
+  template <class T>
+  [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
+    return zeros::VectorOf<T>::Constant(1, F::template value<T>(x(0), p(3), T(p(4) - T(1))));
+  }
+  template <class T>
+  [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
+    return families::SymmetricClosing{families::LoadPhase::first}.motion<T>(
+        (zeros::VectorOf<T>(2) << T(1), x(0)).finished(), p);
+  }
+  [[nodiscard]] zeros::Vector unknowns(const motion::Motion& /*motion*/) const {
+    return zeros::Vector::Constant(1, Ball(1));
+  }
+};
+struct Hyperbola {
+  template <class T>
+  [[nodiscard]] static T value(const T& x, const T& V, const T& w) {
+    return x * w - V;
+  }
+};
+struct Ellipse {
+  template <class T>
+  [[nodiscard]] static T value(const T& x, const T& V, const T& w) {
+    return x * x + T(1000000) * V * V * (w * w - T(1) / T(100));
+  }
+};
+
+template <class F>
+Path followed(const char * from, const char * to, const char * value, double x, int direction) {
+  const BranchQuestion question = along(S(), "omega", from, to);
+  Curve curve = curve_of(question, OneLength<F>{});
+  curve.growths = {{{0}, {}, {}}};
+  curve.far = 50;
+  const ProvedPoint start = prove_at(curve, parse_rational(value), zeros::Vector::Constant(1, Ball(x)));
+  REQUIRE(start.verdict.truth == Truth::proved);
+  return follow(curve, parse_rational(value), start.point, direction);
+}
+
+}  // namespace
+
+TEST_CASE("x = V/(omega - 1) leaves for infinity at omega = 1, from both sides") {
+  for (const int side : {-1, 1}) {
+    const Path path = followed<Hyperbola>("0.5", "1.5", side > 0 ? "1.4" : "0.6", 2.5 * side, -side);
+    REQUIRE(path.end == End::infinite);
+    CHECK(path.limit->value.contains(Rational(1)));
+    CHECK((path.limit->value.radius() - Ball(1e-15)).is_negative());
+    CHECK(!path.limit->may_turn);
+  }
+}
+
+TEST_CASE("a branch that is only large does not leave for infinity") {
+  // x² = 10⁶ (1/100 - (omega - 1)²): at most 100.
+  const Path path = followed<Ellipse>("0.89", "1.5", "0.9001", 4.5, 1);
+  CHECK(path.end == End::stopped);
+  CHECK(!path.limit);
+}
+
+TEST_CASE(
+    "the branch of O leaves for infinity, as does the one beyond, where the list of orbits is singular") {
+  // There the even rows have a solution without the load, friction and belt.
+  const BranchQuestion question = along(O(), "omega", "0.6182485", "0.6186");
+  int infinite = 0;
+  for (Start& start : starts(question, parse_rational("0.61825"))) {
+    start.curve.far = 0;
+    for (const Ball& x : start.point.x) {
+      start.curve.far = std::max(start.curve.far, 2 * std::abs(x.approximate()));
+    }
+    for (const int direction : {-1, 1}) {
+      const Path path = follow(start.curve, parse_rational("0.61825"), start.point, direction);
+      if (path.end == End::infinite) {
+        ++infinite;
+        CHECK((abs(path.limit->value - Ball(parse_rational("0.618249582007"))) - Ball(1e-11)).is_negative());
+      }
+    }
+  }
+  CHECK(infinite >= 1);
+}
