@@ -117,6 +117,18 @@ TEST_CASE("The least value of what bends upwards is bounded from below, and tigh
       CHECK_FALSE(least(lowest, scale, -0.001 - distance, 0.0011)->is_refuted);
     }
   }
+  // Lowest elsewhere for each member: v² - 2 a v + d, v = t - 1/2, is least at v = a, where it is d - a².
+  const auto moving = [](double d) {
+    const T a = T::variable(0, 0.1, 1);
+    const auto g = [=](const T& t) {
+      const T v = t - T(HardwareBall(0.5));
+      return std::array<T, 2>{T(v * T(v - T(2) * a) + T(HardwareBall(d))), T(T(2) * T(v - a))};
+    };
+    const auto at = [&](double e) { return g(T(HardwareBall(0.5 + 0.25 * e))); };
+    return convex<T>(g(T::variable(0.5, 0.25, 0)), T(HardwareBall(0.25)), false, false, at);
+  };
+  CHECK(moving(0.0105)->is_proved);
+  CHECK_FALSE(moving(0.0095)->is_proved);
   CHECK_FALSE(least(0.5, -1, 0.001, 0.0001));
   CHECK_FALSE(least(0.5, 0, 0.001, 0.0001));
 }
