@@ -157,9 +157,8 @@ class Writer {
         "Axioms.part \\\n"
         "\t    Axioms.log; } || { echo 'Coq does not say what the theorems rest on: see Axioms.part'; exit "
         "1; }\n"
-        "Matrices.vo:\nSentences.vo:\nFractions.vo: Matrices.vo\nAlgebra.vo: Sentences.vo "
-        "Fractions.vo\nCalculus.vo Inverses.vo "
-        "Numbers.vo: "
+        "Matrices.vo:\nSentences.vo:\nPolynomials.vo: Matrices.vo\nFractions.vo: Polynomials.vo\n"
+        "Algebra.vo: Sentences.vo Fractions.vo\nCalculus.vo Inverses.vo Numbers.vo: "
         "Algebra.vo\nKrawczyk.vo Stability.vo Definitions.vo: Calculus.vo\n";
     for (const Certificate& certificate : result_.certificates) {
       text += fmt::format("{}.vo: Inverses.vo Numbers.vo Krawczyk.vo Stability.vo Definitions.vo",

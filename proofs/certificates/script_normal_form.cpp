@@ -296,6 +296,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
       text += fmt::format("  generalize {}; intros {}.\n", shown, name);
     }
   }
+  text += expansions.empty() ? "" : "  intro_letters.\n";
   if (!divisors.empty()) {
     text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
   }

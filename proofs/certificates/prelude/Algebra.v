@@ -84,7 +84,8 @@ Lemma sin_turn_back : forall x, sin (x + - (2 * PI)) = sin x.
 Proof. intros. rewrite sin_plus, cos_neg, sin_neg, cos_2PI, sin_2PI. ring. Qed.
 Ltac no_turns C := repeat rewrite ?cos_turn, ?sin_turn, ?cos_turn_back, ?sin_turn_back in C.
 
-(* The equation `E : argument = sum of phases` is used for cos and sin of the argument in the goal. *)
+(* By `E : argument = sum of phases`, cos and sin of the argument become letters, of which the goal says what they
+   are. *)
 Ltac expand_circle E :=
   match type of E with
   | ?x = _ =>
@@ -98,8 +99,9 @@ Ltac expand_circle E :=
       no_turns C; no_turns S;
       repeat rewrite ?cos_plus, ?sin_plus, ?cos_neg, ?sin_neg, ?cos_2PI, ?sin_2PI, ?cos_quarter, ?sin_quarter, ?cos_0, ?sin_0 in C;
       repeat rewrite ?cos_plus, ?sin_plus, ?cos_neg, ?sin_neg, ?cos_2PI, ?sin_2PI, ?cos_quarter, ?sin_quarter, ?cos_0, ?sin_0 in S;
-      subst c s
+      revert C S
   end.
+Ltac intro_letters := repeat match goal with |- ?c = _ -> _ => is_var c; intros ? end.
 
 Lemma zero_of_sine : forall x, sin x = 0 -> exists k : Z, x = (IZR k + 0) * PI.
 Proof. intros x Z. destruct (sin_eq_0_0 x Z) as [k E]. exists k. rewrite E. ring. Qed.
@@ -122,9 +124,6 @@ Ltac each_entry :=
 (* What is known beside the goal is not needed. *)
 Ltac forget :=
   repeat match goal with H : ?P |- _ => lazymatch type of P with Prop => clear H end end.
-(* An equation of numbers; what stands in it are variables, some of them cos and sin, and numbers. *)
-Ltac by_fractions := Fractions.by_fractions.
-
 Lemma factor_left : forall a b : R, a * b <> 0 -> a <> 0.
 Proof. intros a b N E. apply N. rewrite E. ring. Qed.
 Lemma factor_right : forall a b : R, a * b <> 0 -> b <> 0.
@@ -138,6 +137,103 @@ Ltac split_factors :=
              pose proof (factor_left a b N); pose proof (factor_right a b N); clear N
          | N : ?a ^ S _ <> 0 |- _ => apply base_of_power in N
          end.
+
+(* ---- an equation of numbers as one of expressions *)
+
+Ltac abstracted xs t :=
+  lazymatch xs with
+  | nil => t
+  | cons ?x ?rest =>
+      let u := eval pattern x in t in
+      lazymatch u with ?f _ => abstracted rest f end
+  end.
+Ltac applied_to_letters xs k t :=
+  lazymatch xs with
+  | nil => t
+  | cons _ ?rest => let t := applied_to_letters rest (Pos.succ k) t in constr:(t (Fractions.Letter k))
+  end.
+Ltac place x xs k :=
+  lazymatch xs with
+  | cons x _ => eval cbv in k
+  | cons _ ?rest => place x rest (Pos.succ k)
+  end.
+Ltac numbers_in_context xs :=
+  match goal with
+  | x : R |- _ =>
+      lazymatch xs with
+      | context [cons x _] => fail
+      | _ => numbers_in_context (cons x xs)
+      end
+  | _ => xs
+  end.
+(* The expressions of a list of numbers. *)
+Ltac expressions xs t :=
+  let t := abstracted xs t in
+  let u := eval pattern R, Rplus, Rmult, Rminus, Rdiv, Ropp, Rinv, IZR, pow in t in
+  lazymatch u with
+  | ?f _ _ _ _ _ _ _ _ _ =>
+      let t := constr:(f Fractions.expression Fractions.Plus Fractions.Times Fractions.Minus Fractions.Over
+                     Fractions.Opposite Fractions.Inverse Fractions.Number Fractions.Power) in
+      let t := applied_to_letters xs 1%positive t in
+      eval cbv beta delta [Pos.succ] iota in t
+  end.
+(* Of c = e -> … -> c c = 1 - s s -> … -> d <> 0 -> … -> a = b: the letters c, the pairs (c, s), the e, and a, b,
+   and the d, the last one first. *)
+Ltac letters_in G xs :=
+  lazymatch G with
+  | ?c * _ = _ -> _ => constr:(@nil positive)
+  | ?c = _ -> ?rest =>
+      let i := place c xs 1%positive in
+      let is := letters_in rest xs in
+      constr:(cons i is)
+  | _ => constr:(@nil positive)
+  end.
+Ltac circles_in G xs :=
+  lazymatch G with
+  | ?c * _ = _ + _ * (?s * _) -> ?rest =>
+      let i := place c xs 1%positive in
+      let j := place s xs 1%positive in
+      let cs := circles_in rest xs in
+      constr:(cons (i, j) cs)
+  | _ = _ -> ?rest => circles_in rest xs
+  | _ => constr:(@nil (positive * positive))
+  end.
+Ltac values_in G :=
+  lazymatch G with
+  | _ * _ = _ -> _ => constr:(@nil R)
+  | _ = ?e -> ?rest => let es := values_in rest in constr:(cons e es)
+  | _ => constr:(@nil R)
+  end.
+Ltac numbers_in G ds :=
+  lazymatch G with
+  | _ = _ -> ?rest => numbers_in rest ds
+  | ?d <> 0 -> ?rest => numbers_in rest constr:(cons d ds)
+  | ?a = ?b => constr:(cons a (cons b ds))
+  end.
+Ltac by_fractions :=
+  let xs := numbers_in_context (@nil R) in
+  repeat match goal with N : _ <> 0 |- _ => revert N end;
+  repeat match goal with K : ?c * ?c = 1 - ?s * ?s |- _ => revert K end;
+  repeat match goal with E : ?c = _ |- _ => is_var c; revert E end;
+  lazymatch goal with
+  | |- ?G =>
+      let is := letters_in G xs in
+      let cs := circles_in G xs in
+      let vs := values_in G in
+      let ns := numbers_in G (@nil R) in
+      let read := expressions xs (pair vs ns) in
+      lazymatch read with
+      | pair ?vs (cons ?a (cons ?b ?es)) =>
+          let gs := eval cbv in (combine is vs) in
+          let es := eval cbv in (rev es) in
+          let answer := eval vm_compute in (Fractions.identical gs cs es a b) in
+          lazymatch answer with
+          | true =>
+              vm_cast_no_check (Fractions.identical_ok xs gs cs es a b
+                (@eq_refl bool true <: Fractions.identical gs cs es a b = true))
+          end
+      end
+  end.
 
 (* c <> 0, or several such, because something that is known not to be 0 is a multiple of c, or has it as its
    numerator. *)

@@ -2,9 +2,7 @@
 
    An expression becomes a fraction: a polynomial with whole coefficients over a whole number and a product of
    powers of polynomials that are known not to be 0. Squares of cosines become 1 - s s at each product. *)
-From Stickslip Require Import Matrices.
-From Coq Require Import ZArith Lia List Ring_polynom Ring_theory RealField BinList Bool.
-Import ListNotations.
+From Stickslip Require Import Matrices Polynomials.
 
 Inductive expression : Set :=
 | Number (z : Z)
@@ -29,81 +27,6 @@ Fixpoint value (l : list R) (e : expression) : R :=
   | Over a b => Rdiv (value l a) (value l b)
   | Power a n => pow (value l a) n
   end.
-
-(* ---- polynomials: those of the tactic ring, over Z *)
-
-Definition Polynomial := Pol Z.
-Definition pconst (z : Z) : Polynomial := Pc z.
-Definition padd : Polynomial -> Polynomial -> Polynomial := Padd 0%Z Z.add Zeq_bool.
-Definition pmul : Polynomial -> Polynomial -> Polynomial := Pmul 0%Z 1%Z Z.add Z.mul Zeq_bool.
-Definition pscale : Polynomial -> Z -> Polynomial := PmulC 0%Z 1%Z Z.mul Zeq_bool.
-Definition popp : Polynomial -> Polynomial := Popp Z.opp.
-Definition peq : Polynomial -> Polynomial -> bool := Peq Zeq_bool.
-Definition pletter (k : positive) : Polynomial := mk_X 0%Z 1%Z k.
-Definition at_ (l : list R) (P : Polynomial) : R := Pphi 0 Rplus Rmult IZR l P.
-
-Lemma reals_set : Setoid.Setoid_Theory R (@eq R).
-Proof. exact (Eqsth R). Qed.
-Lemma reals_ext : ring_eq_ext Rplus Rmult Ropp (@eq R).
-Proof. exact (Eq_ext Rplus Rmult Ropp). Qed.
-Lemma reals_ring : almost_ring_theory 0 1 Rplus Rmult Rminus Ropp (@eq R).
-Proof. exact (Rth_ARth reals_set reals_ext RTheory). Qed.
-Lemma whole_numbers : ring_morph 0 1 Rplus Rmult Rminus Ropp (@eq R) 0%Z 1%Z Z.add Z.mul Z.sub Z.opp Zeq_bool IZR.
-Proof.
-  constructor; try reflexivity.
-  - exact plus_IZR.
-  - exact minus_IZR.
-  - exact mult_IZR.
-  - exact opp_IZR.
-  - intros x y E. now rewrite (Zeq_bool_eq _ _ E).
-Qed.
-
-Lemma padd_ok P Q l : at_ l (padd P Q) = at_ l P + at_ l Q.
-Proof. exact (Padd_ok reals_set reals_ext reals_ring whole_numbers Q P l). Qed.
-Lemma pmul_ok P Q l : at_ l (pmul P Q) = at_ l P * at_ l Q.
-Proof. exact (Pmul_ok reals_set reals_ext reals_ring whole_numbers P Q l). Qed.
-Lemma pscale_ok P c l : at_ l (pscale P c) = at_ l P * IZR c.
-Proof. exact (PmulC_ok reals_set reals_ext reals_ring whole_numbers c P l). Qed.
-Lemma popp_ok P l : at_ l (popp P) = - at_ l P.
-Proof. exact (Popp_ok reals_set reals_ext reals_ring whole_numbers P l). Qed.
-Lemma peq_ok P Q : peq P Q = true -> forall l, at_ l P = at_ l Q.
-Proof. exact (Peq_ok reals_set reals_ext whole_numbers P Q). Qed.
-Lemma pletter_ok k l : at_ l (pletter k) = nth 0 k l.
-Proof. symmetry. exact (mkX_ok reals_set reals_ext reals_ring whole_numbers k l). Qed.
-
-(* ---- cos cos is 1 - sin sin *)
-
-Fixpoint circles (l : list R) (cs : list (positive * positive)) : Prop :=
-  match cs with
-  | nil => True
-  | (c, s) :: rest => nth 0 c l * nth 0 c l = 1 + -1 * (nth 0 s l * nth 0 s l) /\ circles l rest
-  end.
-Definition rule (c s : positive) : PExpr Z * PExpr Z :=
-  (PEmul (PEX Z c) (PEX Z c), PEadd (PEc 1%Z) (PEmul (PEc (-1)%Z) (PEmul (PEX Z s) (PEX Z s)))).
-Definition Rules := list (Z * Mon * Polynomial).
-Definition rules_of (cs : list (positive * positive)) : Rules :=
-  mk_monpol_list 0%Z 1%Z Z.add Z.mul Z.sub Z.opp Zeq_bool Z.quotrem (map (fun '(c, s) => rule c s) cs).
-Definition obeyed (rules : Rules) (l : list R) : Prop := MPcond 0 1 Rplus Rmult (@eq R) IZR rules l.
-
-Lemma whole_division : div_theory (@eq R) Z.add Z.mul IZR Z.quotrem.
-Proof. constructor. intros a b. pose proof (Z.quotrem_eq a b). destruct (Z.quotrem a b). rewrite H. f_equal. lia. Qed.
-Lemma rules_ok cs l : circles l cs -> obeyed (rules_of cs) l.
-Proof.
-  intros C.
-  apply (interp_PElist_ok reals_set reals_ext reals_ring whole_numbers R_power_theory whole_division l).
-  induction cs as [|[c s] [|d cs] H]; [exact I| |].
-  - destruct C as [C _]. simpl. exact C.
-  - destruct C as [C D]. split; [simpl; exact C | exact (H D)].
-Qed.
-Definition reduced (rules : Rules) (P : Polynomial) : Polynomial :=
-  PNSubstL 0%Z 1%Z Z.add Z.mul Zeq_bool Z.quotrem P rules 50 50.
-Lemma reduced_ok rules P l : obeyed rules l -> at_ l (reduced rules P) = at_ l P.
-Proof.
-  intros O. symmetry.
-  exact (PNSubstL_ok reals_set reals_ext reals_ring whole_numbers whole_division 50 50 rules P l O).
-Qed.
-
-(* ---- fractions *)
 
 Record fraction := { over : Polynomial; whole : positive; powers : list nat }.
 
@@ -306,36 +229,57 @@ Proof.
   - field. exact N.
 Qed.
 
+(* Letters that stand for polynomials in others. *)
+Definition Table := list (positive * (Polynomial * positive)).
+Fixpoint looked_up (table : Table) (k : positive) : fraction :=
+  match table with
+  | (i, (P, w)) :: table =>
+      if Pos.eqb i k then {| over := P; whole := w; powers := nil |} else looked_up table k
+  | nil => fletter k
+  end.
+Fixpoint tabled (l : list R) (table : Table) : Prop :=
+  match table with
+  | (i, (P, w)) :: table => at_ l P = nth 0 i l * IZR (Zpos w) /\ tabled l table
+  | nil => True
+  end.
+Lemma looked_up_ok l ds k : forall table, tabled l table -> means l ds (looked_up table k) (nth 0 k l).
+Proof.
+  induction table as [|[i [P w]] table H]; [intros _; apply fletter_ok|]. intros [E T]. simpl.
+  destruct (Pos.eqb_spec i k) as [->|_]; [|now apply H].
+  unfold means, below. cbv beta iota delta [over whole powers]. rewrite E. destruct ds; simpl; ring.
+Qed.
+
 (* Of an expression, or of its inverse, if it is seen not to be 0. *)
-Fixpoint fraction_of (rules : Rules) (ds : list Polynomial) (inverse : bool) (e : expression) : option fraction :=
+Fixpoint fraction_of (rules : Rules) (table : Table) (ds : list Polynomial) (inverse : bool) (e : expression) : option fraction :=
   let finish f := if inverse then inverted rules ds f else Some f in
   let two op a b :=
-    match fraction_of rules ds false a, fraction_of rules ds false b with Some f, Some g => finish (op f g) | _, _ => None end in
+    match fraction_of rules table ds false a, fraction_of rules table ds false b with Some f, Some g => finish (op f g) | _, _ => None end in
   match e with
   | Number z => finish (fnumber z)
-  | Letter k => finish (fletter k)
+  | Letter k => finish (looked_up table k)
   | Plus a b => two (fplus rules ds) a b
   | Minus a b => two (fun f g => fplus rules ds f (fopposite g)) a b
   | Times a b =>
-      match fraction_of rules ds inverse a, fraction_of rules ds inverse b with
+      match fraction_of rules table ds inverse a, fraction_of rules table ds inverse b with
       | Some f, Some g => Some (ftimes rules f g)
       | _, _ => if inverse then two (ftimes rules) a b else None
       end
-  | Opposite a => option_map fopposite (fraction_of rules ds inverse a)
-  | Power a n => option_map (fun f => fpower rules f n) (fraction_of rules ds inverse a)
+  | Opposite a => option_map fopposite (fraction_of rules table ds inverse a)
+  | Power a n => option_map (fun f => fpower rules f n) (fraction_of rules table ds inverse a)
   | Inverse a =>
-      match fraction_of rules ds true a with
-      | Some f => if inverse then fraction_of rules ds false a else Some f
+      match fraction_of rules table ds true a with
+      | Some f => if inverse then fraction_of rules table ds false a else Some f
       | None => None
       end
   | Over a b =>
-      match fraction_of rules ds inverse a, fraction_of rules ds true b, fraction_of rules ds (negb inverse) b with
+      match fraction_of rules table ds inverse a, fraction_of rules table ds true b, fraction_of rules table ds (negb inverse) b with
       | Some f, Some _, Some g => Some (ftimes rules f g)
       | _, _, _ => None
       end
   end.
-Lemma fraction_of_ok {rules l} (known : obeyed rules l) ds (nonzero : none_is_zero l ds) :
-  forall e i f, fraction_of rules ds i e = Some f ->
+Lemma fraction_of_ok {rules l} (known : obeyed rules l) {table} (T : tabled l table) ds
+    (nonzero : none_is_zero l ds) :
+  forall e i f, fraction_of rules table ds i e = Some f ->
   if i then value l e <> 0 /\ means l ds f (/ value l e) else means l ds f (value l e).
 Proof.
   assert (finish : forall (i : bool) x f g, means l ds f x -> (if i then inverted rules ds f else Some f) = Some g ->
@@ -343,12 +287,12 @@ Proof.
   { intros [] x f g F E; [now apply (inverted_ok known ds nonzero f) | now injection E as <-]. }
   induction e as [z|k|a A b B|a A b B|a A b B|a A|a A|a A b B|a A n]; intros i f E; simpl in E |- *.
   - now apply (finish i _ (fnumber z)); [apply fnumber_ok|].
-  - now apply (finish i _ (fletter k)); [apply fletter_ok|].
-  - specialize (A false). specialize (B false). destruct (fraction_of rules ds false a) as [p|]; [|discriminate].
-    destruct (fraction_of rules ds false b) as [q|]; [|discriminate].
+  - now apply (finish i _ (looked_up table k)); [apply looked_up_ok|].
+  - specialize (A false). specialize (B false). destruct (fraction_of rules table ds false a) as [p|]; [|discriminate].
+    destruct (fraction_of rules table ds false b) as [q|]; [|discriminate].
     apply (finish i _ (fplus rules ds p q)); [|exact E]. now apply (fplus_ok known); [apply A | apply B].
   - pose proof (A i) as A1. pose proof (B i) as B1. pose proof (A false) as A2. pose proof (B false) as B2.
-    destruct (fraction_of rules ds i a) as [p|], (fraction_of rules ds i b) as [q|];
+    destruct (fraction_of rules table ds i a) as [p|], (fraction_of rules table ds i b) as [q|];
       try (injection E as <-; specialize (A1 p eq_refl); specialize (B1 q eq_refl); destruct i;
         [ destruct A1 as [N A1], B1 as [M B1];
           split; [now apply Rmult_integral_contrapositive_currified|];
@@ -356,166 +300,121 @@ Proof.
           now apply (ftimes_ok known)
         | now apply (ftimes_ok known) ]);
       (destruct i; [|discriminate]);
-      (destruct (fraction_of rules ds false a) as [p'|]; [|discriminate]);
-      (destruct (fraction_of rules ds false b) as [q'|]; [|discriminate]);
+      (destruct (fraction_of rules table ds false a) as [p'|]; [|discriminate]);
+      (destruct (fraction_of rules table ds false b) as [q'|]; [|discriminate]);
       (apply (inverted_ok known ds nonzero (ftimes rules p' q')); [|exact E]); now apply (ftimes_ok known); [apply A2 | apply B2].
-  - specialize (A false). specialize (B false). destruct (fraction_of rules ds false a) as [p|]; [|discriminate].
-    destruct (fraction_of rules ds false b) as [q|]; [|discriminate].
+  - specialize (A false). specialize (B false). destruct (fraction_of rules table ds false a) as [p|]; [|discriminate].
+    destruct (fraction_of rules table ds false b) as [q|]; [|discriminate].
     apply (finish i _ (fplus rules ds p (fopposite q))); [|exact E].
     apply (fplus_ok known); [now apply A | now apply fopposite_ok; apply B].
-  - specialize (A i). destruct (fraction_of rules ds i a) as [p|]; [|discriminate]. injection E as <-.
+  - specialize (A i). destruct (fraction_of rules table ds i a) as [p|]; [|discriminate]. injection E as <-.
     specialize (A p eq_refl). destruct i; [|now apply fopposite_ok].
     destruct A as [N A]. split; [now apply Ropp_neq_0_compat|].
     replace (/ - value l a) with (- / value l a) by (now field). now apply fopposite_ok.
-  - pose proof (A true) as A1. pose proof (A false) as A2. destruct (fraction_of rules ds true a) as [p|]; [|discriminate].
+  - pose proof (A true) as A1. pose proof (A false) as A2. destruct (fraction_of rules table ds true a) as [p|]; [|discriminate].
     destruct (A1 p eq_refl) as [N M]. destruct i; [|now injection E as <-].
     split; [now apply Rinv_neq_0_compat|]. replace (/ / value l a) with (value l a) by (now field). now apply A2.
   - specialize (A i). pose proof (B true) as B1. pose proof (B (negb i)) as B2.
-    destruct (fraction_of rules ds i a) as [p|]; [|discriminate]. destruct (fraction_of rules ds true b) as [r|]; [|discriminate].
-    destruct (fraction_of rules ds (negb i) b) as [q|]; [|discriminate]. injection E as <-.
+    destruct (fraction_of rules table ds i a) as [p|]; [|discriminate]. destruct (fraction_of rules table ds true b) as [r|]; [|discriminate].
+    destruct (fraction_of rules table ds (negb i) b) as [q|]; [|discriminate]. injection E as <-.
     specialize (A p eq_refl). destruct (B1 r eq_refl) as [N _]. specialize (B2 q eq_refl).
     unfold Rdiv. destruct i; simpl in B2.
     + destruct A as [M A]. split; [now apply Rmult_integral_contrapositive_currified; [|apply Rinv_neq_0_compat]|].
       replace (/ (value l a * / value l b)) with (/ value l a * value l b) by (field; now split).
       now apply (ftimes_ok known).
     + now apply (ftimes_ok known).
-  - specialize (A i). destruct (fraction_of rules ds i a) as [p|]; [|discriminate]. injection E as <-.
+  - specialize (A i). destruct (fraction_of rules table ds i a) as [p|]; [|discriminate]. injection E as <-.
     specialize (A p eq_refl). destruct i; [|now apply (fpower_ok known)].
     destruct A as [N A]. split; [now apply pow_nonzero|].
     rewrite Rinv_pow by exact N. now apply (fpower_ok known).
 Qed.
 
+Fixpoint where_equal (l : list R) (gs : list (positive * expression)) (C : Prop) : Prop :=
+  match gs with nil => C | (k, e) :: gs => nth 0 k l = value l e -> where_equal l gs C end.
+Fixpoint on_circles (l : list R) (cs : list (positive * positive)) (C : Prop) : Prop :=
+  match cs with
+  | nil => C
+  | (c, s) :: cs => nth 0 c l * nth 0 c l = 1 - nth 0 s l * nth 0 s l -> on_circles l cs C
+  end.
+Fixpoint where_nonzero (l : list R) (es : list expression) (C : Prop) : Prop :=
+  match es with nil => C | e :: es => value l e <> 0 -> where_nonzero l es C end.
+
+Fixpoint equal_all (l : list R) (gs : list (positive * expression)) : Prop :=
+  match gs with nil => True | (k, e) :: gs => nth 0 k l = value l e /\ equal_all l gs end.
 Fixpoint nonzero_all (l : list R) (es : list expression) : Prop :=
   match es with nil => True | e :: es => value l e <> 0 /\ nonzero_all l es end.
-Fixpoint collected (rules : Rules) (es : list expression) (ds : list Polynomial) : list Polynomial :=
+
+Fixpoint table_of (rules : Rules) (gs : list (positive * expression)) : Table :=
+  match gs with
+  | nil => nil
+  | (k, e) :: gs =>
+      match fraction_of rules nil nil false e with
+      | Some {| over := P; whole := w; powers := nil |} => (k, (P, w)) :: table_of rules gs
+      | _ => table_of rules gs
+      end
+  end.
+Lemma table_of_ok {rules l} (known : obeyed rules l) : forall gs, equal_all l gs -> tabled l (table_of rules gs).
+Proof.
+  induction gs as [|[k e] gs H]; [trivial|]. intros [E G]. simpl.
+  destruct (fraction_of rules nil nil false e) as [[P w [|]]|] eqn:F; try (now apply H).
+  apply (fraction_of_ok known (table := nil) Logic.I nil Logic.I e false) in F. simpl in F. unfold means, below in F.
+  cbv beta iota delta [over whole powers rproduct] in F. split; [rewrite E, F; ring | now apply H].
+Qed.
+
+Fixpoint collected (rules : Rules) (table : Table) (es : list expression) (ds : list Polynomial) :
+    list Polynomial :=
   match es with
   | nil => ds
   | e :: es =>
-      collected rules es
-        match fraction_of rules ds false e with
+      collected rules table es
+        match fraction_of rules table ds false e with
         | Some f => match shape rules ds (over f) with Some _ => ds | None => ds ++ over f :: nil end
         | None => ds
         end
   end.
 Lemma none_is_zero_app l ds P : none_is_zero l ds -> at_ l P <> 0 -> none_is_zero l (ds ++ P :: nil).
 Proof. induction ds as [|d ds H]; simpl; [now split|]. intros [D N] Z. split; [exact D | now apply H]. Qed.
-Lemma collected_ok rules l : obeyed rules l -> forall es ds,
-  nonzero_all l es -> none_is_zero l ds -> none_is_zero l (collected rules es ds).
+Lemma collected_ok {rules l} (known : obeyed rules l) {table} (T : tabled l table) : forall es ds,
+  nonzero_all l es -> none_is_zero l ds -> none_is_zero l (collected rules table es ds).
 Proof.
-  intros O. induction es as [|e es H]; intros ds E D; [exact D|]. destruct E as [N E]. simpl. apply (H _ E).
-  destruct (fraction_of rules ds false e) as [f|] eqn:F; [|exact D].
+  induction es as [|e es H]; intros ds E D; [exact D|]. destruct E as [N E]. simpl. apply (H _ E).
+  destruct (fraction_of rules table ds false e) as [f|] eqn:F; [|exact D].
   destruct (shape rules ds (over f)) as [_|]; [exact D|]. apply none_is_zero_app; [exact D|].
-  apply (fraction_of_ok O ds D e false) in F. simpl in F. unfold means in F. rewrite F.
+  apply (fraction_of_ok known T ds D e false) in F. simpl in F. unfold means in F. rewrite F.
   apply Rmult_integral_contrapositive_currified; [exact N | now apply below_nonzero].
 Qed.
 
-Fixpoint where_nonzero (l : list R) (es : list expression) (C : Prop) : Prop :=
-  match es with nil => C | e :: es => value l e <> 0 -> where_nonzero l es C end.
-Fixpoint on_circles (l : list R) (cs : list (positive * positive)) (C : Prop) : Prop :=
-  match cs with
-  | nil => C
-  | (c, s) :: cs => nth 0 c l * nth 0 c l = 1 - nth 0 s l * nth 0 s l -> on_circles l cs C
-  end.
-Definition identical (cs : list (positive * positive)) (es : list expression) (a b : expression) : bool :=
+(* a and b are the same, where letters are what gs say, the pairs cs lie on circles, and no es is zero. *)
+Definition identical (gs : list (positive * expression)) (cs : list (positive * positive))
+    (es : list expression) (a b : expression) : bool :=
   let rules := rules_of cs in
-  let ds := collected rules es (collected rules es nil) in
-  match fraction_of rules ds false (Minus a b) with
+  let table := table_of rules gs in
+  let ds := collected rules table es (collected rules table es nil) in
+  match fraction_of rules table ds false (Minus a b) with
   | Some f => peq (over f) (pconst 0)
   | None => false
   end.
-Lemma identical_ok l cs es a b : identical cs es a b = true ->
-  on_circles l cs (where_nonzero l es (value l a = value l b)).
+Lemma identical_ok l gs cs es a b : identical gs cs es a b = true ->
+  where_equal l gs (on_circles l cs (where_nonzero l es (value l a = value l b))).
 Proof.
   intros I.
-  assert (S : circles l cs -> nonzero_all l es -> value l a = value l b).
-  { revert I. unfold identical. cbv zeta. intros I C E. apply rules_ok in C.
-    assert (D : none_is_zero l (collected (rules_of cs) es (collected (rules_of cs) es nil))).
-    { apply collected_ok; [exact C | exact E | apply collected_ok; [exact C | exact E | exact Logic.I]]. }
-    revert I D. generalize (collected (rules_of cs) es (collected (rules_of cs) es nil)). intros ds I D.
-    destruct (fraction_of _ ds false (Minus a b)) as [f|] eqn:F; [|discriminate].
-    apply (fraction_of_ok C ds D (Minus a b) false) in F. simpl in F. unfold means in F.
+  assert (S : equal_all l gs -> circles l cs -> nonzero_all l es -> value l a = value l b).
+  { revert I. unfold identical. cbv zeta. intros I G C E. apply rules_ok in C. apply (table_of_ok C) in G.
+    revert I G. generalize (table_of (rules_of cs) gs). intros table I T.
+    pose proof (collected_ok C T es _ E (collected_ok C T es nil E Logic.I)) as D.
+    revert I D. generalize (collected (rules_of cs) table es (collected (rules_of cs) table es nil)).
+    intros ds I D. destruct (fraction_of _ table ds false (Minus a b)) as [f|] eqn:F; [|discriminate].
+    apply (fraction_of_ok C T ds D (Minus a b) false) in F. simpl in F. unfold means in F.
     apply (peq_ok _ _) with (l := l) in I. rewrite F in I. unfold at_, pconst in I. simpl in I.
     apply Rminus_diag_uniq. apply (Rmult_eq_reg_r (below l ds f)); [|exact (below_nonzero l ds f D)].
     rewrite I. ring. }
   clear I. revert S. generalize (value l a = value l b). intros C S.
-  assert (W : circles l cs -> where_nonzero l es C).
-  { intros K. specialize (S K). clear K.
+  assert (W : equal_all l gs -> circles l cs -> where_nonzero l es C).
+  { intros G K. specialize (S G K). clear G K.
     induction es as [|e es H]; [exact (S Logic.I)|]. intros N. apply H. intros M. apply S. now split. }
-  clear S. induction cs as [|[c s] cs H]; [exact (W Logic.I)|].
-  intros K. apply H. intros M. apply W. now split.
+  clear S. revert W. generalize (where_nonzero l es C). clear C. intros C S.
+  assert (W : equal_all l gs -> on_circles l cs C).
+  { intros G. specialize (S G). clear G.
+    induction cs as [|[c s] cs H]; [exact (S Logic.I)|]. intros K. apply H. intros M. apply S. now split. }
+  clear S. induction gs as [|[k e] gs H]; [exact (W Logic.I)|]. intros G. apply H. intros M. apply W. now split.
 Qed.
-
-(* ---- an equation of numbers as one of expressions *)
-
-Ltac abstracted xs t :=
-  lazymatch xs with
-  | nil => t
-  | cons ?x ?rest =>
-      let u := eval pattern x in t in
-      lazymatch u with ?f _ => abstracted rest f end
-  end.
-Ltac applied_to_letters xs k t :=
-  lazymatch xs with
-  | nil => t
-  | cons _ ?rest => let t := applied_to_letters rest (Pos.succ k) t in constr:(t (Letter k))
-  end.
-Ltac place x xs k :=
-  lazymatch xs with
-  | cons x _ => eval cbv in k
-  | cons _ ?rest => place x rest (Pos.succ k)
-  end.
-Ltac numbers_in_context xs :=
-  match goal with
-  | x : R |- _ =>
-      lazymatch xs with
-      | context [cons x _] => fail
-      | _ => numbers_in_context (cons x xs)
-      end
-  | _ => xs
-  end.
-(* The expressions of a list of numbers. *)
-Ltac expressions xs t :=
-  let t := abstracted xs t in
-  let u := eval pattern R, Rplus, Rmult, Rminus, Rdiv, Ropp, Rinv, IZR, pow in t in
-  lazymatch u with
-  | ?f _ _ _ _ _ _ _ _ _ =>
-      let t := constr:(f expression Plus Times Minus Over Opposite Inverse Number Power) in
-      let t := applied_to_letters xs 1%positive t in
-      eval cbv beta delta [Pos.succ] iota in t
-  end.
-Ltac circles_in G xs :=
-  lazymatch G with
-  | ?c * _ = _ + _ * (?s * _) -> ?rest =>
-      let i := place c xs 1%positive in
-      let j := place s xs 1%positive in
-      let cs := circles_in rest xs in
-      constr:(cons (i, j) cs)
-  | _ => constr:(@nil (positive * positive))
-  end.
-(* a, b and d, … of d <> 0 -> … -> a = b. *)
-Ltac numbers_in G ds :=
-  lazymatch G with
-  | _ = _ + _ * _ -> ?rest => numbers_in rest ds
-  | ?d <> 0 -> ?rest => numbers_in rest constr:(cons d ds)
-  | ?a = ?b => constr:(cons a (cons b ds))
-  end.
-Ltac reversed xs ys :=
-  lazymatch xs with cons ?x ?rest => reversed rest constr:(cons x ys) | nil => ys end.
-Ltac by_fractions :=
-  let xs := numbers_in_context (@nil R) in
-  repeat match goal with N : _ <> 0 |- _ => revert N end;
-  repeat match goal with K : ?c * ?c = 1 - ?s * ?s |- _ => revert K end;
-  lazymatch goal with
-  | |- ?G =>
-      let cs := circles_in G xs in
-      let ns := numbers_in G (@nil R) in
-      let es := expressions xs ns in
-      lazymatch es with
-      | cons ?a (cons ?b ?hs) =>
-          let hs := reversed hs (@nil expression) in
-          let answer := eval vm_compute in (identical cs hs a b) in
-          lazymatch answer with
-          | true => vm_cast_no_check (identical_ok xs cs hs a b (@eq_refl bool true <: identical cs hs a b = true))
-          end
-      end
-  end.
