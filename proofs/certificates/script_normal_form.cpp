@@ -292,7 +292,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
                           is_variable(atoms[i]) ? "as" : "; intros", pattern(atoms[i].type(), name));
     } else if (atoms[i].kind() == Kind::pi) {
       text += "  generalize PI_neq0; generalize PI; intros pi' n'.\n";
-    } else if (!is_variable(atoms[i]) || atoms[i].type().sort == Sort::integer) {
+    } else if (!is_variable(atoms[i])) {
       text += fmt::format("  generalize {}; intros {}.\n", shown, name);
     }
   }
