@@ -344,21 +344,24 @@ Fixpoint equal_all (l : list R) (gs : list (positive * expression)) : Prop :=
 Fixpoint nonzero_all (l : list R) (es : list expression) : Prop :=
   match es with nil => True | e :: es => value l e <> 0 /\ nonzero_all l es end.
 
-Fixpoint table_of (rules : Rules) (gs : list (positive * expression)) : Table :=
+(* The value of a letter may speak of letters before it. *)
+Fixpoint table_of (rules : Rules) (gs : list (positive * expression)) (table : Table) : Table :=
   match gs with
-  | nil => nil
+  | nil => table
   | (k, e) :: gs =>
-      match fraction_of rules nil nil false e with
-      | Some {| over := P; whole := w; powers := nil |} => (k, (P, w)) :: table_of rules gs
-      | _ => table_of rules gs
-      end
+      table_of rules gs
+        match fraction_of rules table nil false e with
+        | Some {| over := P; whole := w; powers := nil |} => (k, (P, w)) :: table
+        | _ => table
+        end
   end.
-Lemma table_of_ok {rules l} (known : obeyed rules l) : forall gs, equal_all l gs -> tabled l (table_of rules gs).
+Lemma table_of_ok {rules l} (known : obeyed rules l) : forall gs table,
+  equal_all l gs -> tabled l table -> tabled l (table_of rules gs table).
 Proof.
-  induction gs as [|[k e] gs H]; [trivial|]. intros [E G]. simpl.
-  destruct (fraction_of rules nil nil false e) as [[P w [|]]|] eqn:F; try (now apply H).
-  apply (fraction_of_ok known (table := nil) Logic.I nil Logic.I e false) in F. simpl in F. unfold means, below in F.
-  cbv beta iota delta [over whole powers rproduct] in F. split; [rewrite E, F; ring | now apply H].
+  induction gs as [|[k e] gs H]; [trivial|]. intros table [E G] T. simpl. apply (H _ G).
+  destruct (fraction_of rules table nil false e) as [[P w [|]]|] eqn:F; try exact T.
+  apply (fraction_of_ok known T nil Logic.I e false) in F. simpl in F. unfold means, below in F.
+  cbv beta iota delta [over whole powers rproduct] in F. split; [rewrite E, F; ring | exact T].
 Qed.
 
 Fixpoint collected (rules : Rules) (table : Table) (es : list expression) (ds : list Polynomial) :
@@ -388,7 +391,7 @@ Qed.
 Definition identical (gs : list (positive * expression)) (cs : list (positive * positive))
     (es : list expression) (a b : expression) : bool :=
   let rules := rules_of cs in
-  let table := table_of rules gs in
+  let table := table_of rules gs nil in
   let ds := collected rules table es (collected rules table es nil) in
   match fraction_of rules table ds false (Minus a b) with
   | Some f => peq (over f) (pconst 0)
@@ -399,8 +402,8 @@ Lemma identical_ok l gs cs es a b : identical gs cs es a b = true ->
 Proof.
   intros I.
   assert (S : equal_all l gs -> circles l cs -> nonzero_all l es -> value l a = value l b).
-  { revert I. unfold identical. cbv zeta. intros I G C E. apply rules_ok in C. apply (table_of_ok C) in G.
-    revert I G. generalize (table_of (rules_of cs) gs). intros table I T.
+  { revert I. unfold identical. cbv zeta. intros I G C E. apply rules_ok in C. pose proof (table_of_ok C gs nil G Logic.I) as T. clear G.
+    revert I T. generalize (table_of (rules_of cs) gs nil). intros table I T.
     pose proof (collected_ok C T es _ E (collected_ok C T es nil E Logic.I)) as D.
     revert I D. generalize (collected (rules_of cs) table es (collected (rules_of cs) table es nil)).
     intros ds I D. destruct (fraction_of _ table ds false (Minus a b)) as [f|] eqn:F; [|discriminate].
