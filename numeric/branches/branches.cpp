@@ -58,55 +58,6 @@ void trace(const BranchQuestion& question, const Law& law, const Sheet& sheet, c
   }
 }
 
-// Nothing changes between two neighbouring values at which a piece or an unresolved part begins or ends.
-// Where all branches are looked for, `open` are the parts in which there may be orbits on none.
-void count(const BranchQuestion& question, const std::vector<UnresolvedPart>& open, BranchList& list) {
-  std::vector<Ball> ends{Ball(question.from), Ball(question.to)};
-  const auto add = [&](const Ball& low, const Ball& high) {
-    ends.push_back(low);
-    ends.push_back(high);
-  };
-  for (const Branch& branch : list.branches) {
-    for (const Piece& piece : branch.pieces) {
-      add(piece.first, piece.last);
-    }
-  }
-  for (const UnresolvedPart& part : open) {
-    add(part.value.lower(), part.value.upper());
-  }
-  std::sort(ends.begin(), ends.end(), [](const Ball& a, const Ball& b) {
-    return arf_cmp(arb_midref(a.raw()), arb_midref(b.raw())) < 0;
-  });
-  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    if (!(ends[k + 1] - ends[k] - Ball(resolution)).is_positive()) {
-      continue;
-    }
-    const Ball middle = ((ends[k] + ends[k + 1]) / Ball(2)).midpoint();
-    Count count{ends[k], ends[k + 1]};
-    bool known = true;
-    for (const Branch& branch : list.branches) {
-      for (const Piece& piece : branch.pieces) {
-        if (Ball::hull(piece.first, piece.last).contains(middle)) {
-          known = known && !piece.may_turn;
-          if (piece.state == State::undecided) {
-            ++count.undecided;
-            continue;
-          }
-          ++count.orbits;
-          count.unsettled += piece.state == State::admissible ? 1 : 0;
-          count.admissible += is_admissible(piece.state) ? 1 : 0;
-          count.stable += piece.state == State::stable ? 1 : 0;
-        }
-      }
-    }
-    count.more = std::any_of(open.begin(), open.end(),
-                             [&](const UnresolvedPart& part) { return part.value.contains(middle); });
-    if (known) {
-      list.counts.push_back(count);
-    }
-  }
-}
-
 }  // namespace
 
 std::string to_string(State state) {
@@ -165,7 +116,8 @@ BranchList list_branches(const BranchQuestion& question) {
     }
   }
   if (!question.at || !list.branches.empty()) {
-    count(question, question.at ? std::vector<UnresolvedPart>{} : all.unresolved, list);
+    list.counts =
+        counts_of(question, list.branches, question.at ? std::vector<UnresolvedPart>{} : all.unresolved);
   }
   list.interrupted = interrupted();
   list.complete = all.complete && !list.interrupted;

@@ -173,4 +173,54 @@ void describe(const Traced& traced, Branch& branch, std::vector<UnresolvedPart>&
   }
 }
 
+std::vector<Count> counts_of(const BranchQuestion& question, const std::vector<Branch>& branches,
+                             const std::vector<UnresolvedPart>& open) {
+  std::vector<Count> counts;
+  std::vector<Ball> ends{Ball(question.from), Ball(question.to)};
+  const auto add = [&](const Ball& low, const Ball& high) {
+    ends.push_back(low);
+    ends.push_back(high);
+  };
+  for (const Branch& branch : branches) {
+    for (const Piece& piece : branch.pieces) {
+      add(piece.first, piece.last);
+    }
+  }
+  for (const UnresolvedPart& part : open) {
+    add(part.value.lower(), part.value.upper());
+  }
+  std::sort(ends.begin(), ends.end(), [](const Ball& a, const Ball& b) {
+    return arf_cmp(arb_midref(a.raw()), arb_midref(b.raw())) < 0;
+  });
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    if (!(ends[k + 1] - ends[k] - Ball(resolution)).is_positive()) {
+      continue;
+    }
+    const Ball middle = ((ends[k] + ends[k + 1]) / Ball(2)).midpoint();
+    Count count{ends[k], ends[k + 1]};
+    bool known = true;
+    for (const Branch& branch : branches) {
+      for (const Piece& piece : branch.pieces) {
+        if (Ball::hull(piece.first, piece.last).contains(middle)) {
+          known = known && !piece.may_turn;
+          if (piece.state == State::undecided) {
+            ++count.undecided;
+            continue;
+          }
+          ++count.orbits;
+          count.unsettled += piece.state == State::admissible ? 1 : 0;
+          count.admissible += is_admissible(piece.state) ? 1 : 0;
+          count.stable += piece.state == State::stable ? 1 : 0;
+        }
+      }
+    }
+    count.more = std::any_of(open.begin(), open.end(),
+                             [&](const UnresolvedPart& part) { return part.value.contains(middle); });
+    if (known) {
+      counts.push_back(count);
+    }
+  }
+  return counts;
+}
+
 }  // namespace stickslip::numeric::branches

@@ -54,6 +54,44 @@ TEST_CASE("an undecided part where the branch may turn is as wide as it is, and 
   CHECK(d.unresolved.size() == 1);
 }
 
+TEST_CASE("orbits are counted only where no branch may turn, and what is open is said") {
+  const auto piece = [](State state, double from, double to, bool may_turn = false) {
+    return Piece{state, "", Ball(from), Ball(to), {}, may_turn};
+  };
+  Branch turning, straight;
+  turning.pieces = {piece(State::stable, 0.5, 0.52), piece(State::undecided, 0.52, 0.54, true),
+                    piece(State::unstable, 0.54, 0.5)};
+  straight.pieces = {piece(State::inadmissible, 0.5, 0.56), piece(State::admissible, 0.56, 0.57),
+                     piece(State::undecided, 0.57, 0.58)};
+  const std::vector<UnresolvedPart> open{{Ball::hull(Ball(0.58), Ball(0.59)), {}, "for a test"}};
+  const std::vector<Count> counts = counts_of(along(S(), "omega", "0.5", "0.6"), {turning, straight}, open);
+  const auto at = [&](double value) -> const Count * {
+    const auto found = std::find_if(counts.begin(), counts.end(), [&](const Count& count) {
+      return Ball::hull(count.from, count.to).contains(Ball(value));
+    });
+    return found == counts.end() ? nullptr : &*found;
+  };
+  const auto says = [&](double value, int orbits, int admissible, int stable, int unsettled, int undecided,
+                        bool more) {
+    CAPTURE(value);
+    const Count * count = at(value);
+    REQUIRE(count != nullptr);
+    CHECK(count->orbits == orbits);
+    CHECK(count->admissible == admissible);
+    CHECK(count->stable == stable);
+    CHECK(count->unsettled == unsettled);
+    CHECK(count->undecided == undecided);
+    CHECK(count->more == more);
+  };
+  says(0.51, 3, 2, 1, 0, 0, false);
+  CHECK(at(0.53) == nullptr);
+  says(0.55, 1, 0, 0, 0, 0, false);
+  says(0.565, 1, 1, 0, 1, 0, false);
+  says(0.575, 0, 0, 0, 0, 1, false);
+  says(0.585, 0, 0, 0, 0, 0, true);
+  says(0.595, 0, 0, 0, 0, 0, false);
+}
+
 TEST_CASE("a long decided part between two short undecided ones stays decided") {
   const Described d =
       described({part(State::stable, 1, 0.5, 0.51), part(State::undecided, 1, 0.51, 0.5101),
