@@ -35,6 +35,11 @@ void collect_atoms(const Term& term, std::vector<Term>& found, std::set<Term>& s
   }
 }
 
+bool has_circle(const Term& term) {
+  return term.kind() == Kind::cosine || term.kind() == Kind::sine ||
+         std::ranges::any_of(term.parts(), has_circle);
+}
+
 // "[[a1 [a2 []]] [[a3 [a4 []]] []]]": a matrix taken apart.
 std::string pattern(const Type& type, const std::string& name) {
   std::string rows = "[]";
@@ -269,12 +274,6 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
     text += fmt::format("  assert (E'{} : {} = {}) by angle.\n", i, argument, sum);
     expansions += fmt::format("  expand_circle E'{}.\n", i);
   }
-  text += reverted() + expansions + "  forget.\n";
-  for (std::size_t i = 0; i < phases.phases.size(); ++i) {
-    text +=
-        fmt::format("  generalize (circle {0}); generalize (cos {0}) (sin {0}); intros c'{1} s'{1} K'{1}.\n",
-                    phases.phases[i], i);
-  }
   std::vector<Term> atoms;
   std::set<Term> seen;
   for (const Term& term : terms) {
@@ -285,17 +284,27 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
   const auto is_variable = [](const Term& atom) { return atom.kind() == Kind::variable; };
   std::ranges::stable_partition(atoms, is_matrix);
   std::ranges::stable_partition(atoms, std::not_fn(is_variable));
+  // Those that a cosine or sine is part of while it still is.
+  std::string before_phases, after_phases;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const std::string shown = coq(atoms[i]), name = fmt::format("m'{}", i);
+    std::string& where = has_circle(atoms[i]) ? before_phases : after_phases;
     if (is_matrix(atoms[i])) {
-      text += fmt::format("  {} {} {} {}.\n", is_variable(atoms[i]) ? "destruct" : "generalize", shown,
-                          is_variable(atoms[i]) ? "as" : "; intros", pattern(atoms[i].type(), name));
+      where += fmt::format("  {} {} {} {}.\n", is_variable(atoms[i]) ? "destruct" : "generalize", shown,
+                           is_variable(atoms[i]) ? "as" : "; intros", pattern(atoms[i].type(), name));
     } else if (atoms[i].kind() == Kind::pi) {
-      text += "  generalize PI_neq0; generalize PI; intros pi' n'.\n";
+      where += "  generalize PI_neq0; generalize PI; intros pi' n'.\n";
     } else if (!is_variable(atoms[i])) {
-      text += fmt::format("  generalize {}; intros {}.\n", shown, name);
+      where += fmt::format("  generalize {}; intros {}.\n", shown, name);
     }
   }
+  text += reverted() + before_phases + expansions + "  forget.\n";
+  for (std::size_t i = 0; i < phases.phases.size(); ++i) {
+    text +=
+        fmt::format("  generalize (circle {0}); generalize (cos {0}) (sin {0}); intros c'{1} s'{1} K'{1}.\n",
+                    phases.phases[i], i);
+  }
+  text += after_phases;
   text += expansions.empty() ? "" : "  intro_letters.\n";
   if (!divisors.empty()) {
     text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
