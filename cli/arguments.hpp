@@ -77,8 +77,9 @@ struct OrbitsOptions {
 struct BranchOptions {
   std::string family;
   TypedParameters parameters;  // one of them an interval A..B
-  std::string file, example, at, csv, plot, jobs;
+  std::string file, example, at, csv, plot, out, jobs;
   std::string period;  // of a word
+  bool with_out = false;
   bool json = false;
 };
 

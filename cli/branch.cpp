@@ -9,6 +9,7 @@
 #include "core/interruption.hpp"
 #include "numeric/families/family.hpp"
 #include "report/orbits/branches.hpp"
+#include "report/orbits/branches_page.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/plot.hpp"
 
@@ -70,6 +71,9 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
     (void)report::tools::plot_format(o.plot);
     report::tools::require_plot(o.plot);
   }
+  if (o.with_out) {
+    require_page(o.out);
+  }
   const auto [file, list] = [&] {
     const Interruptible scope;
     const Progress progress("following branches ...");
@@ -90,9 +94,16 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
       report::tools::write_plot(o.plot, script);
     }
   }
+  if (o.with_out) {
+    const Progress progress("making the page ...");
+    report::tools::write_files(o.out, report::orbits::pages(list, {file.name, file.machine, {}}));
+  }
   tell_left_out(file);
   print(o.json ? report::tools::to_text(with_machine(report::orbits::to_json(list), file))
                : machine_report(file) + report::orbits::terminal_report(list, terminal_style()));
+  if (o.with_out) {
+    tell(fmt::format("The report is in {}: index.html.", o.out));
+  }
   return list.interrupted ? exit_interrupted : is_decided(list) ? exit_decided : exit_undecided;
 }
 

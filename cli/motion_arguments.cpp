@@ -180,9 +180,17 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
   add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
   add("--csv", options.csv, "FILE", "Also write an orbit of each part as a table");
   add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg or FILE.pdf");
+  CLI::Option * out = command->add_option(
+      "--out", options.out,
+      "Also write a page into DIR, with the diagram and all tables:\nindex.html, branches.json, "
+      "branches.csv. DIR is created if only\nits last part is missing");
+  out->type_name("DIR");
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the result as JSON");
-  command->callback([&options, &request] { request = options; });
+  command->callback([&options, &request, out] {
+    options.with_out = out->count() > 0;
+    request = options;
+  });
 }
 
 void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,

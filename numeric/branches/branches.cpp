@@ -15,7 +15,7 @@ namespace {
 // Where a motion that grows beyond all bounds was followed no further, nothing else is known of it.
 void go_to_infinity(Branch& branch, std::vector<UnresolvedPart>& unresolved) {
   for (BranchEnd * end : {&branch.first, &branch.last}) {
-    if (!end->infinite || branch.pieces.empty()) {
+    if (end->kind != End::infinite || branch.pieces.empty()) {
       continue;
     }
     const bool begins = end == &branch.first;
@@ -49,7 +49,7 @@ void trace(const BranchQuestion& question, const Law& law, const Sheet& sheet, c
     }
   }
   for (const BranchEnd * end : {&branch.first, &branch.last}) {
-    if (!end->resolved) {
+    if (!end->resolved()) {
       list.unresolved.push_back({end->at, {}, end->words, end->resonance});
     }
   }
@@ -85,6 +85,22 @@ std::string to_string(State state) {
 bool is_admissible(State state) {
   return state == State::stable || state == State::unstable || state == State::marginal ||
          state == State::admissible;
+}
+
+std::string to_string(End end) {
+  switch (end) {
+    case End::interval:
+      return "interval";
+    case End::absent:
+      return "birth";
+    case End::closed:
+      return "closed";
+    case End::infinite:
+      return "infinity";
+    case End::stopped:
+      return "stopped";
+  }
+  throw InternalError("a branch that ends in no known way");
 }
 
 std::string to_string(ChangeKind kind) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "numeric/branches/end.hpp"
 #include "numeric/orbits.hpp"
 
 namespace stickslip::numeric::branches {
@@ -82,10 +83,11 @@ struct Piece {
 struct BranchEnd {
   Ball at;
   std::string words;
-  bool resolved = true;    // else the branch may go on
-  bool resonance = false;  // the reason why it is not resolved
-  bool infinite = false;   // the motion grows beyond all bounds
-  bool may_turn = false;   // and on the way there the parameter may rise and fall
+  End kind = End::stopped;
+  bool resonance = false;  // the reason why it is stopped
+  bool may_turn = false;   // on the way to infinity the parameter may rise and fall
+
+  [[nodiscard]] bool resolved() const { return kind != End::stopped; }
 };
 
 struct Branch {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/rational.hpp"
+#include "numeric/branches/end.hpp"
 #include "numeric/motion/closing.hpp"
 
 namespace stickslip::numeric::branches {
@@ -109,15 +110,6 @@ struct Cell {
 struct Limit {
   Ball value;             // of the free parameter
   bool may_turn = false;  // on the way there the parameter may rise and fall
-};
-
-// Why a path ends.
-enum class End {
-  interval,  // the parameter leaves its interval
-  absent,    // a phase has a negative duration
-  closed,    // it is back where it began: the branch is a closed curve
-  infinite,  // the motion grows beyond all bounds
-  stopped,   // with the reason
 };
 
 struct Path {

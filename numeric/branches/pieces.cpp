@@ -124,11 +124,11 @@ class Description {
       return leave_open(gap);
     }
     if (a == State::absent && branch_.pieces.empty()) {
-      branch_.first = {gap.at, changes.back().words, true};
+      branch_.first = {gap.at, changes.back().words, End::absent};
     } else if (a == State::absent) {
       branch_.last = path_end_;
     } else if (b == State::absent) {
-      branch_.last = {gap.at, changes.back().words, true};
+      branch_.last = {gap.at, changes.back().words, End::absent};
     }
     std::ranges::move(changes, std::back_inserter(branch_.changes));
   }

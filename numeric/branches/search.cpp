@@ -67,7 +67,7 @@ std::string words_of(const Path& path, const BranchQuestion& question) {
 }
 
 BranchEnd end_of(const Path& path, const BranchQuestion& question) {
-  BranchEnd end{path.last.value, words_of(path, question), path.end != End::stopped};
+  BranchEnd end{path.last.value, words_of(path, question), path.end};
   if (path.end == End::stopped) {
     const std::string resonance = resonance_near(path.last.value, question);
     end.words += resonance;
@@ -75,7 +75,6 @@ BranchEnd end_of(const Path& path, const BranchQuestion& question) {
   }
   if (path.end == End::infinite) {
     end.at = path.limit->value;
-    end.infinite = true;
     end.may_turn = path.limit->may_turn;
   }
   if (path.end == End::interval) {

@@ -210,12 +210,15 @@ class BranchEnd:
     """Why a branch begins or ends where it does."""
 
     at: Ball
+    #: "interval" (its end), "birth" (a phase lasts no time), "closed", "infinity" (the motion grows beyond all
+    #: bounds), "stopped"
+    kind: str
     reason: str
     resolved: bool  #: else the branch may go on
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "BranchEnd":
-        return cls(_ball(data["at"]), data["reason"], data["resolved"])
+        return _given(cls, data, at=_ball(data["at"]))
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,7 @@
 #include "report/orbits/parts.hpp"
 #include "report/orbits/pictures.hpp"
 #include "report/orbits/portraits.hpp"
-#include "report/tools/katex.hpp"
 #include "report/tools/numbers.hpp"
-#include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -31,27 +29,14 @@ constexpr std::size_t most_letters = 600;
 constexpr int short_digits = 10;
 constexpr int multiplier_digits = 6;
 
-Json rows_data(const std::vector<Row>& rows) {
-  return list_of(rows, [](const Row& row) { return Json{{"label", row[0].text}, {"text", row[1].text}}; });
-}
-
-Json table(const char * anchor, const char * heading, const std::vector<Row>& rows) {
-  return {{"anchor", anchor}, {"heading", heading}, {"rows", rows_data(rows)}};
-}
-
 // What all pages have.
 Json frame_data(const PageFrame& frame, const std::string& title, const std::string& command, int digits) {
-  Json data = provenance(command);
-  data["page_title"] = title;
-  data["drawn_by"] = drawn_by(false);
-  data["precision"] = fmt::format(
-      "motions are followed in floating point; periodic ones are then proved in balls, their values enclosed "
-      "to {} significant digits, and computed with more bits wherever a verdict needs them",
-      digits);
-  data["tables"] = Json::array();
-  if (frame.machine) {
-    data["tables"].push_back(table("machine", "Machine", machine_rows(*frame.machine)));
-  }
+  Json data = page_data(
+      frame, title, command,
+      fmt::format(
+          "motions are followed in floating point; periodic ones are then proved in balls, their values "
+          "enclosed to {} significant digits, and computed with more bits wherever a verdict needs them",
+          digits));
   data["attractors"] = Json::array();
   data["along"] = nullptr;
   data["basins"] = nullptr;
@@ -145,10 +130,8 @@ Drawn drawn(const WordQuestion& machine, const Attractor& a, std::size_t number,
   const std::string stem = fmt::format("portrait-{}", number);
   result.data["picture"] = stem;
   result.data["picture_in_words"] = picture_in_words(shown);
-  for (const auto& [end, shape] : {std::pair("", PlotShape::wide), std::pair("-narrow", PlotShape::narrow)}) {
-    result.pictures.push_back(
-        {stem + end + ".svg", gnuplot(plot_script(shown, PlotFormat::svg, shape, units))});
-  }
+  result.pictures = screen_pictures(
+      [&](PlotFormat format, PlotShape shape) { return plot_script(shown, format, shape, units); }, stem);
   return result;
 }
 
@@ -176,22 +159,10 @@ void add_basins(Json& data, std::vector<File>& files, const Basins& basins, cons
   }
 }
 
-// Nothing is added under an empty name.
 void add_json(Json& data, std::vector<File>& files, const std::string& name, Json json,
               const PageFrame& frame) {
-  if (frame.machine) {
-    json["machine"] = to_json(*frame.machine);
-  }
   data["data_file"] = name;
-  files.push_back({name, to_text(json)});
-}
-
-std::vector<File> complete(const Json& data, std::vector<File> files) {
-  for (File& file : with_formulas({{"index.html", render_file("attractors.html", data, html_format)}})) {
-    files.push_back(std::move(file));
-  }
-  files.push_back({"style.css", templates().at("style.css")});
-  return files;
+  files.push_back(json_file(name, std::move(json), frame));
 }
 
 }  // namespace
@@ -207,7 +178,7 @@ std::vector<File> pages(const AttractorList& list, const std::optional<Basins>& 
     add_basins(data, files, *basins, frame.units);
   }
   add_json(data, files, "attractors.json", to_json(list), frame);
-  return complete(data, std::move(files));
+  return with_page("attractors.html", data, std::move(files));
 }
 
 std::vector<File> pages(const Basins& basins, const PageFrame& frame) {
@@ -220,7 +191,7 @@ std::vector<File> pages(const Basins& basins, const PageFrame& frame) {
   add_attractors(data, files, machine, basins.attractors, frame.units);
   add_basins(data, files, basins, frame.units);
   add_json(data, files, "basins.json", to_json(basins), frame);
-  return complete(data, std::move(files));
+  return with_page("attractors.html", data, std::move(files));
 }
 
 std::vector<File> pages(const Diagram& diagram, const PageFrame& frame) {
@@ -249,7 +220,7 @@ std::vector<File> pages(const Diagram& diagram, const PageFrame& frame) {
   if (!q.taken) {
     add_json(data, files, "diagram.json", to_json(diagram), frame);
   }
-  return complete(data, std::move(files));
+  return with_page("attractors.html", data, std::move(files));
 }
 
 }  // namespace stickslip::report::orbits

@@ -2,21 +2,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "numeric/attractors/diagram.hpp"
-#include "report/orbits/machine.hpp"
-#include "report/tools/files.hpp"
+#include "report/orbits/page.hpp"
 
 namespace stickslip::report::orbits {
-
-// What the page says beside the result.
-struct PageFrame {
-  std::string file;                           // of the machine, if it was read from one
-  std::optional<numeric::DataTaken> machine;  // in SI units, if it was given so
-  Units units;                                // of states and pictures
-};
 
 // The files of one directory: index.html with its style sheets, attractors.json, basins.json or
 // diagram.json, but of a diagram along a value in SI units, and the pictures: of each attractor, as far as

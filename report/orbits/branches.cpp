@@ -75,113 +75,98 @@ std::string change_in_words(const Change& change) {
   if (change.kind != ChangeKind::resonance) {
     text += ": " + change.words;
   }
-  if (change.when && change.when->is_finite()) {
-    text += fmt::format("; at t = {}", rounded(*change.when, 6));
-  }
-  return text + (change.verdict.truth == Truth::proved ? "; proved" : "; " + change.verdict.reason);
+  return change.when && change.when->is_finite() ? text + fmt::format("; at t = {}", rounded(*change.when, 6))
+                                                 : text;
 }
 
 std::string branch_text(const Branch& branch, std::size_t number, const Style& style) {
-  const Row heading{{fmt::format("Branch {}:", number), bold(style)},
-                    {fmt::format("from {}, {}, to {}, {}", rounded(branch.first.at, digits),
-                                 branch.first.words, rounded(branch.last.at, digits), branch.last.words)}};
-  std::vector<Row> rows;
-  for (const Piece& piece : branch.pieces) {
-    rows.push_back({{"  " + rounded(piece.first, digits)},
-                    {rounded(piece.last, digits)},
-                    {state_in_words(piece),
-                     colour_of(is_admissible(piece.state) ? Truth::proved : Truth::refuted, style)}});
+  const BranchRows told = rows_of(branch);
+  std::vector<Row> pieces, changes;
+  for (std::size_t k = 0; k < told.pieces.size(); ++k) {
+    const Row& row = told.pieces[k];
+    const Truth truth = is_admissible(branch.pieces[k].state) ? Truth::proved : Truth::refuted;
+    pieces.push_back({{"  " + row[0].text}, row[1], {row[2].text, colour_of(truth, style)}});
   }
-  std::string text = "\n" + columns_of({heading}, style.width) + columns_of(rows, style.width);
-  rows.clear();
-  for (const Change& change : branch.changes) {
-    rows.push_back({{"  " + readable(change.at, digits)}, {change_in_words(change)}});
+  for (const Row& row : told.changes) {
+    changes.push_back({{"  " + row[0].text}, {row[1].text + "; " + row[2].text}});
   }
-  return text + columns_of(rows, style.width);
-}
-
-// The start of a motion, as the paper names it.
-struct Start {
-  double phi, x10, x20, xdot10;
-};
-Start start_of(const motion::MotionOf<double>& m) {
-  const auto& first = m.phases.front();
-  return {first.load, first.Z(0) + m.oscillator.d0(0), first.Z(1) + m.oscillator.d0(1), first.Z(2)};
-}
-
-Json change_data(const Change& change) {
-  static constexpr std::array names{"", "condition", "multiplier", "duration", "frequency"};
-  Json json = {{"kind", to_string(change.kind)}};
-  if (!change.what.empty()) {
-    json[names.at(static_cast<std::size_t>(change.kind))] = change.what;
-  }
-  json["words"] = change.words;
-  json["at"] = to_json(change.at, 20);
-  if (change.when && change.when->is_finite()) {
-    json["time"] = to_json(*change.when, 20);
-  }
-  json["verdict"] = to_string(change.verdict.truth);
-  if (!change.verdict.reason.empty()) {
-    json["reason"] = change.verdict.reason;
-  }
-  return json;
-}
-
-Json branch_data(const Branch& branch, const BranchQuestion& q) {
-  Json json = {{"from", to_json(branch.first.at, 20)},
-               {"to", to_json(branch.last.at, 20)},
-               {"closed", branch.closed},
-               {"ends", Json::array()},
-               {"pieces", Json::array()},
-               {"changes", list_of(branch.changes, [](const Change& c) { return change_data(c); })},
-               {"samples", Json::array()}};
-  for (const BranchEnd * end : {&branch.first, &branch.last}) {
-    json["ends"].push_back(
-        {{"at", to_json(end->at, 20)}, {"reason", end->words}, {"resolved", end->resolved}});
-  }
-  for (const Piece& piece : branch.pieces) {
-    Json one = {{"from", to_json(piece.first, 20)},
-                {"to", to_json(piece.last, 20)},
-                {"state", to_string(piece.state)}};
-    if (!piece.condition.empty()) {
-      one["violates"] = piece.condition;
-    }
-    json["pieces"].push_back(one);
-    for (const Sample& sample : piece.samples) {
-      Json here = {{"value", sample.value}, {"state", to_string(piece.state)}};
-      for (std::size_t k = 0; k < sample.motion.phases.size(); ++k) {
-        here[q.orbits.family->durations[k]] = sample.motion.phases[k].duration;
-      }
-      const Start start = start_of(sample.motion);
-      here["phi"] = start.phi;
-      here["x10"] = start.x10;
-      here["x20"] = start.x20;
-      here["xdot10"] = start.xdot10;
-      json["samples"].push_back(here);
-    }
-  }
-  return json;
+  return "\n" +
+         columns_of({{{fmt::format("Branch {}:", number), bold(style)}, {told.heading}}}, style.width) +
+         columns_of(pieces, style.width) + columns_of(changes, style.width);
 }
 
 }  // namespace
 
-std::string terminal_report(const BranchList& list, const Style& style) {
+OrbitStart start_of(const motion::MotionOf<double>& m) {
+  const auto& first = m.phases.front();
+  return {first.load, first.Z(0) + m.oscillator.d0(0), first.Z(1) + m.oscillator.d0(1), first.Z(2)};
+}
+
+std::vector<Row> rows_of(const BranchList& list) {
   const BranchQuestion& q = list.question;
-  std::vector<Row> rows{{{"parameters"}, {others(q)}},
-                        {{"along"},
-                         {fmt::format("{} from {} to {}", q.parameter, stickslip::to_string(q.from),
-                                      stickslip::to_string(q.to))}},
-                        {{"searched"}, {searched_in(list)}},
-                        {{"complete"}, {complete_in_words(list)}},
-                        {{"result"}, {result_of(list)}}};
+  return {{{"parameters"}, {others(q)}},
+          {{"along"},
+           {fmt::format("{} from {} to {}", q.parameter, stickslip::to_string(q.from),
+                        stickslip::to_string(q.to))}},
+          {{"searched"}, {searched_in(list)}},
+          {{"complete"}, {complete_in_words(list)}},
+          {{"result"}, {result_of(list)}}};
+}
+
+BranchRows rows_of(const Branch& branch) {
+  BranchRows told{fmt::format("from {}, {}, to {}, {}", rounded(branch.first.at, digits), branch.first.words,
+                              rounded(branch.last.at, digits), branch.last.words),
+                  {},
+                  {}};
+  for (const Piece& piece : branch.pieces) {
+    told.pieces.push_back(
+        {{rounded(piece.first, digits)}, {rounded(piece.last, digits)}, {state_in_words(piece)}});
+  }
+  for (const Change& change : branch.changes) {
+    const bool proved = change.verdict.truth == Truth::proved;
+    told.changes.push_back({{readable(change.at, digits)},
+                            {change_in_words(change)},
+                            {proved ? to_string(change.verdict.truth) : change.verdict.reason}});
+  }
+  return told;
+}
+
+std::vector<Row> unresolved_rows(const BranchList& list) {
+  std::vector<Row> rows;
   for (const UnresolvedPart& part : list.unresolved) {
     std::string where;
     for (const NamedBall& value : part.where) {
       where += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
     }
-    rows.push_back(
-        {{"unresolved"},
-         {fmt::format("{} = {}: {}{}", q.parameter, readable(part.value, digits), where, part.reason)}});
+    rows.push_back({{fmt::format("{} = {}", list.question.parameter, readable(part.value, digits))},
+                    {where + part.reason}});
+  }
+  return rows;
+}
+
+std::vector<Row> count_rows(const BranchList& list) {
+  // At most so many when what is open is decided.
+  const auto number = [](const Count& count, int least, int open) {
+    return count.more  ? fmt::format("{} or more", least)
+           : open == 0 ? std::to_string(least)
+                       : fmt::format("{} to {}", least, least + open);
+  };
+  std::vector<Row> rows;
+  for (const Count& count : list.counts) {
+    rows.push_back({{rounded(count.from, digits)},
+                    {rounded(count.to, digits)},
+                    {number(count, count.orbits, count.undecided)},
+                    {number(count, count.admissible, count.undecided)},
+                    {number(count, count.stable, count.unsettled + count.undecided)}});
+  }
+  return rows;
+}
+
+std::string terminal_report(const BranchList& list, const Style& style) {
+  const BranchQuestion& q = list.question;
+  std::vector<Row> rows = rows_of(list);
+  for (const Row& part : unresolved_rows(list)) {
+    rows.push_back({{"unresolved"}, {part[0].text + ": " + part[1].text}});
   }
   std::string text =
       columns_of({{{fmt::format("Branches along {}. {}", q.parameter, q.orbits.family->title), bold(style)}}},
@@ -190,21 +175,9 @@ std::string terminal_report(const BranchList& list, const Style& style) {
   for (std::size_t k = 0; k < list.branches.size(); ++k) {
     text += branch_text(list.branches[k], k + 1, style);
   }
-  // At most so many when what is open is decided.
-  const auto number = [](const Count& count, int least, int open) {
-    return count.more  ? fmt::format("{} or more", least)
-           : open == 0 ? std::to_string(least)
-                       : fmt::format("{} to {}", least, least + open);
-  };
-  rows = {{{q.parameter}, {""}, {"orbits"}, {"admissible"}, {"stable"}}};
-  for (const Count& count : list.counts) {
-    rows.push_back({{rounded(count.from, digits)},
-                    {rounded(count.to, digits)},
-                    {number(count, count.orbits, count.undecided)},
-                    {number(count, count.admissible, count.undecided)},
-                    {number(count, count.stable, count.unsettled + count.undecided)}});
-  }
-  return text + "\n" + columns_of(rows, style.width);
+  std::vector<Row> counts = count_rows(list);
+  counts.insert(counts.begin(), {{q.parameter}, {""}, {"orbits"}, {"admissible"}, {"stable"}});
+  return text + "\n" + columns_of(counts, style.width);
 }
 
 std::string to_csv(const BranchList& list) {
@@ -222,7 +195,7 @@ std::string to_csv(const BranchList& list) {
         for (const auto& phase : sample.motion.phases) {
           text += fmt::format(",{:.17g}", phase.duration);
         }
-        const Start s = start_of(sample.motion);
+        const OrbitStart s = start_of(sample.motion);
         text += fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g}\n", s.phi, s.x10, s.x20, s.xdot10);
       }
     }
@@ -230,43 +203,11 @@ std::string to_csv(const BranchList& list) {
   return text;
 }
 
-Json to_json(const BranchList& list) {
+std::string plot_script(const BranchList& list, PlotFormat format, PlotShape shape) {
   const BranchQuestion& q = list.question;
-  Json json = provenance(command_of(q));
-  json["family"] = q.orbits.family->name;
-  json["parameter"] = q.parameter;
-  json["interval"] = {stickslip::to_string(q.from), stickslip::to_string(q.to)};
-  json["parameters"] = Json::object();
-  for (const NamedRange& parameter : named_parameters(q.orbits)) {
-    if (parameter.name != q.parameter) {
-      json["parameters"][parameter.name] = notation(parameter.range);
-    }
-  }
-  json["complete"] = list.complete;
-  if (q.at) {
-    json["at"] = stickslip::to_string(*q.at);
-  }
-  json["branches"] = list_of(list.branches, [&](const Branch& branch) { return branch_data(branch, q); });
-  json["counts"] = list_of(list.counts, [](const Count& count) {
-    return Json{{"from", to_json(count.from, 20)}, {"to", to_json(count.to, 20)},
-                {"orbits", count.orbits},          {"admissible", count.admissible},
-                {"stable", count.stable},          {"unsettled", count.unsettled},
-                {"undecided", count.undecided},    {"more", count.more}};
-  });
-  json["unresolved"] = list_of(list.unresolved, [](const UnresolvedPart& part) {
-    Json one = {{"value", to_json(part.value, 20)}};
-    add_values(one, part.where, 20);
-    one["reason"] = plain(part.reason);
-    one["resonance"] = part.resonance;
-    return one;
-  });
-  json["interrupted"] = list.interrupted;
-  return json;
-}
-
-std::string plot_script(const BranchList& list, PlotFormat format) {
-  const BranchQuestion& q = list.question;
-  Json data = {{"svg", format == PlotFormat::svg}, {"pdf", format == PlotFormat::pdf}};
+  Json data = {{"svg", format == PlotFormat::svg},
+               {"pdf", format == PlotFormat::pdf},
+               {"narrow", shape == PlotShape::narrow}};
   struct Stroke {
     const char *name, *style;
     std::string table;

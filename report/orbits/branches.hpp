@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "numeric/branches/branches.hpp"
 #include "report/tools/json.hpp"
@@ -19,9 +20,28 @@ namespace stickslip::report::orbits {
 // branch and piece (1, 2, …), state, the durations of the phases, phi, x10, x20, xdot10; with 17 digits.
 [[nodiscard]] std::string to_csv(const numeric::branches::BranchList& list);
 
+// What these and the page are made of, rows of cells. Of a branch: how it begins and ends; from, to and state
+// of each piece; place, name and verdict, or its reason, of each change.
+struct BranchRows {
+  std::string heading;
+  std::vector<tools::Row> pieces, changes;
+};
+[[nodiscard]] BranchRows rows_of(const numeric::branches::Branch& branch);
+// The question and its result, a label and a sentence each; what is unresolved, where and why; from, to, and
+// how many orbits there are between, how many admissible and stable.
+[[nodiscard]] std::vector<tools::Row> rows_of(const numeric::branches::BranchList& list);
+[[nodiscard]] std::vector<tools::Row> unresolved_rows(const numeric::branches::BranchList& list);
+[[nodiscard]] std::vector<tools::Row> count_rows(const numeric::branches::BranchList& list);
+
+// The start of a motion, as the paper names it.
+struct OrbitStart {
+  double phi, x10, x20, xdot10;
+};
+[[nodiscard]] OrbitStart start_of(const numeric::motion::MotionOf<double>& motion);
+
 // What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "complete",
 // "at"?, "branches": [{"from", "to",
-// "closed", "ends": [{"at", "reason", "resolved"}], "pieces": [{"from", "to", "state", "violates"?}],
+// "closed", "ends": [{"at", "kind", "reason", "resolved"}], "pieces": [{"from", "to", "state", "violates"?}],
 // "changes": [{"kind", "condition" | "multiplier" | "duration" | "frequency"?, "words", "at", "time"?,
 // "verdict", "reason"?}], "samples": [{"value", "state", durations, "phi", "x10", "x20", "xdot10"}]}],
 // "counts": [{"from", "to", "orbits", "admissible", "stable", "unsettled", "undecided",
@@ -32,7 +52,8 @@ namespace stickslip::report::orbits {
 // A script for gnuplot: x2 where the first phase begins against the parameter, stable, unstable,
 // inadmissible and unsettled pieces by their strokes, changes by their marks. Empty when there is nothing to
 // draw.
-[[nodiscard]] std::string plot_script(const numeric::branches::BranchList& list, tools::PlotFormat format);
+[[nodiscard]] std::string plot_script(const numeric::branches::BranchList& list, tools::PlotFormat format,
+                                      tools::PlotShape shape = tools::PlotShape::wide);
 
 // What gives the same result again.
 [[nodiscard]] std::string command_of(const numeric::branches::BranchQuestion& question);

@@ -24,14 +24,26 @@ std::string undated(std::string pdf) {
 
 }  // namespace
 
-std::vector<File> pictures(const OrbitList& list, const std::string& stem, std::optional<std::size_t> only) {
-  const std::string wide = plot_script(list, PlotFormat::svg, PlotShape::wide, only);
+std::vector<File> screen_pictures(const ScriptOf& script, const std::string& stem) {
+  const std::string wide = script(PlotFormat::svg, PlotShape::wide);
   if (wide.empty()) {
     return {};
   }
   return {{stem + ".svg", gnuplot(wide)},
-          {stem + "-narrow.svg", gnuplot(plot_script(list, PlotFormat::svg, PlotShape::narrow, only))},
-          {stem + ".pdf", undated(gnuplot(plot_script(list, PlotFormat::pdf, PlotShape::wide, only)))}};
+          {stem + "-narrow.svg", gnuplot(script(PlotFormat::svg, PlotShape::narrow))}};
+}
+
+std::vector<File> pictures(const ScriptOf& script, const std::string& stem) {
+  std::vector<File> files = screen_pictures(script, stem);
+  if (!files.empty()) {
+    files.push_back({stem + ".pdf", undated(gnuplot(script(PlotFormat::pdf, PlotShape::wide)))});
+  }
+  return files;
+}
+
+std::vector<File> pictures(const OrbitList& list, const std::string& stem, std::optional<std::size_t> only) {
+  return pictures([&](PlotFormat format, PlotShape shape) { return plot_script(list, format, shape, only); },
+                  stem);
 }
 
 void require_page_tools(bool with_graph) {

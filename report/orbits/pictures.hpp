@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,11 +10,19 @@
 #include "numeric/orbits.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/json.hpp"
+#include "report/tools/plot.hpp"
 
 namespace stickslip::report::orbits {
 
-// STEM.svg, STEM-narrow.svg and STEM.pdf, without dates; none when there is no orbit to draw; of one orbit if
-// one is named. Throws InputOutputError when gnuplot is missing or fails.
+// gnuplot's script of one picture; empty when there is nothing to draw.
+using ScriptOf = std::function<std::string(tools::PlotFormat, tools::PlotShape)>;
+
+// STEM.svg and STEM-narrow.svg, for screens; and STEM.pdf. Without dates; none when there is nothing to draw.
+// Throw InputOutputError when gnuplot is missing or fails.
+[[nodiscard]] std::vector<tools::File> screen_pictures(const ScriptOf& script, const std::string& stem);
+[[nodiscard]] std::vector<tools::File> pictures(const ScriptOf& script, const std::string& stem);
+
+// All three of a list, or of one of its orbits.
 [[nodiscard]] std::vector<tools::File> pictures(const numeric::OrbitList& list, const std::string& stem,
                                                 std::optional<std::size_t> only = std::nullopt);
 

@@ -38,16 +38,20 @@ TEST_CASE("branch: questions that are none are named") {
       {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--plot", "a.png"},
        exit_usage,
        "a.png"},
+      {{"branch", "symmetric", "--example", "S", "--omega", "0.5..0.6", "--out", "/no/such/place"},
+       exit_io,
+       "/no/such"},
       {{"branch", "symmetric", "--example", "S", "--chi", "0.5..1"}, exit_domain, "chi = 1"},
       {{"branch", "symmetric", "--example", "S", "--omega", "-1..1"}, exit_domain, "omega = -1"},
   });
 }
 
-TEST_CASE("branch: the table, the JSON and the CSV of a short interval") {
+TEST_CASE("branch: the table, the JSON, the CSV and the page of a short interval") {
   const TemporaryDirectory directory;
   const std::string csv = (directory.path() / "branches.csv").string();
-  const Run json = stickslip_program(
-      {"branch", "symmetric", "--example", "S", "--omega", "0.586..0.588", "--csv", csv, "--json"});
+  const auto page = directory.path() / "page";
+  const Run json = stickslip_program({"branch", "symmetric", "--example", "S", "--omega", "0.586..0.588",
+                                      "--csv", csv, "--out", page, "--json"});
   CHECK(json.code == exit_decided);
   const Json data = Json::parse(json.out);
   CHECK(data["parameter"] == "omega");
@@ -55,6 +59,9 @@ TEST_CASE("branch: the table, the JSON and the CSV of a short interval") {
   CHECK(data["unresolved"].empty());
   int changes = 0;
   for (const Json& branch : data["branches"]) {
+    for (const Json& end : branch["ends"]) {
+      CHECK(end["kind"] == "interval");
+    }
     for (const Json& change : branch["changes"]) {
       ++changes;
       CHECK(change["kind"] == "stability");
@@ -67,6 +74,18 @@ TEST_CASE("branch: the table, the JSON and the CSV of a short interval") {
   std::string names;
   std::getline(table, names);
   CHECK(names == "omega,branch,piece,state,tau,T,phi,x10,x20,xdot10");
+  CHECK(content(page / "branches.json") == json.out);
+  CHECK(content(page / "branches.csv") == content(csv));
+  const std::string html = content(page / "index.html");
+  CHECK(html.ends_with("</html>\n"));
+  CHECK(html.find("<tex>") == std::string::npos);
+  CHECK(html.find("id=\"branch-4\"") != std::string::npos);
+  CHECK(html.find("stability real -1") != std::string::npos);
+  for (const char * picture : {"branches.svg", "branches-narrow.svg"}) {
+    CHECK(html.find(std::string("\"") + picture + "\"") != std::string::npos);
+    CHECK(content(page / picture).find("</svg>") != std::string::npos);
+  }
+  CHECK(content(page / "branches.pdf").starts_with("%PDF"));
   const Run text = stickslip_program({"branch", "symmetric", "--example", "S", "--omega", "0.586..0.588"});
   CHECK(text.code == exit_decided);
   CHECK(text.out.find("stability real -1") != std::string::npos);

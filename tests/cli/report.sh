@@ -19,7 +19,7 @@ wait $!
 "$1" attractors --example P --starts 40 --out "$2/attractors" >/dev/null
 "$1" orbits S --example S --json >"$2/slip.json"
 "$1" orbits T --example P --json >"$2/stick.json"
-"$1" branch symmetric --example S --omega 0.59..0.607 --json >"$2/branches.json"
+"$1" branch symmetric --example S --omega 0.59..0.607 --out "$2/branches" --json >"$2/branches.json"
 "$1" orbits ST --example S --json >"$2/list.json"
 "$1" orbits OSOTSOST --period 3 --example P --json >"$2/word.json"
 "$1" simulate --example O --perturb 0.01,0,0,0 --json >"$2/simulation.json"
