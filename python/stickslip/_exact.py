@@ -88,7 +88,7 @@ class Ball(Later):
     @property
     def approximate(self) -> float:
         """The float next to mid: for pictures and guesses."""
-        return float(Decimal(self.mid))
+        return float(self.mid)
 
     @property
     def interval(self) -> Tuple[float, float]:
