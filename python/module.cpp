@@ -28,7 +28,9 @@
 #include "report/orbits/branches.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
+#include "report/orbits/parts.hpp"
 #include "report/orbits/simulation.hpp"
+#include "report/tools/numbers.hpp"
 #include "report/tools/versions.hpp"
 #include "symbolic/objects/objects.hpp"
 
@@ -86,6 +88,59 @@ OrbitList orbits(const std::string& family, const TypedParameters& parameters, c
     return list_orbits(
         cli::question(paper_for(example), family_named(family), parameters, {}, example, digits));
   });
+}
+
+// Of a list all but its orbits.
+std::string without_orbits(const OrbitList& list) {
+  return report::orbits::to_json(
+             OrbitList{list.question, {}, list.unresolved, list.remarks, list.cells, list.open_at_middle})
+      .dump();
+}
+
+// A ball of an orbit, of which decimals are made when they are asked for: as many as are worth it.
+struct Enclosure {
+  Ball ball;
+  int digits;
+};
+
+std::pair<std::string, std::string> decimals(const Enclosure& e) {
+  BallText text = to_text(e.ball, report::tools::known_digits(e.ball, e.digits));
+  return {std::move(text.mid), std::move(text.rad)};
+}
+
+// What is decided of an orbit but its conditions; its values by their names; its multipliers.
+std::tuple<py::dict, py::dict, py::list> orbit(const OrbitList& list, std::size_t number) {
+  const Orbit& o = list.orbits.at(number);
+  const auto kept = [&](const Ball& ball) { return Enclosure{ball, list.question.digits}; };
+  py::dict decided;
+  py::dict values;
+  py::list multipliers;
+  const Truth admissible = o.admissible.truth;
+  decided["admissible"] = admissible == Truth::proved || admissible == Truth::refuted
+                              ? std::optional(admissible == Truth::proved)
+                              : std::nullopt;
+  if (!o.split.empty()) {
+    decided["split"] = o.split;
+  }
+  for (const NamedBall& value : o.values) {
+    values[value.name.c_str()] = kept(value.value);
+  }
+  if (o.stability) {
+    decided["stability"] = to_string(o.stability->kind);
+    decided["stability_reason"] = plain(o.stability->reason);
+    for (const motion::ComplexBall& mu : o.stability->multipliers) {
+      multipliers.append(py::make_tuple(kept(mu.re), kept(mu.im)));
+    }
+  }
+  return {decided, values, multipliers};
+}
+
+std::string conditions(const OrbitList& list, std::size_t number) {
+  report::tools::Json json = report::tools::Json::array();
+  for (const motion::Condition& condition : list.orbits.at(number).conditions) {
+    json.push_back(report::orbits::to_json(condition));
+  }
+  return json.dump();
 }
 
 branches::BranchList word_branch(const std::string& word, int periods, const TypedParameters& parameters,
@@ -280,8 +335,13 @@ PYBIND11_MODULE(_core, m) {
 
   py::class_<Conduct>(m, "Conduct")
       .def(py::init<std::optional<std::size_t>, bool>(), py::arg("jobs"), py::arg("in_main_thread"));
+  py::class_<Enclosure>(m, "Ball").def("decimals", &decimals);
   py::class_<numeric::OrbitList>(m, "OrbitList")
       .def("json", [](const numeric::OrbitList& list) { return report::orbits::to_json(list).dump(); })
+      .def("without_orbits", &without_orbits)
+      .def("__len__", [](const numeric::OrbitList& list) { return list.orbits.size(); })
+      .def("orbit", &orbit, py::arg("number"))
+      .def("conditions", &conditions, py::arg("number"))
       .def("svg", &svg<numeric::OrbitList>);
   py::class_<numeric::attractors::WordOrbits>(m, "WordOrbits")
       .def("json",

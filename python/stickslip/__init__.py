@@ -101,13 +101,13 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     parameters = _parameters(example, _data, dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur))
     conduct = _conduct(jobs)
     if _is_word(family):
-        return Orbits._from(
+        return Orbits._later(
             _core.word_orbits(family, _whole("period", period, 1, 100000),
                               None if near is None else _state("near", near), parameters, example or "",
                               _whole("digits", digits, 1, 2000), conduct))
     if near is not None or period != 1:
         raise UsageError(f"period and near are for words of phases, not for the family '{family}'")
-    return Orbits._from(_core.orbits(family, parameters, example or "", _whole("digits", digits, 1, 2000), conduct))
+    return Orbits._later(_core.orbits(family, parameters, example or "", _whole("digits", digits, 1, 2000), conduct))
 
 
 def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = None, us: Optional[Along] = None,

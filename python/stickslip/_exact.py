@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numbers
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from decimal import Context, Decimal
 from fractions import Fraction
+from functools import lru_cache
 from math import inf, isfinite, nextafter
-from typing import Any, Tuple, Union
+from typing import Any, Dict, FrozenSet, Tuple, Union
 
 Exact = Union[str, int, Fraction, Decimal, "Ball"]
 
@@ -18,8 +19,39 @@ def _plain(value: Decimal) -> str:
     return format(value, "f") if "E" in text and -40 < value.adjusted() < 40 else text
 
 
+@lru_cache(maxsize=None)
+def names(cls: Any) -> FrozenSet[str]:
+    """Of the fields of a dataclass."""
+    return frozenset(f.name for f in fields(cls))
+
+
+class Later:
+    """A dataclass of which some fields are made, by _made, when one of them is first asked for."""
+
+    @classmethod
+    def _later(cls, found: Any, **known: Any) -> Any:
+        """An object of the class that is made of what was found; some of its fields are known."""
+        result = object.__new__(cls)
+        result.__dict__.update(known, _found=found)
+        return result
+
+    def _made(self, name: str) -> Dict[str, Any]:
+        """The field of that name, and what else comes with it."""
+        raise NotImplementedError
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in names(type(self)) or "_found" not in self.__dict__:
+            raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
+        self.__dict__.update(self._made(name))
+        return self.__dict__[name]
+
+    def _state(self) -> Dict[str, Any]:
+        """What is copied and pickled: the fields, and not what they are made of."""
+        return {name: getattr(self, name) for name in names(type(self))}
+
+
 @dataclass(frozen=True)
-class Ball:
+class Ball(Later):
     """All numbers from mid - rad to mid + rad; the one that is meant is proved to be among them.
 
     ``mid`` and ``rad`` are exact decimals as text. A ball is never taken for a float silently: ask for
@@ -28,6 +60,12 @@ class Ball:
 
     mid: str
     rad: str
+
+    def _made(self, name: str) -> Dict[str, str]:
+        mid, rad = self._found.decimals()
+        return {"mid": mid, "rad": rad}
+
+    __getstate__ = Later._state
 
     def _end(self, sign: int) -> Decimal:
         mid, rad = Decimal(self.mid), Decimal(self.rad)
@@ -50,7 +88,7 @@ class Ball:
     @property
     def approximate(self) -> float:
         """The float next to mid: for pictures and guesses."""
-        return float(Decimal(self.mid))
+        return float(self.mid)
 
     @property
     def interval(self) -> Tuple[float, float]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json as _json
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache as _lru_cache
-from typing import TYPE_CHECKING, Any, Dict, FrozenSet, Iterator, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Optional, Tuple
 
-from ._exact import Ball, ComplexBall
+from . import _core
+from ._exact import Ball, ComplexBall, Later
+from ._exact import names as _names
 
 if TYPE_CHECKING:
     import numpy
@@ -20,11 +21,6 @@ def _ball(data: Optional[Dict[str, str]]) -> Optional[Ball]:
 
 def _multipliers(data: Dict[str, Any]) -> Tuple[ComplexBall, ...]:
     return tuple(ComplexBall(Ball(**m["re"]), Ball(**m["im"])) for m in data.get("multipliers", []))
-
-
-@_lru_cache(maxsize=None)
-def _names(cls: Any) -> FrozenSet[str]:
-    return frozenset(f.name for f in fields(cls))
 
 
 def _given(cls: Any, data: Dict[str, Any], **more: Any) -> Any:
@@ -60,6 +56,10 @@ class Unresolved:
     where: Dict[str, Ball]
 
 
+def _conditions(data: List[Dict[str, Any]]) -> Tuple[Condition, ...]:
+    return tuple(_given(Condition, c, margin=_ball(c.get("margin")), at=_ball(c.get("at"))) for c in data)
+
+
 def _unresolved(data: Dict[str, Any]) -> Tuple[Unresolved, ...]:
     return tuple(
         Unresolved(part["reason"], {n: Ball(**b) for n, b in part.items() if isinstance(b, dict)})
@@ -67,7 +67,7 @@ def _unresolved(data: Dict[str, Any]) -> Tuple[Unresolved, ...]:
 
 
 @dataclass(frozen=True)
-class Orbit:
+class Orbit(Later):
     """A periodic orbit that is proved to exist, with everything decided about it.
 
     Times and angles are dimensionless; lengths are in the unit of us, V and p. What the family does not have
@@ -101,11 +101,22 @@ class Orbit:
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Orbit":
-        conditions = tuple(
-            _given(Condition, c, margin=_ball(c.get("margin")), at=_ball(c.get("at"))) for c in data["conditions"])
-        return _given(cls, data, conditions=conditions, multipliers=_multipliers(data),
+        return _given(cls, data, conditions=_conditions(data["conditions"]), multipliers=_multipliers(data),
                       durations=tuple(Ball(**d) for d in data.get("durations", [])),
                       **{name: _ball(data.get(name)) for name in cls._balls})
+
+    @classmethod
+    def _of(cls, found: _core.OrbitList, number: int) -> "Orbit":
+        """One of a list; its conditions, and the decimals of its balls, are made when they are asked for."""
+        known, balls, multipliers = found.orbit(number)
+        return cls._later((found, number), **known, **{name: Ball._later(ball) for name, ball in balls.items()},
+                          multipliers=tuple(ComplexBall(Ball._later(re), Ball._later(im)) for re, im in multipliers))
+
+    def _made(self, name: str) -> Dict[str, Any]:
+        found, number = self._found
+        return {"conditions": _conditions(_json.loads(found.conditions(number)))}
+
+    __getstate__ = Later._state
 
     def _repr_latex_(self) -> str:
         names = {"tau": r"\tau", "tau1": r"\tau_1", "Theta": r"\Theta", "phi": r"\varphi", "ur": "u_r",
@@ -115,10 +126,10 @@ class Orbit:
 
 
 @dataclass(frozen=True)
-class Orbits:
+class Orbits(Later):
     """A list of orbits, and what is known of its completeness; a sequence of its orbits.
 
-    Decimals are made of what was found when something of it is first asked for.
+    Decimals are made of what was found when they are first asked for.
     """
 
     parameters: Dict[str, str]  #: exact decimals or fractions
@@ -132,19 +143,19 @@ class Orbits:
     seen: str  #: of a word: what was met in place of an orbit
     json: Dict[str, Any] = field(repr=False, compare=False)  #: as orbits --json prints it
 
-    @classmethod
-    def _from(cls, found: Any) -> "Orbits":
-        return _with(object.__new__(cls), found)
-
-    def __getattr__(self, name: str) -> Any:
-        if name not in _names(Orbits) or "_found" not in self.__dict__:
-            raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
-        data = _json.loads(self._found.json())
-        self.__dict__.update(parameters=data["parameters"], complete=data["complete"],
-                             orbits=tuple(Orbit._from(o) for o in data["orbits"]), unresolved=_unresolved(data),
-                             family=data.get("family"), word=data.get("word"), period=data.get("period"),
-                             remarks=tuple(data.get("remarks", [])), seen=data.get("seen", ""), json=data)
-        return self.__dict__[name]
+    def _made(self, name: str) -> Dict[str, Any]:
+        found = self._found
+        if name == "json":
+            return {"json": _json.loads(found.json())}
+        if isinstance(found, _core.OrbitList):
+            data = _json.loads(found.without_orbits())
+            orbits = tuple(Orbit._of(found, number) for number in range(len(found)))
+        else:
+            data = self.json
+            orbits = tuple(Orbit._from(o) for o in data["orbits"])
+        return dict(parameters=data["parameters"], complete=data["complete"], orbits=orbits,
+                    unresolved=_unresolved(data), family=data.get("family"), word=data.get("word"),
+                    period=data.get("period"), remarks=tuple(data.get("remarks", [])), seen=data.get("seen", ""))
 
     def __len__(self) -> int:
         return len(self.orbits)

@@ -1,8 +1,10 @@
 """Orbits: the same as the program prints, and refusals in its words."""
 
+import copy
 import dataclasses
 import json
 import os
+import pickle
 import subprocess
 from decimal import Decimal
 from fractions import Fraction
@@ -32,6 +34,25 @@ def test_orbits_are_those_of_the_program():
     assert abs(orbit.multipliers[0].approximate - (0.37990063128505213 + 0.65007627864454549j)) < 1e-15
     assert [c.verdict for c in orbit.conditions] == ["proved"] * 6
     assert not found[0].admissible and any(c.verdict == "refuted" for c in found[0].conditions)
+
+
+@pytest.mark.parametrize("family, given", [
+    ("nonsticking", MACHINE),
+    ("symmetric", dict(example="S", digits=60)),
+    ("nonsticking", {**MACHINE, "chi": "0.3+-1e-4", "ur": "0.2"}),
+    ("nonsticking", {**MACHINE, "chi": "0.3+-1e-3", "ur": "0.2786"}),
+])
+def test_what_is_made_when_it_is_read_is_what_is_printed(family, given):
+    found, untouched = (stickslip.orbits(family, **given) for _ in range(2))
+    printed = tuple(stickslip.Orbit._from(orbit) for orbit in found.json["orbits"])
+    assert found.orbits == printed and repr(found.orbits) == repr(printed)
+    # So it is for what nobody has read before.
+    for again in (copy.copy, copy.deepcopy, lambda orbit: pickle.loads(pickle.dumps(orbit))):
+        assert tuple(map(again, untouched)) == printed
+        untouched = stickslip.orbits(family, **given)
+        balls = [getattr(orbit, name) for orbit in untouched for name in ("tau", "Theta")]
+        assert list(map(again, balls)) == [getattr(orbit, name) for orbit in printed for name in ("tau", "Theta")]
+    assert {dataclasses.replace(orbit) for orbit in stickslip.orbits(family, **given)} == set(printed)
 
 
 def test_every_notation_of_a_number_means_the_same():
@@ -120,5 +141,6 @@ def test_results_become_dictionaries():
     found = stickslip.orbits("nonsticking", **MACHINE)
     assert dataclasses.asdict(found)["orbits"][0]["tau"]["mid"] == found[0].tau.mid
     assert repr(found).startswith("Orbits(parameters={'chi': '0.3'") and "_found" not in repr(found)
-    with pytest.raises(AttributeError, match="nothing"):
-        found.nothing
+    for thing in (found, found[0], found[0].tau):
+        with pytest.raises(AttributeError, match="nothing"):
+            thing.nothing
