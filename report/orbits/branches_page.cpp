@@ -55,11 +55,12 @@ Json branch_data(const Branch& branch, std::size_t number) {
 
 std::vector<File> pages(const BranchList& list, const PageFrame& frame) {
   const BranchQuestion& q = list.question;
-  Json data = page_data(frame, "Branches along " + q.parameter, command_of(q),
-                        fmt::format("motions that close are followed and their conditions decided in balls, "
-                                    "changes enclosed to {}; the diagram and the table of orbits are drawn "
-                                    "from values in floating point",
-                                    resolution));
+  Json data = page_data(
+      frame, "Branches along " + q.parameter, command_of(q),
+      fmt::format("motions that close are followed and their conditions decided in balls, "
+                  "changes but resonances enclosed to {}; the diagram and the table of orbits are drawn "
+                  "from values in floating point",
+                  resolution));
   const std::vector<Row> facts = rows_of(list);
   data["tables"].push_back(table("question", "Question", facts));
   data["family"] = q.orbits.family->title;
