@@ -15,8 +15,11 @@ namespace {
 
 BranchList ending(End first, End last) {
   BranchList list;
-  list.question = {proofs::methods::question_of(proofs::pascal2012::example_named("S")), "omega",
-                   Rational(1, 2), Rational(3, 5), {}};
+  list.question = {proofs::methods::question_of(proofs::pascal2012::example_named("S")),
+                   "omega",
+                   Rational(1, 2),
+                   Rational(3, 5),
+                   {}};
   Branch branch;
   branch.first = {Ball(Rational(1, 2)), "begins", first};
   branch.last = {Ball(Rational(3, 5)), "ends", last};
@@ -27,9 +30,9 @@ BranchList ending(End first, End last) {
 }  // namespace
 
 TEST_CASE("the JSON of a branch says of each end what it is, and only where it stopped that it may go on") {
-  for (const auto& [end, kind] :
-       {std::pair(End::interval, "interval"), std::pair(End::absent, "birth"), std::pair(End::closed, "closed"),
-        std::pair(End::infinite, "infinity"), std::pair(End::stopped, "stopped")}) {
+  for (const auto& [end, kind] : {std::pair(End::interval, "interval"), std::pair(End::absent, "birth"),
+                                  std::pair(End::closed, "closed"), std::pair(End::infinite, "infinity"),
+                                  std::pair(End::stopped, "stopped")}) {
     const Json ends = to_json(ending(End::interval, end)).at("branches").at(0).at("ends");
     CHECK(ends.at(0).at("kind") == "interval");
     CHECK(ends.at(1).at("kind") == kind);
