@@ -111,6 +111,7 @@ class Writer {
       bundle = fmt::format("and_also {} {}", *name, bundle == "no_more" ? bundle : "(" + bundle + ")");
     }
     text += fmt::format("Definition theorems := {}.\n", bundle);
+    sizes_.emplace(certificate.name, text.size());
     result_.files.push_back({certificate.name + ".v", text});
     result_.certificates.push_back(certificate);
   }
@@ -129,10 +130,16 @@ class Writer {
         "ifeq (,$(shell command -v coqc))\n"
         "$(error there is no coqc here: install Debian's coq, libcoq-coquelicot and libcoq-interval)\n"
         "endif\nall:";
+    // The longest first, so that in the end no process waits for another.
+    std::vector<std::pair<std::size_t, std::string>> asked;
     for (const Certificate& certificate : result_.certificates) {
       if (certificate.asked) {
-        text += fmt::format(" {}.vo", certificate.name);
+        asked.emplace_back(sizes_.at(certificate.name), certificate.name);
       }
+    }
+    std::ranges::sort(asked, std::greater{});
+    for (const auto& [size, name] : asked) {
+      text += fmt::format(" {}.vo", name);
     }
     text += fmt::format("\nCLAIMS = {}\n", fmt::join(names, " "));
     text +=
@@ -175,6 +182,7 @@ class Writer {
   Library library_;
   Certificates result_;
   std::vector<kernel::Definition> definitions_;
+  std::map<std::string, std::size_t> sizes_;  // of the files, in characters
   std::set<std::string> seen_;
 };
 

@@ -120,6 +120,14 @@ std::string in_units(const Matrix& matrix) {
 }  // namespace
 
 std::string Script::sign(const Theorem& theorem) {
+  // Interval arithmetic takes Coq half a second to load, here and wherever this file is used.
+  const std::vector<Term>& sides = theorem.conclusion().parts();
+  if (theorem.conclusion().kind() != Kind::negation && std::ranges::all_of(sides, is_rational)) {
+    return "  lra.";
+  }
+  if (theorem.conclusion() == less(0, pi())) {
+    return "  exact PI_RGT_0.";
+  }
   needs_.insert("Numbers");
   std::vector<Definition> opened;
   collect_definitions(theorem.conclusion(), opened);

@@ -16,8 +16,7 @@ Proof. intros; lra. Qed.
 Ltac as_gap := first [apply below_by_gap | apply at_most_by_gap].
 Ltac by_enclosure :=
   first
-    [ interval with (i_prec 30)
-    | as_gap; interval with (i_prec 60)
+    [ as_gap; interval with (i_prec 60)
     | interval with (i_prec 60)
     | interval with (i_prec 128)
     | lra ].
