@@ -167,7 +167,8 @@ def machine():
     for name in ("sympy", "scipy", "mpmath"):
         code = f"import {name}; print({name}.__version__)"
         versions[name] = on_one_core(["/usr/bin/python3", "-c", code]).strip() if installed(name) else "not installed"
-    for package in ("libbenchmark-dev", "libboost-dev", "libsundials-dev", "g++", "python3-gmpy2"):
+    for package in ("libbenchmark-dev", "libboost-dev", "libsundials-dev", "g++", "python3-gmpy2", "auto-07p",
+                    "libopenmpi-dev"):
         query = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], capture_output=True, text=True, check=False)
         versions[package] = query.stdout or "not installed"
     commit = subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True, check=False)

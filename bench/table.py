@@ -298,17 +298,19 @@ def markdown(r):
         f"(35): {duration(r['mpmath'].get('P.closed'))} in mpmath.\n\n" + orbit_rows(r),
         "## Lists of overshooting orbits at random data, u_r given\n\nχ 0.02–0.98, η 0.05–50, u_s 0.001–1 (both "
         "logarithmic), V 0–3, ω 0.05–5, p 0–5, u_r/u_s 1–10; beside a resonance but for 10⁻⁴ to 10⁻¹ of ω.\n\n" + completeness_rows(r),
-        "## Branches\n\nThe paper's data, overshooting orbits at φ = 0. stickslip proves each branch without gaps and each change; "
-        "the peers follow a branch in doubles until a length is 1,000. SciPy: pseudo-arclength, flows by exponentials of "
-        "matrices, conditions on 200 points of each phase; AUTO: the orbit as a boundary value problem over its phases, 30 × 4 "
-        "points, conditions at their ends. Neither looks at stability, nor for branches that do not pass through the value where it begins.\n\n" + branch_rows(r)
+        "## Branches\n\nThe paper's data, overshooting orbits at φ = 0. stickslip proves each branch without gaps and each "
+        "change; the peers follow a branch in doubles until a length is 1,000. SciPy: pseudo-arclength, flows by exponentials "
+        "of matrices, conditions on 200 points of each phase; AUTO: the orbit as a boundary value problem over its phases, "
+        "30 × 4 points, conditions at their ends. Neither looks at stability, nor for branches that do not pass through the "
+        "value where it begins.\n\n" + branch_rows(r)
         + "\nWhere something changes; of conditions, where an orbit becomes admissible or ceases to be:\n\n" + place_rows(r),
-        "## Boxes of parameters\n\nThe largest half width, relative to the value, in half decades, over which the orbit is proved "
-        "with every condition, and its stability, too; u_r is a result. In parentheses: what was to be reached.\n\n" + box_rows(r),
-        "## Atlases\n\nThe paper's data, χ, η, u_s, V as there; `symmetric` ω 0.5–0.8, p 0–0.2, `overshooting` ω 0.61–0.65, p 0.03–0.07, "
-        "φ = 0, `nonsticking` ω 0.5–0.8, p 0.5–1.5; area: shares of the symmetric one; dimension: parameters that vary, of the "
-        "symmetric orbit; processes: of mpirun with one thread each, of the nonsticking one; else one process, a thread for each core. CPU "
-        "time of all. Boxes are those that are kept.\n\n" + atlas_rows(r),
+        "## Boxes of parameters\n\nThe largest half width, relative to the value, in half decades, over which the orbit is "
+        "proved with every condition, and its stability, too; u_r is a result. In parentheses: what was to be reached.\n\n"
+        + box_rows(r),
+        "## Atlases\n\nThe paper's data, χ, η, u_s, V as there; `symmetric` ω 0.5–0.8, p 0–0.2, `overshooting` ω 0.61–0.65, "
+        "p 0.03–0.07, φ = 0, `nonsticking` ω 0.5–0.8, p 0.5–1.5; area: shares of the symmetric one; dimension: parameters that "
+        "vary, of the symmetric orbit; processes: of mpirun with one thread each, of the nonsticking one; else one process, a "
+        "thread for each core. CPU time of all. Boxes are those that are kept.\n\n" + atlas_rows(r),
         "## Growth\n\n" + growth_rows(r),
         f"## `script/audit` on a built tree\n\n{r['audit']['wall']:.1f} s wall on {r['audit']['cores']} cores, "
         f"{r['audit']['seconds']:.1f} s CPU, {r['audit']['megabytes']:.0f} MB in its largest process.",

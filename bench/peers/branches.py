@@ -173,7 +173,8 @@ AT_ENDS = ["ur", "18", "19.upper", "19.lower"]
 
 
 def constants(orbits, first, last, direction):
-    """AUTO's file of constants: folds, and zeros of all parameters but omega, are looked for."""
+    """AUTO's file of constants: folds, and zeros of all parameters but omega, are looked for. Without more weight on
+    omega (THL) it passes the fold where the motion is large."""
     y, conditions = orbits.start, orbits.conditions(orbits.start)
     values = [y[-1], *y[3:-1], *(conditions[name] for name in AT_ENDS)]
     numbers = range(1, len(values) + 1)
@@ -182,7 +183,8 @@ ICP = {list(numbers)}, PAR = {{{", ".join(f"{k}: {v:.17g}" for k, v in zip(numbe
 UZR = {{{", ".join(f"{k}: 0" for k in numbers[1:])}}}
 NDIM = 12, NBC = 18, NINT = 0, IPS = 4, IRS = 0, ILP = 1, ISP = 0, ISW = 1, JAC = 0
 NTST = 30, NCOL = 4, IAD = 3, NMX = 3000, NPR = 0, MXBF = 0, IID = 0, ITMX = 9, ITNW = 7, NWTN = 3
-EPSL = 1e-10, EPSU = 1e-10, THL = {{1: 1e6}}, EPSS = 1e-8, DS = {direction * 1e-3}, DSMIN = 1e-8, DSMAX = {LARGEST_STEP * LARGEST:g}, IADS = 1
+EPSL = 1e-10, EPSU = 1e-10, EPSS = 1e-8, THL = {{1: 1e6}}
+DS = {direction * 1e-3}, DSMIN = 1e-8, DSMAX = {LARGEST_STEP * LARGEST:g}, IADS = 1
 RL0 = {first}, RL1 = {last}, A1 = {3 * LARGEST:g}
 """
 
