@@ -124,38 +124,52 @@ def corrected(f, y, t, h):
     return found if status == 1 or np.max(np.abs(f(found))) < 1e-9 else None
 
 
+def changes(orbits, y, t, h, told, now):
+    """What has another sign at the end of a step than at its beginning, and where; of conditions, if no other is violated
+    there. Nothing if brentq or a correction fails."""
+    found = []
+    for name in now:
+        if (now[name] > 0) == (told[name] > 0):
+            continue
+
+        def value(s):
+            x = corrected(orbits.residual, y, t, s)
+            return tangent(orbits.residual, x, t)[-1] if name == "fold" else orbits.conditions(x)[name]
+        try:
+            there = corrected(orbits.residual, y, t, brentq(value, 0, h, xtol=1e-13))
+            if name == "fold" or all(v > 0 for k, v in orbits.conditions(there).items() if k != name):
+                found.append({"what": name, "at": there[-1]})
+        except (TypeError, ValueError, AttributeError):
+            return None
+    return found
+
+
 def follow(orbits, first, last, direction):
     """Steps, what was found, and why no more was, from the start on, omega rising or falling at first."""
     y = orbits.start
     t = tangent(orbits.residual, y, np.eye(len(y))[-1] * direction)
     h, found, steps = 1e-3, [], 0
     told = {**orbits.conditions(y), "fold": t[-1]}
-    while True:
+    while h > SMALLEST_STEP:
         ahead = corrected(orbits.residual, y, t, h)
         turned = None if ahead is None else tangent(orbits.residual, ahead, t)
-        if turned is None or turned @ t < 0.98 or np.max(np.abs(ahead - y)) > 2 * h:
+        if turned is None or turned @ t < 0.98 or np.max(np.abs(ahead - y)) > 2 * h or min(orbits.durations(ahead)) <= 0:
             h /= 2
-            if h < SMALLEST_STEP:
-                return steps, found, f"no step from omega = {y[-1]:.9g}"
+            continue
+        now = {**orbits.conditions(ahead), "fold": turned[-1]}
+        passed = changes(orbits, y, t, h, told, now)
+        if passed is None:
+            h /= 2
             continue
         steps += 1
-        now = {**orbits.conditions(ahead), "fold": turned[-1]}
-        for name in now:
-            if (now[name] > 0) != (told[name] > 0):
-                def value(s):
-                    x = corrected(orbits.residual, y, t, s)
-                    return tangent(orbits.residual, x, t)[-1] if name == "fold" else orbits.conditions(x)[name]
-                there = corrected(orbits.residual, y, t, brentq(value, 0, h, xtol=1e-13))
-                if name == "fold" or all(v > 0 for k, v in orbits.conditions(there).items() if k != name):
-                    found.append({"what": name, "at": there[-1]})
+        found += passed
+        size = np.max(np.abs(ahead[:3]))
         if not first <= ahead[-1] <= last:
             return steps, [x for x in found if first <= x["at"] <= last], "the end of the interval"
-        if min(orbits.durations(ahead)) <= 0:
-            return steps, found, "a phase of no length"
-        size = np.max(np.abs(ahead[:3]))
         if size > LARGEST:
             return steps, found, f"too large at omega = {ahead[-1]:.9g}"
         y, t, told, h = ahead, turned, now, min(1.3 * h, LARGEST_STEP * size)
+    return steps, found, f"no step from omega = {y[-1]:.9g}; the shortest phase lasts {min(orbits.durations(y)):.1g}"
 
 
 def by_scipy(starts, first, last):
