@@ -14,13 +14,15 @@ AREA_O = ["--omega", "0.61..0.65", "--p", "0.03..0.07"]
 AREA_P = ["--omega", "0.5..0.8", "--p", "0.5..1.5"]
 # By what grows: arguments, resolution, processes (0: no mpirun).
 FAMILIES = {"symmetric": S + AREA_S, "overshooting": O + AREA_O, "nonsticking": P + AREA_P}
-FINEST = {"symmetric": 12, "overshooting": 9, "nonsticking": 12}
+FINEST = {"symmetric": 12, "overshooting": 8, "nonsticking": 12}
+# What is to be decided, in how many minutes on two cores, and boxes judged in a second.
+GOALS = {"symmetric": (0.995, 5, 1e5), "overshooting": (0.99, 30, 1e4), "nonsticking": (0.995, 5, None)}
 DIMENSIONS = [["--omega", "0.55..0.57"], ["--p", "0.05..0.1"], ["--eta", "3.8..3.81"], ["--V", "1..1.01"]]
 
 
 def cases(quick):
     for family, arguments in FAMILIES.items():
-        finest = FINEST[family] - (5 if quick else 0)
+        finest = FINEST[family] - (4 if quick else 0)
         for resolution in range(finest - 2, finest + 1):
             yield "resolution", family, arguments, resolution, 0
     for share, last in (("1/4", "0.575"), ("1/2", "0.65"), ("1", "0.8")):
@@ -29,24 +31,30 @@ def cases(quick):
         yield "dimension", str(k), S + sum(DIMENSIONS[:k], []), 2 if quick else 4, 0
     if shutil.which("mpirun"):
         for processes in (1, 2):
-            yield "processes", str(processes), P + AREA_P, 6 if quick else 10, processes
+            yield "processes", str(processes), P + AREA_P, 6 if quick else 11, processes
 
 
-def measured(timed, quick):
-    """A row for each case: the program's counts and the processor time of all its processes. timed(command): standard
-    output and those seconds."""
+def measured(program, quick, say):
+    """A row for each case: the program's counts, and the time of all its processes, one thread each under mpirun, else
+    as many as there are cores. program(arguments, before, cores): standard output, processor time, time by the clock."""
     rows = []
     for grows, name, arguments, resolution, processes in cases(quick):
         with tempfile.TemporaryDirectory() as directory:
             out = Path(directory) / "atlas.h5"
-            words = ["atlas", *arguments, "--resolution", str(resolution), "--out", str(out), "--json", "--jobs", "1"]
+            words = ["atlas", *arguments, "--resolution", str(resolution), "--out", str(out), "--json"]
             before = ["mpirun", "--oversubscribe", "-n", str(processes)] if processes else []
-            text, seconds = timed(before, words)
+            text, seconds, wall = program([*words, "--jobs", "1"] if processes else words, before, 0)
             found = json.loads(text)
         decided = Fraction(found["volume"]["decided"])
         rows.append({"grows": grows, "name": name, "resolution": resolution, "boxes": found["boxes"],
-                     "decided": float(decided), "seconds": seconds})
+                     "decided": float(decided), "seconds": seconds, "wall": wall})
+        say(f"  {grows} {name}: {rows[-1]}")
     return rows
+
+
+def finest(rows):
+    """Of each family the row of the finest resolution."""
+    return [max((x for x in rows if x["name"] == family), key=lambda x: x["resolution"]) for family in FAMILIES]
 
 
 def environment():

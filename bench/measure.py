@@ -18,6 +18,8 @@ from decimal import Decimal, getcontext
 from pathlib import Path
 
 import atlases
+import boxes
+import branches
 import table
 from completeness import complete_lists
 
@@ -27,7 +29,6 @@ PEERS = ROOT / "bench/peers"
 CORE = max(os.sched_getaffinity(0))
 IDENTITIES = ["40", "38.reversal", "38.group", "42", "41.reversal", "41.group", "59", "A3.d", "34.H", "70"]
 ROUTES = ["circle", "simplify"]
-FAMILIES = {"S": ["symmetric"], "O": ["overshooting"], "P": ["nonsticking"]}
 PRINTED_TAU = {"S": 7.749, "O": 4.909, "P": 5.236}
 
 
@@ -54,7 +55,7 @@ def google_benchmark(pattern, min_time):
             sys.exit(f"measure.py: {b['name']}: {b['error_message']}.")
         unit = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[b["time_unit"]]
         name = b["name"].removesuffix("/iterations:1/process_time")
-        known = ("cells", "per_period", "events", "closure")
+        known = ("cells", "per_period", "events", "closure", "items_per_second")
         results[name] = {"seconds": b["cpu_time"] * unit, **{k: b[k] for k in known if k in b}}
     return results
 
@@ -89,8 +90,8 @@ def identities(quick):
 def proved_orbits(digits):
     """The paper's three orbits as `stickslip orbits --json` tells them."""
     orbits = {}
-    for name, family in FAMILIES.items():
-        out = on_one_core([BUILD / "cli/stickslip", "orbits", *family, "--example", name, "--json", "--digits", str(digits)])
+    for name, family in boxes.FAMILIES.items():
+        out = on_one_core([BUILD / "cli/stickslip", "orbits", family, "--example", name, "--json", "--digits", str(digits)])
         orbits[name] = min(json.loads(out)["orbits"], key=lambda o: abs(float(o["tau"]["mid"]) - PRINTED_TAU[name]))
         orbits[name]["parameters"] = {k: float(v) for k, v in json.loads(out)["parameters"].items()}
     return orbits
@@ -137,17 +138,27 @@ def whole_audit():
             "cores": len(os.sched_getaffinity(0))}
 
 
-def timed(before_it, arguments):
-    """The program's output, complete or not, and the seconds of processor time that it took, on one core unless started by
-    another program."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    run = subprocess.run([*before_it, BUILD / "cli/stickslip", *arguments], stdout=subprocess.PIPE, text=True, check=False,
+def program(arguments, before=(), cores=1):
+    """The program's output, complete or not, its seconds of processor time, with those of all that it started, and by
+    the clock. `before`: what starts it, such as mpirun; on one core or, for 0, all."""
+    used, begin = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    run = subprocess.run([*before, BUILD / "cli/stickslip", *arguments], stdout=subprocess.PIPE, text=True, check=False,
                          env=atlases.environment(),
-                         preexec_fn=None if before_it else lambda: os.sched_setaffinity(0, {CORE}))
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                         preexec_fn=(lambda: os.sched_setaffinity(0, {CORE})) if cores == 1 else None)
+    wall, after = time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
     if run.returncode not in (0, 2):
-        sys.exit(f"measure.py: {' '.join(arguments)} failed with exit code {run.returncode}.")
-    return run.stdout, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        sys.exit(f"measure.py: stickslip {' '.join(arguments)} failed with exit code {run.returncode}.")
+    return run.stdout, after.ru_utime + after.ru_stime - used.ru_utime - used.ru_stime, wall
+
+
+def certificates():
+    """What script/certify recorded, if it did: seconds of Coq's processor time for all claims, and how many it was asked."""
+    record = ROOT / "build/certificates/certificates.json"
+    if not record.exists():
+        return {}
+    claims = [c for c in json.loads(record.read_text())["claims"] if c["accepted"] is not None]
+    return {"seconds": sum(float(c["seconds"]) for c in claims), "asked": len(claims),
+            "accepted": sum(c["accepted"] for c in claims)}
 
 
 def machine():
@@ -156,7 +167,8 @@ def machine():
     for name in ("sympy", "scipy", "mpmath"):
         code = f"import {name}; print({name}.__version__)"
         versions[name] = on_one_core(["/usr/bin/python3", "-c", code]).strip() if installed(name) else "not installed"
-    for package in ("libbenchmark-dev", "libboost-dev", "libsundials-dev", "g++", "python3-gmpy2"):
+    for package in ("libbenchmark-dev", "libboost-dev", "libsundials-dev", "g++", "python3-gmpy2", "auto-07p",
+                    "libopenmpi-dev"):
         query = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], capture_output=True, text=True, check=False)
         versions[package] = query.stdout or "not installed"
     commit = subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True, check=False)
@@ -182,15 +194,21 @@ def main():
     results["audit"] = whole_audit()
     orbits = proved_orbits(310)
     say("lists at random data")
-    results["completeness"] = complete_lists(lambda words: timed([], words), 5 if given.quick else 100)
+    run = lambda words: program(words)[:2]
+    results["completeness"] = complete_lists(run, 5 if given.quick else 100)
+    say("branches, SciPy and AUTO beside")
+    results["branches"] = branches.measured(run, peer, installed)
+    say("boxes of parameters")
+    results["boxes"] = boxes.measured(run, orbits)
     say("atlases")
-    results["atlases"] = atlases.measured(timed, given.quick)
+    results["atlases"] = atlases.measured(program, given.quick, say)
     say("mpmath and SciPy")
     results["mpmath"] = mpmath_orbits(orbits, 300) if installed("mpmath") else {}
     results["scipy"] = scipy_simulations(orbits) if installed("scipy") else {}
     say("the Python module")
     module = BUILD / "python"
     results["python"] = peer("module.py", module) if (module / "stickslip").exists() else {}
+    results["certificates"] = certificates()
     say("identities, SymPy beside")
     results["identities"] = identities(given.quick)
 

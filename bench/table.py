@@ -5,6 +5,9 @@ import math
 import sys
 from pathlib import Path
 
+import atlases
+import boxes
+import branches
 from completeness import SECONDS
 
 NAMES = {
@@ -14,6 +17,7 @@ NAMES = {
     "35": "(35) from nothing", "70": "(70) P = ΛP̃Λ⁻¹",
 }
 EXAMPLES = ["S", "O", "P"]
+PEERS = ["scipy", "auto"]
 # Why a target is missed, where it is known.
 WHY_FILE = Path(__file__).resolve().parent / "why.json"
 
@@ -72,7 +76,9 @@ def targets(r):
         return key, what, value, limit, False, show
     def at_least(key, what, value, limit, show=lambda x: f"{x:.3g} ×"):
         return key, what, value, limit, True, show
-    per_second = lambda x: f"{x:.0f}/s"
+    per_second = lambda x: f"{x:,.0f}/s"
+    percent = lambda x: f"{100 * x:.4g} %"
+    cores = r["machine"]["cores"]
     out = [at_most("symbolic", "all symbolic claims", b["audit/symbolic"]["seconds"], 3)]
     ratios = [best_route(row)[1] / row["stickslip"] for row in ids.values() if best_route(row)[1]]
     if ratios:
@@ -112,6 +118,42 @@ def targets(r):
                                    ("stable.182", "its stability", "prove_stability/S_182", 8),
                                    ("attractors.S", "500 starts, 2,000 periods each, S", "attractors_of/S", 6)):
         out += [at_most(key, what, x["seconds"], limit) for n, x in b.items() if n.startswith(name)]
+    rate = sum(x["items_per_second"] for n, x in b.items() if n.startswith("attractors_of")) / 3
+    out.append(at_least("periods", "periods of a machine, all proofs included, mean of S, O, P, one core", rate, 2.5e5, per_second))
+    lists = r["completeness"].values()
+    out += [at_least("complete", "complete lists of overshooting orbits at random data",
+                     sum(x["complete"] for x in lists) / sum(x["count"] for x in lists), 0.95, percent),
+            at_most("complete.longest", "the longest of them", max(x["longest"] for x in lists), SECONDS)]
+    for x in r["branches"]:
+        what = f"{x['family']} branches in ω over [{', '.join(x['interval'])}]"
+        if x["example"] == "S":
+            out.append(at_most("branch.S", what + ", all", x["listed"]["seconds"], 2))
+        else:
+            out += [at_most("branch.O", what + f", of the orbits at {x['at']}", x["followed"]["seconds"], 10),
+                    at_most("branch.O.all", what + ", all", x["listed"]["seconds"], 300)]
+    for e, reached in r["boxes"].items():
+        for one, names in ((True, [n for n in reached if n != "all"]), (False, ["all"])):
+            short = min((boxes.SMALLEST if (k := reached[n]["conditions"]) is None else k) - boxes.GOALS[e][n]
+                        for n in names if n in boxes.GOALS[e])
+            out.append(at_least(f"largest.{e}", f"largest box of {e}, {'one parameter, the worst' if one else 'all parameters'}, "
+                                "of its goal", 10 ** (short / 2), 1))
+    minutes_shown = lambda x: f"{x / 60:.3g} min"
+    for x in [] if r["quick"] else atlases.finest(r["atlases"]):
+        family, at = x["name"], f", 2^-{x['resolution']}"
+        decided, minutes, rate = atlases.GOALS[family]
+        out += [at_least(f"atlas.{family}", f"atlas, {family}, decided{at}", x["decided"], decided, percent),
+                at_most(f"atlas.wall.{family}", f"the same, wall, {cores} cores", x["wall"], 60 * minutes, minutes_shown)]
+        if rate:
+            out.append(at_least(f"atlas.rate.{family}", "boxes of it, halved or kept, by the clock",
+                                (2 * x["boxes"] - 1) / x["wall"], rate, per_second))
+    two = {x["name"]: x["wall"] for x in r["atlases"] if x["grows"] == "processes"}
+    if two and not r["quick"]:
+        out.append(at_least("atlas.processes", "efficiency of two processes of mpirun, by the clock", two["1"] / (2 * two["2"]),
+                            0.9, percent))
+    if r["certificates"]:
+        seconds, asked, accepted = (r["certificates"][k] for k in ("seconds", "asked", "accepted"))
+        out.append(at_most("certificates", f"certificates, as last recorded, {accepted} of {asked} accepted by Coq, processor time",
+                           seconds, 1200, minutes_shown))
     out += [at_most("wall", f"script/audit, wall, {r['audit']['cores']} cores", r["audit"]["wall"], 10),
             at_most("memory", "script/audit, peak memory of a process", r["audit"]["megabytes"], 500, lambda x: f"{x:.0f} MB")]
     return out
@@ -180,10 +222,55 @@ def completeness_rows(r):
                  for place, x in r["completeness"].items()])
 
 
+def branch_rows(r):
+    lines = []
+    for x in r["branches"]:
+        done, all_of = x["followed"], x["listed"]
+        peers = [f"{duration(p['seconds'])}, {p['steps']} steps" if (p := x["peers"].get(way)) else "–" for way in PEERS]
+        which = f"{x['family']}, {x['interval'][0]}–{x['interval'][1]}"
+        left = "complete" if all_of["complete"] else f"open on {all_of['open']:.2g} of ω"
+        lines += [[which, f"those of the orbits at {x['at']}", f"{duration(done['seconds'])}, {done['branches']}", *peers],
+                  [which, "all, every orbit counted", f"{duration(all_of['seconds'])}, {all_of['branches']}; {left}", "–", "–"]]
+    return rows(["branches in ω", "which", "stickslip, branches", "SciPy", "AUTO-07p"], lines)
+
+
+def place_rows(r):
+    lines = []
+    for x in r["branches"]:
+        for what, change, theirs in branches.beside(x):
+            if change:
+                at = float(change["at"]["mid"])
+                own = f"{change['at']['mid']} ± {float(change['at']['rad']):.0e}, {change['verdict']}"
+                peers = [f"{theirs[way] - at:+.1e}" if way in theirs else "" for way in PEERS]
+            else:
+                own, peers = "", [f"{theirs[way]:.12f}" if way in theirs else "" for way in PEERS]
+            lines.append([x["family"], change["kind"] if change else "", what, own, *peers])
+    return rows(["orbits", "kind", "what", "stickslip", "SciPy, off by", "AUTO-07p, off by"], lines)
+
+
+def box_rows(r):
+    def power(k):
+        return "none" if k is None else f"10^{k / 2:g}"
+
+    def cell(example, name, what):
+        if name not in r["boxes"][example]:
+            return ""
+        goal = boxes.GOALS[example].get(name) if what == "conditions" else None
+        return power(r["boxes"][example][name][what]) + (f" (≥ {power(goal)})" if goal is not None else "")
+    names = [*boxes.PARAMETERS, "all"]
+    return rows(["orbit", "proved", *names], [[e, what, *(cell(e, name, what) for name in names)]
+                                              for e in r["boxes"] for what in ("conditions", "stability")])
+
+
 def atlas_rows(r):
-    return rows(["what grows", "", "resolution", "boxes", "decided", "CPU", "boxes/s"],
-                [[x["grows"], x["name"], f"2^-{x['resolution']}", f"{x['boxes']:,}", f"{100 * x['decided']:.2f} %",
-                  duration(x["seconds"]), f"{x['boxes'] / x['seconds']:,.0f}"] for x in r.get("atlases", [])])
+    lines, before = [], None
+    for x in r["atlases"]:
+        grown = before and x["grows"] == before["grows"] and (x["name"] == before["name"] or x["grows"] != "resolution")
+        lines.append([x["grows"], x["name"], f"2^-{x['resolution']}", f"{x['boxes']:,}", f"{100 * x['decided']:.3f} %",
+                      duration(x["seconds"]), f"{x['seconds'] / before['seconds']:.2f} ×" if grown else "", duration(x["wall"]),
+                      f"{x['boxes'] / x['seconds']:,.0f}"])
+        before = x
+    return rows(["what grows", "", "resolution", "boxes", "decided", "CPU", "of the row above", "wall", "boxes/s of CPU"], lines)
 
 
 def all_rows(r):
@@ -213,9 +300,19 @@ def markdown(r):
         f"(35): {duration(r['mpmath'].get('P.closed'))} in mpmath.\n\n" + orbit_rows(r),
         "## Lists of overshooting orbits at random data, u_r given\n\nχ 0.02–0.98, η 0.05–50, u_s 0.001–1 (both "
         "logarithmic), V 0–3, ω 0.05–5, p 0–5, u_r/u_s 1–10; beside a resonance but for 10⁻⁴ to 10⁻¹ of ω.\n\n" + completeness_rows(r),
-        "## Atlases\n\nThe paper's data, χ, η, u_s, V as there; `symmetric` ω 0.5–0.8, p 0–0.2, `overshooting` ω 0.61–0.65, p 0.03–0.07, "
-        "φ = 0, `nonsticking` ω 0.5–0.8, p 0.5–1.5; area: shares of the symmetric one; dimension: parameters that vary, of the "
-        "symmetric orbit; processes: of mpirun, CPU time of all. Boxes are those that are kept.\n\n" + atlas_rows(r),
+        "## Branches\n\nThe paper's data, overshooting orbits at φ = 0. stickslip proves each branch without gaps and each "
+        "change; the peers follow a branch in doubles until a length is 1,000. SciPy: pseudo-arclength, flows by exponentials "
+        "of matrices, conditions on 200 points of each phase; AUTO: the orbit as a boundary value problem over its phases, "
+        "30 × 4 points, conditions at their ends. Neither looks at stability, nor for branches that do not pass through the "
+        "value where it begins.\n\n" + branch_rows(r)
+        + "\nWhere something changes; of conditions, where an orbit becomes admissible or ceases to be:\n\n" + place_rows(r),
+        "## Boxes of parameters\n\nThe largest half width, relative to the value, in half decades, over which the orbit is "
+        "proved with every condition, and its stability, too; u_r is a result. In parentheses: what was to be reached.\n\n"
+        + box_rows(r),
+        "## Atlases\n\nThe paper's data, χ, η, u_s, V as there; `symmetric` ω 0.5–0.8, p 0–0.2, `overshooting` ω 0.61–0.65, "
+        "p 0.03–0.07, φ = 0, `nonsticking` ω 0.5–0.8, p 0.5–1.5; area: shares of the symmetric one; dimension: parameters that "
+        "vary, of the symmetric orbit; processes: of mpirun with one thread each, of the nonsticking one; else one process, a "
+        "thread for each core. CPU time of all. Boxes are those that are kept.\n\n" + atlas_rows(r),
         "## Growth\n\n" + growth_rows(r),
         f"## `script/audit` on a built tree\n\n{r['audit']['wall']:.1f} s wall on {r['audit']['cores']} cores, "
         f"{r['audit']['seconds']:.1f} s CPU, {r['audit']['megabytes']:.0f} MB in its largest process.",
