@@ -6,6 +6,7 @@
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/branches/crossing.hpp"
+#include "numeric/branches/resonance.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -86,6 +87,9 @@ void decide_state(Part& part, const Law& law, const Motions& motions) {
   if (!lasts) {
     part.reason = "a phase may last no time at all";
     return;
+  }
+  if (law.is_symmetric && is_near_resonance(motions.middle)) {
+    decide_without_response(motions.proof, motions.jets, motions.middle, law.requirements, part.conditions);
   }
   const Verdict admissible = motion::admissible(part.conditions);
   if (admissible.truth == Truth::refuted) {

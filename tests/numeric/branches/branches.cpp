@@ -136,14 +136,23 @@ TEST_CASE("the branch of O and that beside it: two ends at infinity, a fold, a c
   CHECK(check_sides(list) == 4);
 }
 
-TEST_CASE("over a natural frequency the interval is split, and the branch goes on") {
+TEST_CASE("symmetric orbits go on through a natural frequency, and what changes beside it is told") {
+  // omega1 = 0.6135588581, and a complex pair at 0.6141918868.
   const BranchList list = list_branches(along(S(), "omega", "0.612", "0.616"));
-  const std::vector<Change> resonances = changes_of(list, ChangeKind::resonance);
-  REQUIRE(!resonances.empty());
-  for (const Change& change : resonances) {
-    CHECK(change.what == "omega1");
-    CHECK(change.verdict.truth == Truth::undecided);
-    CHECK(change.at.contains(exact(model::modes<Ball>(Ball(0.5), Ball(parse_rational("3.8"))).omega1)));
+  CHECK(list.complete);
+  CHECK(list.unresolved.empty());
+  CHECK(changes_of(list, ChangeKind::resonance).empty());
+  const std::vector<Change> stability = changes_of(list, ChangeKind::stability);
+  REQUIRE(stability.size() == 1);
+  CHECK(stability.front().what == "complex pair");
+  CHECK(check_sides(list) == 2);
+  // So near that the lists decide it at many digits only.
+  const Rational omega1 = exact(model::modes<Ball>(Ball(0.5), Ball(parse_rational("3.8"))).omega1);
+  for (const Rational& value :
+       {Rational(omega1 - Rational(1, 100000)), Rational(omega1 + Rational(1, 100000))}) {
+    const std::optional<Numbers> said = numbers(list, value);
+    REQUIRE(said);
+    CHECK(*said == numbers(at(list.question, value)));
   }
 }
 
