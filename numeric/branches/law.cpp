@@ -77,7 +77,7 @@ void decide_state(Part& part, const Law& law, const Motions& motions) {
                                               : given_friction<Ball>(law, part.value, motions.unit));
   // In other units us is not told from zero where the motion is infinite.
   for (const Requirement& q : law.requirements) {
-    if (q.quantity == Quantity::slipping_friction) {
+    if (part.in_units && q.quantity == Quantity::slipping_friction) {
       Motion own = closed.motion;
       own.oscillator.data.us = motions.us;
       std::ranges::replace_if(

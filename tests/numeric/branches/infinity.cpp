@@ -85,6 +85,29 @@ TEST_CASE("a motion that is large and becomes smaller is not on its way to infin
   }
 }
 
+// a = V/(omega - 1), and a number b = 1000 V (omega - 1) that grows where a becomes smaller.
+struct Exchange : OneLength<Hyperbola> {
+  template <class T>
+  [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
+    const T w = p(4) - T(1);
+    return zeros::VectorOf<T>{{T(x(0) * w - p(3)), T(x(1) - T(1000) * p(3) * w)}};
+  }
+};
+
+TEST_CASE("what grows has to be the length that is infinite in the end") {
+  const Rational value = parse_rational("1.01");
+  Curve curve = curve_of(along(S(), "omega", "0.5", "1.5"), Exchange{});
+  curve.growths = {{{0}, {1}, {1}}};
+  curve.far = 50;
+  const zeros::Vector guess{{Ball(100), Ball(10)}};
+  const ProvedPoint start = prove_at(curve, value, guess);
+  REQUIRE(start.verdict.truth == Truth::proved);
+  const Path path = follow(curve, value, start.point, 1);
+  CHECK(path.end == End::stopped);
+  CHECK(!path.limit);
+  CHECK(follow(curve, value, start.point, -1).end == End::infinite);
+}
+
 TEST_CASE("a fold on the way to infinity is in the cells") {
   const Path path = followed<Parabola>("0.5", "1.5", "0.95", 20, 1);
   REQUIRE(path.end == End::infinite);
