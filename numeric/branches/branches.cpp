@@ -12,22 +12,6 @@ namespace stickslip::numeric::branches {
 
 namespace {
 
-// Where a motion that grows beyond all bounds was followed no further, nothing else is known of it.
-void go_to_infinity(Branch& branch, std::vector<UnresolvedPart>& unresolved) {
-  for (BranchEnd * end : {&branch.first, &branch.last}) {
-    if (end->kind != End::infinite || branch.pieces.empty()) {
-      continue;
-    }
-    const bool begins = end == &branch.first;
-    const Ball far = begins ? branch.pieces.front().first : branch.pieces.back().last;
-    Piece piece{State::undecided, {}, begins ? end->at : far, begins ? far : end->at, {}, end->may_turn};
-    unresolved.push_back({Ball::hull(end->at, far),
-                          {},
-                          "whether motions more than thirty times as large as others are admissible"});
-    branch.pieces.insert(begins ? branch.pieces.begin() : branch.pieces.end(), std::move(piece));
-  }
-}
-
 void trace(const BranchQuestion& question, const Law& law, const Sheet& sheet, const Followed& followed,
            BranchList& list) {
   Branch branch;
@@ -37,8 +21,13 @@ void trace(const BranchQuestion& question, const Law& law, const Sheet& sheet, c
   branch.last = followed.last;
   const std::vector<Part> parts = parts_of(sheet.curve, law, followed.cells, resolution / 64);
   describe({sheet.curve, law, followed.cells, parts}, branch, list.unresolved);
-  go_to_infinity(branch, list.unresolved);
-  // A part that begins or ends with the interval is enclosed a little beyond it.
+  // A part that begins or ends with the branch or the interval is enclosed a little beyond it.
+  if (branch.first.kind == End::infinite && !branch.pieces.empty()) {
+    branch.pieces.front().first = branch.first.at;
+  }
+  if (branch.last.kind == End::infinite && !branch.pieces.empty()) {
+    branch.pieces.back().last = branch.last.at;
+  }
   for (Piece& piece : branch.pieces) {
     for (Ball * end : {&piece.first, &piece.last}) {
       if (!(*end - Ball(question.to)).is_negative()) {

@@ -73,19 +73,18 @@ struct Sample {
 // A piece on which nothing changes, in the direction of the branch.
 struct Piece {
   State state = State::undecided;
-  std::string condition;  // one that is violated all along, if one is; of an inadmissible piece
-  Ball first, last;       // the parameter where it begins and ends
-  std::vector<Sample> samples;
-  bool may_turn = false;  // of an undecided piece: how many motions it has at a value is not known
+  std::string condition;        // one that is violated all along, if one is; of an inadmissible piece
+  Ball first, last;             // the parameter where it begins and ends
+  std::vector<Sample> samples;  // none of motions that grow beyond all bounds
+  bool may_turn = false;        // of an undecided piece: how many motions it has at a value is not known
 };
 
 // Why a branch begins or ends where it does.
 struct BranchEnd {
-  Ball at;
+  Ball at;  // contains the parameter; where the motion is infinite it may hold ones that are not decided
   std::string words;
   End kind = End::stopped;
   bool resonance = false;  // the reason why it is stopped
-  bool may_turn = false;   // on the way to infinity the parameter may rise and fall
 
   [[nodiscard]] bool resolved() const { return kind != End::stopped; }
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/parallel.hpp"
+
 namespace stickslip::numeric::branches {
 
 using namespace motion;
@@ -32,9 +34,11 @@ std::vector<Over> over_gap(const Traced& t, const Gap& gap) {
     if (proof.verdict.truth != Truth::proved) {
       return {};
     }
-    const Driven f{&t.curve, cell.driver};
+    const Driven f{&cell.on(t.curve), cell.driver};
     const MotionOf<ParameterJet> jets = f.motion<ParameterJet>(proof.x, proof.p);
-    all.push_back({jets, friction_jet(t.law, jets, f.value<ParameterJet>(proof.x, proof.p)),
+    all.push_back({jets,
+                   friction_jet(t.law, jets, f.value<ParameterJet>(proof.x, proof.p),
+                                f.unit<ParameterJet>(proof.x, proof.p)),
                    t.law.exit_factors(jets), part.first < part.last ? 1 : -1});
   }
   return all;
@@ -98,23 +102,93 @@ Verdict once(bool proved, const std::string& why) {
 constexpr const char * not_transversal =
     "that it is passed once, with a speed that is not zero, is not proved";
 
+// A stretch of a cell in a gap: whether the parameter may turn there, and which way the quantity goes along
+// the branch, 1 or -1, or 0 where that is not known.
+struct Stretch {
+  std::size_t cell;
+  Rational first, last;
+  bool may_turn = true;
+  int goes = 0;
+};
+
+Stretch look_at_turn(const Traced& t, Stretch s) {
+  const Cell& cell = t.cells[s.cell];
+  const ParametricProof proof = proof_on(t.curve, cell, s.first, s.last);
+  if (proof.verdict.truth != Truth::proved) {
+    return s;
+  }
+  const Driven f{&cell.on(t.curve), cell.driver};
+  const MotionOf<ParameterJet> motion = f.motion<ParameterJet>(proof.x, proof.p);
+  ParameterJet quantity(1);
+  if (t.law.phi_is_given) {
+    quantity = turn_at_given_phase<ParameterJet>(motion);
+  } else {
+    const ExitFactors<ParameterJet> exits = t.law.exit_factors(motion);
+    for (const ParameterJet& factor : exits[Exit::plus_one]) {
+      quantity *= factor;
+    }
+  }
+  const Ball slope = quantity.partial(0) * Ball(s.first < s.last ? 1 : -1);
+  s.may_turn = !f.value<ParameterJet>(proof.x, proof.p).partial(0).is_nonzero();
+  s.goes = slope.is_positive() ? 1 : slope.is_negative() ? -1 : 0;
+  return s;
+}
+
+// Whether the quantity, which vanishes where the parameter turns, goes one way from the first to the last
+// place in the gap where it may: then it turns once at most. Stretches where that is open are halved.
+bool turns_once(const Traced& t, const Gap& gap) {
+  constexpr int most_rounds = 20;
+  constexpr std::size_t most_open = 2000;
+  std::vector<Stretch> stretches;
+  for (std::size_t k = gap.from; k < gap.to; ++k) {
+    stretches.push_back(look_at_turn(t, {t.parts[k].cell, t.parts[k].first, t.parts[k].last}));
+  }
+  const auto is_open = [](const Stretch& s) { return s.may_turn && s.goes == 0; };
+  for (int round = 0; round < most_rounds; ++round) {
+    if (static_cast<std::size_t>(std::count_if(stretches.begin(), stretches.end(), is_open)) > most_open) {
+      return false;
+    }
+    std::vector<Stretch> finer;
+    for (const Stretch& s : stretches) {
+      const Rational middle = (s.first + s.last) / 2;
+      if (is_open(s)) {
+        finer.push_back({s.cell, s.first, middle});
+        finer.push_back({s.cell, middle, s.last});
+      } else {
+        finer.push_back(s);
+      }
+    }
+    if (finer.size() == stretches.size()) {
+      break;
+    }
+    stretches = parallel_map(finer.size(), [&](std::size_t k) {
+      return is_open(finer[k]) ? look_at_turn(t, finer[k]) : finer[k];
+    });
+  }
+  // Without those before and after it where it may.
+  const auto cannot_turn = [](const Stretch& s) { return !s.may_turn; };
+  stretches.erase(stretches.begin(), std::find_if_not(stretches.begin(), stretches.end(), cannot_turn));
+  while (!stretches.empty() && cannot_turn(stretches.back())) {
+    stretches.pop_back();
+  }
+  return std::all_of(stretches.begin(), stretches.end(),
+                     [&](const Stretch& s) { return s.goes != 0 && s.goes == stretches.front().goes; });
+}
+
 // Where the parameter has an extremum along the branch, its derivative by the branch's own parameter is a
 // motion that returns with what is given. With the friction given, or for one that never sticks, 1 is a
 // multiplier then; so it is of symmetric orbits, of which another motion returns in any case, and one
 // combination of the two at the same friction. So a single zero of det(I - M) leaves a single extremum.
-Change fold(const Law& law, const Gap& gap, const std::vector<Over>& over) {
+Change fold(const Traced& t, const Gap& gap) {
   const bool highest = gap.before->rises > 0;
-  const bool single =
-      law.phi_is_given
-          ? passes_once(over, [](const Over& part) { return turn_at_given_phase<ParameterJet>(part.motion); })
-          : passes_once(over, exit_over(Exit::plus_one));
   return {ChangeKind::fold,
           "",
           highest ? "two orbits meet here and none of them goes on above"
                   : "two orbits meet here and none of them goes on below",
           gap.at,
           {},
-          once(single, "that the branch turns only once here is not proved: det(I - M) may vanish twice")};
+          once(turns_once(t, gap),
+               "that the branch turns only once here is not proved: det(I - M) may vanish twice")};
 }
 
 // At a gap between an admissible and an inadmissible piece, or between a piece and none at all: what is open
@@ -196,7 +270,7 @@ std::vector<Change> changes_at(const Traced& t, const Gap& gap) {
   std::vector<Change> changes;
   const bool turns = gap.before->rises != gap.after->rises;
   if (turns) {
-    changes.push_back(fold(t.law, gap, over));
+    changes.push_back(fold(t, gap));
   }
   if (a == b || may_adjoin(a, b)) {
     return changes;

@@ -39,7 +39,13 @@ const Ball& coordinate(int driver, const Point& point) {
   return driver == by_parameter ? point.value : point.x(driver);
 }
 
-// Whether a motion at the point whose driver lies on the cell is that of the cell: proved, or not known.
+// The point in the cell's units.
+Point seen_from(const Cell& cell, const Point& point) {
+  return cell.in_units ? scaled_point(*cell.in_units->units, point) : point;
+}
+
+// Whether a motion at the point, in the cell's units, whose driver lies on the cell is that of the cell:
+// proved, or not known.
 bool is_the_only_one(const Cell& cell, const Point& point) {
   return contains(cell.proof.unique, others(cell.driver, point));
 }
@@ -92,6 +98,8 @@ class Walk {
   bool turn_tangent();
   [[nodiscard]] bool try_cell(double length);
   [[nodiscard]] bool is_over();
+  [[nodiscard]] bool grows_far(const Cell& cell) const;
+  void leave();
 
   const Curve& curve_;
   double scale_;
@@ -222,10 +230,8 @@ bool Walk::is_over() {
     path_.end = End::absent;
     return true;
   }
-  if (is_far(curve_, here_)) {
-    path_.limit = limit_at_infinity(curve_, here_);
-    path_.end = path_.limit ? End::infinite : End::stopped;
-    path_.reason = "the motion grows to more than thirty times its size, perhaps beyond all bounds";
+  if (grows_far(cell)) {
+    leave();
     return true;
   }
   const bool at_start = is_on(cell, start_);
@@ -235,6 +241,33 @@ bool Walk::is_over() {
   }
   left_start_ = left_start_ || !at_start;
   return false;
+}
+
+// Whether an unknown is more than far, and may grow on.
+bool Walk::grows_far(const Cell& cell) const {
+  const VectorOf<ParameterJet> x =
+      Driven{&curve_, cell.driver}.split<ParameterJet>(cell.proof.x, cell.proof.p).x;
+  for (int k = 0; k < x.size(); ++k) {
+    const Ball growth = x(k).partial(0) * here_.x(k) * Ball(cell.first < cell.last ? 1 : -1);
+    if (std::abs(here_.x(k).approximate()) > curve_.far && !growth.is_negative()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// For infinity, where that is proved.
+void Walk::leave() {
+  std::optional<WayToInfinity> way = way_to_infinity(curve_, path_.cells.back(), here_);
+  if (!way) {
+    path_.reason = "the motion grows to more than thirty times its size, perhaps beyond all bounds";
+    return;
+  }
+  const bool outside =
+      (way->limit - Ball(curve_.to)).is_positive() || (way->limit - Ball(curve_.from)).is_negative();
+  path_.end = outside ? End::interval : End::infinite;
+  path_.limit = way->limit;
+  std::ranges::move(way->cells, std::back_inserter(path_.cells));
 }
 
 Path Walk::follow(int direction) {
@@ -262,9 +295,30 @@ bool contains(const Vector& outer, const Vector& inner) {
   return true;
 }
 
+Point scaled_point(const Units& units, const Point& point) {
+  Point scaled = point;
+  const Ball e = Ball(units.sign) / point.x(units.place);
+  for (const int k : units.growing) {
+    scaled.x(k) = point.x(k) * e;
+  }
+  scaled.x(units.place) = e;
+  return scaled;
+}
+
+Point unscaled_point(const Units& units, const Point& point) {
+  Point own = point;
+  const Ball& e = point.x(units.place);
+  for (const int k : units.growing) {
+    own.x(k) = point.x(k) / e;
+  }
+  own.x(units.place) = Ball(units.sign) / e;
+  return own;
+}
+
 Point point_of(const Driven& f, const Vector& y, const Vector& q) {
   const auto s = f.split<Ball>(y, q);
-  return {s.x, s.p(f.curve->place)};
+  const Point point{s.x, s.p(f.curve->place)};
+  return f.curve->units ? unscaled_point(*f.curve->units, point) : point;
 }
 
 Vector motion_near(const ParametricProof& proof, const Rational& value) {
@@ -281,12 +335,14 @@ Ball between(const Rational& a, const Rational& b) {
 }
 
 bool is_on(const Cell& cell, const Point& point) {
-  return cell.range.contains(coordinate(cell.driver, point)) && is_the_only_one(cell, point);
+  const Point here = seen_from(cell, point);
+  return cell.range.contains(coordinate(cell.driver, here)) && is_the_only_one(cell, here);
 }
 
 bool may_meet(const Cell& cell, const Point& point) {
-  const Vector y = others(cell.driver, point);
-  bool meets = cell.range.overlaps(coordinate(cell.driver, point));
+  const Point here = seen_from(cell, point);
+  const Vector y = others(cell.driver, here);
+  bool meets = cell.range.overlaps(coordinate(cell.driver, here));
   for (int i = 0; i < y.size(); ++i) {
     meets = meets && cell.proof.box(i).overlaps(y(i));
   }
@@ -298,11 +354,6 @@ ProvedPoint prove_at(const Curve& curve, const Rational& value, const Vector& gu
   const Vector q = one(Ball(value));
   const ZeroProof<Eigen::Dynamic> zero = prove_zero_at(f, q, guess);
   return {zero.verdict, point_of(f, zero.box, q)};
-}
-
-bool is_far(const Curve& curve, const Point& point) {
-  return std::any_of(point.x.begin(), point.x.end(),
-                     [&](const Ball& x) { return std::abs(x.approximate()) > curve.far; });
 }
 
 Path follow(const Curve& curve, const Rational& value, const Point& start, int direction) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,16 +27,27 @@ struct Growth {
   std::vector<int> free_rows;
 };
 
+// Units in which the unknown at `place` has the size 1 and the given sign: in its place there stands e, the
+// reciprocal of its size, and the growing ones and us, V, p and ur are multiplied by that.
+struct Units {
+  int place = 0;
+  int sign = 1;
+  std::vector<int> growing;
+
+  friend bool operator==(const Units&, const Units&) = default;
+};
+
 // Closing conditions with one free parameter: where it stands among the data, and its interval.
 struct Curve {
   motion::Closing equations;
   zeros::Vector data;  // whatever stands at `place`
   int place = 0;
   Rational from, to;
-  // Motions with an unknown of more than this size are followed no further unless the branch is proved to
-  // leave for infinity there, in one of these ways.
+  // Motions with an unknown of more than this size are followed no further as they grow, unless the branch is
+  // proved to leave for infinity there, in one of these ways.
   double far = HUGE_VAL;
   std::vector<Growth> growths = {};
+  std::optional<Units> units = {};  // of the unknowns and the motions, where these are not their own
 };
 
 inline constexpr int by_parameter = -1;
@@ -74,9 +86,14 @@ struct Driven {
   [[nodiscard]] T value(const zeros::VectorOf<T>& y, const zeros::VectorOf<T>& q) const {
     return driver == by_parameter ? q(0) : y(driver);
   }
+  // By which the lengths of the motion are multiplied.
+  template <class T>
+  [[nodiscard]] T unit(const zeros::VectorOf<T>& y, const zeros::VectorOf<T>& q) const {
+    return curve->units ? split<T>(y, q).x(curve->units->place) : T(1);
+  }
 };
 
-// Contains exactly one closed motion: its unknowns and the value of the free parameter.
+// Contains exactly one closed motion: its unknowns, in their own units, and the value of the free parameter.
 struct Point {
   zeros::Vector x;
   Ball value;
@@ -87,10 +104,17 @@ struct Cell {
   Rational first, last;  // of the driver, in the direction of the branch: it rises or falls
   Ball range;            // from the one to the other: what the proof is over
   zeros::ParametricProof proof;
+  std::shared_ptr<const Curve> in_units = {};  // the branch's curve in the cell's units, if it has any
+
+  [[nodiscard]] const Curve& on(const Curve& branch) const { return in_units ? *in_units : branch; }
 };
 
 // Whether all members of one box are in the other.
 [[nodiscard]] bool contains(const zeros::Vector& outer, const zeros::Vector& inner);
+
+// From and to a motion's own units. Not finite where the unknown whose size is 1 may vanish, or be infinite.
+[[nodiscard]] Point scaled_point(const Units& units, const Point& point);
+[[nodiscard]] Point unscaled_point(const Units& units, const Point& point);
 
 // The motion that (y, q) stand for, as Driven takes them.
 [[nodiscard]] Point point_of(const Driven& f, const zeros::Vector& y, const zeros::Vector& q);
@@ -106,18 +130,12 @@ struct Cell {
 // False: no motion at the point is on the cell.
 [[nodiscard]] bool may_meet(const Cell& cell, const Point& point);
 
-// Where a motion that grows beyond all bounds leaves for infinity.
-struct Limit {
-  Ball value;             // of the free parameter
-  bool may_turn = false;  // on the way there the parameter may rise and fall
-};
-
 struct Path {
   std::vector<Cell> cells;
   End end = End::stopped;
   std::string reason;
-  Point last;
-  std::optional<Limit> limit = {};  // where it is infinite
+  Point last;                      // of those that are not in other units
+  std::optional<Ball> limit = {};  // of the free parameter, where the motion grows beyond all bounds
 };
 
 // The proved motion at that value of the free parameter near the guess; its existence is undecided where no
@@ -127,8 +145,6 @@ struct ProvedPoint {
   Point point;
 };
 [[nodiscard]] ProvedPoint prove_at(const Curve& curve, const Rational& value, const zeros::Vector& guess);
-
-[[nodiscard]] bool is_far(const Curve& curve, const Point& point);
 
 // Follows the branch from a proved motion at that value of the free parameter, the free parameter rising
 // (direction 1) or falling (-1) at first, until it leaves the interval, a phase lasts a negative time, the

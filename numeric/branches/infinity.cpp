@@ -10,7 +10,7 @@ using namespace zeros;
 namespace {
 
 // How often the way to infinity is halved at most.
-constexpr int most_steps = 20;
+constexpr int most_halvings = 20;
 
 // The closing conditions in the scaled lengths, e in the place of the length that is `sign`.
 struct Scaled {
@@ -53,31 +53,17 @@ struct Scaled {
   [[nodiscard]] Vector unknowns(const motion::Motion& motion) const { return equations.unknowns(motion); }
 };
 
-// The cell over 0 <= e <= last or a part of that.
-Cell cell_over(const Driven& f, const Rational& first, const Rational& last, const Vector& guess) {
-  const Ball range = between(first, last);
-  return {f.driver, first, last, range, prove_over_parameters(f, Vector::Constant(1, range), guess)};
-}
-
 bool all_last(const Driven& f, const Cell& cell) {
   const motion::Motion motion = f.motion<Ball>(cell.proof.box, Vector::Constant(1, cell.range));
   return std::all_of(motion.phases.begin(), motion.phases.end(),
                      [](const motion::Phase& phase) { return phase.duration.is_positive(); });
 }
 
-// Whether the parameter moves one way all along the cell; not whether the same way as along others.
-bool moves(const Driven& f, const Cell& cell) {
-  return f.value<ParameterJet>(cell.proof.x, cell.proof.p).partial(0).is_nonzero();
-}
-
-std::optional<Limit> limit(const Curve& curve, const Growth& growth, const Point& large) {
+// In units in which the greatest of the growing unknowns has the size 1.
+std::shared_ptr<const Curve> in_units(const Curve& curve, const Growth& growth, const Point& large) {
   const auto size = [&](int k) { return std::abs(large.x(k).approximate()); };
-  const auto most = std::max_element(growth.growing.begin(), growth.growing.end(),
-                                     [&](int a, int b) { return size(a) < size(b); });
-  if (!large.x(*most).is_nonzero()) {
-    return std::nullopt;
-  }
-  const int place = *most;
+  const int place = *std::max_element(growth.growing.begin(), growth.growing.end(),
+                                      [&](int a, int b) { return size(a) < size(b); });
   std::vector<int> of_data;
   const std::vector<std::string> names = curve.equations.parameter_names();
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -86,53 +72,76 @@ std::optional<Limit> limit(const Curve& curve, const Growth& growth, const Point
     }
   }
   const int sign = large.x(place).is_positive() ? 1 : -1;
-  Curve scaled = curve;
-  scaled.equations = Scaled{curve.equations, growth, of_data, place, sign};
-  // The motion in these coordinates.
-  Point here = large;
-  const Ball e = Ball(sign) / large.x(place);
-  for (const int k : growth.growing) {
-    here.x(k) = large.x(k) * e;
+  auto scaled = std::make_shared<Curve>(curve);
+  scaled->equations = Scaled{curve.equations, growth, of_data, place, sign};
+  scaled->units = Units{place, sign, growth.growing};
+  return scaled;
+}
+
+// A proved motion: e, and the others as the equations driven by it take them.
+struct Here {
+  Ball e;
+  Vector y;
+};
+
+// The cell from here to that e, and the motion there.
+std::optional<std::pair<Cell, Here>> step(const std::shared_ptr<const Curve>& curve, const Here& here,
+                                          const Rational& from, const Rational& to) {
+  const Driven f{curve.get(), curve->units->place};
+  const Ball range = between(from, to);
+  const Cell cell{f.driver, from, to, range, prove_over_parameters(f, Vector::Constant(1, range), here.y),
+                  curve};
+  if (cell.proof.verdict.truth != Truth::proved || !range.contains(here.e) ||
+      !contains(cell.proof.unique, here.y) || !all_last(f, cell)) {
+    return std::nullopt;
   }
-  here.x(place) = e;
-  const Driven f{&scaled, place};
-  Rational last(std::nextafter(e.upper().approximate(), HUGE_VAL));
-  bool may_turn = false;
-  for (int step = 0; step < most_steps; ++step) {
-    Vector guess = here.x;
-    guess(place) = here.value;
-    const Cell whole = cell_over(f, 0, last, guess);
-    if (whole.proof.verdict.truth == Truth::proved && is_on(whole, here) && all_last(f, whole)) {
-      const Vector q = Vector::Constant(1, Ball(0));
-      const ZeroProof<Eigen::Dynamic> end = prove_zero_at(f, q, motion_near(whole.proof, 0));
-      const Point there = point_of(f, end.box, q);
-      if (end.verdict.truth != Truth::proved || !is_on(whole, there)) {
-        return std::nullopt;
-      }
-      return Limit{there.value, may_turn || !moves(f, whole)};
+  const ZeroProof<Eigen::Dynamic> end =
+      prove_zero_at(f, Vector::Constant(1, Ball(to)), motion_near(cell.proof, to));
+  if (end.verdict.truth != Truth::proved || !contains(cell.proof.unique, end.box)) {
+    return std::nullopt;
+  }
+  return std::pair(cell, Here{Ball(to), end.box});
+}
+
+std::optional<WayToInfinity> way(const Curve& curve, const Growth& growth, const Cell& last,
+                                 const Point& large) {
+  const std::shared_ptr<const Curve> scaled = in_units(curve, growth, large);
+  const int place = scaled->units->place;
+  // Along the last cell the motions grow, so those in which e is less are others.
+  const ParameterJet length =
+      Driven{&curve, last.driver}.split<ParameterJet>(last.proof.x, last.proof.p).x(place);
+  const int ahead = (last.first < last.last ? 1 : -1) * scaled->units->sign;
+  if (!large.x(place).is_nonzero() || !(Ball(ahead) * length.partial(0)).is_positive()) {
+    return std::nullopt;
+  }
+  const Point start = scaled_point(*scaled->units, large);
+  Here here{start.x(place), start.x};
+  here.y(place) = start.value;
+  // Here e is no exact number: begin a little before it.
+  Rational from(std::nextafter(here.e.upper().approximate(), HUGE_VAL));
+  WayToInfinity way;
+  for (int halvings = 0; halvings < most_halvings; ++halvings) {
+    if (const auto whole = step(scaled, here, from, 0)) {
+      way.cells.push_back(whole->first);
+      way.limit = whole->second.y(place);
+      return way;
     }
-    const Rational middle = last / 2;
-    const Cell half = cell_over(f, middle, last, guess);
-    if (half.proof.verdict.truth != Truth::proved || !is_on(half, here) || !all_last(f, half)) {
+    const auto half = step(scaled, here, from, from / 2);
+    if (!half) {
       return std::nullopt;
     }
-    const Vector q = Vector::Constant(1, Ball(middle));
-    const ZeroProof<Eigen::Dynamic> end = prove_zero_at(f, q, motion_near(half.proof, middle));
-    here = point_of(f, end.box, q);
-    if (end.verdict.truth != Truth::proved || !is_on(half, here)) {
-      return std::nullopt;
-    }
-    may_turn = may_turn || !moves(f, half);
-    last = middle;
+    way.cells.push_back(half->first);
+    here = half->second;
+    from /= 2;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Limit> limit_at_infinity(const Curve& curve, const Point& large) {
+std::optional<WayToInfinity> way_to_infinity(const Curve& curve, const Cell& cell, const Point& large) {
   for (const Growth& growth : curve.growths) {
-    if (const std::optional<Limit> found = limit(curve, growth, large)) {
+    if (std::optional<WayToInfinity> found = way(curve, growth, cell, large)) {
       return found;
     }
   }

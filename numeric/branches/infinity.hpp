@@ -12,9 +12,17 @@
 
 namespace stickslip::numeric::branches {
 
-// That of the branch if it goes on from the proved motion so that one of its lengths grows without an end,
-// all phases lasting: then there is one motion for each size of this length. Nothing where that is not
-// proved.
-[[nodiscard]] std::optional<Limit> limit_at_infinity(const Curve& curve, const Point& large);
+// From a proved motion on: cells in which e falls to 0, the last of them to 0 itself, and the limit of the
+// free parameter there.
+struct WayToInfinity {
+  std::vector<Cell> cells;
+  Ball limit;
+};
+
+// If the branch goes on from the proved motion so that one of its lengths grows without an end, all phases
+// lasting: then there is one motion for each size of this length. Nothing where that is not proved, or where
+// that length may not grow along the cell, whose last motion it is.
+[[nodiscard]] std::optional<WayToInfinity> way_to_infinity(const Curve& curve, const Cell& cell,
+                                                           const Point& large);
 
 }  // namespace stickslip::numeric::branches

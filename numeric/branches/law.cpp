@@ -6,6 +6,7 @@
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/branches/crossing.hpp"
+#include "numeric/branches/resonance.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -21,11 +22,12 @@ constexpr int most_looks = 1000;
 constexpr double looks_to_halve = 32;
 constexpr double free_looks = 160;
 
-std::optional<Ball> friction_over(const Law& law, const ClosedMotion& closed, const Ball& value) {
-  if (law.ur_is_result) {
-    return closed.friction.front();
-  }
-  return law.ur_is_free ? std::optional(value) : law.ur ? std::optional(Ball(*law.ur)) : std::nullopt;
+// Where it is given, in the motion's units.
+template <class T>
+std::optional<T> given_friction(const Law& law, const T& value, const T& unit) {
+  return law.ur_is_free ? std::optional(T(value * unit))
+         : law.ur       ? std::optional(T(T(Ball(*law.ur)) * unit))
+                        : std::nullopt;
 }
 
 int sign(const Ball& x) {
@@ -50,6 +52,7 @@ struct Motions {
   const ParametricProof& proof;
   MotionOf<ParameterJet> jets;
   Motion middle;
+  Ball unit, us;  // us in its own unit
 };
 
 void decide_state(Part& part, const Law& law, const Motions& motions) {
@@ -69,10 +72,24 @@ void decide_state(Part& part, const Law& law, const Motions& motions) {
     }
     return;
   }
-  part.conditions = law.conditions(closed, friction_over(law, closed, part.value));
+  part.conditions =
+      law.conditions(closed, law.ur_is_result ? std::optional(closed.friction.front())
+                                              : given_friction<Ball>(law, part.value, motions.unit));
+  // In other units us is not told from zero where the motion is infinite.
+  for (const Requirement& q : law.requirements) {
+    if (part.in_units && q.quantity == Quantity::slipping_friction) {
+      Motion own = closed.motion;
+      own.oscillator.data.us = motions.us;
+      std::ranges::replace_if(
+          part.conditions, [&](const Condition& c) { return c.id == q.id; }, decide(own, {}, q));
+    }
+  }
   if (!lasts) {
     part.reason = "a phase may last no time at all";
     return;
+  }
+  if (law.is_symmetric && is_near_resonance(motions.middle)) {
+    decide_without_response(motions.proof, motions.jets, motions.middle, law.requirements, part.conditions);
   }
   const Verdict admissible = motion::admissible(part.conditions);
   if (admissible.truth == Truth::refuted) {
@@ -161,7 +178,7 @@ ParametricProof proof_on(const Curve& curve, const Cell& cell, const Rational& f
   if (first == cell.first && last == cell.last) {
     return cell.proof;
   }
-  const Driven f{&curve, cell.driver};
+  const Driven f{&cell.on(curve), cell.driver};
   ParametricProof proof = prove_over_parameters(f, Vector::Constant(1, between(first, last)),
                                                 motion_near(cell.proof, (first + last) / 2));
   if (proof.verdict.truth != Truth::proved) {
@@ -181,8 +198,8 @@ ParametricProof proof_on(const Curve& curve, const Cell& cell, const Rational& f
 Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, std::size_t k,
           const Rational& first, const Rational& last) {
   const Cell& cell = cells[k];
-  const Driven f{&curve, cell.driver};
-  Part part{k, first, last, {}, 0, State::undecided, {}, {}, {}, 0, false};
+  const Driven f{&cell.on(curve), cell.driver};
+  Part part{k, first, last, {}, 0, State::undecided, {}, {}, {}, 0, false, cell.in_units != nullptr};
   const ParametricProof proof = proof_on(curve, cell, first, last);
   if (proof.verdict.truth != Truth::proved) {
     arb_zero_pm_inf(part.value.raw());
@@ -201,7 +218,11 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
     part.reason = "the parameter may lie outside its interval";
     return part;
   }
-  decide_state(part, law, {proof, f.motion<ParameterJet>(proof.x, proof.p), middle});
+  const Ball unit =
+      proof.over_box(f.unit<ParameterJet>(proof.x, proof.p), f.unit<Ball>(proof.at_middle, proof.p0));
+  decide_state(part, law,
+               {proof, f.motion<ParameterJet>(proof.x, proof.p), middle, unit,
+                f.split<Ball>(proof.box, Vector::Constant(1, between(first, last))).p(2)});
   if (part.rises == 0 && part.reason.empty()) {
     part.reason = "the branch may turn here";
   }
@@ -209,14 +230,12 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
 }
 
 std::optional<ParameterJet> friction_jet(const Law& law, const MotionOf<ParameterJet>& motion,
-                                         const ParameterJet& value) {
+                                         const ParameterJet& value, const ParameterJet& unit) {
   if (law.ur_is_result) {
     const PhaseOf<ParameterJet>& first = motion.phases.front();
     return model::friction_at<ParameterJet>(motion.oscillator.data, first.Z, first.load);
   }
-  return law.ur_is_free ? std::optional(value)
-         : law.ur       ? std::optional(ParameterJet(Ball(*law.ur)))
-                        : std::nullopt;
+  return given_friction(law, value, unit);
 }
 
 std::vector<Part> parts_of(const Curve& curve, const Law& law, const std::vector<Cell>& cells,

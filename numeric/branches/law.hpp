@@ -48,6 +48,7 @@ struct Part {
   motion::MotionOf<double> sample;
   double sample_value = 0;
   bool admissible = false;  // is proved, whatever the state
+  bool in_units = false;    // other than the motion's own, as the sample is
 
   [[nodiscard]] bool decided() const { return state != State::undecided && rises != 0; }
   [[nodiscard]] bool refutes(const std::string& id) const;
@@ -60,9 +61,10 @@ struct Part {
 [[nodiscard]] Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, std::size_t cell,
                         const Rational& first, const Rational& last);
 
-// The friction over the part, as jets by the driver; nothing where the law knows none.
+// The friction over the part in the motion's units, as jets by the driver; nothing where the law knows none.
 [[nodiscard]] std::optional<zeros::ParameterJet> friction_jet(
-    const Law& law, const motion::MotionOf<zeros::ParameterJet>& motion, const zeros::ParameterJet& value);
+    const Law& law, const motion::MotionOf<zeros::ParameterJet>& motion, const zeros::ParameterJet& value,
+    const zeros::ParameterJet& unit);
 
 // The whole branch in parts, each decided or so short that the parameter is enclosed to `shortest` (an
 // upper bound of the interval's length); after too many divisions some are longer.

@@ -71,15 +71,20 @@ class Description {
     return end;
   }
 
+  // Whether the parameter may turn.
+  [[nodiscard]] bool turns(const Gap& gap) const {
+    const int rises = t_.parts[gap.from].rises;
+    return rises == 0 || std::any_of(t_.parts.begin() + static_cast<std::ptrdiff_t>(gap.from),
+                                     t_.parts.begin() + static_cast<std::ptrdiff_t>(gap.to),
+                                     [&](const Part& part) { return part.rises != rises; });
+  }
+
   // A piece of which nothing is known but that the motions close; of the gap's own.
   void add_open_piece(const Gap& gap) {
     const int rises = t_.parts[gap.from].rises;
-    const bool turns = rises == 0 || std::any_of(t_.parts.begin() + static_cast<std::ptrdiff_t>(gap.from),
-                                                 t_.parts.begin() + static_cast<std::ptrdiff_t>(gap.to),
-                                                 [&](const Part& part) { return part.rises != rises; });
     const Ball low = gap.at.lower(), high = gap.at.upper();
     branch_.pieces.push_back(
-        {State::undecided, {}, rises < 0 ? high : low, rises < 0 ? low : high, {}, turns});
+        {State::undecided, {}, rises < 0 ? high : low, rises < 0 ? low : high, {}, turns(gap)});
   }
 
   void leave_open(const Gap& gap) {
@@ -98,10 +103,15 @@ class Description {
   // A gap without a change is left open: a condition or a multiplier comes as near as can be told and turns
   // back.
   void settle(const Gap& gap) {
+    const bool wide = (Ball(2) * gap.at.radius() - Ball(resolution)).is_positive();
     if (gap.before == nullptr || gap.after == nullptr) {
+      BranchEnd& end = gap.before == nullptr ? branch_.first : branch_.last;
+      if (end.kind == End::infinite && !wide && !turns(gap)) {
+        end.at = gap.at;  // conditions that the infinite motion just fails to meet, or just meets
+        return;
+      }
       return leave_open(gap);
     }
-    const bool wide = (Ball(2) * gap.at.radius() - Ball(resolution)).is_positive();
     const State a = gap.before->state, b = gap.after->state;
     if (a == State::outside || b == State::outside) {
       return wide ? leave_open(gap) : void();
@@ -138,12 +148,13 @@ class Description {
       return;
     }
     const Ball low = part.value.lower(), high = part.value.upper();
-    if (begins || branch_.pieces.empty()) {
+    const bool is_new = begins || branch_.pieces.empty();
+    if (is_new) {
       branch_.pieces.push_back({part.state, {}, part.rises < 0 ? high : low, {}, {}});
     }
     Piece& piece = branch_.pieces.back();
     if (part.state == State::inadmissible) {
-      if (piece.samples.empty()) {
+      if (is_new) {
         const auto first =
             std::find_if(part.conditions.begin(), part.conditions.end(),
                          [](const motion::Condition& c) { return c.verdict.truth == Truth::refuted; });
@@ -153,7 +164,9 @@ class Description {
       }
     }
     piece.last = part.rises < 0 ? low : high;
-    piece.samples.push_back({part.sample_value, part.sample});
+    if (!part.in_units) {
+      piece.samples.push_back({part.sample_value, part.sample});
+    }
   }
 
   const Traced& t_;

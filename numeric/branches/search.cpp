@@ -73,12 +73,12 @@ BranchEnd end_of(const Path& path, const BranchQuestion& question) {
     end.words += resonance;
     end.resonance = !resonance.empty();
   }
+  const Ball at = path.limit.value_or(path.last.value);
   if (path.end == End::infinite) {
-    end.at = path.limit->value;
-    end.may_turn = path.limit->may_turn;
+    end.at = at;
   }
   if (path.end == End::interval) {
-    const bool above = (path.last.value - Ball((question.from + question.to) / 2)).is_positive();
+    const bool above = (at - Ball((question.from + question.to) / 2)).is_positive();
     end.at = Ball(above ? question.to : question.from);
   }
   return end;
@@ -90,6 +90,27 @@ bool passes(const Followed& branch, const Point& point, int angle) {
       return is_on(cell, {x, point.value});
     });
   });
+}
+
+// Whether all motions within the bounds are on branches. That in whose place there is a reciprocal is
+// positive or negative.
+bool hold_large(const Sheet& sheet, const LargeBounds& large, const Bounds& parameter) {
+  const auto holds_sign = [&](int sign) {
+    const auto turned = [&](const Bounds& x) { return sign > 0 ? x : Bounds{-x.second, -x.first}; };
+    std::vector<Bounds> x = large.x;
+    for (const int k : large.growing) {
+      x[static_cast<std::size_t>(k)] = turned(x[static_cast<std::size_t>(k)]);
+    }
+    Bounds& e = x[static_cast<std::size_t>(large.place)];
+    if (e.second <= 0) {
+      return true;
+    }
+    e.first = std::max(e.first, 0.0);
+    return std::any_of(sheet.branches.begin(), sheet.branches.end(), [&](const Followed& branch) {
+      return branch.tubes.hold({large.place, sign, large.growing}, x, parameter);
+    });
+  };
+  return holds_sign(1) && holds_sign(-1);
 }
 
 class Search {
@@ -146,9 +167,6 @@ bool Search::add(const Candidate& candidate, const Rational& value, std::string&
     for (const Ball& x : start.point.x) {
       sheet.curve.far = std::max(sheet.curve.far, far_away * std::abs(x.approximate()));
     }
-  } else if (is_far(sheet.curve, start.point)) {
-    why = "the motion is more than thirty times as large as others";
-    return false;
   }
   const auto same = [&](const Followed& known) { return passes(known, start.point, sheet.angle); };
   if (std::any_of(sheet.branches.begin(), sheet.branches.end(), same)) {
@@ -214,14 +232,26 @@ std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const z
                                   [&](const Sheet& s) { return s.system == strip.system; });
   const auto is_known = [&](const Strip::View& view) {
     return sheet != all_.sheets.end() &&
-           std::any_of(sheet->branches.begin(), sheet->branches.end(),
-                       [&](const Followed& branch) { return branch.tubes.hold(view.x, view.parameter); });
+           (std::any_of(sheet->branches.begin(), sheet->branches.end(),
+                        [&](const Followed& branch) { return branch.tubes.hold(view.x, view.parameter); }) ||
+            std::any_of(view.large.begin(), view.large.end(),
+                        [&](const LargeBounds& large) { return hold_large(*sheet, large, view.parameter); }));
   };
   const double far = sheet == all_.sheets.end() ? HUGE_VAL : sheet->curve.far;
-  const auto are_far = [&](const std::vector<Bounds>& x) {
-    return std::any_of(x.begin(), x.end(),
-                       [&](const Bounds& side) { return side.first > far || side.second < -far; });
+  const auto are_far = [&](const Strip::View& view) {
+    return std::any_of(view.x.begin(), view.x.end(),
+                       [&](const Bounds& side) { return side.first > far || side.second < -far; }) ||
+           std::any_of(view.large.begin(), view.large.end(), [&](const LargeBounds& large) {
+             const Bounds& e = large.x[static_cast<std::size_t>(large.place)];
+             return std::max(-e.first, e.second) * far < 1;
+           });
   };
+  // Else no branch is known to go there.
+  const bool to_infinity =
+      sheet != all_.sheets.end() &&
+      std::any_of(sheet->branches.begin(), sheet->branches.end(), [](const Followed& branch) {
+        return branch.first.kind == End::infinite || branch.last.kind == End::infinite;
+      });
   const auto is_small = [](const StripBox& X) {
     return std::all_of(X.begin(), X.end(),
                        [](const Ball& side) { return side.radius().approximate() < small; });
@@ -231,7 +261,7 @@ std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const z
     if (!view || is_known(*view)) {
       return std::nullopt;
     }
-    if (are_far(view->x) && is_small(X)) {
+    if (are_far(*view) && is_small(X) && (view->large.empty() || !to_infinity)) {
       const std::lock_guard lock(far_mutex_);
       far_ = far_ ? Bounds{std::min(far_->first, view->parameter.first),
                            std::max(far_->second, view->parameter.second)}

@@ -65,7 +65,7 @@ std::optional<Longer> longer(const Curve& curve, const Cell& cell, const Cell * 
       return end;
     }
     Rational length = abs(cell.last - cell.first);
-    if (neighbour->driver == cell.driver) {
+    if (neighbour->driver == cell.driver && neighbour->in_units == cell.in_units) {
       length = std::min(length, Rational(abs(neighbour->last - neighbour->first)));
     }
     const Rational result = end + (end > other ? length : Rational(-length)) * Rational(share);
@@ -73,7 +73,7 @@ std::optional<Longer> longer(const Curve& curve, const Cell& cell, const Cell * 
   };
   const Rational first = moved(cell.first, cell.last, before);
   const Rational last = moved(cell.last, cell.first, after);
-  const Driven f{&curve, cell.driver};
+  const Driven f{&cell.on(curve), cell.driver};
   const ParametricProof proof =
       prove_over_parameters(f, Vector::Constant(1, between(first, last)), cell.proof.at_middle);
   // The middle of the longer arc is on the cell: by continuation all that they share is the same.
@@ -104,7 +104,7 @@ std::optional<Longer> longer(const Curve& curve, const Cell& cell, const Cell * 
 Tubes::Tubes(const Curve& curve, const std::vector<Cell>& cells, int angle) : angle_(angle) {
   tubes_ = parallel_map(cells.size(), [&](std::size_t k) {
     const Cell& cell = cells[k];
-    Tube tube{{}, cell.driver, within(cell.range)};
+    Tube tube{{}, cell.driver, within(cell.range), cell.on(curve).units};
     Vector sides = cell.proof.unique;
     for (const double share : overlaps) {
       if (const auto better = longer(curve, cell, k > 0 ? &cells[k - 1] : nullptr,
@@ -127,28 +127,33 @@ bool Tubes::hold(const std::vector<Bounds>& x, const Bounds& parameter) const {
     return false;
   }
   if (angle_ < 0) {
-    return hold_turned(x, parameter);
+    return hold_in({}, x, parameter);
   }
   for (int k = -2; k <= 2; ++k) {
     std::vector<Bounds> turned = x;
     Bounds& side = turned[static_cast<std::size_t>(angle_)];
     // The turn is a little less or more than 2 pi.
     side = {side.first + k * turn - 0x1p-40, side.second + k * turn + 0x1p-40};
-    if (hold_turned(turned, parameter)) {
+    if (hold_in({}, turned, parameter)) {
       return true;
     }
   }
   return false;
 }
 
-// Along each branch neighbouring tubes with the same driver may hold the bounds together.
-bool Tubes::hold_turned(const std::vector<Bounds>& x, const Bounds& parameter) const {
+bool Tubes::hold(const Units& units, const std::vector<Bounds>& x, const Bounds& parameter) const {
+  return hold_in(units, x, parameter);
+}
+
+// Along each branch neighbouring tubes with the same driver and units may hold the bounds together.
+bool Tubes::hold_in(const std::optional<Units>& units, const std::vector<Bounds>& x,
+                    const Bounds& parameter) const {
   const Tube * before = nullptr;
   Bounds held{};
   for (const Tube& tube : tubes_) {
     const auto place = static_cast<std::size_t>(tube.driver);
     const Bounds& driver = tube.driver == by_parameter ? parameter : x[place];
-    bool here = tube.range.first <= driver.second && driver.first <= tube.range.second;
+    bool here = tube.units == units && tube.range.first <= driver.second && driver.first <= tube.range.second;
     for (std::size_t i = 0; here && i < x.size(); ++i) {
       here = covers(tube.sides[i], i == place ? parameter : x[i]);
     }

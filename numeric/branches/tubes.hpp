@@ -18,15 +18,19 @@ class Tubes {
   // Whether all closed motions with unknowns and parameter within these bounds are on branches: certain, or
   // not known.
   [[nodiscard]] bool hold(const std::vector<families::Bounds>& x, const families::Bounds& parameter) const;
+  // The same for unknowns in such units.
+  [[nodiscard]] bool hold(const Units& units, const std::vector<families::Bounds>& x,
+                          const families::Bounds& parameter) const;
 
  private:
   struct Tube {
     std::vector<families::Bounds> sides;  // of the unknowns, the driver's place taken by the parameter
     int driver;
     families::Bounds range;  // of the driver
+    std::optional<Units> units;
   };
-  [[nodiscard]] bool hold_turned(const std::vector<families::Bounds>& x,
-                                 const families::Bounds& parameter) const;
+  [[nodiscard]] bool hold_in(const std::optional<Units>& units, const std::vector<families::Bounds>& x,
+                             const families::Bounds& parameter) const;
 
   std::vector<Tube> tubes_;  // along each branch in order
   int angle_ = -1;

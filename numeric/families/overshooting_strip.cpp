@@ -15,6 +15,30 @@ std::vector<Bounds> bounds(const Eigen::Matrix<T, 2, 1>& t, const Eigen::Matrix<
           scalars::ends(linear(1).over), scalars::ends(linear(2).over)};
 }
 
+// Where an unknown may be larger they are looked at by their ratios, too.
+constexpr double large = 16;
+
+// The same where a or D, the unknown of that column, may be unbounded, and then the other, too, but not C:
+// the row that is 1 and the column change places. The functions that must vanish are added.
+template <class T, class S>
+void add_large(const AllRows<OneStick<2, Datum::phase>, T>& rows, const Eigen::Matrix<T, 2, 1>& t, int column,
+               Reduced<T>& result) {
+  constexpr int one = OneStick<2, Datum::phase>::columns - 1;
+  AllRows<OneStick<2, Datum::phase>, T> turned = rows;
+  turned.col(column).swap(turned.col(one));
+  const auto rest = eliminated<Datum::phase, T, S>(turned);
+  if (!rest) {
+    return;
+  }
+  result.vanish.insert(result.vanish.end(), {rest->vanish(0), rest->vanish(1)});
+  const int odd = std::abs(rows(0, 1).at.approximate()) > std::abs(rows(1, 1).at.approximate()) ? 0 : 1;
+  LargeBounds bounds{2 + column, {2, 4}, {}};
+  for (const T& x : {t(0), t(1), rest->linear(0), T(-rows(odd, one) / rows(odd, 1)), rest->linear(2)}) {
+    bounds.x.push_back(scalars::ends(x.over));
+  }
+  result.large.push_back(bounds);
+}
+
 Ball as_ball(const Ball& x) {
   return x;
 }
@@ -47,11 +71,21 @@ struct OverStrip {
       return result;
     }
     const auto rest = eliminated<G, T, S>(rows);
+    const Eigen::Matrix<T, 2, 1> t = times<T, 2>(data.d.Theta, sw);
+    if constexpr (at_phase) {
+      const auto may_be_large = [&](int k) {
+        const auto [low, high] = scalars::ends(rest->linear(k).over);
+        return !(-large < low && high < large);
+      };
+      if (!rest || may_be_large(0) || may_be_large(2)) {
+        add_large<T, S>(rows, t, 0, result);
+        add_large<T, S>(rows, t, 2, result);
+      }
+    }
     if (!rest) {
       return result;
     }
     result.vanish.insert(result.vanish.end(), {rest->vanish(0), rest->vanish(1)});
-    const Eigen::Matrix<T, 2, 1> t = times<T, 2>(data.d.Theta, sw);
     result.x = bounds<T>(t, rest->linear);
     if constexpr (!at_phase) {
       // phi, up to full turns.

@@ -36,6 +36,14 @@ using Bounds = std::pair<double, double>;
   return std::exp2(std::round(std::log2(std::clamp(share, 0x1p-20, 1.0))));
 }
 
+// Bounds of the unknowns where some may grow beyond all bounds: of the reciprocal of the one at `place`, in
+// its place, and of the growing ones divided by it. No motion has a zero there.
+struct LargeBounds {
+  int place = 0;
+  std::vector<int> growing;
+  std::vector<Bounds> x;
+};
+
 struct Strip {
   int system = 0;  // see Candidate
   int angle = -1;
@@ -44,6 +52,7 @@ struct Strip {
     StripBox rest;          // holds all zeros that the box has
     std::vector<Bounds> x;  // bounds the unknowns of the closing conditions there, see Reduced
     Bounds parameter;
+    std::vector<LargeBounds> large;  // each of them bounds all of the motions; of those that may be large
   };
   // Nothing when the box has no zero.
   std::function<std::optional<View>(const StripBox&)> look;
@@ -54,8 +63,9 @@ struct Strip {
 template <class T>
 struct Reduced {
   std::vector<T> vanish;
-  // At its zeros; empty where nothing is known. With an infinite upper bound the lower one is of the size.
-  std::vector<Bounds> x;
+  // At its zeros; empty where nothing is known.
+  std::vector<Bounds> x = {};
+  std::vector<LargeBounds> large = {};
   bool excluded = false;
 };
 
@@ -166,7 +176,7 @@ template <class S, class F>
   if (here.excluded) {
     return std::nullopt;
   }
-  Strip::View view{X, here.x, scalars::ends(value)};
+  Strip::View view{X, here.x, scalars::ends(value), here.large};
   Shares e;
   e.fill({-1, 1});
   for (const T& f : here.vanish) {

@@ -182,19 +182,16 @@ struct OverStrip {
                                        Theta, T(phase == LoadPhase::first ? 1 : -1)};
     const T tau = Theta * u;
     const model::SymmetricRows<T> rows = model::symmetric_rows<T>(data, tau);
-    Reduced<T> result{{T(rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1))}, {}};
-    const auto size = [&](int k) { return std::abs(rows.left(k).at.approximate()); };
-    const int j = size(0) > size(1) ? 0 : 1;
-    for (const int k : {j, 1 - j}) {
-      if (!is_nonzero(rows.left(j)) && is_nonzero(rows.right(k)) && result.x.empty()) {
-        const auto [left_low, left_high] = ends(rows.left(k).over);
-        const auto [right_low, right_high] = ends(rows.right(k).over);
-        const double least = std::max(right_low, -right_high) / std::max(-left_low, left_high);
-        result.x = {ends(tau.over), {least * (1 - 0x1p-40), HUGE_VAL}};
+    Reduced<T> result{{T(rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1))}};
+    for (const int k : {0, 1}) {
+      const auto size = [&](const T& x) { return std::abs(x.at.approximate()); };
+      const T &left = rows.left(k), &right = rows.right(k);
+      if (is_nonzero(left) && (result.x.empty() || size(left) > size(rows.left(0)))) {
+        result.x = {ends(tau.over), ends(T(right / left).over)};
       }
-    }
-    if (is_nonzero(rows.left(j))) {
-      result.x = {ends(tau.over), ends(T(rows.right(j) / rows.left(j)).over)};
+      if (is_nonzero(right)) {
+        result.large.push_back({1, {1}, {ends(tau.over), ends(T(left / right).over)}});
+      }
     }
     return result;
   }

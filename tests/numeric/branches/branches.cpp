@@ -117,26 +117,49 @@ TEST_CASE("orbits that never stick over p: folds of both kinds and conditions ga
   CHECK(check_sides(list) >= 8);
 }
 
-TEST_CASE("the branch of O loses condition 18 where the lists say so") {
-  BranchQuestion question = along(O(), "omega", "0.63", "0.632");
-  question.at = parse_rational("0.6305");
+TEST_CASE("the branch of O and that beside it: two ends at infinity, a fold, a condition, as the lists say") {
+  BranchQuestion question = along(O(), "omega", "0.6182", "0.632");
+  question.at = parse_rational("0.6289");
   const BranchList list = list_branches(question);
   CHECK(list.resolved());
+  REQUIRE(list.branches.size() == 2);
+  for (const Branch& branch : list.branches) {
+    CHECK(branch.first.kind == End::infinite);
+    CHECK(branch.first.at.overlaps(list.branches.front().first.at));
+  }
+  const std::vector<Change> folds = changes_of(list, ChangeKind::fold);
+  REQUIRE(folds.size() == 1);
+  CHECK((abs(folds.front().at - Ball(parse_rational("0.618247176"))) - Ball(1e-9)).is_negative());
   const std::vector<Change> lost = changes_of(list, ChangeKind::condition);
   REQUIRE(lost.size() == 1);
   CHECK(lost.front().what == "18");
-  CHECK(check_sides(list) == 2);
+  CHECK(check_sides(list) == 4);
 }
 
-TEST_CASE("over a natural frequency the interval is split, and the branch goes on") {
+TEST_CASE("symmetric orbits go on through a natural frequency, and what changes beside it is told") {
+  // omega1 = 0.6135588581, and a complex pair at 0.6141918868.
   const BranchList list = list_branches(along(S(), "omega", "0.612", "0.616"));
-  const std::vector<Change> resonances = changes_of(list, ChangeKind::resonance);
-  REQUIRE(!resonances.empty());
-  for (const Change& change : resonances) {
-    CHECK(change.what == "omega1");
-    CHECK(change.verdict.truth == Truth::undecided);
-    CHECK(change.at.contains(exact(model::modes<Ball>(Ball(0.5), Ball(parse_rational("3.8"))).omega1)));
+  CHECK(list.complete);
+  CHECK(list.unresolved.empty());
+  CHECK(changes_of(list, ChangeKind::resonance).empty());
+  const std::vector<Change> stability = changes_of(list, ChangeKind::stability);
+  REQUIRE(stability.size() == 1);
+  CHECK(stability.front().what == "complex pair");
+  CHECK(check_sides(list) == 2);
+  // So near that the lists decide it at many digits only.
+  const Rational omega1 = exact(model::modes<Ball>(Ball(0.5), Ball(parse_rational("3.8"))).omega1);
+  for (const Rational& value :
+       {Rational(omega1 - Rational(1, 100000)), Rational(omega1 + Rational(1, 100000))}) {
+    const std::optional<Numbers> said = numbers(list, value);
+    REQUIRE(said);
+    CHECK(*said == numbers(at(list.question, value)));
   }
+}
+
+TEST_CASE("all of S beside each of its changes is as the lists say") {
+  const BranchList list = list_branches(along(S(), "omega", "0.505", "0.59"));
+  CHECK(list.complete);
+  CHECK(check_sides(list) >= 8);
 }
 
 TEST_CASE("pieces, changes and unresolved parts leave no gap on a branch") {

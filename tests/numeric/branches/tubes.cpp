@@ -145,3 +145,36 @@ TEST_CASE("where a branch stops its tubes stop, however short its last cell is")
     }
   }
 }
+
+TEST_CASE("tubes in the units of large motions hold these, and nothing at the other side of infinity") {
+  BranchQuestion question = along(O(), "omega", "0.6182485", "0.619");
+  question.at = parse_rational("0.6185");
+  int looked = 0;
+  for (const Sheet& sheet : follow_all(question).sheets) {
+    for (const Followed& branch : sheet.branches) {
+      const Tubes tubes(sheet.curve, branch.cells, -1);
+      for (const Cell& cell : branch.cells) {
+        if (!cell.in_units) {
+          continue;
+        }
+        ++looked;
+        const Units& units = *cell.in_units->units;
+        const auto place = static_cast<std::size_t>(units.place);
+        std::vector<families::Bounds> x = bounds(cell.proof.at_middle);
+        const families::Bounds parameter = x[place];
+        x[place] = scalars::ends(cell.proof.p0(0));
+        CHECK(tubes.hold(units, x, parameter));
+        CHECK(!tubes.hold(x, parameter));
+        CHECK(!tubes.hold({units.place, -units.sign, units.growing}, x, parameter));
+        CHECK(!tubes.hold({units.place, units.sign, {}}, x, parameter));
+        std::vector<families::Bounds> beyond = x;
+        beyond[place].first = -1e-3;
+        CHECK(!tubes.hold(units, beyond, parameter));
+        beyond = x;
+        beyond[place].second += 1;
+        CHECK(!tubes.hold(units, beyond, parameter));
+      }
+    }
+  }
+  CHECK(looked >= 1);
+}
