@@ -30,11 +30,10 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
       "1 with --mutants: a wrong statement is proved;\n"
       "2 something is undecided;\n"
       "130 after Ctrl-C, which ends it: what is done is printed, and no report written.");
-  CLI::Option * out = command->add_option("--out", options.out,
-                                          "Also write the report into DIR: pages for a browser that begin\n"
-                                          "with index.html, audit.pdf where there is TeX, audit.tex and\n"
-                                          "audit.json. DIR is created if only its last part is missing");
-  out->type_name("DIR");
+  CLI::Option * out = add_text(*command, "--out", options.out, "DIR",
+                               "Also write the report into DIR: pages for a browser that begin\n"
+                               "with index.html, audit.pdf where there is TeX, audit.tex and\n"
+                               "audit.json. DIR is created if only its last part is missing");
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the results as JSON instead of the table");
   CLI::Option * mutants = command->add_flag("--mutants", options.mutants,
@@ -45,11 +44,9 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
       ->check(CLI::PositiveNumber)
       ->needs(mutants);
   command->add_option("--seed", options.seed, "The seed of that sample")->type_name("N")->needs(mutants);
-  command
-      ->add_option("--certificates", options.certificates,
-                   "The directory in which script/certify had Coq check the\nproofs: say of each claim "
-                   "whether it is certified")
-      ->type_name("DIR");
+  add_text(*command, "--certificates", options.certificates, "DIR",
+           "The directory in which script/certify had Coq check the\nproofs: say of each claim whether it is "
+           "certified");
   command->callback([&options, &request, out] {
     options.with_out = out->count() > 0;
     request = options;
@@ -98,18 +95,13 @@ void add_certify(CLI::App& program, CertifyOptions& options, Request& request, c
               fmt::format("What to certify: as for check ({}, {}, {}, ...); everything if\nnone is given",
                           paper.part, paper.equation(), paper.places.substr(0, paper.places.find(','))))
           ->type_name("");
-  CLI::Option * out =
-      command
-          ->add_option(
-              "--out", options.out,
-              "Where to: a new directory, an empty one, or one with\ncertificates, which are kept; files "
-              "that are the same stay\nas they are")
-          ->type_name("DIR");
-  command
-      ->add_option("--record", options.record,
-                   "Instead: look at what Coq said of the certificates in DIR,\nprint it, and write it to "
-                   "DIR/certificates.json")
-      ->type_name("DIR")
+  CLI::Option * out = add_text(
+      *command, "--out", options.out, "DIR",
+      "Where to: a new directory, an empty one, or one with\ncertificates, which are kept; files that "
+      "are the same stay\nas they are");
+  add_text(*command, "--record", options.record, "DIR",
+           "Instead: look at what Coq said of the certificates in DIR,\nprint it, and write it to "
+           "DIR/certificates.json")
       ->excludes(out)
       ->excludes(ids);
   command->callback([&options, &request] {
@@ -142,10 +134,8 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
           "A document with the errata of the paper and the hypotheses\nto be added, after proving everything")
       ->excludes(list)
       ->excludes(names);
-  command
-      ->add_option("--theorem", options.theorem,
-                   "A result of the audit as a theorem, with the idea of its proof,\nafter proving it")
-      ->type_name("ID")
+  add_text(*command, "--theorem", options.theorem, "ID",
+           "A result of the audit as a theorem, with the idea of its proof,\nafter proving it")
       ->excludes(list)
       ->excludes(names)
       ->excludes(command->get_option("--errata"));
@@ -156,12 +146,10 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
           "natural "
           "frequencies alone")
       ->type_name("WORD");
-  command
-      ->add_option("--orbit", options.orbit,
-                   "The closed forms of orbit K of a family, phase by phase, with its\nnumbers, at the "
-                   "parameters below: " +
-                       paper.family_names)
-      ->type_name("FAMILY:K")
+  add_text(*command, "--orbit", options.orbit, "FAMILY:K",
+           "The closed forms of orbit K of a family, phase by phase, with its\nnumbers, at the parameters "
+           "below: " +
+               paper.family_names)
       ->excludes(list)
       ->excludes(names)
       ->excludes(command->get_option("--errata"))
@@ -169,10 +157,8 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
       ->excludes(command->get_option("--in"));
   add_parameters(*command, options.parameters);
   add_sources(*command, options.example, options.file, paper);
-  command
-      ->add_option("--digits", options.digits,
-                   fmt::format("Significant digits of numbers: {} by default", LatexOptions::default_digits))
-      ->type_name("N");
+  add_text(*command, "--digits", options.digits, "N",
+           fmt::format("Significant digits of numbers: {} by default", LatexOptions::default_digits));
   command->callback([&options, &request] { request = options; });
 }
 

@@ -87,11 +87,6 @@ Question question_of(const AtlasOptions& o, const proofs::methods::Paper& paper)
   return q;
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-  report::tools::write_files(file.has_parent_path() ? file.parent_path() : ".",
-                             {{file.filename().string(), text}});
-}
-
 // Whether --plot asks for a mesh that ParaView opens.
 bool is_mesh(const fs::path& plot) {
   return plot.extension() == ".vtk";
@@ -100,10 +95,10 @@ bool is_mesh(const fs::path& plot) {
 // What was asked for beside the atlas.
 void write_pictures(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
   if (!o.csv.empty()) {
-    write_text(o.csv, report::atlas::to_csv(q, leaves));
+    report::tools::write_file(o.csv, report::atlas::to_csv(q, leaves));
   }
   if (is_mesh(o.plot)) {
-    write_text(o.plot, report::atlas::to_vtk(q, leaves));
+    report::tools::write_file(o.plot, report::atlas::to_vtk(q, leaves));
   } else if (!o.plot.empty()) {
     report::tools::write_plot(o.plot,
                               report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot)));
@@ -129,7 +124,6 @@ void require_outputs(const AtlasOptions& o, const Question& q) {
     if (q.axes.size() != 2) {
       throw UsageError("plot: a map needs two parameters that vary");
     }
-    (void)report::tools::plot_format(o.plot);
     report::tools::require_plot(o.plot);
   }
 }
@@ -275,7 +269,7 @@ void keep(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& lea
     return;
   }
   const std::string table = o.out + ".csv";
-  write_text(table, report::atlas::to_csv(q, leaves));
+  report::tools::write_file(table, report::atlas::to_csv(q, leaves));
   tell(fmt::format("stickslip: this program was built without HDF5: the boxes are in {} and {}.", table,
                    log.string()));
 }

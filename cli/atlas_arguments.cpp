@@ -31,8 +31,8 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
   command->add_option("FAMILY", options.family, "symmetric, overshooting or nonsticking")->type_name("");
   add_parameters(*command, options.parameters);
   add_sources(*command, options.example, options.file, paper);
-  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
-    command->add_option(name, value, words)->type_name(type);
+  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
+    return add_text(*command, name, text, type, words);
   };
   add("--resolution", options.resolution, "K",
       fmt::format("Boxes are at least 2^-K of each range: {} by default", AtlasOptions::default_resolution));

@@ -5,16 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "cli/answer.hpp"
 #include "cli/commands.hpp"
-#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
-#include "cli/output.hpp"
 #include "core/interruption.hpp"
 #include "numeric/attractors/settle.hpp"
-#include "report/orbits/attractors.hpp"
-#include "report/orbits/attractors_page.hpp"
-#include "report/orbits/pure_word.hpp"
 
 namespace stickslip::cli {
 
@@ -33,7 +29,7 @@ bool is_decided(const WordOrbit& o) {
 }
 
 // The machine that is asked about, and how its motions are told.
-struct Asked {
+struct AskedMachine {
   ParameterFile file;
   report::orbits::Units units;
   words::WordQuestion machine;
@@ -42,21 +38,14 @@ struct Asked {
 };
 
 template <class Options>
-Asked asked(const Options& options, const TypedParameters& typed, const proofs::methods::Paper& paper) {
+AskedMachine asked(const Options& options, const TypedParameters& typed,
+                   const proofs::methods::Paper& paper) {
   ParameterFile file = read_parameters(options.file, typed, options.example, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   const int digits =
       whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits);
   return {file, units_of(options.units, file, options.json),
           machine(paper, typed, file.parameters, options.example, digits), jobs(options.jobs), options.json};
-}
-
-template <class Result>
-void print_result(const Result& result, const Asked& asked) {
-  tell_left_out(asked.file);
-  print(asked.json ? report::tools::to_text(with_machine(report::orbits::to_json(result), asked.file))
-                   : machine_report(asked.file) +
-                         report::orbits::terminal_report(result, terminal_style(), asked.units));
 }
 
 // Whether motions of one phase are possible, which has no events that a search could go through.
@@ -66,10 +55,10 @@ ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const pr
         "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
         options.family));
   }
-  const Asked given = asked(options, options.parameters, paper);
+  const AskedMachine given = asked(options, options.parameters, paper);
   words::require_machine_domain(given.machine);
   const report::orbits::PureWord word{given.machine, kind};
-  print_result(word, given);
+  print_result(word, given.file, given.json, given.units);
   return report::orbits::exists(word).truth == Truth::undecided ? exit_undecided : exit_decided;
 }
 
@@ -93,7 +82,7 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   if (options.with_out) {
     require_page(options.out);
   }
-  const Asked given = asked(options, options.parameters, paper);
+  const AskedMachine given = asked(options, options.parameters, paper);
   const AttractorQuestion question{
       given.machine,
       whole_number("starts", options.starts, AttractorsOptions::most_starts,
@@ -117,7 +106,7 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
     report::tools::write_files(
         options.out, report::orbits::pages(list, basins, {given.file.name, given.file.machine, given.units}));
   }
-  print_result(list, given);
+  print_result(list, given.file, given.json, given.units);
   if (options.with_out) {
     tell(fmt::format("The report is in {}: index.html.", options.out));
   }
@@ -144,7 +133,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
     throw UsageError(
         "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
   }
-  const Asked given = asked(options, typed, paper);
+  const AskedMachine given = asked(options, typed, paper);
   WordSearch search{given.machine,
                     word,
                     whole_number("period", options.period, OrbitsOptions::most_periods_of_word, 1),
@@ -161,7 +150,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
     const Progress progress("searching for orbits ...");
     return find_word_orbits(search);
   }();
-  print_result(list, given);
+  print_result(list, given.file, given.json, given.units);
   if (list.interrupted) {
     return exit_interrupted;
   }

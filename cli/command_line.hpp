@@ -8,6 +8,10 @@
 
 namespace stickslip::cli {
 
+// An option or a place that takes a text; `type` is what the help calls it.
+CLI::Option * add_text(CLI::App& command, const char * name, std::string& text, const char * type,
+                       const std::string& words);
+
 // --chi, --eta, … for those of a machine, whose load is cos(omega t); the same and --phi; --example and
 // --params.
 void add_machine(CLI::App& command, TypedParameters& parameters);

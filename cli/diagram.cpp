@@ -5,17 +5,12 @@
 #include <functional>
 #include <string>
 
+#include "cli/answer.hpp"
 #include "cli/commands.hpp"
-#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
-#include "cli/output.hpp"
 #include "core/decimal.hpp"
 #include "core/interruption.hpp"
-#include "report/orbits/attractors_page.hpp"
-#include "report/orbits/diagram.hpp"
-#include "report/tools/files.hpp"
-#include "report/tools/plot.hpp"
 
 namespace stickslip::cli {
 
@@ -92,46 +87,6 @@ std::function<numeric::DataTaken(const Rational&)> machine_along(const Options& 
   };
 }
 
-// Before long work.
-void require_outputs(const Options& o) {
-  if (!o.csv.empty()) {
-    report::tools::require_writable_file(o.csv);
-  }
-  if (!o.plot.empty()) {
-    (void)report::tools::plot_format(o.plot);
-    report::tools::require_plot(o.plot);
-  }
-  if (o.with_out) {
-    require_page(o.out);
-  }
-}
-
-template <class Result>
-ExitCode finish(const Result& result, const Options& o, const ParameterFile& file, const Units& units) {
-  if (!o.csv.empty()) {
-    const std::filesystem::path csv = o.csv;
-    report::tools::write_files(csv.has_parent_path() ? csv.parent_path() : ".",
-                               {{csv.filename().string(), report::orbits::to_csv(result, units)}});
-  }
-  const std::string script =
-      o.plot.empty() ? "" : report::orbits::plot_script(result, report::tools::plot_format(o.plot), units);
-  if (!script.empty()) {
-    report::tools::write_plot(o.plot, script);
-  } else if (!o.plot.empty()) {
-    tell(fmt::format("There is nothing to draw: {} is not written.", o.plot));
-  }
-  if (o.with_out) {
-    const Progress progress("making the page ...");
-    report::tools::write_files(o.out, report::orbits::pages(result, {file.name, file.machine, units}));
-  }
-  print(o.json ? report::tools::to_text(with_machine(report::orbits::to_json(result), file))
-               : machine_report(file) + report::orbits::terminal_report(result, terminal_style(), units));
-  if (o.with_out) {
-    tell(fmt::format("The report is in {}: index.html.", o.out));
-  }
-  return result.interrupted ? exit_interrupted : exit_decided;
-}
-
 }  // namespace
 
 ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
@@ -160,7 +115,8 @@ ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
       const Progress progress("following the starts ...");
       return diagram_of({machine_asked, o.along[0], from, to, values, machine_along(o, file)});
     }();
-    return finish(diagram, o, file, units);
+    write_outputs(o, diagram, file, units);
+    return diagram.interrupted ? exit_interrupted : exit_decided;
   }
   BasinsQuestion question{machine_asked, plane(o.plane), {}, {}};
   if (o.pixels == "1") {
@@ -177,7 +133,8 @@ ExitCode run_diagram(const Options& o, const proofs::methods::Paper& paper) {
     const Progress progress("following the starts ...");
     return basins_of(question);
   }();
-  return finish(basins, o, file, units);
+  write_outputs(o, basins, file, units);
+  return basins.interrupted ? exit_interrupted : exit_decided;
 }
 
 }  // namespace stickslip::cli

@@ -73,15 +73,17 @@ void add_parameter(CLI::App& command, TypedParameters& parameters, const std::st
 }
 
 void add_units(CLI::App& command, std::string& text) {
-  command
-      .add_option(
-          "--units", text,
-          "si: say times, lengths, velocities and forces in SI units, and\ntake states in them, for a "
-          "machine in SI units")
-      ->type_name("UNITS");
+  add_text(command, "--units", text, "UNITS",
+           "si: say times, lengths, velocities and forces in SI units, and\ntake states in them, for a "
+           "machine in SI units");
 }
 
 }  // namespace
+
+CLI::Option * add_text(CLI::App& command, const char * name, std::string& text, const char * type,
+                       const std::string& words) {
+  return command.add_option(name, text, words)->type_name(type);
+}
 
 void add_machine(CLI::App& command, TypedParameters& parameters) {
   add_parameter(command, parameters, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
@@ -99,64 +101,49 @@ void add_parameters(CLI::App& command, TypedParameters& parameters) {
 }
 
 void add_sources(CLI::App& command, std::string& example, std::string& file, const PaperInHelp& paper) {
-  command.add_option("--example", example, "Take the data of the paper's example " + paper.examples)
-      ->type_name("NAME");
-  command
-      .add_option("--params", file,
-                  "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a "
-                  "machine in SI units,\nas the README says")
-      ->type_name("FILE");
+  add_text(command, "--example", example, "NAME", "Take the data of the paper's example " + paper.examples);
+  add_text(command, "--params", file, "FILE",
+           "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a "
+           "machine in SI units,\nas the README says");
 }
 
 void add_jobs(CLI::App& command, std::string& text) {
-  command
-      .add_option("--jobs", text,
-                  "Search and prove with at most N threads, all cores by default;\nthe results are the same")
-      ->type_name("N");
+  add_text(command, "--jobs", text, "N",
+           "Search and prove with at most N threads, all cores by default;\nthe results are the same");
 }
 
 void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
   command->footer(orbits_details + paper.families + words_details);
-  command->add_option("FAMILY", options.family, paper.family_names + "; or a word such as OTS")
-      ->type_name("");
+  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
+    return add_text(*command, name, text, type, words);
+  };
+  add("FAMILY", options.family, "", paper.family_names + "; or a word such as OTS");
   add_parameters(*command, options.parameters);
-  command->add_option("--period", options.period, "Of a word: periods of the load, 1 by default")
-      ->type_name("N");
-  CLI::Option * near = command->add_option("--near", options.near,
-                                           "Of a word: start at x1,x2,x1',x2', at load phase --phi or 0");
-  near->type_name("X");
+  add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
+  CLI::Option * near =
+      add("--near", options.near, "X", "Of a word: start at x1,x2,x1',x2', at load phase --phi or 0");
   add_sources(*command, options.example, options.file, paper);
-  command
-      ->add_option("--digits", options.digits,
-                   fmt::format("Significant digits of each value: {} by default, {} at most",
-                               OrbitsOptions::default_digits, OrbitsOptions::most_digits))
-      ->type_name("N");
+  add("--digits", options.digits, "N",
+      fmt::format("Significant digits of each value: {} by default, {} at most",
+                  OrbitsOptions::default_digits, OrbitsOptions::most_digits));
   add_units(*command, options.units);
-  command
-      ->add_option("--cells", options.cells,
-                   "Let a search examine N cells before it leaves the rest open,\nin place of its own limit")
-      ->type_name("N");
-  command->add_option("--time", options.time, "Let a search go on for T seconds, however many cells it takes")
-      ->type_name("T");
+  add("--cells", options.cells, "N",
+      "Let a search examine N cells before it leaves the rest open,\nin place of its own limit");
+  add("--time", options.time, "T", "Let a search go on for T seconds, however many cells it takes");
   add_jobs(*command, options.jobs);
   command->add_flag("--all", options.all, "Say all about formal solutions, which are not admissible, too");
   command->add_flag("--json", options.json, "Print the list as JSON");
-  CLI::Option * plot = command->add_option("--plot", options.plot,
-                                           "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
-                                           "FILE.pdf: phase portraits and time histories");
-  plot->type_name("FILE");
-  CLI::Option * out =
-      command->add_option("--out", options.out,
+  CLI::Option * plot = add("--plot", options.plot, "FILE",
+                           "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
+                           "FILE.pdf: phase portraits and time histories");
+  CLI::Option * out = add("--out", options.out, "DIR",
                           "Also write a report into DIR: index.html, orbits.pdf where there is\n"
                           "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
                           "part is missing");
-  out->type_name("DIR");
-  command
-      ->add_option("--certify", options.certify,
-                   "Also write into DIR, for each admissible orbit, a proof for Coq that it\n"
-                   "exists, and is stable or not; `make -k -j` there has Coq check them")
-      ->type_name("DIR");
+  add("--certify", options.certify, "DIR",
+      "Also write into DIR, for each admissible orbit, a proof for Coq that it\n"
+      "exists, and is stable or not; `make -k -j` there has Coq check them");
   command->callback([&options, &request, near, plot, out] {
     options.with_near = near->count() > 0;
     options.with_plot = plot->count() > 0;
@@ -169,22 +156,21 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
   CLI::App * command =
       program.add_subcommand("branch", "Follow orbits over one parameter, every change proved");
   command->footer(branch_details + paper.families + branch_exits);
-  command->add_option("FAMILY", options.family, paper.family_names)->type_name("");
+  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
+    return add_text(*command, name, text, type, words);
+  };
+  add("FAMILY", options.family, "", paper.family_names);
   add_parameters(*command, options.parameters);
   add_sources(*command, options.example, options.file, paper);
-  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
-    command->add_option(name, value, words)->type_name(type);
-  };
   add("--at", options.at, "NUMBER",
       "The branches of the orbits that there are at this value of the\nparameter alone");
   add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
   add("--csv", options.csv, "FILE", "Also write an orbit of each part as a table");
   add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg or FILE.pdf");
-  CLI::Option * out = command->add_option(
-      "--out", options.out,
-      "Also write a page into DIR, with the diagram and all tables:\nindex.html, branches.json, "
-      "branches.csv. DIR is created if only\nits last part is missing");
-  out->type_name("DIR");
+  CLI::Option * out =
+      add("--out", options.out, "DIR",
+          "Also write a page into DIR, with the diagram and all tables:\nindex.html, branches.json, "
+          "branches.csv. DIR is created if only\nits last part is missing");
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the result as JSON");
   command->callback([&options, &request, out] {
@@ -198,8 +184,8 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
   CLI::App * command = program.add_subcommand("attractors", "Find what a machine does, and prove it");
   command->footer(attractors_details);
   add_machine(*command, options.parameters);
-  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
-    command->add_option(name, value, words)->type_name(type);
+  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
+    return add_text(*command, name, text, type, words);
   };
   add_sources(*command, options.example, options.file, paper);
   add("--starts", options.starts, "N",
@@ -224,11 +210,10 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
   add("--through", options.through, "X", "A state x1,x2,x1',x2' in the middle of the plane");
   add("--csv", options.csv, "FILE", "Of --along and --plane: write a table, too");
   add("--plot", options.plot, "FILE", "Of --along and --plane: draw FILE.svg or FILE.pdf");
-  CLI::Option * out = command->add_option(
-      "--out", options.out,
-      "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "
-      "created if only its last part is missing");
-  out->type_name("DIR");
+  CLI::Option * out =
+      add("--out", options.out, "DIR",
+          "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "
+          "created if only its last part is missing");
   add("--digits", options.digits, "N",
       fmt::format("Significant digits of each value in JSON: {} by default", OrbitsOptions::default_digits));
   add_units(*command, options.units);
@@ -244,8 +229,8 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
   CLI::App * command = program.add_subcommand("simulate", "Follow the motion under the friction law");
   command->footer(simulate_details);
   add_parameters(*command, options.parameters);
-  const auto add = [&](const char * name, std::string& value, const char * type, const std::string& words) {
-    return command->add_option(name, value, words)->type_name(type);
+  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
+    return add_text(*command, name, text, type, words);
   };
   add("--example", options.example, "NAME",
       "Start where the orbit of the paper's example " + paper.examples + " begins");

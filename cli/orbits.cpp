@@ -4,23 +4,19 @@
 #include <algorithm>
 #include <string>
 
+#include "cli/answer.hpp"
 #include "cli/certify.hpp"
 #include "cli/commands.hpp"
-#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
-#include "cli/output.hpp"
 #include "core/interruption.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/words/word.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "report/audit/pages.hpp"
-#include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/pictures.hpp"
-#include "report/tools/files.hpp"
-#include "report/tools/json.hpp"
 
 namespace stickslip::cli {
 
@@ -33,15 +29,6 @@ OrbitList search(const OrbitQuestion& question) {
   const Interruptible scope;
   const Progress progress("searching for orbits ...");
   return list_orbits(question);
-}
-
-void draw(const OrbitList& list, const std::string& file) {
-  const std::string script = report::orbits::plot_script(list, report::tools::plot_format(file));
-  if (script.empty()) {
-    tell(fmt::format("There is no orbit to draw: {} is not written.", file));
-    return;
-  }
-  report::tools::write_plot(file, script);
 }
 
 // One claim for each admissible orbit: that it exists, and, where that is decided, whether it is stable.
@@ -131,7 +118,6 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
   const Jobs limit = jobs(options.jobs);
   const zeros::Effort patience = effort(options);
   if (options.with_plot) {
-    (void)report::tools::plot_format(options.plot);
     report::tools::require_plot(options.plot);
   }
   if (options.with_out) {
@@ -149,7 +135,8 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     certify(list, options.certify);
   }
   if (options.with_plot) {
-    draw(list, options.plot);
+    draw(options.plot, report::orbits::plot_script(list, report::tools::plot_format(options.plot)),
+         "no orbit");
   }
   report::audit::Report made;
   if (options.with_out) {
@@ -157,11 +144,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     made = report::audit::pages(list);
     report::tools::write_files(options.out, made.files);
   }
-  tell_left_out(file);
-  print(options.json ? report::tools::to_text(with_machine(report::orbits::to_json(list), file))
-                     : machine_report(file) +
-                           report::orbits::terminal_report(list, terminal_style(), units,
-                                                           options.all ? InFull::all : InFull::admissible));
+  print_result(list, file, options.json, units, options.all ? InFull::all : InFull::admissible);
   if (options.with_out) {
     tell(report_line(options.out, "orbits", made));
   }

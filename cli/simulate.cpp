@@ -10,17 +10,14 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/answer.hpp"
 #include "cli/commands.hpp"
-#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
-#include "cli/output.hpp"
 #include "cli/simulation_start.hpp"
 #include "core/interruption.hpp"
 #include "numeric/attractors/settle.hpp"
 #include "numeric/simulation/record.hpp"
 #include "numeric/simulation/simulation.hpp"
-#include "report/orbits/simulation.hpp"
-#include "report/tools/files.hpp"
 
 namespace stickslip::cli {
 
@@ -147,7 +144,6 @@ void require_places(const SimulateOptions& options) {
     report::tools::require_writable_file(options.csv);
   }
   if (options.with_plot) {
-    (void)report::tools::plot_format(options.plot);
     report::tools::require_plot(options.plot);
   }
 }
@@ -219,10 +215,7 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
     return simulated.record.interrupted ? exit_interrupted : exit_decided;
   }
   simulated.settles = settles_on(simulated.record, from.machine);
-  tell_left_out(file);
-  print(options.json
-            ? report::tools::to_text(with_machine(report::orbits::to_json(simulated), file))
-            : machine_report(file) + report::orbits::terminal_report(simulated, terminal_style(), units));
+  print_result(simulated, file, options.json, units);
   return simulated.record.interrupted ? exit_interrupted : exit_decided;
 }
 

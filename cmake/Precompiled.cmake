@@ -38,6 +38,23 @@ function(stickslip_together target name)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${name})
 endfunction()
 
+# stickslip_in_fours(TARGET SOURCES…): sources of one folder that follow each other are compiled together, by fours.
+function(stickslip_in_fours target)
+  set(count 0)
+  set(group 0)
+  set(last "")
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source PARENT_PATH folder)
+    if(NOT "${folder}" STREQUAL "${last}" OR count EQUAL 4)
+      math(EXPR group "${group} + 1")
+      set(count 0)
+    endif()
+    stickslip_together(${target} group${group} ${source})
+    math(EXPR count "${count} + 1")
+    set(last "${folder}")
+  endforeach()
+endfunction()
+
 # What computes nothing itself (statements, pages, tests) compiles in half the time with less optimisation. GCC 12 then
 # warns of its own library.
 set(stickslip_light $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)

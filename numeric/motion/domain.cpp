@@ -10,7 +10,7 @@ namespace {
 
 void require(bool holds, const char * name, const Rational& value, const char * range) {
   if (!holds) {
-    throw DomainError(name, to_string(value), range);
+    throw DomainError(name, stickslip::to_string(value), range);
   }
 }
 

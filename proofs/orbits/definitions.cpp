@@ -9,7 +9,7 @@ using numeric::motion::PhaseKind;
 
 namespace {
 
-struct Letters {
+struct Alphabet {
   Variable X{"X", motion_type};
   Variable a{"a"}, b{"b"}, chi{"chi"}, eta{"eta"}, us{"us"}, V{"V"}, omega{"omega"}, p{"p"}, phi{"phi"},
       ur{"ur"};
@@ -19,7 +19,7 @@ struct Letters {
 }  // namespace
 
 const Definition& friction() {
-  static const Letters l;
+  static const Alphabet l;
   static const Definition definition(
       "friction_at_rest", {l.x, l.t, l.chi, l.eta, l.omega, l.p, l.phi},
       Term(l.chi) * (entry(l.x, 1) - entry(l.x, 0)) - Term(l.p) / l.eta * cos(Term(l.omega) * l.t + l.phi));
@@ -38,7 +38,7 @@ Term rates(bool slips, const Term& chi, const Term& eta) {
 
 // (2) with u = sign us during (a, b), and x2' < V or x2' > V there.
 Definition slipping(const std::string& name, int sign) {
-  const Letters l;
+  const Alphabet l;
   const Term x = apply(l.X, l.t), zero = 0, A = rates(true, l.chi, l.eta);
   const Term force = Term(sign) * (Term(l.eta) * l.us) + Term(l.p) * cos(Term(l.omega) * l.t + l.phi);
   const Formula moves = derivative(l.X, l.t, A * x + matrix(4, 1, {zero, zero, zero, force}));
@@ -51,7 +51,7 @@ Definition slipping(const std::string& name, int sign) {
 
 // (9) during (a, b), x2' = V and |r| < ur from a on until b.
 Definition sticking() {
-  const Letters l;
+  const Alphabet l;
   const Term x = apply(l.X, l.t), A = rates(false, l.chi, l.eta);
   const Term r = friction()({x, l.t, l.chi, l.eta, l.omega, l.p, l.phi});
   return {"sticks",
@@ -73,7 +73,7 @@ const Definition& phase_definition(PhaseKind kind) {
 namespace {
 
 Definition varying(const std::string& name, bool slips) {
-  const Letters l;
+  const Alphabet l;
   const Variable Y{"Y", variation_type}, d{"d"};
   std::vector<Variable> parameters{Y, d, l.chi};
   if (slips) {
@@ -125,7 +125,7 @@ const Definition& variation(PhaseKind kind) {
 }
 
 const Definition& friction_rate() {
-  static const Letters l;
+  static const Alphabet l;
   static const Definition definition("friction_rate", {l.x, l.t, l.chi, l.eta, l.omega, l.p, l.phi},
                                      Term(l.chi) * (entry(l.x, 3) - entry(l.x, 2)) +
                                          Term(l.p) * l.omega / l.eta * sin(Term(l.omega) * l.t + l.phi));

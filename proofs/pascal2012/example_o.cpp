@@ -38,10 +38,6 @@ Claim number(const std::string& id, Origin origin, const std::string& words, Pro
   return {.id = id, .kind = Kind::numbers, .origin = origin, .words = words, .prove = std::move(prove)};
 }
 
-Claim orbit_value(const std::string& name) {
-  return printed_value(where(), name, [name] { return value_of(printed_orbit(printed()), name); });
-}
-
 // --- (21)-(24) at the printed values ---
 
 // (47)-(51) at these times, in the kernel's symbols for the entries of H, Gamma, ….
@@ -146,7 +142,7 @@ Claim printed_times() {
 }
 
 Decimal signed_decimal(const std::string& name) {
-  return as_printed(printed().result(name), value_of(printed_orbit(printed()), name));
+  return as_printed(printed().result(name), printed_orbit(printed()).value(name));
 }
 
 // z2' is not V at tau, by its equation (21) with the coefficients (50).
@@ -345,15 +341,16 @@ Claim spurious() {
 }  // namespace
 
 std::vector<Claim> example_O() {
-  std::vector<Claim> claims{
+  const Claim existence =
       existence_claim(where(),
                       "an orbit with the data of Fig. 3 exists: a slip, an overshoot and a stick that close, "
-                      "(18)-(20), and obey the friction law at all times")};
-  for (const char * name : {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}) {
-    claims.push_back(orbit_value(name));
-  }
-  return joined(
-      {claims, orbit_claims(where()), {printed_times(), printed_state_closes()}, origins(), {spurious()}});
+                      "(18)-(20), and obey the friction law at all times");
+  return joined({{existence},
+                 printed_values(where(), {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}),
+                 orbit_claims(where()),
+                 {printed_times(), printed_state_closes()},
+                 origins(),
+                 {spurious()}});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -156,10 +156,6 @@ std::string shown(const Ball& ball) {
   return fmt::format("{} ± {}", text.mid, text.rad);
 }
 
-const Ball& value_of(const Orbit& orbit, const std::string& name) {
-  return orbit.value(name);
-}
-
 Claim existence_claim(const PrintedPlace& where, const std::string& words) {
   return {.id = where.orbit, .kind = Kind::numbers, .words = words, .prove = [where](Prover&, const Claim&) {
             Outcome outcome = at_the_data(
@@ -193,7 +189,7 @@ std::vector<Claim> orbit_claims(const PrintedPlace& where, const ListTheorem& li
 }
 
 Rational printed_decimal(const Example& example, const std::string& name) {
-  return as_printed(example.result(name), value_of(printed_orbit(example), name)).value;
+  return as_printed(example.result(name), printed_orbit(example).value(name)).value;
 }
 
 kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, bool it_does,

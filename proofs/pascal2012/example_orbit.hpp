@@ -10,9 +10,6 @@
 
 namespace stickslip::proofs::pascal2012 {
 
-// The value of that name. Throws InternalError when the family has none.
-[[nodiscard]] const Ball& value_of(const numeric::Orbit& orbit, const std::string& name);
-
 // "7.74669 ± 3.1e-6".
 [[nodiscard]] std::string shown(const Ball& ball);
 

@@ -22,10 +22,6 @@ PrintedPlace where() {
   return {example_named("P"), "P.orbit", "Krawczyk's test in balls on equations equivalent to (28)"};
 }
 
-Claim value(const std::string& name) {
-  return printed_value(where(), name, [name] { return value_of(printed_orbit(example_named("P")), name); });
-}
-
 // ur_max of the orbit, which the data do not depend on.
 Ball largest_friction(const Example& example) {
   const Ball& phi = printed_orbit(example).phi();
@@ -97,16 +93,14 @@ Claim least_load_claim() {
 }  // namespace
 
 std::vector<Claim> half_period::example_P() {
-  std::vector<Claim> claims{existence_claim(
+  const Claim existence = existence_claim(
       where(),
       "an orbit with the data of Fig. 4 exists: a slip and an overshoot that close, (28), and "
-      "obey the friction law at all times")};
-  for (const char * name : {"Theta", "x10", "x20", "xdot10", "phi"}) {
-    claims.push_back(value(name));
-  }
-  claims.push_back(friction_claim());
-  claims.push_back(least_load_claim());
-  return joined({claims, orbit_claims(where(), list_of_P())});
+      "obey the friction law at all times");
+  return joined({{existence},
+                 printed_values(where(), {"Theta", "x10", "x20", "xdot10", "phi"}),
+                 {friction_claim(), least_load_claim()},
+                 orbit_claims(where(), list_of_P())});
 }
 
 }  // namespace stickslip::proofs::pascal2012

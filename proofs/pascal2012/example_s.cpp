@@ -20,10 +20,6 @@ PrintedPlace where() {
   return {printed(), "S.orbit", "Krawczyk's test in balls on equations equivalent to (13) and (15)"};
 }
 
-Claim orbit_value(const std::string& name) {
-  return printed_value(where(), name, [name] { return value_of(printed_orbit(printed()), name); });
-}
-
 std::vector<Ball> components(const model::Vector4<Ball>& v) {
   return {v(0), v(1), v(2), v(3)};
 }
@@ -37,7 +33,7 @@ Claim printed_values_close() {
               "solve (16)",
           .prove = [](Prover&, const Claim&) {
             const auto value = [](const char * name) {
-              return as_printed(printed().result(name), value_of(printed_orbit(printed()), name));
+              return as_printed(printed().result(name), printed_orbit(printed()).value(name));
             };
             const PrintedClosing<4> zero = printed_zero_of_16(
                 printed().data, {value("tau"), value("z10"), value("z20"), value("zdot10")});
@@ -72,20 +68,16 @@ std::vector<Claim> origins() {
 }  // namespace
 
 std::vector<Claim> example_S() {
-  const std::vector<Claim> claims{
+  const Claim existence =
       existence_claim(where(),
                       "an orbit with the data of Fig. 2 exists: a slip and a stick that close, with the "
-                      "paper's time lag, and obey the friction law at all times"),
-      orbit_value("tau"),
-      orbit_value("T"),
-      orbit_value("Theta"),
-      orbit_value("z10"),
-      orbit_value("z20"),
-      orbit_value("zdot10"),
-      orbit_value("ur"),
-      printed_values_close(),
-  };
-  return joined({claims, data_of_S(), origins(), orbit_claims(where(), list_of_S())});
+                      "paper's time lag, and obey the friction law at all times");
+  return joined({{existence},
+                 printed_values(where(), {"tau", "T", "Theta", "z10", "z20", "zdot10", "ur"}),
+                 {printed_values_close()},
+                 data_of_S(),
+                 origins(),
+                 orbit_claims(where(), list_of_S())});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -236,7 +236,7 @@ Claim friction_claim() {
             }
             outcome.verdict = Verdict::refuted(Witness{outcome.at,
                                                        {},
-                                                       value_of(printed_orbit(printed()), "ur"),
+                                                       printed_orbit(printed()).value("ur"),
                                                        Ball(given.value),
                                                        "$u_r$ of the orbit",
                                                        "the printed one"});

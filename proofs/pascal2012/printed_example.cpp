@@ -68,14 +68,16 @@ void prove_of_orbit(
   }
 }
 
-Claim printed_value(const PrintedPlace& where, const std::string& name, std::function<Ball()> value) {
+namespace {
+
+Claim printed_value(const PrintedPlace& where, const std::string& name) {
   const PrintedResult& result = where.example.result(name);
   return {.id = where.example.name + "." + name,
           .kind = Kind::numbers,
           .words = fmt::format("${} = {}${}", name, result.value.text,
                                result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
-          .prove = [=, value = std::move(value)](Prover& prover, const Claim&) {
-            const Ball proved = value();
+          .prove = [=](Prover& prover, const Claim&) {
+            const Ball proved = printed_orbit(where.example).value(name);
             const Decimal printed = as_printed(result, proved);
             Outcome outcome = at_the_data(where.example, where.route);
             outcome.uses = {where.orbit};
@@ -90,6 +92,16 @@ Claim printed_value(const PrintedPlace& where, const std::string& name, std::fun
             }
             return outcome;
           }};
+}
+
+}  // namespace
+
+std::vector<Claim> printed_values(const PrintedPlace& where, const std::vector<std::string>& names) {
+  std::vector<Claim> claims;
+  for (const std::string& name : names) {
+    claims.push_back(printed_value(where, name));
+  }
+  return claims;
 }
 
 Verdict vanishes(const std::vector<Ball>& residual, const std::string& what) {

@@ -37,9 +37,9 @@ void prove_of_orbit(
     methods::Outcome& outcome, methods::Prover& prover, const PrintedPlace& where,
     const std::function<kernel::Theorem(const kernel::Theorem& orbit, const orbits::Question&)>& theorem);
 
-// "S.tau": the printed result of that name, against value(). The value is asked for when the claim is proved.
-[[nodiscard]] methods::Claim printed_value(const PrintedPlace& where, const std::string& name,
-                                           std::function<Ball()> value);
+// "S.tau", …: the printed results of these names, each against the value of the orbit that is proved.
+[[nodiscard]] std::vector<methods::Claim> printed_values(const PrintedPlace& where,
+                                                         const std::vector<std::string>& names);
 
 // Every component contains zero, and is small enough (1e-20) for that to mean something.
 [[nodiscard]] Verdict vanishes(const std::vector<Ball>& residual, const std::string& what);

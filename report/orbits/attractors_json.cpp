@@ -104,11 +104,8 @@ Json to_json(const WordOrbits& list) {
   json["period"] = q.periods;
   json["parameters"] = to_json(q.machine);
   json["complete"] = list.complete();
-  json["unresolved"] = list_of(list.unresolved, [&](const families::Unresolved& part) {
-    Json where = {{"reason", plain(part.reason)}};
-    add_values(where, part.where, q.machine.digits);
-    return where;
-  });
+  json["unresolved"] = list_of(
+      list.unresolved, [&](const families::Unresolved& part) { return to_json(part, q.machine.digits); });
   json["orbits"] = list_of(list.orbits, [&](const WordOrbit& o) { return word_orbit(o, q.machine.digits); });
   if (!list.seen.empty()) {
     json["seen"] = list.seen;

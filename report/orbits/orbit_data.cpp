@@ -46,62 +46,52 @@ Json condition(const Condition& c) {
 void add_stability(Json& json, const std::optional<Stability>& stability) {
   json["stability"] = nullptr;
   json["multipliers"] = Json::array();
-  if (!stability) {
-    return;
-  }
-  json["stability"] = {{"kind", to_string(stability->kind)}, {"reason", stability->reason}};
-  for (const ComplexBall& mu : stability->multipliers) {
-    json["multipliers"].push_back(complex_text(mu, multiplier_digits));
+  if (stability) {
+    json["stability"] = {{"kind", to_string(stability->kind)}, {"reason", stability->reason}};
+    json["multipliers"] = list_of(stability->multipliers,
+                                  [](const ComplexBall& mu) { return complex_text(mu, multiplier_digits); });
   }
 }
 
 Json orbit(const OrbitList& list, std::size_t i) {
   const Orbit& o = list.orbits[i];
-  Json json = {{"number", i + 1},
-               {"total", list.orbits.size()},
-               {"verdict", to_string(o.admissible.truth)},
-               {"tell", verdict_on(o)},
-               {"split", o.split.empty() ? Json(nullptr) : Json(o.split)},
-               {"split_latex", latex_of_value(o.split)},
-               {"values", Json::array()},
-               {"conditions", Json::array()}};
-  for (const NamedBall& named : o.values) {
-    json["values"].push_back(value(named, list.question.digits));
-  }
+  Json json = {
+      {"number", i + 1},
+      {"total", list.orbits.size()},
+      {"verdict", to_string(o.admissible.truth)},
+      {"tell", verdict_on(o)},
+      {"split", o.split.empty() ? Json(nullptr) : Json(o.split)},
+      {"split_latex", latex_of_value(o.split)},
+      {"values",
+       list_of(o.values, [&](const NamedBall& named) { return value(named, list.question.digits); })},
+      {"conditions", list_of(o.conditions, condition)}};
   add_stability(json, o.stability);
-  for (const Condition& c : o.conditions) {
-    json["conditions"].push_back(condition(c));
-  }
   return json;
 }
 
 Json unresolved(const Unresolved& part) {
-  Json where = Json::array();
-  for (const NamedBall& named : part.where) {
-    where.push_back({{"latex", latex_of_value(named.name)}, {"value", to_string(named.value, 8)}});
-  }
-  return {{"where", where}, {"reason", part.reason}};
+  const auto value = [](const NamedBall& named) -> Json {
+    return {{"latex", latex_of_value(named.name)}, {"value", to_string(named.value, 8)}};
+  };
+  return {{"where", list_of(part.where, value)}, {"reason", part.reason}};
 }
 
 }  // namespace
 
 Json orbit_data(const OrbitList& list) {
-  Json json = {{"title", list.question.family->title}, {"searched", searched(list.question)},
-               {"result", result_of_search(list)},     {"command", command_of(list.question)},
-               {"parameters", Json::array()},          {"remarks", Json::array()},
-               {"unresolved", Json::array()},          {"orbits", Json::array()}};
-  for (const NamedRange& parameter : named_parameters(list.question)) {
-    json["parameters"].push_back(
-        {{"latex", latex_of_value(parameter.name)}, {"value_latex", latex_of(parameter.range)}});
-  }
-  for (const Remark remark : list.remarks) {
-    json["remarks"].push_back(describe(remark));
-  }
+  const auto parameter = [](const NamedRange& one) -> Json {
+    return {{"latex", latex_of_value(one.name)}, {"value_latex", latex_of(one.range)}};
+  };
+  Json json = {{"title", list.question.family->title},
+               {"searched", searched(list.question)},
+               {"result", result_of_search(list)},
+               {"command", command_of(list.question)},
+               {"parameters", list_of(named_parameters(list.question), parameter)},
+               {"remarks", list_of(list.remarks, describe)},
+               {"unresolved", list_of(list.unresolved, unresolved)},
+               {"orbits", Json::array()}};
   if (const std::string on_ur = remark_on_ur(list); !on_ur.empty()) {
     json["remarks"].push_back(on_ur);
-  }
-  for (const Unresolved& part : list.unresolved) {
-    json["unresolved"].push_back(unresolved(part));
   }
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
     json["orbits"].push_back(orbit(list, i));

@@ -38,6 +38,13 @@ void add_values(Json& json, const std::vector<NamedBall>& values, int digits) {
   }
 }
 
+Json to_json(const Unresolved& part, int digits) {
+  Json json = Json::object();
+  add_values(json, part.where, digits);
+  json["reason"] = plain(part.reason);
+  return json;
+}
+
 Json to_json(const Condition& c) {
   Json json = {{"id", c.id}, {"statement", plain(c.statement)}, {"verdict", to_string(c.verdict.truth)}};
   if (!c.verdict.reason.empty()) {
@@ -63,10 +70,9 @@ void add_stability(Json& json, const Orbit& orbit, int digits) {
   if (!stability) {
     return;
   }
-  json["multipliers"] = Json::array();
-  for (const ComplexBall& mu : stability->multipliers) {
-    json["multipliers"].push_back({{"re", to_json(mu.re, digits)}, {"im", to_json(mu.im, digits)}});
-  }
+  json["multipliers"] = list_of(stability->multipliers, [digits](const ComplexBall& mu) -> Json {
+    return {{"re", to_json(mu.re, digits)}, {"im", to_json(mu.im, digits)}};
+  });
   json["stability"] = to_string(stability->kind);
   if (!stability->reason.empty()) {
     json["stability_reason"] = plain(stability->reason);
@@ -89,10 +95,7 @@ Json orbit(const Orbit& o, int digits) {
     json["split"] = o.split;
   }
   add_stability(json, o, digits);
-  json["conditions"] = Json::array();
-  for (const Condition& c : o.conditions) {
-    json["conditions"].push_back(to_json(c));
-  }
+  json["conditions"] = list_of(o.conditions, [](const Condition& c) { return to_json(c); });
   return json;
 }
 
@@ -104,20 +107,12 @@ Json to_json(const OrbitList& list) {
   json["family"] = list.question.family->name;
   json["parameters"] = parameters(list.question);
   json["complete"] = list.complete();
-  json["unresolved"] = Json::array();
-  for (const Unresolved& part : list.unresolved) {
-    Json where = Json::object();
-    add_values(where, part.where, digits);
-    where["reason"] = plain(part.reason);
-    json["unresolved"].push_back(where);
+  json["unresolved"] =
+      list_of(list.unresolved, [digits](const Unresolved& part) { return to_json(part, digits); });
+  if (!list.remarks.empty()) {
+    json["remarks"] = list_of(list.remarks, [](Remark remark) { return plain(describe(remark)); });
   }
-  for (const Remark remark : list.remarks) {
-    json["remarks"].push_back(plain(describe(remark)));
-  }
-  json["orbits"] = Json::array();
-  for (const Orbit& o : list.orbits) {
-    json["orbits"].push_back(orbit(o, digits));
-  }
+  json["orbits"] = list_of(list.orbits, [digits](const Orbit& o) { return orbit(o, digits); });
   return json;
 }
 

@@ -16,7 +16,7 @@ namespace stickslip::report::orbits {
 struct PageFrame {
   std::string file;                           // of the machine, if it was read from one
   std::optional<numeric::DataTaken> machine;  // in SI units, if it was given so
-  Units units;                                // of states and pictures
+  Units units = {};                           // of states and pictures
 };
 
 // A section of facts, for the template _tables.html: of rows of a label and a sentence.

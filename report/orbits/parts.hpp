@@ -16,6 +16,8 @@ namespace stickslip::report::orbits {
 [[nodiscard]] tools::Json to_json(const Ball& value, int digits);
 // Each under its name.
 void add_values(tools::Json& json, const std::vector<numeric::NamedBall>& values, int digits);
+// The values of the place, and "reason".
+[[nodiscard]] tools::Json to_json(const numeric::families::Unresolved& part, int digits);
 // {"id", "statement", "verdict", "reason", "margin", "at"}.
 [[nodiscard]] tools::Json to_json(const numeric::motion::Condition& condition);
 // true, false, or null when it is neither proved nor refuted.

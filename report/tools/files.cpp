@@ -181,6 +181,10 @@ void write_files(const fs::path& given, const std::vector<File>& files) {
   }
 }
 
+void write_file(const fs::path& file, std::string content) {
+  write_files(parent_of(file), {{file.filename().string(), std::move(content)}});
+}
+
 std::string read_file(const fs::path& path) {
   if (names_directory(path)) {
     fail("read", path, EISDIR);

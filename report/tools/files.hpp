@@ -52,6 +52,8 @@ class PendingFile {
 // InputOutputError naming the path; then no file is incomplete and no temporary one is left, also after an
 // interruption.
 void write_files(const std::filesystem::path& directory, const std::vector<File>& files);
+// The same for one file.
+void write_file(const std::filesystem::path& file, std::string content);
 
 // The content of a file. Throws InputOutputError naming the path.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);

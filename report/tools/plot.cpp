@@ -18,10 +18,6 @@ const Tool& plotter() {
   return tool;
 }
 
-fs::path directory_of(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
 }  // namespace
 
 PlotFormat plot_format(const fs::path& file) {
@@ -35,6 +31,7 @@ PlotFormat plot_format(const fs::path& file) {
 }
 
 void require_plot(const fs::path& file) {
+  (void)plot_format(file);
   require_writable_file(file);
   require_gnuplot();
 }
@@ -59,7 +56,7 @@ std::string gnuplot(const std::string& script) {
 }
 
 void write_plot(const fs::path& file, const std::string& script) {
-  write_files(directory_of(file), {{file.filename().string(), gnuplot(script)}});
+  write_file(file, gnuplot(script));
 }
 
 }  // namespace stickslip::report::tools

@@ -14,8 +14,8 @@ enum class PlotShape { wide, narrow };
 // By the ending of the file's name. Throws UsageError when that is neither .svg nor .pdf.
 [[nodiscard]] PlotFormat plot_format(const std::filesystem::path& file);
 
-// Throws InputOutputError unless there is a gnuplot that runs and the file can be written. Called before long
-// work that ends in a picture.
+// Throws InputOutputError unless there is a gnuplot that runs and the file can be written, UsageError as
+// plot_format does. Called before long work that ends in a picture.
 void require_plot(const std::filesystem::path& file);
 
 // Throws InputOutputError unless there is a gnuplot.
