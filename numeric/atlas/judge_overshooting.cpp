@@ -30,6 +30,7 @@ class Judge {
   Finding operator()(Knowledge& known) const {
     known.sheets.resize(1);
     Knowledge::Sheet& sheet = known.sheets[0];
+    sheet.cells.clear();
     if (!sheet.orbits) {
       settle_patches<S, N>(look(), sheet, data_.least);
       if (!sheet.patches.empty()) {
@@ -61,7 +62,8 @@ class Judge {
     return [this](const T& s, const T& w) { return Orbit::look(setting_, s, w); };
   }
 
-  // The zeros all of whose durations are positive, or why that is not known.
+  // The zeros all of whose durations are positive, or why that is not known. A zero is an orbit where the
+  // amplitudes are determined.
   Reason count(Knowledge::Sheet& sheet) const {
     std::vector<Knowledge::Orbit> orbits;
     for (ZeroPatch& zero : sheet.zeros) {
@@ -76,6 +78,9 @@ class Judge {
       }
       if (s == families::Place::at_edge || w == families::Place::at_edge) {
         return Reason::no_time;
+      }
+      if (!Orbit::at(setting_, (*at)[0], (*at)[1])) {
+        return Reason::no_amplitude;
       }
       Knowledge::Orbit& orbit = orbits.emplace_back();
       orbit.patch = zero;

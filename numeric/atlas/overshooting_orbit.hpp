@@ -30,21 +30,31 @@ class OvershootingOrbit {
     return {model::oscillator<T>(data), {families::overshooting_data_of<T, S>(data), phi}};
   }
 
-  // The odd rows alone exclude much, for little.
-  [[nodiscard]] static Seen<T> look(const Setting& setting, const T& s, const T& w) {
+  // Two functions that vanish where the rows hold for some amplitudes (a, C, D); nothing when the rows, for
+  // any member, can't. With C_j and o_j the odd rows' coefficients of C and 1, these rows hold for one C if
+  //   C_1 o_2 - C_2 o_1 = 0
+  // and not both C_j vanish: (C_1² + C_2²) C = -(C_1 o_1 + C_2 o_2). With that C in the turn the other three
+  // rows hold for one (a, D) if the determinant of their columns a, D and 1 vanishes and the columns a and D
+  // are independent. Nothing is divided by: where the amplitudes grow beyond all bounds, as they do next to
+  // the fold of the paper's orbit, the functions are as good as anywhere.
+  [[nodiscard]] static std::optional<std::array<T, 2>> look(const Setting& setting, const T& s, const T& w) {
     const Eigen::Matrix<T, 2, 1> sw(s, w);
     const auto odd = families::odd_rows<2, phi_given, T>(setting.closing, sw);
-    if (families::det2<T>(odd(0, 1), odd(0, 3), odd(1, 1), odd(1, 3)).over.is_nonzero()) {
-      return {true, {}, {}};
+    const T& C1 = odd(0, 1);
+    const T& C2 = odd(1, 1);
+    const T of_odd = families::det2<T>(C1, odd(0, 3), C2, odd(1, 3));
+    if (of_odd.over.is_nonzero()) {
+      return std::nullopt;
     }
-    const auto reduced =
-        families::eliminated<phi_given, T, S>(families::stacked<families::OneStick<2, phi_given>, T>(
-            odd, families::even_rows<2, phi_given, T>(setting.closing, sw)));
-    if (!reduced) {
-      return {};
-    }
-    return {false, std::array<T, 2>{reduced->vanish(0), reduced->vanish(1)},
-            [reduced = *reduced] { return reduced.is_equivalent(); }};
+    const T C = C1 * C1 + C2 * C2;
+    const T o = C1 * odd(0, 3) + C2 * odd(1, 3);
+    const auto rows = families::even_rows<2, phi_given, T>(setting.closing, sw);  // of a, C, D, 1
+    const auto minor = [&](int k, int l) {
+      return families::det2<T>(rows(0, k), rows(0, l), rows(1, k), rows(1, l));
+    };
+    const T of_even = minor(0, 2);
+    const T without_C = rows(2, 0) * minor(2, 3) - rows(2, 2) * minor(0, 3) + rows(2, 3) * of_even;
+    return std::array<T, 2>{of_odd, T(C * without_C - o * rows(2, 1) * of_even)};
   }
 
   // That of the zero (s, w), with positive durations; nothing when its amplitudes may be unbounded.

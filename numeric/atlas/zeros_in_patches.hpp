@@ -10,21 +10,12 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "numeric/atlas/knowledge.hpp"
 
 namespace stickslip::numeric::atlas {
-
-// What is seen of a patch.
-template <class T>
-struct Seen {
-  bool excluded = false;                // no member has a zero
-  std::optional<std::array<T, 2>> f;    // all zeros are common ones of these; where such are known
-  std::function<bool()> is_equivalent;  // whether the converse is proved, too
-};
 
 namespace detail {
 
@@ -63,13 +54,16 @@ struct Image {
   std::array<std::array<S, 2>, 2> rest;                              // 1 - Y J
   std::array<S, 2> over;                                             // K
 
-  [[nodiscard]] bool is_contraction() const {
+  // Whether `rest`, in the norm of row sums, is below a bound; it is as much smaller as the patch and the box
+  // are.
+  [[nodiscard]] bool rest_is_below(double bound) const {
     const auto size = [](const S& x) {
       const auto [low, high] = scalars::ends(x);
       return std::max(std::abs(low), std::abs(high));
     };
-    return size(rest[0][0]) + size(rest[0][1]) < 0.7 && size(rest[1][0]) + size(rest[1][1]) < 0.7;
+    return size(rest[0][0]) + size(rest[0][1]) < bound && size(rest[1][0]) + size(rest[1][1]) < bound;
   }
+  [[nodiscard]] bool is_contraction() const { return rest_is_below(0.7); }
 };
 
 // Nothing where J may be singular.
@@ -181,8 +175,8 @@ template <class T>
 
 }  // namespace detail
 
-// Looks at the open patches of a sheet. What is left in `patches` is open; `zeros` grow. look: two forms to
-// Seen; sides of patches shorter than `least` are not cut.
+// Looks at the open patches of a sheet. What is left in `patches` is open; `zeros` grow. look: of two forms
+// f, or nothing when no member has a zero there; sides of patches shorter than `least` are not cut.
 template <class S, int N, class F>
 void settle_patches(const F& look, Knowledge::Sheet& sheet, double least) {
   using T = scalars::Form<S, N>;
@@ -207,13 +201,13 @@ void settle_patches(const F& look, Knowledge::Sheet& sheet, double least) {
     ZeroPatch zero;
     bool is_proved = false;
     for (int round = 0; round < 4 && !is_proved; ++round) {
-      const Seen<T> seen = look_at(X);
-      const auto K = seen.f ? detail::image<S, N>(*seen.f) : std::nullopt;
+      const auto f = look_at(X);
+      const auto K = f ? detail::image<S, N>(*f) : std::nullopt;
       if (!K || !K->is_contraction() || !detail::is_within(part, X)) {
         return false;
       }
       zero = {X, detail::part<S>(X, K->over)};
-      is_proved = detail::is_inside_unit<S>(K->over) && seen.is_equivalent();
+      is_proved = detail::is_inside_unit<S>(K->over);
       X = detail::part<S>(X, K->over, 1.3);
     }
     if (!is_proved) {
@@ -240,12 +234,13 @@ void settle_patches(const F& look, Knowledge::Sheet& sheet, double least) {
       leave_open(patch, {});
       continue;
     }
-    const Seen<T> seen = look_at(patch);
-    if (seen.excluded || (seen.f && ((*seen.f)[0].over.is_nonzero() || (*seen.f)[1].over.is_nonzero()))) {
+    const auto f = look_at(patch);
+    if (!f || (*f)[0].over.is_nonzero() || (*f)[1].over.is_nonzero()) {
       continue;
     }
-    int cut = patch[0].second - patch[0].first >= patch[1].second - patch[1].first ? 0 : 1;
-    if (const auto K = seen.f ? detail::image<S, N>(*seen.f) : std::nullopt) {
+    Hope hope{false, 0};
+    if (const auto K = detail::image<S, N>(*f)) {
+      hope.is_promising = K->rest_is_below(32);
       if (detail::misses_unit<S>(K->over)) {
         continue;
       }
@@ -259,15 +254,12 @@ void settle_patches(const F& look, Knowledge::Sheet& sheet, double least) {
         }
       }
     }
-    Hope hope{false, 0};
-    if (seen.f) {
-      cut = detail::side_to_cut<T>(*seen.f);
-      for (T g : *seen.f) {
-        g.slopes.back() = S(0);
-        const Hope of_g = hope_of(g, 1);
-        hope = {hope.is_promising || of_g.is_promising, of_g.steepest};
-      }
+    for (T g : *f) {
+      g.slopes.back() = S(0);
+      const Hope of_g = hope_of(g, 1);
+      hope = {hope.is_promising || of_g.is_promising, of_g.steepest};
     }
+    const int cut = detail::side_to_cut<T>(*f);
     const auto k = static_cast<std::size_t>(std::max(cut, 0));
     if (cut < 0 || patch[k].second - patch[k].first <= least) {
       leave_open(patch, hope);
@@ -290,8 +282,8 @@ template <class S, int N, class F>
   std::optional<std::array<T, 2>> result;
   for (int step = 0; step < 4; ++step) {
     const Patch X = zero.where;
-    const Seen<T> seen = look(detail::side_of<T>(X, 0), detail::side_of<T>(X, 1));
-    const auto K = seen.f ? detail::image<S, N>(*seen.f) : std::nullopt;
+    const auto f = look(detail::side_of<T>(X, 0), detail::side_of<T>(X, 1));
+    const auto K = f ? detail::image<S, N>(*f) : std::nullopt;
     if (!K) {
       return result;
     }

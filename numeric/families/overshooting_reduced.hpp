@@ -7,7 +7,6 @@
 
 #include "numeric/families/one_stick_rows.hpp"
 #include "numeric/families/strip.hpp"
-#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::families {
 
@@ -18,19 +17,12 @@ template <class T, class S>
 }
 
 // All linear unknowns eliminated from the rows: (a, C, D), where ur is given cos psi and sin psi, too, and
-// the functions that must vanish then: if the matrix by which the rows were combined is invertible, both
-// vanish if and only if all rows hold for some values of the unknowns, `linear`.
+// the functions that vanish where all rows hold for some values of the unknowns, `linear`.
 template <class T, Datum G>
 struct WithoutLinear {
-  static constexpr int R = OneStick<2, G>::rows;
   static constexpr int U = OneStick<2, G>::columns - 1;
   Eigen::Matrix<T, 2, 1> vanish;
   Eigen::Matrix<T, U, 1> linear;
-  Eigen::Matrix<double, R, R> combinations;
-
-  [[nodiscard]] bool is_equivalent() const {
-    return zeros::is_invertible<R>(Eigen::Matrix<Ball, R, R>(combinations.template cast<Ball>()));
-  }
 };
 
 // Nothing where the rows may be dependent.
@@ -47,13 +39,11 @@ template <Datum G, class T, class S>
   if (!zeros::eliminate<T, R, C>(m, 0, C - 1)) {
     return std::nullopt;
   }
-  const Eigen::Matrix<double, R, R> exact =
-      combinations->unaryExpr([](const S& x) { return x.approximate(); });
   const Eigen::Matrix<T, C - 1, 1> u = zeros::back_substituted<T, R, C>(m);
   if constexpr (G == Datum::phase) {
-    return WithoutLinear<T, G>{{m(3, 3), m(4, 3)}, u, exact};
+    return WithoutLinear<T, G>{{m(3, 3), m(4, 3)}, u};
   } else {
-    return WithoutLinear<T, G>{{m(5, 5), T(u(3) * u(3) + (u(4) - T(1)) * (u(4) + T(1)))}, u, exact};
+    return WithoutLinear<T, G>{{m(5, 5), T(u(3) * u(3) + (u(4) - T(1)) * (u(4) + T(1)))}, u};
   }
 }
 

@@ -7,6 +7,7 @@
 #include "core/decimal.hpp"
 #include "numeric/atlas/cover.hpp"
 #include "numeric/atlas/judge.hpp"
+#include "numeric/atlas/overshooting_orbit.hpp"
 #include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/work.hpp"
 #include "numeric/families/nonsticking.hpp"
@@ -176,6 +177,57 @@ TEST_CASE("What no verdict may be given on is left open, with its reason") {
   CHECK(reason(P, {"0.3", "4", "0.1", "0", "0.7..0.71", "1", "0.2"}) == Reason::resonance);
   CHECK(reason(S, {"0.5", "3.8", "0.02", "1", "0.7", "0..0.0001"}) == Reason::no_load);
   CHECK(reason(P, {"0.3", "4", "0.1", "-0.001..0.001", "0.6", "1"}) == Reason::belt_at_rest);
+}
+
+TEST_CASE(
+    "The functions of overshooting orbits vanish at those of the list, and not where a row is another") {
+  using T = Form<Ball, 4>;
+  using OverOrbit = OvershootingOrbit<Ball, 4>;
+  std::mt19937_64 random(3);
+  int looked_at = 0;
+  for (const char * omega : {"0.6289", "0.61825", "0.6184", "0.645", "0.62", "0.64"}) {
+    const Question q =
+        question(families::overshooting(), {"0.2", "4", "0.05", "1", omega, "0.05..0.0501", "0.1"}, 1);
+    Box box = q.region;
+    box[place_of_p].upper = box[place_of_p].lower;
+    std::vector<T> a;
+    for (const Interval& x : box) {
+      a.emplace_back(Ball(x.lower));
+    }
+    const auto setting = OverOrbit::setting({a[0], a[1], a[2], a[3], a[4], a[5]}, a[6]);
+    for (const Orbit& orbit : list_at(q, box, random).orbits) {
+      const Ball total = orbit.value("tau") + orbit.value("tau1");
+      const T s(total / orbit.value("Theta"));
+      const T w(orbit.value("tau1") / total);
+      const auto f = OverOrbit::look(setting, s, w);
+      REQUIRE(f);
+      CHECK(f->at(0).over.contains_zero());
+      CHECK(f->at(1).over.contains_zero());
+      CHECK(OverOrbit::at(setting, s, w));
+      const T moved(s.at + Ball(1e-6));
+      const auto beside = OverOrbit::look(setting, moved, w);
+      CHECK((!beside || beside->at(1).over.is_nonzero()));
+      auto other = setting;
+      other.closing.d.us = T(Ball(0.06));
+      const auto wrong = OverOrbit::look(other, s, w);
+      CHECK((!wrong || wrong->at(1).over.is_nonzero()));
+      ++looked_at;
+    }
+  }
+  CHECK(looked_at >= 8);
+}
+
+TEST_CASE("No box is decided over which an overshooting orbit grows beyond all bounds") {
+  // ur goes to infinity at omega = 0.6182496, nearly, and comes back from minus infinity: there are two zeros
+  // all along, and two orbits but there.
+  const auto found = [](const std::string& omega) {
+    return judge_alone(question(families::overshooting(), {"0.2", "4", "0.05", "1", omega, "0.05", "0"}, 4),
+                       whole, Balls::both);
+  };
+  CHECK(found("0.61825..0.6182501").orbits == 2);
+  const Finding across = found("0.6182495..0.6182498");
+  CHECK(across.orbits == -1);
+  CHECK(static_cast<Reason>(across.reason) == Reason::no_amplitude);
 }
 
 TEST_CASE("Three multipliers are inside the unit circle, or not") {
