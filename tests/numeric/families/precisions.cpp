@@ -58,28 +58,28 @@ void check_precisions(const Prove& prove) {
 }  // namespace
 
 TEST_CASE("example S at 64, 128, 256 and 1024 bits") {
-  const Motion guess = listed(symmetric(), S(), 20).orbits.at(1).motion;
+  const Motion guess = listed(families::symmetric(), S(), 20).orbits.at(1).motion;
   const Closing f{SymmetricClosing{LoadPhase::first}};
-  check_precisions([&](int digits) { return values(symmetric(), f, {S()}, guess, digits); });
+  check_precisions([&](int digits) { return values(families::symmetric(), f, {S()}, guess, digits); });
 }
 
 TEST_CASE("example O at 64, 128, 256 and 1024 bits") {
-  for (const Orbit& orbit : listed(overshooting(), O(), 20, Rational(0)).orbits) {
+  for (const Orbit& orbit : listed(families::overshooting(), O(), 20, Rational(0)).orbits) {
     const Closing f{OvershootingClosing{true, false}};
     check_precisions([&](int digits) {
-      return values(overshooting(), f, {O(), Rational(0)}, orbit.motion, digits);
+      return values(families::overshooting(), f, {O(), Rational(0)}, orbit.motion, digits);
     });
   }
 }
 
 TEST_CASE("example P at 64, 128, 256 and 1024 bits") {
-  const Motion guess = listed(nonsticking(), P(), 20).orbits.at(0).motion;
+  const Motion guess = listed(families::nonsticking(), P(), 20).orbits.at(0).motion;
   const Closing f{NonstickingClosing{}};
-  check_precisions([&](int digits) { return values(nonsticking(), f, {P()}, guess, digits); });
+  check_precisions([&](int digits) { return values(families::nonsticking(), f, {P()}, guess, digits); });
 }
 
 TEST_CASE("a guess beside the orbit is not proved to be one, or a proved one is what its motion says") {
-  Motion guess = listed(overshooting(), O(), 20, Rational(0)).orbits.at(1).motion;
+  Motion guess = listed(families::overshooting(), O(), 20, Rational(0)).orbits.at(1).motion;
   guess.phases[0].duration = Ball(4.5);
   guess.phases[1].duration = Ball(2.5);
   const Closing f{OvershootingClosing{true, false}};

@@ -6,18 +6,14 @@
 #include <cmath>
 #include <random>
 
-#include "core/decimal.hpp"
 #include "numeric/motion/piece.hpp"
+#include "tests/numeric/motion/exact.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using model::Wave;
 
 namespace {
-
-Ball exact(const char * text) {
-  return Ball(parse_rational(text));
-}
 
 Wave<Ball> wave(const Ball& constant, const Ball& slope = Ball(0)) {
   Wave<Ball> w;

@@ -3,18 +3,14 @@
 
 #include <doctest/doctest.h>
 
-#include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "tests/numeric/motion/exact.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using model::Vector4;
 
 namespace {
-
-Ball exact(const char * text) {
-  return Ball(parse_rational(text));
-}
 
 model::Oscillator<Ball> example_O() {
   return model::oscillator<Ball>(

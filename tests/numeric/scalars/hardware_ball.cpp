@@ -12,8 +12,6 @@ using namespace stickslip::examples;
 
 namespace {
 
-constexpr int rounds = 3000;
-
 struct Drawn {
   HardwareBall ball;
   Ball member;
@@ -49,7 +47,7 @@ TEST_CASE("every operation contains the exact result for every member") {
   const RandomData random;
   INFO("STICKSLIP_SEED=", random.seed());
   Draw draw(random.seed());
-  for (int i = 0; i < rounds; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Drawn a = draw(i % 3 == 0 ? 300 : 12), b = draw(i % 5 == 0 ? 300 : 12), c = draw(18);
     const WorkingPrecision scope(1200);
     CAPTURE(to_string(a.member, 30));

@@ -1,17 +1,15 @@
 // Lists of words of four phases: no box loses what Newton's method finds from a grid through the flows alone.
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
-#include <cmath>
 #include <random>
 
 #include "core/decimal.hpp"
 #include "numeric/families/overshooting.hpp"
-#include "numeric/words/complete_list.hpp"
 #include "numeric/words/two_sticks.hpp"
 #include "numeric/zeros/effort.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
+#include "tests/numeric/words/flow_closing.hpp"
 
 using namespace stickslip;
 using namespace stickslip::examples;
@@ -19,96 +17,6 @@ using namespace stickslip::numeric;
 using namespace stickslip::numeric::words;
 
 namespace {
-
-using Vector7 = Eigen::Matrix<double, 7, 1>;  // three durations, z10, z20, z10', phi
-using Matrix7 = Eigen::Matrix<double, 7, 7>;
-
-// What is to vanish, by the flows alone, for four phases, a stick the last.
-struct FlowClosing {
-  model::Oscillator<double> o;
-  double ur, total;
-  std::vector<PhaseKind> phases;
-
-  [[nodiscard]] Vector7 operator()(const Vector7& x) const {
-    const double V = o.data.V;
-    const model::Vector4<double> Z0(x(3), x(4), x(5), V);
-    model::Vector4<double> Z = Z0;
-    double t = 0;
-    Vector7 f;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double h = k < 3 ? x(static_cast<int>(k)) : total - t;
-      Z = motion::flow<double>(o, phases[k], x(6) + o.data.omega * t, Z, h);
-      t += h;
-      if (k == 3) {
-        break;
-      }
-      const bool sticks = phases[k] == PhaseKind::stick;
-      f(static_cast<int>(k)) = sticks ? model::friction_at<double>(o.data, Z, x(6) + o.data.omega * t) -
-                                            (phases[k + 1] == PhaseKind::slip ? ur : -ur)
-                                      : Z(3) - V;
-      Z(3) = V;
-    }
-    f.tail<4>() << Z(0) - Z0(0), Z(1) - Z0(1), Z(2) - Z0(2),
-        model::friction_at<double>(o.data, Z0, x(6)) - (phases[0] == PhaseKind::slip ? ur : -ur);
-    return f;
-  }
-};
-
-std::optional<Vector7> newton(const FlowClosing& f, Vector7 x) {
-  for (int step = 0; step < 25; ++step) {
-    const Vector7 at_x = f(x);
-    Matrix7 J;
-    for (int k = 0; k < 7; ++k) {
-      Vector7 y = x;
-      const double h = 1e-7 * std::max(1.0, std::abs(x(k)));
-      y(k) += h;
-      J.col(k) = (f(y) - at_x) / h;
-    }
-    const Vector7 change = J.partialPivLu().solve(at_x);
-    x -= change;
-    if (!(x.norm() < 1e6)) {
-      return std::nullopt;
-    }
-    if (change.norm() < 1e-9 * (1 + x.norm())) {
-      return f(x).norm() < 1e-8 * (1 + x.norm()) ? std::optional(x) : std::nullopt;
-    }
-  }
-  return std::nullopt;
-}
-
-// For these durations nearly: least squares in z and (cos phi, sin phi), in which all seven are affine.
-Vector7 nearly(const FlowClosing& f, const Eigen::Vector3d& times) {
-  const double half = std::acos(-1.0);
-  const auto at = [&](const Eigen::Vector3d& z, double phi) {
-    return Vector7(f((Vector7() << times, z, phi).finished()));
-  };
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  const Vector7 constant = (at(zero, 0) + at(zero, half)) / 2;
-  Eigen::Matrix<double, 7, 5> A;
-  for (int k = 0; k < 3; ++k) {
-    A.col(k) = at(Eigen::Vector3d::Unit(k), 0) - at(zero, 0);
-  }
-  A.col(3) = (at(zero, 0) - at(zero, half)) / 2;
-  A.col(4) = (at(zero, half / 2) - at(zero, -half / 2)) / 2;
-  const Eigen::Matrix<double, 5, 1> u = A.colPivHouseholderQr().solve(-constant);
-  return (Vector7() << times, u(0), u(1), u(2), std::atan2(u(4), u(3))).finished();
-}
-
-constexpr double shortest = 1e-3;  // phases shorter than this say nothing
-std::vector<Eigen::Vector3d> grid_orbits(const FlowClosing& f, int steps) {
-  std::vector<Eigen::Vector3d> found;
-  for (int i = 1; i < steps; ++i) {
-    for (int j = 1; i + j < steps; ++j) {
-      for (int k = 1; i + j + k < steps; ++k) {
-        const auto x = newton(f, nearly(f, Eigen::Vector3d(i, j, k) * f.total / steps));
-        if (x && x->head<3>().minCoeff() > shortest && x->head<3>().sum() < f.total - shortest) {
-          found.emplace_back(x->head<3>());
-        }
-      }
-    }
-  }
-  return found;
-}
 
 // Data where a strong load moves all, so that closed motions are frequent.
 std::vector<WordQuestion> questions() {
@@ -119,11 +27,6 @@ std::vector<WordQuestion> questions() {
   return {at("0.4", "10", "0.2", "1", "0.7", "2", "0.5"), at("0.3", "4", "0.1", "0", "0.6", "1", "0.2996"),
           at("0.35", "3", "0.1", "0.2", "0.8", "1.5", "0.25"),
           at("0.5", "6", "0.05", "0.4", "1.3", "3", "0.3")};
-}
-
-FlowClosing flows(const WordQuestion& q, const std::vector<PhaseKind>& phases) {
-  return {model::oscillator<double>(parameters_as<double>(q.data)), scalars::scalar<double>(q.ur),
-          2 * std::acos(-1.0) / q.data.omega.get_d(), phases};
 }
 
 // The unknowns of the problems for these durations.
@@ -141,7 +44,7 @@ struct Counts {
 
 // No box around what Newton's method finds loses it, and that it is a zero is decided in small ones.
 template <class P>
-Counts check_boxes(const P& problem, const FlowClosing& f, std::mt19937& generator) {
+Counts check_boxes(const P& problem, const FlowClosing<3>& f, std::mt19937& generator) {
   std::uniform_real_distribution<double> uniform(-0.9, 0.9);
   Counts counts;
   for (const Eigen::Vector3d& t : grid_orbits(f, 7)) {
@@ -180,7 +83,7 @@ TEST_CASE("two sticks: no box around a closed motion loses it") {
   for (const WordQuestion& q : questions()) {
     for (const PhaseKind second : {PhaseKind::slip, PhaseKind::overshoot}) {
       CAPTURE(to_string(q.data));
-      const FlowClosing f = flows(q, {PhaseKind::slip, PhaseKind::stick, second, PhaseKind::stick});
+      const FlowClosing<3> f(q, {PhaseKind::slip, PhaseKind::stick, second, PhaseKind::stick});
       const model::Parameters<Ball> a = parameters_as<Ball>(q.data);
       const TwoSticks problem({a,
                                model::modes<Ball>(a.chi, a.eta),
@@ -202,8 +105,7 @@ TEST_CASE("slip, overshoot, slip, stick: no box around a closed motion loses it"
   Counts all;
   for (const WordQuestion& q : questions()) {
     CAPTURE(to_string(q.data));
-    const FlowClosing f =
-        flows(q, {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::slip, PhaseKind::stick});
+    const FlowClosing<3> f(q, {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::slip, PhaseKind::stick});
     const families::OneStick<3, families::Datum::friction> problem(
         {families::overshooting_data<Ball>(q.data), Ball(q.ur)}, true);
     const Counts found = check_boxes(problem, f, generator);
@@ -228,7 +130,7 @@ TEST_CASE("OTST: a complete list holds the one orbit that Newton's method finds 
   REQUIRE(all[2].kind == PhaseKind::slip);
   const Eigen::Vector3d times(all[2].duration.approximate(), all[3].duration.approximate(),
                               all[0].duration.approximate());
-  const std::vector<Eigen::Vector3d> found = grid_orbits(flows(q, phases), 8);
+  const std::vector<Eigen::Vector3d> found = grid_orbits(FlowClosing<3>(q, phases), 8);
   CHECK_FALSE(found.empty());
   for (const Eigen::Vector3d& t : found) {
     CHECK((t - times).norm() < 1e-6);
@@ -246,7 +148,7 @@ TEST_CASE("OSOT on a belt that runs backwards: the one orbit that Newton's metho
   const Eigen::Vector3d times(all[0].duration.approximate(), all[1].duration.approximate(),
                               all[2].duration.approximate());
   const std::vector<Eigen::Vector3d> found = grid_orbits(
-      flows(q, {PhaseKind::overshoot, PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}), 8);
+      FlowClosing<3>(q, {PhaseKind::overshoot, PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}), 8);
   CHECK_FALSE(found.empty());
   for (const Eigen::Vector3d& t : found) {
     CHECK((t - times).norm() < 1e-6);
@@ -259,7 +161,8 @@ TEST_CASE("STST: a complete list is empty where Newton's method finds none from 
   const WordList list = all_orbits(q, Word::parse("STST"), 1);
   CHECK(list.unresolved.empty());
   CHECK(list.orbits.empty());
-  CHECK(grid_orbits(flows(q, {PhaseKind::slip, PhaseKind::stick, PhaseKind::slip, PhaseKind::stick}), 8)
+  CHECK(grid_orbits(FlowClosing<3>(q, {PhaseKind::slip, PhaseKind::stick, PhaseKind::slip, PhaseKind::stick}),
+                    8)
             .empty());
 }
 

@@ -21,18 +21,17 @@ methods::Record record_of(const Theorem& theorem) {
   return record;
 }
 
-const Variable x{"x"}, y{"y"};
-
 }  // namespace
 
 TEST_CASE("a claim's theorems have names, and a comment that is one") {
-  const std::vector<NamedTheorem> named = named_theorems(record_of(Theorem::reflexive(x)));
+  const std::vector<NamedTheorem> named = named_theorems(record_of(Theorem::reflexive(Variable{"x"})));
   REQUIRE(named.size() == 1);
   CHECK(named[0].name == "claim_1_a_1");
   CHECK(named[0].about == "1.a, Section 3: what ( * it * ) says");
 }
 
 TEST_CASE("the fingerprint is of what is said: another hypothesis, sign or definition is another") {
+  const Variable x{"x"}, y{"y"};
   const Definition twice("twice", {x}, Term(x) + x), thrice("twice", {x}, Term(3) * x);
   const std::string one = fingerprint(record_of(Theorem::assume(less(x, y))));
   CHECK(one == fingerprint(record_of(Theorem::assume(less(x, y)))));
@@ -45,6 +44,7 @@ TEST_CASE("the fingerprint is of what is said: another hypothesis, sign or defin
 }
 
 TEST_CASE("a variable cannot hide a definition") {
+  const Variable x{"x"};
   const Definition chi("chi", {x}, Term(2) * x), H("H", {x}, Term(2) * x);
   // The paper's chi and eta are both: the variable has another name.
   const Theorem named = Theorem::reflexive(chi({Variable{"chi"}}));

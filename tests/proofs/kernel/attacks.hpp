@@ -5,7 +5,8 @@
 
 namespace stickslip::proofs::kernel::attacks {
 
-inline const Variable x{"x"}, y{"y"}, t{"t"}, s{"s"}, a{"a"}, b{"b"}, c{"c"};
+using paper::s, paper::t;
+inline const Variable x{"x"}, y{"y"}, a{"a"}, b{"b"}, c{"c"};
 inline const Variable f{"f", function_of_time()}, g{"g", function_of_time()};
 inline const Variable M{"M", {Sort::real, 2, 2}}, v{"v", {Sort::real, 2, 1}};
 inline const Formula falsity = any({});

@@ -2,14 +2,13 @@
 // any point where its hypotheses hold; and derivatives by rule agree with differences in balls.
 // STICKSLIP_SEED sets the terms.
 #include "tests/numeric/families/random_data.hpp"
-#include "tests/proofs/kernel/refuses.hpp"
+#include "tests/proofs/kernel/attacks.hpp"
 
 using namespace stickslip::proofs::kernel;
+using namespace stickslip::proofs::kernel::attacks;
 using stickslip::Rational;
 
 namespace {
-
-const Variable x{"x"}, y{"y"}, t{"t"}, M{"M", {Sort::real, 2, 2}};
 
 class Terms {
  public:

@@ -1,17 +1,17 @@
 // The false sequents that a prover of this project once let through, by class: each call must be refused, or
 // the theorem must hold the missing condition among its hypotheses.
-#include "tests/proofs/kernel/refuses.hpp"
+#include "tests/proofs/kernel/attacks.hpp"
 
 using namespace stickslip::proofs::kernel;
+using namespace stickslip::proofs::kernel::attacks;
 using namespace stickslip::proofs::kernel::paper;
 using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
 namespace {
 
-const Variable x{"x"}, y{"y"}, a{"a"}, b{"b"}, tau1{"tau1"}, z10{"z10"}, q2{"q2"}, us1{"us"},
-    side_x{"side_x"}, side_y{"side_y"}, Theta{"Theta"};
-const Formula falsity = any({});
+const Variable tau1{"tau1"}, z10{"z10"}, q2{"q2"}, us1{"us"}, side_x{"side_x"}, side_y{"side_y"},
+    Theta{"Theta"};
 
 }  // namespace
 

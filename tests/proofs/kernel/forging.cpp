@@ -27,28 +27,28 @@ static_assert(!std::is_constructible_v<Term, const char *>);
 // What a moved-from object would be: a copy is made instead.
 static_assert(!std::is_nothrow_move_constructible_v<Term> || std::is_nothrow_copy_constructible_v<Term>);
 
-const Formula falsity = any({});
+const Formula claimed = any({});
 
 #ifdef FORGE
 // clang-format off
-const Theorem by_constructor(Step{.rule = "oracle"}, {}, falsity);           // error: private
+const Theorem by_constructor(Step{.rule = "oracle"}, {}, claimed);           // error: private
 const Theorem of_nothing;                                                    // error: no matching
-const Theorem of_sequent = Sequent{{}, falsity};                             // error: conver|no viable
-const Theorem by_braces = {Step{.rule = "oracle"}, Formulas{}, falsity};     // error: private
+const Theorem of_sequent = Sequent{{}, claimed};                             // error: conver|no viable
+const Theorem by_braces = {Step{.rule = "oracle"}, Formulas{}, claimed};     // error: private
 struct Derived : Theorem {};                                                 // error: final
 template <class T>
 struct Reader {
-  static T forge() { return T(Step{.rule = "oracle"}, Formulas{}, falsity); }  // error: private
+  static T forge() { return T(Step{.rule = "oracle"}, Formulas{}, claimed); }  // error: private
 };
 const Theorem by_template = Reader<Theorem>::forge();
 void empty(Theorem& theorem) { theorem.hypotheses().clear(); }               // error: qualifiers|const
-void assign(Theorem& theorem) { theorem.conclusion() = falsity; }            // error: qualifiers|const|no match
+void assign(Theorem& theorem) { theorem.conclusion() = claimed; }            // error: qualifiers|const|no match
 void reassign(Theorem& theorem) { theorem.sequent().hypotheses = {}; }       // error: qualifiers|const|no match
 void replace(Theorem& theorem) { theorem.data_ = nullptr; }                  // error: private
 Theorem Theorem::oracle(const Formula& formula) { return assume(formula); }  // error: declar
 struct Layout { void* pointers[2]; };
 const Theorem by_bits = std::bit_cast<Theorem>(Layout{});                    // error: no matching|bit_cast
-const Theorem::Data data{{{}, falsity}, nullptr};                            // error: private
+const Theorem::Data data{{{}, claimed}, nullptr};                            // error: private
 const Definition undefined;                                                  // error: no matching
 const Term of_null{std::shared_ptr<const Node>()};                           // error: private|no matching
 #endif

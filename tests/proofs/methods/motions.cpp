@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "proofs/methods/implications.hpp"
-#include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "tests/proofs/methods/status.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs::methods;
@@ -30,10 +30,6 @@ std::vector<Claim> paper_with(const std::string& id, const std::function<void(Cl
     }
   }
   return claims;
-}
-
-Status status(const std::vector<Claim>& claims, const std::string& id) {
-  return audit(claims, {id}).records.front().status;
 }
 
 std::function<void(Claim&)> without(const std::string& assumption) {

@@ -7,6 +7,7 @@
 #include "proofs/methods/methods.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/vocabulary.hpp"
+#include "tests/proofs/methods/status.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs::methods;
@@ -27,10 +28,6 @@ Proof verdict(const Verdict& given, const std::set<std::string>& uses = {}) {
 
 Claim claim(const std::string& id, const Proof& proof, Kind kind = Kind::step) {
   return {.id = id, .place = "test", .kind = kind, .prove = proof};
-}
-
-Status status(const std::vector<Claim>& claims, const std::string& id) {
-  return audit(claims, {id}).records.front().status;
 }
 
 }  // namespace

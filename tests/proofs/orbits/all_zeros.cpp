@@ -2,14 +2,16 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/proofs/orbits/letters.hpp"
+
 using namespace stickslip;
 using namespace stickslip::proofs;
 using namespace stickslip::proofs::kernel;
 using namespace stickslip::proofs::orbits;
+using namespace stickslip::proofs::orbits::letters;
 
 namespace {
 
-const Variable a{"a"}, t{"t"};
 // The frequency is 1, nearly.
 const Ranges nearly_one{{a, {Rational(1) - Rational(1, 1L << 40), Rational(1) + Rational(1, 1L << 40)}}};
 const Rational half_turn(31415926536, 10000000000);

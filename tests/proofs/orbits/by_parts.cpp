@@ -3,16 +3,15 @@
 #include <doctest/doctest.h>
 
 #include "proofs/pascal2012/frequencies.hpp"
+#include "tests/proofs/orbits/letters.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs;
 using namespace stickslip::proofs::kernel;
 using namespace stickslip::proofs::orbits;
+using namespace stickslip::proofs::orbits::letters;
 
 namespace {
-
-const Variable x{"x"}, y{"y"};
-const Ranges about_one{{x, {Rational(999, 1000), Rational(1001, 1000)}}};
 
 // A number and a matrix, each a definition that speaks of another one.
 Term twice(const Term& of) {
@@ -26,18 +25,18 @@ Term rows(const Term& of) {
 
 TEST_CASE("a sign is decided with what its definitions are, and says so of the definitions") {
   const Term value = entry(rows(x), 0) * twice(twice(x));  // 8 x²
-  const Theorem theorem = sign_by_parts(less(value, Rational(81, 10)), about_one);
+  const Theorem theorem = sign_by_parts(less(value, Rational(81, 10)), about_one(x));
   CHECK(theorem.conclusion() == less(value, Rational(81, 10)));
   CHECK(theorem.hypotheses() == Formulas{at_most(Rational(999, 1000), x), at_most(x, Rational(1001, 1000))});
-  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(less(value, Rational(79, 10)), about_one)), KernelError);
-  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(less(value, 8), about_one)), KernelError);
-  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(differ(entry(rows(x), 1), 0), about_one)), KernelError);
-  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(less(value, Term(9) + y), about_one)), KernelError);
+  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(less(value, Rational(79, 10)), about_one(x))), KernelError);
+  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(less(value, 8), about_one(x))), KernelError);
+  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(differ(entry(rows(x), 1), 0), about_one(x))), KernelError);
+  CHECK_THROWS_AS(static_cast<void>(sign_by_parts(less(value, Term(9) + y), about_one(x))), KernelError);
 }
 
 TEST_CASE("what holds in ranges holds for all in them, and of nothing else") {
-  const Theorem theorem = sign_by_parts(less(twice(x), 3), about_one);
-  const Theorem all = for_all_in(theorem, {x}, about_one);
+  const Theorem theorem = sign_by_parts(less(twice(x), 3), about_one(x));
+  const Theorem all = for_all_in(theorem, {x}, about_one(x));
   CHECK(all.hypotheses().empty());
   CHECK(all.conclusion() ==
         for_all(x, implies(within(Rational(999, 1000), x, Rational(1001, 1000)), less(twice(x), 3))));

@@ -38,10 +38,6 @@ std::string visible(const std::string& html) {
   return std::regex_replace(plain, std::regex("<[^>]*>"), "");
 }
 
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::set<std::string> matches(const std::string& text, const char * expression) {
   const std::regex regex(expression);
   std::set<std::string> found;

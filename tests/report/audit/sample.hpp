@@ -1,6 +1,8 @@
 // An audit made by hand: one record of every kind that reports have to show.
 #pragma once
 
+#include <string>
+
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::report {
@@ -13,5 +15,10 @@ namespace stickslip::report {
 // 17 (undecided, and not the paper's). Words and reasons contain characters that HTML and TeX treat
 // specially.
 [[nodiscard]] proofs::methods::Audit sample_audit();
+
+// Whether the text holds the part.
+[[nodiscard]] inline bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 }  // namespace stickslip::report

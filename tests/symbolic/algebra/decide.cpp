@@ -5,10 +5,11 @@
 #include "model/flows.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/normal_form.hpp"
-#include "symbolic/algebra/symbols.hpp"
+#include "tests/symbolic/algebra/letters.hpp"
 
 using namespace stickslip;
 using namespace stickslip::symbolic::algebra;
+using namespace stickslip::symbolic::algebra::letters;
 using GiNaC::cos;
 using GiNaC::ex;
 using GiNaC::pow;
@@ -16,10 +17,6 @@ using GiNaC::sin;
 using GiNaC::tan;
 
 namespace {
-
-const ex w = symbol("omega"), w1 = symbol("omega1"), w2 = symbol("omega2"), t = symbol("t"), s = symbol("s"),
-         phi = symbol("phi"), tau = symbol("tau"), chi = symbol("chi"), eta = symbol("eta"),
-         l1 = symbol("lambda1"), l2 = symbol("lambda2");
 
 Truth truth(const ex& left, const ex& right) {
   return decide_equal(left, right).verdict.truth;

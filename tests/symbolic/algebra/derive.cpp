@@ -5,16 +5,14 @@
 #include "core/error.hpp"
 #include "model/flows.hpp"
 #include "symbolic/algebra/decide.hpp"
-#include "symbolic/algebra/symbols.hpp"
+#include "tests/symbolic/algebra/letters.hpp"
 
 using namespace stickslip;
 using namespace stickslip::symbolic::algebra;
+using namespace stickslip::symbolic::algebra::letters;
 using GiNaC::ex;
 
 namespace {
-
-const ex w1 = symbol("omega1"), w2 = symbol("omega2"), t = symbol("t"), chi = symbol("chi"),
-         eta = symbol("eta");
 
 symbolic::algebra::Matrix derivative(const Matrix4& m) {
   return symbolic::algebra::Matrix(
@@ -25,7 +23,6 @@ symbolic::algebra::Matrix derivative(const Matrix4& m) {
 
 TEST_CASE("Vieta's equations give back (39)") {
   const Inverted solution = solve_vieta(w1, w2);
-  const ex s = symbol("s");
   const ex polynomial = characteristic_polynomial(model::stiffness<ex>(solution.chi, solution.eta), s);
   CHECK(decide_equal(polynomial, (s * s - w1 * w1) * (s * s - w2 * w2)).verdict.truth == Truth::proved);
   CHECK(decide_equal(solution.chi, chi).verdict.truth == Truth::proved);

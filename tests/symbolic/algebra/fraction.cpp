@@ -1,19 +1,17 @@
 #include <doctest/doctest.h>
 
 #include "symbolic/algebra/normal_form.hpp"
-#include "symbolic/algebra/symbols.hpp"
+#include "tests/symbolic/algebra/letters.hpp"
 
 using namespace stickslip;
 using namespace stickslip::symbolic::algebra;
+using namespace stickslip::symbolic::algebra::letters;
 using GiNaC::cos;
 using GiNaC::ex;
 using GiNaC::pow;
 using GiNaC::sin;
 
 namespace {
-
-const ex a = symbol("a");
-const ex b = symbol("b");
 
 // The expression in lowest terms, as a quotient again.
 ex lowest_terms(const ex& expression) {

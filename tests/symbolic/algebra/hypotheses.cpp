@@ -4,19 +4,16 @@
 
 #include "symbolic/algebra/normal_form.hpp"
 #include "symbolic/algebra/signs.hpp"
-#include "symbolic/algebra/symbols.hpp"
 #include "symbolic/typeset/latex.hpp"
+#include "tests/symbolic/algebra/letters.hpp"
 
 using namespace stickslip::symbolic::algebra;
+using namespace stickslip::symbolic::algebra::letters;
 using namespace stickslip::symbolic::typeset;
 using GiNaC::ex;
 using GiNaC::pow;
 
 namespace {
-
-const ex w = symbol("omega"), w1 = symbol("omega1"), w2 = symbol("omega2"), t = symbol("t"),
-         chi = symbol("chi"), eta = symbol("eta"), l1 = symbol("lambda1"), l2 = symbol("lambda2"),
-         V = symbol("V");
 
 std::vector<std::string> texts(const std::vector<ex>& factors) {
   std::vector<std::string> result;
