@@ -4,6 +4,7 @@
 
 #include "bench/examples.hpp"
 #include "core/decimal.hpp"
+#include "numeric/atlas/judge.hpp"
 #include "numeric/atlas/work.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
@@ -76,6 +77,45 @@ atlas::Interval at(const char * value) {
   return between(value, value);
 }
 
+// A box of an atlas around S, its half width range(0) millionths of omega and p: how many orbits there are,
+// every condition along each, its stability. Either nothing is known of it, or the box of twice its size
+// around it has told where the orbits are, as in an atlas; `orbits` are judged in each box.
+void box_of_atlas_S(benchmark::State& state, bool is_half) {
+  atlas::Question q{&symmetric(),
+                    {at("0.5"), at("3.8"), at("0.02"), at("1"), at("0.6"), at("0.05")},
+                    {atlas::place_of_omega, atlas::place_of_p},
+                    30};
+  const Rational share(static_cast<long>(is_half ? 2 * state.range(0) : state.range(0)), 1000000);
+  for (const std::size_t k : q.axes) {
+    const Rational middle = q.region[k].lower;
+    q.region[k] = {middle * (1 - share), middle * (1 + share)};
+  }
+  atlas::Knowledge around;
+  (void)atlas::judge(q, atlas::whole, atlas::Balls::hardware, around);
+  std::size_t orbits = 0;
+  for (atlas::Knowledge::Sheet& sheet : around.sheets) {
+    if (!sheet.orbits) {
+      return state.SkipWithError("the orbits around the box are not counted");
+    }
+    for (atlas::Knowledge::Orbit& orbit : *sheet.orbits) {
+      orbit.exists = false;
+      orbit.admissible = orbit.stable = Truth::undecided;
+      orbit.conditions.clear();
+      ++orbits;
+    }
+  }
+  const atlas::Tile tile = is_half ? 4 : 1;  // the lower half in both parameters
+  for (auto _ : state) {
+    atlas::Knowledge known = is_half ? around : atlas::Knowledge();
+    if (!atlas::judge(q, tile, atlas::Balls::hardware, known).is_decided()) {
+      state.SkipWithError("the box is left open");
+      return;
+    }
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.counters["orbits"] = static_cast<double>(orbits);
+}
+
 void atlas_S(benchmark::State& state) {
   atlas_of(state, symmetric(),
            {at("0.5"), at("3.8"), at("0.02"), at("1"), between("0.5", "0.8"), between("0", "0.2")});
@@ -96,6 +136,8 @@ void atlas_P(benchmark::State& state) {
 BENCHMARK(atlas_S)->Unit(benchmark::kMillisecond);
 BENCHMARK(atlas_O)->Unit(benchmark::kMillisecond);
 BENCHMARK(atlas_P)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(box_of_atlas_S, from_nothing, false)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(box_of_atlas_S, zeros_known, true)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
 BENCHMARK(box_S)->Name("box_S, ±1e-5")->Unit(benchmark::kMillisecond);
 // Example O lies near a fold: its orbit moves some hundred times as far as the parameters.
 BENCHMARK(box_O_at_phi)->Name("box_O_at_phi, ±1e-7")->Unit(benchmark::kMillisecond);

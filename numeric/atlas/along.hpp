@@ -39,7 +39,7 @@ template <class T, class G>
 [[nodiscard]] Decision is_positive_along(const G& g, const T& duration, motion::Touches touches, double least,
                                          Times& open) {
   constexpr int most_pieces = 300;
-  constexpr double longest = 0.125;
+  constexpr double longest = 0.5;
   Times todo(open.rbegin(), open.rend());
   open.clear();
   Hope hope{true};
@@ -83,9 +83,14 @@ template <class T, class G>
     if (bent && bent->is_refuted) {
       return {Truth::refuted};
     }
-    // What the parameters alone leave open no shorter piece decides.
+    // What the parameters alone leave open no shorter piece decides. The slope at an end that g touches is
+    // asked of short pieces only: in what is left of a long one there may be a time that refutes.
     const bool touched = from_zero || to_zero;
-    const T& told = bent ? bent->least : touched ? slope : value;
+    constexpr double is_short = 0x1p-4;
+    const T told = bent                      ? bent->least
+                   : !touched                ? value
+                   : last - first > is_short ? slope
+                                             : at(from_zero ? -1 : 1)[1];
     const auto spread = told.over_from(1);
     const bool hopeless =
         !spread.is_nonzero() && scalars::is_narrower(told.over, spread * decltype(spread)(1.25));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "numeric/atlas/along.hpp"
@@ -15,9 +16,11 @@ namespace stickslip::numeric::atlas {
   return {-1, -1, -1, static_cast<std::uint8_t>(reason)};
 }
 
-// A double not below the number, which is not negative.
-[[nodiscard]] inline double above(const Rational& x) {
-  return x == 0 ? 0 : std::nextafter(x.get_d(), INFINITY);
+// Doubles around the number; GMP's lies next to it, on the side of zero.
+[[nodiscard]] inline std::pair<double, double> around(const Rational& x) {
+  const double near = x.get_d();
+  return sgn(x) == 0 ? std::pair{0.0, 0.0}
+                     : std::pair{std::nextafter(near, -INFINITY), std::nextafter(near, INFINITY)};
 }
 
 template <class T, class S>
@@ -40,8 +43,10 @@ template <class T, class S>
       all.push_back(T(scalars::scalar<S>(x.lower)));
       continue;
     }
-    const double middle = Rational((x.lower + x.upper) / 2).get_d();
-    const double radius = std::max(above(x.upper - Rational(middle)), above(Rational(middle) - x.lower));
+    const double low = around(x.lower).first;
+    const double high = around(x.upper).second;
+    const double middle = low + (high - low) / 2;
+    const double radius = std::nextafter(std::max(high - middle, middle - low), INFINITY);
     all.push_back(next == k ? instead : T::variable(middle, radius, next));
     data.axes.push_back(all.back());
     ++next;

@@ -61,6 +61,12 @@ struct Cell {
   Hope hope = {};
 };
 
+// Whether all numbers between these two have one sign, and none is `factor` times another.
+[[nodiscard]] inline bool vary_less_than(double factor, double least, double greatest) {
+  return least * greatest > 0 && std::max(std::abs(least), std::abs(greatest)) <
+                                     factor * std::min(std::abs(least), std::abs(greatest));
+}
+
 // f has exactly one zero in [first, last], for every member of the box, and f' keeps its sign there: it lies
 // between these bounds.
 struct Bracket {
@@ -69,11 +75,7 @@ struct Bracket {
   int steepest = 0;  // of f, see Hope
 
   // Whether f' hardly varies, so that Newton's operator encloses the zero well.
-  [[nodiscard]] bool is_straight() const {
-    return least_slope * greatest_slope > 0 &&
-           std::max(std::abs(least_slope), std::abs(greatest_slope)) <
-               4 * std::min(std::abs(least_slope), std::abs(greatest_slope));
-  }
+  [[nodiscard]] bool is_straight() const { return vary_less_than(4, least_slope, greatest_slope); }
 };
 
 // A rectangle of two unknowns; and, for every member of the box, exactly one zero: in `where`, and no other

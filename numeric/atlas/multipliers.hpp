@@ -69,22 +69,31 @@ template <class T>
 template <class T>
 [[nodiscard]] std::array<T, 3> symmetric_functions(const T& chi, const model::Modes<T>& modes, const T& tau,
                                                    const T& lasts, const T& kappa) {
-  const auto H = model::H<T>(modes, tau);
-  const auto G = model::Gamma<T>(chi, lasts);
-  T trace(0);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      trace += H(i, j) * G(j, i);
-    }
-  }
-  T along_s(0);  // s G h
-  T along_w(0);  // w G h
-  for (int i = 0; i < 3; ++i) {
-    const T Gh = G(i, 0) * H(0, 3) + G(i, 1) * H(1, 3) + G(i, 2) * H(2, 3);
-    along_s += T(i == 0 ? -1 : i == 1 ? 1 : 0) * Gh;
-    along_w += T(kappa * T(H(1, i) - H(0, i)) + H(3, i)) * Gh;
-  }
-  const T e3 = H(3, 3) + kappa * T(H(1, 3) - H(0, 3));
+  const auto [sine1, cosine1] = sin_cos(T(modes.omega1 * tau));
+  const auto [sine2, cosine2] = sin_cos(T(modes.omega2 * tau));
+  const auto [sine, cosine] = sin_cos(lasts);
+  const T d = T(1) / T(modes.lambda2 - modes.lambda1);
+  // Lambda diag(a, b) Lambda⁻¹ (38).
+  const auto block = [&](const T& a, const T& b) {
+    const T first = d * a, second = d * b, difference = second - first;
+    return model::matrix<T>(T(modes.lambda2 * first - modes.lambda1 * second), difference,
+                            T(-modes.lambda1 * modes.lambda2 * difference),
+                            T(modes.lambda2 * second - modes.lambda1 * first));
+  };
+  const model::Matrix2<T> H1 = block(cosine1, cosine2);
+  const model::Matrix2<T> H2 = block(T(sine1 / modes.omega1), T(sine2 / modes.omega2));
+  const model::Matrix2<T> H3 = block(T(-modes.omega1 * sine1), T(-modes.omega2 * sine2));
+  // By (41) G = [[c, chi (1 - c), s], [0, 1, 0], [-s, chi s, c]], c = cos(lasts), s = sin(lasts).
+  const std::array<T, 3> h{H2(0, 1), H2(1, 1), H1(0, 1)};
+  const std::array<T, 3> Gh{T(cosine * h[0] + chi * T(T(1) - cosine) * h[1] + sine * h[2]), h[1],
+                            T(sine * T(chi * h[1] - h[0]) + cosine * h[2])};
+  const T trace = T(2) * cosine * H1(0, 0) + sine * T(H3(0, 0) - H2(0, 0)) +
+                  chi * T(T(T(1) - cosine) * H1(1, 0) + sine * H2(1, 0)) + H1(1, 1);
+  const T along_s = Gh[1] - Gh[0];  // s G h, without kappa
+  const T along_w = (kappa * T(H1(1, 0) - H1(0, 0)) + H3(1, 0)) * Gh[0] +
+                    (kappa * T(H1(1, 1) - H1(0, 1)) + H3(1, 1)) * Gh[1] +
+                    (kappa * T(H2(1, 0) - H2(0, 0)) + H1(1, 0)) * Gh[2];
+  const T e3 = H1(1, 1) + kappa * T(h[1] - h[0]);
   return {T(trace + kappa * along_s), T(e3 * trace - along_w), e3};
 }
 

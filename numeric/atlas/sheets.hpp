@@ -37,6 +37,7 @@ struct Setting {
   T pi;
   model::Vector2<T> rest;  // of model/nonsticking.hpp, as A = q2 omega
   T A;
+  T Theta;
 
   // As constants of another scalar, by which the parameters are not differentiated.
   template <class Q>
@@ -44,19 +45,20 @@ struct Setting {
     return {{model::lift<Q>(o.data), model::lift<Q>(o.modes), model::lift<Q>(o.Q), model::lift<Q>(o.d0)},
             Q(pi),
             model::lift<Q>(rest),
-            Q(A)};
+            Q(A),
+            Q(Theta)};
   }
 };
 template <class T>
 [[nodiscard]] Setting<T> setting_of(const model::Parameters<T>& data, const T& pi) {
   const model::Oscillator<T> o = model::oscillator<T>(data);
-  return {o, pi, model::modal_rest<T>(o.modes, o.d0), T(o.Q(1) * data.omega)};
+  return {o, pi, model::modal_rest<T>(o.modes, o.d0), T(o.Q(1) * data.omega), T(T(2) * pi / data.omega)};
 }
 
 template <class T>
 [[nodiscard]] model::SymmetricData<T> symmetric_data(const Setting<T>& s, int sign) {
   const model::Parameters<T>& a = s.o.data;
-  return {a.chi, s.o.modes, a.V, a.omega, a.p, T(T(2) * s.pi / a.omega), T(sign)};
+  return {a.chi, s.o.modes, a.V, a.omega, a.p, s.Theta, T(sign)};
 }
 
 // G of the equations below at delta = pi u.

@@ -102,12 +102,12 @@ class SymmetricOrbit {
   // so by Cramer's rule N (A_1² + A_2²) = sigma p (A_1 (rho_1 E_2 - rho_2 omega_2 P_2)
   //                                              + A_2 (omega_1 P_1 rho_2 - E_1 rho_1)).
   [[nodiscard]] T at_one() const {
-    const std::array<Mode, 2> m = modes();
+    const std::array<Mode, 2>& m = modes();
     const auto [sine, cosine] = sin_cos(T(T_ / T(2)));
     const T k = kappa();
     const T to_load = a_.omega * T(cos(T(a_.omega * T_ / T(2))));
     T rho1(0);  // with sigma
-    T rho2 = eta_ * step_ / rate() * a_.sigma * to_load / eta_;
+    T rho2 = eta_ * step_ / rate_ * a_.sigma * to_load / eta_;
     std::array<T, 2> A, P, E;
     for (std::size_t j = 0; j < 2; ++j) {
       const T& w = m[j].omega;
@@ -133,9 +133,8 @@ class SymmetricOrbit {
   }
 
  private:
-  [[nodiscard]] T rate() const { return rho(T(T_ / T(2)))[1]; }  // of r at the break-away
-  // chi x2''(0+)/r' there.
-  [[nodiscard]] T kappa() const { return -a_.chi * eta_ * step_ / rate(); }
+  // chi x2''(0+)/r' at the break-away.
+  [[nodiscard]] T kappa() const { return -a_.chi * eta_ * step_ / rate_; }
 
   SymmetricOrbit(const model::SymmetricData<T>& a, const model::Parameters<T>& data, const T& tau, const T& C)
       : a_(a),
@@ -146,8 +145,11 @@ class SymmetricOrbit {
         C_(C),
         stiffness_(a.chi * (T(1) - a.chi) * a.V),
         kick_(a.chi * C),
-        load_(a.sigma * a.p / data.eta),
-        step_(rho(T(T_ / T(2)))[0]) {}
+        load_(a.sigma * a.p / data.eta) {
+    const std::array<T, 2> at_break_away = rho(T(T_ / T(2)));
+    step_ = at_break_away[0];
+    rate_ = at_break_away[1];
+  }
 
   // A modal coordinate on the slip; sine and cosine at alpha = omega tau/2, D and its derivatives at tau/2.
   struct Mode {
@@ -156,7 +158,11 @@ class SymmetricOrbit {
     T b;
     T sine, cosine, D, D_dot, D_dot2;
   };
-  [[nodiscard]] std::array<Mode, 2> modes() const {
+  // Computed once, when they are first asked for.
+  [[nodiscard]] const std::array<Mode, 2>& modes() const {
+    if (modes_) {
+      return *modes_;
+    }
     const model::Vector4<T> Z0 = model::symmetric_start<T>(a_, tau_, C_);
     const T det = a_.m.lambda2 - a_.m.lambda1;
     const T half = tau_ / T(2);
@@ -176,8 +182,9 @@ class SymmetricOrbit {
       const T b = T((ydot - a_.p * push * D_dot) / omega) * cosine - T(y + a_.p * push * D) * sine;
       return Mode{omega, lambda, push, b, sine, cosine, D, D_dot, T(-omega * omega * D - load_sine)};
     };
-    return {mode(a_.m.omega1, a_.m.lambda1, a_.m.lambda2, -1),
-            mode(a_.m.omega2, a_.m.lambda2, a_.m.lambda1, 1)};
+    modes_.emplace(std::array<Mode, 2>{mode(a_.m.omega1, a_.m.lambda1, a_.m.lambda2, -1),
+                                       mode(a_.m.omega2, a_.m.lambda2, a_.m.lambda1, 1)});
+    return *modes_;
   }
 
   // z2' and its derivative as functions of s: what does not depend on s is computed once.
@@ -198,7 +205,7 @@ class SymmetricOrbit {
                   T(free * m.omega),
                   T(forced * m.omega)};
     };
-    const std::array<Mode, 2> m = modes();
+    const std::array<Mode, 2>& m = modes();
     const T of_cosine = T(m[0].lambda * m[0].push / T(m[0].omega + a_.omega) +
                           m[1].lambda * m[1].push / T(m[1].omega + a_.omega)) *
                         a_.p;
@@ -222,6 +229,8 @@ class SymmetricOrbit {
   T eta_, us_, tau_, T_, C_;
   T stiffness_, kick_, load_;
   T step_;  // ur - us
+  T rate_;  // of r at the break-away
+  mutable std::optional<std::array<Mode, 2>> modes_;
 };
 
 }  // namespace stickslip::numeric::atlas

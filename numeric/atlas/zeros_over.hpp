@@ -34,7 +34,7 @@ template <class S>
 }
 
 inline constexpr int most_cells = 500;
-inline constexpr double longest_cell = 0.125;
+inline constexpr double longest_cell = 0.25;
 
 }  // namespace detail
 
@@ -60,10 +60,16 @@ template <class S, int N, class F, class D>
       const T u = T::variable(middle, cell.last - middle, 0);
       const T value = f(u);
       cell.value = detail::sign_of(value.over);
+      const auto keep_slope = [&](const S& slope) {
+        cell.slope = detail::sign_of(slope);
+        std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(slope);
+      };
       if (cell.value == 0) {
+        keep_slope(value.slopes[0] / S(cell.last - middle));
+      }
+      if (cell.value == 0 && !vary_less_than(1.5, cell.least_slope, cell.greatest_slope)) {
         const T slope = df(as_variable(u)).partials[0];
-        cell.slope = detail::sign_of(slope.over);
-        std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(slope.over);
+        keep_slope(slope.over);
         if (cell.slope == 0) {
           // Where f bends away from zero its least distance tells.
           const int side = detail::sign_of(slope.slopes[0]);
@@ -154,16 +160,19 @@ template <class Sign>
 }
 
 // The zero as a function of the parameters: at the middle of the box, over it, and its slopes -f_i/f_u, by
-// Newton's interval operator, where the centre, a double, is only the point of expansion: first with the
-// slopes that are known, then with those next to the zero. While these vary much the bracket is cut where f
-// keeps a sign a quarter from one of its ends over the whole box. What is found out of the bracket is left
-// there.
+// Newton's interval operator, where the centre, a double, is only the point of expansion. For every member
+//   0 = f(centre, 0) + f_u (u - centre) + sum of f_i e_i,
+// with slopes over the bracket and the box, all of which one form of f tells; f_u is told better by the jet,
+// which is asked where it varies. While it varies much the bracket is cut where f keeps a sign a quarter from
+// one of its ends over the whole box. What is found out of the bracket is left there.
 template <class S, int N, class F, class D>
 [[nodiscard]] scalars::Form<S, N> zero_over(const F& f, const D& df, Bracket& bracket) {
   using T = scalars::Form<S, N>;
+  constexpr int most_steps = 4;
+  constexpr double little = 1.05, tight = 1.2;
+  double& first = bracket.first;
+  double& last = bracket.last;
   const bool rises = bracket.least_slope + bracket.greatest_slope > 0;
-  double first = bracket.first;
-  double last = bracket.last;
   for (bool cut = !bracket.is_straight(); cut && last - first > 0x1p-40;) {
     cut = false;
     for (const double share : {0.25, 0.75}) {
@@ -178,42 +187,36 @@ template <class S, int N, class F, class D>
   S slope = scalars::around<S>(bracket.least_slope, bracket.greatest_slope);
   double centre = first + (last - first) / 2;
   T zero;
-  // Newton's operator at the centre.
-  const auto step = [&] {
-    const T here = f(T(S(centre)));
-    zero.at = S(centre) - here.at / slope;
-    zero.over = S(centre) - here.over / slope;
+  for (int k = 0; k < most_steps; ++k) {
+    const double before = last - first;
+    const double reach = std::nextafter(std::max(last - centre, centre - first), INFINITY);
+    const T u = T::variable(centre, reach, 0);
+    const bool varies = !vary_less_than(little, bracket.least_slope, bracket.greatest_slope);
+    const scalars::Jet<T, 1> jet = varies ? df(as_variable(u)) : scalars::Jet<T, 1>(f(u));
+    const T& around = jet.value;
+    const S found = varies ? jet.partials[0].over : S(around.slopes[0] / S(reach));
+    if (found.is_nonzero() && scalars::is_narrower(found, slope)) {
+      slope = found;
+      std::tie(bracket.least_slope, bracket.greatest_slope) = scalars::ends(slope);
+    }
+    zero.at = S(centre) - around.at / slope;
+    zero.over = S(centre) - around.over_from(1) / slope;
+    for (std::size_t i = 1; i < zero.slopes.size(); ++i) {
+      zero.slopes[i] = -around.slopes[i] / slope;
+    }
+    bracket.steepest = hope_of(around, 1).steepest;
     const auto [low, high] = scalars::ends(zero.over);
     first = std::max(first, low);
     last = std::min(last, high);
     centre = std::clamp(zero.at.approximate(), first, last);
-  };
-  constexpr int most_steps = 4;
-  for (int k = 0; k < most_steps; ++k) {
-    const double before = last - first;
-    step();
-    if (k == 0 && last - first < 0.5 * before) {
-      step();  // from a better centre, before the slopes are looked at
-    }
-    if (k > 0 && last - first > 0.8 * before) {
+    if ((k > 0 || vary_less_than(tight, bracket.least_slope, bracket.greatest_slope)) &&
+        last - first > 0.8 * before) {
       break;
-    }
-    const double reach = std::nextafter(std::max(last - centre, centre - first), INFINITY);
-    const scalars::Jet<T, 1> around = df(as_variable(T::variable(centre, reach, 0)));
-    if (around.partials[0].over.is_nonzero()) {
-      slope = around.partials[0].over;
-      std::tie(bracket.least_slope, bracket.greatest_slope) = scalars::ends(slope);
-    }
-    bracket.steepest = hope_of(around.value, 1).steepest;
-    for (std::size_t i = 1; i < zero.slopes.size(); ++i) {
-      zero.slopes[i] = -around.value.slopes[i] / slope;
     }
   }
   zero.sharpen();
   const S range = scalars::around<S>(first, last);
   zero.over = scalars::is_narrower(range, zero.over) ? range : zero.over;
-  bracket.first = first;
-  bracket.last = last;
   return zero;
 }
 

@@ -101,8 +101,8 @@ using Shares = std::array<Bounds, 3>;  // of the box, each within [-1, 1]
 
 // The shares at which at + slopes · e vanishes; false when there are none. The slopes hold for all of the
 // box.
-template <class S>
-[[nodiscard]] bool shrink(const S& at, const std::array<S, 3>& slopes, Shares& e) {
+template <class S, class Slopes>
+[[nodiscard]] bool shrink(const S& at, const Slopes& slopes, Shares& e) {
   std::array<S, 3> share;
   S sum = at;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -16,6 +16,7 @@
 
 #include "core/sinc.hpp"
 #include "numeric/scalars/hardware_ball.hpp"
+#include "numeric/scalars/hardware_balls.hpp"
 
 namespace stickslip::numeric::scalars {
 
@@ -23,8 +24,9 @@ namespace stickslip::numeric::scalars {
 inline void add_magnitude(double& sum, const HardwareBall& x) {
   sum = (sum + std::abs(x.approximate()) + x.radius()) * (1 + 0x1p-50);
 }
+// What is not a number is as wide as can be.
 [[nodiscard]] inline bool is_narrower(const HardwareBall& a, const HardwareBall& b) {
-  return a.radius() < b.radius();
+  return a.radius() < b.radius() || std::isnan(b.radius());
 }
 [[nodiscard]] inline bool is_narrower(const Ball& a, const Ball& b) {
   return mag_cmp(arb_radref(a.raw()), arb_radref(b.raw())) < 0;
@@ -51,6 +53,10 @@ template <std::size_t N>
   return HardwareBall::within(sum);
 }
 template <std::size_t N>
+[[nodiscard]] HardwareBall sway(const HardwareBalls<N>& slopes) {
+  return HardwareBall::within(slopes.magnitude() * (1 + 0x1p-48));
+}
+template <std::size_t N>
 [[nodiscard]] Ball sway(const std::array<Ball, N>& slopes) {
   Ball sum(0);
   for (const Ball& slope : slopes) {
@@ -62,28 +68,78 @@ template <std::size_t N>
 
 // middle + sway(slopes).
 template <std::size_t N>
-[[nodiscard]] HardwareBall mean_value(const HardwareBall& middle, const std::array<HardwareBall, N>& slopes) {
-  double sum = middle.radius();
-  for (const HardwareBall& slope : slopes) {
-    sum += std::abs(slope.approximate()) + slope.radius();
-  }
-  return {middle.approximate(), sum * (1 + 0x1p-48)};
+[[nodiscard]] HardwareBall mean_value(const HardwareBall& middle, const HardwareBalls<N>& slopes) {
+  return {middle.approximate(), (middle.radius() + slopes.magnitude()) * (1 + 0x1p-48)};
 }
 template <std::size_t N>
 [[nodiscard]] Ball mean_value(const Ball& middle, const std::array<Ball, N>& slopes) {
   return middle + sway(slopes);
 }
 
-[[nodiscard]] inline Ball sum_of_products(const Ball& a, const Ball& x, const Ball& b, const Ball& y) {
-  return a * x + b * y;
+[[nodiscard]] inline Ball inverse(const Ball& x) {
+  return Ball(1) / x;
 }
 
-// The second derivative of sinc. It lies in [-1/3, 1/3], and so does the fourth in [-1/5, 1/5].
+// The same of slopes in Arb balls as of HardwareBalls; what is zero is skipped.
+[[nodiscard]] inline Ball sum_of_products(const Ball& a, const Ball& x, const Ball& b, const Ball& y) {
+  if (is_zero(x) || is_zero(y)) {
+    return is_zero(x) && is_zero(y) ? Ball(0) : is_zero(x) ? b * y : a * x;
+  }
+  return a * x + b * y;
+}
+template <std::size_t N>
+[[nodiscard]] std::array<Ball, N> sum_of_products(const Ball& a, std::array<Ball, N> x, const Ball& b,
+                                                  const std::array<Ball, N>& y) {
+  for (std::size_t i = 0; i < N; ++i) {
+    x[i] = sum_of_products(a, x[i], b, y[i]);
+  }
+  return x;
+}
+template <std::size_t N>
+[[nodiscard]] std::array<Ball, N> operator*(const Ball& a, std::array<Ball, N> x) {
+  for (Ball& slope : x) {
+    if (!is_zero(slope)) {
+      slope = a * slope;
+    }
+  }
+  return x;
+}
+template <std::size_t N>
+[[nodiscard]] std::array<Ball, N> operator+(std::array<Ball, N> x, const std::array<Ball, N>& y) {
+  for (std::size_t i = 0; i < N; ++i) {
+    x[i] += y[i];
+  }
+  return x;
+}
+template <std::size_t N>
+[[nodiscard]] std::array<Ball, N> operator-(std::array<Ball, N> x, const std::array<Ball, N>& y) {
+  for (std::size_t i = 0; i < N; ++i) {
+    x[i] -= y[i];
+  }
+  return x;
+}
+template <std::size_t N>
+[[nodiscard]] bool is_zero(const std::array<Ball, N>& slopes) {
+  return std::all_of(slopes.begin(), slopes.end(), [](const Ball& slope) { return is_zero(slope); });
+}
+
+// At two places at once, which costs hardware balls less where both have the same midpoint.
 template <class S>
-[[nodiscard]] S sinc_curvature(const S& x) {
+using Both = std::array<S, 2>;
+[[nodiscard]] inline Both<std::pair<Ball, Ball>> sin_cos(const Both<Ball>& x) {
+  return {sin_cos(x[0]), sin_cos(x[1])};
+}
+[[nodiscard]] inline Both<std::pair<Ball, Ball>> sinc_and_slope(const Both<Ball>& x) {
+  return {std::pair{sinc(x[0]), sinc_slope(x[0])}, {sinc(x[1]), sinc_slope(x[1])}};
+}
+
+// The second derivative of sinc, given sinc and the first. It lies in [-1/3, 1/3], and so does the fourth in
+// [-1/5, 1/5].
+template <class S>
+[[nodiscard]] S sinc_curvature(const S& x, const std::pair<S, S>& value_and_slope) {
   const S square = x * x;
   if (S(square - S(1)).is_positive()) {
-    return -sinc(x) - S(2) * sinc_slope(x) / x;
+    return -value_and_slope.first - S(2) * value_and_slope.second / x;
   }
   return S(-1) / S(3) + sway(std::array<S, 1>{S(square / S(10))});
 }
@@ -97,8 +153,17 @@ template <class S>
 }
 
 template <class S, int N>
+struct SlopesOf {
+  using type = std::array<S, static_cast<std::size_t>(N)>;
+};
+template <int N>
+struct SlopesOf<HardwareBall, N> {
+  using type = HardwareBalls<static_cast<std::size_t>(N)>;
+};
+
+template <class S, int N>
 struct Form {
-  using Slopes = std::array<S, static_cast<std::size_t>(N)>;
+  using Slopes = typename SlopesOf<S, N>::type;
 
   S at = S(0);    // where all variables are 0
   S over = S(0);  // everywhere
@@ -111,24 +176,14 @@ struct Form {
   // middle + radius e_i. Both are taken as they are: the caller sees to it that no member is missing.
   [[nodiscard]] static Form variable(double middle, double radius, int i) {
     Form x{S(middle)};
-    const S share(radius);
-    x.slopes[static_cast<std::size_t>(i)] = share;
+    x.slopes[static_cast<std::size_t>(i)] = S(radius);
     x.over = x.at + sway(x.slopes);
     return x;
   }
 
   // g(this) of which the value at the middle, the range, and the range of the derivative are known.
   [[nodiscard]] Form chain(S middle, S range, const S& slope) const {
-    Form result;
-    result.at = std::move(middle);
-    result.over = std::move(range);
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-      if (!is_zero(slopes[i])) {
-        result.slopes[i] = slope * slopes[i];
-      }
-    }
-    result.sharpen();
-    return result;
+    return {std::move(middle), std::move(range), slope * slopes};
   }
 
   // The values where all variables from the given one on run and those before are 0.
@@ -148,82 +203,44 @@ struct Form {
     }
   }
 
-  Form& operator+=(const Form& b) {
-    at += b.at;
-    over += b.over;
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-      if (!is_zero(b.slopes[i])) {
-        slopes[i] += b.slopes[i];
-      }
-    }
-    sharpen();
-    return *this;
-  }
-  Form& operator-=(const Form& b) {
-    at -= b.at;
-    over -= b.over;
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-      if (!is_zero(b.slopes[i])) {
-        slopes[i] -= b.slopes[i];
-      }
-    }
-    sharpen();
-    return *this;
-  }
+  Form& operator+=(const Form& b) { return *this = *this + b; }
+  Form& operator-=(const Form& b) { return *this = *this - b; }
   Form& operator*=(const Form& b) { return *this = *this * b; }
   Form& operator/=(const Form& b) { return *this = *this / b; }
-  friend Form operator+(Form a, const Form& b) { return a += b; }
-  friend Form operator-(Form a, const Form& b) { return a -= b; }
+  friend Form operator+(const Form& a, const Form& b) {
+    return {S(a.at + b.at), S(a.over + b.over), a.slopes + b.slopes};
+  }
+  friend Form operator-(const Form& a, const Form& b) {
+    return {S(a.at - b.at), S(a.over - b.over), a.slopes - b.slopes};
+  }
   friend Form operator*(const Form& a, const Form& b) {
-    Form result;
-    result.at = a.at * b.at;
-    result.over = a.over * b.over;
-    for (std::size_t i = 0; i < result.slopes.size(); ++i) {
-      if (is_zero(b.slopes[i])) {
-        if (!is_zero(a.slopes[i])) {
-          result.slopes[i] = b.over * a.slopes[i];
-        }
-      } else if (is_zero(a.slopes[i])) {
-        result.slopes[i] = a.over * b.slopes[i];
-      } else {
-        result.slopes[i] = sum_of_products(a.over, b.slopes[i], b.over, a.slopes[i]);
-      }
-    }
-    result.sharpen();
-    return result;
+    return {S(a.at * b.at), S(a.over * b.over), sum_of_products(a.over, b.slopes, b.over, a.slopes)};
   }
   friend Form operator/(const Form& a, const Form& b) {
-    const S inverse = S(1) / b.over;
-    if (std::all_of(b.slopes.begin(), b.slopes.end(), [](const S& slope) { return is_zero(slope); })) {
-      return a.chain(a.at * inverse, a.over * inverse, inverse);  // a constant
+    const S inverse = stickslip::numeric::scalars::inverse(b.over);
+    if (is_zero(b.slopes)) {
+      return a.chain(a.at * inverse, a.over * inverse, inverse);
     }
-    Form result;
-    result.at = a.at / b.at;
-    result.over = a.over / b.over;
-    for (std::size_t i = 0; i < result.slopes.size(); ++i) {
-      if (!is_zero(b.slopes[i])) {
-        result.slopes[i] = (a.slopes[i] - result.over * b.slopes[i]) * inverse;
-      } else if (!is_zero(a.slopes[i])) {
-        result.slopes[i] = a.slopes[i] * inverse;
-      }
-    }
-    result.sharpen();
-    return result;
+    const S over = a.over / b.over;
+    return {S(a.at / b.at), over, sum_of_products(inverse, a.slopes, S(-over * inverse), b.slopes)};
   }
   friend Form operator-(const Form& a) { return a.chain(-a.at, -a.over, S(-1)); }
   friend Form operator+(const Form& a) { return a; }
 
   friend std::pair<Form, Form> sin_cos(const Form& a) {
-    const std::pair<S, S> middle = sin_cos(a.at);
-    const std::pair<S, S> range = sin_cos(a.over);
+    const auto [middle, range] = sin_cos(Both<S>{a.at, a.over});
     return {a.chain(middle.first, range.first, range.second),
-            a.chain(middle.second, range.second, -range.first)};
+            a.chain(middle.second, range.second, S(-range.first))};
   }
   friend Form sin(const Form& a) { return sin_cos(a).first; }
   friend Form cos(const Form& a) { return sin_cos(a).second; }
-  friend Form sinc(const Form& a) { return a.chain(sinc(a.at), sinc(a.over), sinc_slope(a.over)); }
+  friend Form sinc(const Form& a) {
+    const auto [middle, range] = sinc_and_slope(Both<S>{a.at, a.over});
+    return a.chain(middle.first, range.first, range.second);
+  }
   friend Form sinc_slope(const Form& a) {
-    return a.chain(sinc_slope(a.at), sinc_slope(a.over), sinc_curvature(a.over));
+    const auto [middle, range] = sinc_and_slope(Both<S>{a.at, a.over});
+    return a.chain(middle.second, range.second, sinc_curvature(a.over, range));
   }
   // Whether it is zero everywhere: then products with it need not be computed.
   friend bool is_zero(const Form& a) { return is_zero(a.over); }
@@ -235,6 +252,10 @@ struct Form {
   }
 
  private:
+  Form(S middle, S range, Slopes all)
+      : at(std::move(middle)), over(std::move(range)), slopes(std::move(all)) {
+    sharpen();
+  }
   [[nodiscard]] static Slopes none() {
     Slopes zeros;
     zeros.fill(S(0));

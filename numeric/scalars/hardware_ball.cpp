@@ -1,7 +1,8 @@
 #include "numeric/scalars/hardware_ball.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <cstdint>
 
 namespace stickslip::numeric::scalars {
 namespace {
@@ -17,14 +18,12 @@ constexpr double half_pi_1 = 0x1.921fb544p+0;
 constexpr double half_pi_2 = 0x1.0b4611a6p-34;
 constexpr double half_pi_3 = 0x1.3198a2e037073p-69;
 
-// sum of c[k] q^k.
-template <std::size_t N>
-double polynomial(const std::array<double, N>& c, double q) {
-  double sum = c[N - 1];
-  for (std::size_t k = N - 1; k-- > 0;) {
-    sum = c[k] + q * sum;
-  }
-  return sum;
+// sum of c[k] q^k: not Horner's scheme, so that what does not depend on each other is computed at once.
+double polynomial(const std::array<double, 8>& c, double q) {
+  const double q2 = q * q;
+  const double low = (c[0] + c[1] * q) + (c[2] + c[3] * q) * q2;
+  const double high = (c[4] + c[5] * q) + (c[6] + c[7] * q) * q2;
+  return low + high * (q2 * q2);
 }
 
 // Taylor's polynomials for |x| < 0.8, where the first term left out is below 2^-58: (sinc x - 1)/x² and (cos
@@ -49,20 +48,19 @@ double small_cosine(double x) {
 
 // (sin x, cos x) off by at most `error`, for |x| <= largest_argument.
 std::pair<double, double> at_point(double x) {
-  const double turns = std::nearbyint(x * 0x1.45f306dc9c883p-1);
+  // Next to `shift` doubles are whole numbers, of which the last bits are those of the nearest to x/(pi/2).
+  constexpr double shift = 0x1.8p52;
+  const double shifted = x * 0x1.45f306dc9c883p-1 + shift;
+  const double turns = shifted - shift;
   const double r = ((x - turns * half_pi_1) - turns * half_pi_2) - turns * half_pi_3;
   const double s = small_sine(r);
   const double c = small_cosine(r);
-  switch (static_cast<long>(turns) & 3) {
-    case 0:
-      return {s, c};
-    case 1:
-      return {c, -s};
-    case 2:
-      return {-s, -c};
-    default:
-      return {-c, s};
-  }
+  const auto quadrant = std::bit_cast<std::uint64_t>(shifted);
+  const auto with_sign = [](double value, std::uint64_t is_negative) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) ^ (is_negative << 63U));
+  };
+  const bool odd = (quadrant & 1U) != 0;
+  return {with_sign(odd ? c : s, quadrant >> 1U & 1U), with_sign(odd ? s : c, (quadrant + 1) >> 1U & 1U)};
 }
 
 // f(m ± r) for f with |f'(m)| <= slope up to `error`, |f''| <= curvature, both at most 1.
@@ -85,6 +83,17 @@ std::pair<double, double> sinc_at_point(double x) {
   const double inverse = 1 / x;
   const double value = s * inverse;
   return {value, (c - value) * inverse};
+}
+
+std::pair<HardwareBall, HardwareBall> sin_cos_around(const std::pair<double, double>& at, double r) {
+  return {around(at.first, at.second, 1, r), around(at.second, at.first, 1, r)};
+}
+
+// |d^k sinc| <= 1/(k + 1), for sinc(x) is the mean of cos(x t) over 0 < t < 1.
+std::pair<HardwareBall, HardwareBall> sinc_around(const std::pair<double, double>& at, double r) {
+  const auto& [value, slope] = at;
+  return {around(value, std::abs(slope) + 8 * error, 1.0 / 3 + error, r) + HardwareBall(0, 4 * error),
+          HardwareBall(slope, 8 * error) + HardwareBall(0, (1.0 / 3 + error) * r)};
 }
 
 }  // namespace
@@ -115,28 +124,29 @@ Ball HardwareBall::ball() const {
 }
 
 std::pair<HardwareBall, HardwareBall> sin_cos(const HardwareBall& x) {
-  if (!is_reducible(x)) {
-    return {{0, 1}, {0, 1}};
-  }
-  const auto [s, c] = at_point(x.approximate());
-  return {around(s, c, 1, x.radius()), around(c, s, 1, x.radius())};
+  return is_reducible(x) ? sin_cos_around(at_point(x.approximate()), x.radius())
+                         : std::pair<HardwareBall, HardwareBall>{{0, 1}, {0, 1}};
 }
 
-// |d^k sinc| <= 1/(k + 1), for sinc(x) is the mean of cos(x t) over 0 < t < 1.
-HardwareBall sinc(const HardwareBall& x) {
-  if (!is_reducible(x)) {
-    return {0, 1};
+std::array<std::pair<HardwareBall, HardwareBall>, 2> sin_cos(const std::array<HardwareBall, 2>& x) {
+  if (x[0].approximate() != x[1].approximate() || !is_reducible(x[0]) || !is_reducible(x[1])) {
+    return {sin_cos(x[0]), sin_cos(x[1])};
   }
-  const auto [value, slope] = sinc_at_point(x.approximate());
-  HardwareBall result = around(value, std::abs(slope) + 8 * error, 1.0 / 3 + error, x.radius());
-  return result + HardwareBall(0, 4 * error);
+  const auto at = at_point(x[0].approximate());
+  return {sin_cos_around(at, x[0].radius()), sin_cos_around(at, x[1].radius())};
 }
-HardwareBall sinc_slope(const HardwareBall& x) {
-  if (!is_reducible(x)) {
-    return {0, 0.5};
+
+std::pair<HardwareBall, HardwareBall> sinc_and_slope(const HardwareBall& x) {
+  return is_reducible(x) ? sinc_around(sinc_at_point(x.approximate()), x.radius())
+                         : std::pair<HardwareBall, HardwareBall>{{0, 1}, {0, 0.5}};
+}
+
+std::array<std::pair<HardwareBall, HardwareBall>, 2> sinc_and_slope(const std::array<HardwareBall, 2>& x) {
+  if (x[0].approximate() != x[1].approximate() || !is_reducible(x[0]) || !is_reducible(x[1])) {
+    return {sinc_and_slope(x[0]), sinc_and_slope(x[1])};
   }
-  const double slope = sinc_at_point(x.approximate()).second;
-  return HardwareBall(slope, 8 * error) + HardwareBall(0, (1.0 / 3 + error) * x.radius());
+  const auto at = sinc_at_point(x[0].approximate());
+  return {sinc_around(at, x[0].radius()), sinc_around(at, x[1].radius())};
 }
 
 // |√x - √m| = |x - m|/(√x + √m), largest for the least x; std::sqrt rounds to nearest.

@@ -7,7 +7,10 @@
 // infinite, contains everything and decides nothing. Assumes IEEE arithmetic rounded to nearest.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -103,14 +106,32 @@ class HardwareBall {
   const double rounding = (std::abs(ax) + std::abs(by) + std::abs(mid)) * 0x1p-53 + 0x1p-998;
   return {mid, (spread + rounding) * (1 + 0x1p-48)};
 }
+// 1/x; exact for a power of two.
+[[nodiscard]] inline HardwareBall inverse(const HardwareBall& x) {
+  constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1;
+  const double size = std::abs(x.approximate());
+  const bool is_exact = x.radius() == 0 && size > 0x1p-1000 && size < 0x1p1000 &&
+                        (std::bit_cast<std::uint64_t>(size) & fraction) == 0;
+  return is_exact ? HardwareBall(1 / x.approximate()) : HardwareBall(1) / x;
+}
 inline void add_product(HardwareBall& sum, const HardwareBall& a, const HardwareBall& b) {
   sum += a * b;
 }
 
 // (sin x, cos x), sin(x)/x and the derivative of that, for all members of x.
 [[nodiscard]] std::pair<HardwareBall, HardwareBall> sin_cos(const HardwareBall& x);
-[[nodiscard]] HardwareBall sinc(const HardwareBall& x);
-[[nodiscard]] HardwareBall sinc_slope(const HardwareBall& x);
+[[nodiscard]] std::pair<HardwareBall, HardwareBall> sinc_and_slope(const HardwareBall& x);
+// The same of two balls, which costs less where both have the same midpoint.
+[[nodiscard]] std::array<std::pair<HardwareBall, HardwareBall>, 2> sin_cos(
+    const std::array<HardwareBall, 2>& x);
+[[nodiscard]] std::array<std::pair<HardwareBall, HardwareBall>, 2> sinc_and_slope(
+    const std::array<HardwareBall, 2>& x);
+[[nodiscard]] inline HardwareBall sinc(const HardwareBall& x) {
+  return sinc_and_slope(x).first;
+}
+[[nodiscard]] inline HardwareBall sinc_slope(const HardwareBall& x) {
+  return sinc_and_slope(x).second;
+}
 // Of a ball that reaches below zero: everything.
 [[nodiscard]] HardwareBall sqrt(const HardwareBall& x);
 [[nodiscard]] inline HardwareBall sin(const HardwareBall& x) {
@@ -123,13 +144,16 @@ inline void add_product(HardwareBall& sum, const HardwareBall& a, const Hardware
 // A ball that contains every common member; nothing when there is none.
 [[nodiscard]] std::optional<HardwareBall> intersection(const HardwareBall& a, const HardwareBall& b);
 
+// GMP's double lies less than a place from the number; small whole numbers are exact.
 template <>
 [[nodiscard]] inline HardwareBall scalar<HardwareBall>(const Rational& value) {
-  return HardwareBall(Ball(value));
+  const double near = value.get_d();
+  const bool is_exact = value.get_den() == 1 && std::abs(near) < 0x1p53;
+  return {near, is_exact ? 0 : std::abs(near) * 0x1p-52 + 0x1p-1000};
 }
 template <>
 [[nodiscard]] inline HardwareBall pi<HardwareBall>() {
-  return HardwareBall(Ball::pi());
+  return {0x1.921fb54442d18p+1, 0x1p-52};
 }
 
 }  // namespace stickslip::numeric::scalars

@@ -7,6 +7,7 @@
 #include "core/decimal.hpp"
 #include "numeric/atlas/cover.hpp"
 #include "numeric/atlas/judge.hpp"
+#include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/overshooting_orbit.hpp"
 #include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/work.hpp"
@@ -354,6 +355,21 @@ TEST_CASE(
   }
   CHECK(decide(0.6, 0.5) == Truth::undecided);  // omega2 - omega1 = 2 omega, tau = Theta/2
   CHECK(decide(0.61, 0.5) == Truth::proved);
+}
+
+TEST_CASE("The forms of a box contain its ends") {
+  using T = Form<HardwareBall, 3>;
+  const Rational third(1, 3);
+  const Rational tiny = Rational(1, 1UL << 40U) / 3;
+  for (const Interval& side :
+       {Interval{third, third + tiny}, Interval{Rational(0), tiny}, Interval{-third, third},
+        Interval{Rational(-2) / 7, Rational(-2) / 7 + Rational(1, 1000)}}) {
+    const Box box{interval("0.5"), interval("3.8"), interval("0.02"), interval("1"), side, interval("0.1")};
+    const Ball omega = forms_of<T, HardwareBall>(box).parameters.omega.over.ball();
+    CHECK(omega.contains(side.lower));
+    CHECK(omega.contains(side.upper));
+    CHECK(forms_of<T, HardwareBall>(box).parameters.p.at.ball().contains(box[place_of_p].lower));
+  }
 }
 
 // Every formula over forms contains its values at points of the box.

@@ -1,6 +1,8 @@
 // Hardware balls contain what Arb's contain of the same members, and lose little.
 #include "numeric/scalars/hardware_ball.hpp"
 
+#include "numeric/scalars/hardware_balls.hpp"
+
 #include <doctest/doctest.h>
 
 #include "core/sinc.hpp"
@@ -75,6 +77,84 @@ TEST_CASE("every operation contains the exact result for every member") {
     }
     CHECK((a.member.is_nonzero() || !a.ball.is_nonzero()));
   }
+}
+
+TEST_CASE("several at once contain what each of them has to, and what is zero stays zero") {
+  const RandomData random;
+  INFO("STICKSLIP_SEED=", random.seed());
+  Draw draw(random.seed() + 1);
+  for (int i = 0; i < rounds; ++i) {
+    const int size = i % 3 == 0 ? 300 : 12;
+    const Drawn a = draw(size), b = draw(12);
+    std::array<Drawn, 5> x, y;
+    HardwareBalls<5> X, Y;
+    for (std::size_t k = 0; k < 5; ++k) {
+      x[k] = draw(size);
+      y[k] = draw(i % 5 == 0 ? 300 : 12);
+      if (k == 3) {
+        x[k] = y[k] = {{0, 0}, Ball(0)};
+      }
+      X[k] = x[k].ball;
+      Y[k] = y[k].ball;
+    }
+    const WorkingPrecision scope(1200);
+    const HardwareBalls<5> sum = X + Y, difference = X - Y, negative = -X, product = a.ball * X,
+                           products = sum_of_products(a.ball, X, b.ball, Y);
+    Ball magnitude(0);
+    for (std::size_t k = 0; k < 5; ++k) {
+      CAPTURE(k);
+      CHECK(holds(sum[k], x[k].member + y[k].member));
+      CHECK(holds(difference[k], x[k].member - y[k].member));
+      CHECK(holds(negative[k], -x[k].member));
+      CHECK(holds(product[k], a.member * x[k].member));
+      CHECK(holds(products[k], a.member * x[k].member + b.member * y[k].member));
+      magnitude += abs(x[k].member);
+    }
+    CHECK_FALSE((Ball(X.magnitude() * (1 + 0x1p-48)) - magnitude).is_negative());
+    for (const HardwareBalls<5>& zero : {sum, difference, product, products}) {
+      CHECK(is_zero(zero[3]));
+    }
+    const HardwareBalls<5> unknown = HardwareBall::everything() * X;
+    for (std::size_t k = 0; k < 5; ++k) {
+      CHECK_FALSE(unknown[k].is_nonzero());
+    }
+  }
+  CHECK(is_zero(HardwareBalls<3>()));
+}
+
+TEST_CASE("two places at once, exact numbers and inverses") {
+  const RandomData random;
+  INFO("STICKSLIP_SEED=", random.seed());
+  Draw draw(random.seed() + 2);
+  for (int i = 0; i < rounds; ++i) {
+    const Drawn a = draw(18);
+    Drawn b = draw(18);
+    if (i % 2 == 0) {
+      b = {{a.ball.approximate(), a.ball.radius() / 2},
+           Ball(a.ball.approximate()) - Ball(a.ball.radius() / 2)};
+    }
+    const WorkingPrecision scope(1200);
+    const auto sines = sin_cos(std::array{a.ball, b.ball});
+    const auto sincs = sinc_and_slope(std::array{a.ball, b.ball});
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Ball& x = (k == 0 ? a : b).member;
+      CHECK(holds(sines[k].first, sin(x)));
+      CHECK(holds(sines[k].second, cos(x)));
+      CHECK(holds(sincs[k].first, sinc(x)));
+      CHECK(holds(sincs[k].second, sinc_slope(x)));
+    }
+    if (!a.member.contains_zero()) {
+      CHECK(holds(inverse(a.ball), Ball(1) / a.member));
+    }
+    const Rational exact = Rational(static_cast<long>(draw.share() * 1e6), 1 + i);
+    CHECK(holds(scalar<HardwareBall>(exact), Ball(exact)));
+    CHECK(holds(scalar<HardwareBall>(Rational(i, 1 << 20)), Ball(Rational(i, 1 << 20))));
+  }
+  const WorkingPrecision scope(200);
+  CHECK(holds(pi<HardwareBall>(), Ball::pi()));
+  CHECK(inverse(HardwareBall(-8)).radius() == 0);
+  CHECK(inverse(HardwareBall(3)).radius() > 0);
+  CHECK(scalar<HardwareBall>(Rational(-7)).radius() == 0);
 }
 
 TEST_CASE("what is not a number decides nothing") {
