@@ -64,6 +64,15 @@ Path followed(const char * from, const char * to, const char * value, double x, 
   return follow(curve, parse_rational(value), start.point, direction);
 }
 
+// a = V/(omega - 1), and a number b = 1000 V (omega - 1) that grows where a becomes smaller.
+struct Exchange : OneLength<Hyperbola> {
+  template <class T>
+  [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
+    const T w = p(4) - T(1);
+    return zeros::VectorOf<T>{{T(x(0) * w - p(3)), T(x(1) - T(1000) * p(3) * w)}};
+  }
+};
+
 }  // namespace
 
 TEST_CASE("x = V/(omega - 1) leaves for infinity at omega = 1, from both sides") {
@@ -84,15 +93,6 @@ TEST_CASE("a motion that is large and becomes smaller is not on its way to infin
     CHECK(!path.limit);
   }
 }
-
-// a = V/(omega - 1), and a number b = 1000 V (omega - 1) that grows where a becomes smaller.
-struct Exchange : OneLength<Hyperbola> {
-  template <class T>
-  [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    const T w = p(4) - T(1);
-    return zeros::VectorOf<T>{{T(x(0) * w - p(3)), T(x(1) - T(1000) * p(3) * w)}};
-  }
-};
 
 TEST_CASE("what grows has to be the length that is infinite in the end") {
   const Rational value = parse_rational("1.01");
