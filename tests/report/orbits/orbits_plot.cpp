@@ -84,7 +84,9 @@ TEST_CASE("what cannot be drawn is an error, and leaves no file") {
   CHECK_THROWS_AS((void)report::tools::gnuplot("nonsense"), InputOutputError);
   CHECK_THROWS_AS(report::tools::write_plot(temporary.path() / "a.svg", "nonsense"), InputOutputError);
   CHECK_THROWS_AS(report::tools::require_plot(temporary.path() / "missing" / "a.svg"), InputOutputError);
-  CHECK_THROWS_AS(report::tools::require_plot(temporary.path()), InputOutputError);
+  std::filesystem::create_directory(temporary.path() / "directory.svg");
+  CHECK_THROWS_AS(report::tools::require_plot(temporary.path() / "directory.svg"), InputOutputError);
+  CHECK_THROWS_AS(report::tools::require_plot(temporary.path()), UsageError);
   CHECK_THROWS_AS((void)report::tools::plot_format("a.png"), UsageError);
-  CHECK(temporary.count() == 0);
+  CHECK(temporary.count() == 1);
 }
