@@ -67,7 +67,8 @@ void Script::add(const std::string& name, const Theorem& theorem, const std::str
 // Puts the lemmas that it needs before it.
 void Script::state(const std::string& word, const Lemma& name, const Theorem& theorem) {
   Lemma lemma = name;
-  lemma.stated = stated(theorem);
+  lemma.stated = word == "Lemma" ? stated(theorem, [&](const Formula& formula) { return said(formula); })
+                                 : stated(theorem);
   collect_definitions(theorem, definitions_);
   Scope scope{.hypotheses = {}, .variables = {}};
   std::string names;
@@ -132,6 +133,25 @@ std::string Script::hypothesis(const Formula& formula, const Scope& scope) const
   return found->second;
 }
 
+std::string Script::said(const Formula& formula) {
+  const std::string text = coq_premise(formula);
+  if (formula.kind() != Kind::conjunction || text.size() < 300) {
+    return text;
+  }
+  const std::vector<Variable> variables(formula.variables().begin(), formula.variables().end());
+  const auto [name, is_new] = names_.emplace(formula, "");
+  if (is_new) {
+    name->second = fresh(file_ + "_said");
+    text_ += fmt::format("Definition {}{} : Prop :=\n  {}.\n\n", name->second,
+                         variables.empty() ? "" : " " + binders(variables), text);
+  }
+  std::string call = name->second;
+  for (const Variable& variable : variables) {
+    call += " " + identifier(variable.name);
+  }
+  return call;
+}
+
 std::string Script::term(const Theorem& theorem, const Scope& scope) {
   const std::string& rule = theorem.derivation().rule;
   const bool once = uses_[&theorem.derivation()] <= 1 && is_a_term(rule) && rule != "replace";
@@ -161,7 +181,7 @@ std::string Script::inlined(const Theorem& theorem, const Scope& scope) {
   }
   if (step.rule == "discharge") {
     const std::string name = fresh("by");
-    return fmt::format("(fun {} : {} => {})", name, coq(within_scope(step.data[0], scope.variables)),
+    return fmt::format("(fun {} : {} => {})", name, said(within_scope(step.data[0], scope.variables)),
                        term(step.premises[0], with(step.data[0], name)));
   }
   if (step.rule == "cut") {

@@ -61,6 +61,9 @@ class Script {
   [[nodiscard]] std::string term(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string inlined(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string hypothesis(const kernel::Formula& formula, const Scope& scope) const;
+  // What the formula says: a long conjunction under a name of its own, so that Coq reads it once, however
+  // many steps assume it.
+  [[nodiscard]] std::string said(const kernel::Formula& formula);
   // A proof as tactics, of the last step.
   [[nodiscard]] std::string tactics(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string combination(const kernel::Theorem& theorem, const Scope& scope);
@@ -86,6 +89,7 @@ class Script {
   std::string text_;
   std::vector<kernel::Definition> definitions_;
   std::map<const kernel::Step *, int> uses_;
+  std::map<kernel::Formula, std::string> names_;  // of long conjunctions
   std::string file_;
   Library& library_;
   std::set<std::string> imports_;

@@ -36,7 +36,7 @@ std::string place_text(const std::string& place) {
 
 }  // namespace
 
-Stated stated(const Theorem& theorem) {
+Stated stated(const Theorem& theorem, const std::function<std::string(const Formula&)>& premise) {
   Stated result{
       .variables = {}, .hypotheses = {theorem.hypotheses().begin(), theorem.hypotheses().end()}, .text = {}};
   Variables variables = theorem.conclusion().variables();
@@ -52,7 +52,7 @@ Stated stated(const Theorem& theorem) {
     result.text = fmt::format("  forall {},\n", binders(result.variables));
   }
   for (const Formula& hypothesis : result.hypotheses) {
-    result.text += fmt::format("  {} ->\n", coq_premise(hypothesis));
+    result.text += fmt::format("  {} ->\n", premise ? premise(hypothesis) : coq_premise(hypothesis));
   }
   result.text += "  " + coq_statement(theorem.conclusion());
   return result;

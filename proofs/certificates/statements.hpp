@@ -1,6 +1,7 @@
 // What Coq is told to be so, apart from why: the theorems of a claim under their names.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ struct Stated {
   std::vector<kernel::Formula> hypotheses;
   std::string text;  // "  forall (x : R),\n  0 < x ->\n  …": the sequent in full
 };
-[[nodiscard]] Stated stated(const kernel::Theorem& theorem);
+// Each hypothesis as `premise` says it, in full unless told otherwise.
+[[nodiscard]] Stated stated(const kernel::Theorem& theorem,
+                            const std::function<std::string(const kernel::Formula&)>& premise = {});
 
 // All definitions that it speaks of, each after those it needs, added to those found before. Throws
 // KernelError if a variable would hide one of them.
