@@ -121,7 +121,7 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
   const fs::path record = record_of(options);
   if (options.with_out) {
     report::tools::require_writable(options.out);
-    report::orbits::require_page_tools(true);
+    report::orbits::require_page_tools();
   }
   std::future<report::audit::Figures> drawn;
   if (options.with_out || options.json) {

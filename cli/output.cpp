@@ -100,7 +100,7 @@ std::string report_line(const std::string& directory, const std::string& name,
 
 void require_page(const std::string& directory) {
   report::tools::require_writable(directory);
-  report::orbits::require_page_tools(false);
+  report::orbits::require_page_tools();
 }
 
 report::tools::Style terminal_style() {

@@ -5,9 +5,9 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "numeric/families/family.hpp"
-#include "report/audit/graph.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/page_data.hpp"
+#include "report/audit/uses.hpp"
 #include "report/audit/write_report.hpp"
 #include "report/orbits/orbit_data.hpp"
 #include "report/orbits/orbit_words.hpp"
@@ -132,7 +132,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
                             figures.examples, gate, certificates);
   Report report{{{"audit.json", to_text(json)}}, {}};
   Json data = page_data(paper, audit, json);
-  data["drawn_by"] = drawn_by(true);
+  data["drawn_by"] = drawn_by();
   data["precision"] = digits_in_words(OrbitQuestion{}.digits);
   data["meaning_of_margin"] = meaning_of_margin();
   data["meaning_of_units"] = meaning_of_units();
@@ -142,8 +142,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
     data["examples"].push_back(example_data(e));
   }
   append(report.files, figures.pictures);
-  data["graph"] = uses_of_places(paper, audit);
-  data["graph"]["svg"] = graph_svg(data.at("graph"));
+  data["uses"] = uses_of_places(paper, audit);
   data["page_title"] = "The orbits of the paper’s figures";
   data["lists"] = data.at("examples");
   add_paper_and_pages(report, "audit", std::move(data), [&](const Json& complete) {
@@ -163,7 +162,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
 std::string write_report(const Paper& paper, const proofs::methods::Audit& audit,
                          const std::filesystem::path& directory, const std::string& command) {
   require_writable(directory);
-  require_page_tools(true);
+  require_page_tools();
   const Report made = pages(paper, audit, figures_of(paper, true), {}, {}, command);
   write_files(directory, made.files);
   return made.note;
@@ -193,7 +192,7 @@ Report pages(const OrbitList& list) {
   const Json json = orbits::to_json(list);
   Report report{{{"orbits.json", to_text(json)}}, {}};
   Json data = provenance(command_of(list.question));
-  data["drawn_by"] = drawn_by(false);
+  data["drawn_by"] = drawn_by();
   data["precision"] = digits_in_words(list.question.digits);
   std::vector<File> drawn = pictures(list, "figure");
   data["lists"] = Json::array();

@@ -13,7 +13,7 @@ namespace stickslip::report::audit {
 // there is TeX, audit.pdf; of a paper with examples the orbits at their data, listed anew, in orbits.html.
 // `command` is what the report says that it was made by. Returns a sentence about what could not be made;
 // empty if everything was. Throws InputOutputError if the directory cannot be written to, or if KaTeX,
-// Graphviz or gnuplot is missing or fails; then nothing is half-written.
+// gnuplot is missing or fails; then nothing is half-written.
 std::string write_report(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                          const std::filesystem::path& directory, const std::string& command);
 

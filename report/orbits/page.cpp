@@ -24,7 +24,7 @@ Json page_data(const PageFrame& frame, const std::string& title, const std::stri
                const std::string& precision) {
   Json data = provenance(command);
   data["page_title"] = title;
-  data["drawn_by"] = drawn_by(false);
+  data["drawn_by"] = drawn_by();
   data["precision"] = precision;
   data["tables"] = Json::array();
   if (frame.machine) {

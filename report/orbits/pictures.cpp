@@ -1,7 +1,6 @@
 #include "report/orbits/pictures.hpp"
 
 #include "report/orbits/orbits_plot.hpp"
-#include "report/tools/graphviz.hpp"
 #include "report/tools/katex.hpp"
 #include "report/tools/plot.hpp"
 
@@ -46,20 +45,13 @@ std::vector<File> pictures(const OrbitList& list, const std::string& stem, std::
                   stem);
 }
 
-void require_page_tools(bool with_graph) {
+void require_page_tools() {
   require_katex();
   require_gnuplot();
-  if (with_graph) {
-    require_graphviz();
-  }
 }
 
-Json drawn_by(bool with_graph) {
-  Json programs = {{{"name", "gnuplot"}, {"version", gnuplot_version()}}};
-  if (with_graph) {
-    programs.push_back({{"name", "Graphviz"}, {"version", graphviz_version()}});
-  }
-  return programs;
+Json drawn_by() {
+  return {{{"name", "gnuplot"}, {"version", gnuplot_version()}}};
 }
 
 }  // namespace stickslip::report::orbits

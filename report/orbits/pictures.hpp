@@ -27,10 +27,10 @@ using ScriptOf = std::function<std::string(tools::PlotFormat, tools::PlotShape)>
                                                 std::optional<std::size_t> only = std::nullopt);
 
 // Throws InputOutputError naming the program unless everything that pages are made with is there: Node.js
-// with KaTeX, gnuplot and, if asked for, Graphviz. Called before long work whose result is a page.
-void require_page_tools(bool with_graph);
+// with KaTeX, and gnuplot. Called before long work whose result is a page.
+void require_page_tools();
 
 // The programs that draw: [{"name", "version"}].
-[[nodiscard]] tools::Json drawn_by(bool with_graph);
+[[nodiscard]] tools::Json drawn_by();
 
 }  // namespace stickslip::report::orbits

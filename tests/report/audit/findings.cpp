@@ -4,8 +4,8 @@
 
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
-#include "report/audit/graph.hpp"
 #include "report/audit/summary.hpp"
+#include "report/audit/uses.hpp"
 #include "tests/report/audit/sample.hpp"
 
 using namespace stickslip;
@@ -103,17 +103,25 @@ TEST_CASE("the same hypothesis brought in twice is one group") {
   CHECK(groups[0].inherited_by.empty());
 }
 
-TEST_CASE("the graph has an arrow from a place to each that uses claims of it, once, with their number") {
+TEST_CASE("a part says of each place how many of its claims the proofs of the part use, not of its own") {
   Audit audit = sample_audit();
   audit.records[5].outcome.uses = {"2", "5", "5.where", "44"};  // 17 and 44 are of A2
-  const std::string script = graph_script(uses_of_places(sample_paper(), audit));
-  const auto has = [&](const std::string& part) { return script.find(part) != std::string::npos; };
-  CHECK(has("\"sec2\" -> \"sec3\" [penwidth=1.00]"));
-  CHECK(has("\"sec3\" -> \"A2\" [penwidth=1.17]"));  // two claims: 5.where, and 5 by 17 and by the corrected
-                                                     // form of 44
-  CHECK_FALSE(has("\"A2\" -> \"A2\""));
-  CHECK_FALSE(has("-> \"sec2\""));
-  CHECK(has("2 claims\\n"));
+  const tools::Json parts = uses_of_places(sample_paper(), audit).at("parts");
+  const auto row = [&](const std::string& id) {
+    const auto is_it = [&](const tools::Json& part) { return part.at("id") == id; };
+    std::map<std::string, std::pair<std::string, int>> counts;
+    for (const tools::Json& cell : std::find_if(parts.begin(), parts.end(), is_it)->at("row")) {
+      counts[cell.at("short")] = {cell.at("count"), cell.at("weight")};
+    }
+    return counts;
+  };
+  CHECK(row("sec3").at("Section 2") == std::pair<std::string, int>{"1", 1});
+  // 5.where, and 5 by 17 and by the corrected form of 44.
+  CHECK(row("A2").at("Section 3") == std::pair<std::string, int>{"2", 2});
+  CHECK(row("A2").at("A2") == std::pair<std::string, int>{"", 0});
+  for (const auto& [place, cell] : row("sec2")) {
+    CHECK(cell.first.empty());
+  }
 }
 
 TEST_CASE("the orbit of a figure is the one with the printed numbers") {
