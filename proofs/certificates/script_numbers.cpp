@@ -249,7 +249,7 @@ std::string Script::one_zero(const Theorem& theorem) {
       in_units(spreads), all_letters, places);
   text_ += bounds;
   text_ += fmt::format(
-      "Lemma {0}_slope : slopes {1} {0}_f {0}_J.\nProof. intros i I y d t. each_row. all: cbv [{0}_f "
+      "Lemma {0}_slope : slopes {1} {0}_f {0}_J.\nProof. intros i I z d t D. each_row. all: cbv [{0}_f "
       "{0}_rows {0}_J "
       "nth rsum]; by_derivative. Qed.\n"
       "Lemma {0}_near x : inbox {1} (fun i => nth i {0}_c 0) {2} x ->\n  near {1} {3}%Z {0}_J {0}_M {0}_W "

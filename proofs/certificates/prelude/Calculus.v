@@ -96,6 +96,7 @@ Ltac derive :=
   | |- derivative (fun t => sin (@?f t)) _ _ => eapply (d_sin f); derive
   | |- derivative (fun t => / @?f t) _ _ => eapply (d_inv f); [derive | cbv beta; nonzero]
   | |- derivative (fun t => @?f t ^ ?n) _ _ => eapply (d_pow f n); derive
+  | D : forall j, derivative (?z j) ?p _ |- derivative (fun t => ?z ?k t) ?p _ => exact (D k)
   | |- derivative (fun t => ?x (@?u t)) _ _ => eapply (d_comp x u); [cbv beta; eassumption | derive]
   | _ => eassumption
   end.

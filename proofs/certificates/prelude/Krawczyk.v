@@ -383,10 +383,11 @@ Qed.
 
 (* ---- the test, for functions written as lists *)
 
+(* Along any curve z. *)
 Definition slopes (n : nat) (f : (nat -> R) -> list R) (J : (nat -> R) -> list (list R)) : Prop :=
-  forall i, (i < n)%nat -> forall y d t,
-    derivative (fun u : R => nth i (f (fun j => y j + u * d j)) 0) t
-      (rsum n (fun j => nth j (nth i (J (fun j => y j + t * d j)) nil) 0 * d j)).
+  forall i, (i < n)%nat -> forall (z : nat -> R -> R) d t, (forall j, derivative (z j) t (d j)) ->
+    derivative (fun u : R => nth i (f (fun j => z j u)) 0) t
+      (rsum n (fun j => nth j (nth i (J (fun j => z j t)) nil) 0 * d j)).
 Definition near (n : nat) (s : Z) (J : (nat -> R) -> list (list R)) (M W : list (list Z)) (x : nat -> R) : Prop :=
   forall i j, (i < n)%nat -> (j < n)%nat ->
     Rabs (nth j (nth i (J x) nil) 0 + -1 * (IZR (entry_of M i j) / IZR s)) <= IZR (entry_of W i j) / IZR s.
@@ -407,7 +408,8 @@ Proof.
   intros n f J c r s Y M W e Pr Ps D N S C.
   apply (one_zero n (fun x i => nth i (f x) 0) (fun x i j => nth j (nth i (J x) nil) 0) (fun i => nth i c 0) r s Y M W
            (repeat e n)); auto.
-  intros i I. rewrite nth_repeat_same by exact I. now apply S.
+  - intros i I y d t. apply (D i I (fun j u => y j + u * d j)). intros j. eapply d_value; [derive | ring].
+  - intros i I. rewrite nth_repeat_same by exact I. now apply S.
 Qed.
 
 (* A list as a column. *)
