@@ -106,6 +106,11 @@ class Writer {
     needed.insert(needed.end(), {"Calculus", "Definitions"});
     needed.insert(needed.end(), certificate.imports.begin(), certificate.imports.end());
     std::string text = fmt::format("{}\n{}", requires_(needed), script.text());
+    if (script.needs().contains("Numbers") ||
+        std::ranges::any_of(certificate.imports,
+                            [&](const std::string& name) { return library_.slow.contains(name); })) {
+      library_.slow.insert(certificate.name);
+    }
     std::string bundle = "no_more";
     for (auto name = certificate.theorems.rbegin(); name != certificate.theorems.rend(); ++name) {
       bundle = fmt::format("and_also {} {}", *name, bundle == "no_more" ? bundle : "(" + bundle + ")");

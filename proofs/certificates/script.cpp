@@ -23,6 +23,18 @@ bool is_a_term(const std::string& rule) {
          rule == "specialize" || rule == "replace";
 }
 
+// Proved in a few steps, none of which needs interval arithmetic.
+bool is_short(const Theorem& theorem) {
+  constexpr int few = 12;
+  int steps = 0;
+  const auto visit = [&](const auto& self, const Theorem& one) -> bool {
+    const Step& step = one.derivation();
+    return ++steps <= few && step.rule != "sign" && step.rule != "jury" && step.rule != "one_zero" &&
+           std::ranges::all_of(step.premises, [&](const Theorem& premise) { return self(self, premise); });
+  };
+  return visit(visit, theorem);
+}
+
 // The term with values for variables that nothing around binds: what is so for all is so for these.
 Term within_scope(const Term& term, const Variables& variables) {
   Substitution values;
@@ -50,7 +62,7 @@ void Library::erase(const std::string& file) {
 }
 
 void Script::count(const Theorem& theorem) {
-  if (library_.find(theorem) == nullptr && uses_[&theorem.derivation()]++ == 0) {
+  if (known(theorem) == nullptr && uses_[&theorem.derivation()]++ == 0) {
     for (const Theorem& premise : theorem.derivation().premises) {
       count(premise);
     }
@@ -81,14 +93,14 @@ void Script::state(const std::string& word, const Lemma& name, const Theorem& th
     scope.hypotheses.emplace(formula, label);
     names += " " + label;
   }
-  const bool again = word != "Lemma" && library_.find(theorem) != nullptr;
+  const bool again = word != "Lemma" && known(theorem) != nullptr;
   const std::string proof =
       again || is_a_term(theorem.derivation().rule)
           ? fmt::format("exact {}.", again ? term(theorem, scope) : inlined(theorem, scope))
           : tactics(theorem, scope);
   text_ += fmt::format("{} {} :\n{}.\nProof.\n{}{}\nQed.\n\n", word, lemma.name, lemma.stated.text,
                        names.empty() ? "" : fmt::format("intros{}.\n", names), proof);
-  library_.lemmas.emplace(std::pair{theorem.hypotheses(), theorem.conclusion()}, std::move(lemma));
+  library_.lemmas.insert_or_assign(std::pair{theorem.hypotheses(), theorem.conclusion()}, std::move(lemma));
 }
 
 const Lemma& Script::imported(const Lemma& lemma) {
@@ -98,8 +110,17 @@ const Lemma& Script::imported(const Lemma& lemma) {
   return lemma;
 }
 
+bool Script::is_slow(const std::string& file) const {
+  return file != file_ && !imports_.contains(file) && library_.slow.contains(file);
+}
+
+const Lemma * Script::known(const Theorem& theorem) const {
+  const Lemma * found = library_.find(theorem);
+  return found != nullptr && is_slow(found->file) && is_short(theorem) ? nullptr : found;
+}
+
 const Lemma& Script::lemma(const Theorem& theorem) {
-  if (library_.find(theorem) == nullptr) {
+  if (known(theorem) == nullptr) {
     state("Lemma", {.file = file_, .name = fresh(file_ + "_step"), .stated = {}}, theorem);
   }
   return imported(*library_.find(theorem));
@@ -155,8 +176,8 @@ std::string Script::said(const Formula& formula) {
 std::string Script::term(const Theorem& theorem, const Scope& scope) {
   const std::string& rule = theorem.derivation().rule;
   const bool once = uses_[&theorem.derivation()] <= 1 && is_a_term(rule) && rule != "replace";
-  return is_a_word(rule) || (once && library_.find(theorem) == nullptr) ? inlined(theorem, scope)
-                                                                        : applied(lemma(theorem), scope);
+  return is_a_word(rule) || (once && known(theorem) == nullptr) ? inlined(theorem, scope)
+                                                                : applied(lemma(theorem), scope);
 }
 
 std::string Script::inlined(const Theorem& theorem, const Scope& scope) {

@@ -20,6 +20,7 @@ struct Library {
   std::map<std::pair<kernel::Formulas, kernel::Formula>, Lemma> lemmas;
   std::map<std::string, Lemma> tautologies;
   std::vector<kernel::Theorem> alive;  // so that a step's address is its own
+  std::set<std::string> slow;  // files that interval arithmetic is loaded for, which takes half a second
 
   // Null if it is not there.
   [[nodiscard]] const Lemma * find(const kernel::Theorem& theorem) const;
@@ -51,6 +52,9 @@ class Script {
     kernel::Variables variables;
   };
   void count(const kernel::Theorem& theorem);
+  // What a file proved that is worth loading for it, or null.
+  [[nodiscard]] const Lemma * known(const kernel::Theorem& theorem) const;
+  [[nodiscard]] bool is_slow(const std::string& file) const;
   const Lemma& lemma(const kernel::Theorem& theorem);
   const Lemma& imported(const Lemma& lemma);
   void state(const std::string& word, const Lemma& lemma, const kernel::Theorem& theorem);

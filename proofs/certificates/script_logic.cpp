@@ -98,7 +98,7 @@ std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
   }
   statement += shape(theorem.conclusion(), letters);
   auto known = library_.tautologies.find(statement);
-  if (known == library_.tautologies.end()) {
+  if (known == library_.tautologies.end() || is_slow(known->second.file)) {
     std::vector<std::string> names;
     std::transform(letters.begin(), letters.end(), std::back_inserter(names),
                    [](const auto& letter) { return letter.second; });
@@ -115,7 +115,8 @@ std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
     text_ += fmt::format("Lemma {} : {}{}.\nProof{}. exact (truth_table ({}nil) {} {} eq_refl). Qed.\n\n",
                          name, names.empty() ? "" : fmt::format("forall {} : Prop, ", all), statement,
                          names.empty() ? "" : ". intros " + all, numbered, names.size(), said);
-    known = library_.tautologies.emplace(statement, Lemma{.file = file_, .name = name, .stated = {}}).first;
+    known = library_.tautologies.insert_or_assign(statement, Lemma{.file = file_, .name = name, .stated = {}})
+                .first;
   }
   // Its letters by number.
   std::map<std::string, Formula> atoms;

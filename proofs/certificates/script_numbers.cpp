@@ -121,9 +121,10 @@ std::string in_units(const Matrix& matrix) {
 
 std::string Script::sign(const Theorem& theorem) {
   // Interval arithmetic takes Coq half a second to load, here and wherever this file is used.
-  const std::vector<Term>& sides = theorem.conclusion().parts();
-  if (theorem.conclusion().kind() != Kind::negation && std::ranges::all_of(sides, is_rational)) {
-    return "  lra.";
+  const bool denied = theorem.conclusion().kind() == Kind::negation;
+  const Formula& relation = denied ? theorem.conclusion().parts()[0] : theorem.conclusion();
+  if (std::ranges::all_of(relation.parts(), is_rational)) {
+    return denied ? "  intros equal'; lra." : "  lra.";
   }
   if (theorem.conclusion() == less(0, pi())) {
     return "  exact PI_RGT_0.";
