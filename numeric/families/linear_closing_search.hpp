@@ -74,7 +74,7 @@ template <class P, class S>
 auto combinations_for(const AllRows<P, S>& at_m) {
   constexpr int R = P::rows, C = P::amplitudes + 1;
   const Eigen::Matrix<S, R, C> part = at_m.template leftCols<C>();
-  return zeros::row_combinations<R, C>(part);
+  return zeros::proposed_combinations<R, C>(part);
 }
 
 // Where more than two rows are left the same for cos psi and sin psi.
@@ -82,7 +82,7 @@ template <class P, class S>
 auto combinations_for_load(const LoadRows<P, S>& at_m) {
   constexpr int K = P::left;
   if constexpr (K > 2 && P::loads == 3) {
-    return zeros::row_combinations<K, 3>(at_m);
+    return zeros::proposed_combinations<K, 3>(at_m);
   } else {
     using Combinations = Eigen::Matrix<S, K, K>;
     return std::optional<Combinations>(Combinations::Identity());

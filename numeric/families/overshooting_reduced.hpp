@@ -31,7 +31,7 @@ template <Datum G, class T, class S>
   constexpr int R = OneStick<2, G>::rows;
   constexpr int C = OneStick<2, G>::columns;
   const Eigen::Matrix<S, R, C> at_middle = rows.unaryExpr([](const T& x) { return x.at; });
-  const auto combinations = zeros::row_combinations<R, C>(at_middle);
+  const auto combinations = zeros::proposed_combinations<R, C>(at_middle);
   if (!combinations) {
     return std::nullopt;
   }

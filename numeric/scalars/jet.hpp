@@ -20,6 +20,8 @@
 
 namespace stickslip::numeric::scalars {
 
+using stickslip::sin_cos;  // of double, which has no namespace of its own
+
 // Whether a number is exactly zero: then products with it need not be computed.
 [[nodiscard]] inline bool is_zero(double x) {
   return x == 0;

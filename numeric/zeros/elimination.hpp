@@ -15,34 +15,17 @@
 
 namespace stickslip::numeric::zeros {
 
-// The combinations of rows that do so for these entries, nearly: a proposal in double, by Gauss and Jordan
-// with row pivoting. Nothing when the first U columns are dependent or not finite.
+// The combinations of rows that do so for these entries, nearly: a proposal in double. Nothing when the first
+// U columns are dependent or not finite.
 template <int R, int C, class S>
-[[nodiscard]] std::optional<Eigen::Matrix<S, R, R>> row_combinations(const Eigen::Matrix<S, R, C>& rows) {
-  constexpr int U = C - 1;
-  Eigen::Matrix<double, R, C> m = rows.unaryExpr([](const S& x) { return x.approximate(); });
-  Eigen::Matrix<double, R, R> combined = Eigen::Matrix<double, R, R>::Identity();
-  for (int k = 0; k < U; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < R; ++i) {
-      pivot = std::abs(m(i, k)) > std::abs(m(pivot, k)) ? i : pivot;
-    }
-    const double size = std::abs(m(pivot, k));
-    if (!(size > 0) || !std::isfinite(size)) {
-      return std::nullopt;
-    }
-    m.row(k).swap(m.row(pivot));
-    combined.row(k).swap(combined.row(pivot));
-    combined.row(k) /= m(k, k);
-    m.row(k) /= m(k, k);
-    for (int i = 0; i < R; ++i) {
-      if (i != k) {
-        combined.row(i) -= m(i, k) * combined.row(k);
-        m.row(i) -= m(i, k) * m.row(k);
-      }
-    }
+[[nodiscard]] std::optional<Eigen::Matrix<S, R, R>> proposed_combinations(
+    const Eigen::Matrix<S, R, C>& rows) {
+  const auto found = row_combinations<double, R, C - 1>(
+      rows.template leftCols<C - 1>().unaryExpr([](const S& x) { return x.approximate(); }));
+  if (!found) {
+    return std::nullopt;
   }
-  return combined.template cast<S>();
+  return found->template cast<S>();
 }
 
 // combinations · rows, over balls or jets over balls.

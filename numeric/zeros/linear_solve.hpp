@@ -36,20 +36,17 @@ template <class A, class B>
   return a.derived().lazyProduct(b.derived());
 }
 
-// Gauss-Jordan elimination with row pivoting on the midpoints of a. Over balls the entries of the result are
-// exact numbers near the inverse, with no guarantee. Nothing when a pivot vanishes or is not finite.
-template <class S, int N>
-[[nodiscard]] std::optional<Eigen::Matrix<S, N, N>> approximate_inverse(Eigen::Matrix<S, N, N> a) {
-  const auto n = static_cast<int>(a.rows());
-  Eigen::Matrix<S, N, N> inverse = Eigen::Matrix<S, N, N>::Identity(n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      a(i, j) = centre(a(i, j));
-    }
-  }
-  for (int k = 0; k < n; ++k) {
+// E for which E a is nearly the unit matrix above zeros, for at least as many rows as columns: Gauss-Jordan
+// elimination with row pivoting on the midpoints of a. Over balls the entries of the result are exact
+// numbers, with no guarantee. Nothing when a pivot vanishes or is not finite.
+template <class S, int R, int U>
+[[nodiscard]] std::optional<Eigen::Matrix<S, R, R>> row_combinations(Eigen::Matrix<S, R, U> a) {
+  const auto rows = static_cast<int>(a.rows()), columns = static_cast<int>(a.cols());
+  Eigen::Matrix<S, R, R> combined = Eigen::Matrix<S, R, R>::Identity(rows, rows);
+  a = a.unaryExpr([](const S& x) { return centre(x); });
+  for (int k = 0; k < columns; ++k) {
     int pivot = k;
-    for (int i = k + 1; i < n; ++i) {
+    for (int i = k + 1; i < rows; ++i) {
       pivot = magnitude(a(i, k)) > magnitude(a(pivot, k)) ? i : pivot;
     }
     const double size = magnitude(a(pivot, k));
@@ -57,24 +54,31 @@ template <class S, int N>
       return std::nullopt;
     }
     a.row(k).swap(a.row(pivot));
-    inverse.row(k).swap(inverse.row(pivot));
-    const S reciprocal = centre(S(S(1) / a(k, k)));
-    for (int j = 0; j < n; ++j) {
-      a(k, j) = centre(S(a(k, j) * reciprocal));
-      inverse(k, j) = centre(S(inverse(k, j) * reciprocal));
-    }
-    for (int i = 0; i < n; ++i) {
-      if (i == k) {
-        continue;
+    combined.row(k).swap(combined.row(pivot));
+    const auto each = [&](const auto& update) {
+      for (int j = 0; j < columns; ++j) {
+        update(a, j);
       }
-      const S factor = a(i, k);
-      for (int j = 0; j < n; ++j) {
-        a(i, j) = centre(S(a(i, j) - factor * a(k, j)));
-        inverse(i, j) = centre(S(inverse(i, j) - factor * inverse(k, j)));
+      for (int j = 0; j < rows; ++j) {
+        update(combined, j);
+      }
+    };
+    const S reciprocal = centre(S(S(1) / a(k, k)));
+    each([&](auto& m, int j) { m(k, j) = centre(S(m(k, j) * reciprocal)); });
+    for (int i = 0; i < rows; ++i) {
+      if (i != k) {
+        const S factor = a(i, k);
+        each([&](auto& m, int j) { m(i, j) = centre(S(m(i, j) - factor * m(k, j))); });
       }
     }
   }
-  return inverse;
+  return combined;
+}
+
+// Nearly the inverse, likewise.
+template <class S, int N>
+[[nodiscard]] std::optional<Eigen::Matrix<S, N, N>> approximate_inverse(const Eigen::Matrix<S, N, N>& a) {
+  return row_combinations<S, N, N>(a);
 }
 
 // Whether a is proved to be invertible, all members of its entries: |I - Y a| < 1 in the norm of row sums for

@@ -126,7 +126,7 @@ TEST_CASE("elimination over balls keeps the exact rational solution") {
       }
       rows(row, 3) = Ball(last);
     }
-    const auto combinations = row_combinations<5, 4>(rows);
+    const auto combinations = proposed_combinations<5, 4>(rows);
     if (!combinations) {
       continue;
     }
