@@ -77,14 +77,12 @@ atlas::Interval at(const char * value) {
   return between(value, value);
 }
 
-// A box of an atlas around S, its half width range(0) millionths of omega and p: how many orbits there are,
-// every condition along each, its stability. Either nothing is known of it, or the box of twice its size
+// A box of an atlas around S, its half width range(0) millionths of each of its axes: how many orbits there
+// are, every condition along each, its stability. Either nothing is known of it, or the box of twice its size
 // around it has told where the orbits are, as in an atlas; `orbits` are judged in each box.
-void box_of_atlas_S(benchmark::State& state, bool is_half) {
-  atlas::Question q{&symmetric(),
-                    {at("0.5"), at("3.8"), at("0.02"), at("1"), at("0.6"), at("0.05")},
-                    {atlas::place_of_omega, atlas::place_of_p},
-                    30};
+void box_of_atlas_S(benchmark::State& state, bool is_half, const std::vector<std::size_t>& axes) {
+  atlas::Question q{
+      &symmetric(), {at("0.5"), at("3.8"), at("0.02"), at("1"), at("0.6"), at("0.05")}, axes, 30};
   const Rational share(static_cast<long>(is_half ? 2 * state.range(0) : state.range(0)), 1000000);
   for (const std::size_t k : q.axes) {
     const Rational middle = q.region[k].lower;
@@ -104,7 +102,7 @@ void box_of_atlas_S(benchmark::State& state, bool is_half) {
       ++orbits;
     }
   }
-  const atlas::Tile tile = is_half ? 4 : 1;  // the lower half in both parameters
+  const atlas::Tile tile = is_half ? atlas::Tile{1} << axes.size() : 1;  // the lower half in all parameters
   for (auto _ : state) {
     atlas::Knowledge known = is_half ? around : atlas::Knowledge();
     if (!atlas::judge(q, tile, atlas::Balls::hardware, known).is_decided()) {
@@ -136,8 +134,19 @@ void atlas_P(benchmark::State& state) {
 BENCHMARK(atlas_S)->Unit(benchmark::kMillisecond);
 BENCHMARK(atlas_O)->Unit(benchmark::kMillisecond);
 BENCHMARK(atlas_P)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(box_of_atlas_S, from_nothing, false)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(box_of_atlas_S, zeros_known, true)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
+const std::vector<std::size_t> two{atlas::place_of_omega, atlas::place_of_p};
+const std::vector<std::size_t> four{atlas::place_of_eta, atlas::place_of_V, atlas::place_of_omega,
+                                    atlas::place_of_p};
+BENCHMARK_CAPTURE(box_of_atlas_S, from_nothing, false, two)
+    ->Arg(100)
+    ->Arg(500)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(box_of_atlas_S, zeros_known, true, two)->Arg(100)->Arg(240)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(box_of_atlas_S, four_zeros_known, true, four)
+    ->Arg(30)
+    ->Arg(100)
+    ->Arg(240)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(box_S)->Name("box_S, ±1e-5")->Unit(benchmark::kMillisecond);
 // Example O lies near a fold: its orbit moves some hundred times as far as the parameters.
 BENCHMARK(box_O_at_phi)->Name("box_O_at_phi, ±1e-7")->Unit(benchmark::kMillisecond);

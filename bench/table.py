@@ -102,6 +102,9 @@ def targets(r):
                                    ("boxes.O.ur", "boxes of parameters, overshooting, u_r given", "box_O_at_ur", 200)):
         seconds = next(x["seconds"] for n, x in b.items() if n.startswith(name + ","))
         out.append(at_least(key, what, 1 / seconds, limit, per_second))
+    box = b["box_of_atlas_S/four_zeros_known/240"]
+    out.append(at_least("orbits.S", f"orbits of symmetric boxes of four parameters ± 2.4e-4, {box['orbits']:.0f} in each, one core",
+                        box["orbits"] / box["seconds"], 5e4, per_second))
     for e, family in (("S", "symmetric"), ("P", "nonsticking")):
         if r.get("python"):
             ratio = r["python"][e] / b[f"list_{family}_{e}"]["seconds"]
