@@ -106,7 +106,10 @@ class Writer {
     needed.insert(needed.end(), {"Calculus", "Definitions"});
     needed.insert(needed.end(), certificate.imports.begin(), certificate.imports.end());
     std::string text = fmt::format("{}\n{}", requires_(needed), script.text());
-    if (script.needs().contains("Numbers") ||
+    if (script.needs().contains("Numbers")) {
+      uses_intervals_.insert(certificate.name);
+    }
+    if (uses_intervals_.contains(certificate.name) ||
         std::ranges::any_of(certificate.imports,
                             [&](const std::string& name) { return library_.slow.contains(name); })) {
       library_.slow.insert(certificate.name);
@@ -122,7 +125,7 @@ class Writer {
   }
 
   // make -k -j: a file of its own for each claim, and what coqc says of it in NAME.log, with the seconds it
-  // took. make axioms: what all theorems that were accepted rest on, of all together, for going through Coq's
+  // took. make again: coqchk once more, but not where it would have to go through interval arithmetic. make axioms: what all theorems that were accepted rest on, of all together, for going through Coq's
   // libraries takes as long for one as for all.
   [[nodiscard]] std::string makefile() const {
     std::vector<std::string> names;
@@ -132,6 +135,8 @@ class Writer {
         "# make -k -j: has Coq check the certificates that were asked for; what it says of each is in "
         "NAME.log.\n# make axioms: then has it say in Axioms.log what those that it accepted rest on.\n"
         "# A file may take TIMEOUT seconds of processor time.\nSHELL = /bin/bash\nTIMEOUT ?= 600\n"
+        "# make again: has coqchk, a second checker, go through them once more, but not those that use interval "
+        "arithmetic:\n# it has no virtual machine, and would take hours.\n"
         "ifeq (,$(shell command -v coqc))\n"
         "$(error there is no coqc here: install Debian's coq, libcoq-coquelicot and libcoq-interval)\n"
         "endif\nall:";
@@ -146,6 +151,10 @@ class Writer {
     for (const auto& [size, name] : asked) {
       text += fmt::format(" {}.vo", name);
     }
+    text += "\nAGAIN = Matrices Sentences Polynomials Fractions Algebra Calculus Inverses Krawczyk Stability Definitions";
+    for (const auto& [size, name] : asked) {
+      text += uses_intervals_.contains(name) ? "" : " " + name;
+    }
     text += fmt::format("\nCLAIMS = {}\n", fmt::join(names, " "));
     text +=
         "%.vo: %.v\n"
@@ -153,7 +162,11 @@ class Writer {
         "\t{ time coqc -w none -Q . Stickslip $< ; } > $*.log 2>&1 \\\n"
         "\t  || { [ $$? = 152 ] && echo 'no end within $(TIMEOUT) seconds' >> $*.log; rm -f $@; echo \"$*: "
         "Coq does not accept it: see $*.log\"; exit 1; }\n"
-        ".PHONY: all axioms\n"
+        "%.chk: %.vo\n"
+        "\t@ulimit -S -t $(TIMEOUT); coqchk -silent -Q . Stickslip -norec Stickslip.$* > $*.part 2>&1 \\\n"
+        "\t  && mv $*.part $@ || { echo \"$*: coqchk does not accept it: see $*.part\"; exit 1; }\n"
+        "again: $(patsubst %.vo,%.chk,$(wildcard $(AGAIN:=.vo)))\n"
+        ".PHONY: all again axioms\n"
         "axioms:\n"
         "\t@names=\"$$(for name in $(CLAIMS); do [ -e $$name.vo ] && $(MAKE) --question --silent $$name.vo "
         "\\\n"
@@ -188,6 +201,7 @@ class Writer {
   Certificates result_;
   std::vector<kernel::Definition> definitions_;
   std::map<std::string, std::size_t> sizes_;  // of the files, in characters
+  std::set<std::string> uses_intervals_;      // files
   std::set<std::string> seen_;
 };
 

@@ -52,6 +52,39 @@ TEST_CASE("a file imports what another one has proved, and does not prove it aga
   CHECK(second.text().find("known 3") != std::string::npos);
 }
 
+TEST_CASE("a file that loads interval arithmetic is not loaded for a few steps") {
+  const Variable x{"x"};
+  const Theorem lemma = Theorem::combination(equal(Term(x) + x, Term(2) * x));
+  certificates::Library library;
+  Script first("first", library), second("second", library);
+  first.add("known", lemma);
+  library.slow.insert("first");
+  second.add("instance", Theorem::instantiate(lemma, {{x, 3}}));
+  CHECK(second.imports().empty());
+  CHECK(second.text().find("known") == std::string::npos);
+}
+
+TEST_CASE("a long assumption of many steps is written once, and in full where it is the theorem's") {
+  const certificates::Certificates all = certificates::certificates(claims(), {"S.orbit"});
+  const std::string text = text_of(all, "Claim_S_orbit.v");
+  const auto count = [&](const std::string& word) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  const std::size_t definitions = count("Definition Claim_S_orbit_said");
+  CHECK(definitions > 0);
+  CHECK(count("Claim_S_orbit_said") > 3 * definitions);
+  std::size_t theorems = 0;
+  for (std::size_t at = text.find("\nTheorem "); at != std::string::npos; at = text.find("\nTheorem ", at + 1)) {
+    CHECK(text.substr(at, text.find("Proof.", at) - at).find("_said") == std::string::npos);
+    ++theorems;
+  }
+  CHECK(theorems > 0);
+}
+
 TEST_CASE("nothing is admitted, nothing is an axiom, and every theorem is asked what it rests on") {
   const certificates::Certificates all = certificates::certificates(claims(), {"40", "44.H", "47.c"});
   CHECK(all.certificates.size() >= 3);
