@@ -125,8 +125,9 @@ class Writer {
   }
 
   // make -k -j: a file of its own for each claim, and what coqc says of it in NAME.log, with the seconds it
-  // took. make again: coqchk once more, but not where it would have to go through interval arithmetic. make axioms: what all theorems that were accepted rest on, of all together, for going through Coq's
-  // libraries takes as long for one as for all.
+  // took. make again: coqchk once more, but not where it would have to go through interval arithmetic. make
+  // axioms: what all theorems that were accepted rest on, of all together, for going through Coq's libraries
+  // takes as long for one as for all.
   [[nodiscard]] std::string makefile() const {
     std::vector<std::string> names;
     std::transform(result_.certificates.begin(), result_.certificates.end(), std::back_inserter(names),
@@ -135,7 +136,8 @@ class Writer {
         "# make -k -j: has Coq check the certificates that were asked for; what it says of each is in "
         "NAME.log.\n# make axioms: then has it say in Axioms.log what those that it accepted rest on.\n"
         "# A file may take TIMEOUT seconds of processor time.\nSHELL = /bin/bash\nTIMEOUT ?= 600\n"
-        "# make again: has coqchk, a second checker, go through them once more, but not those that use interval "
+        "# make again: has coqchk, a second checker, go through them once more, but not those that use "
+        "interval "
         "arithmetic:\n# it has no virtual machine, and would take hours.\n"
         "ifeq (,$(shell command -v coqc))\n"
         "$(error there is no coqc here: install Debian's coq, libcoq-coquelicot and libcoq-interval)\n"
@@ -151,7 +153,9 @@ class Writer {
     for (const auto& [size, name] : asked) {
       text += fmt::format(" {}.vo", name);
     }
-    text += "\nAGAIN = Matrices Sentences Polynomials Fractions Algebra Calculus Inverses Krawczyk Stability Definitions";
+    text +=
+        "\nAGAIN = Matrices Sentences Polynomials Fractions Algebra Calculus Inverses Krawczyk Stability "
+        "Definitions";
     for (const auto& [size, name] : asked) {
       text += uses_intervals_.contains(name) ? "" : " " + name;
     }

@@ -78,7 +78,8 @@ TEST_CASE("a long assumption of many steps is written once, and in full where it
   CHECK(definitions > 0);
   CHECK(count("Claim_S_orbit_said") > 3 * definitions);
   std::size_t theorems = 0;
-  for (std::size_t at = text.find("\nTheorem "); at != std::string::npos; at = text.find("\nTheorem ", at + 1)) {
+  for (std::size_t at = text.find("\nTheorem "); at != std::string::npos;
+       at = text.find("\nTheorem ", at + 1)) {
     CHECK(text.substr(at, text.find("Proof.", at) - at).find("_said") == std::string::npos);
     ++theorems;
   }
