@@ -75,7 +75,7 @@ TEST_CASE("An atlas says the same whoever makes it, and goes on where it was kil
 TEST_CASE("An atlas is ended in order, says what is missing, and goes on") {
   const TemporaryDirectory directory;
   const std::string out = directory / "a.h5";
-  Run part = stickslip_program(with(near_S(out, "6"), {"--time-limit", "0.05", "--json"}));
+  Run part = stickslip_program(with(near_S(out, "6"), {"--time-limit", "0.001", "--json"}));
   CHECK(part.code == 2);
   const nlohmann::json json = nlohmann::json::parse(part.out);
   CHECK(json["volume"]["not_examined"] != "0");
