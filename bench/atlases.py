@@ -31,7 +31,7 @@ def cases(quick):
         yield "dimension", str(k), S + sum(DIMENSIONS[:k], []), 2 if quick else 4, 0
     if shutil.which("mpirun"):
         for processes in (1, 2):
-            yield "processes", str(processes), P + AREA_P, 6 if quick else 11, processes
+            yield "processes", str(processes), P + AREA_P, 6 if quick else 12, processes
 
 
 def measured(program, quick, say):
