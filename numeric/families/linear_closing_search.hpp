@@ -193,7 +193,7 @@ std::optional<LinearEliminant<P>> eliminant_near(const P& problem, const Unknown
   }
   combinations->template bottomRows<K>() =
       zeros::product(*further, combinations->template bottomRows<K>()).eval();
-  if (!zeros::is_invertible<R>(*combinations)) {
+  if (!zeros::is_invertible(*combinations)) {
     return std::nullopt;
   }
   return LinearEliminant<P>{problem, *combinations};

@@ -32,6 +32,16 @@ const Phase& phase(const Motion& motion, std::size_t k) {
 
 }  // namespace
 
+template Vector4<Ball> flow<Ball>(const model::Oscillator<Ball>&, PhaseKind, const Ball&,
+                                  const Vector4<Ball>&, const Ball&);
+template Vector4<double> flow<double>(const model::Oscillator<double>&, PhaseKind, const double&,
+                                      const Vector4<double>&, const double&);
+
+Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi, const Vector4<Ball>& Z0,
+               const std::vector<Leg>& legs) {
+  return compose_motion<Ball>(oscillator, phi, Z0, legs);
+}
+
 Vector4<Ball> state(const Motion& motion, std::size_t k, const Ball& t) {
   const Phase& f = phase(motion, k);
   return flow<Ball>(motion.oscillator, f.kind, f.load, f.Z, t);

@@ -60,6 +60,13 @@ template <class S>
                                  : model::overshoot_flow<S>(o.modes, o.Q, o.d0, o.data.omega, load, Z, t);
 }
 
+// Compiled once.
+extern template model::Vector4<Ball> flow<Ball>(const model::Oscillator<Ball>&, PhaseKind, const Ball&,
+                                                const model::Vector4<Ball>&, const Ball&);
+extern template model::Vector4<double> flow<double>(const model::Oscillator<double>&, PhaseKind,
+                                                    const double&, const model::Vector4<double>&,
+                                                    const double&);
+
 // The motion that starts at Z0 with the load's phase phi and goes through the legs in their order, each from
 // the state where the one before ends. Whether it obeys the friction law and whether it closes is not looked
 // at.
@@ -80,10 +87,8 @@ template <class S>
   }
   return motion;
 }
-[[nodiscard]] inline Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi,
-                                    const model::Vector4<Ball>& Z0, const std::vector<Leg>& legs) {
-  return compose_motion<Ball>(oscillator, phi, Z0, legs);
-}
+[[nodiscard]] Motion compose(const model::Oscillator<Ball>& oscillator, const Ball& phi,
+                             const model::Vector4<Ball>& Z0, const std::vector<Leg>& legs);
 
 // A phase as functions of the time since it began.
 template <class S>

@@ -20,12 +20,11 @@ namespace stickslip::numeric::zeros {
 template <int R, int C, class S>
 [[nodiscard]] std::optional<Eigen::Matrix<S, R, R>> proposed_combinations(
     const Eigen::Matrix<S, R, C>& rows) {
-  const auto found = row_combinations<double, R, C - 1>(
-      rows.template leftCols<C - 1>().unaryExpr([](const S& x) { return x.approximate(); }));
+  const std::optional<Doubles> found = row_combinations(in_doubles(rows.template leftCols<C - 1>()));
   if (!found) {
     return std::nullopt;
   }
-  return found->template cast<S>();
+  return Eigen::Matrix<S, R, R>(found->template cast<S>());
 }
 
 // combinations · rows, over balls or jets over balls.

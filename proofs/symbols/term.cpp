@@ -93,8 +93,8 @@ std::vector<Term> joined(Op op, const Term& a, const Term& b) {
 }
 
 Term make(Op op, Shape shape, std::vector<Term> arguments, const Rational& number = 0,
-          const std::string& name = {}) {
-  return Term(Term::Node{op, shape, name, number, std::move(arguments)});
+          std::string_view name = {}) {
+  return Term(Term::Node{op, shape, std::string(name), number, std::move(arguments)});
 }
 
 }  // namespace
@@ -131,13 +131,13 @@ Term Term::with_arguments(std::vector<Term> arguments) const {
   return make(op(), shape, std::move(arguments), number(), name());
 }
 
-Term scalar(const std::string& name) {
+Term scalar(std::string_view name) {
   return make(Op::symbol, {}, {}, 0, name);
 }
-Term vector(const std::string& name, int rows) {
+Term vector(std::string_view name, int rows) {
   return make(Op::symbol, {rows, 1}, {}, 0, name);
 }
-Term matrix(const std::string& name, int size) {
+Term matrix(std::string_view name, int size) {
   return make(Op::symbol, {size, size}, {}, 0, name);
 }
 Term pi() {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/rational.hpp"
@@ -67,9 +68,9 @@ class Term {
   std::shared_ptr<const Node> node_;
 };
 
-[[nodiscard]] Term scalar(const std::string& name);
-[[nodiscard]] Term vector(const std::string& name, int rows);
-[[nodiscard]] Term matrix(const std::string& name, int size);
+[[nodiscard]] Term scalar(std::string_view name);
+[[nodiscard]] Term vector(std::string_view name, int rows);
+[[nodiscard]] Term matrix(std::string_view name, int size);
 [[nodiscard]] Term pi();
 // The zero matrix or vector of that shape (a plain 0 takes the shape of what it stands beside, except in
 // blocks).
@@ -79,7 +80,7 @@ class Term {
 
 // A named function of one scalar, with values of the given shape: Function{"H1", {2, 2}}(t).
 struct Function {
-  std::string name;
+  std::string_view name;  // of a literal, or of what outlives this
   Shape shape;
   [[nodiscard]] Term operator()(const Term& argument) const;
 };

@@ -44,10 +44,10 @@ struct Counts {
 
 // No box around what Newton's method finds loses it, and that it is a zero is decided in small ones.
 template <class P>
-Counts check_boxes(const P& problem, const FlowClosing<3>& f, std::mt19937& generator) {
+Counts check_boxes(const P& problem, const FlowClosing& f, std::mt19937& generator) {
   std::uniform_real_distribution<double> uniform(-0.9, 0.9);
   Counts counts;
-  for (const Eigen::Vector3d& t : grid_orbits(f, 7)) {
+  for (const Eigen::Vector3d t : grid_orbits(f, 7)) {
     const Eigen::Vector3d x = shares(static_cast<const P *>(nullptr), t, f.total);
     CAPTURE(t.transpose());
     for (const double radius : {0.3, 0.05, 1e-2, 1e-3, 1e-4}) {
@@ -83,7 +83,7 @@ TEST_CASE("two sticks: no box around a closed motion loses it") {
   for (const WordQuestion& q : questions()) {
     for (const PhaseKind second : {PhaseKind::slip, PhaseKind::overshoot}) {
       CAPTURE(to_string(q.data));
-      const FlowClosing<3> f(q, {PhaseKind::slip, PhaseKind::stick, second, PhaseKind::stick});
+      const FlowClosing f(q, {PhaseKind::slip, PhaseKind::stick, second, PhaseKind::stick});
       const model::Parameters<Ball> a = parameters_as<Ball>(q.data);
       const TwoSticks problem({a,
                                model::modes<Ball>(a.chi, a.eta),
@@ -105,7 +105,7 @@ TEST_CASE("slip, overshoot, slip, stick: no box around a closed motion loses it"
   Counts all;
   for (const WordQuestion& q : questions()) {
     CAPTURE(to_string(q.data));
-    const FlowClosing<3> f(q, {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::slip, PhaseKind::stick});
+    const FlowClosing f(q, {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::slip, PhaseKind::stick});
     const families::OneStick<3, families::Datum::friction> problem(
         {families::overshooting_data<Ball>(q.data), Ball(q.ur)}, true);
     const Counts found = check_boxes(problem, f, generator);
@@ -130,9 +130,9 @@ TEST_CASE("OTST: a complete list holds the one orbit that Newton's method finds 
   REQUIRE(all[2].kind == PhaseKind::slip);
   const Eigen::Vector3d times(all[2].duration.approximate(), all[3].duration.approximate(),
                               all[0].duration.approximate());
-  const std::vector<Eigen::Vector3d> found = grid_orbits(FlowClosing<3>(q, phases), 8);
+  const std::vector<Eigen::VectorXd> found = grid_orbits(FlowClosing(q, phases), 8);
   CHECK_FALSE(found.empty());
-  for (const Eigen::Vector3d& t : found) {
+  for (const Eigen::Vector3d t : found) {
     CHECK((t - times).norm() < 1e-6);
   }
 }
@@ -147,10 +147,10 @@ TEST_CASE("OSOT on a belt that runs backwards: the one orbit that Newton's metho
   const auto& all = list.orbits[0].orbit.motion.phases;
   const Eigen::Vector3d times(all[0].duration.approximate(), all[1].duration.approximate(),
                               all[2].duration.approximate());
-  const std::vector<Eigen::Vector3d> found = grid_orbits(
-      FlowClosing<3>(q, {PhaseKind::overshoot, PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}), 8);
+  const std::vector<Eigen::VectorXd> found = grid_orbits(
+      FlowClosing(q, {PhaseKind::overshoot, PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}), 8);
   CHECK_FALSE(found.empty());
-  for (const Eigen::Vector3d& t : found) {
+  for (const Eigen::Vector3d t : found) {
     CHECK((t - times).norm() < 1e-6);
   }
 }
@@ -161,8 +161,7 @@ TEST_CASE("STST: a complete list is empty where Newton's method finds none from 
   const WordList list = all_orbits(q, Word::parse("STST"), 1);
   CHECK(list.unresolved.empty());
   CHECK(list.orbits.empty());
-  CHECK(grid_orbits(FlowClosing<3>(q, {PhaseKind::slip, PhaseKind::stick, PhaseKind::slip, PhaseKind::stick}),
-                    8)
+  CHECK(grid_orbits(FlowClosing(q, {PhaseKind::slip, PhaseKind::stick, PhaseKind::slip, PhaseKind::stick}), 8)
             .empty());
 }
 

@@ -71,8 +71,7 @@ TEST_CASE("the lists of OTS and OST hold what Newton's method finds from a dense
     const PhaseKind first = slips_first ? PhaseKind::slip : PhaseKind::overshoot;
     const WordList list = all_orbits(q, slips_first ? OTS : OST, 1);
     const PhaseKind second = slips_first ? PhaseKind::overshoot : PhaseKind::slip;
-    for (const Eigen::Vector2d& times :
-         grid_orbits(FlowClosing<2>(q, {first, second, PhaseKind::stick}), 16)) {
+    for (const Eigen::Vector2d times : grid_orbits(FlowClosing(q, {first, second, PhaseKind::stick}), 16)) {
       CAPTURE(times.transpose());
       CHECK(is_listed(list, first, {times(0), times(1)}, 1e-4));
       ++found;

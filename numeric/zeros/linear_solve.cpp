@@ -1,0 +1,80 @@
+#include "numeric/zeros/linear_solve.hpp"
+
+namespace stickslip::numeric::zeros {
+
+namespace {
+
+// The number without its error: what a proposal is computed with.
+double centre(double x) {
+  return x;
+}
+Ball centre(const Ball& x) {
+  return x.midpoint();
+}
+
+template <class Matrix>
+std::optional<Matrix> combinations(Matrix a) {
+  using S = typename Matrix::Scalar;
+  const Eigen::Index rows = a.rows(), columns = a.cols();
+  Matrix combined = Matrix::Identity(rows, rows);
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    a.data()[i] = centre(a.data()[i]);
+  }
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    Eigen::Index pivot = k;
+    for (Eigen::Index i = k + 1; i < rows; ++i) {
+      pivot = magnitude(a(i, k)) > magnitude(a(pivot, k)) ? i : pivot;
+    }
+    const double size = magnitude(a(pivot, k));
+    if (!(size > 0) || !std::isfinite(size)) {
+      return std::nullopt;
+    }
+    const auto each = [&](const auto& update) {
+      for (Eigen::Index j = 0; j < columns; ++j) {
+        update(a, j);
+      }
+      for (Eigen::Index j = 0; j < rows; ++j) {
+        update(combined, j);
+      }
+    };
+    each([&](Matrix& m, Eigen::Index j) { std::swap(m(k, j), m(pivot, j)); });
+    const S reciprocal = centre(S(S(1) / a(k, k)));
+    each([&](Matrix& m, Eigen::Index j) { m(k, j) = centre(S(m(k, j) * reciprocal)); });
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      if (i != k) {
+        const S factor = a(i, k);
+        each([&](Matrix& m, Eigen::Index j) { m(i, j) = centre(S(m(i, j) - factor * m(k, j))); });
+      }
+    }
+  }
+  return combined;
+}
+
+}  // namespace
+
+std::optional<Doubles> row_combinations(const Doubles& a) {
+  return combinations<Doubles>(a);
+}
+std::optional<Balls> row_combinations(const Balls& a) {
+  return combinations<Balls>(a);
+}
+
+bool is_invertible(const Balls& a) {
+  const std::optional<Balls> Y = row_combinations(a);
+  if (!Y) {
+    return false;
+  }
+  const Balls rest = Balls::Identity(a.rows(), a.cols()) - product(*Y, a);
+  for (Eigen::Index i = 0; i < rest.rows(); ++i) {
+    Ball sum(-1);
+    for (Eigen::Index j = 0; j < rest.cols(); ++j) {
+      sum += abs(rest(i, j));
+    }
+    if (!sum.is_negative()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace stickslip::numeric::zeros
