@@ -31,8 +31,9 @@ Vector FlowClosing::operator()(const Vector& x) const {
     Z = motion::flow<double>(o, kind, phi + o.data.omega * t, Z, h);
     t += h;
     if (k < last) {
-      f(k) = kind == motion::PhaseKind::stick ? friction_less_ur(Z, t, phases[static_cast<std::size_t>(k) + 1])
-                                              : Z(3) - V;
+      f(k) = kind == motion::PhaseKind::stick
+                 ? friction_less_ur(Z, t, phases[static_cast<std::size_t>(k) + 1])
+                 : Z(3) - V;
       Z(3) = V;
     }
   }
