@@ -10,15 +10,12 @@ namespace stickslip::numeric::words {
 
 using model::Matrix4;
 using zeros::approximate_inverse;
+using zeros::in_double;
 
 namespace {
 
 bool is_finite(const Matrix4<Ball>& A) {
   return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
-}
-
-Eigen::Matrix4d in_double(const Matrix4<Ball>& A) {
-  return A.unaryExpr([](const Ball& entry) { return entry.approximate(); });
 }
 
 // The product of the reflections I - 2 v vᵀ/(v v) that bring W to triangular form: exactly orthogonal,
@@ -57,7 +54,7 @@ Matrix4<Ball> orthogonal(const Eigen::Matrix4d& W) {
 std::vector<Matrix4<Ball>> frames(const std::vector<Link>& links) {
   std::vector<Eigen::Matrix4d> M;
   for (const Link& link : links) {
-    M.push_back(in_double(link.M));
+    M.emplace_back(in_double(link.M));
   }
   Eigen::Matrix4d now = Eigen::Matrix4d::Identity();
   for (const Eigen::Matrix4d& factor : M) {

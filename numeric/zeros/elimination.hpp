@@ -20,7 +20,7 @@ namespace stickslip::numeric::zeros {
 template <int R, int C, class S>
 [[nodiscard]] std::optional<Eigen::Matrix<S, R, R>> proposed_combinations(
     const Eigen::Matrix<S, R, C>& rows) {
-  const std::optional<Doubles> found = row_combinations(in_doubles(rows.template leftCols<C - 1>()));
+  const std::optional<Eigen::MatrixXd> found = row_combinations(in_double(rows.template leftCols<C - 1>()));
   if (!found) {
     return std::nullopt;
   }

@@ -23,8 +23,6 @@ namespace stickslip::numeric::zeros {
 
 template <int N>
 using Box = Eigen::Matrix<Ball, N, 1>;
-template <int N>
-using BallMatrix = Eigen::Matrix<Ball, N, N>;
 
 // f(x) and its Jacobian there.
 template <class S, int N, class F>

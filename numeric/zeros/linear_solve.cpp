@@ -1,6 +1,10 @@
 #include "numeric/zeros/linear_solve.hpp"
 
+#include <utility>
+
 namespace stickslip::numeric::zeros {
+
+using Balls = BallMatrix<Eigen::Dynamic>;
 
 namespace {
 
@@ -52,15 +56,15 @@ std::optional<Matrix> combinations(Matrix a) {
 
 }  // namespace
 
-std::optional<Doubles> row_combinations(const Doubles& a) {
-  return combinations<Doubles>(a);
+std::optional<Eigen::MatrixXd> row_combinations(const Eigen::MatrixXd& a) {
+  return combinations(a);
 }
 std::optional<Balls> row_combinations(const Balls& a) {
-  return combinations<Balls>(a);
+  return combinations(a);
 }
 
 bool is_invertible(const Balls& a) {
-  const std::optional<Balls> Y = row_combinations(a);
+  const std::optional<Balls> Y = a.rows() == a.cols() ? row_combinations(a) : std::nullopt;
   if (!Y) {
     return false;
   }

@@ -25,19 +25,19 @@ template <class A, class B>
   return a.derived().lazyProduct(b.derived());
 }
 
-using Doubles = Eigen::MatrixXd;
-using Balls = Eigen::Matrix<Ball, Eigen::Dynamic, Eigen::Dynamic>;
+template <int N>
+using BallMatrix = Eigen::Matrix<Ball, N, N>;
 
 // E for which E a is nearly the unit matrix above zeros, for at least as many rows as columns: Gauss-Jordan
 // elimination with row pivoting on the midpoints of a. Over balls the entries of the result are exact
 // numbers, with no guarantee. Nothing when a pivot vanishes or is not finite.
-[[nodiscard]] std::optional<Doubles> row_combinations(const Doubles& a);
-[[nodiscard]] std::optional<Balls> row_combinations(const Balls& a);
+[[nodiscard]] std::optional<Eigen::MatrixXd> row_combinations(const Eigen::MatrixXd& a);
+[[nodiscard]] std::optional<BallMatrix<Eigen::Dynamic>> row_combinations(const BallMatrix<Eigen::Dynamic>& a);
 
 // The midpoints of an expression over balls of any kind.
 template <class A>
-[[nodiscard]] Doubles in_doubles(const Eigen::MatrixBase<A>& a) {
-  Doubles result(a.rows(), a.cols());
+[[nodiscard]] Eigen::MatrixXd in_double(const Eigen::MatrixBase<A>& a) {
+  Eigen::MatrixXd result(a.rows(), a.cols());
   for (Eigen::Index i = 0; i < a.rows(); ++i) {
     for (Eigen::Index j = 0; j < a.cols(); ++j) {
       result(i, j) = a(i, j).approximate();
@@ -53,14 +53,14 @@ template <class S, int N>
     if (const auto found = row_combinations(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>(a))) {
       return Eigen::Matrix<S, N, N>(*found);
     }
-  } else if (const auto found = row_combinations(in_doubles(a))) {
+  } else if (const auto found = row_combinations(in_double(a))) {
     return Eigen::Matrix<S, N, N>(found->template cast<S>());
   }
   return std::nullopt;
 }
 
 // Whether a is proved to be invertible, all members of its entries: |I - Y a| < 1 in the norm of row sums for
-// the approximate inverse Y.
-[[nodiscard]] bool is_invertible(const Balls& a);
+// the approximate inverse Y. A matrix that is not square is not.
+[[nodiscard]] bool is_invertible(const BallMatrix<Eigen::Dynamic>& a);
 
 }  // namespace stickslip::numeric::zeros

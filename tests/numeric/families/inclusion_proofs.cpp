@@ -167,6 +167,8 @@ TEST_CASE("what is proved invertible has no vanishing member") {
     invertible += is_invertible(regular) ? 1 : 0;
   }
   CHECK(invertible > 50);
+  // More rows than columns, which combine to the unit matrix above zeros.
+  CHECK_FALSE(is_invertible(Eigen::Matrix<Ball, 3, 2>::Identity()));
 }
 
 TEST_CASE("the infimum over a phase is that of every member, and none of its values is below") {
