@@ -22,12 +22,20 @@ Formulas hypotheses_of_vanishing(const std::vector<Term>& parts, Step& step) {
   const Term whole = sum(parts);
   const Term looked_into = unfold(whole, step.unfolded);
   step.divisors = divisors(whole);
-  const std::set<Formula> inside = divisors(looked_into);
+  const Formulas inside = divisors(looked_into);
   step.divisors.insert(inside.begin(), inside.end());
   require(vanishes(looked_into), "the difference is not zero by normal form");
   Formulas hypotheses = hypotheses_of(step.premises);
   hypotheses.insert(step.divisors.begin(), step.divisors.end());
   return hypotheses;
+}
+
+// The number m of a bound that is written m*pi.
+Rational multiple_of_pi(const Term& bound) {
+  require(
+      bound.kind() == Kind::product && bound.parts()[0].kind() == Kind::number && bound.parts()[1] == pi(),
+      "a bound is written as a number times pi");
+  return bound.parts()[0].value();
 }
 
 }  // namespace
@@ -40,24 +48,6 @@ Theorem Theorem::combination(const Formula& equation, const std::vector<Multiple
   subtract(multiples, parts, step);
   const Formulas hypotheses = hypotheses_of_vanishing(parts, step);
   return {step, hypotheses, equation};
-}
-
-Theorem Theorem::inverse_of(const Theorem& product) {
-  const auto [left, right] = sides(product, Kind::equal);
-  require(left.kind() == Kind::product, "an inverse is known by a product of two matrices");
-  const Term a = left.parts()[0], b = left.parts()[1];
-  require(a.type().rows == a.type().columns && a.type().rows == b.type().rows &&
-              b.type().rows == b.type().columns,
-          "only a square matrix is inverted, by one of its shape");
-  require(right == identity(a.type().rows), "the product is not literally the identity");
-  return {{.rule = "inverse_of", .premises = {product}}, product.hypotheses(), equal(inverse(a), b)};
-}
-
-Theorem Theorem::zero_product(const Term& a, const Term& b) {
-  require(a.type().is_scalar() && b.type().is_scalar(), "only a product of numbers has a zero factor");
-  return {{.rule = "zero_product", .data = {a, b}},
-          {},
-          implies(equal(a * b, 0), any({equal(a, 0), equal(b, 0)}))};
 }
 
 Theorem Theorem::order(const Formula& inequality, const std::vector<Positive>& positives,
@@ -110,6 +100,33 @@ Theorem Theorem::trichotomy(const Term& a, const Term& b) {
           all({any({below, same, above}), negation(all({below, same})), negation(all({below, above})),
                negation(all({same, above})), iff(at_most(a, b), any({below, same})),
                iff(at_most(b, a), any({same, above}))})};
+}
+
+Theorem Theorem::zeros_between(const Theorem& equation, const Theorem& lower, const Theorem& upper) {
+  const auto [function, value] = sides(equation, Kind::equal);
+  require((function.kind() == Kind::sine || function.kind() == Kind::cosine) && value == Term(0),
+          "the equation is sin x = 0 or cos x = 0");
+  const Term& x = function.parts()[0];
+  const auto [from, above] = sides(lower, Kind::less);
+  const auto [below, to] = sides(upper, Kind::less);
+  require(above == x && below == x, "the bounds are of another number");
+  const Rational offset = function.kind() == Kind::sine ? Rational(0) : Rational(1, 2);
+  const Rational first = multiple_of_pi(from), last = multiple_of_pi(to);
+  require(last - first <= 1000, "more than 1000 zeros lie between the bounds");
+  mpz_class k;  // the largest with k + offset <= first
+  const Rational start = first - offset;
+  mpz_fdiv_q(k.get_mpz_t(), start.get_num_mpz_t(), start.get_den_mpz_t());
+  std::vector<Formula> cases;
+  for (Rational zero = k + 1 + offset; zero < last; zero += 1) {
+    cases.push_back(equal(x, Term(zero) * pi()));
+  }
+  return {{.rule = "zeros_between", .premises = {equation, lower, upper}},
+          hypotheses_of({equation, lower, upper}),
+          any(cases)};
+}
+
+Theorem Theorem::sine_is_positive(const Term& x) {
+  return {{.rule = "sine_is_positive", .data = {x}}, {}, implies(between(0, x, pi()), less(0, sin(x)))};
 }
 
 }  // namespace stickslip::proofs::kernel

@@ -18,6 +18,14 @@ class Derivative {
 
   // At time, not yet at the point.
   Term of(const Term& term) {
+    const auto found = known_.find(term);
+    return found != known_.end() ? found->second : known_.emplace(term, rate(term)).first->second;
+  }
+
+  [[nodiscard]] const Formulas& divisors_met() const { return divisors_; }
+
+ private:
+  Term rate(const Term& term) {
     if (!term.variables().contains(time_)) {
       return zero(real_matrix(term.type().rows, term.type().columns));
     }
@@ -41,7 +49,7 @@ class Derivative {
         return exponent == 0 ? Term(0) : Term(exponent) * power(parts[0], exponent - 1) * of(parts[0]);
       }
       case Kind::inverse: {
-        const std::set<Formula> divisor = divisors(term);
+        const Formulas divisor = divisors(term);
         divisors_.insert(divisor.begin(), divisor.end());
         return -(term * of(parts[0]) * term);
       }
@@ -66,9 +74,6 @@ class Derivative {
     }
   }
 
-  [[nodiscard]] const std::set<Formula>& divisors_met() const { return divisors_; }
-
- private:
   // g'(u(point)) by a premise; g is a variable, for a lambda applied is its body.
   [[nodiscard]] Term known_rate(const Term& function, const Term& inner) const {
     const Term place = substitute(inner, {{time_, point_}});
@@ -90,8 +95,9 @@ class Derivative {
 
   Variable time_;
   Term point_;
-  const std::vector<Theorem>& premises_;
-  std::set<Formula> divisors_;
+  std::vector<Theorem> premises_;
+  Formulas divisors_;
+  std::map<Term, Term, Before> known_;
 };
 
 std::vector<Term> conclusions(const std::vector<Theorem>& premises, std::vector<Term> also) {
@@ -103,6 +109,10 @@ std::vector<Term> conclusions(const std::vector<Theorem>& premises, std::vector<
 
 }  // namespace
 
+Term partial_derivative(const Term& term, const Variable& x) {
+  return Derivative(x, x, {}).of(term);
+}
+
 Theorem Theorem::differentiate(const Term& function, const Term& point,
                                const std::vector<Theorem>& premises) {
   require(function.type().sort == Sort::function, "only a function has a derivative");
@@ -113,7 +123,7 @@ Theorem Theorem::differentiate(const Term& function, const Term& point,
   Derivative rule(time, point, premises);
   const Term value = substitute(rule.of(body), {{time, point}});
   Step step{.rule = "differentiate", .premises = premises, .data = {function, point}};
-  std::set<Formula> met = divisors(body);
+  Formulas met = divisors(body);
   met.insert(rule.divisors_met().begin(), rule.divisors_met().end());
   for (const Formula& divisor : met) {
     step.divisors.insert(substitute(divisor, {{time, point}}));

@@ -1,4 +1,6 @@
-#include "proofs/kernel/node.hpp"
+#include <algorithm>
+
+#include "proofs/kernel/rule.hpp"
 
 namespace stickslip::proofs::kernel {
 namespace {
@@ -12,23 +14,20 @@ Term binder(Kind kind, const Variable& variable, const Term& body) {
       {.kind = kind, .parts = {abstracted(body, variable)}, .name = variable.name, .binds = variable.type});
 }
 
-Rational canonical(Rational value) {
-  if (value.get_den() == 0) {
-    throw KernelError("a number has no denominator 0");
-  }
-  value.canonicalize();
-  return value;
-}
-
 }  // namespace
 
 Term::Term(const Variable& variable)
     : Term(Node::make({.kind = Kind::variable, .parts = {}, .name = variable.name, .binds = variable.type})) {
 }
-Term::Term(int value) : Term(static_cast<long>(value)) {}
-Term::Term(long value) : Term(Rational(value)) {}
-Term::Term(const Rational& value)
-    : Term(Node::make({.kind = Kind::number, .parts = {}, .value = canonical(value)})) {}
+Term::Term(const Number& value) : Term(Node::make({.kind = Kind::number, .parts = {}, .value = value})) {}
+Term::Term(int value) : Term(Number(value)) {}
+Term::Term(long value) : Term(Number(value)) {}
+Term::Term(const Rational& value) : Term(Number(value)) {}
+
+Number::Number(Rational value) : value_(std::move(value)) {
+  require(value_.get_den() != 0, "a number has no denominator 0");
+  value_.canonicalize();
+}
 
 Type real_matrix(int rows, int columns) {
   const Type type{Sort::real, rows, columns};
@@ -54,15 +53,13 @@ Term operator-(const Term& a, const Term& b) {
   return a + -b;
 }
 Term operator-(const Term& a) {
-  return a.kind() == Kind::number ? Term(Rational(-a.value())) : Term(-1) * a;
+  return a.kind() == Kind::number ? Term(Number(-a.value())) : Term(-1) * a;
 }
 Term operator*(const Term& a, const Term& b) {
   return make(Kind::product, {a, b});
 }
 Term operator/(const Term& a, const Term& b) {
-  if (!b.type().is_scalar()) {
-    throw KernelError("one divides by numbers only");
-  }
+  require(b.type().is_scalar(), "one divides by numbers only");
   return a * inverse(b);
 }
 Term power(const Term& base, long exponent) {
@@ -107,20 +104,36 @@ Term identity(int rows) {
 
 namespace {
 
-// Of n rows of entries.
+// The entries of a square matrix.
+std::vector<Term> entries_of(const Term& a) {
+  const int n = a.type().rows;
+  require(a.type().is_numeric() && a.type().columns == n, "only a square matrix has a determinant");
+  std::vector<Term> entries = a.kind() == Kind::matrix ? a.parts() : std::vector<Term>{};
+  for (int i = static_cast<int>(entries.size()); i < n * n; ++i) {
+    entries.push_back(entry(a, i / n, i % n));
+  }
+  return entries;
+}
+
+// Of n rows of entries, without one row and one column.
+std::vector<Term> minor(const std::vector<Term>& entries, std::size_t n, std::size_t row,
+                        std::size_t column) {
+  std::vector<Term> result;
+  for (std::size_t i = 0; i < n * n; ++i) {
+    if (i / n != row && i % n != column) {
+      result.push_back(entries[i]);
+    }
+  }
+  return result;
+}
+
 Term laplace(const std::vector<Term>& entries, std::size_t n) {
-  if (n == 1) {
-    return entries[0];
+  if (n <= 1) {
+    return n == 0 ? Term(1) : entries[0];
   }
   std::vector<Term> parts;
   for (std::size_t k = 0; k < n; ++k) {
-    std::vector<Term> minor;
-    for (std::size_t i = n; i < n * n; ++i) {
-      if (i % n != k) {
-        minor.push_back(entries[i]);
-      }
-    }
-    const Term part = entries[k] * laplace(minor, n - 1);
+    const Term part = entries[k] * laplace(minor(entries, n, 0, k), n - 1);
     parts.push_back(k % 2 == 0 ? part : -part);
   }
   return sum(parts);
@@ -129,15 +142,18 @@ Term laplace(const std::vector<Term>& entries, std::size_t n) {
 }  // namespace
 
 Term determinant(const Term& a) {
-  const int n = a.type().rows;
-  if (!a.type().is_numeric() || a.type().columns != n) {
-    throw KernelError("only a square matrix has a determinant");
+  return laplace(entries_of(a), static_cast<std::size_t>(a.type().rows));
+}
+
+Term adjugate(const Term& a) {
+  const std::vector<Term> entries = entries_of(a);
+  const auto n = static_cast<std::size_t>(a.type().rows);
+  std::vector<Term> cofactors;
+  for (std::size_t i = 0; i < n * n; ++i) {
+    const Term one = laplace(minor(entries, n, i % n, i / n), n - 1);
+    cofactors.push_back((i / n + i % n) % 2 == 0 ? one : -one);
   }
-  std::vector<Term> entries = a.kind() == Kind::matrix ? a.parts() : std::vector<Term>{};
-  for (int i = static_cast<int>(entries.size()); i < n * n; ++i) {
-    entries.push_back(entry(a, i / n, i % n));
-  }
-  return laplace(entries, static_cast<std::size_t>(n));
+  return matrix(a.type().rows, a.type().rows, cofactors);
 }
 
 Term lambda(const Variable& variable, const Term& body) {
@@ -194,6 +210,48 @@ Formula between(const Term& a, const Term& t, const Term& b) {
 }
 Formula within(const Term& a, const Term& t, const Term& b) {
   return all({at_most(a, t), at_most(t, b)});
+}
+
+Definition::Definition(const std::string& name, const std::vector<Variable>& parameters, const Term& body)
+    : data_(std::make_shared<const Data>(Data{name, parameters, body})) {
+  require(!name.empty(), "a definition has a name");
+  require(body.is_closed() && body.type().sort != Sort::function,
+          "a definition stands for no function of time");
+  std::set<std::string> names;
+  for (const Variable& parameter : parameters) {
+    static_cast<void>(Term(parameter));
+    require(names.insert(parameter.name).second, "two parameters of a definition have one name");
+  }
+  for (const Variable& free : body.variables()) {
+    require(std::find(parameters.begin(), parameters.end(), free) != parameters.end(),
+            "a definition has a free variable that is no parameter");
+  }
+}
+
+Term Definition::operator()(const std::vector<Term>& arguments) const {
+  return Node::make({.kind = Kind::defined, .parts = arguments, .definition = *this});
+}
+
+Term Definition::unfolded(const std::vector<Term>& arguments) const {
+  static_cast<void>((*this)(arguments));  // checks them
+  Substitution substitution;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    substitution.emplace(parameters()[i], arguments[i]);
+  }
+  return substitute(body(), substitution);
+}
+
+std::strong_ordering operator<=>(const Definition& a, const Definition& b) {
+  if (a.data_ == b.data_) {
+    return std::strong_ordering::equal;
+  }
+  if (const auto order = a.name() <=> b.name(); order != 0) {
+    return order;
+  }
+  if (const auto order = a.parameters() <=> b.parameters(); order != 0) {
+    return order;
+  }
+  return a.body() <=> b.body();
 }
 
 }  // namespace stickslip::proofs::kernel

@@ -27,7 +27,7 @@ class Continuity {
         check(term.parts()[1]);
         return;
       case Kind::inverse: {
-        const std::set<Formula> divisor = divisors(term);
+        const Formulas divisor = divisors(term);
         divisors_.insert(divisor.begin(), divisor.end());
         break;
       }
@@ -47,7 +47,7 @@ class Continuity {
     }
   }
 
-  [[nodiscard]] const std::set<Formula>& divisors_met() const { return divisors_; }
+  [[nodiscard]] const Formulas& divisors_met() const { return divisors_; }
 
  private:
   void check_applied(const Term& function, const Term& inner) const {
@@ -73,7 +73,7 @@ class Continuity {
   Variable time_;
   Term a_, b_;
   const std::vector<Theorem>& premises_;
-  std::set<Formula> divisors_;
+  Formulas divisors_;
 };
 
 }  // namespace
@@ -91,7 +91,7 @@ Theorem Theorem::continuity(const Term& function, const Term& a, const Term& b,
   Continuity rule(time, a, b, premises);
   rule.check(body);
   Step step{.rule = "continuity", .premises = premises, .data = {function, a, b}};
-  std::set<Formula> met = divisors(body);
+  Formulas met = divisors(body);
   met.insert(rule.divisors_met().begin(), rule.divisors_met().end());
   for (const Formula& divisor : met) {
     const bool varies = divisor.variables().contains(time);

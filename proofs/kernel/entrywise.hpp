@@ -54,7 +54,8 @@ class Entrywise {
         return {result};
       }
       case Kind::inverse:
-        return inverse((*this)(parts[0]), static_cast<std::size_t>(term.type().rows));
+        return product((*this)(adjugate(parts[0])), term.type(),
+                       {system_.reciprocal((*this)(determinant(parts[0]))[0])}, real_number);
       case Kind::cosine:
         return {system_.cosine(parts[0], *this)};
       case Kind::sine:
@@ -100,49 +101,8 @@ class Entrywise {
     return result;
   }
 
-  // By cofactors.
-  Entries inverse(const Entries& a, std::size_t n) {
-    const Number reciprocal = system_.reciprocal(minor(a, n, all_but(n, n), all_but(n, n)));
-    Entries result;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        result.push_back(system_.number((i + j) % 2 == 0 ? 1 : -1) *
-                         (minor(a, n, all_but(n, j), all_but(n, i)) * reciprocal));
-      }
-    }
-    return result;
-  }
-
-  // The determinant of these rows and columns.
-  Number minor(const Entries& a, std::size_t n, std::vector<std::size_t> rows,
-               const std::vector<std::size_t>& columns) {
-    if (rows.empty()) {
-      return system_.number(1);
-    }
-    const std::size_t row = rows.front();
-    rows.erase(rows.begin());
-    Number total = system_.number(0);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      std::vector<std::size_t> rest = columns;
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
-      total =
-          total + system_.number(k % 2 == 0 ? 1 : -1) * (a[row * n + columns[k]] * minor(a, n, rows, rest));
-    }
-    return total;
-  }
-
-  static std::vector<std::size_t> all_but(std::size_t n, std::size_t struck) {
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i != struck) {
-        result.push_back(i);
-      }
-    }
-    return result;
-  }
-
   System system_;
-  std::map<Term, Entries> known_;
+  std::map<Term, Entries, Before> known_;
 };
 
 }  // namespace stickslip::proofs::kernel

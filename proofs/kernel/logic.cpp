@@ -113,7 +113,7 @@ class Tables {
 
   std::vector<Formula> premises_;
   Formula conclusion_;
-  std::map<Formula, bool> values_;
+  std::map<Formula, bool, Before> values_;
   std::optional<Formula> open_;  // an atom without value that was met
   long cases_ = 0;
 };

@@ -57,7 +57,7 @@ class Atoms {
       count += static_cast<std::size_t>(atom.type().rows * atom.type().columns);
     }
     base_ = std::make_unique<Ring>(count, 0);
-    std::map<Term, Angle> angles;  // none is known yet: the base ring has no circles
+    std::map<Term, Angle, Before> angles;  // none is known yet: the base ring has no circles
     Entrywise<Polynomials> entries({*this, *base_});
     for (const Term& argument : arguments_) {
       angles.emplace(argument, angle(entries(argument)[0]));
@@ -104,9 +104,8 @@ class Atoms {
     if (!seen_.insert(term).second) {
       return;
     }
-    if (!term.type().is_numeric() || term.kind() == Kind::bound) {
-      throw KernelError("a normal form is of numbers and matrices");
-    }
+    require(term.type().is_numeric() && term.kind() != Kind::bound,
+            "a normal form is of numbers and matrices");
     if (term.kind() == Kind::variable || term.kind() == Kind::apply || term.kind() == Kind::defined) {
       const auto known =
           std::find_if(atoms_.begin(), atoms_.end(), [&](const Term& atom) { return same_atom(atom, term); });
@@ -150,9 +149,7 @@ class Atoms {
 
   [[nodiscard]] Pair circle(const Term& argument, const Ring& ring) const {
     const auto angle = angles_.find(argument);
-    if (angle == angles_.end()) {
-      throw KernelError("a cos or sin stands within the argument of another");
-    }
+    require(angle != angles_.end(), "a cos or sin stands within the argument of another");
     Pair result{ring.number(1), ring.number(0)};
     const Integer quarters = ((angle->second.quarters % 4) + 4) % 4;
     for (Integer i = 0; i < quarters; ++i) {
@@ -160,9 +157,8 @@ class Atoms {
     }
     for (const auto& [phase, coefficient] : angle->second.phases) {
       const Rational multiple = coefficient * phases_[phase].lcm;
-      if (multiple.get_den() != 1 || abs(multiple) > largest_multiple) {
-        throw KernelError("a phase is taken more than 1000 times");
-      }
+      require(multiple.get_den() == 1 && abs(multiple) <= largest_multiple,
+              "a phase is taken more than 1000 times");
       const Pair once{ring.cosine(phase), ring.number(sgn(multiple)) * ring.sine(phase)};
       for (long i = std::abs(multiple.get_num().get_si()); i > 0; --i) {
         result = turned(result, once, ring);
@@ -171,14 +167,14 @@ class Atoms {
     return result;
   }
 
-  std::set<Term> seen_;
-  std::set<Term> arguments_;  // of cos and sin
+  Terms seen_;
+  Terms arguments_;  // of cos and sin
   std::vector<Term> atoms_;
   std::map<Term, std::size_t> atom_of_;
   std::vector<std::size_t> offsets_;    // of an atom's first generator
   std::unique_ptr<Ring> base_, whole_;  // without circles, for arguments; and with them
   std::vector<Phase> phases_;           // in the base ring
-  std::map<Term, Angle> angles_;
+  std::map<Term, Angle, Before> angles_;
 };
 
 bool is_nonzero_constant(const Term& term) {
@@ -193,7 +189,7 @@ bool is_nonzero_constant(const Term& term) {
   }
 }
 
-void collect(const Term& term, std::set<Term>& seen, std::set<Formula>& found) {
+void collect(const Term& term, Terms& seen, Formulas& found) {
   if (term.kind() == Kind::lambda || !seen.insert(term).second) {
     return;
   }
@@ -217,9 +213,9 @@ bool vanishes(const Term& term) {
   return std::all_of(entries.begin(), entries.end(), [](const Quotient& q) { return q.is_zero(); });
 }
 
-std::set<Formula> divisors(const Term& term) {
-  std::set<Term> seen;
-  std::set<Formula> found;
+Formulas divisors(const Term& term) {
+  Terms seen;
+  Formulas found;
   collect(term, seen, found);
   return found;
 }

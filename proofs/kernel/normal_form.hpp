@@ -23,6 +23,6 @@ namespace stickslip::proofs::kernel {
 // cos and sin and in entries never asked for too; of a matrix the determinant. Not for what is a nonzero
 // rational multiple of a power of π. Nothing under a binder is looked at, for the normal form changes nothing
 // there.
-[[nodiscard]] std::set<Formula> divisors(const Term& term);
+[[nodiscard]] Formulas divisors(const Term& term);
 
 }  // namespace stickslip::proofs::kernel

@@ -1,47 +1,14 @@
 #include "proofs/kernel/quotient.hpp"
 
-#include <flint/fmpq_mpoly.h>
-
-#include <algorithm>
+#include <stdexcept>
 
 #include "core/fmpq.hpp"
 
 namespace stickslip::proofs::kernel {
 namespace {
 
-using symbolic::algebra::Polynomial;
-using symbolic::algebra::PolynomialRing;
-
-constexpr slong largest_product = 10000000;
-
-// Labels; which of them is which, only the index says.
-std::vector<GiNaC::ex> labels(std::size_t count) {
-  std::vector<GiNaC::ex> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    result.emplace_back(GiNaC::symbol());
-  }
-  return result;
-}
-
-Polynomial generator_of(const PolynomialRing& ring, std::size_t index) {
-  Polynomial result(ring);
-  fmpq_mpoly_gen(result.raw(), static_cast<slong>(index), ring.context());
-  return result;
-}
-
-// Refuses what would fill the memory.
-Polynomial times(const Polynomial& a, const Polynomial& b) {
-  const auto * context = a.ring().context();
-  if (fmpq_mpoly_is_one(a.raw(), context) != 0 || fmpq_mpoly_is_one(b.raw(), context) != 0) {
-    return fmpq_mpoly_is_one(a.raw(), context) != 0 ? b : a;
-  }
-  if (fmpq_mpoly_length(a.raw(), context) * fmpq_mpoly_length(b.raw(), context) > largest_product) {
-    throw KernelError("a normal form has too many terms");
-  }
-  Polynomial product(a.ring());
-  fmpq_mpoly_mul(product.raw(), a.raw(), b.raw(), context);
-  return product;
-}
+constexpr long most_work = 100000000;  // products of terms in one normal form: some seconds
+constexpr flint_bitcnt_t most_bits = 1000000;
 
 // The leading coefficient, by which the polynomial is divided; it is not zero.
 Rational take_leading(Polynomial& polynomial) {
@@ -54,34 +21,61 @@ Rational take_leading(Polynomial& polynomial) {
 }  // namespace
 
 // Every s before its c, and both before everything else: then the relations are a Gröbner basis.
-Ring::Ring(std::size_t plain, std::size_t circles)
-    : circles_(circles), polynomials_(labels(2 * circles + plain)) {
+Ring::Ring(std::size_t plain, std::size_t circles) : circles_(circles), polynomials_(2 * circles + plain) {
   for (std::size_t i = 0; i < circles; ++i) {
-    Polynomial relation = pow(generator_of(polynomials_, 2 * i), 2);
-    relation += pow(generator_of(polynomials_, 2 * i + 1), 2);
+    const Polynomial s = polynomials_.generator(2 * i), c = polynomials_.generator(2 * i + 1);
+    Polynomial relation = product(s, s);
+    relation += product(c, c);
     relation += constant(-1);
     relations_.push_back(relation);
   }
 }
 
+void Ring::spend(const Polynomial& a, const Polynomial& b) const {
+  const auto length = [&](const Polynomial& p) { return fmpq_mpoly_length(p.raw(), polynomials_.context()); };
+  work_ += length(a) * length(b);
+  if (length(a) > most_work / 100 || length(b) > most_work / 100 || work_ > most_work) {
+    throw KernelError("a normal form takes more than 10^8 products of terms");
+  }
+}
+
+Polynomial Ring::product(const Polynomial& a, const Polynomial& b) const {
+  const auto * context = polynomials_.context();
+  if (fmpq_mpoly_is_one(a.raw(), context) != 0 || fmpq_mpoly_is_one(b.raw(), context) != 0) {
+    return fmpq_mpoly_is_one(a.raw(), context) != 0 ? b : a;
+  }
+  spend(a, b);
+  Polynomial result(polynomials_);
+  fmpq_mpoly_mul(result.raw(), a.raw(), b.raw(), context);
+  const fmpq_mpoly_struct& made = *result.raw();
+  if (made.zpoly->bits > FLINT_BITS || fmpz_bits(fmpq_numref(made.content)) > most_bits ||
+      fmpz_bits(fmpq_denref(made.content)) > most_bits ||
+      std::abs(fmpz_mpoly_max_bits(made.zpoly)) > static_cast<slong>(most_bits)) {
+    throw KernelError("a number in a normal form is too large");
+  }
+  return result;
+}
+
+Polynomial Ring::common_divisor(const Polynomial& a, const Polynomial& b) const {
+  spend(a, b);
+  try {
+    return gcd(a, b);
+  } catch (const std::overflow_error& gave_up) {
+    throw KernelError(gave_up.what());
+  }
+}
+
 Quotient Ring::generator(std::size_t index) const {
-  return {*this, generator_of(polynomials_, 2 * circles_ + index), constant(1)};
+  return {*this, polynomials_.generator(2 * circles_ + index), constant(1)};
 }
 Quotient Ring::cosine(std::size_t circle) const {
-  return {*this, generator_of(polynomials_, 2 * circle + 1), constant(1)};
+  return {*this, polynomials_.generator(2 * circle + 1), constant(1)};
 }
 Quotient Ring::sine(std::size_t circle) const {
-  return {*this, generator_of(polynomials_, 2 * circle), constant(1)};
+  return {*this, polynomials_.generator(2 * circle), constant(1)};
 }
 Quotient Ring::number(const Rational& value) const {
   return {*this, constant(value), constant(1)};
-}
-
-Polynomial Ring::constant(const Rational& value) const {
-  const Fmpq exact(value);
-  Polynomial result(polynomials_);
-  fmpq_mpoly_set_fmpq(result.raw(), exact.raw(), polynomials_.context());
-  return result;
 }
 
 Polynomial Ring::reduced(Polynomial polynomial) const {
@@ -107,7 +101,7 @@ bool Quotient::is_multiple_of_power(std::size_t generator) const {
       return false;
     }
     const std::size_t wanted = 2 * ring_->circles() + generator;
-    for (std::size_t k = 0; k < p.ring().symbols().size(); ++k) {
+    for (std::size_t k = 0; k < p.ring().generators(); ++k) {
       if (k != wanted && fmpq_mpoly_get_term_var_exp_ui(p.raw(), 0, static_cast<slong>(k), context) != 0) {
         return false;
       }
@@ -134,38 +128,42 @@ Quotient operator+(const Quotient& a, const Quotient& b) {
     total += b.numerator_;
     return {*a.ring_, std::move(total), a.denominator_};
   }
-  const Polynomial common = gcd(a.denominator_, b.denominator_);
+  const Ring& ring = *a.ring_;
+  const Polynomial common = ring.common_divisor(a.denominator_, b.denominator_);
   const Polynomial missing = quotient(b.denominator_, common);
-  Polynomial total = times(a.numerator_, missing);
-  total += times(quotient(a.denominator_, common), b.numerator_);
-  return {*a.ring_, std::move(total), times(a.denominator_, missing)};
+  Polynomial total = ring.product(a.numerator_, missing);
+  total += ring.product(quotient(a.denominator_, common), b.numerator_);
+  return {ring, std::move(total), ring.product(a.denominator_, missing)};
 }
 
 Quotient operator*(const Quotient& a, const Quotient& b) {
   if (a.is_zero() || b.is_zero()) {
     return a.is_zero() ? a : b;
   }
-  return {*a.ring_, times(a.numerator_, b.numerator_), times(a.denominator_, b.denominator_)};
+  const Ring& ring = *a.ring_;
+  return {ring, ring.product(a.numerator_, b.numerator_), ring.product(a.denominator_, b.denominator_)};
 }
 
 bool equal(const Quotient& a, const Quotient& b) {
-  return times(a.numerator_, b.denominator_) == times(b.numerator_, a.denominator_);
+  const Ring& ring = *a.ring_;
+  return ring.product(a.numerator_, b.denominator_) == ring.product(b.numerator_, a.denominator_);
 }
 
 std::vector<std::pair<Rational, Quotient>> terms(const Quotient& whole) {
   std::vector<std::pair<Rational, Quotient>> result;
-  const auto * context = whole.ring_->polynomials().context();
-  const Polynomial shared = gcd(whole.numerator_, whole.denominator_);
+  const Ring& ring = *whole.ring_;
+  const auto * context = ring.polynomials().context();
+  const Polynomial shared = ring.common_divisor(whole.numerator_, whole.denominator_);
   const Polynomial numerator = quotient(whole.numerator_, shared);
   const Polynomial denominator = quotient(whole.denominator_, shared);
   for (slong i = 0; i < fmpq_mpoly_length(numerator.raw(), context); ++i) {
-    Polynomial term(whole.ring_->polynomials());
+    Polynomial term(ring.polynomials());
     fmpq_mpoly_get_term(term.raw(), numerator.raw(), i, context);
-    const Polynomial common = gcd(term, denominator);
+    const Polynomial common = ring.common_divisor(term, denominator);
     Polynomial above = quotient(term, common);
     Polynomial below = quotient(denominator, common);
     const Rational coefficient = take_leading(above) / take_leading(below);
-    result.emplace_back(coefficient, Quotient{*whole.ring_, std::move(above), std::move(below)});
+    result.emplace_back(coefficient, Quotient{ring, std::move(above), std::move(below)});
   }
   return result;
 }

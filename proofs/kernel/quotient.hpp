@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/polynomial.hpp"
 #include "proofs/kernel/term.hpp"
-#include "symbolic/algebra/polynomial_ring.hpp"
 
 namespace stickslip::proofs::kernel {
 
@@ -17,8 +17,7 @@ class Ring;
 class Quotient {
  public:
   // The denominator is not zero.
-  Quotient(const Ring& ring, symbolic::algebra::Polynomial numerator,
-           symbolic::algebra::Polynomial denominator);
+  Quotient(const Ring& ring, Polynomial numerator, Polynomial denominator);
   [[nodiscard]] bool is_zero() const { return numerator_.is_zero(); }
   // Whether it is a nonzero rational number times a power, of any sign, of the generator.
   [[nodiscard]] bool is_multiple_of_power(std::size_t generator) const;
@@ -34,7 +33,7 @@ class Quotient {
 
  private:
   const Ring * ring_;
-  symbolic::algebra::Polynomial numerator_, denominator_;
+  Polynomial numerator_, denominator_;
 };
 // `plain` generators, the 0th of which is π, and `circles` pairs (c, s). Quotients need their ring alive.
 class Ring {
@@ -44,16 +43,21 @@ class Ring {
   [[nodiscard]] Quotient cosine(std::size_t circle) const;
   [[nodiscard]] Quotient sine(std::size_t circle) const;
   [[nodiscard]] Quotient number(const Rational& value) const;
-  [[nodiscard]] const symbolic::algebra::PolynomialRing& polynomials() const { return polynomials_; }
-  [[nodiscard]] symbolic::algebra::Polynomial constant(const Rational& value) const;
-  [[nodiscard]] symbolic::algebra::Polynomial reduced(
-      symbolic::algebra::Polynomial polynomial) const;  // every s² as 1 - c²
+  [[nodiscard]] const PolynomialRing& polynomials() const { return polynomials_; }
+  [[nodiscard]] Polynomial constant(const Rational& value) const { return polynomials_.constant(value); }
+  [[nodiscard]] Polynomial reduced(Polynomial polynomial) const;  // every s² as 1 - c²
+  // Throw KernelError where that would take too long, or exponents no longer fit a machine word.
+  [[nodiscard]] Polynomial product(const Polynomial& a, const Polynomial& b) const;
+  [[nodiscard]] Polynomial common_divisor(const Polynomial& a, const Polynomial& b) const;
   [[nodiscard]] std::size_t circles() const { return circles_; }
 
  private:
+  void spend(const Polynomial& a, const Polynomial& b) const;
+
   std::size_t circles_;
-  symbolic::algebra::PolynomialRing polynomials_;
-  std::vector<symbolic::algebra::Polynomial> relations_;
+  PolynomialRing polynomials_;
+  std::vector<Polynomial> relations_;
+  mutable long work_ = 0;  // products of terms so far
 };
 
 }  // namespace stickslip::proofs::kernel

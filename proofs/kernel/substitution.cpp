@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "proofs/kernel/node.hpp"
+#include "proofs/kernel/rule.hpp"
 
 namespace stickslip::proofs::kernel {
 namespace {
@@ -89,28 +89,21 @@ Term instantiated(const Term& body, const Term& argument) {
 
 Term abstracted(const Term& body, const Variable& variable) {
   static_cast<void>(Term(variable));
-  if (!body.is_closed()) {
-    throw KernelError("what is bound is no part of another binder's body");
-  }
+  require(body.is_closed(), "what is bound is no part of another binder's body");
   return abstracted_at(body, variable, 0);
 }
 
 Term substitute(const Term& term, const Substitution& substitution) {
   for (const auto& [variable, value] : substitution) {
-    if (!value.is_closed()) {
-      throw KernelError("what is substituted is no part of a binder's body");
-    }
-    if (value.type() != variable.type) {
-      throw KernelError("the variable " + variable.name + " is replaced by something of another type");
-    }
+    require(value.is_closed(), "what is substituted is no part of a binder's body");
+    require(value.type() == variable.type, "a variable is replaced by something of another type");
   }
   return substituted_at(term, substitution, 0);
 }
 
 Term replaced(const Term& term, const Term& part, const Term& by) {
-  if (!part.is_closed() || !by.is_closed() || part.type() != by.type()) {
-    throw KernelError("a part is replaced by a closed term of its own type");
-  }
+  require(part.is_closed() && by.is_closed() && part.type() == by.type(),
+          "a part is replaced by a closed term of its own type");
   const auto visit = [&](const auto& self, const Term& inner) -> Term {
     return inner == part ? by : mapped(inner, 0, [&](const Term& next, long) { return self(self, next); });
   };
@@ -118,12 +111,9 @@ Term replaced(const Term& term, const Term& part, const Term& by) {
 }
 
 Term opened(const Term& binder, const Term& argument) {
-  if (!is_binder(binder.kind()) || !binder.is_closed() || !argument.is_closed()) {
-    throw KernelError("only a closed binder is opened, and with a closed term");
-  }
-  if (argument.type() != binder.binds()) {
-    throw KernelError("what is bound is replaced by something of another type");
-  }
+  require(is_binder(binder.kind()) && binder.is_closed() && argument.is_closed(),
+          "only a closed binder is opened, and with a closed term");
+  require(argument.type() == binder.binds(), "what is bound is replaced by something of another type");
   return instantiated(binder.parts()[0], argument);
 }
 

@@ -1,19 +1,14 @@
 #include "proofs/kernel/term.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <unordered_map>
 
-#include "proofs/kernel/node.hpp"
-#include "proofs/kernel/pool.hpp"
+#include "proofs/kernel/rule.hpp"
 
 namespace stickslip::proofs::kernel {
 namespace {
 
-void require(bool holds, const char * message) {
-  if (!holds) {
-    throw KernelError(message);
-  }
-}
+constexpr long deepest = 1000;  // what recursion through a term may need of the stack
 
 void require_valid(const Type& type) {
   require(type.rows >= 1 && type.columns >= 1 && type.rows <= 64 && type.columns <= 64,
@@ -62,7 +57,7 @@ Type numeric_type(const Node& node) {
       return shape_of_product(parts[0].type(), parts[1].type());
     case Kind::power:
       require(parts[0].type().is_scalar(), "only a number is raised to a power");
-      require(node.value->get_den() == 1 && *node.value >= 0 && *node.value <= 1000,
+      require(node.value->value().get_den() == 1 && *node.value >= 0 && *node.value <= 1000,
               "an exponent is a whole number from 0 to 1000");
       return parts[0].type();
     case Kind::inverse:
@@ -169,7 +164,7 @@ std::uint64_t hash_of(const Node& node) {
   if (!is_binder(node.kind)) {
     add(node.name);
   }
-  add(node.value ? node.value->get_str() : "0");
+  add(node.value ? node.value->value().get_str() : "0");
   if (node.definition) {
     add(node.definition->name());
   }
@@ -203,10 +198,94 @@ std::shared_ptr<const Variables> variables_of(const Node& node) {
   return more ? std::make_shared<const Variables>(*std::move(more)) : most;
 }
 
+// How many parts a term of that kind has; nothing where it may have any number.
+std::optional<std::size_t> arity(Kind kind) {
+  switch (kind) {
+    case Kind::variable:
+    case Kind::bound:
+    case Kind::number:
+    case Kind::pi:
+      return 0;
+    case Kind::sum:
+    case Kind::matrix:
+    case Kind::defined:
+    case Kind::conjunction:
+    case Kind::disjunction:
+      return std::nullopt;
+    case Kind::product:
+    case Kind::apply:
+    case Kind::equal:
+    case Kind::less:
+    case Kind::at_most:
+    case Kind::implication:
+      return 2;
+    case Kind::derivative:
+    case Kind::continuous:
+      return 3;
+    default:
+      return 1;
+  }
+}
+
+void require_complete(const Node& node) {
+  require(node.parts.size() == arity(node.kind).value_or(node.parts.size()), "a term lacks parts");
+  require(node.value.has_value() ||
+              (node.kind != Kind::number && node.kind != Kind::power && node.kind != Kind::bound),
+          "a term lacks its number");
+  require(node.kind != Kind::bound ||
+              (*node.value >= 0 && *node.value <= deepest && node.value->value().get_den() == 1),
+          "an index counts binders");
+  require(node.definition.has_value() == (node.kind == Kind::defined), "a term lacks its definition");
+}
+
+// The nodes of this thread that are alive, by hash. What is built alike, hints included, is one node: then
+// most comparisons are of two pointers.
+class Pool {
+ public:
+  // The node that is built alike, if there is one; else the one that `make` makes of it, which makes no
+  // other.
+  template <class Make>
+  [[nodiscard]] std::shared_ptr<const Node> shared(const Node& node, const Make& make) {
+    const auto [first, last] = nodes_.equal_range(node.hash);
+    auto dead = last;
+    for (auto one = first; one != last; ++one) {
+      auto known = one->second.lock();
+      if (known && alike(*known, node)) {
+        return known;
+      }
+      dead = known ? dead : one;
+    }
+    const std::shared_ptr<const Node> made = make();
+    if (dead != last) {
+      dead->second = made;
+      return made;
+    }
+    if (nodes_.size() > limit_) {
+      std::erase_if(nodes_, [](const auto& entry) { return entry.second.expired(); });
+      limit_ = 2 * nodes_.size() + fewest;
+    }
+    nodes_.emplace(made->hash, made);
+    return made;
+  }
+
+ private:
+  static constexpr std::size_t fewest = 100000;
+
+  static bool alike(const Node& a, const Node& b) {
+    return a.kind == b.kind && a.row == b.row && a.column == b.column && a.binds == b.binds &&
+           a.name == b.name && a.value == b.value && a.definition == b.definition &&
+           std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), Node::is_same);
+  }
+
+  std::unordered_multimap<std::uint64_t, std::weak_ptr<const Node>> nodes_;
+  std::size_t limit_ = fewest;
+};
+
 }  // namespace
 
 Term Node::make(Node node) {
   require_valid(node.binds);
+  require_complete(node);
   if (node.kind == Kind::apply && node.parts[0].kind() == Kind::lambda && node.parts[1].type().is_scalar()) {
     return instantiated(node.parts[0].parts()[0], node.parts[1]);
   }
@@ -222,10 +301,13 @@ Term Node::make(Node node) {
   static thread_local Pool pool;
   return Term(pool.shared(node, [&] {
     node.variables = variables_of(node);
-    node.loose = node.kind == Kind::bound ? node.value->get_num().get_si() + 1 : 0;
+    node.loose = node.kind == Kind::bound ? node.value->value().get_num().get_si() + 1 : 0;
+    node.depth = 1;
     node.applies_definitions = node.kind == Kind::defined;
     for (const Term& part : node.parts) {
       node.loose = std::max(node.loose, of(part).loose - (is_binder(node.kind) ? 1 : 0));
+      node.depth = std::max(node.depth, of(part).depth + 1);
+      require(node.depth <= deepest, "a term is nested more than 1000 deep");
       node.applies_definitions = node.applies_definitions || of(part).applies_definitions;
     }
     return std::make_shared<const Node>(std::move(node));
@@ -246,7 +328,7 @@ const std::string& Term::name() const {
 }
 const Rational& Term::value() const {
   static const Rational none = 0;
-  return node_->value ? *node_->value : none;
+  return node_->value ? node_->value->value() : none;
 }
 int Term::row() const {
   return node_->row;
@@ -266,6 +348,16 @@ const Variables& Term::variables() const {
 }
 bool Term::is_closed() const {
   return node_->loose == 0;
+}
+
+bool Before::operator()(const Variable& a, const Variable& b) const {
+  return a < b;
+}
+bool Before::operator()(const Term& a, const Term& b) const {
+  return a < b;
+}
+bool Before::operator()(const Definition& a, const Definition& b) const {
+  return a < b;
 }
 
 std::strong_ordering operator<=>(const Term& a, const Term& b) {

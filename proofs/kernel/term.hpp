@@ -10,21 +10,18 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "core/rational.hpp"
+#include "proofs/kernel/number.hpp"
 
 namespace stickslip::proofs::kernel {
 
-// A rule or a constructor refuses: one sentence that says why.
-struct KernelError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 // Something divides by what is zero.
 struct ZeroDivisor : KernelError {
   using KernelError::KernelError;
@@ -54,7 +51,15 @@ struct Variable {
 
   friend auto operator<=>(const Variable&, const Variable&) = default;
 };
-using Variables = std::set<Variable>;
+class Term;
+class Definition;
+// The order of sets and maps in the kernel: compiled with it, where nobody else's std::less reaches.
+struct Before {
+  bool operator()(const Variable& a, const Variable& b) const;
+  bool operator()(const Term& a, const Term& b) const;
+  bool operator()(const Definition& a, const Definition& b) const;
+};
+using Variables = std::set<Variable, Before>;
 
 // clang-format off
 enum class Kind {
@@ -65,13 +70,13 @@ enum class Kind {
 };
 // clang-format on
 
-class Definition;
 struct Node;
 
 class Term {
  public:
   Term(const Variable& variable);  // NOLINT: throws KernelError for the type of formulas
-  Term(int value);                 // NOLINT: numbers are terms
+  Term(const Number& value);       // NOLINT: numbers are terms
+  Term(int value);                 // NOLINT
   Term(long value);                // NOLINT
   Term(const Rational& value);     // NOLINT
   Term(double) = delete;
@@ -83,7 +88,7 @@ class Term {
   [[nodiscard]] const Type& type() const;
   [[nodiscard]] const std::vector<Term>& parts() const;
   [[nodiscard]] const std::string& name() const;  // of a variable; of a binder only a hint for printing
-  [[nodiscard]] const Rational& value() const;    // of a number; the exponent of a power
+  [[nodiscard]] const Rational& value() const;    // of a number; the exponent of a power; an index
   [[nodiscard]] int row() const;                  // of an entry, from 0
   [[nodiscard]] int column() const;
   [[nodiscard]] const Type& binds() const;             // what a binder binds
@@ -101,7 +106,9 @@ class Term {
   std::shared_ptr<const Node> node_;
 };
 using Formula = Term;  // of type truth_value
-using Substitution = std::map<Variable, Term>;
+using Terms = std::set<Term, Before>;
+using Formulas = Terms;
+using Substitution = std::map<Variable, Term, Before>;
 
 // A name for a term or a formula in parameters: closed, so that nothing hides in it. What it means is part of
 // it: two definitions are the same if name, parameters and body are. There is no table of definitions.
@@ -130,7 +137,34 @@ class Definition {
   };
   std::shared_ptr<const Data> data_;
 };
-using Definitions = std::set<Definition>;
+using Definitions = std::set<Definition, Before>;
+
+// What a term is made of: for the kernel's files only. It is complete here, so that nobody else can say what
+// a Node is, and make() takes nothing on trust.
+struct Node {
+  Kind kind = Kind::number;
+  std::vector<Term> parts;
+  std::string name = {};             // of a variable; of a binder a hint
+  std::optional<Number> value = {};  // of a number; exponent of a power; index of what is bound
+  int row = 0;                       // of an entry; rows of a matrix
+  int column = 0;
+  Type binds = {};  // of a binder; the type of a variable and of what is bound
+  std::optional<Definition> definition = {};
+
+  // Computed by make():
+  Type type = {};
+  std::uint64_t hash = 0;
+  long loose = 0;                    // no index in it reaches further than this many binders outside
+  long depth = 1;                    // of the tree
+  bool applies_definitions = false;  // it or a part of it
+  std::shared_ptr<const Variables> variables = {};
+
+  // The only way to a Term: checks sorts and shapes and throws KernelError; applies a lambda that is applied,
+  // and takes λt. f(t) for f, so that equal functions look alike.
+  [[nodiscard]] static Term make(Node node);
+  [[nodiscard]] static const Node& of(const Term& term) { return *term.node_; }
+  [[nodiscard]] static bool is_same(const Term& a, const Term& b) { return a.node_ == b.node_; }
+};
 
 // Terms. All throw KernelError when sorts or shapes do not fit.
 [[nodiscard]] Term pi();
@@ -150,6 +184,7 @@ using Definitions = std::set<Definition>;
 [[nodiscard]] Term zero(const Type& type);  // 0, or a matrix of zeros
 [[nodiscard]] Term identity(int rows);
 [[nodiscard]] Term determinant(const Term& a);  // by Laplace's expansion in its entries
+[[nodiscard]] Term adjugate(const Term& a);     // the determinant times the inverse, by cofactors
 // λ variable. body: a function of time; the variable is a number. apply(λ…, t) is the body at t.
 [[nodiscard]] Term lambda(const Variable& variable, const Term& body);
 [[nodiscard]] Term apply(const Term& function, const Term& time);

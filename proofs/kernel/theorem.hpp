@@ -15,19 +15,18 @@
 
 namespace stickslip::proofs::kernel {
 
-using Formulas = std::set<Formula>;
-
 struct Sequent {
   Formulas hypotheses;
   Formula conclusion;
 };
 
 class Theorem;
-struct Step;                                     // how a theorem was made, below
-struct Multiple;                                 // of an equation
-struct Positive;                                 // a product of inequalities
-using Interval = std::pair<Rational, Rational>;  // closed
+struct Step;                                 // how a theorem was made, below
+struct Multiple;                             // of an equation
+struct Positive;                             // a product of inequalities
+using Interval = std::pair<Number, Number>;  // closed
 using Box = std::vector<Interval>;
+using Ranges = std::map<Variable, Interval, Before>;
 
 // Immutable. There is no Theorem but those that the rules make.
 class Theorem final {
@@ -76,10 +75,6 @@ class Theorem final {
   [[nodiscard]] static Theorem combination(const Formula& equation);
   [[nodiscard]] static Theorem combination(const Formula& equation, const std::vector<Multiple>& multiples,
                                            const Definitions& unfolded = {});
-  // Γ ⊢ A B = I gives Γ ⊢ inverse(A) = B, for square matrices A, B.
-  [[nodiscard]] static Theorem inverse_of(const Theorem& product);
-  // ⊢ a b = 0 ⇒ a = 0 or b = 0, for numbers.
-  [[nodiscard]] static Theorem zero_product(const Term& a, const Term& b);
   // Inequalities and equations give a ≤ b or a < b where b - a = Σ q s² Π (upper - lower) + Σ Lk (ak - bk) Rk
   // by normal form, q > 0 rational; a < b only if all inequalities of one product with s = 1 are strict.
   [[nodiscard]] static Theorem order(const Formula& inequality, const std::vector<Positive>& positives);
@@ -92,7 +87,7 @@ class Theorem final {
   // third.
   [[nodiscard]] static Theorem trichotomy(const Term& a, const Term& b);
 
-  // ---- Sine, cosine (trigonometry.cpp)
+  // ---- Sine, cosine (algebra.cpp)
   // Γ ⊢ sin x = 0 (or cos x = 0), ⊢ m*pi < x, ⊢ x < n*pi with numbers m, n give ⊢ x = k1*pi or x = k2*pi or
   // …: all zeros strictly between, perhaps none.
   [[nodiscard]] static Theorem zeros_between(const Theorem& equation, const Theorem& lower,
@@ -142,15 +137,13 @@ class Theorem final {
   // ---- Numbers in balls (numbers.cpp, zeros.cpp). `bits` is the working precision.
   // a < b, a ≤ b or a ≠ b for all values of its variables, numbers, in the ranges given: these are the
   // hypotheses l ≤ x, x ≤ u. Only where no divisor can be zero there and the balls are disjoint.
-  [[nodiscard]] static Theorem sign(const Formula& relation, const std::map<Variable, Interval>& ranges = {},
-                                    long bits = 128);
+  [[nodiscard]] static Theorem sign(const Formula& relation, const Ranges& ranges = {}, long bits = 128);
   // ⊢ exactly one X in the box solves f = 0: Krawczyk's test. X is a column, f a column of as many, with no
   // other variable.
   [[nodiscard]] static Theorem one_zero(const Variable& X, const Term& f, const Box& box, long bits = 128);
   // Every complex zero of the polynomial lies inside the unit circle, for all values of its variables in the
   // ranges, as in sign: Jury's test in balls.
-  [[nodiscard]] static Theorem jury(const Term& coefficients, const std::map<Variable, Interval>& ranges = {},
-                                    long bits = 128);
+  [[nodiscard]] static Theorem jury(const Term& coefficients, const Ranges& ranges = {}, long bits = 128);
 
  private:
   struct Data {
@@ -179,7 +172,7 @@ struct Multiple {
 
 struct Positive {
   std::vector<Theorem> inequalities;
-  Rational factor = 1;
+  Number factor = 1;
   Term square = 1;
 };
 

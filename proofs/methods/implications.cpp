@@ -191,7 +191,7 @@ Proof by_putting_in(std::vector<Premise> premises) {
 Proof by_inverse(Premise product) {
   return by_kernel("multiplied it gives $I$",
                    [product = std::move(product)](Derivation& derivation, std::size_t) {
-                     return kernel::Theorem::inverse_of(derivation.premise(product));
+                     return tactics::inverse_of(derivation.premise(product));
                    });
 }
 
@@ -225,7 +225,7 @@ Proof by_nonzero_multiple(const std::string& assumption, const Term& multiplier)
     const kernel::Term B = stated.conclusion().parts().at(0).parts().at(0);
     const Theorem square =
         derivation.combination(equal(B * B, 0), {{Theorem::assume(zero), derivation.read(multiplier)}});
-    return Theorem::consequence({Theorem::discharge(square, zero), Theorem::zero_product(B, B), stated},
+    return Theorem::consequence({Theorem::discharge(square, zero), tactics::zero_product(B, B), stated},
                                 printed);
   };
   return by_kernel("where the left side vanishes, so does what is assumed not to: its square is a multiple",

@@ -54,7 +54,7 @@ Theorem halved(const Variable& x, Ranges ranges, const std::function<Theorem(con
 }
 
 Rational dyadic(const Rational& value) {
-  return {mpz_class(value * 4096), 4096};
+  return kernel::Number(Rational(mpz_class(value * 4096), 4096));
 }
 
 // f(b) - f(a) = f'(c) (b - a) for some a < c < b, f being the wave: gives the goal from a < c < b and that.

@@ -11,8 +11,7 @@
 
 namespace stickslip::proofs::orbits {
 
-// Intervals that hold numbers, all of them rational.
-using Ranges = std::map<kernel::Variable, kernel::Interval>;
+using kernel::Ranges;  // intervals that hold numbers
 
 // Bounds of what the term can be, strict and no farther apart than that where the ranges allow. Throws
 // KernelError where a divisor may be zero.

@@ -20,10 +20,7 @@ Interval rounded(const Interval& range, int places) {
     mpz_fdiv_q(whole.get_mpz_t(), mpz_class(value.get_num() * unit).get_mpz_t(), value.get_den_mpz_t());
     return Rational(whole + (direction > 0 ? 2 : -1), unit);
   };
-  Interval result{multiple(range.first, -1), multiple(range.second, 1)};
-  result.first.canonicalize();
-  result.second.canonicalize();
-  return result;
+  return {multiple(range.first, -1), multiple(range.second, 1)};
 }
 
 }  // namespace

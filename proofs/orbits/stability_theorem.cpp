@@ -159,8 +159,6 @@ class Multipliers {
     const Rational radius(1, 1L << 34);
     letters_.push_back({name, real_number});
     box_.emplace_back(middle - radius, middle + radius);
-    box_.back().first.canonicalize();
-    box_.back().second.canonicalize();
     ranges_.emplace(letters_.back(), box_.back());
     return letters_.back();
   }

@@ -150,9 +150,8 @@ class List {
     Domain domain{part(during, 0), part(during, 1),
                   different(detach(Theorem::sine_is_positive(delta), during))};
     for (const Variable& omega_j : {omega1, omega2}) {
-      Rational below(mpz_class(ranges_.at(omega_j).first * 4096), 4096), above(below + Rational(1, 1024));
-      below.canonicalize();
-      above.canonicalize();
+      const kernel::Number below(Rational(mpz_class(ranges_.at(omega_j).first.value() * 4096), 4096)),
+          above(below + Rational(1, 1024));
       domain.push_back(sign(less(below, omega_j)));
       domain.push_back(sign(less(omega_j, above)));
       domain.push_back(sign(differ((sin(Symbolic(omega_j) / data_.omega * pi())).term, 0)));
@@ -168,7 +167,7 @@ class List {
     // A is not zero: one of these is.
     const Theorem product =
         discharged(Theorem::combination(equal(s * c, 0), {{opened_row(0, holds), Term(1) / A_}}));
-    const Theorem one = detach(Theorem::zero_product(s, c), product);
+    const Theorem one = detach(zero_product(s, c), product);
     const Theorem vanishes = Theorem::assume(equal(c, 0));
     const Theorem here =
         Theorem::zeros_between(vanishes, Theorem::order(less(Term(0) * pi(), delta), {{{part(during, 0)}}}),
@@ -179,7 +178,7 @@ class List {
     const Term turned = kernel::cos(mu);
     const Theorem level = Theorem::assume(equal(s, 0));
     const Theorem squares = Theorem::combination(equal((turned - 1) * (turned + 1), 0), {{level, -s}});
-    const Theorem sides = detach(Theorem::zero_product(turned - 1, turned + 1), squares);
+    const Theorem sides = detach(zero_product(turned - 1, turned + 1), squares);
     std::vector<Theorem> cases{sides};
     for (const int k : {1, -1}) {
       const Formula at_side = equal(k > 0 ? turned - 1 : turned + 1, 0);

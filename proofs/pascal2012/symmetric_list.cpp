@@ -127,8 +127,7 @@ class List {
         arguments_{e.omega1, e.omega2, phase} {
     Domain domain{above(0, e.tau)};
     for (const Variable& omega_j : {e.omega1, e.omega2}) {
-      Rational below(mpz_class(ranges.at(omega_j).first * 4096), 4096);
-      below.canonicalize();
+      const kernel::Number below(Rational(mpz_class(ranges.at(omega_j).first.value() * 4096), 4096));
       domain.push_back(Theorem::sign(less(below, omega_j), {{omega_j, ranges.at(omega_j)}}));
     }
     for (const Row& row : rows_of(example, e)) {
@@ -138,7 +137,7 @@ class List {
   }
 
   SymmetricList operator()(const std::vector<Rational>& nearly) {
-    const Rational last(mpz_class(enclosed(e_.Theta).second * 1024 + 1), 1024);
+    const kernel::Number last(Rational(mpz_class(enclosed(e_.Theta).second.value() * 1024 + 1), 1024));
     const orbits::AllZeros found =
         orbits::all_zeros(orbits::differentiable(eliminant_), arguments_, e_.tau, {0, last}, ranges_, nearly);
     SymmetricList result{{}, {}, {}, found.only};
@@ -321,7 +320,7 @@ class List {
                                            equation.conclusion()));
     }
     Theorem result = Theorem::consequence(because, goal(taus, amplitudes));
-    const Rational last(mpz_class(enclosed(e_.Theta).second * 1024 + 1), 1024);
+    const kernel::Number last(Rational(mpz_class(enclosed(e_.Theta).second.value() * 1024 + 1), 1024));
     for (const Theorem& known :
          {part(inside, 0), Theorem::order(at_most(0, e_.tau), {{{part(inside, 0)}}}),
           Theorem::order(at_most(e_.tau, last),

@@ -63,7 +63,7 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
       premises.push_back(factor_differs(numerator.factors[i], letters, domain));
     }
     for (int k = i == 0 ? 1 : 0; k < numerator.exponents[i]; ++k) {
-      premises.push_back(Theorem::zero_product(product, factor));
+      premises.push_back(zero_product(product, factor));
       product = product * factor;
     }
   }

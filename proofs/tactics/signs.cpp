@@ -90,7 +90,7 @@ std::optional<Theorem> signed_by_bounds(const ex& factor, const Letters& letters
       if (ends.lower && ends.upper) {
         positive.inequalities.insert(positive.inequalities.end(), far, *ends.upper);
         for (int k = 0; k < degrees[i]; ++k) {
-          positive.factor /= ends.to() - ends.from();
+          positive.factor = positive.factor.value() / (ends.to() - ends.from());
         }
       }
     }

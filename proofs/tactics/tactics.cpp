@@ -65,6 +65,42 @@ Theorem refuted(const Formula& claim, const Term& t, const Theorem& counterexamp
   return Theorem::consequence({one, counterexample}, negation(claim));
 }
 
+Theorem zero_product(const Term& a, const Term& b) {
+  static thread_local const Variable u{"u"}, v{"v"};
+  static thread_local const Theorem lemma = [] {
+    const Formula zero = equal(Term(u) * v, 0), factor = differ(u, 0);
+    const Theorem other =
+        Theorem::combination(equal(v, 0), {{Theorem::assume(zero), inverse(u)}});  // where u is not 0
+    return Theorem::discharge(
+        Theorem::consequence({Theorem::discharge(other, factor)}, any({equal(u, 0), equal(v, 0)})), zero);
+  }();
+  return Theorem::instantiate(lemma, {{u, a}, {v, b}});
+}
+
+Theorem inverse_of(const Theorem& product) {
+  const Formula& said = product.conclusion();
+  if (said.kind() != Kind::equal || said.parts()[0].kind() != Kind::product) {
+    throw KernelError("an inverse is known by a product of two matrices");
+  }
+  const std::vector<Term>& factors = said.parts()[0].parts();
+  const int n = factors[0].type().rows;
+  const Variable A{"A", factors[0].type()}, B{"B", factors[1].type()}, M{"M", real_matrix(n, n)};
+  const Formula unit = equal(Term(A) * B, identity(n));
+  const Term one = determinant(A) * determinant(B);
+  const Theorem of_product = Theorem::combination(equal(one, determinant(Term(A) * B)));
+  const Theorem of_unit = Theorem::replace(Theorem::assume(unit), M, equal(one, determinant(M)), of_product);
+  const Formula zero = equal(determinant(A), 0);
+  const Theorem absurd = Theorem::combination(
+      equal(1, 0), {{Theorem::assume(zero), determinant(B)}, {of_unit, -1}});  // det(A) det(B) = 1
+  const Theorem differs = Theorem::consequence(
+      {Theorem::discharge(absurd, zero), different(Theorem::sign(less(0, 1)))}, negation(zero));
+  const Theorem lemma = Theorem::cut(
+      differs, Theorem::combination(equal(inverse(A), B), {{Theorem::assume(unit), -inverse(A)}}));
+  const Theorem instance =
+      Theorem::instantiate(Theorem::discharge(lemma, unit), {{A, factors[0]}, {B, factors[1]}});
+  return detach(instance, product);
+}
+
 Theorem below_by_squares(const Theorem& squares, const Theorem& not_negative, const Term& a, const Term& b) {
   const Formula wrong = at_most(b, a);
   const Theorem assumed = Theorem::assume(wrong);

@@ -40,6 +40,10 @@ using Domain = std::vector<Theorem>;
 [[nodiscard]] Theorem different(const Theorem& inequality);
 // not for all x: A(x), from a theorem not A(t).
 [[nodiscard]] Theorem refuted(const Formula& for_all, const Term& t, const Theorem& counterexample);
+// ⊢ a b = 0 ⇒ a = 0 or b = 0, for numbers.
+[[nodiscard]] Theorem zero_product(const Term& a, const Term& b);
+// Γ ⊢ A B = I gives Γ ⊢ inverse(A) = B, for square matrices A, B.
+[[nodiscard]] Theorem inverse_of(const Theorem& product);
 // x = k*pi for an integer k and m*pi < x < (m+2)*pi, m whole, are for the kernel: Theorem::zeros_between.
 
 // ---- Divisors

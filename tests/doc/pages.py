@@ -3,7 +3,7 @@
 
     pages.py PROGRAM PAGE…
 
-- "$ stickslip …" is run, and must print what is shown below it. "[…]" there stands for anything, on a line of its own
+- "$ stickslip …" is run, and "$ script/trusted", and must print what is shown below it. "[…]" there stands for anything, on a line of its own
   for any lines. Files that are shown, by "$ cat FILE" or as TOML, are there for the commands that follow.
 - Python is run where the module is to be found, after the page's commands: >>> by doctest, a script as it is unless
   what it imports is not installed.
@@ -115,6 +115,8 @@ def main(program, *pages):
                         Path(command.split()[1]).write_text(shown)
                     elif command.startswith("stickslip "):
                         judge(page, said_otherwise(command, shown))
+                    elif command == "script/trusted":
+                        judge(page, said_otherwise(f"{root}/{command}", shown))
                 if kind in ("sh", "indented") and re.match(r"(stickslip|script/|mpirun)", block):
                     for line in block.splitlines():
                         words = unknown(line)

@@ -6,6 +6,14 @@ using namespace stickslip::proofs::kernel::attacks;
 using namespace stickslip::proofs::tactics;
 using stickslip::Rational;
 
+namespace {
+
+Term column(const std::vector<Term>& entries) {
+  return matrix(static_cast<int>(entries.size()), 1, entries);
+}
+
+}  // namespace
+
 TEST_CASE("signs in balls") {
   REFUSES(Theorem::sign(less(0, sin(pi()))));
   REFUSES(Theorem::sign(less(sin(pi()), 0)));
@@ -74,7 +82,6 @@ TEST_CASE("zeros in balls") {
 }
 
 TEST_CASE("zeros inside the unit circle") {
-  const auto column = [](const std::vector<Term>& c_) { return matrix(static_cast<int>(c_.size()), 1, c_); };
   REFUSES(Theorem::jury(column({-2, 1})));
   REFUSES(Theorem::jury(column({-1, 1})));
   REFUSES(Theorem::jury(column({1, 0, 1})));
@@ -100,4 +107,73 @@ TEST_CASE("zeros inside the unit circle") {
   REFUSES(Theorem::jury(column({x, 1}), {{y, {minus_half, half}}}));
   REFUSES(Theorem::jury(column({half, x}), {{x, {0, 1}}}));
   REFUSES(Theorem::jury(column({0, 0 * (1 / Term(x)), 1}), {{x, {-1, 1}}}));
+}
+
+TEST_CASE("numbers in a bad state") {
+  Rational none(1);
+  none.get_den() = 0;
+  const Rational minus_one(1, -1), minus_two(2, -1);
+  // The sign of such a number is that of its numerator to GMP: 0 < -1.
+  REFUSES(Theorem::order(less(0, -1), {Positive{{}, minus_one, 1}}));
+  REFUSES(Theorem::order(at_most(0, -2), {Positive{{}, minus_two, 1}}));
+  REFUSES(Theorem::order(less(0, 1), {Positive{{}, none, 1}}));
+  REFUSES(Theorem::sign(less(0, x), {{x, {minus_two, minus_one}}}));
+  REFUSES(Theorem::sign(less(0, x), {{x, {minus_one, minus_two}}}));
+  REFUSES(Theorem::sign(less(0, x), {{x, {none, 1}}}));
+  REFUSES(Theorem::sign(less(0, x), {{x, {1, none}}}));
+  REFUSES(Theorem::sign(less(0, none)));
+  REFUSES(Theorem::sign(less(0, minus_one)));
+  REFUSES(Theorem::jury(column({x, 1}), {{x, {none, 0}}}));
+  REFUSES(Theorem::one_zero(x, Term(x) - 1, {{none, 2}}));
+  REFUSES(Theorem::one_zero(x, Term(x) - 1, {{minus_two, minus_one}}));
+  REFUSES(Theorem::one_zero(x, Term(x) - 1, {{Rational(2, -4), Rational(4, -4)}}));
+  // What is meant is what is used.
+  const Theorem below = Theorem::sign(less(x, 0), {{x, {minus_two, minus_one}}});
+  CHECK(below.hypotheses() == Formulas{at_most(-2, x), at_most(x, -1)});
+  CHECK(Term(Rational(2, 4)) == Term(Rational(1, 2)));
+  CHECK(Term(Rational(2, -4)) == Term(Rational(-1, 2)));
+  CHECK(Number(Rational(0, -7)) == Number(0));
+  CHECK(Theorem::one_zero(x, Term(x) + 1, {{Rational(4, -2), Rational(0, -1)}}).hypotheses().empty());
+}
+
+TEST_CASE("numbers that neither FLINT nor the stack can take") {
+  Term large = cos(Term(1)), huge = 2;
+  for (int i = 0; i < 8; ++i) {
+    large = power(large, 256);  // cos(1)^(2^64)
+    huge = power(huge, 1000);
+  }
+  REFUSES(Theorem::combination(equal(1 / large, 2 / (2 * large))));
+  REFUSES(Theorem::combination(equal(huge, huge + 0)));
+  REFUSES([] {
+    Term deep = x;
+    for (int i = 0; i < 200000; ++i) {
+      deep = deep + y;
+    }
+    return deep;
+  }());
+  // Too many terms.
+  std::vector<Term> letters;
+  for (int i = 0; i < 12; ++i) {
+    letters.emplace_back(Variable{"x" + std::to_string(i)});
+  }
+  REFUSES(Theorem::combination(equal(power(sum(letters), 40), 0)));
+}
+
+TEST_CASE("nodes made by hand") {
+  REFUSES(Node::make({.kind = Kind::sum, .parts = {}}));
+  REFUSES(Node::make({.kind = Kind::less, .parts = {1}}));
+  REFUSES(Node::make({.kind = Kind::apply, .parts = {Term(f)}}));
+  REFUSES(Node::make({.kind = Kind::number, .parts = {}}));
+  REFUSES(Node::make({.kind = Kind::power, .parts = {Term(x)}}));
+  REFUSES(Node::make({.kind = Kind::bound, .parts = {}, .value = -1}));
+  REFUSES(Node::make({.kind = Kind::bound, .parts = {}, .value = Rational(1, 2)}));
+  REFUSES(Node::make({.kind = Kind::bound, .parts = {}, .value = mpz_class("18446744073709551616")}));
+  REFUSES(Node::make({.kind = Kind::defined, .parts = {}}));
+  REFUSES(Node::make({.kind = Kind::variable, .parts = {1}, .name = "x"}));
+  // What make() computes is not taken from outside: this is an open term of type real.
+  const Term open =
+      Node::make({.kind = Kind::bound, .parts = {}, .value = 0, .type = truth_value, .hash = 0, .loose = 0});
+  CHECK_FALSE(open.is_closed());
+  CHECK(open.type() == real_number);
+  REFUSES(Theorem::assume(less(open, 0)));
 }

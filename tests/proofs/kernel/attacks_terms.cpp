@@ -156,7 +156,7 @@ TEST_CASE("what is cut out of a binder goes into no other") {
   REFUSES(Theorem::specialize(assume(for_all(x, equal(x, y))), body.parts()[0]));
   REFUSES(Theorem::discharge(assume(equal(x, x)), body));
   REFUSES(Theorem::trichotomy(body.parts()[0], 0));
-  REFUSES(Theorem::zero_product(body.parts()[0], x));
+  REFUSES(zero_product(body.parts()[0], x));
   REFUSES(Theorem::differentiate(lambda(t, t), body.parts()[0]));
   REFUSES(Theorem::sign(less(body.parts()[0], 1)));
   REFUSES(Definition("d", {y}, body.parts()[0]));

@@ -10,9 +10,9 @@ using stickslip::Rational;
 
 namespace {
 
-class Terms {
+class RandomTerms {
  public:
-  explicit Terms(unsigned seed) : engine_(seed) {}
+  explicit RandomTerms(unsigned seed) : engine_(seed) {}
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine_); }
 
@@ -120,7 +120,7 @@ bool is_contradicted(const Theorem& theorem, const Substitution& point) {
 TEST_CASE("what the normal form proves, balls do not refute") {
   const unsigned seed = stickslip::examples::RandomData().seed();
   INFO("STICKSLIP_SEED=", seed);
-  Terms terms(seed);
+  RandomTerms terms(seed);
   int proved = 0;
   for (int k = 0; k < 4000; ++k) {
     const Term a = terms.number(2);
@@ -142,7 +142,7 @@ TEST_CASE("what the normal form proves, balls do not refute") {
 TEST_CASE("a derivative by rule is near a difference in balls") {
   const unsigned seed = stickslip::examples::RandomData().seed();
   INFO("STICKSLIP_SEED=", seed);
-  Terms terms(seed);
+  RandomTerms terms(seed);
   int compared = 0;
   const Rational h(1, 1 << 20);
   for (int k = 0; k < 1500; ++k) {

@@ -21,7 +21,7 @@ TEST_CASE("class 1: a divisor is on record before anything is cancelled") {
     REFUSES(Theorem::combination(equal(z10, 0), {{product}}));
     const Theorem theorem = Theorem::combination(equal(z10, 0), {{product, 1 / Term(tau1)}});
     CHECK(theorem.hypotheses().contains(differ(tau1, 0)));
-    const Theorem cases = detach(Theorem::zero_product(tau1, z10), product);
+    const Theorem cases = detach(zero_product(tau1, z10), product);
     CHECK(cases.conclusion() == any({equal(tau1, 0), equal(z10, 0)}));
     REFUSES(Theorem::consequence({cases}, equal(z10, 0)));
   }

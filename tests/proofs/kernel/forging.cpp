@@ -51,4 +51,10 @@ const Theorem by_bits = std::bit_cast<Theorem>(Layout{});                    // 
 const Theorem::Data data{{{}, claimed}, nullptr};                            // error: private
 const Definition undefined;                                                  // error: no matching
 const Term of_null{std::shared_ptr<const Node>()};                           // error: private|no matching
+namespace stickslip::proofs::kernel {
+struct Node { static Term forge(); };                                        // error: redefinition
+struct Before { bool operator()(const Term&, const Term&) const; };          // error: redefinition
+}
+void change(Number& number) { number.value().get_den() = 0; }                // error: qualifiers|const|no match
+const Number floating = 0.1;                                                 // error: deleted|conversion|ambiguous
 #endif
