@@ -14,6 +14,8 @@ struct Square {
 // Nearly the inverse, by Gauss and Jordan with the midpoints: exact numbers, of which nothing is taken for
 // granted.
 Square nearly_inverse(Square a) {
+  std::transform(a.entries.begin(), a.entries.end(), a.entries.begin(),
+                 [](const Ball& entry) { return entry.midpoint(); });
   Square inverse{a.rows};
   for (std::size_t k = 0; k < a.rows; ++k) {
     inverse(k, k) = Ball(1);
@@ -35,7 +37,7 @@ Square nearly_inverse(Square a) {
     const Ball scale = (Ball(1) / a(k, k)).midpoint();
     in_both([&](Square& m, std::size_t j) { m(k, j) = (m(k, j) * scale).midpoint(); });
     for (std::size_t i = 0; i < a.rows; ++i) {
-      const Ball factor = i == k ? Ball(0) : a(i, k).midpoint();
+      const Ball factor = i == k ? Ball(0) : a(i, k);
       in_both([&](Square& m, std::size_t j) { m(i, j) = (m(i, j) - factor * m(k, j)).midpoint(); });
     }
   }

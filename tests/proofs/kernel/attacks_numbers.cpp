@@ -53,6 +53,16 @@ TEST_CASE("zeros in balls") {
   REFUSES(Theorem::one_zero(x, power(X, 2) + 1, {{-1, 1}}));
   REFUSES(Theorem::one_zero(x, power(X, 2), {{-1, 1}}));
   REFUSES(Theorem::one_zero(x, power(X, 2) - 1, {{-2, 2}}));
+  const Term v0 = entry(v, 0), v1 = entry(v, 1);
+  REFUSES(Theorem::one_zero(x, power(X, 2) - 1, {{-2, 3}}));  // Newton's step from the middle stays inside
+  REFUSES(Theorem::one_zero(x, X * sin(X), {{-1, 4}}));
+  REFUSES(Theorem::one_zero(v, matrix(2, 1, {power(v0, 2) - 1, v1 - v0}), {{-2, 3}, {-2, 3}}));
+  REFUSES(Theorem::one_zero(x, X + 0 / X, {{-1, 2}}));
+  // Slopes whose balls contain 0, beside others.
+  const Interval side{Rational(-1, 2), Rational(3, 4)};
+  CHECK(Theorem::one_zero(v, matrix(2, 1, {v1 + v0 * v0 / 4, v0 + v1 * v1 / 4}), {side, side})
+            .hypotheses()
+            .empty());
   REFUSES(Theorem::one_zero(x, X - 1, {{1, 2}}));
   REFUSES(Theorem::one_zero(x, X - 3, {{1, 2}}));
   REFUSES(Theorem::one_zero(x, X - X, {{1, 2}}));
