@@ -7,6 +7,7 @@
 #include <boost/uuid/uuid_io.hpp>
 #include <cctype>
 
+#include "core/error.hpp"
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/prelude.hpp"
 
@@ -74,11 +75,13 @@ std::vector<NamedTheorem> named_theorems(const methods::Record& record) {
   const auto add = [&](const char * part, const char * said, const methods::Outcome& outcome) {
     const std::size_t count = outcome.theorems.size();
     for (std::size_t k = 1; k <= count; ++k) {
-      result.push_back({.name = fmt::format("{}_{}_{}", part, file_name(claim.id).substr(6), k),
-                        .about = comment(fmt::format(
-                            "{}, {}{}{}: {}", claim.id, place_text(claim.place), said,
-                            count > 1 ? fmt::format(", part {} of {}", k, count) : "", claim.words)),
-                        .theorem = outcome.theorems[k - 1]});
+      const std::string& words =
+          result.size() < claim.parts.size() ? claim.parts[result.size()] : claim.words;
+      result.push_back(
+          {.name = fmt::format("{}_{}_{}", part, file_name(claim.id).substr(6), k),
+           .about = comment(fmt::format("{}, {}{}{}: {}", claim.id, place_text(claim.place), said,
+                                        count > 1 ? fmt::format(", part {} of {}", k, count) : "", words)),
+           .theorem = outcome.theorems[k - 1]});
     }
   };
   const bool refuted = record.outcome.verdict.truth == Truth::refuted;
@@ -88,6 +91,10 @@ std::vector<NamedTheorem> named_theorems(const methods::Record& record) {
   }
   if (record.converse) {
     add("converse", ", the other direction", *record.converse);
+  }
+  if (!claim.parts.empty() && claim.parts.size() != result.size()) {
+    throw InternalError(fmt::format("claim {} has words for {} theorems, and {} theorems", claim.id,
+                                    claim.parts.size(), result.size()));
   }
   return result;
 }

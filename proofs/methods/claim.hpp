@@ -129,6 +129,9 @@ struct Claim {
   // If the printed form fails: the reading that the derivation supports, and its proof.
   std::vector<symbols::Statement> corrected = {};
   Proof prove_corrected = {};
+  // What each of its theorems says, where the words are not those of each: in the order as printed,
+  // corrected, converse. Empty, or one sentence for each theorem.
+  std::vector<std::string> parts = {};
 };
 
 // Computed, never typed; from the best to the worst.
