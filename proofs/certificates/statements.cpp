@@ -92,7 +92,7 @@ std::vector<NamedTheorem> named_theorems(const methods::Record& record) {
   if (record.converse) {
     add("converse", ", the other direction", *record.converse);
   }
-  if (!claim.parts.empty() && claim.parts.size() != result.size()) {
+  if (!claim.parts.empty() && !result.empty() && claim.parts.size() != result.size()) {
     throw InternalError(fmt::format("claim {} has words for {} theorems, and {} theorems", claim.id,
                                     claim.parts.size(), result.size()));
   }

@@ -24,31 +24,33 @@ using namespace methods;
 namespace {
 
 Claim list_claim(const PrintedPlace& where, const ListTheorem& theorem) {
-  return {
-      .id = where.example.name + ".list",
-      .kind = Kind::numbers,
-      .origin = Origin::new_result,
-      .words =
-          fmt::format("all orbits of the family at the data of {}, admissible or not", where.example.figure),
-      .prove = [where, theorem](Prover&, const Claim&) {
-        const OrbitList& list = orbits_of(where.example).list;
-        const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const Orbit& orbit) {
-          return orbit.admissible.truth == Truth::proved;
-        });
-        Outcome outcome = at_the_data(
-            where.example,
-            fmt::format("exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
+  return {.id = where.example.name + ".list",
+          .kind = Kind::numbers,
+          .origin = Origin::new_result,
+          .words = fmt::format("all orbits of the family at the data of {}, admissible or not",
+                               where.example.figure),
+          .prove =
+              [where, theorem](Prover&, const Claim&) {
+                const OrbitList& list = orbits_of(where.example).list;
+                const auto good =
+                    std::count_if(list.orbits.begin(), list.orbits.end(),
+                                  [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+                Outcome outcome = at_the_data(
+                    where.example,
+                    fmt::format(
+                        "exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
                         list.orbits.size(), good, list.unresolved.size()));
-        outcome.verdict =
-            list.complete()
-                ? Verdict::proved()
-                : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
-        if (theorem.prove && list.complete()) {
-          outcome.uses = theorem.uses;
-          prove(outcome, [&] { return theorem.prove(list); });
-        }
-        return outcome;
-      }};
+                outcome.verdict =
+                    list.complete()
+                        ? Verdict::proved()
+                        : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
+                if (theorem.prove && list.complete()) {
+                  outcome.uses = theorem.uses;
+                  prove(outcome, [&] { return theorem.prove(list); });
+                }
+                return outcome;
+              },
+          .parts = theorem.prove ? std::vector{theorem.says} : std::vector<std::string>{}};
 }
 
 Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
@@ -157,7 +159,12 @@ std::string shown(const Ball& ball) {
 }
 
 Claim existence_claim(const PrintedPlace& where, const std::string& words) {
-  return {.id = where.orbit, .kind = Kind::numbers, .words = words, .prove = [where](Prover&, const Claim&) {
+  return {
+      .id = where.orbit,
+      .kind = Kind::numbers,
+      .words = words,
+      .prove =
+          [where](Prover&, const Claim&) {
             Outcome outcome = at_the_data(
                 where.example,
                 "the phases in closed form, their equations at the ends by Krawczyk's test, the inequalities "
@@ -173,7 +180,11 @@ Claim existence_claim(const PrintedPlace& where, const std::string& words) {
               outcome.verdict = Verdict::undecided(error.what());
             }
             return outcome;
-          }};
+          },
+      .parts = {words,
+                "the equations by which phases in closed form fit together, a characteristic polynomial "
+                "for both frequencies among them, have exactly one solution in a box about that of the "
+                "orbit"}};
 }
 
 std::vector<Claim> orbit_claims(const PrintedPlace& where, const ListTheorem& list) {

@@ -21,6 +21,7 @@ namespace stickslip::proofs::pascal2012 {
 struct ListTheorem {
   std::function<kernel::Theorem(const numeric::OrbitList& list)> prove = {};
   std::set<std::string> uses = {};
+  std::string says = {};  // in words
 };
 // "S.list": the list is complete; "S.if.14.lower", …: each condition along the printed orbit; "S.stability";
 // "S.raw": the friction law integrated without closed forms agrees.

@@ -296,7 +296,10 @@ ListTheorem list_of_S() {
               return found.theorem;
             });
           },
-          {"16.reduced", "16.reduced.converse", "15.reduced", "15.reduced.converse"}};
+          {"16.reduced", "16.reduced.converse", "15.reduced", "15.reduced.converse"},
+          "for each of both phases of the load the two reduced equations (16.reduced) have exactly two "
+          "solutions $tau$, $C$ with $0 < tau < Theta$, at frequencies that give the $chi$ and $eta$ of "
+          "Fig. 2"};
 }
 
 }  // namespace stickslip::proofs::pascal2012

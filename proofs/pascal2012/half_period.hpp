@@ -92,6 +92,8 @@ inline const symbols::Term speed_continued =
 
 // (36), (37): which loads keep the mass from sticking.
 [[nodiscard]] std::vector<methods::Claim> section6_load();
+// Where omega_1 or omega_2 is an odd multiple of omega there is none.
+[[nodiscard]] methods::Claim odd_resonance();
 // Orbits that never stick and are not symmetric, where omega_1 = 2 omega.
 [[nodiscard]] std::vector<methods::Claim> even_resonance();
 // So what the paper says of all of them has exceptions.

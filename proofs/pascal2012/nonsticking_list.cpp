@@ -280,21 +280,24 @@ class List {
 }  // namespace
 
 ListTheorem list_of_P() {
-  return {[](const numeric::OrbitList& list) {
-            const methods::Example& example = example_named("P");
-            std::vector<Rational> nearly;
-            for (const numeric::Orbit& orbit : list.orbits) {
-              Ball middle = orbit.phi() + Ball(example.data.omega) * orbit.value("tau") / Ball(2);
-              if ((middle - Ball::pi()).is_positive()) {
-                middle -= Ball(2) * Ball::pi();
-              }
-              nearly.push_back(orbits::near(middle));
-            }
-            return at_frequencies(example.data.chi, example.data.eta, [&](const orbits::Ranges& ranges) {
-              return List(example, ranges)(nearly);
-            });
-          },
-          {"28.reduced", "28.unique"}};
+  return {
+      [](const numeric::OrbitList& list) {
+        const methods::Example& example = example_named("P");
+        std::vector<Rational> nearly;
+        for (const numeric::Orbit& orbit : list.orbits) {
+          Ball middle = orbit.phi() + Ball(example.data.omega) * orbit.value("tau") / Ball(2);
+          if ((middle - Ball::pi()).is_positive()) {
+            middle -= Ball(2) * Ball::pi();
+          }
+          nearly.push_back(orbits::near(middle));
+        }
+        return at_frequencies(example.data.chi, example.data.eta,
+                              [&](const orbits::Ranges& ranges) { return List(example, ranges)(nearly); });
+      },
+      {"28.reduced", "28.unique"},
+      "the two reduced equations (28.reduced) have exactly two solutions $delta = omega tau/2$, $mu$ with "
+      "$0 < delta < pi$, $-pi <= mu <= pi$, both at $delta = pi/2$, at frequencies that give the $chi$ "
+      "and $eta$ of Fig. 4"};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -66,7 +66,7 @@ std::vector<Assumption> two_slips_apart() {
 }  // namespace
 
 std::vector<Claim> nonsticking_claims() {
-  return {
+  std::vector<Claim> claims{
       reduced(
           "28.reduced",
           "where the two reduced equations hold the motion closes as in (28), with $z2' = V$ at 0 and $tau$",
@@ -75,6 +75,9 @@ std::vector<Claim> nonsticking_claims() {
               "off resonance there is one response of period $Theta$: $det(H(Theta) - I)$ is not 0",
               one_response),
   };
+  claims.back().parts = {
+      "$det(H(Theta) - I) = (2 - 2 cos(omega_1 Theta))(2 - 2 cos(omega_2 Theta))$ for $Theta = 2 pi/omega$"};
+  return claims;
 }
 
 }  // namespace stickslip::proofs::pascal2012::reduction

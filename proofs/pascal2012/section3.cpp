@@ -47,7 +47,8 @@ std::vector<Claim> section3() {
            "$H(t)$ equals the matrix exponential, found from the resolvent of the first-order system",
            [] {
              return std::vector<Derived>{{slip_exponential(), H(t)}};
-           })},
+           }),
+       .parts = {"$H(t)$ is made of the blocks of (38); that it is the flow is what 38.ode and (5) say"}},
       {.id = "6.d0",
        .kind = Kind::definition,
        .printed = {equation(d01, us / (1 - chi)), equation(d02, d01 / chi)},
@@ -73,12 +74,17 @@ std::vector<Claim> section3() {
                    equation(block(1, {eta, lambda2}) * column({0, p}), lambda2 * p)},
        .words = "where $omega = omega_j$ there is no $Q$ unless $p = 0$: this row, multiplied from the left, "
                 "makes $(K - omega^2 I) Q = (0, p)$ say $0 = lambda_j p$",
-       .prove = by_normal_form()},
+       .prove = by_normal_form(),
+       .parts = {"the row $(eta, lambda_1)$ times $K - omega_1^2 I$ is zero",
+                 "the row $(eta, lambda_1)$ times $(0, p)$ is $lambda_1 p$",
+                 "the row $(eta, lambda_2)$ times $K - omega_2^2 I$ is zero",
+                 "the row $(eta, lambda_2)$ times $(0, p)$ is $lambda_2 p$"}},
       {.id = "8.L",
        .kind = Kind::definition,
        .printed = {equation(L(t), column({H1(t) - I2, H3(t)}))},
        .words = "$L(t) d_0$ is what $H(t)$ adds to the constant $(d_0, 0)$",
-       .prove = by_normal_form({equation(L(t) * d0, (H(t) - I4) * column({d0, zero(2, 1)}))})},
+       .prove = by_normal_form({equation(L(t) * d0, (H(t) - I4) * column({d0, zero(2, 1)}))}),
+       .parts = {"$L(t)$ is $H_1(t) - I$ above $H_3(t)$"}},
       {.id = "8",
        .kind = Kind::step,
        .printed = {equation(Z(t), slip + 2 * L(t) * d0)},
@@ -99,7 +105,9 @@ std::vector<Claim> section3() {
            "$Gamma(t)$ equals the matrix exponential, found from the resolvent of the first-order system",
            [] {
              return std::vector<Derived>{{stick_exponential(), Gamma(t)}};
-           })},
+           }),
+       .parts = {"$Gamma(t)$ is made of the blocks of (41); that it is the flow is what 41.ode and (10) "
+                 "say"}},
       {.id = "10",
        .kind = Kind::step,
        .printed = {equation(Z(t), Gamma(t) * Z0)},

@@ -125,7 +125,12 @@ std::vector<Claim> lag() {
                 "$j$, where the phase is free",
        .assumptions = {slips_below, begins, slip_takes_time, slip_ends},
        .prove =
-           by_combination({lines(half_period::first_row, omega1), lines(half_period::second_row, omega2)})},
+           by_combination({lines(half_period::first_row, omega1), lines(half_period::second_row, omega2)}),
+       .parts = {"where (13) holds, $cos(phi + omega tau/2)$ times $omega_1 sin(omega_1 tau/2) cos(omega "
+                 "tau/2) - omega cos(omega_1 tau/2) sin(omega tau/2)$ times the first mode of $Q$ is zero",
+                 "where (13) holds, $cos(phi + omega tau/2)$ times $omega_2 sin(omega_2 tau/2) cos(omega "
+                 "tau/2) - omega cos(omega_2 tau/2) sin(omega tau/2)$ times the second mode of $Q$ is "
+                 "zero"}},
   };
 }
 

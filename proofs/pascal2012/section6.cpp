@@ -163,8 +163,13 @@ std::vector<Claim> states() {
                 "$cos(omega_j pi/omega) = -1$ ($omega_j$ an odd multiple of $omega$), and the mode's speed "
                 "and place are free if it is 1 (an even multiple)",
        .assumptions = motion,
-       .prove = by_combination({{{from("30"), 0, first_row * inverse(Lambda)}},
-                                {{from("30"), 0, second_row * inverse(Lambda)}}})},
+       .prove = by_combination(
+           {{{from("30"), 0, first_row * inverse(Lambda)}}, {{from("30"), 0, second_row * inverse(Lambda)}}}),
+       .parts =
+           {"the first mode: $sin(omega_1 tau)/omega_1$ times its speed at $tau$, less the load's, plus "
+            "$cos(omega_1 tau) - 1$ times its place of rest is zero",
+            "the second mode: $sin(omega_2 tau)/omega_2$ times its speed at $tau$, less the load's, plus "
+            "$cos(omega_2 tau) - 1$ times its place of rest is zero"}},
       {.id = "31.rest",
        .kind = Kind::identity,
        .origin = Origin::auxiliary,
@@ -270,8 +275,14 @@ std::vector<Claim> closed_forms() {
 }  // namespace
 
 std::vector<Claim> section6() {
-  return joined(
-      {conditions(), closing(), states(), closed_forms(), section6_load(), even_resonance(), example_P()});
+  return joined({conditions(),
+                 closing(),
+                 states(),
+                 closed_forms(),
+                 section6_load(),
+                 {odd_resonance()},
+                 even_resonance(),
+                 example_P()});
 }
 
 }  // namespace stickslip::proofs::pascal2012
