@@ -163,7 +163,11 @@ Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
   for (const Theorem& one : parts) {
     here = Theorem::cut(one, here);
   }
-  parts.insert(parts.end(), {part(here, 0), part(here, 1), more(ranges)});
+  Theorem said = more(ranges);
+  for (const std::size_t which : {0, 1}) {
+    said = Theorem::cut(part(here, which), said);
+  }
+  parts.insert(parts.end(), {part(here, 0), part(here, 1), said});
   Theorem result = both(parts);
   for (const Variable& one : {omega2, omega1}) {
     result = Theorem::witness(result, exists(one, result.conclusion()), one);

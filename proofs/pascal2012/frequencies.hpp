@@ -12,8 +12,9 @@ namespace stickslip::proofs::pascal2012 {
 [[nodiscard]] methods::Claim frequencies_exist();
 
 // For numbers at the data of an example, of which omega1 and omega2 are not rational: from ranges of these
-// two, which are the hypotheses of what `more` makes, ⊢ C, to ⊢ there are 0 < omega1 < 1 < omega2 at which
-// chi and eta have these values, and C. Throws KernelError outside 0 < chi < 1, 0 < eta.
+// two, which are the hypotheses of what `more` makes, and that chi and eta have these values, ⊢ C, to ⊢ there
+// are 0 < omega1 < 1 < omega2 at which chi and eta have these values, and C. Throws KernelError outside 0 <
+// chi < 1, 0 < eta.
 [[nodiscard]] kernel::Theorem at_frequencies(
     const Rational& chi, const Rational& eta,
     const std::function<kernel::Theorem(const orbits::Ranges& ranges)>& more);

@@ -41,5 +41,7 @@ namespace stickslip::proofs::pascal2012 {
 [[nodiscard]] std::vector<methods::Claim> example_S();
 // What its data allow: u_r is one of them.
 [[nodiscard]] std::vector<methods::Claim> data_of_S();
+// What is printed for it, against all orbits.
+[[nodiscard]] std::vector<methods::Claim> printed_orbits_of_S();
 
 }  // namespace stickslip::proofs::pascal2012

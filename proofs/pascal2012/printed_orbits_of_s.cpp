@@ -1,0 +1,354 @@
+// Section 4, example S: the list of all solutions of the reduced equations, and what is printed against it.
+// No orbit of the family has the tau or the u_r of Fig. 2, whatever its other values.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "proofs/methods/derivation.hpp"
+#include "proofs/methods/openings.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/symmetric.hpp"
+#include "proofs/pascal2012/symmetric_list.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace numeric;
+using namespace methods;
+
+namespace {
+
+const Example& printed() {
+  return example_named("S");
+}
+
+// Of numbers near tau of the orbits in the list, those of one phase of the load.
+std::vector<Rational> slips_at(const OrbitList& list, int phase) {
+  std::vector<Rational> result;
+  for (const Orbit& orbit : list.orbits) {
+    const Ball later =
+        orbit.value("phi") - (Ball::pi() - Ball(printed().data.omega) * orbit.value("tau")) / 2;
+    if (later.is_positive() == (phase < 0)) {
+      result.push_back(orbits::near(orbit.value("tau")));
+    }
+  }
+  return result;
+}
+
+// At both phases of the load.
+kernel::Theorem at_both(const OrbitList& list,
+                        const std::function<kernel::Theorem(const SymmetricEquations&, const SymmetricList&,
+                                                            int, const orbits::Ranges&)>& theorem) {
+  return at_frequencies(printed().data.chi, printed().data.eta, [&](const orbits::Ranges& ranges) {
+    const SymmetricEquations equations(printed());
+    std::vector<kernel::Theorem> parts;
+    for (const int phase : {1, -1}) {
+      const SymmetricList found = symmetric_list(equations, printed(), phase, ranges, slips_at(list, phase));
+      parts.push_back(theorem(equations, found, phase, ranges));
+    }
+    return tactics::both(parts);
+  });
+}
+
+// The one of both inequalities that holds.
+kernel::Theorem decided_one_of(const kernel::Formula& either, const orbits::Ranges& ranges) {
+  for (const kernel::Formula& relation : either.parts()) {
+    try {
+      return kernel::Theorem::sign(relation, orbits::ranges_in(relation, ranges));
+    } catch (const kernel::KernelError&) {
+      continue;
+    }
+  }
+  throw kernel::KernelError("some orbit may have this value");
+}
+
+// The value is not in the printed interval.
+kernel::Formula is_not_printed(const char * name, const kernel::Term& value) {
+  const Decimal given = printed().result(name).value;
+  return kernel::any({kernel::less(value, given.lower()), kernel::less(given.upper(), value)});
+}
+
+// From the list: for all 0 < tau < Theta and all C that solve the equations one of the two inequalities
+// holds, as it does at each solution.
+kernel::Theorem at_all_solutions(const SymmetricEquations& e, const SymmetricList& list,
+                                 const kernel::Formula& goal, const orbits::Ranges& frequencies) {
+  using namespace kernel;
+  const Formula during = between(0, e.tau, e.Theta);
+  const std::size_t count = list.tau.size();
+
+  // The list, opened.
+  Formula said = list.theorem.conclusion();
+  std::vector<std::pair<Variable, Formula>> openings;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const Variable& x : {list.tau[k], list.C[k]}) {
+      openings.emplace_back(x, said);
+      said = opened(said, x);
+    }
+  }
+  const Theorem known = Theorem::assume(said);
+  const Formula every = said.parts().back();
+  const Formula rows = opened(opened(every, e.tau).parts()[1], e.C).parts()[0];
+  const Theorem one_of =
+      tactics::at(tactics::at(Theorem::consequence({known}, every), e.tau, Theorem::assume(during)), e.C,
+                  Theorem::assume(rows));
+  std::vector<Theorem> cases{one_of};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::vector<Formula>& parts = list.says[k].parts();
+    const orbits::Ranges bounds{{list.tau[k], {parts[0].parts()[0].value(), parts[1].parts()[1].value()}},
+                                {list.C[k], {parts[2].parts()[0].value(), parts[3].parts()[1].value()}}};
+    orbits::Ranges here = frequencies;
+    here.insert(bounds.begin(), bounds.end());
+    const Formula there = substitute(goal, {{e.tau, list.tau[k]}, {e.C, list.C[k]}});
+    Theorem other = Theorem::consequence({decided_one_of(there, here)}, there);
+    for (const auto& [x, range] : bounds) {
+      for (const auto& [bound, strict] : {std::pair{at_most(range.first, x), less(range.first, x)},
+                                          {at_most(x, range.second), less(x, range.second)}}) {
+        other =
+            Theorem::cut(x == list.tau[k] ? Theorem::order(bound, {{{Theorem::consequence({known}, strict)}}})
+                                          : Theorem::consequence({known}, bound),
+                         other);
+      }
+    }
+    for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
+      const Formula equation = equal(x, value);
+      other = tactics::by_rewriting(other, tactics::symmetric(Theorem::assume(equation)));
+    }
+    for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
+      other = Theorem::discharge(other, equal(x, value));
+    }
+    cases.push_back(other);
+  }
+  Theorem result =
+      tactics::for_every(e.tau, during, tactics::for_every(e.C, rows, Theorem::consequence(cases, goal)));
+  for (auto opening = openings.rbegin(); opening != openings.rend(); ++opening) {
+    result = Theorem::choose(Theorem::assume(opening->second), opening->first, result);
+  }
+  return Theorem::cut(list.theorem, result);
+}
+
+// Fig. 2 gives u_r as a datum, beside the others.
+Claim friction_claim() {
+  return {.id = "S.data",
+          .kind = Kind::theorem,
+          .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
+          .prove = [](Prover&, const Claim&) {
+            const OrbitList& list = orbits_of(printed()).list;
+            const Decimal given = printed().result("ur").value;
+            Outcome outcome =
+                at_the_data(printed(), "the $u_r$ of each orbit in the complete list, in balls");
+            outcome.uses = {"S.list", "S.lag"};
+            outcome.verdict = Verdict::undecided("the list is not complete");
+            if (!list.complete() || list.orbits.empty()) {
+              return outcome;
+            }
+            const Ball stated = Ball::hull(Ball(given.lower()), Ball(given.upper()));
+            if (std::ranges::any_of(list.orbits,
+                                    [&](const Orbit& orbit) { return orbit.ur().overlaps(stated); })) {
+              outcome.verdict = Verdict::undecided("some orbit may have this u_r");
+              return outcome;
+            }
+            outcome.verdict = Verdict::refuted(Witness{outcome.at,
+                                                       {},
+                                                       printed_orbit(printed()).value("ur"),
+                                                       Ball(given.value),
+                                                       "$u_r$ of the orbit",
+                                                       "the printed one"});
+            prove(outcome, [&] {
+              return at_both(list, [](const SymmetricEquations& e, const SymmetricList& found, int phase,
+                                      const orbits::Ranges& frequencies) {
+                return at_all_solutions(e, found, is_not_printed("ur", substitute(e.ur, {{e.sigma, phase}})),
+                                        frequencies);
+              });
+            });
+            return outcome;
+          }};
+}
+
+// --- Orbits, as motions ---
+
+using kernel::Formula;
+using kernel::Term;
+using kernel::Theorem;
+using kernel::Variable;
+
+// What 16.halves says of a motion, at the data of Fig. 2 and with the time lag. Its hypotheses are what that
+// claim supposes, and that chi is that of the data.
+class OrbitAtData {
+ public:
+  OrbitAtData(const SymmetricEquations& e, const orbits::Ranges& frequencies, const Theorem& halves)
+      : e_(e), h_(half_stick(e)), domain_{tactics::above(0, e.tau)}, known_(at_data(halves, frequencies)) {
+    for (const Variable& one : {e.omega1, e.omega2}) {
+      domain_.push_back(frequency(less(0, one), frequencies));
+      domain_.push_back(frequency(differ(one, printed().data.omega), frequencies));
+    }
+    domain_.push_back(frequency(kernel::less(e.omega1, 1), frequencies));
+    domain_.push_back(frequency(kernel::less(1, e.omega2), frequencies));
+  }
+
+  // The amplitude of the stick about its middle.
+  [[nodiscard]] Term C() const {
+    return sin(h_) * (z10_ - chi_ * z20_) + cos(h_) * (zdot10_ - chi_ * Term(printed().data.V));
+  }
+  // Both reduced equations hold.
+  [[nodiscard]] Theorem solves() const {
+    const Term gap = lambda(e_.omega2) - lambda(e_.omega1);
+    std::vector<Theorem> rows;
+    for (const std::size_t j : {0, 1}) {
+      const Term omega_j = j == 0 ? e_.omega1 : e_.omega2, other = j == 0 ? e_.omega2 : e_.omega1,
+                 c = omega_j * cos(omega_j * e_.tau / 2), s = sin(omega_j * e_.tau / 2);
+      std::vector<Term> row{0, 0, lambda(other) * (s * sin(h_) - c * cos(h_)), c * power(other, 2) / 2};
+      row[j] = j == 0 ? gap : -gap;
+      const Formula holds = e_.hold(1, e_.tau, C()).parts().at(j);
+      rows.push_back(Theorem::convert(combination(unfold(holds, {e_.rows.at(j)}), {{known_, row_of(row)}}),
+                                      holds, {e_.rows.at(j)}));
+    }
+    return tactics::both(rows);
+  }
+  // (12) says that u_r is that of the reduced equations.
+  [[nodiscard]] Theorem friction(const Variable& ur) const {
+    const numeric::motion::ExactParameters& a = printed().data;
+    const Theorem breaks = Theorem::assume(
+        equal(Term(a.chi * a.eta) * (z20_ - z10_),
+              a.p * cos((kernel::pi() - Term(a.omega) * e_.tau) / 2) + Term(a.eta) * (ur - Term(a.us))));
+    const Term lever = chi_ * (1 - chi_) / 2;
+    return combination(equal(substitute(e_.ur, {{e_.sigma, 1}, {e_.C, C()}}), ur),
+                       {{breaks, Rational(1 / a.eta)}, {known_, row_of({0, 0, chi_ * cos(h_), -lever})}});
+  }
+
+ private:
+  [[nodiscard]] static Term half_stick(const SymmetricEquations& e) { return (e.Theta - e.tau) / 2; }
+  [[nodiscard]] static Theorem frequency(const Formula& relation, const orbits::Ranges& frequencies) {
+    return Theorem::sign(relation, orbits::ranges_in(relation, frequencies));
+  }
+  [[nodiscard]] static Term row_of(const std::vector<Term>& entries) { return kernel::matrix(1, 4, entries); }
+  [[nodiscard]] Term lambda(const Term& omega_j) const { return (1 - power(omega_j, 2)) / chi_; }
+  [[nodiscard]] Theorem combination(const Formula& equation,
+                                    const std::vector<kernel::Multiple>& because) const {
+    return tactics::nonzero(Theorem::combination(equation, because), domain_);
+  }
+
+  [[nodiscard]] Theorem at_data(const Theorem& halves, const orbits::Ranges& frequencies) const {
+    const numeric::motion::ExactParameters& a = printed().data;
+    Theorem result = Theorem::instantiate(halves, {{{"omega"}, a.omega},
+                                                   {{"p"}, a.p},
+                                                   {{"us"}, a.us},
+                                                   {{"V"}, a.V},
+                                                   {{"T"}, e_.Theta - e_.tau},
+                                                   {{"Theta"}, e_.Theta},
+                                                   {{"phi"}, (kernel::pi() - Term(a.omega) * e_.tau) / 2}});
+    const kernel::Formulas hypotheses = result.hypotheses();
+    for (const Formula& one : hypotheses) {
+      if (one.kind() == kernel::Kind::equal && one.parts()[0] == one.parts()[1]) {
+        result = Theorem::cut(Theorem::reflexive(one.parts()[0]), result);
+      } else if ((is_inequality(one) || tactics::is_divisor(one)) && !one.variables().contains(e_.tau)) {
+        result = Theorem::cut(frequency(one, frequencies), result);
+      }
+    }
+    kernel::Definitions opened = openings({result.conclusion()}).all();
+    std::erase_if(opened, [](const kernel::Definition& one) { return one.name() == "chi"; });
+    result = Theorem::convert(result, unfold(result.conclusion(), opened), opened);
+    const Term chi = Reader()(symbols::vocabulary::chi);
+    return tactics::by_rewriting(result, Theorem::assume(equal(chi, chi_)));
+  }
+
+  const SymmetricEquations& e_;
+  Term h_, z10_ = Variable{"z10"}, z20_ = Variable{"z20"}, zdot10_ = Variable{"zdot10"};
+  Term chi_ = printed().data.chi;
+  tactics::Domain domain_;
+  Theorem known_;
+};
+
+// For all values of its variables but the frequencies: what it supposes, but for their ranges and chi,
+// implies what it says.
+Theorem closed(Theorem theorem, const orbits::Ranges& frequencies) {
+  std::vector<Formula> supposed;
+  const kernel::Formulas hypotheses = theorem.hypotheses();
+  for (const Formula& one : hypotheses) {
+    if (!std::ranges::all_of(one.variables(), [&](const Variable& x) { return frequencies.contains(x); })) {
+      supposed.push_back(one);
+    } else if (one.kind() == kernel::Kind::less || tactics::is_divisor(one)) {
+      theorem = Theorem::cut(Theorem::sign(one, orbits::ranges_in(one, frequencies)), theorem);
+    }
+  }
+  const Formula together = all(supposed);
+  for (std::size_t i = 0; i < supposed.size(); ++i) {
+    theorem = Theorem::cut(tactics::part(Theorem::assume(together), i), theorem);
+  }
+  theorem = Theorem::discharge(theorem, together);
+  const kernel::Variables variables = theorem.conclusion().variables();
+  for (const Variable& one : variables) {
+    if (!frequencies.contains(one)) {
+      theorem = Theorem::generalize(theorem, one);
+    }
+  }
+  return theorem;
+}
+
+// From the list for the time lag, at frequencies: no orbit has a value that rounds to the printed one.
+Theorem has_not(const char * name, const Theorem& halves, const OrbitList& list,
+                const orbits::Ranges& frequencies) {
+  const SymmetricEquations e(printed());
+  const SymmetricList found = symmetric_list(e, printed(), 1, frequencies, slips_at(list, 1));
+  const Variable value{name};
+  const bool of_friction = value != e.tau;
+  const Term said = of_friction ? substitute(e.ur, {{e.sigma, 1}}) : Term(e.tau);
+  const Theorem every = at_all_solutions(e, found, is_not_printed(name, said), frequencies);
+  const OrbitAtData orbit(e, frequencies, halves);
+  const Theorem ends = Theorem::assume(kernel::less(0, e.Theta - e.tau));
+  const Theorem during =
+      tactics::both({Theorem::assume(kernel::less(0, e.tau)),
+                     Theorem::order(kernel::less(e.tau, e.Theta), {kernel::Positive{{ends}}})});
+  Theorem result = tactics::at(tactics::at(every, e.tau, during), orbit.C(), orbit.solves());
+  if (of_friction) {
+    result = tactics::by_rewriting(result, orbit.friction(value));
+  }
+  return closed(result, frequencies);
+}
+
+Claim no_orbit_has(const char * name, const std::string& printed_name) {
+  return {.id = std::string("S.none.") + name,
+          .kind = Kind::numbers,
+          .origin = Origin::new_result,
+          .words = fmt::format(
+              "no orbit of the family at the data of Fig. 2, with the paper's time lag, has a ${}$ that "
+              "rounds to the "
+              "printed one: whatever its other values, and whether or not it obeys the inequalities",
+              printed_name),
+          .prove = [=](Prover& prover, const Claim&) {
+            const OrbitList& list = orbits_of(printed()).list;
+            Outcome outcome =
+                at_the_data(printed(), "each of them is one of the complete list, of which none has it");
+            outcome.uses = {"S.list", "15", "16.halves"};
+            outcome.verdict = Verdict::proved();
+            const auto theorem_of = [&](const char * id) { return prover.prove(id).outcome.theorems.at(0); };
+            const Theorem halves = Theorem::cut(theorem_of("15"), theorem_of("16.halves"));
+            prove(outcome, [&] {
+              return at_frequencies(printed().data.chi, printed().data.eta,
+                                    [&](const orbits::Ranges& frequencies) {
+                                      return has_not(name, halves, list, frequencies);
+                                    });
+            });
+            return outcome;
+          }};
+}
+
+}  // namespace
+
+std::vector<Claim> printed_orbits_of_S() {
+  return {friction_claim(), no_orbit_has("tau", "tau"), no_orbit_has("ur", "u_r")};
+}
+
+ListTheorem list_of_S() {
+  return {[](const OrbitList& list) {
+            return at_both(list, [](const auto&, const SymmetricList& found, auto, const auto&) {
+              return found.theorem;
+            });
+          },
+          {"16.reduced", "16.reduced.converse", "15.reduced", "15.reduced.converse"},
+          "for each of both phases of the load the two reduced equations (16.reduced) have exactly two "
+          "solutions $tau$, $C$ with $0 < tau < Theta$, at frequencies that give the $chi$ and $eta$ of "
+          "Fig. 2"};
+}
+
+}  // namespace stickslip::proofs::pascal2012
