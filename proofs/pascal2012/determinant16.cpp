@@ -41,13 +41,13 @@ const Term of_halves =
                    diagonal(sin(alpha1), sin(alpha2)) * inverse(Lambda), slip_load, slip_load_speed),
               rows(diagonal(cos(half_T), 2) * inverse(Sigma), -diagonal(sin(half_T), T) * inverse(Sigma),
                    zero(2, 1), zero(2, 1))});
-Term half_entry(int row, int column) {
+Term entry_of(const Term& matrix, int row, int column) {
   const auto unit = [](int which) {
     std::vector<Term> entries(4, Term(0));
     entries[static_cast<std::size_t>(which)] = 1;
     return entries;
   };
-  return block(1, unit(row)) * of_halves * symbols::column(unit(column));
+  return block(1, unit(row)) * matrix * symbols::column(unit(column));
 }
 const Term unknowns = column({z10, z20, zdot10, 1});
 
@@ -75,13 +75,13 @@ std::vector<Claim> factors() {
 }
 
 // The cofactors of the last column: with the unknowns' 1 in the last place they make the determinant.
-Term cofactors() {
+Term cofactors(const Term& matrix) {
   std::vector<Term> row;
   for (int left_out = 0; left_out < 4; ++left_out) {
     std::vector<Term> entries;
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; i != left_out && j < 3; ++j) {
-        entries.push_back(half_entry(i, j));
+        entries.push_back(entry_of(matrix, i, j));
       }
     }
     const Term minor = determinant(block(3, entries));
@@ -95,9 +95,21 @@ std::vector<Claim> necessity() {
              slip_speed = -diagonal(sin(alpha1) / 2, sin(alpha2) / 2) * inverse(Lambda),
              stick = -diagonal(cos(half_T) / 2, 1) * inverse(Sigma),
              stick_speed = diagonal(sin(half_T) / 2, 0) * inverse(Sigma), nothing = zero(2, 2);
+  const Assumption slip16{
+      "16.slip",
+      equation((H1(tau) + I2) * (z0 - slip_load) + H2(tau) * (zdot0 + slip_load_speed), zero(2, 1))},
+      stick16{"16.stick", equation((Gamma1(T) + I2) * z0 - Gamma2(T) * zdot0, zero(2, 1))};
   const std::vector<Assumption> orbit{time_lag,  slips_below,      begins,    slip_takes_time,
                                       slip_ends, starts_with_belt, stick_ends};
   return {
+      {.id = "16.zeros",
+       .kind = Kind::step,
+       .origin = Origin::auxiliary,
+       .printed = {equation(determinant(of_16), 0)},
+       .words = "(16) has solutions only where its determinant vanishes",
+       .assumptions = {starts_with_belt, slip16, stick16},
+       .prove = by_combination({{{assuming("16.slip"), 0, cofactors(of_16) * column({I2, zero(2, 2)})},
+                                 {assuming("16.stick"), 0, cofactors(of_16) * column({zero(2, 2), I2})}}})},
       {.id = "16.halves",
        .kind = Kind::step,
        .origin = Origin::auxiliary,
@@ -113,7 +125,7 @@ std::vector<Claim> necessity() {
        .words = "so an orbit needs a zero of the last factor of 16.det: where only a cosine is zero, the "
                 "determinant of (16) vanishes and there is no orbit",
        .assumptions = orbit,
-       .prove = by_combination({{{from("16.halves"), 0, cofactors()}}})},
+       .prove = by_combination({{{from("16.halves"), 0, cofactors(of_halves)}}})},
   };
 }
 

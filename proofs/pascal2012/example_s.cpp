@@ -1,5 +1,8 @@
 // Section 4, example S: the orbit of Fig. 2, and the numbers that are printed for it.
+#include "proofs/methods/prover.hpp"
+#include "proofs/orbits/by_parts.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
@@ -24,6 +27,51 @@ std::vector<Ball> components(const model::Vector4<Ball>& v) {
   return {v(0), v(1), v(2), v(3)};
 }
 
+// By 16.zeros and 16.det, as the determinant does not vanish over the printed interval: for all tau there and
+// all z(0), z1'(0) not both of (16).
+kernel::Theorem does_not_close(const kernel::Theorem& zeros, const kernel::Theorem& factors) {
+  using kernel::Formula;
+  using kernel::Term;
+  using kernel::Theorem;
+  using kernel::Variable;
+  const ExactParameters& a = printed().data;
+  const Variable tau{"tau"};
+  const std::vector<Variable> unknowns{{"z10"}, {"z20"}, {"zdot10"}};
+  const Decimal decimal = printed().result("tau").value;
+  return at_frequencies(a.chi, a.eta, [&](orbits::Ranges ranges) {
+    Theorem result = Theorem::instantiate(tactics::by_rewriting(zeros, factors),
+                                          {{{"T"}, Term(2) * kernel::pi() / Term(a.omega) - tau},
+                                           {{"omega"}, a.omega},
+                                           {{"p"}, a.p},
+                                           {{"V"}, a.V},
+                                           {{"zdot20"}, a.V}});
+    std::vector<Formula> solved;
+    const kernel::Formulas hypotheses = result.hypotheses();
+    for (const Formula& one : hypotheses) {
+      if (one.variables().contains(unknowns[0])) {
+        solved.push_back(one);
+      } else if (one.kind() == kernel::Kind::equal) {
+        result = Theorem::cut(Theorem::reflexive(one.parts()[0]), result);
+      } else {
+        result = Theorem::cut(Theorem::sign(one, orbits::ranges_in(one, ranges)), result);
+      }
+    }
+    ranges.emplace(tau, kernel::Interval{decimal.lower(), decimal.upper()});
+    const Formula both = kernel::all(solved);
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+      result = Theorem::cut(tactics::part(Theorem::assume(both), i), result);
+    }
+    const Theorem apart = orbits::in_pieces(tau, ranges, [&](const orbits::Ranges& here) {
+      return orbits::sign_by_parts(differ(result.conclusion().parts()[0], 0), here);
+    });
+    result = Theorem::consequence({Theorem::discharge(result, both), apart}, negation(both));
+    for (const Variable& one : unknowns) {
+      result = Theorem::generalize(result, one);
+    }
+    return orbits::for_all_in(result, {tau}, ranges);
+  });
+}
+
 Claim printed_values_close() {
   return {.id = "S.16",
           .kind = Kind::numbers,
@@ -31,20 +79,22 @@ Claim printed_values_close() {
           .words =
               "the printed $tau$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its last place, "
               "solve (16)",
-          .prove = [](Prover&, const Claim&) {
+          .prove = [](Prover& prover, const Claim&) {
             const auto value = [](const char * name) {
               return as_printed(printed().result(name), printed_orbit(printed()).value(name));
             };
             const PrintedClosing<4> zero = printed_zero_of_16(
                 printed().data, {value("tau"), value("z10"), value("z20"), value("zdot10")});
-            Outcome outcome;
-            outcome.route =
-                "(16) evaluated in balls at the printed values and over the intervals that they stand for";
-            outcome.verdict = zero.verdict;
-            if (outcome.verdict.truth != Truth::proved) {
-              outcome.verdict.reason +=
-                  "; at the printed decimals themselves (16) leaves " + residuals(components(zero.at_points));
-            }
+            Outcome outcome = at_the_data(
+                printed(), "the determinant of (16) over the printed interval of $tau$, by signs in balls");
+            outcome.uses = {"16.zeros", "16.det"};
+            outcome.verdict = Verdict::refuted(
+                "no solution of (16) has the printed $tau$; at the printed decimals it leaves " +
+                residuals(components(zero.at_points)));
+            prove(outcome, [&] {
+              return does_not_close(prover.prove("16.zeros").outcome.theorems.at(0),
+                                    prover.prove("16.det").outcome.theorems.at(0));
+            });
             return outcome;
           }};
 }
