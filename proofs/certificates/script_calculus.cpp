@@ -27,6 +27,8 @@ struct Named {
 };
 const std::map<std::string, Named> lemmas{
     {"continuous_within", {"continuous_within", 5}},
+    {"continuous_union", {"continuous_union", 4}},
+    {"same_continuity", {"same_continuity", 4}},
     {"intermediate_value", {"intermediate_value", 3}},
     {"monotone", {"monotone", 3}},
     {"same_derivative", {"same_derivative", 6}},
@@ -47,7 +49,8 @@ std::string blanks(int count) {
 
 bool Script::is_calculus(const std::string& rule) {
   return lemmas.contains(rule) || rule == "constant" || rule == "mean_value" || rule == "finite_shift" ||
-         rule == "differentiate" || rule == "continuity" || rule == "zeros_between" || rule == "inverse_of";
+         rule == "piecewise" || rule == "periodic" || rule == "finite_point" || rule == "differentiate" ||
+         rule == "continuity" || rule == "zeros_between" || rule == "inverse_of";
 }
 
 std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
@@ -70,6 +73,14 @@ std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
                  [&](const Theorem& premise) { return term(premise, scope); });
   if (step.rule == "finite_shift") {
     return fmt::format("  exact (finite_shift _ {} {}).", coq(step.data[0]), premises[0]);
+  }
+  if (step.rule == "piecewise" || step.rule == "finite_point" || step.rule == "periodic") {
+    std::string of = step.rule == "finite_point" ? "" : " _";
+    for (const Term& data : step.data) {
+      of += " " + coq(data);
+    }
+    return fmt::format("  exact ({}{}{} {}).", step.rule, of, step.rule == "periodic" ? " _" : "",
+                       fmt::join(premises, " "));
   }
   if (step.rule == "mean_value") {
     // In the kernel b - 0 is b + 0, of which Coq knows no more than that it is equal.

@@ -134,6 +134,18 @@ class Theorem final {
   [[nodiscard]] static Theorem finite_union(const Theorem& one, const Theorem& other);
   [[nodiscard]] static Theorem finite_shift(const Theorem& finite, const Term& c);
 
+  // ---- Functions made of others (joining.cpp), of one shape, and what they inherit.
+  // ⊢ there is X: for all t: t < c ⇒ X(t) = before(t), and c ≤ t ⇒ X(t) = after(t).
+  [[nodiscard]] static Theorem piecewise(const Term& before, const Term& after, const Term& c);
+  // 0 < p gives there is X: for all t: 0 ≤ t < p ⇒ X(t) = function(t), and for all t: X(t + p) = X(t).
+  [[nodiscard]] static Theorem periodic(const Term& function, const Theorem& positive);
+  // continuous(f, a, b), for all t: a ≤ t ≤ b ⇒ f(t) = g(t) give continuous(g, a, b).
+  [[nodiscard]] static Theorem same_continuity(const Theorem& continuity, const Theorem& agreement);
+  // continuous(f, a, b), continuous(f, b, c) give continuous(f, a, c).
+  [[nodiscard]] static Theorem continuous_union(const Theorem& before, const Theorem& after);
+  // ⊢ finite t: t = a.
+  [[nodiscard]] static Theorem finite_point(const Term& a);
+
   // ---- Numbers in balls (numbers.cpp, zeros.cpp). `bits` is the working precision.
   // a < b, a ≤ b or a ≠ b for all values of its variables, numbers, in the ranges given: these are the
   // hypotheses l ≤ x, x ≤ u. Only where no divisor can be zero there and the balls are disjoint.

@@ -27,6 +27,11 @@ namespace stickslip::proofs::orbits {
 // these are determined by the unknowns: the orbit is locally unique. Throws KernelError as before.
 [[nodiscard]] kernel::Theorem locally_unique(const Question& question, const numeric::motion::Motion& nearly);
 
+// ⊢ there are such numbers and one motion X, X(t + Theta) = X(t) for all t, of which all is true that the
+// orbit theorem says of its motions: X obeys (2) and (4) at all times. Throws KernelError where it is of
+// another form.
+[[nodiscard]] kernel::Theorem one_motion(const kernel::Theorem& orbit, const Question& question);
+
 // ⊢ there is an orbit as before, and a value of it lies between the ends or, as `outside` says, does not. The
 // value is named as on the command line: tau, T, Theta, phi, ur, x10, z10, …; ur_max is the friction at rest
 // where the first phase, which slips, begins. Throws KernelError where what

@@ -9,6 +9,7 @@
 #include "core/printed.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/simulation/agreement.hpp"
+#include "proofs/methods/prover.hpp"
 #include "proofs/orbits/by_parts.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/statements.hpp"
@@ -187,8 +188,30 @@ Claim existence_claim(const PrintedPlace& where, const std::string& words) {
                 "orbit"}};
 }
 
+namespace {
+
+Claim motion_claim(const PrintedPlace& where) {
+  return {
+      .id = where.example.name + ".motion",
+      .kind = Kind::numbers,
+      .origin = Origin::auxiliary,
+      .words = fmt::format("the orbit of {} as one motion $X$, $X(t + Theta) = X(t)$ for all $t$, that obeys "
+                           "(2) or (9) and (4) during each phase, ends included",
+                           where.example.figure),
+      .prove = [where](Prover& prover, const Claim&) {
+        Outcome outcome =
+            at_the_data(where.example, "the motions of its phases, joined at their ends and continued");
+        outcome.uses = {where.orbit};
+        outcome.verdict = prover.prove(where.orbit).outcome.verdict;
+        prove_of_orbit(outcome, prover, where, orbits::one_motion);
+        return outcome;
+      }};
+}
+
+}  // namespace
+
 std::vector<Claim> orbit_claims(const PrintedPlace& where, const ListTheorem& list) {
-  std::vector<Claim> claims{list_claim(where, list)};
+  std::vector<Claim> claims{motion_claim(where), list_claim(where, list)};
   const Family& family = *where.example.family;
   const bool ur_known = families::has_stick(family) || where.example.ur.has_value();
   for (const Requirement& requirement : families::requirements(family, ur_known)) {

@@ -23,8 +23,9 @@ struct ListTheorem {
   std::set<std::string> uses = {};
   std::string says = {};  // in words
 };
-// "S.list": the list is complete; "S.if.14.lower", …: each condition along the printed orbit; "S.stability";
-// "S.raw": the friction law integrated without closed forms agrees.
+// "S.motion": the printed orbit as one motion; "S.list": the list is complete; "S.if.14.lower", …: each
+// condition along the printed orbit; "S.stability"; "S.raw": the friction law integrated without closed forms
+// agrees.
 [[nodiscard]] std::vector<methods::Claim> orbit_claims(const PrintedPlace& where,
                                                        const ListTheorem& list = {});
 

@@ -400,3 +400,61 @@ Ltac each_index :=
          | H : (?k < _)%nat |- _ =>
              is_var k; destruct k as [|k]; [clear H | apply PeanoNat.Nat.succ_lt_mono in H]
          end.
+
+(* Functions made of others. *)
+Lemma piecewise : forall (A : Type) (f g : R -> A) (c : R),
+  exists X : R -> A, forall t : R, (t < c -> X t = f t) /\ (c <= t -> X t = g t).
+Proof.
+  intros A f g c. exists (fun t => if Rlt_dec t c then f t else g t). intros t.
+  destruct (Rlt_dec t c) as [L|L]; split; intros H; auto; exfalso; lra.
+Qed.
+Lemma periodic : forall (A : Type) (f : R -> A) (p : R), 0 < p ->
+  exists X : R -> A, (forall t : R, 0 <= t < p -> X t = f t) /\ (forall t : R, X (t + p) = X t).
+Proof.
+  intros A f p P. pose (turns := fun t => Int_part (Rdiv t p)).
+  assert (turned : forall t n, IZR n * p <= t < (IZR n + 1) * p -> turns t = n).
+  { intros t n [L U]. assert (E : t = Rdiv t p * p) by (unfold Rdiv; field; lra).
+    rewrite E in L, U. apply Rmult_le_reg_r in L; [|exact P]. apply Rmult_lt_reg_r in U; [|exact P].
+    unfold turns, Int_part. rewrite <- (tech_up (Rdiv t p) (n + 1)); [lia | |]; rewrite plus_IZR; lra. }
+  assert (between : forall t, IZR (turns t) * p <= t < (IZR (turns t) + 1) * p).
+  { intros t. unfold turns. destruct (base_Int_part (Rdiv t p)) as [L U].
+    assert (E : t = Rdiv t p * p) by (unfold Rdiv; field; lra).
+    split; [rewrite E at 2; apply Rmult_le_compat_r; lra | rewrite E at 1; apply Rmult_lt_compat_r; lra]. }
+  exists (fun t => f (t + -1 * (IZR (turns t) * p))). split.
+  - intros t I. rewrite (turned t 0%Z) by lra. f_equal. lra.
+  - intros t. specialize (between t). rewrite (turned (t + p) (turns t + 1)%Z); rewrite plus_IZR; [f_equal; lra | lra].
+Qed.
+Lemma same_continuity : forall (f g : R -> R) a b, continuous_on f a b ->
+  (forall t, a <= t <= b -> f t = g t) -> continuous_on g a b.
+Proof.
+  intros f g a b C E t I eps P. destruct (C t I eps P) as [delta [D N]]. exists delta. split; [exact D|].
+  intros s J. rewrite <- (E s J), <- (E t I). exact (N s J).
+Qed.
+Lemma same_continuity_m : forall r k (f g : R -> Mat r k) a b, continuous_on_m f a b ->
+  (forall t, a <= t <= b -> f t = g t) -> continuous_on_m g a b.
+Proof.
+  intros r k f g a b C E i j I J. apply same_continuity with (fun t => ent i j (f t)); [now apply C|].
+  intros t T. now rewrite (E t T).
+Qed.
+Lemma continuous_union : forall f a b c, continuous_on f a b -> continuous_on f b c -> continuous_on f a c.
+Proof.
+  intros f a b c A B t I eps P. destruct (Rtotal_order t b) as [L|[E|L]].
+  - destruct (A t) with (eps := eps) as [d [D N]]; [lra | exact P |].
+    exists (Rmin d (b + -1 * t)). split; [apply Rmin_pos; lra|]. intros s J E.
+    pose proof (Rmin_l d (b + -1 * t)). pose proof (Rmin_r d (b + -1 * t)).
+    apply N; [|lra]. assert (F : Rabs (s + -1 * t) < b + -1 * t) by lra. apply Rabs_def2 in F. lra.
+  - subst t. destruct (A b) with (eps := eps) as [d [D N]]; [lra | exact P |].
+    destruct (B b) with (eps := eps) as [d' [D' N']]; [lra | exact P |].
+    exists (Rmin d d'). split; [now apply Rmin_pos|]. intros s J E.
+    pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
+    destruct (Rle_dec s b); [apply N | apply N']; lra.
+  - destruct (B t) with (eps := eps) as [d [D N]]; [lra | exact P |].
+    exists (Rmin d (t + -1 * b)). split; [apply Rmin_pos; lra|]. intros s J E.
+    pose proof (Rmin_l d (t + -1 * b)). pose proof (Rmin_r d (t + -1 * b)).
+    apply N; [|lra]. assert (F : Rabs (s + -1 * t) < t + -1 * b) by lra. apply Rabs_def2 in F. lra.
+Qed.
+Lemma continuous_union_m : forall r k (f : R -> Mat r k) a b c,
+  continuous_on_m f a b -> continuous_on_m f b c -> continuous_on_m f a c.
+Proof. intros r k f a b c A B i j I J. apply continuous_union with b; auto. Qed.
+Lemma finite_point : forall a : R, finite (fun t => t = a).
+Proof. intros a. exists (a :: nil)%list. intros t E. left. now symmetry. Qed.
