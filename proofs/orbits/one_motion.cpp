@@ -2,6 +2,7 @@
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/names.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
+#include "proofs/orbits/orbit_with.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::orbits {
@@ -32,7 +33,11 @@ class OneMotion {
     std::vector<Theorem> parts{repeats};
     for (const Formula& one : said_.conclusion().parts()) {
       const Theorem holds = Theorem::consequence({said_}, one);
-      parts.push_back(one.kind() == Kind::defined ? phase_of(holds) : at_times(holds));
+      const Theorem of_X = one.kind() == Kind::defined ? phase_of(holds) : at_times(holds);
+      const Formula& formula = of_X.conclusion();
+      if (formula.kind() != Kind::equal || formula.parts()[0] != formula.parts()[1]) {
+        parts.push_back(of_X);
+      }
     }
     return both(parts);
   }
@@ -58,7 +63,6 @@ class OneMotion {
 
   // Of times that are sums of durations: what follows from their being positive and what they sum up to.
   [[nodiscard]] Theorem order(const Formula& inequality, std::vector<Positive> also) const {
-    std::vector<Positive> lasting = also;
     const Theorem whole = known(equal(start(count()), period_));
     for (unsigned chosen = 0; chosen < 1U << count(); ++chosen) {
       std::vector<Positive> positives = also;
@@ -206,24 +210,10 @@ class OneMotion {
 }  // namespace
 
 Theorem one_motion(const Theorem& orbit, const Question& question) {
-  std::vector<Formula> existences{orbit.conclusion()};
-  std::vector<Variable> names;
-  while (existences.back().kind() == Kind::exists) {
-    names.push_back({existences.back().name(), existences.back().binds()});
-    existences.push_back(opened(existences.back(), names.back()));
-  }
-  OneMotion motion(question, Theorem::assume(existences.back()));
-  const Theorem said = motion();
-  Theorem result = motion.closed(said);
-  for (auto one = names.rbegin(); one != names.rend(); ++one) {
-    if (one->type.sort == Sort::real) {
-      result = Theorem::witness(result, exists(*one, result.conclusion()), *one);
-    }
-  }
-  for (std::size_t i = names.size(); i-- > 0;) {
-    result = Theorem::choose(i == 0 ? orbit : Theorem::assume(existences[i]), names[i], result);
-  }
-  return result;
+  return of_orbit(orbit, [&](const Theorem& said) {
+    OneMotion motion(question, said);
+    return motion.closed(motion());
+  });
 }
 
 }  // namespace stickslip::proofs::orbits

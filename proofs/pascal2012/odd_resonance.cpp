@@ -27,7 +27,7 @@ Theorem absurd(Derivation& derivation, const Mode& mode) {
   const kernel::Term s = read(sin(mode.frequency * tau)), c = read(cos(mode.frequency * tau));
   const Theorem opposite = Theorem::assume(equal(read(turned(mode)), 0));
   const Theorem square = Theorem::combination(equal(s * s, 0), {{opposite, 1 - c}});
-  const Theorem level = Theorem::consequence({square, Theorem::zero_product(s, s)}, equal(s, 0));
+  const Theorem level = Theorem::consequence({square, tactics::zero_product(s, s)}, equal(s, 0));
   const Term other = mode.sign > 0 ? omega2 : omega1;
   const Term rest = us / (1 - chi) / (power(omega2, 2) - power(omega1, 2)) * power(other, 2);
   const Rational sign(mode.sign);
@@ -42,7 +42,7 @@ Theorem never_closes(Derivation& derivation, std::size_t) {
   const Mode first{omega1, first_row, 1}, second{omega2, second_row, -1};
   std::vector<Theorem> cases{
       derivation.premise(assuming("31.odd")),
-      Theorem::zero_product(derivation.read(turned(first)), derivation.read(turned(second)))};
+      tactics::zero_product(derivation.read(turned(first)), derivation.read(turned(second)))};
   for (const Mode& mode : {first, second}) {
     cases.push_back(Theorem::discharge(absurd(derivation, mode), equal(derivation.read(turned(mode)), 0)));
   }

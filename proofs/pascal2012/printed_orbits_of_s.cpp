@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/symmetric_closing.hpp"
+#include "model/waves.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/openings.hpp"
 #include "proofs/methods/prover.hpp"
@@ -173,76 +175,103 @@ using kernel::Theorem;
 using kernel::Variable;
 
 // What 16.halves says of a motion, at the data of Fig. 2 and with the time lag. Its hypotheses are what that
-// claim supposes, and that chi is that of the data.
+// claim supposes, and that chi is that of the data. In letters for omega and Theta: as numbers they would
+// make cos(omega tau/2) and cos(tau/2) multiples of one phase.
 class OrbitAtData {
  public:
   OrbitAtData(const SymmetricEquations& e, const orbits::Ranges& frequencies, const Theorem& halves)
-      : e_(e), h_(half_stick(e)), domain_{tactics::above(0, e.tau)}, known_(at_data(halves, frequencies)) {
-    for (const Variable& one : {e.omega1, e.omega2}) {
-      domain_.push_back(frequency(less(0, one), frequencies));
-      domain_.push_back(frequency(differ(one, printed().data.omega), frequencies));
-    }
-    domain_.push_back(frequency(kernel::less(e.omega1, 1), frequencies));
-    domain_.push_back(frequency(kernel::less(1, e.omega2), frequencies));
-  }
+      : e_(e),
+        frequencies_(frequencies),
+        h_((Term(Theta_) - e.tau) / 2),
+        data_{chi_,
+              model::modes_of<Symbolic>(chi_, e.omega1, e.omega2),
+              number(printed().data.V),
+              omega_,
+              number(printed().data.p),
+              Theta_,
+              e.sigma},
+        known_(in_letters(halves)) {}
 
   // The amplitude of the stick about its middle.
-  [[nodiscard]] Term C() const {
-    return sin(h_) * (z10_ - chi_ * z20_) + cos(h_) * (zdot10_ - chi_ * Term(printed().data.V));
-  }
+  [[nodiscard]] Term C() const { return at_data(amplitude()); }
   // Both reduced equations hold.
   [[nodiscard]] Theorem solves() const {
+    const auto reduced = model::symmetric_rows<Symbolic>(data_, e_.tau);
     const Term gap = lambda(e_.omega2) - lambda(e_.omega1);
     std::vector<Theorem> rows;
-    for (const std::size_t j : {0, 1}) {
+    for (const int j : {0, 1}) {
+      const auto which = static_cast<std::size_t>(j);
       const Term omega_j = j == 0 ? e_.omega1 : e_.omega2, other = j == 0 ? e_.omega2 : e_.omega1,
                  c = omega_j * cos(omega_j * e_.tau / 2), s = sin(omega_j * e_.tau / 2);
       std::vector<Term> row{0, 0, lambda(other) * (s * sin(h_) - c * cos(h_)), c * power(other, 2) / 2};
-      row[j] = j == 0 ? gap : -gap;
-      const Formula holds = e_.hold(1, e_.tau, C()).parts().at(j);
-      rows.push_back(Theorem::convert(combination(unfold(holds, {e_.rows.at(j)}), {{known_, row_of(row)}}),
-                                      holds, {e_.rows.at(j)}));
+      row[which] = j == 0 ? gap : -gap;
+      const Theorem holds = combination(equal(reduced.left(j).term * amplitude() - reduced.right(j).term, 0),
+                                        {{known_, row_of(row)}});
+      rows.push_back(Theorem::convert(holds, e_.hold(1, e_.tau, C()).parts().at(which), {e_.rows.at(which)}));
     }
     return tactics::both(rows);
   }
   // (12) says that u_r is that of the reduced equations.
   [[nodiscard]] Theorem friction(const Variable& ur) const {
     const numeric::motion::ExactParameters& a = printed().data;
-    const Theorem breaks = Theorem::assume(
-        equal(Term(a.chi * a.eta) * (z20_ - z10_),
-              a.p * cos((kernel::pi() - Term(a.omega) * e_.tau) / 2) + Term(a.eta) * (ur - Term(a.us))));
+    const Term cos_phi = cos((kernel::pi() - Term(omega_) * e_.tau) / 2);
+    const Theorem breaks = Theorem::assume(equal(Term(Rational(a.chi * a.eta)) * (z20_ - z10_),
+                                                 a.p * cos_phi + Term(a.eta) * (ur - Term(a.us))));
+    const Symbolic of_reduced =
+        model::friction_at<Symbolic>({chi_, number(a.eta), number(a.us), data_.V, omega_, data_.p},
+                                     model::symmetric_start<Symbolic>(data_, e_.tau, amplitude()),
+                                     model::symmetric_phase<Symbolic>(data_, kernel::pi(), e_.tau));
     const Term lever = chi_ * (1 - chi_) / 2;
-    return combination(equal(substitute(e_.ur, {{e_.sigma, 1}, {e_.C, C()}}), ur),
+    return combination(equal(of_reduced.term, ur),
                        {{breaks, Rational(1 / a.eta)}, {known_, row_of({0, 0, chi_ * cos(h_), -lever})}});
   }
 
  private:
-  [[nodiscard]] static Term half_stick(const SymmetricEquations& e) { return (e.Theta - e.tau) / 2; }
-  [[nodiscard]] static Theorem frequency(const Formula& relation, const orbits::Ranges& frequencies) {
-    return Theorem::sign(relation, orbits::ranges_in(relation, frequencies));
-  }
+  using Symbolic = tactics::Symbolic;
+  [[nodiscard]] static Symbolic number(const Rational& value) { return Term(value); }
   [[nodiscard]] static Term row_of(const std::vector<Term>& entries) { return kernel::matrix(1, 4, entries); }
   [[nodiscard]] Term lambda(const Term& omega_j) const { return (1 - power(omega_j, 2)) / chi_; }
+  [[nodiscard]] Term amplitude() const {
+    return sin(h_) * (z10_ - chi_ * z20_) + cos(h_) * (zdot10_ - chi_ * data_.V.term);
+  }
+  [[nodiscard]] kernel::Substitution values() const {
+    return {{omega_, printed().data.omega}, {Theta_, e_.Theta}, {e_.sigma, 1}};
+  }
+  [[nodiscard]] Term at_data(const Term& term) const { return substitute(term, values()); }
+
   [[nodiscard]] Theorem combination(const Formula& equation,
                                     const std::vector<kernel::Multiple>& because) const {
-    return tactics::nonzero(Theorem::combination(equation, because), domain_);
+    const Formula here = substitute(equation, {{e_.sigma, 1}});
+    Theorem result = Theorem::instantiate(Theorem::combination(here, because), values());
+    const Term minus = -Term(omega_);  // at the data -1 times a number, which is no number
+    result = tactics::by_rewriting(
+        result, Theorem::combination(equal(at_data(minus), Rational(-printed().data.omega))));
+    const kernel::Formulas hypotheses = result.hypotheses();
+    for (const Formula& one : hypotheses) {
+      if ((is_inequality(one) || tactics::is_divisor(one)) && !one.variables().contains(e_.tau)) {
+        result = Theorem::cut(Theorem::sign(one, orbits::ranges_in(one, frequencies_)), result);
+      }
+    }
+    tactics::Domain domain{tactics::above(0, e_.tau)};
+    for (const Variable& omega_j : {e_.omega1, e_.omega2}) {
+      for (const Formula& one : {kernel::less(0, omega_j), differ(omega_j, printed().data.omega)}) {
+        domain.push_back(Theorem::sign(one, orbits::ranges_in(one, frequencies_)));
+      }
+    }
+    return tactics::nonzero(result, domain);
   }
 
-  [[nodiscard]] Theorem at_data(const Theorem& halves, const orbits::Ranges& frequencies) const {
+  [[nodiscard]] Theorem in_letters(const Theorem& halves) const {
     const numeric::motion::ExactParameters& a = printed().data;
-    Theorem result = Theorem::instantiate(halves, {{{"omega"}, a.omega},
-                                                   {{"p"}, a.p},
+    Theorem result = Theorem::instantiate(halves, {{{"p"}, a.p},
                                                    {{"us"}, a.us},
                                                    {{"V"}, a.V},
-                                                   {{"T"}, e_.Theta - e_.tau},
-                                                   {{"Theta"}, e_.Theta},
-                                                   {{"phi"}, (kernel::pi() - Term(a.omega) * e_.tau) / 2}});
+                                                   {{"T"}, Term(Theta_) - e_.tau},
+                                                   {{"phi"}, (kernel::pi() - Term(omega_) * e_.tau) / 2}});
     const kernel::Formulas hypotheses = result.hypotheses();
     for (const Formula& one : hypotheses) {
       if (one.kind() == kernel::Kind::equal && one.parts()[0] == one.parts()[1]) {
         result = Theorem::cut(Theorem::reflexive(one.parts()[0]), result);
-      } else if ((is_inequality(one) || tactics::is_divisor(one)) && !one.variables().contains(e_.tau)) {
-        result = Theorem::cut(frequency(one, frequencies), result);
       }
     }
     kernel::Definitions opened = openings({result.conclusion()}).all();
@@ -253,9 +282,12 @@ class OrbitAtData {
   }
 
   const SymmetricEquations& e_;
-  Term h_, z10_ = Variable{"z10"}, z20_ = Variable{"z20"}, zdot10_ = Variable{"zdot10"};
-  Term chi_ = printed().data.chi;
-  tactics::Domain domain_;
+  const orbits::Ranges& frequencies_;
+  Variable omega_{"omega"}, Theta_{"Theta"};
+  Term chi_ = printed().data.chi, z10_ = Variable{"z10"}, z20_ = Variable{"z20"},
+       zdot10_ = Variable{"zdot10"};
+  Term h_;
+  model::SymmetricData<Symbolic> data_;
   Theorem known_;
 };
 
