@@ -83,23 +83,6 @@ Theorem sign_by_parts(const Formula& relation, const Ranges& ranges) {
   return Parts(ranges).sign(relation);
 }
 
-Theorem not_all_vanish(const std::vector<Term>& terms, const Variable& x, const Ranges& ranges) {
-  std::vector<Formula> vanish;
-  for (const Term& term : terms) {
-    vanish.push_back(equal(term, 0));
-  }
-  return in_pieces(x, ranges, [&](const Ranges& here) {
-    for (const Term& term : terms) {
-      try {
-        return Theorem::consequence({sign_by_parts(differ(term, 0), here)}, negation(all(vanish)));
-      } catch (const KernelError&) {
-        continue;
-      }
-    }
-    throw KernelError("all may vanish at once");
-  });
-}
-
 Theorem for_all_in(const Theorem& theorem, const std::vector<Variable>& variables, const Ranges& ranges) {
   Theorem result = theorem;
   for (auto x = variables.rbegin(); x != variables.rend(); ++x) {

@@ -10,11 +10,6 @@ namespace stickslip::proofs::orbits {
 // differ. Throws KernelError where the bounds do not decide it.
 [[nodiscard]] kernel::Theorem sign_by_parts(const kernel::Formula& relation, const Ranges& ranges);
 
-// ranges ⊢ not all of these are zero: one of them, by parts, in each piece of x's range. Throws KernelError
-// where that does not end.
-[[nodiscard]] kernel::Theorem not_all_vanish(const std::vector<kernel::Term>& terms,
-                                             const kernel::Variable& x, const Ranges& ranges);
-
 // ⊢ for all x between its ends …: C, of these variables in turn, the first outermost; from ranges ⊢ C.
 [[nodiscard]] kernel::Theorem for_all_in(const kernel::Theorem& theorem,
                                          const std::vector<kernel::Variable>& variables,

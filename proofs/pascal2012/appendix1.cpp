@@ -123,6 +123,7 @@ std::vector<Claim> modes() {
        .prove = by_positive_combination(
            {{.positive = {{chi}}}, {.positive = {{1 - chi}}}, {.positive = {{eta}}}})},
       frequencies_exist(),
+      said_of_data(),
   };
 }
 

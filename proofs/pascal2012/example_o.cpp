@@ -113,30 +113,32 @@ Ball exactly(const std::string& name) {
   return Ball(printed_decimal(printed(), name));
 }
 
-// F_1 and F_2 of (23) do not both vanish over the printed intervals.
-kernel::Theorem not_compatible() {
-  const auto F = model::compatibility<tactics::Symbolic>(coefficients(tau_, tau1_, model::Reading::derived));
-  return over_intervals({{tau_, decimal("tau")}, {tau1_, decimal("tau1")}},
-                        [&](const orbits::Ranges& ranges) {
-                          return orbits::not_all_vanish({F[0].term, F[1].term}, tau_, ranges);
-                        });
-}
-
 Claim printed_times() {
-  return number("O.23", Origin::reading,
-                "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
-                [](Prover&, const Claim&) {
-                  Outcome outcome =
-                      at_the_data(printed(), "(23) over the printed intervals, by signs in balls");
-                  const auto F = model::compatibility<Ball>(
-                      coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
-                  outcome.verdict = Verdict::refuted(
-                      "$F_1$ and $F_2$ do not vanish at once in the printed intervals; at the printed "
-                      "decimals they are " +
-                      residuals({F[0], F[1]}));
-                  prove(outcome, not_compatible);
-                  return outcome;
-                });
+  return number(
+      "O.23", Origin::reading,
+      "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
+      [](Prover&, const Claim&) {
+        Outcome outcome = at_the_data(printed(),
+                                      "$Delta$ over the printed intervals in balls: where it is not zero, a "
+                                      "zero of (23) is one of the complete list");
+        outcome.uses = {"O.list", "22.back", "23.back"};
+        const OrbitList& list = orbits_of(printed()).list;
+        const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
+        const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const Orbit& one) {
+          return one.tau().overlaps(tau) && one.tau1().overlaps(tau1);
+        });
+        const bool regular =
+            model::cramer<Ball>(coefficients(tau, tau1, model::Reading::derived)).Delta.is_nonzero();
+        const auto F = model::compatibility<Ball>(
+            coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
+        outcome.verdict = regular && list.complete() && !listed
+                              ? Verdict::refuted(
+                                    "no orbit lies in the printed intervals; at the printed "
+                                    "decimals $F_1$ and $F_2$ are " +
+                                    residuals({F[0], F[1]}))
+                              : Verdict::undecided("the printed intervals may hold a zero");
+        return outcome;
+      });
 }
 
 Decimal signed_decimal(const std::string& name) {

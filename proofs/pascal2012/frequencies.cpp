@@ -1,10 +1,14 @@
 // (39) has solutions for all 0 < chi < 1 and eta > 0: what is proved for all 0 < omega_1 < 1 < omega_2 is
 // proved for all of them.
 #include "proofs/pascal2012/frequencies.hpp"
+#include <algorithm>
+
 #include "proofs/kernel/theorem.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/openings.hpp"
+#include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
+#include "proofs/orbits/orbit_with.hpp"
 #include "proofs/orbits/with_zero.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/tactics.hpp"
@@ -130,6 +134,28 @@ class Frequencies {
 
 }  // namespace
 
+Theorem closed_but_frequencies(Theorem theorem) {
+  const auto is_frequency = [](const Variable& x) { return x == omega1 || x == omega2; };
+  std::vector<Formula> supposed;
+  for (const Formula& one : theorem.hypotheses()) {
+    if (!std::ranges::all_of(one.variables(), is_frequency)) {
+      supposed.push_back(one);
+    }
+  }
+  const Formula together = all(supposed);
+  for (std::size_t i = 0; i < supposed.size(); ++i) {
+    theorem = Theorem::cut(part(Theorem::assume(together), i), theorem);
+  }
+  theorem = Theorem::discharge(theorem, together);
+  const Variables variables = theorem.conclusion().variables();
+  for (const Variable& one : variables) {
+    if (!is_frequency(one)) {
+      theorem = Theorem::generalize(theorem, one);
+    }
+  }
+  return theorem;
+}
+
 Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
                        const std::function<Theorem(const orbits::Ranges&)>& more) {
   if (at_chi <= 0 || at_chi >= 1 || at_eta <= 0) {
@@ -186,6 +212,49 @@ Claim frequencies_exist() {
           .prove = by_theorem("their squares are half of $1 + chi eta$ less and more the root of the "
                               "discriminant, which lies between $|1 - chi eta|$ and $1 + chi eta$",
                               Frequencies::exist)};
+}
+
+Claim said_of_data() {
+  static const std::vector<std::string> ids{"33.V",        "37.sharp",  "A5.theorem",
+                                            "A5.symmetry", "A5.unique", "A5.longer"};
+  std::vector<std::string> parts;
+  for (const std::string& id : ids) {
+    parts.push_back("for all $0 < chi < 1$ and $eta > 0$ there are frequencies that give them, with which " +
+                    id + " holds for all values of everything else");
+  }
+  return {.id = "39.data",
+          .kind = methods::Kind::theorem,
+          .origin = Origin::auxiliary,
+          .words =
+              "33.V, 37.sharp and the theorems of Appendix 5 for all $0 < chi < 1$ and $eta > 0$, with the "
+              "frequencies that these have by 39.frequencies",
+          .prove =
+              [](Prover& prover, const Claim&) {
+                Outcome outcome;
+                outcome.route = "what is proved for all frequencies is so for those of 39.frequencies";
+                outcome.uses = {ids.begin(), ids.end()};
+                outcome.uses.insert("39.frequencies");
+                const Theorem exist = prover.prove("39.frequencies").outcome.theorems.at(0);
+                outcome.verdict = Verdict::proved();
+                outcome.by_kernel = true;
+                try {
+                  for (const std::string& id : ids) {
+                    const Theorem closed = closed_but_frequencies(prover.prove(id).outcome.theorems.at(0));
+                    outcome.theorems.push_back(orbits::orbit_with(exist, [&](const Theorem& there) {
+                      Theorem theorem = closed;
+                      for (std::size_t i = 0; i < there.conclusion().parts().size(); ++i) {
+                        theorem = Theorem::cut(part(there, i), theorem);
+                      }
+                      return theorem;
+                    }));
+                  }
+                } catch (const KernelError& error) {
+                  outcome = {};
+                  outcome.verdict = Verdict::undecided(error.what());
+                }
+                return outcome;
+              },
+          .parts = parts};
 }
 
 }  // namespace stickslip::proofs::pascal2012

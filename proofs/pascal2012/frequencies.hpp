@@ -11,6 +11,13 @@ namespace stickslip::proofs::pascal2012 {
 // "39.frequencies": there are frequencies for all chi and eta.
 [[nodiscard]] methods::Claim frequencies_exist();
 
+// "39.data": theorems of others, said of chi and eta.
+[[nodiscard]] methods::Claim said_of_data();
+
+// For all values of the other variables: all hypotheses that are not of omega1 and omega2 alone imply what it
+// says.
+[[nodiscard]] kernel::Theorem closed_but_frequencies(kernel::Theorem theorem);
+
 // For numbers at the data of an example, of which omega1 and omega2 are not rational: from ranges of these
 // two, which are the hypotheses of what `more` makes, and that chi and eta have these values, ⊢ C, to ⊢ there
 // are 0 < omega1 < 1 < omega2 at which chi and eta have these values, and C. Throws KernelError outside 0 <

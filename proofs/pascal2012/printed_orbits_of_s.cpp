@@ -291,32 +291,6 @@ class OrbitAtData {
   Theorem known_;
 };
 
-// For all values of its variables but the frequencies: what it supposes, but for their ranges and chi,
-// implies what it says.
-Theorem closed(Theorem theorem, const orbits::Ranges& frequencies) {
-  std::vector<Formula> supposed;
-  const kernel::Formulas hypotheses = theorem.hypotheses();
-  for (const Formula& one : hypotheses) {
-    if (!std::ranges::all_of(one.variables(), [&](const Variable& x) { return frequencies.contains(x); })) {
-      supposed.push_back(one);
-    } else if (one.kind() == kernel::Kind::less || tactics::is_divisor(one)) {
-      theorem = Theorem::cut(Theorem::sign(one, orbits::ranges_in(one, frequencies)), theorem);
-    }
-  }
-  const Formula together = all(supposed);
-  for (std::size_t i = 0; i < supposed.size(); ++i) {
-    theorem = Theorem::cut(tactics::part(Theorem::assume(together), i), theorem);
-  }
-  theorem = Theorem::discharge(theorem, together);
-  const kernel::Variables variables = theorem.conclusion().variables();
-  for (const Variable& one : variables) {
-    if (!frequencies.contains(one)) {
-      theorem = Theorem::generalize(theorem, one);
-    }
-  }
-  return theorem;
-}
-
 // From the list for the time lag, at frequencies: no orbit has a value that rounds to the printed one.
 Theorem has_not(const char * name, const Theorem& halves, const OrbitList& list,
                 const orbits::Ranges& frequencies) {
@@ -335,7 +309,16 @@ Theorem has_not(const char * name, const Theorem& halves, const OrbitList& list,
   if (of_friction) {
     result = tactics::by_rewriting(result, orbit.friction(value));
   }
-  return closed(result, frequencies);
+  const kernel::Formulas hypotheses = result.hypotheses();
+  for (const Formula& one : hypotheses) {
+    if (tactics::is_divisor(one) || one.kind() == kernel::Kind::less) {
+      const orbits::Ranges here = orbits::ranges_in(one, frequencies);
+      if (here.size() == one.variables().size()) {
+        result = Theorem::cut(Theorem::sign(one, here), result);
+      }
+    }
+  }
+  return closed_but_frequencies(result);
 }
 
 Claim no_orbit_has(const char * name, const std::string& printed_name) {
