@@ -133,3 +133,76 @@ TEST_CASE("finite sets moved") {
   // By a part of a binder's body, cut out: its index would be caught by the set's.
   REFUSES(Theorem::finite_shift(origin, for_all(t, equal(-Term(t), x)).parts()[0].parts()[0]));
 }
+
+TEST_CASE("a function by pieces: one value where they meet") {
+  const Theorem both = Theorem::piecewise(f, g, c);
+  const Variable X{"X", function_of_time()};
+  CHECK(both.hypotheses().empty());
+  CHECK(both.conclusion() ==
+        exists(X, for_all(t, all({implies(less(t, c), equal(apply(X, t), apply(f, t))),
+                                  implies(at_most(c, t), equal(apply(X, t), apply(g, t)))}))));
+  // Both at c would give f(c) = g(c), and 0 = 1.
+  const Theorem there = Theorem::specialize(assume(opened(both.conclusion(), X)), c);
+  CHECK_NOTHROW(static_cast<void>(Theorem::consequence(
+      {there, Theorem::trichotomy(c, c), Theorem::reflexive(c)}, equal(apply(X, c), apply(g, c)))));
+  REFUSES(Theorem::consequence({there, Theorem::trichotomy(c, c), Theorem::reflexive(c)},
+                               equal(apply(X, c), apply(f, c))));
+  // The new function is none that a piece speaks of: X(t) = X(t) + 1 for no X.
+  for (const char * name : {"X", "v1", "f", "t1"}) {
+    const Variable own{name, function_of_time()};
+    const Term next = lambda(t, apply(own, t) + 1);
+    CHECK(Theorem::piecewise(next, next, c).conclusion().variables() == Variables{own, c});
+  }
+  REFUSES(Theorem::piecewise(f, Variable{"F2", function_of_time(2)}, c));
+  REFUSES(Theorem::piecewise(f, g, f));
+  REFUSES(Theorem::piecewise(x, y, c));
+  REFUSES(Theorem::piecewise(f, g, for_all(t, equal(-Term(t), x)).parts()[0].parts()[0]));
+}
+
+TEST_CASE("a function continued: half an interval, of a positive length") {
+  const Variable X{"X", function_of_time()};
+  CHECK(Theorem::periodic(f, assume(less(0, c))).conclusion() ==
+        exists(X, all({for_all(t, implies(all({at_most(0, t), less(t, c)}), equal(apply(X, t), apply(f, t)))),
+                       for_all(t, equal(apply(X, Term(t) + c), apply(X, t)))})));
+  CHECK(Theorem::periodic(f, assume(less(0, c))).hypotheses() == Formulas{less(0, c)});
+  // With c < 0 every function would be constant between, as X(t - |c|) = X(t), and with c = 0 nothing is
+  // said.
+  REFUSES(Theorem::periodic(f, assume(at_most(0, c))));
+  REFUSES(Theorem::periodic(f, assume(less(c, 0))));
+  REFUSES(Theorem::periodic(f, assume(less(-1, c))));
+  REFUSES(Theorem::periodic(f, assume(differ(c, 0))));
+  REFUSES(Theorem::periodic(x, assume(less(0, c))));
+  const Term next = lambda(t, apply(X, t) + 1);
+  CHECK(Theorem::periodic(next, assume(less(0, c))).conclusion().variables() == Variables{X, c});
+}
+
+TEST_CASE("functions that agree on a closed interval are continuous together") {
+  const Theorem known = assume(continuous(f, a, b));
+  const auto agree = [&](const Formula& where, const Term& one, const Term& other) {
+    return assume(for_all(t, implies(where, equal(one, other))));
+  };
+  const Term at_f = apply(f, t), at_g = apply(g, t);
+  CHECK(Theorem::same_continuity(known, agree(within(a, t, b), at_f, at_g)).conclusion() ==
+        continuous(g, a, b));
+  // A function that jumps at an end agrees with a continuous one inside.
+  REFUSES(Theorem::same_continuity(known, agree(between(a, t, b), at_f, at_g)));
+  REFUSES(Theorem::same_continuity(known, agree(within(a, t, c), at_f, at_g)));
+  REFUSES(Theorem::same_continuity(known, agree(within(a, t, b), at_g, at_f)));
+  REFUSES(Theorem::same_continuity(known, assume(equal(apply(f, a), apply(g, a)))));
+  REFUSES(Theorem::same_continuity(agree(within(a, t, b), at_f, at_g), known));
+  CHECK(Theorem::continuous_union(known, assume(continuous(f, b, c))).conclusion() == continuous(f, a, c));
+  // Two functions, a gap, the wrong order.
+  REFUSES(Theorem::continuous_union(known, assume(continuous(g, b, c))));
+  REFUSES(Theorem::continuous_union(known, assume(continuous(f, x, c))));
+  REFUSES(Theorem::continuous_union(assume(continuous(f, b, c)), known));
+  REFUSES(Theorem::continuous_union(known, assume(less(b, c))));
+}
+
+TEST_CASE("one time is finitely many, whatever it is called") {
+  CHECK(Theorem::finite_point(x).conclusion() == finite(t, equal(t, x)));
+  CHECK(Theorem::finite_point(t).conclusion() == finite(s, equal(s, t)));
+  CHECK(Theorem::finite_point(t).conclusion() != finite(t, equal(t, t)));
+  REFUSES(Theorem::finite_point(f));
+  REFUSES(Theorem::finite_point(v));
+  REFUSES(Theorem::finite_point(for_all(t, equal(-Term(t), x)).parts()[0].parts()[0]));
+}

@@ -50,6 +50,33 @@ TEST_CASE("the orbits of the three figures exist: no hypotheses") {
   CHECK(bound(P.conclusion()) == std::vector<std::string>{"tau", "tau1", "phi", "X1", "X2"});
 }
 
+TEST_CASE("an orbit as one motion: periodic, and each phase's definition holds of it") {
+  for (const auto& [name, names] : {std::pair{"S", std::vector<std::string>{"tau", "T", "phi", "ur", "X"}},
+                                    std::pair{"O", std::vector<std::string>{"tau", "tau1", "T", "ur", "X"}},
+                                    std::pair{"P", std::vector<std::string>{"tau", "tau1", "phi", "X"}}}) {
+    CAPTURE(name);
+    const orbits::Question asked = question(name);
+    const Theorem orbit = orbits::orbit_theorem(asked, motion_of(name)),
+                  one = orbits::one_motion(orbit, asked);
+    CHECK(one.hypotheses().empty());
+    CHECK(bound(one.conclusion()) == names);
+    Formula said = one.conclusion();
+    while (said.kind() == Kind::exists) {
+      said = opened(said, Variable{said.name(), said.binds()});
+    }
+    const Variable X{"X", function_of_time(4, 1)}, t{"t"};
+    const Term Theta = Term(2) * pi() / Term(asked.data.omega);
+    CHECK(said.parts().front() == for_all(t, equal(apply(X, Term(t) + Theta), apply(X, t))));
+    CHECK(static_cast<std::size_t>(std::ranges::count(said.parts(), Kind::defined, &Term::kind)) ==
+          asked.phases.size());
+    CHECK(std::ranges::count(said.variables(), function_of_time(4, 1), &Variable::type) == 1);
+    // Of a period that the phases do not have, nothing.
+    orbits::Question wrong = asked;
+    wrong.period = 2;
+    CHECK_THROWS_AS(static_cast<void>(orbits::one_motion(orbit, wrong)), KernelError);
+  }
+}
+
 TEST_CASE("each phase lasts") {
   Formula said = orbits::orbit_theorem(question("S"), motion_of("S")).conclusion();
   while (said.kind() == Kind::exists) {

@@ -66,6 +66,19 @@ TEST_CASE("there are frequencies for all chi between 0 and 1 and eta > 0, by a t
         Truth::proved);
 }
 
+TEST_CASE("no orbit has the tau or the u_r of Fig. 2, and no solution of (16) that tau, by theorems") {
+  for (const char * id : {"S.none.tau", "S.none.ur", "S.16"}) {
+    CAPTURE(id);
+    CHECK(record(id).outcome.by_kernel);
+    CHECK(record(id).outcome.theorems.size() == 1);
+    CHECK(record(id).outcome.theorems.front().hypotheses().empty());
+  }
+  CHECK(record("S.none.tau").status == Status::proved);
+  CHECK(record("S.none.ur").status == Status::proved);
+  CHECK(record("S.16").status == Status::digits_off);
+  CHECK(altered("16.zeros", [](Claim& claim) { claim.assumptions.pop_back(); }) != Truth::proved);
+}
+
 TEST_CASE("at the data of Fig. 2 six of the eight zeros are no orbits") {
   CHECK(record("S.det").status == Status::proved);
 }

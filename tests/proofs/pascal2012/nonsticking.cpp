@@ -177,3 +177,21 @@ TEST_CASE("every single edit of (35) is refuted with the load that (35) asks for
   CHECK(mutants.survivors == std::vector<std::string>{});
   CHECK(mutants.open == std::vector<std::string>{});
 }
+
+TEST_CASE("no motion closes at an odd resonance: by 31.modes, and as the friction moves the place of rest") {
+  CHECK(record("31.odd").outcome.by_kernel);
+  CHECK(record("31.odd").outcome.uses == std::set<std::string>{"31.modes", "31.rest"});
+  // With an even multiple motions close (33.even).
+  Claim even = claim_named(paper().claims, "31.odd");
+  even.assumptions.back().statement = equation((1 - cos(omega1 * tau)) * (1 - cos(omega2 * tau)), 0);
+  Prover prover(paper().claims);
+  CHECK(even.prove(prover, even).verdict.truth != Truth::proved);
+}
+
+TEST_CASE("the orbit of Fig. 4 obeys all that Appendix 5 assumes, as the kernel has it") {
+  for (const char * id : {"A5.theorem.met", "7.symmetric.met", "A5.unique.met"}) {
+    CAPTURE(id);
+    CHECK(record(id).status == Status::proved);
+    CHECK(record(id).outcome.theorems.front().hypotheses().empty());
+  }
+}
