@@ -1,9 +1,12 @@
 // Section 2: the model, (1)-(4).
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/units.hpp"
 #include "proofs/symbols/vocabulary.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -49,6 +52,33 @@ std::vector<Assumption> all_of_3(std::vector<Assumption> more) {
   return all;
 }
 
+// What (3) names exists: the frequencies that give these chi and eta, by 39.frequencies, and Omega.
+kernel::Theorem quantities_exist(const kernel::Theorem& frequencies) {
+  using kernel::Positive;
+  using kernel::Theorem;
+  using kernel::Variable;
+  const Variable m1{"m1"}, m2{"m2"}, k1{"k1"}, k2{"k2"};
+  const kernel::Term k = kernel::Term(k1) + k2;
+  const auto positive = [](const kernel::Term& a, const std::vector<Positive>& because) {
+    return Theorem::order(kernel::less(0, a), because);
+  };
+  const Theorem stiff1 = tactics::above(0, k1), stiff2 = tactics::above(0, k2),
+                heavy1 = tactics::above(0, m1), heavy2 = tactics::above(0, m2),
+                stiff = positive(k, {{{stiff1}}, {{stiff2}}}), by_k = tactics::inverse_is_positive(stiff),
+                by_m1 = tactics::inverse_is_positive(heavy1), by_m2 = tactics::inverse_is_positive(heavy2);
+  const kernel::Term ratio = k2 / k, masses = kernel::Term(m1) / m2, rate = k / m1;
+  Theorem exist = Theorem::instantiate(frequencies, {{{"chi"}, ratio}, {{"eta"}, masses}});
+  for (const Theorem& known : {positive(ratio, {{{stiff2, by_k}}}),
+                               Theorem::order(kernel::less(ratio, 1), {Positive{{stiff1, by_k}}}),
+                               positive(masses, {{{heavy1, by_m2}}})}) {
+    exist = Theorem::cut(known, exist);
+  }
+  const Theorem scale = tactics::detach(Theorem::square_root(rate),
+                                        Theorem::order(kernel::at_most(0, rate), {Positive{{stiff, by_m1}}}));
+  return Theorem::cut(tactics::different(stiff),
+                      tactics::nonzero(tactics::both({exist, scale}), {heavy1, heavy2}));
+}
+
 // (1)-(3): from Newton's equations to the dimensionless ones.
 std::vector<Claim> equations() {
   return {
@@ -79,6 +109,23 @@ std::vector<Claim> equations() {
        .words = "the dimensionless quantities, $Omega = sqrt((k_1 + k_2)/m_1)$: $t$, $chi$, $eta$, $omega$ "
                 "are numbers, $x$, $u$, $p$ and $V$ lengths",
        .prove = by_definition()},
+      {.id = "3.exist",
+       .kind = Kind::theorem,
+       .origin = Origin::auxiliary,
+       .words =
+           "for all positive masses and stiffnesses there are frequencies $0 < omega_1 < 1 < omega_2$ that "
+           "give $chi = k_2/(k_1 + k_2)$ and $eta = m_1/m_2$, and there is $Omega$ with $Omega^2 = (k_1 + "
+           "k_2)/m_1$: (3) names what exists",
+       .prove =
+           [](Prover& prover, const Claim&) {
+             Outcome outcome;
+             outcome.route = "39.frequencies at these ratios, and a square root";
+             outcome.uses = {"39.frequencies"};
+             outcome.verdict = Verdict::proved();
+             prove(outcome,
+                   [&] { return quantities_exist(prover.prove("39.frequencies").outcome.theorems.at(0)); });
+             return outcome;
+           }},
       {.id = "3.load",
        .kind = Kind::step,
        .origin = Origin::auxiliary,

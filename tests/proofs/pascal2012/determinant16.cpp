@@ -66,6 +66,22 @@ TEST_CASE("there are frequencies for all chi between 0 and 1 and eta > 0, by a t
         Truth::proved);
 }
 
+TEST_CASE("(3) names what exists for all positive masses and stiffnesses, and main theorems hold for all data") {
+  namespace k = proofs::kernel;
+  k::Formulas positive;
+  for (const char * name : {"m1", "m2", "k1", "k2"}) {
+    positive.insert(k::less(0, k::Variable{name}));
+  }
+  CHECK(record("3.exist").outcome.theorems.front().hypotheses() == positive);
+  const k::Variable c{"chi"}, e{"eta"};
+  const Outcome& all = record("39.data").outcome;
+  REQUIRE(all.theorems.size() == 6);
+  for (const k::Theorem& theorem : all.theorems) {
+    CHECK(theorem.hypotheses() == k::Formulas{k::less(0, c), k::less(c, 1), k::less(0, e)});
+    CHECK(theorem.conclusion().variables() == k::Variables{c, e});
+  }
+}
+
 TEST_CASE("no orbit has the tau or the u_r of Fig. 2, and no solution of (16) that tau, by theorems") {
   for (const char * id : {"S.none.tau", "S.none.ur", "S.16"}) {
     CAPTURE(id);
