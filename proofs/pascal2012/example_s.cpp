@@ -126,6 +126,7 @@ std::vector<Claim> example_S() {
                  printed_values(where(), {"tau", "T", "Theta", "z10", "z20", "zdot10", "ur"}),
                  {printed_values_close()},
                  data_of_S(),
+                 friction_of_S(),
                  printed_orbits_of_S(),
                  origins(),
                  orbit_claims(where(), list_of_S())});

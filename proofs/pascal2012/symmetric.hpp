@@ -41,7 +41,8 @@ namespace stickslip::proofs::pascal2012 {
 [[nodiscard]] std::vector<methods::Claim> example_S();
 // What its data allow: u_r is one of them.
 [[nodiscard]] std::vector<methods::Claim> data_of_S();
-// What is printed for it, against all orbits.
+// That u_r is one of its data; what is printed for it, against all orbits.
+[[nodiscard]] std::vector<methods::Claim> friction_of_S();
 [[nodiscard]] std::vector<methods::Claim> printed_orbits_of_S();
 
 }  // namespace stickslip::proofs::pascal2012

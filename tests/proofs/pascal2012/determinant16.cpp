@@ -66,7 +66,8 @@ TEST_CASE("there are frequencies for all chi between 0 and 1 and eta > 0, by a t
         Truth::proved);
 }
 
-TEST_CASE("(3) names what exists for all positive masses and stiffnesses, and main theorems hold for all data") {
+TEST_CASE(
+    "(3) names what exists for all positive masses and stiffnesses, and main theorems hold for all data") {
   namespace k = proofs::kernel;
   k::Formulas positive;
   for (const char * name : {"m1", "m2", "k1", "k2"}) {
