@@ -55,13 +55,15 @@ class MotionOfP {
     }
     Theorem theorem = tactics::both(proved);
     Formula left = kernel::all({formulas.begin(), formulas.end()});
+    // First, and innermost, what has a value in terms of the others.
     const kernel::Variables variables = left.variables();
-    for (const Variable& one : variables) {
-      if (!frequencies_.contains(one)) {
-        left = kernel::exists(one, left);
-        const auto value = values_.find(one);
-        theorem = Theorem::witness(theorem, substitute(left, values_),
-                                   value == values_.end() ? Term(one) : value->second);
+    for (const bool has_value : {true, false}) {
+      for (const Variable& one : variables) {
+        if (!frequencies_.contains(one) && values_.contains(one) == has_value) {
+          left = kernel::exists(one, left);
+          theorem =
+              Theorem::witness(theorem, substitute(left, values_), has_value ? values_.at(one) : Term(one));
+        }
       }
     }
     return theorem;
