@@ -263,9 +263,9 @@ class MotionOfP {
 }  // namespace
 
 Claim met_by_P() {
-  static const std::vector<std::string> ids{"52",         "55.B",      "A5.half",    "A5.second",
-                                            "A5.theorem", "A5.energy", "A5.stable",  "A5.sides",
-                                            "A5.moves",   "A5.unique", "7.symmetric"};
+  static const std::vector<std::string> ids{"52",        "A5.half",    "A5.second", "A5.theorem",
+                                            "A5.energy", "A5.stable",  "A5.sides",  "A5.moves",
+                                            "A5.unique", "7.symmetric"};
   std::vector<std::string> parts;
   for (const std::string& id : ids) {
     parts.push_back("all that " + id + " assumes holds of the orbit of Fig. 4 as one motion");
