@@ -104,10 +104,7 @@ std::string without_theorem(const methods::Record& record) {
     return "a check in floating point, which proves nothing";
   }
   if (record.status == methods::Status::model) {
-    return "an equation of the model, taken as given";
-  }
-  if (record.outcome.introduces_names) {
-    return "a definition, which introduces names: there is nothing to prove";
+    return record.outcome.verdict.reason;
   }
   const Truth truth = record.outcome.verdict.truth;
   return truth == Truth::proved || truth == Truth::refuted ? "decided in balls, outside the kernel"

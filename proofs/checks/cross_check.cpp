@@ -300,22 +300,20 @@ CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcom
   const bool proved = outcome.verdict.truth == Truth::proved;
   const std::string assumed = conditions(claim, outcome);
   const bool evaluable = std::all_of(claim.printed.begin(), claim.printed.end(), can_be_evaluated);
-  const bool unconditional =
-      assumed.empty() && !outcome.introduces_names && all_identities(prover, outcome.uses);
+  const bool unconditional = assumed.empty() && all_identities(prover, outcome.uses);
   result.identity = unconditional && evaluable && !claim.printed.empty() && proved;
   const std::vector<Decided> all = formulas(claim, outcome, unconditional);
   result.formulas = static_cast<int>(all.size());
   if (all.empty()) {
-    if (proved && !outcome.introduces_names && !claim.printed.empty()) {
+    if (proved && !claim.printed.empty()) {
       result.premise_points = confirmed_at_premises(prover, claim, outcome);
     }
     if (result.premise_points > 0) {
       result.formulas = static_cast<int>(claim.printed.size());
     } else {
-      result.unchecked = !proved                    ? "the witness itself was found in balls"
-                         : outcome.introduces_names ? "it introduces names"
-                         : claim.printed.empty()    ? "there is no formula to evaluate"
-                         : assumed.empty()          ? "no point is known where its premises hold"
+      result.unchecked = !proved                 ? "the witness itself was found in balls"
+                         : claim.printed.empty() ? "there is no formula to evaluate"
+                         : assumed.empty()       ? "no point is known where its premises hold"
                                            : "no point is known where its premises hold, and " + assumed;
     }
     return result;

@@ -66,7 +66,7 @@ std::optional<Subject> subject(Prover& prover, const Claim& claim) {
   }
   const Record& record = prover.prove(claim.id);
   const Outcome& outcome = final_outcome(record);
-  if (outcome.verdict.truth != Truth::proved || outcome.introduces_names) {
+  if (outcome.verdict.truth != Truth::proved) {
     return std::nullopt;
   }
   const std::vector<Statement>& form = proved_form(record);

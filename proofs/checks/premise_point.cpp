@@ -210,9 +210,17 @@ struct PremisePoint::Point {
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
     return evaluate(hypothesis.nonzero, lookup()).is_nonzero();
   }
-  // Whether the inequalities hold, and no hypothesis vanishes.
+  // The parameters' domain.
+  [[nodiscard]] bool is_in_domain() const {
+    const Lookup<Ball> at = lookup();
+    const Ball one(1), omega1 = at("omega1");
+    return omega1.is_positive() && (one - omega1).is_positive() && (at("omega2") - one).is_positive() &&
+           at("omega").is_positive() && at("us").is_positive() && at("ur").is_positive();
+  }
+  // Whether it is in the domain, the inequalities hold, and no hypothesis vanishes.
   [[nodiscard]] bool is_admissible() const {
-    return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
+    return is_in_domain() &&
+           std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
                        [this](const Statement& statement) { return holds(statement); }) &&
            std::all_of(premises.hypotheses.begin(), premises.hypotheses.end(),
                        [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });

@@ -86,6 +86,15 @@ const std::vector<StatusFacts>& statuses() {
        .tone = Tone::good,
        .stands = true,
        .finding = false},
+      {.status = Status::decided_in_balls,
+       .name = "decided_in_balls",
+       .meaning = "decided in balls, outside the kernel: no theorem says it",
+       .one = "is decided in balls, outside the kernel",
+       .many = "are decided in balls, outside the kernel",
+       .lead = holds,
+       .tone = Tone::good,
+       .stands = true,
+       .finding = false},
       {.status = Status::model,
        .name = "model",
        .meaning = "part of the model, taken as given",
@@ -198,6 +207,38 @@ const std::vector<StatusFacts>& statuses() {
 
 const StatusFacts& facts(Status status) {
   return statuses()[static_cast<std::size_t>(status)];
+}
+
+std::string to_string(Obeyed obeyed) {
+  switch (obeyed) {
+    case Obeyed::none_needed:
+      return "none_needed";
+    case Obeyed::theorem:
+      return "theorem";
+    case Obeyed::balls:
+      return "balls";
+    case Obeyed::by_contradiction:
+      return "by_contradiction";
+    case Obeyed::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string sentence(Obeyed obeyed) {
+  switch (obeyed) {
+    case Obeyed::none_needed:
+      return "";
+    case Obeyed::theorem:
+      return "there are values with which all that is assumed holds: a theorem of the kernel";
+    case Obeyed::balls:
+      return "there are values with which all that is assumed holds, by balls";
+    case Obeyed::by_contradiction:
+      return "nothing obeys all that is assumed: that is what is claimed";
+    case Obeyed::unknown:
+      break;
+  }
+  return "no values are known with which all that is assumed holds, motions included";
 }
 
 std::string to_string(Status status) {

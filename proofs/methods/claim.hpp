@@ -90,6 +90,18 @@ struct CrossCheck {
   bool identity = false;       // what is printed holds for all values of the symbols that have no value given
 };
 
+// Whether there are values with which all that a claim assumes holds: else its theorem may be about nothing.
+enum class Obeyed {
+  none_needed,       // it assumes nothing
+  theorem,           // a theorem of the kernel says so
+  balls,             // a point is known at which all of it holds, in balls
+  unknown,           // none is known
+  by_contradiction,  // there is none, and that is what the claim says: 0 < 0
+};
+[[nodiscard]] std::string to_string(Obeyed obeyed);  // "theorem": in data
+// For a reader: "a theorem of the kernel says that there are …"; empty where nothing is assumed.
+[[nodiscard]] std::string sentence(Obeyed obeyed);
+
 // What a proof found out.
 struct Outcome {
   Verdict verdict = {};
@@ -102,9 +114,9 @@ struct Outcome {
   std::vector<Comparison> comparisons = {};
   std::vector<Decided> decided = {};             // in the order in which the proof asked
   std::vector<symbols::Statement> doubted = {};  // where it is undecided: equations that may have a witness
-  bool introduces_names = false;                 // the printed left sides are names without another meaning
   std::vector<kernel::Theorem> theorems = {};    // of the kernel: what is printed, in its order
   bool by_kernel = false;                        // whether the verdict is that of theorems alone
+  Obeyed obeyed = Obeyed::none_needed;           // filled in by the Prover
   CrossCheck cross_check = {};                   // filled in by the Prover
 };
 
@@ -138,6 +150,7 @@ struct Claim {
 enum class Status {
   as_printed,                // proved as it stands in the paper
   proved,                    // proved as it stands, and no one printed it
+  decided_in_balls,          // so by a search in balls outside the kernel: no theorem says it
   model,                     // an equation of the model: taken as given
   checked,                   // a check in floating point that agrees
   needs_hypotheses,          // proved where something nonzero that the paper does not mention is nonzero

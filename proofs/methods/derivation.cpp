@@ -256,12 +256,12 @@ void record_under_given(Outcome& outcome, const Claim& claim, const GiNaC::ex& f
 
 }  // namespace
 
-void Derivation::record(Outcome& outcome, const Theorem& theorem) {
+void Derivation::record(Outcome& outcome, const Theorem& theorem, const Formulas& allowed) {
   outcome.uses.insert(uses_.begin(), uses_.end());
   outcome.uses.erase(Openings::coefficients);
   outcome.uses.erase(claim_.id);
   for (const Formula& one : theorem.hypotheses()) {
-    if (domain_formulas().contains(one)) {
+    if (domain_formulas().contains(one) || allowed.contains(one)) {
       continue;
     }
     if (const auto assumed = assumed_.find(one); assumed != assumed_.end()) {

@@ -59,8 +59,9 @@ class Derivation {
   // Theorems of what the claim prints, in its order: the verdict, and what it assumes and divides by. Throws
   // KernelError if one of them says something else or rests on what the claim does not assume.
   void conclude(Outcome& outcome, const std::vector<kernel::Theorem>& theorems);
-  // Of a theorem that rests on no more than that: what it assumes, divides by and uses.
-  void record(Outcome& outcome, const kernel::Theorem& theorem);
+  // Of a theorem that rests on no more than that, and on what is allowed besides: what it assumes, divides by
+  // and uses. Throws KernelError likewise.
+  void record(Outcome& outcome, const kernel::Theorem& theorem, const kernel::Formulas& allowed = {});
   // The theorem without hypotheses that follow from what the claim assumes, or from claims that supply them.
   [[nodiscard]] kernel::Theorem settled(kernel::Theorem theorem);
   // The theorem with fewer and simpler hypotheses d ≠ 0: less what the parameters' domain and the claim's

@@ -232,21 +232,6 @@ Proof by_nonzero_multiple(const std::string& assumption, const Term& multiplier)
                    derive);
 }
 
-namespace {
-
-// Whether the table of symbols says what the name stands for. Throws InternalError if it is no name, or that
-// of a function at one time.
-bool has_meaning(const Term& name) {
-  const bool of_time = name.op() == Op::function && name.arguments().front().op() == Op::symbol;
-  if (name.op() != Op::symbol && !of_time) {
-    throw InternalError(text(name) + " is no name that could be introduced");
-  }
-  const Symbol * row = symbol_table().find(name);
-  return row != nullptr && (row->value || row->means);
-}
-
-}  // namespace
-
 Proof by_theorem(const std::string& route, kernel::Theorem (*make)()) {
   return [=](Prover&, const Claim&) {
     Outcome outcome;
@@ -269,18 +254,10 @@ Proof by_theorem(const std::string& route, kernel::Theorem (*make)()) {
 }
 
 Proof by_definition() {
-  return [](Prover& prover, const Claim& claim) {
-    const char * const route = "a definition: it introduces the names on the left";
-    Outcome outcome = derived(route, prover, claim, [](Derivation& derivation, std::size_t which) {
-      return derivation.combination(printed_formula(derivation, which));
-    });
-    outcome.introduces_names = true;
-    // A name that has a meaning already stands for it, and what is said of it has to be a theorem.
-    if (std::ranges::none_of(claim.printed, [](const Statement& one) { return has_meaning(one.left); })) {
-      outcome.verdict = Verdict::proved();
-    }
-    return outcome;
-  };
+  return by_kernel("a definition: the names on the left stand for this",
+                   [](Derivation& derivation, std::size_t which) {
+                     return derivation.combination(printed_formula(derivation, which));
+                   });
 }
 
 }  // namespace stickslip::proofs::methods

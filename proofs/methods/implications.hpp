@@ -62,8 +62,9 @@ struct ZeroOfCosine {
 // The printed "A != 0" follows from the assumption "B != 0", as B^2 = multiplier * A by normal form.
 [[nodiscard]] Proof by_nonzero_multiple(const std::string& assumption, const symbols::Term& multiplier);
 
-// The printed left sides are names, introduced here; where the table of symbols gives one of them a meaning,
-// all that is printed has to be a theorem.
+// The printed left sides are names to which the table of symbols gives this meaning: what is printed is a
+// theorem. A definition of names that have none is no claim to be proved: it has no proof, and is taken as
+// given.
 [[nodiscard]] Proof by_definition();
 
 // A theorem of the kernel that rests on nothing but the ranges of its variables, and says what the words do:

@@ -106,11 +106,10 @@ Outcome compared(const std::string& route, Prover& prover, const Claim& claim, c
   try {
     for (const Equal& equal : compare(derivation)) {
       const kernel::Term left = read(equal.left), right = read(equal.right);
-      for (int i = 0; i < left.type().rows; ++i) {
-        const auto side = [i](const kernel::Term& term) {
-          return term.kind() == kernel::Kind::matrix ? term.parts()[static_cast<std::size_t>(i)] : term;
-        };
-        const kernel::Formula entry = kernel::equal(side(left), side(right));
+      const kernel::Formula whole = kernel::equal(left, right);  // refuses what differs in shape
+      const bool apart = left.kind() == kernel::Kind::matrix && right.kind() == kernel::Kind::matrix;
+      for (std::size_t i = 0; i < (apart ? left.parts().size() : 1); ++i) {
+        const kernel::Formula entry = apart ? kernel::equal(left.parts()[i], right.parts()[i]) : whole;
         outcome.theorems.push_back(derivation.settled(derivation.combination(entry)));
         derivation.record(outcome, outcome.theorems.back());
       }

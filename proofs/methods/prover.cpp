@@ -8,10 +8,13 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "proofs/checks/cross_check.hpp"
+#include "proofs/checks/premise_point.hpp"
 #include "proofs/checks/repair.hpp"
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/derivation.hpp"
+#include "proofs/methods/gate.hpp"
 #include "proofs/methods/progress.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/point.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
 #include "symbolic/algebra/signs.hpp"
@@ -38,6 +41,9 @@ Status status_of(const Record& record, bool premises_stand) {
       if (!record.outcome.hypotheses.empty()) {
         return Status::needs_hypotheses;
       }
+      if (record.outcome.theorems.empty()) {
+        return Status::decided_in_balls;
+      }
       return record.claim.origin == Origin::paper ? Status::as_printed : Status::proved;
     case Truth::refuted:
       if (record.claim.kind == Kind::numbers) {
@@ -54,9 +60,11 @@ Status status_of(const Record& record, bool premises_stand) {
   return Status::undecided;
 }
 
-Outcome taken_as_given() {
+Outcome taken_as_given(const Claim& claim) {
   Outcome outcome;
-  outcome.verdict = Verdict::assumed("an equation of the model, taken as given");
+  outcome.verdict =
+      Verdict::assumed(claim.kind == Kind::definition ? "a definition of names: there is nothing to prove"
+                                                      : "an equation of the model, taken as given");
   return outcome;
 }
 
@@ -152,7 +160,8 @@ const Record& Prover::prove(const std::string& id) {
   }
   under_way_.push_back(id);
   Record record{claim(id), {}, {}, {}, {}};
-  record.outcome = record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given();
+  record.outcome =
+      record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given(record.claim);
   look_for_witness(record.outcome, *this, record.claim);
   if (record.outcome.verdict.truth == Truth::refuted && record.claim.prove_corrected) {
     Claim reading = record.claim;
@@ -184,12 +193,39 @@ void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Sta
     outcome.cross_check.unchecked = "it is neither proved nor refuted";
     return;
   }
+  pass_gate(*this, claim, form, outcome);
   Claim reading = claim;
   reading.printed = form;
   outcome.cross_check = cross_check(*this, reading, outcome);
-  const bool met = outcome.cross_check.formulas > 0;  // by a point at least
-  if (outcome.by_kernel && !met && !says_contradiction(form) && contradiction(*this, reading)) {
+  if (truth == Truth::proved) {
+    look_for_values(outcome, reading);
+  }
+}
+
+// Points in balls are those at which all that can be evaluated holds: motions may be left out of that.
+void Prover::look_for_values(Outcome& outcome, const Claim& claim) {
+  if (claim.assumptions.empty()) {
+    return;
+  }
+  if (says_contradiction(claim.printed)) {
+    outcome.obeyed = Obeyed::by_contradiction;
+    return;
+  }
+  outcome.obeyed = Obeyed::unknown;
+  if (obeying_values(*this, claim)) {
+    outcome.obeyed = Obeyed::theorem;
+    return;
+  }
+  Outcome alone;  // of what the claim assumes, and not of what its proof uses
+  alone.hypotheses = outcome.hypotheses;
+  const Premises premises = premises_of(*this, claim, alone);
+  if (outcome.cross_check.premise_points == 0 && premise_points(premises, 1).empty()) {
+    outcome.verdict =
+        Verdict::undecided("vacuous or unknown: no values are known with which all that is assumed holds");
+  } else if (contradiction(*this, claim)) {
     outcome.verdict = Verdict::undecided("vacuous: what is assumed contradicts itself, and nothing obeys it");
+  } else if (premises.left_out.empty()) {
+    outcome.obeyed = Obeyed::balls;
   }
 }
 

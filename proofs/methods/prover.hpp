@@ -27,7 +27,11 @@ class Prover {
   bool inherit(Outcome& outcome, const Claim& claim);
   // The claim that brought in the hypothesis of this text, among these and all that they use.
   std::optional<std::string> origin_of(const std::string& hypothesis, const std::set<std::string>& uses);
-  // Has the verdict looked at by two further engines. Throws InternalError if one disagrees.
+  // Has what is proved looked at: whether there is anything that obeys all that is assumed. Where that is
+  // neither known nor said to be a contradiction, it is undecided.
+  void look_for_values(Outcome& outcome, const Claim& claim);
+  // Has the verdict compared with the claim (gate.hpp), and looked at by two further engines. Throws
+  // InternalError if something is not so.
   void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form);
 
   std::map<std::string, const Claim *> claims_;

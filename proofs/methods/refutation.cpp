@@ -213,15 +213,25 @@ Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols
   said.insert(said.end(), domain.begin(), domain.end());
   place.give_values(all(said).variables());
 
-  std::optional<Theorem> moves;
+  // What speaks of numbers only first: where that fails, no motion is looked for.
+  std::map<Formula, Theorem> known;
+  const auto speaks_of_motion = [](const Formula& formula) {
+    return std::ranges::any_of(formula.variables(),
+                               [](const Variable& x) { return x.type.sort == Sort::function; });
+  };
+  for (const Formula& one : held) {
+    if (!speaks_of_motion(one)) {
+      known.emplace(one, place.holds(one));
+    }
+  }
   if (phase != holding.end()) {
-    moves = place.move(held[static_cast<std::size_t>(phase - holding.begin())],
-                       candidates(derivation, *phase, start_of(*phase, holding)));
+    const Formula& moves = held[static_cast<std::size_t>(phase - holding.begin())];
+    known.emplace(moves, place.move(moves, candidates(derivation, *phase, start_of(*phase, holding))));
   }
   std::vector<Theorem> theorems;
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const bool is_phase = moves && holding.begin() + static_cast<std::ptrdiff_t>(i) == phase;
-    theorems.push_back(is_phase ? *moves : place.holds(held[i]));
+  for (const Formula& one : held) {
+    const auto found = known.find(one);
+    theorems.push_back(found != known.end() ? found->second : place.holds(one));
   }
   std::ranges::transform(failed, std::back_inserter(theorems),
                          [&](const Formula& one) { return place.fails(one); });
@@ -232,6 +242,27 @@ Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols
     throw KernelError("the refutation rests on something");
   }
   return result;
+}
+
+std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim) {
+  Scene scene;
+  std::vector<symbols::Statement> holding;
+  for (const Assumption& assumption : claim.assumptions) {
+    holding.push_back(assumption.statement);
+    if (is_substitution(assumption)) {
+      scene.values.push_back(assumption.statement);
+    }
+  }
+  if (std::ranges::count_if(holding, is_of_a_phase) > 1) {
+    return std::nullopt;  // that they fit is a matter of closing equations
+  }
+  try {
+    return refutation(prover, scene, holding, {});
+  } catch (const KernelError&) {
+    return std::nullopt;
+  } catch (const symbols::NoValue&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace stickslip::proofs::methods

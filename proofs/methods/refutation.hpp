@@ -2,6 +2,7 @@
 // conclusion does not.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/verdict.hpp"
@@ -27,5 +28,9 @@ struct Scene {
 [[nodiscard]] kernel::Theorem refutation(Prover& prover, const Scene& scene,
                                          const std::vector<symbols::Statement>& holding,
                                          const std::vector<symbols::Statement>& failing);
+
+struct Claim;
+// ⊢ there are values in the domain with which all that the claim assumes holds; nothing where none was found.
+[[nodiscard]] std::optional<kernel::Theorem> obeying_values(Prover& prover, const Claim& claim);
 
 }  // namespace stickslip::proofs::methods

@@ -99,7 +99,8 @@ Json outcome(const Outcome& o) {
           {"comparisons", list_of(o.comparisons, comparison)},
           {"cross_check", cross_check(o.cross_check)},
           {"theorems", list_of(o.theorems, sequent)},
-          {"by_kernel", o.by_kernel}};
+          {"by_kernel", o.by_kernel},
+          {"obeyed", to_string(o.obeyed)}};
 }
 
 bool needs_assumption(const Record& record, const std::string& id) {

@@ -91,6 +91,7 @@ class Details {
       add("theorem", to_string(theorem.sequent()));
     }
     add("evaluated", cross_check_line(outcome.cross_check));
+    add("obeyed", proofs::methods::sentence(outcome.obeyed));
     add("where", outcome.hypotheses);
     add("for all", joined(outcome.free));
     add("uses", joined(outcome.uses));
