@@ -86,7 +86,8 @@ void record_free(Outcome& outcome, const symbolic::algebra::Matrix& value) {
 
 bool is_substitution(const Assumption& assumption) {
   return assumption.statement.relation == Relation::equal && assumption.statement.left.op() == Op::symbol &&
-         assumption.statement.left.shape().is_scalar();
+         assumption.statement.left.shape().is_scalar() &&
+         !depends_on(assumption.statement.right, assumption.statement.left.name());
 }
 
 std::set<std::string> names_in(const Term& term) {
@@ -113,10 +114,18 @@ bool depends_on(const Term& term, const std::string& name) {
 
 Given::Given(const Claim& claim) {
   for (const Assumption& assumption : claim.assumptions) {
-    if (is_substitution(assumption)) {
+    if (is_substitution(assumption) && !leads_to(assumption.statement.right, assumption.statement.left.name())) {
       values.emplace(assumption.statement.left.name(), assumption.statement.right);
     }
   }
+}
+
+bool Given::leads_to(const Term& term, const std::string& name) const {
+  const std::set<std::string> names = names_in(term);
+  return names.contains(name) || std::ranges::any_of(names, [&](const std::string& one) {
+           const auto value = values.find(one);
+           return value != values.end() && leads_to(value->second, name);
+         });
 }
 
 Lookup<ex> Given::lookup() const {

@@ -13,20 +13,24 @@
 
 namespace stickslip::proofs::methods {
 
-// An assumption of the form "scalar = value", which is put in wherever the scalar stands.
+// An assumption of the form "scalar = value", which is put in wherever the scalar stands; the value does not
+// speak of it.
 [[nodiscard]] bool is_substitution(const Assumption& assumption);
 
 // The names of the symbols with which the term changes. F0 and R mention the load's phase without showing it.
 [[nodiscard]] std::set<std::string> names_in(const symbols::Term& term);
 [[nodiscard]] bool depends_on(const symbols::Term& term, const std::string& name);
 
-// What the claim's assumptions give to scalars.
+// What the claim's assumptions give to scalars; not what would give one in terms of itself.
 struct Given {
   std::map<std::string, symbols::Term> values;
 
   explicit Given(const Claim& claim);
   // Refers to this object, which has to outlive it.
   [[nodiscard]] symbols::Lookup<GiNaC::ex> lookup() const;
+
+ private:
+  [[nodiscard]] bool leads_to(const symbols::Term& term, const std::string& name) const;
 };
 
 // What a premise offers to the claim: the form that was proved, or is assumed, with symbols replaced.

@@ -14,6 +14,28 @@ using namespace kernel;
 
 namespace {
 
+void add_domain(Formulas& formulas) {
+  const Variables variables = all({formulas.begin(), formulas.end()}).variables();
+  for (const Theorem& domain : parameters()) {
+    if (std::ranges::includes(variables, domain.conclusion().variables())) {
+      formulas.insert(domain.conclusion());
+    }
+  }
+}
+
+// What holds of the same values: the formula, or what it says of those that it says there are. False if two
+// of these have one name.
+bool collect(const Formula& formula, Variables& named, Formulas& holding) {
+  holding.insert(formula);
+  if (formula.kind() == kernel::Kind::exists) {
+    const Variable value{formula.name(), formula.binds()};
+    return named.insert(value).second && collect(opened(formula, value), named, holding);
+  }
+  return formula.kind() != kernel::Kind::conjunction ||
+         std::ranges::all_of(formula.parts(),
+                             [&](const Formula& part) { return collect(part, named, holding); });
+}
+
 class Gate {
  public:
   Gate(Prover& prover, const Claim& claim, const std::vector<symbols::Statement>& form,
@@ -33,20 +55,17 @@ class Gate {
   }
 
   void refuted() {
-    require(outcome_.theorems.size() == 1 && outcome_.theorems[0].hypotheses().empty(),
-            "the refutation is not one theorem that rests on nothing");
-    Formula said = outcome_.theorems[0].conclusion();
-    while (said.kind() == kernel::Kind::exists) {
-      said = opened(said, Variable{said.name(), said.binds()});
-    }
-    if (form_.empty()) {
-      return;
-    }
-    const Formulas parts(said.parts().begin(), said.parts().end());
-    require(std::ranges::all_of(claim_.assumptions,
-                                [&](const auto& one) { return parts.contains(read_(one.statement)); }),
-            "what is assumed need not hold where it is refuted");
-    require(std::ranges::any_of(form_, [&](const auto& one) { return parts.contains(negation(read_(one))); }),
+    require(outcome_.theorems.size() == 1, "the refutation is not one theorem");
+    const Theorem& theorem = outcome_.theorems[0];
+    require(says_that_there_are_values(theorem, form_.empty() ? Formulas{} : assumed_by(claim_)),
+            "where it is refuted need not lie in the domain, or obey what is assumed");
+    require(form_.empty() || std::ranges::any_of(form_,
+                                                 [&](const auto& one) {
+                                                   Formulas all = assumed_by(claim_);
+                                                   all.insert(negation(read_(one)));
+                                                   add_domain(all);
+                                                   return says_that_there_are_values(theorem, all);
+                                                 }),
             "what is printed is not what is refuted");
   }
 
@@ -87,6 +106,26 @@ class Gate {
 };
 
 }  // namespace
+
+Formulas assumed_by(const Claim& claim) {
+  Formulas result;
+  Reader read;
+  for (const Assumption& assumption : claim.assumptions) {
+    result.insert(read(assumption.statement));
+  }
+  add_domain(result);
+  return result;
+}
+
+bool says_that_there_are_values(const Theorem& theorem, const Formulas& all) {
+  Variables named;
+  Formulas holding;
+  return theorem.hypotheses().empty() && theorem.conclusion().kind() == kernel::Kind::exists &&
+         collect(theorem.conclusion(), named, holding) && std::ranges::includes(holding, all, Before{}) &&
+         std::ranges::all_of(all, [&](const Formula& one) {
+           return std::ranges::includes(named, one.variables(), Before{});
+         });
+}
 
 void pass_gate(Prover& prover, const Claim& claim, const std::vector<symbols::Statement>& form,
                const Outcome& outcome) {

@@ -20,4 +20,11 @@ namespace stickslip::proofs::methods {
 void pass_gate(Prover& prover, const Claim& claim, const std::vector<symbols::Statement>& form,
                const Outcome& outcome);
 
+// What the claim assumes, and the domain of the parameters of which that speaks.
+[[nodiscard]] kernel::Formulas assumed_by(const Claim& claim);
+
+// Whether the theorem rests on nothing and says that there are values, perhaps a motion, with which all of
+// these hold at once.
+[[nodiscard]] bool says_that_there_are_values(const kernel::Theorem& theorem, const kernel::Formulas& all);
+
 }  // namespace stickslip::proofs::methods

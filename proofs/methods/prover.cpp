@@ -140,6 +140,9 @@ Prover::Prover(const std::vector<Claim>& claims) {
     if (!claims_.emplace(claim.id, &claim).second) {
       throw InternalError("two claims have the id " + claim.id);
     }
+    for (std::size_t i = 0; i < claim.meets.size(); ++i) {
+      met_by_.emplace(claim.meets[i], std::pair{claim.id, i});
+    }
   }
 }
 
@@ -187,6 +190,14 @@ const Record& Prover::prove(const std::string& id) {
   return records_.emplace(id, std::move(record)).first->second;
 }
 
+const kernel::Theorem& Prover::theorem(const std::string& id) {
+  const std::vector<kernel::Theorem>& theorems = final_outcome(prove(id)).theorems;
+  if (theorems.empty()) {
+    throw kernel::KernelError("of " + id + " there is no theorem");
+  }
+  return theorems.front();
+}
+
 void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Statement>& form) {
   const Truth truth = outcome.verdict.truth;
   if (truth != Truth::proved && truth != Truth::refuted) {
@@ -202,6 +213,22 @@ void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Sta
   }
 }
 
+bool Prover::is_met(const Claim& claim) {
+  const auto by = met_by_.find(claim.id);
+  if (by == met_by_.end()) {
+    return false;
+  }
+  const auto& [id, which] = by->second;
+  const std::vector<kernel::Theorem>& theorems = prove(id).outcome.theorems;
+  if (theorems.empty()) {
+    return false;  // its proof failed, and its own status says so
+  }
+  if (!says_that_there_are_values(theorems.at(which), assumed_by(claim))) {
+    throw InternalError(fmt::format("{} does not say that what {} assumes can be obeyed", id, claim.id));
+  }
+  return true;
+}
+
 // Points in balls are those at which all that can be evaluated holds: motions may be left out of that.
 void Prover::look_for_values(Outcome& outcome, const Claim& claim) {
   if (claim.assumptions.empty()) {
@@ -212,7 +239,7 @@ void Prover::look_for_values(Outcome& outcome, const Claim& claim) {
     return;
   }
   outcome.obeyed = Obeyed::unknown;
-  if (obeying_values(*this, claim)) {
+  if (is_met(claim) || obeying_values(*this, claim)) {
     outcome.obeyed = Obeyed::theorem;
     return;
   }

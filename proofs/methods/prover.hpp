@@ -18,6 +18,8 @@ class Prover {
   // The record of a claim, proved now unless it was before. Throws InternalError for an unknown id and for a
   // proof that comes back to its own claim.
   const Record& prove(const std::string& id);
+  // The first theorem of the form of it that is proved. Throws KernelError if it has none.
+  const kernel::Theorem& theorem(const std::string& id);
 
   [[nodiscard]] const Claim& claim(const std::string& id) const;
 
@@ -30,11 +32,14 @@ class Prover {
   // Has what is proved looked at: whether there is anything that obeys all that is assumed. Where that is
   // neither known nor said to be a contradiction, it is undecided.
   void look_for_values(Outcome& outcome, const Claim& claim);
+  // Whether another claim's theorem says that there is something which obeys all that this one assumes.
+  bool is_met(const Claim& claim);
   // Has the verdict compared with the claim (gate.hpp), and looked at by two further engines. Throws
   // InternalError if something is not so.
   void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form);
 
   std::map<std::string, const Claim *> claims_;
+  std::map<std::string, std::pair<std::string, std::size_t>> met_by_;  // a claim, and which of its theorems
   std::map<std::string, Record> records_;
   std::vector<std::string> under_way_;
 };

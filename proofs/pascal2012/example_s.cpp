@@ -92,8 +92,8 @@ Claim printed_values_close() {
                 "no solution of (16) has the printed $tau$; at the printed decimals it leaves " +
                 residuals(components(zero.at_points)));
             prove(outcome, [&] {
-              return does_not_close(prover.prove("16.zeros").outcome.theorems.at(0),
-                                    prover.prove("16.det").outcome.theorems.at(0));
+              return does_not_close(prover.theorem("16.zeros"),
+                                    prover.theorem("16.det"));
             });
             return outcome;
           }};

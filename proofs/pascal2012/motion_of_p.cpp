@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "proofs/methods/derivation.hpp"
+#include "proofs/methods/gate.hpp"
 #include "proofs/methods/openings.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/definitions.hpp"
@@ -284,13 +285,12 @@ Claim met_by_P() {
             outcome.uses = {"P.motion", "28.Theta"};
             outcome.verdict = Verdict::proved();
             outcome.by_kernel = true;
-            const auto of = [&](const std::string& id) { return prover.prove(id).outcome.theorems.at(0); };
             for (const std::string& id : ids) {
               try {
                 outcome.theorems.push_back(
                     at_frequencies(a.chi, a.eta, [&](const orbits::Ranges& frequencies) {
-                      return orbits::of_orbit(of("P.motion"), [&](const Theorem& said) {
-                        return MotionOfP(said, of("28.Theta"), frequencies).obeys(of(id).hypotheses());
+                      return orbits::of_orbit(prover.theorem("P.motion"), [&](const Theorem& said) {
+                        return MotionOfP(said, prover.theorem("28.Theta"), frequencies).obeys(assumed_by(prover.claim(id)));
                       });
                     }));
               } catch (const kernel::KernelError& error) {
@@ -301,7 +301,8 @@ Claim met_by_P() {
             }
             return outcome;
           },
-      .parts = parts};
+      .parts = parts,
+      .meets = ids};
 }
 
 }  // namespace stickslip::proofs::pascal2012::half_period

@@ -192,9 +192,8 @@ Claim no_orbit_has(const char * name, const std::string& printed_name) {
                 at_the_data(printed(), "each of them is one of the complete list, of which none has it");
             outcome.uses = {"S.list", "15", "16.halves"};
             outcome.verdict = Verdict::proved();
-            const auto theorem_of = [&](const char * id) { return prover.prove(id).outcome.theorems.at(0); };
-            const Theorem halves = Theorem::cut(theorem_of("15"), theorem_of("16.halves"));
             prove(outcome, [&] {
+              const Theorem halves = Theorem::cut(prover.theorem("15"), prover.theorem("16.halves"));
               return at_frequencies(printed().data.chi, printed().data.eta,
                                     [&](const orbits::Ranges& frequencies) {
                                       return has_not(name, halves, list, frequencies);

@@ -121,7 +121,7 @@ std::vector<Claim> equations() {
              outcome.uses = {"39.frequencies"};
              outcome.verdict = Verdict::proved();
              prove(outcome,
-                   [&] { return quantities_exist(prover.prove("39.frequencies").outcome.theorems.at(0)); });
+                   [&] { return quantities_exist(prover.theorem("39.frequencies")); });
              return outcome;
            }},
       {.id = "3.load",
