@@ -106,6 +106,10 @@ struct PremisePoint::Point {
   Point& operator=(const Point&) = delete;
 
   [[nodiscard]] Ball free(const std::string& name) const {
+    if ((name == "omega1" || name == "omega2") && premises.values.contains("chi")) {  // chi and eta are given
+      const auto modes = model::modes<Ball>(lookup()("chi"), lookup()("eta"));
+      return name == "omega1" ? modes.omega1 : modes.omega2;
+    }
     const auto found = solved.find(name);
     return found != solved.end() ? found->second
            : name == "pi"        ? Ball::pi()

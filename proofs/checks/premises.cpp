@@ -14,6 +14,10 @@ using namespace symbols;
 
 namespace {
 
+bool is_frequency(const std::string& name) {
+  return name == "omega1" || name == "omega2";
+}
+
 bool is_solved_for(const std::string& name) {
   return std::find(solved_for().begin(), solved_for().end(), name) != solved_for().end();
 }
@@ -47,10 +51,38 @@ Term with_motions(const Premises& premises, const Term& term) {
 }
 
 void add_value(Premises& premises, const Statement& statement) {
+  if (premises.reached(statement.right).contains(statement.left.name())) {
+    premises.equations.push_back(statement);
+    return;
+  }
   const auto [known, fresh] = premises.values.emplace(statement.left.name(), statement.right);
   if (!fresh && !equal(known->second, statement.right)) {
     premises.equations.push_back(statement);
   }
+}
+
+bool is_ratio(const std::string& name) {
+  return name == "chi" || name == "eta";
+}
+
+// Whether the claim gives both of chi and eta in terms of what stands for itself, and no frequency: these
+// follow then.
+bool gives_ratios(const Claim& claim) {
+  std::set<std::string> given;
+  for (const Assumption& assumption : claim.assumptions) {
+    const std::string& name = assumption.statement.left.name();
+    if (is_substitution(assumption) && (is_ratio(name) || is_frequency(name))) {
+      const std::set<std::string> names = names_in(assumption.statement.right);
+      const bool plain = !is_frequency(name) && std::ranges::all_of(names, [](const std::string& one) {
+        return !is_frequency(one) && stands_for_itself(scalar(one));
+      });
+      if (!plain) {
+        return false;
+      }
+      given.insert(name);
+    }
+  }
+  return given.size() == 2;
 }
 
 void add(Premises& premises, const Statement& statement) {
@@ -143,8 +175,11 @@ std::optional<Premises> Premises::with(const Replacements& further) const {
 Premises premises_of(Prover& prover, const Claim& claim, const Outcome& outcome) {
   Premises result;
   result.hypotheses = outcome.hypotheses;
+  const bool by_ratios = gives_ratios(claim);
   for (const Assumption& assumption : claim.assumptions) {
-    const bool is_value = is_substitution(assumption) && !is_solved_for(assumption.statement.left.name());
+    const Term& left = assumption.statement.left;
+    const bool is_value = is_substitution(assumption) && !is_solved_for(left.name()) &&
+                          (stands_for_itself(left) || (by_ratios && is_ratio(left.name())));
     is_value ? add_value(result, assumption.statement) : add(result, assumption.statement);
   }
   for (const std::string& used : outcome.uses) {

@@ -114,7 +114,11 @@ bool depends_on(const Term& term, const std::string& name) {
 
 Given::Given(const Claim& claim) {
   for (const Assumption& assumption : claim.assumptions) {
-    if (is_substitution(assumption) && !leads_to(assumption.statement.right, assumption.statement.left.name())) {
+    if (is_substitution(assumption)) {
+      if (leads_to(assumption.statement.right, assumption.statement.left.name())) {
+        throw InternalError(fmt::format("claim {}: it gives {} a value in terms of itself", claim.id,
+                                        assumption.statement.left.name()));
+      }
       values.emplace(assumption.statement.left.name(), assumption.statement.right);
     }
   }

@@ -21,10 +21,11 @@ namespace stickslip::proofs::methods {
 [[nodiscard]] std::set<std::string> names_in(const symbols::Term& term);
 [[nodiscard]] bool depends_on(const symbols::Term& term, const std::string& name);
 
-// What the claim's assumptions give to scalars; not what would give one in terms of itself.
+// What the claim's assumptions give to scalars.
 struct Given {
   std::map<std::string, symbols::Term> values;
 
+  // Throws InternalError if one would have a value in terms of itself.
   explicit Given(const Claim& claim);
   // Refers to this object, which has to outlive it.
   [[nodiscard]] symbols::Lookup<GiNaC::ex> lookup() const;

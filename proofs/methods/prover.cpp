@@ -163,6 +163,7 @@ const Record& Prover::prove(const std::string& id) {
   }
   under_way_.push_back(id);
   Record record{claim(id), {}, {}, {}, {}};
+  const Given has_values(record.claim);  // none of which goes in a circle: that would be no end
   record.outcome =
       record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given(record.claim);
   look_for_witness(record.outcome, *this, record.claim);

@@ -264,7 +264,7 @@ class MotionOfP {
 }  // namespace
 
 Claim met_by_P() {
-  static const std::vector<std::string> ids{"52",        "A5.half",    "A5.second", "A5.theorem",
+  static const std::vector<std::string> ids{"A5.half", "A5.second", "A5.theorem",
                                             "A5.energy", "A5.stable",  "A5.sides",  "A5.moves",
                                             "A5.unique", "7.symmetric"};
   std::vector<std::string> parts;

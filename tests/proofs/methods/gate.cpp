@@ -165,6 +165,7 @@ TEST_CASE("what nothing obeys proves nothing") {
         {equation(eta, 0)},
         {{chi, 1, Relation::greater}},
         {{us, 0, Relation::less}}}) {
+    CAPTURE(text(contradiction[0]));
     CHECK(is_not_proved(assuming_all(contradiction, equation(tau, tau))));
   }
   CHECK(is_not_proved(both(equation(tau, T), equation(T, tau))));
