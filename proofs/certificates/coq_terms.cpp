@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "proofs/tactics/text.hpp"
+
 namespace stickslip::proofs::certificates {
 
 using namespace kernel;

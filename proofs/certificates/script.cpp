@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "proofs/tactics/text.hpp"
+
 namespace stickslip::proofs::certificates {
 
 using namespace kernel;

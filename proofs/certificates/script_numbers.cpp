@@ -9,6 +9,7 @@
 #include "proofs/certificates/identities.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/tactics/model_terms.hpp"
+#include "proofs/tactics/text.hpp"
 
 namespace stickslip::proofs::certificates {
 

@@ -28,7 +28,8 @@ struct Balls {
       return entries(term.definition().unfolded(term.parts()));
     }
     const auto value = values.find({term.name(), term.type()});
-    require(term.kind() == Kind::variable && value != values.end(), to_string(term) + " has no value");
+    require(term.kind() == Kind::variable && value != values.end(),
+            "a number has no value: it is no variable, or has no range");
     return value->second;
   }
 };

@@ -84,8 +84,7 @@ class Derivative {
         return known.parts()[2];
       }
     }
-    throw KernelError("no premise gives the derivative of " + to_string(function) + " at " +
-                      to_string(place));
+    throw KernelError("no premise gives the derivative of " + function.name() + " where it is needed");
   }
 
   static Term times(const Term& a, const Term& b, const Term& whole) {

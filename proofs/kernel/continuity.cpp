@@ -61,7 +61,7 @@ class Continuity {
         return;
       }
     }
-    throw KernelError("no premise says that " + to_string(function) + " is continuous where it is needed");
+    throw KernelError("no premise says that " + function.name() + " is continuous where it is needed");
   }
 
   [[nodiscard]] bool stays_within(const Term& inner, const Term& c, const Term& d) const {

@@ -224,7 +224,4 @@ struct Node {
 // Every application of one of these definitions replaced by its body, under binders too, until none is left.
 [[nodiscard]] Term unfold(const Term& term, const Definitions& definitions);
 
-// For messages: never compared.
-[[nodiscard]] std::string to_string(const Term& term);
-
 }  // namespace stickslip::proofs::kernel

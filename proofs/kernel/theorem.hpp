@@ -200,6 +200,4 @@ inline Theorem Theorem::order(const Formula& inequality, const std::vector<Posit
 // Exactly one x in the box with A(x).
 [[nodiscard]] Formula exactly_one(const Variable& x, const Box& box, const Formula& a);
 
-[[nodiscard]] std::string to_string(const Sequent& sequent);
-
 }  // namespace stickslip::proofs::kernel

@@ -238,7 +238,7 @@ std::string sentence(Obeyed obeyed) {
     case Obeyed::unknown:
       break;
   }
-  return "no values are known with which all that is assumed holds, motions included";
+  return "vacuous or unknown: no values, and no motion, are known with which all that is assumed holds";
 }
 
 std::string to_string(Status status) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/kernel/theorem.hpp"
+#include "proofs/tactics/text.hpp"
 
 namespace stickslip::proofs::tactics {
 

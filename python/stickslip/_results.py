@@ -470,6 +470,7 @@ class Claim:
     hypotheses: Tuple[str, ...]  #: LaTeX: what must not vanish beyond what the paper says
     uses: Tuple[str, ...]  #: ids of the claims that the proof uses
     theorems: Tuple[str, ...]  #: of the kernel
+    obeyed: str  #: whether there are values with which all it assumes holds: "theorem", "balls", "unknown", …
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Claim":
@@ -482,7 +483,8 @@ class Claim:
                    origin=data["origin"], verdict=outcome["verdict"], reason=outcome["reason"],
                    printed=latex("printed", data),
                    corrected=latex("corrected", data), hypotheses=latex("hypotheses", outcome),
-                   uses=tuple(outcome["uses"]), theorems=tuple(outcome["theorems"]))
+                   uses=tuple(outcome["uses"]), theorems=tuple(outcome["theorems"]),
+                   obeyed=outcome["obeyed"])
 
     def _repr_latex_(self) -> str:
         lines = [rf"\text{{({self.id}) {self.meaning}}}", *(self.corrected or self.printed)]

@@ -57,6 +57,7 @@ void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const
   json["route"] = outcome.route;
   json["evaluated"] = outcome.cross_check.formulas > 0;
   json["reason"] = outcome.verdict.reason;
+  json["obeyed_words"] = proofs::methods::sentence(outcome.obeyed);
   for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
   }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
+#include "proofs/kernel/theorem.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/pascal2012/paper.hpp"
@@ -17,11 +18,26 @@ using namespace stickslip::proofs::symbols::vocabulary;
 
 namespace {
 
+// Proved by some theorem.
 Proof verdict(const Verdict& given, const std::set<std::string>& uses = {}) {
   return [=](Prover&, const Claim&) {
     Outcome outcome;
     outcome.verdict = given;
     outcome.uses = uses;
+    if (given.truth == Truth::proved) {
+      outcome.theorems = {kernel::Theorem::reflexive(1)};
+      outcome.by_kernel = true;
+    }
+    return outcome;
+  };
+}
+
+Proof in_balls(const std::set<std::string>& uses = {}, const std::vector<Coordinate>& at = {}) {
+  return [=](Prover&, const Claim&) {
+    Outcome outcome;
+    outcome.verdict = Verdict::proved();
+    outcome.uses = uses;
+    outcome.at = at;
     return outcome;
   };
 }
@@ -52,6 +68,12 @@ TEST_CASE("a status follows from the verdicts of the claim and of all that it us
   CHECK(status(claims, "on open") == Status::rests_on_unproved);
   CHECK(status(claims, "far from open") == Status::rests_on_unproved);
   CHECK(audit(claims).records[0].used_by == std::set<std::string>{"on bad", "on good"});
+}
+
+TEST_CASE("what is proved without a theorem says so") {
+  const Claim balls = claim("balls", in_balls());
+  CHECK(status({balls}, "balls") == Status::decided_in_balls);
+  CHECK(status({balls, claim("user", verdict(Verdict::proved(), {"balls"}))}, "user") == Status::as_printed);
 }
 
 TEST_CASE("only what the paper prints is proved as printed") {
@@ -93,17 +115,13 @@ TEST_CASE("hypotheses are inherited, but not where the data meet them") {
       .printed = {equation((power(omega, 2) - power(omega1, 2)) / (omega - omega1), omega + omega1)},
       .prove = by_normal_form()};
   const std::vector<Claim> claims{
-      resonant, claim("user", verdict(Verdict::proved(), {"r"})), claim("at data", [](Prover&, const Claim&) {
-        Outcome outcome;
-        outcome.verdict = Verdict::proved();
-        outcome.uses = {"r"};
-        outcome.at = {{"chi", Rational(1, 2)}, {"eta", 2}, {"omega", Rational(1, 3)}};
-        return outcome;
-      })};
+      resonant, claim("user", in_balls({"r"})),
+      claim("at data",
+            in_balls({"r"}, {{"chi", Rational(1, 2)}, {"eta", 2}, {"omega", Rational(1, 3)}}))};
   CHECK(status(claims, "r") == Status::needs_hypotheses);
   CHECK(status(claims, "user") == Status::needs_hypotheses);
   CHECK(audit(claims, {"user"}).records.front().outcome.hypotheses.size() == 1);
-  CHECK(status(claims, "at data") == Status::as_printed);
+  CHECK(status(claims, "at data") == Status::decided_in_balls);
 }
 
 TEST_CASE("a premise's own assumptions must be assumed, and stay as they were") {

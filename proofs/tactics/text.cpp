@@ -1,7 +1,6 @@
-// Text for messages. No rule looks at it.
-#include <algorithm>
+#include "proofs/tactics/text.hpp"
 
-#include "proofs/kernel/theorem.hpp"
+#include <algorithm>
 
 namespace stickslip::proofs::kernel {
 namespace {
