@@ -73,30 +73,28 @@ kernel::Theorem does_not_close(const kernel::Theorem& zeros, const kernel::Theor
 }
 
 Claim printed_values_close() {
-  return {.id = "S.16",
-          .kind = Kind::numbers,
-          .origin = Origin::reading,
-          .words =
-              "the printed $tau$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its last place, "
-              "solve (16)",
-          .prove = [](Prover& prover, const Claim&) {
-            const auto value = [](const char * name) {
-              return as_printed(printed().result(name), printed_orbit(printed()).value(name));
-            };
-            const PrintedClosing<4> zero = printed_zero_of_16(
-                printed().data, {value("tau"), value("z10"), value("z20"), value("zdot10")});
-            Outcome outcome = at_the_data(
-                printed(), "the determinant of (16) over the printed interval of $tau$, by signs in balls");
-            outcome.uses = {"16.zeros", "16.det"};
-            outcome.verdict = Verdict::refuted(
-                "no solution of (16) has the printed $tau$; at the printed decimals it leaves " +
-                residuals(components(zero.at_points)));
-            prove(outcome, [&] {
-              return does_not_close(prover.theorem("16.zeros"),
-                                    prover.theorem("16.det"));
-            });
-            return outcome;
-          }};
+  return {
+      .id = "S.16",
+      .kind = Kind::numbers,
+      .origin = Origin::reading,
+      .words =
+          "the printed $tau$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its last place, "
+          "solve (16)",
+      .prove = [](Prover& prover, const Claim&) {
+        const auto value = [](const char * name) {
+          return as_printed(printed().result(name), printed_orbit(printed()).value(name));
+        };
+        const PrintedClosing<4> zero =
+            printed_zero_of_16(printed().data, {value("tau"), value("z10"), value("z20"), value("zdot10")});
+        Outcome outcome = at_the_data(
+            printed(), "the determinant of (16) over the printed interval of $tau$, by signs in balls");
+        outcome.uses = {"16.zeros", "16.det"};
+        outcome.verdict =
+            Verdict::refuted("no solution of (16) has the printed $tau$; at the printed decimals it leaves " +
+                             residuals(components(zero.at_points)));
+        prove(outcome, [&] { return does_not_close(prover.theorem("16.zeros"), prover.theorem("16.det")); });
+        return outcome;
+      }};
 }
 
 // Which printed numbers were computed from which.

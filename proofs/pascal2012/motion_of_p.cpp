@@ -264,9 +264,8 @@ class MotionOfP {
 }  // namespace
 
 Claim met_by_P() {
-  static const std::vector<std::string> ids{"A5.half", "A5.second", "A5.theorem",
-                                            "A5.energy", "A5.stable",  "A5.sides",  "A5.moves",
-                                            "A5.unique", "7.symmetric"};
+  static const std::vector<std::string> ids{"A5.half",  "A5.second", "A5.theorem", "A5.energy",  "A5.stable",
+                                            "A5.sides", "A5.moves",  "A5.unique",  "7.symmetric"};
   std::vector<std::string> parts;
   for (const std::string& id : ids) {
     parts.push_back("all that " + id + " assumes holds of the orbit of Fig. 4 as one motion");
@@ -290,7 +289,8 @@ Claim met_by_P() {
                 outcome.theorems.push_back(
                     at_frequencies(a.chi, a.eta, [&](const orbits::Ranges& frequencies) {
                       return orbits::of_orbit(prover.theorem("P.motion"), [&](const Theorem& said) {
-                        return MotionOfP(said, prover.theorem("28.Theta"), frequencies).obeys(assumed_by(prover.claim(id)));
+                        return MotionOfP(said, prover.theorem("28.Theta"), frequencies)
+                            .obeys(assumed_by(prover.claim(id)));
                       });
                     }));
               } catch (const kernel::KernelError& error) {

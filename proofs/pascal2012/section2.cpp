@@ -120,8 +120,7 @@ std::vector<Claim> equations() {
              outcome.route = "39.frequencies at these ratios, and a square root";
              outcome.uses = {"39.frequencies"};
              outcome.verdict = Verdict::proved();
-             prove(outcome,
-                   [&] { return quantities_exist(prover.theorem("39.frequencies")); });
+             prove(outcome, [&] { return quantities_exist(prover.theorem("39.frequencies")); });
              return outcome;
            }},
       {.id = "3.load",

@@ -116,8 +116,7 @@ TEST_CASE("hypotheses are inherited, but not where the data meet them") {
       .prove = by_normal_form()};
   const std::vector<Claim> claims{
       resonant, claim("user", in_balls({"r"})),
-      claim("at data",
-            in_balls({"r"}, {{"chi", Rational(1, 2)}, {"eta", 2}, {"omega", Rational(1, 3)}}))};
+      claim("at data", in_balls({"r"}, {{"chi", Rational(1, 2)}, {"eta", 2}, {"omega", Rational(1, 3)}}))};
   CHECK(status(claims, "r") == Status::needs_hypotheses);
   CHECK(status(claims, "user") == Status::needs_hypotheses);
   CHECK(audit(claims, {"user"}).records.front().outcome.hypotheses.size() == 1);
