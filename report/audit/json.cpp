@@ -1,6 +1,7 @@
 #include "report/audit/json.hpp"
 
 #include "core/decimal.hpp"
+#include "proofs/tactics/text.hpp"
 #include "report/audit/mutants.hpp"
 #include "report/audit/summary.hpp"
 #include "report/orbits/orbits.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "proofs/methods/prover.hpp"
+#include "proofs/tactics/text.hpp"
 #include "report/audit/summary.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/layout.hpp"

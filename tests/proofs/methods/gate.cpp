@@ -10,6 +10,7 @@
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::methods {

@@ -25,7 +25,7 @@ Proof verdict(const Verdict& given, const std::set<std::string>& uses = {}) {
     outcome.verdict = given;
     outcome.uses = uses;
     if (given.truth == Truth::proved) {
-      outcome.theorems = {kernel::Theorem::reflexive(1)};
+      outcome.theorems = {proofs::kernel::Theorem::reflexive(1)};
       outcome.by_kernel = true;
     }
     return outcome;
