@@ -14,7 +14,8 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "proofs/certificates/certificates.hpp"
-#include "report/audit/certificates.hpp"
+#include "report/audit/ask_coq.hpp"
+#include "report/audit/certificate_record.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/json.hpp"
 
@@ -116,7 +117,7 @@ ExitCode run(const CertifyOptions& options, const proofs::methods::Paper& paper)
   {
     const Interruptible scope;
     const Progress progress("proving and writing certificates");
-    certificates = proofs::certificates::certificates(paper.claims, ids, kept);
+    certificates = proofs::certificates::certificates(paper.claims, ids, kept, paper.abbreviations);
     if (interrupted()) {
       tell("stickslip: interrupted: nothing was written");
       return exit_interrupted;

@@ -25,15 +25,17 @@ methods::Claim claim(const char * id, const char * words, std::vector<Theorem> (
   claim.kind = methods::Kind::theorem;
   claim.origin = origin;
   claim.words = words;
-  claim.prove = [prove](methods::Prover&, const methods::Claim&) {
+  const std::vector<Theorem> theorems = prove();
+  for (const Theorem& theorem : theorems) {
+    claim.supposed.insert(theorem.hypotheses().begin(), theorem.hypotheses().end());
+  }
+  claim.prove = [theorems](methods::Prover&, const methods::Claim& stated) {
     methods::Outcome outcome;
-    outcome.theorems = prove();
+    outcome.theorems = theorems;
     outcome.by_kernel = true;
     std::set<std::string> hypotheses;
-    for (const Theorem& theorem : outcome.theorems) {
-      for (const Formula& hypothesis : theorem.hypotheses()) {
-        hypotheses.insert(kernel::to_string(hypothesis));
-      }
+    for (const Formula& hypothesis : stated.supposed) {
+      hypotheses.insert(kernel::to_string(hypothesis));
     }
     outcome.route = "a theorem of the kernel";
     for (const std::string& hypothesis : hypotheses) {

@@ -8,9 +8,11 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "proofs/certificates/coq_terms.hpp"
+#include "proofs/certificates/makefile.hpp"
 #include "proofs/certificates/prelude.hpp"
 #include "proofs/certificates/script.hpp"
-#include "proofs/certificates/statements.hpp"
+#include "proofs/certificates/statement_files.hpp"
 #include "proofs/methods/prover.hpp"
 
 namespace stickslip::proofs::certificates {
@@ -46,17 +48,23 @@ class Writer {
     }
   }
 
-  [[nodiscard]] Certificates finished(const std::set<std::string>& asked) {
+  [[nodiscard]] Certificates finished(const std::vector<methods::Claim>& claims,
+                                      const std::set<std::string>& asked,
+                                      const std::vector<kernel::Definition>& abbreviations) {
     mark_asked(asked);
     for (const auto& [name, text] : prelude()) {
       result_.files.push_back({name, text});
     }
-    std::string text = "(* The definitions that the certificates speak of. *)\n" + requires_({"Calculus"});
-    for (const kernel::Definition& definition : definitions_) {
-      text += "\n" + coq_definition(definition);
+    const Records said = in_order(claims);
+    result_.files.push_back({definitions_name, definitions_file(said)});
+    result_.files.push_back({auxiliary_name, auxiliary_file(definitions_of(said))});
+    result_.files.push_back({statements_name, statements_file(said, abbreviations)});
+    std::vector<Proved> proved;
+    for (const Certificate& one : result_.certificates) {
+      proved.push_back({one.name, one.theorems});
     }
-    result_.files.push_back({"Definitions.v", text});
-    result_.files.push_back({"Makefile", makefile()});
+    result_.files.push_back({final_name, final_file(proved)});
+    result_.files.push_back({"Makefile", makefile(result_.certificates, sizes_)});
     return std::move(result_);
   }
 
@@ -72,6 +80,32 @@ class Writer {
     }
   }
 
+  // Those with certificates, in the order of the claims.
+  [[nodiscard]] Records in_order(const std::vector<methods::Claim>& claims) {
+    std::set<std::string> certified;
+    for (const Certificate& one : result_.certificates) {
+      certified.insert(one.claim);
+    }
+    Records records;
+    for (const methods::Claim& claim : claims) {
+      if (certified.contains(claim.id)) {
+        records.push_back(&prover_.prove(claim.id));
+      }
+    }
+    return records;
+  }
+
+  // What lemmas speak of, and no statement.
+  [[nodiscard]] std::string auxiliary_file(const std::vector<kernel::Definition>& said) const {
+    std::string text = "(* What only lemmas speak of. *)\n" + requires_({"Calculus", "Definitions"});
+    for (const kernel::Definition& definition : definitions_) {
+      if (std::ranges::find(said, definition) == said.end()) {
+        text += "\n" + coq_definition(definition);
+      }
+    }
+    return text;
+  }
+
   [[nodiscard]] static std::string requires_(const std::vector<std::string>& names) {
     return fmt::format("From Stickslip Require Import {}.\nOpen Scope R_scope.\n", fmt::join(names, " "));
   }
@@ -83,6 +117,7 @@ class Writer {
     Script script(certificate.name, library_);
     for (const NamedTheorem& one : named_theorems(record)) {
       certificate.theorems.push_back(one.name);
+      certificate.immediate += is_immediate(one.theorem) ? 1 : 0;
       script.add(one.name, one.theorem, one.about);
     }
     if (certificate.theorems.empty()) {
@@ -103,102 +138,18 @@ class Writer {
     // Calculus last: its names are those of Coq's own library.
     std::vector<std::string> needed{"Algebra"};
     needed.insert(needed.end(), script.needs().begin(), script.needs().end());
-    needed.insert(needed.end(), {"Calculus", "Definitions"});
+    needed.insert(needed.end(), {"Calculus", "Definitions", "Auxiliary"});
     needed.insert(needed.end(), certificate.imports.begin(), certificate.imports.end());
     std::string text = fmt::format("{}\n{}", requires_(needed), script.text());
-    if (script.needs().contains("Numbers")) {
-      uses_intervals_.insert(certificate.name);
-    }
-    if (uses_intervals_.contains(certificate.name) ||
+    certificate.has_intervals = script.needs().contains("Numbers");
+    if (certificate.has_intervals ||
         std::ranges::any_of(certificate.imports,
                             [&](const std::string& name) { return library_.slow.contains(name); })) {
       library_.slow.insert(certificate.name);
     }
-    std::string bundle = "no_more";
-    for (auto name = certificate.theorems.rbegin(); name != certificate.theorems.rend(); ++name) {
-      bundle = fmt::format("and_also {} {}", *name, bundle == "no_more" ? bundle : "(" + bundle + ")");
-    }
-    text += fmt::format("Definition theorems := {}.\n", bundle);
     sizes_.emplace(certificate.name, text.size());
     result_.files.push_back({certificate.name + ".v", text});
     result_.certificates.push_back(certificate);
-  }
-
-  // make -k -j: a file of its own for each claim, and what coqc says of it in NAME.log, with the seconds it
-  // took. make again: coqchk once more, but not where it would have to go through interval arithmetic. make
-  // axioms: what all theorems that were accepted rest on, of all together, for going through Coq's libraries
-  // takes as long for one as for all.
-  [[nodiscard]] std::string makefile() const {
-    std::vector<std::string> names;
-    std::transform(result_.certificates.begin(), result_.certificates.end(), std::back_inserter(names),
-                   [](const Certificate& certificate) { return certificate.name; });
-    std::string text =
-        "# make -k -j: has Coq check the certificates that were asked for; what it says of each is in "
-        "NAME.log.\n# make axioms: then has it say in Axioms.log what those that it accepted rest on.\n"
-        "# A file may take TIMEOUT seconds of processor time.\nSHELL = /bin/bash\nTIMEOUT ?= 600\n"
-        "# make again: has coqchk, a second checker, go through them once more, but not those that use "
-        "interval "
-        "arithmetic:\n# it has no virtual machine, and would take hours.\n"
-        "ifeq (,$(shell command -v coqc))\n"
-        "$(error there is no coqc here: install Debian's coq, libcoq-coquelicot and libcoq-interval)\n"
-        "endif\nall:";
-    // The longest first, so that in the end no process waits for another.
-    std::vector<std::pair<std::size_t, std::string>> asked;
-    for (const Certificate& certificate : result_.certificates) {
-      if (certificate.asked) {
-        asked.emplace_back(sizes_.at(certificate.name), certificate.name);
-      }
-    }
-    std::ranges::sort(asked, std::greater{});
-    for (const auto& [size, name] : asked) {
-      text += fmt::format(" {}.vo", name);
-    }
-    text +=
-        "\nAGAIN = Matrices Sentences Polynomials Fractions Algebra Calculus Inverses Krawczyk Stability "
-        "Definitions";
-    for (const auto& [size, name] : asked) {
-      text += uses_intervals_.contains(name) ? "" : " " + name;
-    }
-    text += fmt::format("\nCLAIMS = {}\n", fmt::join(names, " "));
-    text +=
-        "%.vo: %.v\n"
-        "\t@TIMEFORMAT='seconds %U'; ulimit -S -t $(TIMEOUT); \\\n"
-        "\t{ time coqc -w none -Q . Stickslip $< ; } > $*.log 2>&1 \\\n"
-        "\t  || { [ $$? = 152 ] && echo 'no end within $(TIMEOUT) seconds' >> $*.log; rm -f $@; echo \"$*: "
-        "Coq does not accept it: see $*.log\"; exit 1; }\n"
-        "%.chk: %.vo\n"
-        "\t@ulimit -S -t $(TIMEOUT); coqchk -silent -Q . Stickslip -norec Stickslip.$* > $*.part 2>&1 \\\n"
-        "\t  && mv $*.part $@ || { echo \"$*: coqchk does not accept it within $(TIMEOUT) s: see $*.part\"; "
-        "exit 1; }\n"
-        "again: $(patsubst %.vo,%.chk,$(wildcard $(AGAIN:=.vo)))\n"
-        ".PHONY: all again axioms\n"
-        "axioms:\n"
-        "\t@names=\"$$(for name in $(CLAIMS); do [ -e $$name.vo ] && $(MAKE) --question --silent $$name.vo "
-        "\\\n"
-        "\t    2> /dev/null && echo $$name; done)\"; \\\n"
-        "\t  { echo From Stickslip Require Import Matrices. From Stickslip Require Algebra $$names.; echo "
-        "Lemma every : proved.; \\\n"
-        "\t    for name in $$names; do echo \"apply (Matrices.and_also $$name.theorems).\"; done; \\\n"
-        "\t    echo exact Matrices.no_more. Qed. Print Assumptions every.; } > Axioms.new; \\\n"
-        "\t  cmp -s Axioms.new Axioms.v || { mv Axioms.new Axioms.v; rm -f Axioms.log; }; rm -f Axioms.new; "
-        "\\\n"
-        "\t  for name in $$names; do [ $$name.vo -nt Axioms.log ] && rm -f Axioms.log; done; \\\n"
-        "\t  [ -e Axioms.log ] || { coqc -w none -Q . Stickslip Axioms.v > Axioms.part 2>&1 && mv "
-        "Axioms.part \\\n"
-        "\t    Axioms.log; } || { echo 'Coq does not say what the theorems rest on: see Axioms.part'; exit "
-        "1; }\n"
-        "Matrices.vo:\nSentences.vo:\nPolynomials.vo: Matrices.vo\nFractions.vo: Polynomials.vo\n"
-        "Algebra.vo: Sentences.vo Fractions.vo\nCalculus.vo Inverses.vo Numbers.vo: "
-        "Algebra.vo\nKrawczyk.vo Stability.vo Definitions.vo: Calculus.vo\n";
-    for (const Certificate& certificate : result_.certificates) {
-      text += fmt::format("{}.vo: Inverses.vo Numbers.vo Krawczyk.vo Stability.vo Definitions.vo",
-                          certificate.name);
-      for (const std::string& import : certificate.imports) {
-        text += fmt::format(" {}.vo", import);
-      }
-      text += "\n";
-    }
-    return text;
   }
 
   methods::Prover prover_;
@@ -206,14 +157,14 @@ class Writer {
   Certificates result_;
   std::vector<kernel::Definition> definitions_;
   std::map<std::string, std::size_t> sizes_;  // of the files, in characters
-  std::set<std::string> uses_intervals_;      // files
   std::set<std::string> seen_;
 };
 
 }  // namespace
 
 Certificates certificates(const std::vector<methods::Claim>& claims, const std::set<std::string>& ids,
-                          const std::set<std::string>& kept) {
+                          const std::set<std::string>& kept,
+                          const std::vector<kernel::Definition>& abbreviations) {
   for (const std::string& id : ids) {
     if (std::ranges::none_of(claims, [&](const methods::Claim& claim) { return claim.id == id; })) {
       throw InternalError(fmt::format("no claim has the id '{}'", id));
@@ -225,7 +176,7 @@ Certificates certificates(const std::vector<methods::Claim>& claims, const std::
       writer.add(claim.id);
     }
   }
-  return writer.finished(ids);
+  return writer.finished(claims, ids, abbreviations);
 }
 
 }  // namespace stickslip::proofs::certificates

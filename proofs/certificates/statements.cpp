@@ -69,6 +69,20 @@ void collect_definitions(const Theorem& theorem, std::vector<Definition>& found)
   }
 }
 
+bool is_immediate(const Theorem& theorem) {
+  const Formula& said = theorem.conclusion();
+  if (theorem.hypotheses().contains(said)) {
+    return true;
+  }
+  if (said.kind() != Kind::equal) {
+    return false;
+  }
+  std::vector<Definition> found;
+  collect_definitions(said, found);
+  const Definitions all(found.begin(), found.end());
+  return unfold(said.parts()[0], all) == unfold(said.parts()[1], all);
+}
+
 std::vector<NamedTheorem> named_theorems(const methods::Record& record) {
   const methods::Claim& claim = record.claim;
   std::vector<NamedTheorem> result;

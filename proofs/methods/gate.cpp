@@ -77,9 +77,9 @@ class Gate {
   }
 
   // Hypotheses that are assumed, of the domain, or d ≠ 0, which the outcome reports; of a claim in words also
-  // ranges of letters, which its theorem states.
+  // what these suppose, and ranges of letters, which its theorem states.
   void rests_on_what_is_said(const Theorem& theorem) {
-    Formulas more;
+    Formulas more = form_.empty() ? claim_.supposed : Formulas{};
     for (const Formula& one : theorem.hypotheses()) {
       if (form_.empty() && is_inequality(one)) {
         more.insert(one);
@@ -130,6 +130,9 @@ bool says_that_there_are_values(const Theorem& theorem, const Formulas& all) {
 void pass_gate(Prover& prover, const Claim& claim, const std::vector<symbols::Statement>& form,
                const Outcome& outcome) {
   if (!outcome.by_kernel) {
+    if (!outcome.theorems.empty()) {
+      throw InternalError(fmt::format("claim {}: it has theorems, and its verdict is not theirs", claim.id));
+    }
     return;
   }
   Gate gate(prover, claim, form, outcome);

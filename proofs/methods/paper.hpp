@@ -95,6 +95,8 @@ struct Paper {
   std::vector<PrintedStatement> statements = {};  // in the paper's order
   std::vector<Remark> remarks = {};               // the weightiest first
   std::vector<Result> results = {};               // the strongest first
+  // For certificates: names of what is long in many statements, each after those that it uses.
+  std::vector<kernel::Definition> abbreviations = {};
 };
 
 // Whether every claim of the paper is in the audit.

@@ -41,7 +41,7 @@ Status status_of(const Record& record, bool premises_stand) {
       if (!record.outcome.hypotheses.empty()) {
         return Status::needs_hypotheses;
       }
-      if (record.outcome.theorems.empty()) {
+      if (!record.outcome.by_kernel) {
         return Status::decided_in_balls;
       }
       return record.claim.origin == Origin::paper ? Status::as_printed : Status::proved;

@@ -1,5 +1,6 @@
 #include "proofs/pascal2012/paper.hpp"
 
+#include "proofs/pascal2012/abbreviations.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/judgement.hpp"
 #include "proofs/pascal2012/remarks.hpp"

@@ -58,6 +58,7 @@ void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const
   json["evaluated"] = outcome.cross_check.formulas > 0;
   json["reason"] = outcome.verdict.reason;
   json["obeyed_words"] = proofs::methods::sentence(outcome.obeyed);
+  json["may_be_vacuous"] = outcome.obeyed == proofs::methods::Obeyed::unknown;
   for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
   }

@@ -1,13 +1,13 @@
 #include "report/tools/latex.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "report/tools/process.hpp"
+#include "report/tools/workshop.hpp"
 
 namespace stickslip::report::tools {
 namespace {
@@ -18,34 +18,6 @@ const Tool& compiler() {
   static const Tool tool{"pdflatex", "texlive-latex-recommended", "compile LaTeX"};
   return tool;
 }
-
-// A directory of its own, gone with all that is in it.
-class Workshop {
- public:
-  Workshop() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "stickslip-XXXXXX").string();
-    if (error || ::mkdtemp(name.data()) == nullptr) {
-      throw InputOutputError("cannot compile LaTeX: there is no temporary directory to do it in");
-    }
-    path_ = name;
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-  // Of a file that may not be there.
-  [[nodiscard]] std::string content(const std::string& file) const {
-    return fs::exists(path_ / file) ? read_file(path_ / file) : "";
-  }
-
- private:
-  fs::path path_;
-};
 
 // What a pass leaves for the next one: numbers of pages, the contents, bookmarks.
 std::string notes(const Workshop& workshop, const std::string& name) {
@@ -88,7 +60,7 @@ Compiled compile(const std::vector<File>& files, const std::string& name) {
   }
   try {
     const Uninterrupted until_it_is_cleaned_up;
-    const Workshop workshop;
+    const Workshop workshop("compile LaTeX");
     write_files(workshop.path(), files);
     try {
       if (!settled(workshop, name)) {

@@ -151,8 +151,8 @@ std::string version_in(const std::string& text) {
   return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
 }
 
-std::string run(const Tool& tool, const std::vector<std::string>& arguments, const std::string& input,
-                const fs::path& directory) {
+Ran attempt(const Tool& tool, const std::vector<std::string>& arguments, const std::string& input,
+            const fs::path& directory) {
   const Scratch in = scratch();
   const Scratch out = scratch();
   const Scratch complaints = scratch();
@@ -172,11 +172,18 @@ std::string run(const Tool& tool, const std::vector<std::string>& arguments, con
   if (end.missing()) {
     miss(tool);
   }
-  if (!WIFEXITED(end.status) || WEXITSTATUS(end.status) != 0) {
-    throw InputOutputError(fmt::format("cannot {}: {} failed: {}", tool.purpose, tool.program,
-                                       first_line(content(complaints.get()))));
+  return {WIFEXITED(end.status) && WEXITSTATUS(end.status) == 0, content(out.get()),
+          content(complaints.get())};
+}
+
+std::string run(const Tool& tool, const std::vector<std::string>& arguments, const std::string& input,
+                const fs::path& directory) {
+  Ran ran = attempt(tool, arguments, input, directory);
+  if (!ran.succeeded) {
+    throw InputOutputError(
+        fmt::format("cannot {}: {} failed: {}", tool.purpose, tool.program, first_line(ran.complaints)));
   }
-  return content(out.get());
+  return ran.output;
 }
 
 }  // namespace stickslip::report::tools

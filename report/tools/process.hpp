@@ -26,6 +26,15 @@ void require(const Tool& tool);
 [[nodiscard]] std::string run(const Tool& tool, const std::vector<std::string>& arguments,
                               const std::string& input = {}, const std::filesystem::path& directory = {});
 
+// What a program wrote, whether or not it failed.
+struct Ran {
+  bool succeeded = false;
+  std::string output, complaints;  // to its standard output, and to standard error
+};
+// The same of a program that may fail. Throws InputOutputError when it is not there.
+[[nodiscard]] Ran attempt(const Tool& tool, const std::vector<std::string>& arguments,
+                          const std::string& input = {}, const std::filesystem::path& directory = {});
+
 // The version in what a program says about itself: from the first digit to the end of the line.
 [[nodiscard]] std::string version_in(const std::string& text);
 

@@ -122,7 +122,7 @@ TEST_CASE("statements are named by kind and by status as well") {
       ++count;
     }
   }
-  CHECK(count == 3);
+  CHECK(count == 5);
 }
 
 TEST_CASE("claims are named by whose they are") {

@@ -124,7 +124,15 @@ TEST_CASE("a theorem made elsewhere has to be the one that is printed") {
     return outcome;  // in balls, it seems
   };
   CHECK_THROWS_AS(record(forged), InternalError);
-  // Under a hypothesis that the claim does not make, and that nobody is told of.
+  // A theorem beside a verdict that is not its own.
+  forged.prove = [](Prover&, const Claim&) {
+    Outcome outcome;
+    outcome.verdict = Verdict::proved();
+    outcome.theorems = {kernel::Theorem::reflexive(1)};
+    return outcome;
+  };
+  CHECK_THROWS_AS(record(forged), InternalError);
+  // Under a hypothesis that the claim does not make, and that nobody is told of; in words, too.
   forged.prove = [](Prover& prover, const Claim& claim) {
     Derivation derivation(prover, claim);
     Outcome outcome;
@@ -134,6 +142,17 @@ TEST_CASE("a theorem made elsewhere has to be the one that is printed") {
     return outcome;
   };
   CHECK_THROWS_AS(record(forged), InternalError);
+  forged.prove = [](Prover&, const Claim&) {
+    Outcome outcome;
+    outcome.verdict = Verdict::proved();
+    outcome.by_kernel = true;
+    outcome.theorems = {kernel::Theorem::assume(equal(kernel::Variable{"tau"}, kernel::Term(1)))};
+    return outcome;
+  };
+  forged.printed.clear();
+  CHECK_THROWS_AS(record(forged), InternalError);
+  forged.supposed = {equal(kernel::Variable{"tau"}, kernel::Term(1))};
+  CHECK(record(forged).outcome.verdict.truth == Truth::proved);
 }
 
 TEST_CASE("what is so is not refuted") {

@@ -1,0 +1,147 @@
+#include "proofs/certificates/statement_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "proofs/certificates/coq_terms.hpp"
+#include "proofs/certificates/shortened.hpp"
+
+namespace stickslip::proofs::certificates {
+
+using namespace kernel;
+
+namespace {
+
+// A comment in lines that fit a screen.
+std::string in_lines(const std::string& text) {
+  constexpr std::size_t width = 110;
+  std::istringstream words(text);
+  std::string result = "(*", line = result;
+  for (std::string word; words >> word;) {
+    if (line.size() + 1 + word.size() > width) {
+      result += "\n  ";
+      line = "  ";
+    }
+    result += " " + word;
+    line += " " + word;
+  }
+  return result + " *)\n";
+}
+
+bool uses(const Term& term, const Definition& definition) {
+  return (term.kind() == Kind::defined && term.definition() == definition) ||
+         std::ranges::any_of(term.parts(), [&](const Term& part) { return uses(part, definition); });
+}
+
+const char * const how_to_read =
+    "(* What is certified. Final.v has Coq check that the theorem of each name, in its claim's own file, says\n"
+    "   what stands here under that name. First the definitions: each \"name_is\" is checked by Coq as well.\n"
+    "   Of the prelude these have to be understood:\n"
+    "     Mat r c, mat r c [[a, b], ...]   a matrix of r rows and c columns, and one by its rows\n"
+    "     ent i j A                        its entry in row i and column j, counted from 0\n"
+    "     A +m B, A -m B, A ** B, s *m A, minv A   sum, difference, product, multiple, inverse by cofactors\n"
+    "     derivative f p v                 f has the derivative v at p (Coquelicot's is_derive)\n"
+    "     continuous_on f a b              f restricted to the closed interval from a to b is continuous\n"
+    "     derivative_m, continuous_on_m    the same of each entry of a function whose values are matrices\n"
+    "     finite A                         finitely many real numbers have the property A\n"
+    "     inside_unit_circle c             each complex zero of c0 + c1 z + c2 z^2 + ... has a modulus below 1\n"
+    "   1/0 is 0 in Coq 8.16; no proof makes use of it. *)\n";
+
+// "Definition H1_is : H1 = (fun (t omega1 omega2 : R) => …) := eq_refl."
+std::string restated(const Definition& definition) {
+  const std::string name = definition_name(definition), body = coq_statement(definition.body());
+  const std::vector<Variable>& parameters = definition.parameters();
+  return fmt::format("Definition {}_is : {} =\n  ({}) := eq_refl.\n", name, name,
+                     parameters.empty() ? body : fmt::format("fun {} =>\n   {}", binders(parameters), body));
+}
+
+}  // namespace
+
+std::vector<Definition> definitions_of(const Records& records) {
+  std::vector<Definition> result;
+  for (const methods::Record * record : records) {
+    for (const NamedTheorem& one : named_theorems(*record)) {
+      collect_definitions(one.theorem, result);
+    }
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (definition_name(result[i]) == definition_name(result[j])) {
+        throw KernelError("two definitions have the name " + result[i].name());
+      }
+    }
+  }
+  return result;
+}
+
+std::string definitions_file(const Records& records) {
+  std::string text =
+      "(* The definitions that the statements speak of. *)\nFrom Stickslip Require Import Calculus.\nOpen "
+      "Scope R_scope.\n";
+  for (const Definition& definition : definitions_of(records)) {
+    text += "\n" + coq_definition(definition);
+  }
+  return text;
+}
+
+std::string statements_file(const Records& records, const std::vector<Definition>& abbreviations) {
+  std::vector<Definition> short_names;
+  for (const Definition& one : abbreviations) {
+    short_names.emplace_back(one.name(), one.parameters(), shortened(one.body(), short_names));
+  }
+  std::vector<Formula> said;
+  const auto shorter = [&](const Formula& formula) {
+    const Formula result = shortened(formula, short_names);
+    said.push_back(hidden_definition(result).empty() ? result : formula);
+    return said.back();
+  };
+  std::string statements;
+  for (const methods::Record * record : records) {
+    for (const NamedTheorem& one : named_theorems(*record)) {
+      const Stated full = stated(one.theorem);
+      statements += "\n" + in_lines(one.about) + fmt::format("Definition {} : Prop :=\n", one.name);
+      if (!full.variables.empty()) {
+        statements += fmt::format("  forall {},\n", binders(full.variables));
+      }
+      for (const Formula& hypothesis : full.hypotheses) {
+        statements += fmt::format("  {} ->\n", coq_premise(shorter(hypothesis)));
+      }
+      statements += fmt::format("  {}.\n", coq_statement(shorter(one.theorem.conclusion())));
+    }
+  }
+  std::string names;
+  for (auto one = short_names.rbegin(); one != short_names.rend(); ++one) {  // later ones use earlier ones
+    if (std::ranges::any_of(said, [&](const Formula& formula) { return uses(formula, *one); })) {
+      names = "\n" + coq_definition(*one) + names;
+      said.push_back(one->body());
+    }
+  }
+  std::string definitions;
+  for (const Definition& one : definitions_of(records)) {
+    definitions += "\n" + restated(one);
+  }
+  return fmt::format(
+      "{}From Stickslip Require Import Calculus Definitions.\nOpen Scope R_scope.\n{}{}{}\n(* The statements. "
+      "*)\n{}",
+      how_to_read, definitions, names.empty() ? "" : "\n(* Abbreviations. *)\n", names, statements);
+}
+
+std::string final_file(const std::vector<Proved>& proved) {
+  std::string files, checks, all;
+  for (const Proved& one : proved) {
+    files += fmt::format("From Stickslip Require {}.\n", one.file);
+    for (const std::string& name : one.theorems) {
+      const std::string typed =
+          fmt::format("(Stickslip.{}.{} : Stickslip.Statements.{})", one.file, name, name);
+      checks += fmt::format("Check {}.\n", typed);
+      all += fmt::format("apply (Stickslip.Matrices.and_also {}).\n", typed);
+    }
+  }
+  return "From Stickslip Require Matrices Statements.\n" + files + checks +
+         "Lemma every : Stickslip.Matrices.proved.\nProof.\n" + all +
+         "exact Stickslip.Matrices.no_more.\nQed.\nPrint Assumptions every.\n";
+}
+
+}  // namespace stickslip::proofs::certificates

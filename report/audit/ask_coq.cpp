@@ -1,0 +1,415 @@
+#include "report/audit/ask_coq.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "core/error.hpp"
+#include "proofs/certificates/statement_files.hpp"
+#include "report/audit/certificate_record.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/process.hpp"
+#include "report/tools/workshop.hpp"
+
+namespace stickslip::report::audit {
+
+using namespace proofs;
+using tools::Json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char * const purpose = "have Coq check certificates";
+const tools::Tool coqc{"coqc", "coq", purpose}, timeout{"timeout", "coreutils", purpose};
+
+std::string fingerprint_of(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(file, error) ? certificates::fingerprint(tools::read_file(file)) : "";
+}
+
+bool is_newer(const fs::path& file, const fs::path& than) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file, error);
+  return !error && time >= fs::last_write_time(than, error) && !error;
+}
+
+// The seconds that a file took.
+std::string seconds_in(const fs::path& log) {
+  std::error_code error;
+  std::istringstream lines(fs::exists(log, error) ? tools::read_file(log) : "");
+  std::string seconds;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("seconds ")) {
+      seconds = line.substr(8);
+    }
+  }
+  return seconds;
+}
+
+// "… line 12, …": the number, or 0.
+std::size_t line_in(const std::string& complaint) {
+  const std::size_t at = complaint.find("line ");
+  return at == std::string::npos ? 0 : std::strtoul(complaint.c_str() + at + 5, nullptr, 10);
+}
+
+// What stands after "Error:", in one line of moderate length.
+std::string error_in(const std::string& complaint) {
+  const std::size_t at = complaint.find("Error:");
+  std::istringstream words(at == std::string::npos ? complaint : complaint.substr(at + 6));
+  std::string line;
+  for (std::string word; words >> word && line.size() < 200;) {
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line;
+}
+
+// What a file requires of its own library.
+std::vector<std::string> required_by(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("From Stickslip Require ")) {
+      std::istringstream words(line.substr(23));
+      for (std::string word; words >> word;) {
+        if (word != "Import" && word != "Export") {
+          names.push_back(word.ends_with('.') ? word.substr(0, word.size() - 1) : word);
+        }
+      }
+    }
+  }
+  return names;
+}
+
+class Questions {
+ public:
+  explicit Questions(const fs::path& directory)
+      : directory_(directory), record_(read_record(directory / certificate_record)), workshop_(purpose) {
+    tools::require(coqc);
+  }
+
+  [[nodiscard]] Json answered() {
+    for (const Json& one : record_.value("foundations", Json::array())) {
+      foundations_.emplace(fs::path(one.at("file").get<std::string>()).stem(), one.at("text"));
+    }
+    Json& claims = record_.at("claims");
+    for (Json& claim : claims) {
+      look_at(claim);
+    }
+    std::set<std::string> needed{"Statements", "Matrices"};
+    for (const Json& claim : claims) {
+      if (claim.at("accepted") == true) {
+        for (const std::string& name : required_by(tools::read_file(file_of(claim)))) {
+          needed.insert(name);
+        }
+      }
+    }
+    if (any_accepted()) {
+      compile(needed);
+    }
+    std::map<std::string, std::string> axioms;
+    while (any_accepted() && !asked_of_all(axioms)) {
+    }
+    for (Json& claim : claims) {
+      claim["compiled"] = claim.at("accepted") == true ? fingerprint_of(compiled_of(claim)) : "";
+    }
+    ask_again(known_before());
+    for (Json& one : record_["foundations"]) {
+      const auto made = compiled_.find(fs::path(one.at("file").get<std::string>()).stem());
+      one["compiled"] = made == compiled_.end() ? "" : made->second;
+    }
+    record_["coq"] = {{"version", tools::version_in(tools::run(coqc, {"--version"}))}, {"axioms", axioms}};
+    return sealed(record_);
+  }
+
+ private:
+  [[nodiscard]] static std::string name_of(const Json& claim) {
+    return fs::path(claim.at("file").get<std::string>()).stem();
+  }
+  [[nodiscard]] fs::path file_of(const Json& claim) const {
+    return directory_ / claim.at("file").get<std::string>();
+  }
+  [[nodiscard]] fs::path compiled_of(const Json& claim) const { return directory_ / (name_of(claim) + ".vo"); }
+
+  static void judge(Json& claim, const Json& accepted, const std::string& reason) {
+    claim["accepted"] = accepted;
+    claim["reason"] = reason;
+  }
+  [[nodiscard]] bool any_accepted() const {
+    return std::ranges::any_of(record_.at("claims"),
+                               [](const Json& claim) { return claim.at("accepted") == true; });
+  }
+  void refuse_all(const std::string& reason) {
+    for (Json& claim : record_.at("claims")) {
+      if (claim.at("accepted") == true) {
+        judge(claim, false, reason);
+      }
+    }
+  }
+
+  // Whether there is something to ask Coq about: accepted, for the time being.
+  void look_at(Json& claim) {
+    before_.push_back({claim.at("compiled"), claim.at("again")});
+    const fs::path file = file_of(claim), log = fs::path(file).replace_extension(".log");
+    if (fingerprint_of(file) != claim.at("text")) {
+      judge(claim, false, "its file is not the one that was written");
+    } else if (!rests_on_refused(claim)) {
+      std::error_code error;
+      if (fs::exists(compiled_of(claim), error)) {
+        claim["seconds"] = seconds_in(log);
+        judge(claim, true, "");
+        fs::create_symlink(fs::absolute(compiled_of(claim)), workshop_.path() / (name_of(claim) + ".vo"));
+      } else if (is_newer(log, file)) {
+        const bool in_time = tools::read_file(log).find("no end within") == std::string::npos;
+        judge(claim, false,
+              fmt::format("{}: see {}",
+                          in_time ? "Coq does not accept it" : "Coq did not come to an end in time",
+                          log.filename().string()));
+      } else {
+        judge(claim, nullptr, "Coq was not asked");
+      }
+    }
+    if (claim.at("accepted") != true) {
+      roots_.emplace(name_of(claim), std::pair{claim.at("accepted"), name_of(claim)});
+    }
+  }
+  // Then it is as little accepted as what it rests on.
+  [[nodiscard]] bool rests_on_refused(Json& claim) {
+    for (const std::string import : claim.at("imports")) {
+      if (const auto root = roots_.find(import); root != roots_.end()) {
+        const auto [accepted, name] = root->second;
+        judge(claim, accepted,
+              fmt::format("it rests on {}, {}", name,
+                          accepted.is_null() ? "of which Coq was not asked" : "which is not accepted"));
+        roots_.insert_or_assign(name_of(claim), root->second);
+        return true;
+      }
+    }
+    return false;
+  }
+  // Of a claim, and of all that rest on it.
+  void refuse(const std::string& name, const std::string& reason) {
+    for (Json& claim : record_.at("claims")) {
+      if (name_of(claim) == name) {
+        judge(claim, false, reason);
+        roots_.insert_or_assign(name, std::pair{Json(false), name});
+      } else if (claim.at("accepted") == true) {
+        (void)rests_on_refused(claim);
+      }
+    }
+  }
+
+  // The files that all stand on, from the texts that were recorded, as far as they are needed. In the workshop:
+  // what stands compiled beside their texts may come from others.
+  void compile(const std::set<std::string>& needed) {
+    for (const std::string& name : needed) {
+      const auto text = foundations_.find(name);
+      if (text == foundations_.end() || compiled_.contains(name) || !any_accepted()) {
+        continue;
+      }
+      const std::string file = name + ".v";
+      if (fingerprint_of(directory_ / file) != text->second) {
+        refuse_all(file + " is not the one that was written");
+        return;
+      }
+      const std::string content = tools::read_file(directory_ / file);
+      const std::vector<std::string> below = required_by(content);
+      compiled_.emplace(name, "");
+      compile({below.begin(), below.end()});
+      if (!any_accepted()) {
+        return;
+      }
+      tools::write_file(workshop_.path() / file, content);
+      const tools::Ran ran = compiled_in_workshop(file);
+      if (!ran.succeeded) {
+        refuse_all(fmt::format("Coq does not accept {}: {}", file, error_in(ran.complaints)));
+        return;
+      }
+      compiled_[name] = fingerprint_of(workshop_.path() / (name + ".vo"));
+    }
+  }
+  [[nodiscard]] tools::Ran compiled_in_workshop(const std::string& file) const {
+    return tools::attempt(coqc, {"-w", "none", "-Q", ".", "Stickslip", file}, {}, workshop_.path());
+  }
+
+  // All theorems at once. Where Coq refuses a line it is its claim that is refused, and the rest has to be asked
+  // again.
+  [[nodiscard]] bool asked_of_all(std::map<std::string, std::string>& axioms) {
+    std::vector<certificates::Proved> proved;
+    for (const Json& claim : record_.at("claims")) {
+      if (claim.at("accepted") == true) {
+        proved.push_back({name_of(claim), claim.at("theorems").get<std::vector<std::string>>()});
+      }
+    }
+    tools::write_file(workshop_.path() / certificates::final_name, certificates::final_file(proved));
+    const tools::Ran ran = compiled_in_workshop(certificates::final_name);
+    if (!ran.succeeded) {
+      std::vector<std::string> lines{"", ""};  // they are counted from 1, and the first is of the foundations
+      for (const certificates::Proved& one : proved) {
+        lines.push_back(one.file);
+      }
+      for (const certificates::Proved& one : proved) {
+        lines.insert(lines.end(), one.theorems.size(), one.file);
+      }
+      const std::size_t line = line_in(ran.complaints);
+      const std::string which = line < lines.size() ? lines[line] : "";
+      if (which.empty()) {
+        refuse_all("Coq does not accept Final.v: " + error_in(ran.complaints));
+      } else {
+        refuse(which, "Coq says of what was compiled: " + error_in(ran.complaints));
+      }
+      return false;
+    }
+    axioms = axioms_in(ran.output);
+    for (const auto& [name, says] : axioms) {
+      const auto allowed = allowed_axioms().find(name);
+      if (allowed == allowed_axioms().end() || allowed->second != says) {
+        refuse_all(fmt::format("it, or another of those that were asked about, rests on {}{}{}", name,
+                               says.empty() ? "" : " : ", says));
+        axioms.clear();
+        return true;
+      }
+    }
+    return true;
+  }
+
+  // Of which claims coqchk has said before what it would say now.
+  [[nodiscard]] std::set<std::string> known_before() const {
+    std::set<std::string> known;
+    if (!std::ranges::all_of(record_.value("foundations", Json::array()), [&](const Json& one) {
+          const auto made = compiled_.find(fs::path(one.at("file").get<std::string>()).stem());
+          return made == compiled_.end() || made->second == one.at("compiled");
+        })) {
+      return known;
+    }
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      const Json& claim = record_.at("claims").at(i);
+      if (claim.at("accepted") == true && claim.at("compiled") == before_[i].first &&
+          before_[i].second != "" && std::ranges::all_of(claim.at("imports"), [&](const Json& import) {
+            return known.contains(import.get<std::string>());
+          })) {
+        known.insert(name_of(claim));
+      }
+    }
+    return known;
+  }
+
+  // Whether coqchk is asked of it: of light interval arithmetic only.
+  [[nodiscard]] static bool is_light(const Json& claim) {
+    constexpr double light = 3;
+    return claim.at("intervals") != true ||
+           std::strtod(claim.at("seconds").get<std::string>().c_str(), nullptr) < light;
+  }
+  void ask_again(const std::set<std::string>& known) {
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      Json& claim = record_.at("claims").at(i);
+      claim["again"] = claim.at("accepted") != true        ? ""
+                       : known.contains(name_of(claim)) ? before_[i].second
+                       : is_light(claim)                   ? "accepted"
+                                                           : "not asked: interval arithmetic";
+      if (claim.at("again") == "accepted" && !known.contains(name_of(claim))) {
+        files.push_back(name_of(claim));
+      }
+    }
+    if (files.empty()) {
+      return;
+    }
+    for (const auto& [name, made] : compiled_) {
+      files.push_back(name);
+    }
+    // In turns, by as many processes as there are cores; which file it is that is not accepted, one by one.
+    const std::size_t lanes = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::future<std::vector<std::string>>> refused;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      refused.push_back(std::async(std::launch::async, [&, lane] {
+        std::vector<std::string> result;
+        for (std::size_t i = lane; i < files.size(); i += lanes) {
+          if (!accepted_again(files[i])) {
+            result.push_back(files[i]);
+          }
+        }
+        return result;
+      }));
+    }
+    for (auto& lane : refused) {
+      for (const std::string& name : lane.get()) {
+        if (foundations_.contains(name)) {
+          refuse_all(fmt::format("coqchk does not accept {}.v", name));
+        } else {
+          refuse(name, "coqchk does not accept it");
+        }
+      }
+    }
+    for (Json& claim : record_.at("claims")) {
+      if (claim.at("accepted") != true) {
+        claim["again"] = "";
+      }
+    }
+  }
+  [[nodiscard]] bool accepted_again(const std::string& name) const {
+    return tools::attempt(timeout,
+                          {"600", "coqchk", "-silent", "-Q", ".", "Stickslip", "-norec", "Stickslip." + name},
+                          {}, workshop_.path())
+        .succeeded;
+  }
+
+  fs::path directory_;
+  Json record_;
+  tools::Workshop workshop_;
+  std::map<std::string, std::string> foundations_, compiled_;  // by names: the texts' fingerprints, those of .vo
+  std::vector<std::pair<Json, Json>> before_;                  // of each claim: "compiled" and "again"
+  // Of what is not accepted: whether it is refused, and the first that is of what it rests on.
+  std::map<std::string, std::pair<Json, std::string>> roots_;
+};
+
+}  // namespace
+
+const std::map<std::string, std::string>& allowed_axioms() {
+  static const std::map<std::string, std::string> axioms{
+      {"ClassicalDedekindReals.sig_not_dec", "forall P : Prop, {~ ~ P} + {~ P}"},
+      {"ClassicalDedekindReals.sig_forall_dec",
+       "forall P : nat -> Prop, (forall n : nat, {P n} + {~ P n}) -> {n : nat | ~ P n} + {forall n : nat, P n}"},
+      {"FunctionalExtensionality.functional_extensionality_dep",
+       "forall (A : Type) (B : A -> Type) (f g : forall x : A, B x), (forall x : A, f x = g x) -> f = g"},
+      {"Classical_Prop.classic", "forall P : Prop, P \\/ ~ P"}};
+  return axioms;
+}
+
+std::map<std::string, std::string> axioms_in(const std::string& printed) {
+  std::map<std::string, std::string> axioms;
+  std::istringstream lines(printed);
+  bool inside = false;
+  std::string name;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "Axioms:" || line.starts_with("Closed under the global context")) {
+      inside = true;
+      name.clear();
+      continue;
+    }
+    if (!inside || line.empty()) {
+      continue;
+    }
+    std::istringstream words(line);
+    std::string word;
+    if (line.front() != ' ') {
+      words >> name;
+      axioms[name];
+    }
+    while (words >> word) {
+      if (!(axioms[name].empty() && word == ":")) {
+        axioms[name] += (axioms[name].empty() ? "" : " ") + word;
+      }
+    }
+  }
+  return axioms;
+}
+
+Json checked(const fs::path& directory) {
+  return Questions(directory).answered();
+}
+
+}  // namespace stickslip::report::audit
