@@ -142,9 +142,9 @@ class Writer {
     needed.insert(needed.end(), certificate.imports.begin(), certificate.imports.end());
     std::string text = fmt::format("{}\n{}", requires_(needed), script.text());
     certificate.has_intervals = script.needs().contains("Numbers");
-    if (certificate.has_intervals ||
-        std::ranges::any_of(certificate.imports,
-                            [&](const std::string& name) { return library_.slow.contains(name); })) {
+    if (certificate.has_intervals || std::ranges::any_of(certificate.imports, [&](const std::string& name) {
+          return library_.slow.contains(name);
+        })) {
       library_.slow.insert(certificate.name);
     }
     sizes_.emplace(certificate.name, text.size());

@@ -26,8 +26,8 @@ struct Certificate {
   std::set<std::string> imports;      // names of other certificates
   std::string says;                   // the fingerprint of what its theorems say
   bool asked = true;                  // for it, or for one that rests on it
-  std::size_t immediate = 0;          // how many of its theorems say no more than a definition, or an assumption
-  bool has_intervals = false;         // whether it is proved by interval arithmetic, in its own file
+  std::size_t immediate = 0;   // how many of its theorems say no more than a definition, or an assumption
+  bool has_intervals = false;  // whether it is proved by interval arithmetic, in its own file
 };
 
 // A claim that has none, or none any more than in part.
@@ -39,7 +39,8 @@ struct Uncertified {
 struct Certificates {
   std::vector<Certificate> certificates;  // each after those that it imports
   std::vector<Uncertified> uncertified;
-  // All that coqc needs: prelude, definitions, statements (statement_files.hpp), certificates, Final.v, a Makefile.
+  // All that coqc needs: prelude, definitions, statements (statement_files.hpp), certificates, Final.v, a
+  // Makefile.
   std::vector<File> files;
 };
 

@@ -52,8 +52,8 @@ std::string makefile(const std::vector<Certificate>& certificates,
   text += std::string("\n") + rules;
   std::string last = "Final.vo: Statements.vo";
   for (const Certificate& certificate : certificates) {
-    text += fmt::format("{}.vo: Inverses.vo Numbers.vo Krawczyk.vo Stability.vo Auxiliary.vo",
-                        certificate.name);
+    text +=
+        fmt::format("{}.vo: Inverses.vo Numbers.vo Krawczyk.vo Stability.vo Auxiliary.vo", certificate.name);
     for (const std::string& import : certificate.imports) {
       text += fmt::format(" {}.vo", import);
     }

@@ -36,8 +36,10 @@ bool uses(const Term& term, const Definition& definition) {
 }
 
 const char * const how_to_read =
-    "(* What is certified. Final.v has Coq check that the theorem of each name, in its claim's own file, says\n"
-    "   what stands here under that name. First the definitions: each \"name_is\" is checked by Coq as well.\n"
+    "(* What is certified. Final.v has Coq check that the theorem of each name, in its claim's own file, "
+    "says\n"
+    "   what stands here under that name. First the definitions: each \"name_is\" is checked by Coq as "
+    "well.\n"
     "   Of the prelude these have to be understood:\n"
     "     Mat r c, mat r c [[a, b], ...]   a matrix of r rows and c columns, and one by its rows\n"
     "     ent i j A                        its entry in row i and column j, counted from 0\n"
@@ -46,7 +48,8 @@ const char * const how_to_read =
     "     continuous_on f a b              f restricted to the closed interval from a to b is continuous\n"
     "     derivative_m, continuous_on_m    the same of each entry of a function whose values are matrices\n"
     "     finite A                         finitely many real numbers have the property A\n"
-    "     inside_unit_circle c             each complex zero of c0 + c1 z + c2 z^2 + ... has a modulus below 1\n"
+    "     inside_unit_circle c             each complex zero of c0 + c1 z + c2 z^2 + ... has a modulus below "
+    "1\n"
     "   1/0 is 0 in Coq 8.16; no proof makes use of it. *)\n";
 
 // "Definition H1_is : H1 = (fun (t omega1 omega2 : R) => …) := eq_refl."
@@ -123,7 +126,8 @@ std::string statements_file(const Records& records, const std::vector<Definition
     definitions += "\n" + restated(one);
   }
   return fmt::format(
-      "{}From Stickslip Require Import Calculus Definitions.\nOpen Scope R_scope.\n{}{}{}\n(* The statements. "
+      "{}From Stickslip Require Import Calculus Definitions.\nOpen Scope R_scope.\n{}{}{}\n(* The "
+      "statements. "
       "*)\n{}",
       how_to_read, definitions, names.empty() ? "" : "\n(* Abbreviations. *)\n", names, statements);
 }

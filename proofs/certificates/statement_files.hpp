@@ -9,8 +9,8 @@
 
 namespace stickslip::proofs::certificates {
 
-inline constexpr const char *definitions_name = "Definitions.v", *auxiliary_name = "Auxiliary.v", *statements_name = "Statements.v",
-                            *final_name = "Final.v";
+inline constexpr const char *definitions_name = "Definitions.v", *auxiliary_name = "Auxiliary.v",
+                            *statements_name = "Statements.v", *final_name = "Final.v";
 
 // Records with theorems, each of which has a certificate, in the paper's order.
 using Records = std::vector<const methods::Record *>;
@@ -31,9 +31,9 @@ struct Proved {
   std::string file;
   std::vector<std::string> theorems;
 };
-// Final.v: checks that each of the theorems is of the type that Statements.v has under its name, and asks what
-// all of them rest on. A line for each file, and after these for each theorem, so that the number of the line
-// that Coq refuses says which it is.
+// Final.v: checks that each of the theorems is of the type that Statements.v has under its name, and asks
+// what all of them rest on. A line for each file, and after these for each theorem, so that the number of the
+// line that Coq refuses says which it is.
 [[nodiscard]] std::string final_file(const std::vector<Proved>& proved);
 
 }  // namespace stickslip::proofs::certificates

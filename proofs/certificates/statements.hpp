@@ -29,8 +29,8 @@ struct NamedTheorem {
   std::string about;  // "44.H, Section 3, part 1 of 2: …": the claim's place and words
   kernel::Theorem theorem;
 };
-// Whether it says no more than a definition does, or what it assumes: its conclusion is among its hypotheses, or
-// both sides are one term once all definitions are unfolded.
+// Whether it says no more than a definition does, or what it assumes: its conclusion is among its hypotheses,
+// or both sides are one term once all definitions are unfolded.
 [[nodiscard]] bool is_immediate(const kernel::Theorem& theorem);
 // In the order of what the claim prints; then of the corrected form, then of the converse.
 [[nodiscard]] std::vector<NamedTheorem> named_theorems(const methods::Record& record);

@@ -134,7 +134,7 @@ struct Claim {
   std::vector<Assumption> assumptions = {};      // "if", as the paper states it
   // Of a claim in words: what these suppose and no assumption says. Its theorems may rest on that.
   kernel::Formulas supposed = {};
-  Proof prove = {};                              // none for a model equation
+  Proof prove = {};  // none for a model equation
   // The other direction, where the paper presents what it deduces as equivalent: the premises from the
   // printed.
   Proof prove_converse = {};

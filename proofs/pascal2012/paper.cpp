@@ -43,7 +43,8 @@ Paper assembled() {
               judgements(),
               printed_statements(),
               remarks(),
-              results()};
+              results(),
+              abbreviations()};
   for (const Part& part : parts()) {
     paper.sections.push_back(part.section);
     for (Claim& claim : part.claims()) {

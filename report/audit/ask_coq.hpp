@@ -9,25 +9,25 @@
 
 namespace stickslip::report::audit {
 
-// The axioms of Coq's real numbers and of classical logic, and what each says, as Coq prints it in one line: what a
-// theorem may rest on.
+// The axioms of Coq's real numbers and of classical logic, and what each says, as Coq prints it in one line:
+// what a theorem may rest on.
 [[nodiscard]] const std::map<std::string, std::string>& allowed_axioms();
 
 // What Coq prints for "Print Assumptions": names and what they say, each in one line. Whatever else it prints
 // there, as of checks that were switched off, stands among the names.
 [[nodiscard]] std::map<std::string, std::string> axioms_in(const std::string& printed);
 
-// The record (certificate_record.hpp) after Coq was asked, here and now: for each claim "accepted", "reason" if it
-// is not, "seconds", "compiled" (the fingerprint of its .vo), "again" (what coqchk says); "coq": its version and
-// the axioms of all.
+// The record (certificate_record.hpp) after Coq was asked, here and now: for each claim "accepted", "reason"
+// if it is not, "seconds", "compiled" (the fingerprint of its .vo), "again" (what coqchk says); "coq": its
+// version and the axioms of all.
 //
-// A claim is accepted if its file is the recorded one, all that it imports is accepted, and its .vo, after those
-// files that all stand on, which are compiled anew from the recorded texts, holds theorems of the types of
-// Statements.v that rest on the allowed axioms only. Null where coqc was not asked of it, or of what it rests on.
-// Nothing but the record says which files these are: what they say is for the audit to compare.
+// A claim is accepted if its file is the recorded one, all that it imports is accepted, and its .vo, after
+// those files that all stand on, which are compiled anew from the recorded texts, holds theorems of the types
+// of Statements.v that rest on the allowed axioms only. Null where coqc was not asked of it, or of what it
+// rests on. Nothing but the record says which files these are: what they say is for the audit to compare.
 //
-// coqchk is asked of what was accepted and was not seen by it before; not where interval arithmetic takes long: it
-// has no virtual machine. Throws InputOutputError as read_record, and where there is no Coq.
+// coqchk is asked of what was accepted and was not seen by it before; not where interval arithmetic takes
+// long: it has no virtual machine. Throws InputOutputError as read_record, and where there is no Coq.
 [[nodiscard]] tools::Json checked(const std::filesystem::path& directory);
 
 }  // namespace stickslip::report::audit

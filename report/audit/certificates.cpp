@@ -103,7 +103,8 @@ class Compared {
         return "it rests on " + name;
       }
     }
-    std::map<std::string, std::string> written(certificates::prelude().begin(), certificates::prelude().end());
+    std::map<std::string, std::string> written(certificates::prelude().begin(),
+                                               certificates::prelude().end());
     certificates::Records said;
     for (const methods::Record& record : audit.records) {
       if (claims_.contains(record.claim.id)) {
@@ -170,8 +171,8 @@ Certification certification(const methods::Audit& audit, const fs::path& path,
   std::size_t theorems = 0;
   for (const methods::Record& record : audit.records) {
     const std::size_t all = certificates::named_theorems(record).size();
-    const Certified one = all == 0 ? Certified{State::none, "", certificates::without_theorem(record)}
-                                   : compared.state(record);
+    const Certified one =
+        all == 0 ? Certified{State::none, "", certificates::without_theorem(record)} : compared.state(record);
     ++count[one.state];
     theorems += one.state == State::certified ? all : 0;
     result.claims.emplace(record.claim.id, one);

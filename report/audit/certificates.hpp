@@ -31,12 +31,12 @@ struct Certification {
   std::string line = {};                    // in a sentence or two, how many claims Coq certified
 };
 
-// Whether Coq certified what the audit says now. A claim counts only if all of this was compared, and is so: the
-// record is as it was made, by this version of the program; the prelude, Definitions.v and Statements.v beside it
-// are what the program would write for the audit's own theorems, with these abbreviations; these, the claim's file
-// and all that it imports, texts and what was compiled of them, are those that Coq was asked about; and the axioms
-// are among the allowed ones, by name and by what they say. Without a record (an empty path) nothing is certified.
-// Throws InputOutputError if the record cannot be read.
+// Whether Coq certified what the audit says now. A claim counts only if all of this was compared, and is so:
+// the record is as it was made, by this version of the program; the prelude, Definitions.v and Statements.v
+// beside it are what the program would write for the audit's own theorems, with these abbreviations; these,
+// the claim's file and all that it imports, texts and what was compiled of them, are those that Coq was asked
+// about; and the axioms are among the allowed ones, by name and by what they say. Without a record (an empty
+// path) nothing is certified. Throws InputOutputError if the record cannot be read.
 [[nodiscard]] Certification certification(const proofs::methods::Audit& audit,
                                           const std::filesystem::path& record = {},
                                           const std::vector<proofs::kernel::Definition>& abbreviations = {});

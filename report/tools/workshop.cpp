@@ -14,8 +14,7 @@ Workshop::Workshop(const std::string& purpose) {
   std::error_code error;
   std::string name = (fs::temp_directory_path(error) / "stickslip-XXXXXX").string();
   if (error || ::mkdtemp(name.data()) == nullptr) {
-    throw InputOutputError(
-        fmt::format("cannot {}: there is no temporary directory to do it in", purpose));
+    throw InputOutputError(fmt::format("cannot {}: there is no temporary directory to do it in", purpose));
   }
   path_ = name;
 }

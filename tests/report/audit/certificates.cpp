@@ -1,17 +1,21 @@
+// What an audit makes of a record of what Coq said, and of one that was changed. What Coq is asked for that:
+// ask_coq.cpp.
 #include "report/audit/certificates.hpp"
 
 #include <doctest/doctest.h>
 
-#include <fstream>
-
 #include "core/error.hpp"
+#include "proofs/methods/prover.hpp"
+#include "report/audit/ask_coq.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/table.hpp"
 #include "tests/report/audit/sample.hpp"
+#include "tests/report/audit/three_claims.hpp"
 #include "tests/report/temporary.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs;
+using namespace stickslip::report;
 using namespace stickslip::report::audit;
 using stickslip::report::tools::Json;
 
@@ -20,77 +24,54 @@ namespace {
 using State = Certified::State;
 namespace fs = std::filesystem;
 
-methods::Record proved(const std::string& id, const kernel::Theorem& theorem) {
-  methods::Record record;
-  record.claim.id = id;
-  record.outcome.theorems = {theorem};
-  record.outcome.verdict.truth = Truth::proved;
-  return record;
-}
-
-const kernel::Term x = kernel::Variable{"x"};
-
-// Claim 1, claim 2 that uses it, and one without theorem.
-methods::Audit audit_of(const kernel::Theorem& first) {
-  methods::Audit audit;
-  audit.records = {proved("1", first), proved("2", kernel::Theorem::reflexive(kernel::power(x, 2))), {}};
-  audit.records[2].claim.id = "3";
-  audit.records[2].claim.kind = methods::Kind::check;
-  return audit;
-}
-
-void write(const fs::path& path, const std::string& text) {
-  std::ofstream(path) << text;
-}
-
-// As after certify --out and make: all accepted.
-class Checked {
+// The three claims, certified, it seems: all that Coq would have left, but no Coq.
+class Accepted {
  public:
-  Checked() {
-    certificates::Certificates all;
-    for (const methods::Record& record : {audit.records[0], audit.records[1]}) {
-      const std::string name = certificates::file_name(record.claim.id);
-      all.certificates.push_back({record.claim.id, name, {"claim"}, {}, certificates::fingerprint(record)});
-      all.files.push_back({name + ".v", "text of " + name});
-      write(path / (name + ".v"), all.files.back().text);
-      write(path / (name + ".log"), "seconds 1.250\n");
-      write(path / (name + ".vo"), "compiled");
-    }
-    write(path / "Axioms.v",
-          "apply (Matrices.and_also Claim_1.theorems).\napply (Matrices.and_also Claim_2.theorems).\n");
-    write(path / "Axioms.log", "Axioms:\nclassic : forall P : Prop,\n  P \\/ ~ P\n");
-    all.certificates[1].imports = {"Claim_1"};
-    all.uncertified = {{"3", "a check"}};
-    write(path / certificate_record, report::tools::to_text(report::audit::record_of(all)));
+  Accepted() {
+    write_certificates(path);
+    edit([&](Json& record) {
+      for (Json& one : record["foundations"]) {
+        one["compiled"] = compiled(one.at("file"));
+      }
+      for (Json& one : record["claims"]) {
+        one["accepted"] = true;
+        one["reason"] = "";
+        one["seconds"] = "1.250";
+        one["again"] = "accepted";
+        one["compiled"] = compiled(one.at("file"));
+      }
+      record["coq"] = {{"version", "8"},
+                       {"axioms", {{"Classical_Prop.classic", "forall P : Prop, P \\/ ~ P"}}}};
+    });
   }
 
-  // As after certify --out once more, for claim 2 alone: claim 1 is kept, and its file has this text.
-  void write_again(const std::string& first_text) const {
-    certificates::Certificates all;
-    for (const methods::Record& record : {audit.records[0], audit.records[1]}) {
-      const std::string name = certificates::file_name(record.claim.id);
-      all.certificates.push_back({record.claim.id, name, {"claim"}, {}, certificates::fingerprint(record)});
-      all.files.push_back({name + ".v", "text of " + name});
-    }
-    all.certificates[0].asked = false;
-    all.certificates[1].imports = {"Claim_1"};
-    all.files[0].text = first_text;
-    const Json before = Json::parse(std::ifstream(path / certificate_record));
-    write(path / certificate_record, report::tools::to_text(report::audit::record_of(all, before)));
+  // Changes the record, and seals it.
+  template <typename Edit>
+  void edit(const Edit& change) const {
+    Json record = read_record(path / certificate_record);
+    change(record);
+    write(path / certificate_record, report::tools::to_text(sealed(record)));
   }
-
-  [[nodiscard]] Json look() const {
-    const Json json = checked(path);
-    write(path / certificate_record, report::tools::to_text(json));
-    return json;
+  // As after certify --out once more: of claims of which the first has this definition.
+  void write_again(bool with_cosine) const {
+    const Json before = read_record(path / certificate_record);
+    write(path / certificate_record,
+          report::tools::to_text(record_of(certificates::certificates(three_claims(with_cosine)), before)));
   }
-  [[nodiscard]] State state(const std::string& id, const methods::Audit& now) const {
-    return certification(now, path / certificate_record).claims.at(id).state;
+  [[nodiscard]] Json record() const { return read_record(path / certificate_record); }
+  [[nodiscard]] Certified of(const std::string& id, bool with_cosine = true) const {
+    return certification(methods::audit(three_claims(with_cosine)), path / certificate_record).claims.at(id);
   }
-
-  methods::Audit audit = audit_of(kernel::Theorem::reflexive(x));
+  [[nodiscard]] State state(const std::string& id, bool with_cosine = true) const {
+    return of(id, with_cosine).state;
+  }
 
  private:
+  [[nodiscard]] std::string compiled(const std::string& file) const {
+    const fs::path vo = (path / file).replace_extension(".vo");
+    write(vo, "compiled of " + file);
+    return certificates::fingerprint(text_in(vo));
+  }
   TemporaryDirectory temporary_;
 
  public:
@@ -99,157 +80,139 @@ class Checked {
 
 }  // namespace
 
-TEST_CASE("a claim is certified if Coq accepted what it says now") {
-  const Checked checked;
-  CHECK(checked.state("1", checked.audit) == State::unknown);
-  const Json json = checked.look();
-  CHECK(all_accepted(json));
-  CHECK(text_of(json).ends_with("\n2 of 2 theorems certified, 1 axioms\n"));
-  CHECK(checked.state("1", checked.audit) == State::certified);
-  CHECK(checked.state("2", checked.audit) == State::certified);
-  CHECK(checked.state("3", checked.audit) == State::none);
-  const Certification all = certification(checked.audit, checked.path / certificate_record);
-  CHECK(all.line.starts_with(
-      "Certified by Coq: 2 of 2 claims that have theorems of the kernel, with 2 theorems."));
-  CHECK(all.claims.at("1").words == "1 theorem on 1 axiom");
-  CHECK(all.claims.at("1").file == "Claim_1.v");
-}
-
-TEST_CASE("a certificate is stale when the statement, the file or the version is another") {
-  const Checked checked;
-  (void)checked.look();
-  const methods::Audit other = audit_of(kernel::Theorem::reflexive(-x));
-  CHECK(checked.state("1", other) == State::stale);
-  CHECK(checked.state("2", other) == State::certified);
-  write(checked.path / "Claim_2.v", "another text");
-  CHECK(checked.state("2", checked.audit) == State::stale);
-  Json json = Json::parse(std::ifstream(checked.path / certificate_record));
-  json["program"]["version"] = "0.0";
-  write(checked.path / certificate_record, json.dump());
-  CHECK(checked.state("1", checked.audit) == State::stale);
-}
-
-TEST_CASE("what Coq does not accept is refused, and with it what rests on it") {
-  const auto refused = [](const auto& spoil, const std::string& reason) {
-    const Checked checked;
-    spoil(checked.path);
-    const Json json = checked.look();
-    CHECK_FALSE(all_accepted(json));
-    CHECK(json.at("claims").at(0).at("reason").get<std::string>() == reason);
-    CHECK(json.at("claims").at(1).at("reason") == "it rests on Claim_1, which is not accepted");
-    CHECK(checked.state("1", checked.audit) == State::refused);
-    CHECK(text_of(json).ends_with("0 of 2 theorems certified, 0 axioms\n"));
-  };
-  refused([](const fs::path& path) { fs::remove(path / "Claim_1.vo"); },
-          "Coq does not accept it: see Claim_1.log");
-  refused([](const fs::path& path) { write(path / "Claim_1.v", "changed"); },
-          "its file is not the one that was written");
-  refused([](const fs::path& path) { write(path / "Axioms.log", "Axioms:\nevil : False\n"); },
-          "it, or another of those that Axioms.v names, rests on evil");
-  const char * const unsaid = "Coq did not say what its theorems rest on";
-  refused([](const fs::path& path) { write(path / "Axioms.log", ""); }, unsaid);
-  refused([](const fs::path& path) { fs::remove(path / "Axioms.v"); }, unsaid);
-  refused(
-      [](const fs::path& path) {
-        write(path / "Axioms.v", "apply (Matrices.and_also Claim_2.theorems).\n");
-        write(path / "Axioms.log", "Axioms:\n");
-      },
-      unsaid);
-  refused(
-      [](const fs::path& path) {
-        fs::last_write_time(path / "Axioms.log", fs::file_time_type::clock::now() - std::chrono::hours(1));
-      },
-      unsaid);
-}
-
-TEST_CASE("where Coq was not asked nothing is refused") {
-  const Checked checked;
-  fs::remove(checked.path / "Claim_1.vo");
-  fs::remove(checked.path / "Claim_1.log");
-  const Json json = checked.look();
-  CHECK_FALSE(all_accepted(json));
-  CHECK(json.at("claims").at(0).at("reason") == "Coq was not asked");
-  CHECK(json.at("claims").at(1).at("reason") == "it rests on Claim_1, of which Coq was not asked");
-  CHECK(checked.state("1", checked.audit) == State::unknown);
-  CHECK(checked.state("2", checked.audit) == State::unknown);
-}
-
-TEST_CASE("a log from before the file was changed says nothing of it, and one without end says so") {
-  const auto reason = [](const char * log, int hours) {
-    const Checked checked;
-    fs::remove(checked.path / "Claim_1.vo");
-    write(checked.path / "Claim_1.log", log);
-    fs::last_write_time(checked.path / "Claim_1.log",
-                        fs::file_time_type::clock::now() + std::chrono::hours(hours));
-    return checked.look().at("claims").at(0).at("reason").get<std::string>();
-  };
-  CHECK(reason("Error: no", -1) == "Coq was not asked");
-  CHECK(reason("Error: no", 1) == "Coq does not accept it: see Claim_1.log");
-  CHECK(reason("no end within 600 seconds", 1) == "Coq did not come to an end in time: see Claim_1.log");
-}
-
-TEST_CASE("asking for one claim keeps what Coq said of the others, unless something has changed") {
-  const Checked same;
-  (void)same.look();
-  same.write_again("text of Claim_1");
-  CHECK(same.state("1", same.audit) == State::certified);
-  CHECK(same.state("2", same.audit) == State::certified);
-  const std::string said = text_of(same.look());
-  CHECK(said.starts_with("2 "));
-  CHECK(said.ends_with("with all that the directory holds: 2 of 2\n1 of 1 theorems certified, 1 axioms\n"));
-
-  const Checked changed;
-  (void)changed.look();
-  changed.write_again("another text");
-  CHECK(changed.state("1", changed.audit) == State::unknown);
-  CHECK(changed.state("2", changed.audit) == State::unknown);  // it rests on 1
-}
-
-TEST_CASE("a file compiled before what all stand on, or on another text of that, is not accepted") {
-  const auto after = [](const auto& spoil) {
-    const Checked checked;
-    write(checked.path / "Matrices.v", "lemmas");
-    Json json = Json::parse(std::ifstream(checked.path / certificate_record));
-    json["foundations"] = {{{"file", "Matrices.v"}, {"text", certificates::fingerprint("lemmas")}}};
-    write(checked.path / certificate_record, json.dump());
-    const auto at = [&](const char * name, int hours) {
-      fs::last_write_time(checked.path / name, fs::file_time_type::clock::now() + std::chrono::hours(hours));
-    };
-    write(checked.path / "Matrices.vo", "compiled");
-    at("Matrices.v", -3);
-    at("Matrices.vo", -2);
-    spoil(checked.path, at);
-    return checked.look().at("claims").at(0);
-  };
-  CHECK(after([](const auto&, const auto&) {}).at("accepted") == true);
-  const Json older = after([](const auto&, const auto& at) { at("Matrices.vo", 1); });
-  CHECK(older.at("accepted").is_null());
-  CHECK(older.at("reason") == "Coq was not asked since the lemmas below it have changed");
-  const Json other =
-      after([](const fs::path& path, const auto&) { write(path / "Matrices.v", "other lemmas"); });
-  CHECK(other.at("accepted") == false);
-  CHECK(other.at("reason") == "Matrices.v is not the one that was written");
-}
-
-TEST_CASE("a file compiled before the one that it imports is not accepted") {
-  const Checked checked;
-  for (const char * later : {"Claim_1.vo", "Axioms.log"}) {
-    fs::last_write_time(checked.path / later, fs::file_time_type::clock::now() + std::chrono::hours(1));
+TEST_CASE("a claim is certified if Coq accepted what it says now, and nothing has changed since") {
+  const Accepted accepted;
+  for (const char * id : {"1", "2", "3"}) {
+    CAPTURE(id);
+    CHECK(accepted.of(id).words == "1 theorem on 1 axiom");
+    CHECK(accepted.state(id) == State::certified);
   }
-  const Json json = checked.look();
-  CHECK(json.at("claims").at(0).at("accepted") == true);
-  CHECK(json.at("claims").at(1).at("reason") == "it was compiled before Claim_1");
+  CHECK(accepted.of("1").file == "Claim_1.v");
+  CHECK(all_accepted(accepted.record()));
+  CHECK(text_of(accepted.record())
+            .ends_with("1 of them by a definition or an assumption alone; coqchk accepts 3\n3 of 3 theorems "
+                       "certified, 1 axioms\n"));
+  methods::Audit audit = methods::audit(three_claims());
+  methods::Record check;
+  check.claim.id = "4";
+  check.claim.kind = methods::Kind::check;
+  audit.records.push_back(check);
+  const Certification all = certification(audit, accepted.path / certificate_record);
+  CHECK(all.line.starts_with(
+      "Certified by Coq: 3 of 3 claims that have theorems of the kernel, with 3 theorems."));
+  CHECK(all.claims.at("4").state == State::none);
+}
+
+TEST_CASE("what stands beside the record must be what Coq was asked about") {
+  // After each change none of these claims counts; the others do.
+  const auto stale = [](const std::vector<std::string>& claims, const auto& change) {
+    const Accepted accepted;
+    change(accepted);
+    for (const char * id : {"1", "2", "3"}) {
+      CAPTURE(id);
+      CHECK(accepted.state(id) == (std::ranges::count(claims, id) > 0 ? State::stale : State::certified));
+    }
+  };
+  const std::vector<std::string> all{"1", "2", "3"};
+  const auto changed = [](const char * file) {
+    return [file](const Accepted& accepted) { write(accepted.path / file, "something else"); };
+  };
+  stale(all, changed("Definitions.v"));
+  stale(all, changed("Statements.v"));
+  stale(all, changed("Calculus.v"));
+  stale(all, changed("Auxiliary.v"));
+  stale(all, changed("Calculus.vo"));
+  stale({"1"}, changed("Claim_1.v"));
+  stale({"1"}, changed("Claim_1.vo"));
+  stale({"2", "3"}, changed("Claim_2.v"));  // 3 imports it
+  stale({"2", "3"}, changed("Claim_2.vo"));
+  stale({"2", "3"}, [](const Accepted& accepted) { fs::remove(accepted.path / "Claim_2.vo"); });
+  // A text and its fingerprint: what the program would write is another.
+  for (const char * name : {"Definitions.v", "Statements.v", "Calculus.v"}) {
+    stale(all, [&](const Accepted& accepted) {
+      const std::string text = text_in(accepted.path / name) + "(* more *)\n";
+      write(accepted.path / name, text);
+      accepted.edit([&](Json& record) {
+        for (Json& one : record["foundations"]) {
+          one["text"] = one.at("file") == name ? Json(certificates::fingerprint(text)) : one.at("text");
+        }
+      });
+    });
+  }
+}
+
+TEST_CASE("a record that was changed, is of another version or rests on something else says nothing") {
+  const auto words = [](const auto& change) {
+    const Accepted accepted;
+    change(accepted);
+    CHECK(accepted.state("1") == State::stale);
+    return accepted.of("1").words;
+  };
+  CHECK(words([](const Accepted& accepted) {
+          Json record = accepted.record();
+          record["claims"][1]["seconds"] = "0.1";
+          write(accepted.path / certificate_record, report::tools::to_text(record));
+        }) == "the record is not as it was made");
+  CHECK(words([](const Accepted& accepted) {
+          accepted.edit([](Json& record) { record["program"]["version"] = "0.0"; });
+        }) == "Coq certified it for another version of the program");
+  CHECK(words([](const Accepted& accepted) {
+          accepted.edit([](Json& record) { record["coq"]["axioms"]["Claim_1.evil"] = "False"; });
+        }) == "it rests on Claim_1.evil");
+  // By name and by what it says.
+  CHECK(words([](const Accepted& accepted) {
+          accepted.edit([](Json& record) { record["coq"]["axioms"]["Classical_Prop.classic"] = "False"; });
+        }) == "it rests on Classical_Prop.classic");
+  CHECK(words([](const Accepted& accepted) {
+          accepted.edit([](Json& record) { record["foundations"].erase(0); });
+        }).ends_with("is not what the program writes"));
+}
+
+TEST_CASE("another statement is not the one that was certified") {
+  const Accepted accepted;
+  for (const char * id : {"1", "2", "3"}) {
+    CHECK(accepted.of(id, false).words == "what Coq certified is another statement than this one");
+  }
+}
+
+TEST_CASE("what Coq said stays when certificates are written again, unless something has changed") {
+  const Accepted same;
+  same.write_again(true);
+  CHECK(same.state("3") == State::certified);
+  const Accepted changed;
+  changed.write_again(false);
+  for (const char * id : {"1", "2", "3"}) {
+    CHECK(claim_in(changed.record(), id).at("accepted").is_null());
+    CHECK(changed.state(id, false) == State::unknown);
+  }
 }
 
 TEST_CASE("without a record nothing is certified, a wrong one is refused") {
-  const methods::Audit audit = audit_of(kernel::Theorem::reflexive(x));
+  const methods::Audit audit = methods::audit(three_claims());
   const Certification none = certification(audit);
   CHECK(none.claims.at("1").state == State::unknown);
-  CHECK(none.line.find("Coq was not asked about the 2 claims") != std::string::npos);
+  CHECK(none.line.find("Coq was not asked about the 3 claims") != std::string::npos);
   const TemporaryDirectory temporary;
-  CHECK_THROWS_AS((void)checked(temporary.path()), InputOutputError);
+  CHECK_THROWS_AS((void)certification(audit, temporary.path() / certificate_record), InputOutputError);
   write(temporary.path() / certificate_record, "{]");
   CHECK_THROWS_AS((void)certification(audit, temporary.path() / certificate_record), InputOutputError);
+}
+
+TEST_CASE("all that Coq prints of assumptions is read, and only the allowed axioms are allowed") {
+  const auto axioms = axioms_in(
+      "Claim_1.claim_1_1 : Statements.claim_1_1\n     : Statements.claim_1_1\nAxioms:\n"
+      "ClassicalDedekindReals.sig_forall_dec\n  : forall P : nat -> Prop,\n    (forall n : nat, {P n} + {~ P "
+      "n}) ->"
+      "\n    {n : nat | ~ P n} + {forall n : nat, P n}\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
+      "Claim_2.f is assumed to be guarded.\nevil : False\n");
+  CHECK(axioms.size() == 4);
+  for (const char * name : {"ClassicalDedekindReals.sig_forall_dec", "Classical_Prop.classic"}) {
+    CHECK(axioms.at(name) == allowed_axioms().at(name));
+  }
+  CHECK(axioms.at("Claim_2.f") == "is assumed to be guarded.");
+  CHECK(axioms.at("evil") == "False");
+  CHECK(allowed_axioms().size() == 4);
+  CHECK(axioms_in("Closed under the global context\n").empty());
 }
 
 TEST_CASE("reports carry it") {
