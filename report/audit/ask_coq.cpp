@@ -92,7 +92,7 @@ class Questions {
   }
 
   [[nodiscard]] Json answered() {
-    for (const Json& one : record_.value("foundations", Json::array())) {
+    for (const Json& one : record_.at("foundations")) {
       foundations_.emplace(fs::path(one.at("file").get<std::string>()).stem(), one.at("text"));
     }
     Json& claims = record_.at("claims");
@@ -281,7 +281,7 @@ class Questions {
   // Of which claims coqchk has said before what it would say now.
   [[nodiscard]] std::set<std::string> known_before() const {
     std::set<std::string> known;
-    if (!std::ranges::all_of(record_.value("foundations", Json::array()), [&](const Json& one) {
+    if (!std::ranges::all_of(record_.at("foundations"), [&](const Json& one) {
           const auto made = compiled_.find(fs::path(one.at("file").get<std::string>()).stem());
           return made == compiled_.end() || made->second == one.at("compiled");
         })) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::array parts{"program", "coq", "foundations", "claims", "without"};
 // What Coq says of a claim.
 constexpr std::array answers{"accepted", "reason", "seconds", "compiled", "again"};
 
@@ -95,7 +97,8 @@ Json record_of(const certificates::Certificates& all, const Json& before) {
 
 Json read_record(const fs::path& path) {
   const Json record = Json::parse(tools::read_file(path), nullptr, false);
-  if (record.is_discarded() || !record.contains("claims") || !record.contains("program")) {
+  if (record.is_discarded() ||
+      !std::ranges::all_of(parts, [&](const char * part) { return record.contains(part); })) {
     throw InputOutputError(
         fmt::format("'{}' is no record of certificates; script/certify makes one", path.string()));
   }

@@ -51,12 +51,13 @@ class Compared {
  public:
   Compared(const methods::Audit& audit, const fs::path& path,
            const std::vector<kernel::Definition>& abbreviations)
-      : record_(path.empty() ? Json::object() : read_record(path)), directory_(path.parent_path()) {
-    for (const Json& claim : record_.value("claims", Json::array())) {
+      : record_(path.empty() ? Json{{"claims", Json::array()}, {"without", Json::array()}} : read_record(path)),
+        directory_(path.parent_path()) {
+    for (const Json& claim : record_.at("claims")) {
       claims_.emplace(claim.at("claim"), &claim);
       files_.emplace(fs::path(claim.at("file").get<std::string>()).stem(), &claim);
     }
-    for (const Json& one : record_.value("without", Json::array())) {
+    for (const Json& one : record_.at("without")) {
       without_.emplace(one.at("claim"), one.at("reason"));
     }
     spoiled_ = path.empty() ? "" : why_none_counts(audit, abbreviations);
@@ -114,7 +115,7 @@ class Compared {
     written.emplace(certificates::definitions_name, certificates::definitions_file(said));
     written.emplace(certificates::statements_name, certificates::statements_file(said, abbreviations));
     std::map<std::string, const Json *> recorded;
-    for (const Json& one : record_.value("foundations", Json::array())) {
+    for (const Json& one : record_.at("foundations")) {
       recorded.emplace(one.at("file"), &one);
     }
     for (const auto& [name, text] : written) {

