@@ -37,11 +37,15 @@ void require_certificates_only(const fs::path& directory) {
 
 namespace {
 
-// Nothing, if there is no record yet.
+// Nothing, if there is no record yet, or none that can be read: what it said is asked again.
 report::tools::Json recorded(const fs::path& directory) {
   std::error_code ignored;
   const fs::path path = directory / certificate_record;
-  return fs::exists(path, ignored) ? report::audit::read_record(path) : report::tools::Json::object();
+  try {
+    return fs::exists(path, ignored) ? report::audit::read_record(path) : report::tools::Json::object();
+  } catch (const InputOutputError&) {
+    return report::tools::Json::object();
+  }
 }
 
 }  // namespace
