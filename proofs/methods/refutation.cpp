@@ -81,9 +81,12 @@ Theorem obeys(Derivation& derivation, const Formula& formula) {
   return both({continuous, for_every(t, inside, moves)});
 }
 
-// Where nothing is said: in the domain, with the friction at rest above the other.
+// Where nothing is said: in the domain, with the friction at rest above the other, and at rest.
 Rational any_value(const std::string& name) {
-  return name == "omega1" ? Rational(1, 2) : name == "omega2" || name == "ur" ? 2 : 1;
+  return name.starts_with('z')              ? 0
+         : name == "omega1"                 ? Rational(1, 2)
+         : name == "omega2" || name == "ur" ? 2
+                                            : 1;
 }
 
 // What holds at the scene, for its variables' values.
@@ -251,6 +254,11 @@ std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim) {
     holding.push_back(assumption.statement);
     if (is_substitution(assumption)) {
       scene.values.push_back(assumption.statement);
+    }
+  }
+  for (const symbols::Statement& one : claim.printed) {  // what is proved holds wherever the rest does
+    if (is_substitution({"", one})) {
+      scene.values.push_back(one);
     }
   }
   if (std::ranges::count_if(holding, is_of_a_phase) > 1) {
