@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <sstream>
 
 #include "proofs/methods/deciding.hpp"
@@ -76,6 +77,12 @@ class MotionOf {
     name_states();
     for (const auto& [name, value] : met_.values) {
       give({name}, Reader()(value));
+    }
+    if (met_.goes_on_to) {
+      const Theorem repeats = facts_.front();
+      const Term end = substitute(Reader()(*met_.goes_on_to), values_);
+      phases_.push_back(again(repeats, end));
+      facts_.push_back(Theorem::specialize(repeats, interval(0).second));
     }
     kernel::Formulas formulas;
     for (const Claim * claim : claims) {
@@ -172,6 +179,7 @@ class MotionOf {
     }
     give({"t"}, met_.at_the_last_phase ? interval(phases_.size() - 1).first : Term(0));
     give({"t1"}, 0);
+    letters_ = known_ranges();
   }
   [[nodiscard]] std::pair<Term, Term> interval(std::size_t k) const {
     const Formula& smooth = phases_.at(k).conclusion().parts()[0];
@@ -317,12 +325,11 @@ class MotionOf {
     }
     Formula in_letters = formula;
     orbits::Ranges ranges = frequencies_;
-    const orbits::Letters letters = known_ranges();
-    for (const auto& [letter, known] : letters) {
+    for (const auto& [letter, known] : letters_) {
       in_letters = replaced(in_letters, known.value, letter);
       ranges.emplace(letter, known.range);
     }
-    return orbits::settled(Theorem::sign(in_letters, orbits::ranges_in(in_letters, ranges)), letters);
+    return orbits::settled(Theorem::sign(in_letters, orbits::ranges_in(in_letters, ranges)), letters_);
   }
   // Letters for durations, phi, ur and entries of states, with the decimals between which they lie.
   [[nodiscard]] orbits::Letters known_ranges() const {
@@ -354,11 +361,11 @@ class MotionOf {
 
   [[nodiscard]] Theorem continuity(const Formula& formula) const {
     std::vector<Theorem> found;
-    for (const Theorem& one : phases_) {
-      found.push_back(tactics::part(one, 0));
-    }
-    for (std::size_t k = 0; k + 1 < phases_.size(); ++k) {
-      found.push_back(Theorem::continuous_union(found[k], found[k + 1]));
+    for (std::size_t k = 0; k < phases_.size(); ++k) {  // from phase k to the end of a later one
+      found.push_back(tactics::part(phases_[k], 0));
+      for (std::size_t j = k + 1; j < phases_.size(); ++j) {
+        found.push_back(Theorem::continuous_union(found.back(), tactics::part(phases_[j], 0)));
+      }
     }
     for (const Theorem& one : found) {
       if (one.conclusion() == formula) {
@@ -408,36 +415,77 @@ class MotionOf {
     }
     // The load is one letter: cos(omega t) and cos(t), with omega a number, would be multiples of one phase.
     const Variable of_load{"load"};
-    const Term phi = substitute(Variable{"phi"}, values_),
-               load = cos(Term(example_.data.omega) * formula.parts()[1] + phi);
-    const Formula same = replaced(equal(slope.conclusion().parts()[2], formula.parts()[2]), load, of_load);
+    const Term now = load(formula.parts()[1]);
+    const Formula same = replaced(equal(slope.conclusion().parts()[2], formula.parts()[2]), now, of_load);
     const Theorem value = at_the_data(same, [](const Formula& open) { return Theorem::combination(open); });
     const Variable place{"place", orbits::state_type};
-    return Theorem::replace(Theorem::instantiate(value, {{of_load, load}}), place,
+    return Theorem::replace(Theorem::instantiate(value, {{of_load, now}}), place,
                             derivative(slope.conclusion().parts()[0], slope.conclusion().parts()[1], place),
                             slope);
   }
 
-  // finite t: 0 < t < Theta and not …: at tau alone.
+  // finite t: 0 < t < b and not …: where phases end before b.
   [[nodiscard]] Theorem but_finitely_often(const Formula& formula) const {
     const Variable t{"s"};
-    const Formula body = opened(formula, t), usual = body.parts()[1].parts()[0];
-    const Term tau = interval(0).second;
-    std::vector<Theorem> cases{Theorem::trichotomy(t, tau)};
-    const Theorem inside = Theorem::assume(body.parts()[0]);
+    const Formula body = opened(formula, t), inside = body.parts()[0], usual = body.parts()[1].parts()[0];
+    std::vector<Theorem> cases{Theorem::assume(body)};
+    std::optional<Theorem> finite;
     for (std::size_t k = 0; k < phases_.size(); ++k) {
-      const Formula side = k == 0 ? kernel::less(t, tau) : kernel::less(tau, t);
-      const Theorem between = k == 0 ? tactics::both({tactics::part(inside, 0), Theorem::assume(side)})
-                                     : tactics::both({Theorem::assume(side), tactics::part(inside, 1)});
-      const Theorem here = tactics::at(tactics::part(phases_[k], 1), t, between);
-      cases.push_back(Theorem::discharge(in_form(usual, here), side));
+      const auto [from, to] = interval(k);
+      const Formula during = kernel::between(from, t, to);
+      const Theorem here = tactics::at(tactics::part(phases_[k], 1), t, Theorem::assume(during));
+      cases.push_back(Theorem::discharge(in_form(usual, here), during));
+      if (less(t, to) == inside.parts()[1]) {
+        break;
+      }
+      cases.push_back(Theorem::trichotomy(t, to));
+      const Theorem end = Theorem::finite_point(to);
+      finite = finite ? Theorem::finite_union(*finite, end) : end;
     }
-    cases.push_back(Theorem::assume(body));
-    const Theorem only = Theorem::consequence(cases, equal(t, tau));
-    return Theorem::finite_part(
-        Theorem::finite_point(tau),
-        Theorem::generalize(
-            Theorem::discharge(Theorem::cut(tactics::part(Theorem::assume(body), 0), only), body), t));
+    if (!finite) {
+      throw unknown(formula);
+    }
+    const Theorem only = Theorem::consequence(cases, opened(finite->conclusion(), t));
+    return Theorem::finite_part(*finite, Theorem::generalize(Theorem::discharge(only, body), t));
+  }
+
+  // The first phase once more, a period later, which ends then: X(t - Theta) is X(t).
+  [[nodiscard]] Theorem again(const Theorem& repeats, const Term& end) const {
+    const Variable t{"s"}, u{"u"};
+    const Term period = interval(phases_.size() - 1).second, to = interval(0).second;
+    const auto earlier = [&](const Term& time) { return time - period; };
+    const auto same = [&](const Term& time) {
+      return tactics::symmetric(
+          tactics::by_rewriting(Theorem::specialize(repeats, earlier(time)),
+                                Theorem::combination(equal(earlier(time) + period, time))));
+    };
+    const Formula within = kernel::within(period, t, end), during = kernel::between(period, t, end);
+    const Theorem closed = Theorem::assume(within), open = Theorem::assume(during);
+    const auto from = [](const Formula& order, const Theorem& by) {
+      return Theorem::order(order, {Positive{{by}}});
+    };
+    const Theorem places = tactics::both({from(at_most(0, earlier(t)), tactics::part(closed, 0)),
+                                          from(at_most(earlier(t), to), tactics::part(closed, 1))});
+    const Theorem smooth = Theorem::same_continuity(
+        Theorem::continuity(lambda(t, apply(X_, earlier(t))), period, end,
+                            {tactics::part(phases_[0], 0), tactics::for_every(t, within, places)}),
+        tactics::for_every(t, within, same(t)));
+    const Theorem here = tactics::at(tactics::part(phases_[0], 1), earlier(t),
+                                     tactics::both({from(less(0, earlier(t)), tactics::part(open, 0)),
+                                                    from(less(earlier(t), to), tactics::part(open, 1))}));
+    const Theorem slope = Theorem::same_derivative(
+        Theorem::differentiate(lambda(u, apply(X_, earlier(u))), t, {tactics::part(here, 0)}),
+        tactics::for_every(u, kernel::between(period, u, end), same(u)), tactics::part(open, 0),
+        tactics::part(open, 1));
+    const Theorem later = Theorem::combination(equal(load(earlier(t)), load(t)));
+    return tactics::both(
+        {smooth, tactics::for_every(
+                     t, during,
+                     tactics::both({tactics::by_rewriting(tactics::by_rewriting(slope, same(t)), later),
+                                    tactics::by_rewriting(tactics::part(here, 1), same(t))}))});
+  }
+  [[nodiscard]] Term load(const Term& time) const {
+    return cos(Term(example_.data.omega) * time + substitute(Variable{"phi"}, values_));
   }
 
   const Example& example_;
@@ -447,6 +495,7 @@ class MotionOf {
   Variable X_{"X", orbits::motion_type};
   kernel::Substitution values_;
   std::vector<Theorem> facts_, phases_;
+  orbits::Letters letters_;
 };
 
 }  // namespace
@@ -545,9 +594,10 @@ std::vector<Claim> met_by_orbits() {
                 .ids = ids("28 28.B 29 30 30.back 31 31.modes 32 33 33.symmetry 33.V 34.H 34 35 36 36.26 "
                            "36.back 35.bound "
                            "37 37.sharp 37.sharp.back 37.speed 52 53.X 54 68 69 69.X 69.motion A5.regular "
-                           "28.reduced"),
+                           "A5.mirror A5.symmetry 28.reduced"),
                 .premises = {"A5.half", "A5.second"},
-                .values = {{"delta", 1}}}),
+                .values = {{"delta", 1}},
+                .goes_on_to = 3 * Theta / 2}),
       claim_of("P.meets.35", {.example = "P", .ids = ids("33.even.start"), .premises = {"A5.half", "35"}}),
       claim_of("P.meets.63", {.example = "P", .ids = ids("64.back"), .premises = {"63", "64"}}),
   };

@@ -1,6 +1,7 @@
 // That orbits which are proved to exist obey what claims assume, so that these are of something.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@ struct Met {
   std::vector<std::string> ids;            // of the claims
   std::vector<std::string> premises = {};  // claims that say more of the orbit, each by those before
   symbols::Replacements values = {};       // of letters of which the orbit says nothing
-  bool at_the_last_phase = false;          // the time t is when this begins, else 0
+  // When the first phase ends again, a period later, where claims look beyond it.
+  std::optional<symbols::Term> goes_on_to = {};
+  bool at_the_last_phase = false;  // the time t is when this begins, else 0
 };
 
 // ⊢ there are frequencies that give the example's chi and eta, durations, the motion and values of all
