@@ -221,10 +221,9 @@ struct PremisePoint::Point {
     return omega1.is_positive() && (one - omega1).is_positive() && (at("omega2") - one).is_positive() &&
            at("omega").is_positive() && at("us").is_positive() && at("ur").is_positive();
   }
-  // Whether it is in the domain, the inequalities hold, and no hypothesis vanishes.
+  // Whether the inequalities hold, and no hypothesis vanishes.
   [[nodiscard]] bool is_admissible() const {
-    return is_in_domain() &&
-           std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
+    return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
                        [this](const Statement& statement) { return holds(statement); }) &&
            std::all_of(premises.hypotheses.begin(), premises.hypotheses.end(),
                        [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });
@@ -251,7 +250,7 @@ std::vector<Statement> without_unknowns(const Premises& premises) {
 
 std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t wanted) {
   const auto draws = static_cast<unsigned>(50 * wanted);
-  constexpr unsigned draws_without_solution = 3;
+  constexpr unsigned draws_without_solution = 3, draws_outside = 20;  // in a row: us may have to be 0
   const WorkingPrecision precision(bits);
   std::vector<PremisePoint> found;
   for (const Replacements& way : ways_to_close()) {
@@ -262,8 +261,9 @@ std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t w
     const auto shared = std::make_shared<const Premises>(*closed);
     const std::vector<Statement> ranges = without_unknowns(*shared);
     const std::size_t enough = found.size() + wanted;
-    unsigned unsolved = 0;
-    for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < draws_without_solution;
+    unsigned unsolved = 0, outside = 0;
+    for (unsigned seed = 1; seed <= draws && found.size() < enough && unsolved < draws_without_solution &&
+                            outside < draws_outside;
          ++seed) {
       const auto point = std::make_shared<PremisePoint::Point>(shared, seed);
       if (!std::all_of(ranges.begin(), ranges.end(),
@@ -272,8 +272,13 @@ std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t w
       }
       if (!point->solve()) {
         ++unsolved;
-      } else if (point->is_admissible()) {
-        found.push_back(PremisePoint(point));
+      } else if (!point->is_in_domain()) {
+        ++outside;
+      } else {
+        outside = 0;
+        if (point->is_admissible()) {
+          found.push_back(PremisePoint(point));
+        }
       }
     }
     if (way.empty() && !found.empty()) {

@@ -146,8 +146,7 @@ struct Claim {
   // What each of its theorems says, where the words are not those of each: in the order as printed,
   // corrected, converse. Empty, or one sentence for each theorem.
   std::vector<std::string> parts = {};
-  // Ids of claims of which its theorems say, in this order, that there is something which obeys all that they
-  // assume.
+  // Ids of claims of which its theorem says that there is something which obeys all that they assume.
   std::vector<std::string> meets = {};
 };
 

@@ -140,8 +140,8 @@ Prover::Prover(const std::vector<Claim>& claims) {
     if (!claims_.emplace(claim.id, &claim).second) {
       throw InternalError("two claims have the id " + claim.id);
     }
-    for (std::size_t i = 0; i < claim.meets.size(); ++i) {
-      met_by_.emplace(claim.meets[i], std::pair{claim.id, i});
+    for (const std::string& met : claim.meets) {
+      met_by_.emplace(met, claim.id);
     }
   }
 }
@@ -219,13 +219,13 @@ bool Prover::is_met(const Claim& claim) {
   if (by == met_by_.end()) {
     return false;
   }
-  const auto& [id, which] = by->second;
-  const std::vector<kernel::Theorem>& theorems = prove(id).outcome.theorems;
+  const std::vector<kernel::Theorem>& theorems = prove(by->second).outcome.theorems;
   if (theorems.empty()) {
     return false;  // its proof failed, and its own status says so
   }
-  if (!says_that_there_are_values(theorems.at(which), assumed_by(claim))) {
-    throw InternalError(fmt::format("{} does not say that what {} assumes can be obeyed", id, claim.id));
+  if (!says_that_there_are_values(theorems.front(), assumed_by(claim))) {
+    throw InternalError(
+        fmt::format("{} does not say that what {} assumes can be obeyed", by->second, claim.id));
   }
   return true;
 }

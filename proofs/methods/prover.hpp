@@ -39,7 +39,7 @@ class Prover {
   void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form);
 
   std::map<std::string, const Claim *> claims_;
-  std::map<std::string, std::pair<std::string, std::size_t>> met_by_;  // a claim, and which of its theorems
+  std::map<std::string, std::string> met_by_;  // the claim whose theorem says so
   std::map<std::string, Record> records_;
   std::vector<std::string> under_way_;
 };

@@ -82,14 +82,17 @@ Theorem obeys(Derivation& derivation, const Formula& formula) {
 }
 
 // Where nothing is said: in the domain, with the friction at rest above the other.
-Rational any_value(const std::string& name) {
-  return name == "omega1" ? Rational(1, 2) : name == "omega2" || name == "ur" ? 2 : 1;
+Rational any_value(const std::string& name, const Rational& state) {
+  return name.starts_with("z") ? state
+         : name == "omega1"    ? Rational(1, 2)
+                               : Rational(name == "omega2" || name == "ur" ? 2 : 1);
 }
 
 // What holds at the scene, for its variables' values.
 class Place {
  public:
-  Place(Prover& prover, const Scene& scene) : claim_(claim_of(scene)), derivation_(prover, claim_) {
+  Place(Prover& prover, const Scene& scene)
+      : claim_(claim_of(scene)), derivation_(prover, claim_), state_(scene.state) {
     for (const Coordinate& coordinate : scene.point) {
       values_.emplace(Variable{coordinate.name}, Term(coordinate.value));
     }
@@ -105,7 +108,7 @@ class Place {
     }
     for (const Variable& variable : variables) {
       if (variable.type == real_number && !given.contains(variable)) {
-        values_.emplace(variable, any_value(variable.name));
+        values_.emplace(variable, any_value(variable.name, state_));
       }
     }
     for (bool more = true; more;) {  // each in terms of those known, until there are no more
@@ -178,6 +181,7 @@ class Place {
  private:
   Claim claim_;
   Derivation derivation_;
+  Rational state_;
   Substitution values_;  // terms without variables
   Substitution motion_;  // X in terms of the variables
 };
@@ -245,12 +249,17 @@ Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols
 }
 
 std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim) {
-  Scene scene;
+  Scene scene{.state = 0};
   std::vector<symbols::Statement> holding;
   for (const Assumption& assumption : claim.assumptions) {
     holding.push_back(assumption.statement);
     if (is_substitution(assumption)) {
       scene.values.push_back(assumption.statement);
+    }
+  }
+  for (const symbols::Statement& one : claim.printed) {  // what is proved holds wherever the rest does
+    if (is_substitution({"", one})) {
+      scene.values.push_back(one);
     }
   }
   if (std::ranges::count_if(holding, is_of_a_phase) > 1) {

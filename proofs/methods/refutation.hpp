@@ -19,6 +19,7 @@ class Prover;
 struct Scene {
   std::vector<Coordinate> point = {};
   std::vector<symbols::Statement> values = {};
+  Rational state = 1;  // of which nothing is said: z10, zdot10, …
 };
 
 // ⊢ there are omega1, omega2, …, perhaps X, in the parameters' domain, with all of `holding` and none of

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "proofs/tactics/estimate.hpp"
+
 namespace stickslip::proofs::orbits {
 
 using namespace kernel;
@@ -23,6 +27,33 @@ Interval rounded(const Interval& range, int places) {
   return {multiple(range.first, -1), multiple(range.second, 1)};
 }
 
+// Bounds about what the term is nearly, as close as the ranges allow; else as they are found without that.
+Interval enclosed(const Term& term, const Ranges& ranges, const Rational& width) {
+  std::map<Variable, Rational, Before> middle;
+  for (const auto& [variable, range] : ranges) {
+    middle.emplace(variable, (range.first.value() + range.second.value()) / 2);
+  }
+  const double near = estimated(term, middle);
+  const auto lies_in = [&](const Interval& bounds) {
+    try {
+      static_cast<void>(Theorem::sign(less(bounds.first, term), ranges, bits));
+      static_cast<void>(Theorem::sign(less(term, bounds.second), ranges, bits));
+      return true;
+    } catch (const KernelError&) {
+      return false;
+    }
+  };
+  if (std::isfinite(near)) {
+    for (Rational radius = width / 4; radius < 1; radius *= 4) {
+      const Interval bounds{Rational(near) - radius, Rational(near) + radius};
+      if (lies_in(bounds)) {
+        return bounds;
+      }
+    }
+  }
+  return enclosure(term, ranges, width);
+}
+
 }  // namespace
 
 Ranges ranges_in(const Term& term, const Ranges& ranges) {
@@ -37,7 +68,7 @@ Ranges ranges_in(const Term& term, const Ranges& ranges) {
 
 Known bounded(const Term& term, const Ranges& ranges, int places) {
   const Ranges here = ranges_in(term, ranges);
-  const Interval range = rounded(enclosure(term, here, Rational(1, 1L << places)), places);
+  const Interval range = rounded(enclosed(term, here, Rational(1, 1L << places)), places);
   return {term, range, Theorem::sign(at_most(range.first, term), here, bits),
           Theorem::sign(at_most(term, range.second), here, bits)};
 }

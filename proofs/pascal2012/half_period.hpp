@@ -98,8 +98,6 @@ inline const symbols::Term speed_continued =
 [[nodiscard]] std::vector<methods::Claim> even_resonance();
 // So what the paper says of all of them has exceptions.
 [[nodiscard]] methods::Claim always_symmetric();
-// "P.meets": all that Appendix 5 assumes holds of the orbit of Fig. 4.
-[[nodiscard]] methods::Claim met_by_P();
 // The orbit of Fig. 4.
 [[nodiscard]] std::vector<methods::Claim> example_P();
 

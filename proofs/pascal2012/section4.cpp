@@ -134,6 +134,44 @@ std::vector<Claim> lag() {
   };
 }
 
+// (13) is no more than the time lag where the motion is determined: E Z(tau) leads back to itself, as Z_0
+// does, since H(tau) E H(tau) = E = Gamma(T) E Gamma(T) and E F_0 = F(tau).
+std::vector<Claim> reversal() {
+  const Term whole = Gamma(T) * H(tau);
+  const std::vector<Assumption> closed{time_lag,        slips_below,          begins,
+                                       slip_takes_time, half_period::named_B, sticks,
+                                       stick_lasts,     stick_takes_time,     closes};
+  std::vector<Assumption> regular = closed;
+  regular.push_back({"13.regular", {symbols::determinant(I4 - whole), 0, Relation::not_equal}});
+  return {
+      {.id = "4.sticking",
+       .kind = Kind::step,
+       .origin = Origin::auxiliary,
+       .printed = {equation(Z(t), Gamma(t - tau) * ZB)},
+       .words = "the stick that begins at $tau$, however the slip ended",
+       .assumptions = {sticks, half_period::named_B, not_before(t, tau), not_after(t, Theta)},
+       .prove = by_differential_equation({"9.stick", "28.ZB", Gamma, zero(4, 1)})},
+      {.id = "13.gap",
+       .kind = Kind::step,
+       .origin = Origin::auxiliary,
+       .printed = {equation((I4 - whole) * (E * ZB - Z0), zero(4, 1))},
+       .words = "the motion backwards in time, and what it may differ by",
+       .assumptions = closed,
+       .prove = by_combination({{{from("5").at("t", tau), 0, -(whole * E + Gamma(T))},
+                                 {assuming("28.ZB"), 0, whole * E + Gamma(T)},
+                                 {assuming("28.closes"), 0, Gamma(T) * E + I4},
+                                 {from("4.sticking").at("t", Theta), 0, -(Gamma(T) * E + I4)}}})},
+      {.id = "13.follows",
+       .kind = Kind::step,
+       .origin = Origin::auxiliary,
+       .printed = {slip_ends.statement},
+       .words = "(13) follows from the time lag, where a motion of one slip and one stick is determined by "
+                "their lengths",
+       .assumptions = regular,
+       .prove = by_combination({{{assuming("28.ZB")}, {from("13.gap"), 0, E * inverse(I4 - whole)}}})},
+  };
+}
+
 // (16) where cos(omega_1 tau/2) = 0: three linear equations for the state are left, which have a solution for
 // every such tau, and the motion from there does not end its slip by (13).
 Counterexample spurious() {
@@ -234,7 +272,7 @@ std::vector<Claim> stick_conditions() {
 }  // namespace
 
 std::vector<Claim> section4() {
-  return joined({ends(), lag(), closing(), determinant_of_16(), stick_conditions(), example_S()});
+  return joined({ends(), lag(), closing(), reversal(), determinant_of_16(), stick_conditions(), example_S()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

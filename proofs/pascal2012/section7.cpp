@@ -11,6 +11,7 @@
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/appendix5.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/met_by_orbits.hpp"
 #include "proofs/pascal2012/paper.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -150,28 +151,31 @@ Claim steady() {
 }  // namespace
 
 std::vector<Claim> section7() {
-  return {
-      isolated(),
-      steady(),
-      exists("7.overshoot", "O",
-             "abstract: periodic orbits exist on which the mass overtakes the belt for a time"),
-      exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest"),
-      {.id = "7.only",
-       .kind = Kind::theorem,
-       .words = "Section 6: orbits that never stick are obtained only for $V = 0$",
-       .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
-      {.id = "7.symmetric",
-       .kind = Kind::theorem,
-       .printed = {equation(vocabulary::X(vocabulary::t), -vocabulary::X(vocabulary::t + vocabulary::tau)),
-                   two_slips::half.statement},
-       .words =
-           "abstract and conclusion: this kind of solution, with two transitions per period, is symmetric in "
-           "space and time for almost all $omega$; the exceptions are $omega_j = k omega$, a countable set",
-       .assumptions = two_slips::in_first_half(),
-       .prove = by_premises({from("A5.theorem")})},
-      half_period::met_by_P(),
-      half_period::always_symmetric(),
-  };
+  return joined(
+      {{
+           isolated(),
+           steady(),
+           exists("7.overshoot", "O",
+                  "abstract: periodic orbits exist on which the mass overtakes the belt for a time"),
+           exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest"),
+           {.id = "7.only",
+            .kind = Kind::theorem,
+            .words = "Section 6: orbits that never stick are obtained only for $V = 0$",
+            .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
+           {.id = "7.symmetric",
+            .kind = Kind::theorem,
+            .printed = {equation(vocabulary::X(vocabulary::t),
+                                 -vocabulary::X(vocabulary::t + vocabulary::tau)),
+                        two_slips::half.statement},
+            .words = "abstract and conclusion: this kind of solution, with two transitions per period, is "
+                     "symmetric in "
+                     "space and time for almost all $omega$; the exceptions are $omega_j = k omega$, a "
+                     "countable set",
+            .assumptions = two_slips::in_first_half(),
+            .prove = by_premises({from("A5.theorem")})},
+           half_period::always_symmetric(),
+       },
+       met_by_orbits()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -21,7 +21,13 @@ Value number(Real x) {
 
 class Estimate {
  public:
-  explicit Estimate(const Definitions& unfolded) : unfolded_(unfolded) {}
+  explicit Estimate(const Definitions& unfolded) : unfolded_(&unfolded) {}
+  // All definitions are looked into.
+  explicit Estimate(const std::map<Variable, Rational, Before>& values) {
+    for (const auto& [variable, value] : values) {
+      values_.emplace(variable, number(static_cast<Real>(value.get_d())));
+    }
+  }
 
   const Value& operator()(const Term& term) {
     const auto known = values_.find(term);
@@ -90,7 +96,7 @@ class Estimate {
       case Kind::entry:
         return number(part(0)(term.row(), term.column()));
       case Kind::defined: {
-        if (unfolded_.contains(term.definition())) {
+        if (unfolded_ == nullptr || unfolded_->contains(term.definition())) {
           return (*this)(term.definition().unfolded(parts));
         }
         std::vector<Value> arguments;
@@ -107,11 +113,15 @@ class Estimate {
     }
   }
 
-  const Definitions& unfolded_;
+  const Definitions * unfolded_ = nullptr;
   std::map<Term, Value> values_;
 };
 
 }  // namespace
+
+double estimated(const Term& number, const std::map<Variable, Rational, Before>& values) {
+  return static_cast<double>(Estimate(values)(number)(0, 0));
+}
 
 bool seems_zero(const std::vector<Term>& parts, const Definitions& unfolded) {
   Estimate estimate(unfolded);
