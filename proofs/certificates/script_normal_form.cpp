@@ -40,17 +40,15 @@ bool has_circle(const Term& term) {
          std::ranges::any_of(term.parts(), has_circle);
 }
 
-// "[[a1 [a2 []]] [[a3 [a4 []]] []]]": a matrix taken apart.
-std::string pattern(const Type& type, const std::string& name) {
-  std::string rows = "[]";
-  for (int i = type.rows; i > 0; --i) {
-    std::string row = "[]";
-    for (int j = type.columns; j > 0; --j) {
-      row = fmt::format("[{}_{}{} {}]", name, i, j, row);
+// The entries of a matrix, row after row.
+std::string entries(const Type& type, const std::string& name) {
+  std::string names;
+  for (int i = 1; i <= type.rows; ++i) {
+    for (int j = 1; j <= type.columns; ++j) {
+      names += fmt::format(" {}_{}{}", name, i, j);
     }
-    rows = fmt::format("[{} {}]", row, rows);
   }
-  return rows;
+  return names;
 }
 
 bool same_value(const Term& a, const Term& b) {
@@ -290,8 +288,9 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
     const std::string shown = coq(atoms[i]), name = fmt::format("m'{}", i);
     std::string& where = has_circle(atoms[i]) ? before_phases : after_phases;
     if (is_matrix(atoms[i])) {
-      where += fmt::format("  {} {} {} {}.\n", is_variable(atoms[i]) ? "destruct" : "generalize", shown,
-                           is_variable(atoms[i]) ? "as" : "; intros", pattern(atoms[i].type(), name));
+      where +=
+          fmt::format("  {} {}; by_entries; intros{}.\n", is_variable(atoms[i]) ? "revert" : "generalize",
+                      shown, entries(atoms[i].type(), name));
     } else if (atoms[i].kind() == Kind::pi) {
       where += "  generalize PI_neq0; generalize PI; intros pi' n'.\n";
     } else if (!is_variable(atoms[i])) {
@@ -309,7 +308,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
   if (!divisors.empty()) {
     text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
   }
-  return text + "  rewrite ?cos_0, ?sin_0; each_entry; by_fractions.\n";
+  return text + "  rewrite ?cos_0, ?sin_0; reduce_matrices; by_fractions.\n";
 }
 
 }  // namespace stickslip::proofs::certificates

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <future>
 #include <set>
 #include <sstream>
@@ -325,21 +326,25 @@ class Questions {
         files.push_back(name);
       }
     }
-    // In turns, by as many processes as there are cores; which file it is that is not accepted, one by one.
-    const std::size_t lanes = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::future<std::vector<std::string>>> refused;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      refused.push_back(std::async(std::launch::async, [&, lane] {
-        std::vector<std::string> result;
-        for (std::size_t i = lane; i < files.size(); i += lanes) {
-          if (!accepted_again(files[i])) {
-            result.push_back(files[i]);
+    // Some at a time, for loading the libraries takes as long for one file as for many.
+    constexpr std::size_t at_once = 40;
+    std::atomic<std::size_t> next = 0;
+    std::vector<std::future<std::vector<std::string>>> lanes;
+    for (std::size_t lane = 0; lane < std::max(1U, std::thread::hardware_concurrency()); ++lane) {
+      lanes.push_back(std::async(std::launch::async, [&] {
+        std::vector<std::string> refused;
+        for (std::size_t from = next++ * at_once; from < files.size(); from = next++ * at_once) {
+          const auto to = files.begin() + static_cast<std::ptrdiff_t>(std::min(from + at_once, files.size()));
+          const std::vector<std::string> some(files.begin() + static_cast<std::ptrdiff_t>(from), to);
+          if (!accepted_again(some)) {
+            std::ranges::copy_if(some, std::back_inserter(refused),
+                                 [&](const std::string& name) { return !accepted_again({name}); });
           }
         }
-        return result;
+        return refused;
       }));
     }
-    for (auto& lane : refused) {
+    for (auto& lane : lanes) {
       for (const std::string& name : lane.get()) {
         if (foundations_.contains(name)) {
           refuse_all(fmt::format("coqchk does not accept {}.v", name));
@@ -354,11 +359,12 @@ class Questions {
       }
     }
   }
-  [[nodiscard]] bool accepted_again(const std::string& name) const {
-    return tools::attempt(timeout,
-                          {"600", "coqchk", "-silent", "-Q", ".", "Stickslip", "-norec", "Stickslip." + name},
-                          {}, workshop_.path())
-        .succeeded;
+  [[nodiscard]] bool accepted_again(const std::vector<std::string>& names) const {
+    std::vector<std::string> arguments{"900", "coqchk", "-silent", "-Q", ".", "Stickslip"};
+    for (const std::string& name : names) {
+      arguments.insert(arguments.end(), {"-norec", "Stickslip." + name});
+    }
+    return tools::attempt(timeout, arguments, {}, workshop_.path()).succeeded;
   }
 
   fs::path directory_;

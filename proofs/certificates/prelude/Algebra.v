@@ -74,31 +74,76 @@ Proof. exact cos_PI2. Qed.
 Lemma sin_quarter : sin (PI / 2) = 1.
 Proof. exact sin_PI2. Qed.
 
-Lemma cos_turn : forall x, cos (x + 2 * PI) = cos x.
-Proof. intros. rewrite cos_plus, cos_2PI, sin_2PI. ring. Qed.
-Lemma sin_turn : forall x, sin (x + 2 * PI) = sin x.
-Proof. intros. rewrite sin_plus, cos_2PI, sin_2PI. ring. Qed.
-Lemma cos_turn_back : forall x, cos (x + - (2 * PI)) = cos x.
-Proof. intros. rewrite cos_plus, cos_neg, sin_neg, cos_2PI, sin_2PI. ring. Qed.
-Lemma sin_turn_back : forall x, sin (x + - (2 * PI)) = sin x.
-Proof. intros. rewrite sin_plus, cos_neg, sin_neg, cos_2PI, sin_2PI. ring. Qed.
-Ltac no_turns C := repeat rewrite ?cos_turn, ?sin_turn, ?cos_turn_back, ?sin_turn_back in C.
+(* A sum of phases, with their cos and sin. *)
+Inductive angle : Type := Phase (x : R) | Nothing | Quarter | Turn | Back (a : angle) | Sum (a b : angle).
+Fixpoint size (a : angle) : R :=
+  match a with
+  | Phase x => x
+  | Nothing => 0
+  | Quarter => PI / 2
+  | Turn => 2 * PI
+  | Back a => - size a
+  | Sum a b => size a + size b
+  end.
+Fixpoint cos_of (a : angle) : R :=
+  match a with
+  | Phase x => cos x
+  | Quarter => 0
+  | Nothing | Turn => 1
+  | Back a => cos_of a
+  | Sum a Turn | Sum a (Back Turn) => cos_of a
+  | Sum a b => cos_of a * cos_of b - sin_of a * sin_of b
+  end
+with sin_of (a : angle) : R :=
+  match a with
+  | Phase x => sin x
+  | Quarter => 1
+  | Nothing | Turn => 0
+  | Back a => - sin_of a
+  | Sum a Turn | Sum a (Back Turn) => sin_of a
+  | Sum a b => sin_of a * cos_of b + cos_of a * sin_of b
+  end.
+Lemma circle_of : forall a, cos (size a) = cos_of a /\ sin (size a) = sin_of a.
+Proof.
+  induction a as [x| | | |a [A B]|a [A B] b [C D]].
+  - now split.
+  - split; [apply cos_0 | apply sin_0].
+  - split; [apply cos_PI2 | apply sin_PI2].
+  - split; [apply cos_2PI | apply sin_2PI].
+  - simpl. now rewrite cos_neg, sin_neg, A, B.
+  - assert (E : cos (size (Sum a b)) = cos_of a * cos_of b - sin_of a * sin_of b /\
+                sin (size (Sum a b)) = sin_of a * cos_of b + cos_of a * sin_of b).
+    { simpl size. rewrite cos_plus, sin_plus, A, B, C, D. split; ring. }
+    destruct E as [E F]. rewrite E, F. clear.
+    destruct b as [x| | | |b|b1 b2]; try (split; reflexivity); [simpl; split; ring|].
+    destruct b; try (split; reflexivity). simpl. split; ring.
+Qed.
+Lemma cos_is : forall a x, x = size a -> cos x = cos_of a.
+Proof. intros a x ->. apply circle_of. Qed.
+Lemma sin_is : forall a x, x = size a -> sin x = sin_of a.
+Proof. intros a x ->. apply circle_of. Qed.
+Ltac angle_of x :=
+  lazymatch x with
+  | ?a + ?b => let a := angle_of a in let b := angle_of b in constr:(Sum a b)
+  | - ?a => let a := angle_of a in constr:(Back a)
+  | 0 => Nothing
+  | PI / 2 => Quarter
+  | 2 * PI => Turn
+  | _ => constr:(Phase x)
+  end.
 
 (* By `E : argument = sum of phases`, cos and sin of the argument become letters, of which the goal says what they
    are. *)
 Ltac expand_circle E :=
   match type of E with
-  | ?x = _ =>
-      let c := fresh "c" in
-      let s := fresh "s" in
+  | ?x = ?y =>
       let C := fresh "C" in
       let S := fresh "S" in
-      generalize (f_equal cos E) (f_equal sin E);
+      let a := angle_of y in
+      generalize (cos_is a x E) (sin_is a x E);
       generalize (cos x) (sin x);
-      intros c s C S;
-      no_turns C; no_turns S;
-      repeat rewrite ?cos_plus, ?sin_plus, ?cos_neg, ?sin_neg, ?cos_2PI, ?sin_2PI, ?cos_quarter, ?sin_quarter, ?cos_0, ?sin_0 in C;
-      repeat rewrite ?cos_plus, ?sin_plus, ?cos_neg, ?sin_neg, ?cos_2PI, ?sin_2PI, ?cos_quarter, ?sin_quarter, ?cos_0, ?sin_0 in S;
+      intros ? ? C S;
+      cbv beta iota delta [cos_of sin_of] in C, S;
       revert C S
   end.
 Ltac intro_letters := repeat match goal with |- ?c = _ -> _ => is_var c; intros ? end.
@@ -114,12 +159,29 @@ Qed.
 
 (* ---- entries, and what divides *)
 
-Ltac each_entry :=
-  reduce_matrices;
-  repeat match goal with
-         | |- pair _ _ = pair _ _ => apply f_equal2
-         | |- tt = tt => reflexivity
-         end.
+(* What is so of every matrix that is written out. Taken apart by cases, a matrix has the goal typed anew for each
+   of its entries; this does it once. *)
+Fixpoint every_row (c : nat) : (Vec R c -> Prop) -> Prop :=
+  match c with O => fun P => P tt | S n => fun P => forall x : R, every_row n (fun v => P (x, v)) end.
+Fixpoint every_matrix (r c : nat) : (Mat r c -> Prop) -> Prop :=
+  match r with
+  | O => fun P => P tt
+  | S n => fun P => every_row c (fun v => every_matrix n c (fun A => P (v, A)))
+  end.
+Lemma of_every_row : forall c (P : Vec R c -> Prop), every_row c P -> forall v, P v.
+Proof.
+  induction c as [|c I]; intros P E; [now intros []|]. intros [x v]. exact (I (fun v => P (x, v)) (E x) v).
+Qed.
+Lemma of_every_matrix : forall r c (P : Mat r c -> Prop), every_matrix r c P -> forall A, P A.
+Proof.
+  induction r as [|r I]; intros c P E; [now intros []|]. intros [v A].
+  exact (I c (fun A => P (v, A)) (of_every_row c _ E v) A).
+Qed.
+Ltac by_entries :=
+  lazymatch goal with
+  | |- forall A : Mat ?r ?c, @?P A =>
+      refine (of_every_matrix r c P _); cbv beta iota delta [every_matrix every_row]
+  end.
 
 (* What is known beside the goal is not needed. *)
 Ltac forget :=
@@ -208,8 +270,12 @@ Ltac numbers_in G ds :=
   lazymatch G with
   | _ = _ -> ?rest => numbers_in rest ds
   | ?d <> 0 -> ?rest => numbers_in rest constr:(cons d ds)
-  | ?a = ?b => constr:(cons a (cons b ds))
+  | ?a = ?b => constr:(((a, b), ds))
   end.
+Ltac type_of_equation G := lazymatch G with _ -> ?G => type_of_equation G | @eq ?T _ _ => T end.
+(* Of what is read and what is said, the former is to be computed. *)
+Strategy expand
+  [Fractions.value BinList.nth BinList.jump Fractions.where_equal Fractions.on_circles Fractions.where_nonzero vmap].
 Ltac by_fractions :=
   let xs := numbers_in_context (@nil R) in
   repeat match goal with N : _ <> 0 |- _ => revert N end;
@@ -223,14 +289,15 @@ Ltac by_fractions :=
       let ns := numbers_in G (@nil R) in
       let read := expressions xs (pair vs ns) in
       lazymatch read with
-      | pair ?vs (cons ?a (cons ?b ?es)) =>
+      | pair ?vs (pair (pair ?a ?b) ?es) =>
           let gs := eval cbv in (combine is vs) in
           let es := eval cbv in (rev es) in
-          let answer := eval vm_compute in (Fractions.identical gs cs es a b) in
-          lazymatch answer with
-          | true =>
-              vm_cast_no_check (Fractions.identical_ok xs gs cs es a b
-                (@eq_refl bool true <: Fractions.identical gs cs es a b = true))
+          let by_test test lemma :=
+            cut (test = true); [exact_no_check lemma | vm_cast_no_check (@eq_refl bool true)] in
+          lazymatch type_of_equation G with
+          | R => by_test (Fractions.identical gs cs es a b) (Fractions.identical_ok xs gs cs es a b)
+          | Vec (Vec R ?c) ?r =>
+              by_test (Fractions.identical_m gs cs es r c a b) (Fractions.identical_m_ok xs gs cs es r c a b)
           end
       end
   end.

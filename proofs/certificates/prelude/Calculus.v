@@ -88,6 +88,7 @@ Proof. intros. now apply is_derive_pow. Qed.
 
 Ltac derive :=
   match goal with
+  | D : derivative ?f ?p _ |- derivative ?f ?p _ => exact D
   | |- derivative (fun t => t) _ _ => apply d_id
   | |- derivative (fun t => ?k) _ _ => apply (d_const k)
   | |- derivative (fun t => @?f t + @?g t) _ _ => eapply (d_plus f g); [derive | derive]

@@ -387,31 +387,22 @@ Proof.
   apply Rmult_integral_contrapositive_currified; [exact N | now apply below_nonzero].
 Qed.
 
-(* a and b are the same, where letters are what gs say, the pairs cs lie on circles, and no es is zero. *)
-Definition identical (gs : list (positive * expression)) (cs : list (positive * positive))
-    (es : list expression) (a b : expression) : bool :=
+(* What a test shows where letters are what gs say, the pairs cs lie on circles, and no es is zero. *)
+Definition tested (gs : list (positive * expression)) (cs : list (positive * positive)) (es : list expression)
+    (test : Rules -> Table -> list Polynomial -> bool) : bool :=
   let rules := rules_of cs in
   let table := table_of rules gs nil in
-  let ds := collected rules table es (collected rules table es nil) in
-  match fraction_of rules table ds false (Minus a b) with
-  | Some f => peq (over f) (pconst 0)
-  | None => false
-  end.
-Lemma identical_ok l gs cs es a b : identical gs cs es a b = true ->
-  where_equal l gs (on_circles l cs (where_nonzero l es (value l a = value l b))).
+  test rules table (collected rules table es (collected rules table es nil)).
+Lemma tested_ok l test (C : Prop) gs cs es
+  (sound : forall rules table ds,
+    obeyed rules l -> tabled l table -> none_is_zero l ds -> test rules table ds = true -> C) :
+  tested gs cs es test = true -> where_equal l gs (on_circles l cs (where_nonzero l es C)).
 Proof.
   intros I.
-  assert (S : equal_all l gs -> circles l cs -> nonzero_all l es -> value l a = value l b).
-  { revert I. unfold identical. cbv zeta. intros I G C E. apply rules_ok in C. pose proof (table_of_ok C gs nil G Logic.I) as T. clear G.
-    revert I T. generalize (table_of (rules_of cs) gs nil). intros table I T.
-    pose proof (collected_ok C T es _ E (collected_ok C T es nil E Logic.I)) as D.
-    revert I D. generalize (collected (rules_of cs) table es (collected (rules_of cs) table es nil)).
-    intros ds I D. destruct (fraction_of _ table ds false (Minus a b)) as [f|] eqn:F; [|discriminate].
-    apply (fraction_of_ok C T ds D (Minus a b) false) in F. simpl in F. unfold means in F.
-    apply (peq_ok _ _) with (l := l) in I. rewrite F in I. unfold at_, pconst in I. simpl in I.
-    apply Rminus_diag_uniq. apply (Rmult_eq_reg_r (below l ds f)); [|exact (below_nonzero l ds f D)].
-    rewrite I. ring. }
-  clear I. revert S. generalize (value l a = value l b). intros C S.
+  assert (S : equal_all l gs -> circles l cs -> nonzero_all l es -> C).
+  { intros G K E. apply rules_ok in K. pose proof (table_of_ok K gs nil G Logic.I) as T.
+    exact (sound _ _ _ K T (collected_ok K T es _ E (collected_ok K T es nil E Logic.I)) I). }
+  clear I sound test.
   assert (W : equal_all l gs -> circles l cs -> where_nonzero l es C).
   { intros G K. specialize (S G K). clear G K.
     induction es as [|e es H]; [exact (S Logic.I)|]. intros N. apply H. intros M. apply S. now split. }
@@ -420,4 +411,49 @@ Proof.
   { intros G. specialize (S G). clear G.
     induction cs as [|[c s] cs H]; [exact (S Logic.I)|]. intros K. apply H. intros M. apply S. now split. }
   clear S. induction gs as [|[k e] gs H]; [exact (W Logic.I)|]. intros G. apply H. intros M. apply W. now split.
+Qed.
+
+Definition same (a b : expression) (rules : Rules) (table : Table) (ds : list Polynomial) : bool :=
+  match fraction_of rules table ds false (Minus a b) with
+  | Some f => peq (over f) (pconst 0)
+  | None => false
+  end.
+Lemma same_ok l a b rules table ds : obeyed rules l -> tabled l table -> none_is_zero l ds ->
+  same a b rules table ds = true -> value l a = value l b.
+Proof.
+  unfold same. intros C T D I. destruct (fraction_of _ table ds false (Minus a b)) as [f|] eqn:F; [|discriminate].
+  apply (fraction_of_ok C T ds D (Minus a b) false) in F. simpl in F. unfold means in F.
+  apply (peq_ok _ _) with (l := l) in I. rewrite F in I. unfold at_, pconst in I. simpl in I.
+  apply Rminus_diag_uniq. apply (Rmult_eq_reg_r (below l ds f)); [|exact (below_nonzero l ds f D)].
+  rewrite I. ring.
+Qed.
+Fixpoint same_all {A : Type} (alike : A -> A -> Rules -> Table -> list Polynomial -> bool) (n : nat) :
+    Vec A n -> Vec A n -> Rules -> Table -> list Polynomial -> bool :=
+  match n with
+  | O => fun _ _ _ _ _ => true
+  | S m => fun v w rules table ds =>
+      if alike (fst v) (fst w) rules table ds then same_all alike m (snd v) (snd w) rules table ds else false
+  end.
+Lemma same_all_ok {A B : Type} alike (f : A -> B) rules table ds :
+  (forall a b, alike a b rules table ds = true -> f a = f b) ->
+  forall n v w, same_all alike n v w rules table ds = true -> vmap f n v = vmap f n w.
+Proof.
+  intros K. induction n as [|n H]; intros v w; simpl; [reflexivity|].
+  destruct (alike (fst v) (fst w) rules table ds) eqn:E; [|discriminate]. intros J.
+  f_equal; [now apply K | now apply H].
+Qed.
+
+Definition identical gs cs es (a b : expression) : bool := tested gs cs es (same a b).
+Lemma identical_ok l gs cs es a b : identical gs cs es a b = true ->
+  where_equal l gs (on_circles l cs (where_nonzero l es (value l a = value l b))).
+Proof. apply tested_ok. intros rules table ds. apply same_ok. Qed.
+(* Matrices of expressions. *)
+Definition identical_m gs cs es (r c : nat) (a b : Vec (Vec expression c) r) : bool :=
+  tested gs cs es (same_all (same_all same c) r a b).
+Lemma identical_m_ok l gs cs es r c a b : identical_m gs cs es r c a b = true ->
+  where_equal l gs (on_circles l cs (where_nonzero l es
+    (vmap (vmap (value l) c) r a = vmap (vmap (value l) c) r b))).
+Proof.
+  apply tested_ok. intros rules table ds C T D. apply same_all_ok. intros v w. apply same_all_ok. intros x y.
+  now apply same_ok.
 Qed.

@@ -2,20 +2,17 @@
 From Stickslip Require Export Algebra.
 Definition identity4 : Mat 4 4 :=
   mat 4 4 ⟦⟦1, 0, 0, 0⟧, ⟦0, 1, 0, 0⟧, ⟦0, 0, 1, 0⟧, ⟦0, 0, 0, 1⟧⟧.
-Ltac take_apart A :=
-  destruct A as [[? [? [? [? []]]]] [[? [? [? [? []]]]] [[? [? [? [? []]]]] [[? [? [? [? []]]]] []]]]].
+Ltac take_apart A := revert A; by_entries; intros.
 Lemma det_product : forall A B : Mat 4 4, det 4 (A ** B) = det 4 A * det 4 B.
-Proof. intros A B. take_apart A. take_apart B. reduce_matrices. ring. Qed.
+Proof. intros A B. take_apart A. take_apart B. reduce_matrices. by_fractions. Qed.
 Lemma mmul_associative : forall A B C : Mat 4 4, A ** (B ** C) = A ** B ** C.
-Proof. intros A B C. take_apart A. take_apart B. take_apart C. each_entry; ring. Qed.
+Proof. intros A B C. take_apart A. take_apart B. take_apart C. reduce_matrices; by_fractions. Qed.
 Lemma identity_left : forall A : Mat 4 4, identity4 ** A = A.
-Proof. intros A. take_apart A. unfold identity4. each_entry; ring. Qed.
+Proof. intros A. take_apart A. unfold identity4. reduce_matrices; by_fractions. Qed.
 Lemma identity_right : forall A : Mat 4 4, A ** identity4 = A.
-Proof. intros A. take_apart A. unfold identity4. each_entry; ring. Qed.
+Proof. intros A. take_apart A. unfold identity4. reduce_matrices; by_fractions. Qed.
 Lemma inverse_left : forall A : Mat 4 4, det 4 A <> 0 -> minv A ** A = identity4.
-Proof.
-  intros A. take_apart A. unfold identity4. reduce_matrices. intros N. each_entry; field; intros E; apply N; lra.
-Qed.
+Proof. by_entries. unfold identity4. reduce_matrices. intros. by_fractions. Qed.
 Lemma inverse_of : forall A B : Mat 4 4, A ** B = identity4 -> minv A = B.
 Proof.
   intros A B E.
