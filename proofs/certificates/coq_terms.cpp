@@ -257,6 +257,20 @@ std::string coq_premise(const Term& term) {
   return text(term, or_level);
 }
 
+std::string coq_lines(const Term& formula) {
+  std::vector<Variable> variables;
+  Term body = formula;
+  while (body.kind() == Kind::exists) {
+    variables.push_back(opened_variable(body));
+    body = opened(body, variables.back());
+  }
+  const std::string there_are = variables.empty() ? "" : fmt::format("exists {},\n  ", binders(variables));
+  const std::size_t few = 2;  // which may read a < b < c
+  return there_are + (body.kind() == Kind::conjunction && body.parts().size() > few
+                          ? joined(body.parts(), " /\\\n  ", not_level)
+                          : coq_statement(body));
+}
+
 std::string coq_definition(const Definition& definition) {
   const std::vector<Variable>& parameters = definition.parameters();
   const std::string type =

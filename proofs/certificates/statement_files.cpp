@@ -111,7 +111,7 @@ std::string statements_file(const Records& records, const std::vector<Definition
       for (const Formula& hypothesis : full.hypotheses) {
         statements += fmt::format("  {} ->\n", coq_premise(shorter(hypothesis)));
       }
-      statements += fmt::format("  {}.\n", coq_statement(shorter(one.theorem.conclusion())));
+      statements += fmt::format("  {}.\n", coq_lines(shorter(one.theorem.conclusion())));
     }
   }
   std::string names;

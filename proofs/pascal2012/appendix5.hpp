@@ -58,6 +58,11 @@ inline const symbols::Term top = symbols::block(1, {I2, symbols::zero(2, 2)}),
   return more;
 }
 
+// (2) with Coulomb's law (4), u = u_s sign(V - x2'), for a motion that never sticks: at all times from 0 to
+// the end but finitely many, at which x2' = V.
+[[nodiscard]] methods::Assumption slips_with_friction(const std::string& id, const symbols::Term& motion,
+                                                      const symbols::Term& speed, const symbols::Term& end);
+
 // Off resonance both xi vanish, with no other hypothesis.
 [[nodiscard]] std::vector<methods::Claim> weaker_hypotheses();
 // What its theorem assumes: a cycle of two slips at V = 0, off resonance, with x2' < 0 on the first.

@@ -8,6 +8,13 @@ namespace stickslip::proofs::pascal2012::two_slips {
 using namespace methods;
 using namespace symbols;
 
+Assumption slips_with_friction(const std::string& id, const Term& motion, const Term& speed,
+                               const Term& end) {
+  const Term force = eta * us * sign(V - speed) + p * cos(omega * t + phi);
+  return {id, almost_always(
+                  0, end, equation(derivative(motion), first_order(K) * motion + column({0, 0, 0, force})))};
+}
+
 namespace {
 
 // Mode j of a vector of places or speeds.
@@ -65,15 +72,6 @@ std::vector<Multiple> solved(bool for_place) {
 std::vector<Multiple> and_also(std::vector<Multiple> all, const Multiple& one) {
   all.push_back(one);
   return all;
-}
-
-// (2) with Coulomb's law (4), u = u_s sign(V - x2'), for a motion that never sticks: at all times but
-// finitely many, at which x2' = V.
-Assumption slips_with_friction(const std::string& id, const Term& motion, const Term& speed,
-                               const Term& end) {
-  const Term force = eta * us * sign(V - speed) + p * cos(omega * t + phi);
-  return {id, almost_always(
-                  0, end, equation(derivative(motion), first_order(K) * motion + column({0, 0, 0, force})))};
 }
 
 // A component of X or Y.
