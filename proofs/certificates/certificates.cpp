@@ -61,7 +61,9 @@ class Writer {
     result_.files.push_back({statements_name, statements_file(said, abbreviations)});
     std::vector<Proved> proved;
     for (const Certificate& one : result_.certificates) {
-      proved.push_back({one.name, one.theorems});
+      if (one.asked) {
+        proved.push_back({one.name, one.theorems});
+      }
     }
     result_.files.push_back({final_name, final_file(proved)});
     result_.files.push_back({"Makefile", makefile(result_.certificates, sizes_)});

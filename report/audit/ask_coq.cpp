@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <mutex>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -300,25 +301,26 @@ class Questions {
     return known;
   }
 
-  // Whether coqchk is asked of it: of light interval arithmetic only.
-  [[nodiscard]] static bool is_light(const Json& claim) {
-    constexpr double light = 3;
-    return claim.at("intervals") != true ||
-           std::strtod(claim.at("seconds").get<std::string>().c_str(), nullptr) < light;
-  }
+  // "accepted", or why coqchk was not asked, or came to no end: it has no virtual machine, and interval
+  // arithmetic that took coqc long takes it hours.
   void ask_again(const std::set<std::string>& known) {
-    std::vector<std::string> files;
+    constexpr double light = 3;  // seconds of coqc
+    std::vector<std::string> files, with_intervals;
     for (std::size_t i = 0; i < before_.size(); ++i) {
       Json& claim = record_.at("claims").at(i);
-      claim["again"] = claim.at("accepted") != true     ? ""
-                       : known.contains(name_of(claim)) ? before_[i].second
-                       : is_light(claim)                ? "accepted"
-                                                        : "not asked: interval arithmetic";
-      if (claim.at("again") == "accepted" && !known.contains(name_of(claim))) {
+      if (claim.at("accepted") != true) {
+        claim["again"] = "";
+      } else if (known.contains(name_of(claim))) {
+        claim["again"] = before_[i].second;
+      } else if (claim.at("intervals") != true) {
         files.push_back(name_of(claim));
+      } else if (std::strtod(claim.at("seconds").get<std::string>().c_str(), nullptr) < light) {
+        with_intervals.push_back(name_of(claim));
+      } else {
+        claim["again"] = "not asked: interval arithmetic";
       }
     }
-    if (files.empty()) {
+    if (files.empty() && with_intervals.empty()) {
       return;
     }
     for (const auto& [name, made] : compiled_) {
@@ -328,43 +330,63 @@ class Questions {
     }
     // Some at a time, for loading the libraries takes as long for one file as for many.
     constexpr std::size_t at_once = 40;
-    std::atomic<std::size_t> next = 0;
-    std::vector<std::future<std::vector<std::string>>> lanes;
-    for (std::size_t lane = 0; lane < std::max(1U, std::thread::hardware_concurrency()); ++lane) {
-      lanes.push_back(std::async(std::launch::async, [&] {
-        std::vector<std::string> refused;
-        for (std::size_t from = next++ * at_once; from < files.size(); from = next++ * at_once) {
-          const auto to = files.begin() + static_cast<std::ptrdiff_t>(std::min(from + at_once, files.size()));
-          const std::vector<std::string> some(files.begin() + static_cast<std::ptrdiff_t>(from), to);
-          if (!accepted_again(some)) {
-            std::ranges::copy_if(some, std::back_inserter(refused),
-                                 [&](const std::string& name) { return !accepted_again({name}); });
-          }
-        }
-        return refused;
-      }));
+    std::vector<std::vector<std::string>> groups;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (i % at_once == 0) {
+        groups.emplace_back();
+      }
+      groups.back().push_back(files[i]);
     }
-    for (auto& lane : lanes) {
-      for (const std::string& name : lane.get()) {
-        if (foundations_.contains(name)) {
-          refuse_all(fmt::format("coqchk does not accept {}.v", name));
-        } else {
-          refuse(name, "coqchk does not accept it");
+    for (const std::string& name : with_intervals) {
+      groups.push_back({name});
+    }
+    std::map<std::string, Answer> answers;
+    std::mutex one_at_a_time;
+    std::atomic<std::size_t> next = 0;
+    const auto ask_some = [&] {
+      for (std::size_t group = next++; group < groups.size(); group = next++) {
+        const Answer all = answer_of(groups[group]);
+        for (const std::string& name : groups[group]) {
+          const Answer one = all == Answer::accepted || groups[group].size() == 1 ? all : answer_of({name});
+          const std::lock_guard lock(one_at_a_time);
+          answers.emplace(name, one);
         }
+      }
+    };
+    std::vector<std::future<void>> lanes;
+    for (unsigned lane = 0; lane < std::max(1U, std::thread::hardware_concurrency()); ++lane) {
+      lanes.push_back(std::async(std::launch::async, ask_some));
+    }
+    std::ranges::for_each(lanes, [](std::future<void>& lane) { lane.get(); });
+    for (const auto& [name, answer] : answers) {
+      if (answer == Answer::refused && foundations_.contains(name)) {
+        refuse_all(fmt::format("coqchk does not accept {}.v", name));
+      } else if (answer == Answer::refused) {
+        refuse(name, "coqchk does not accept it");
       }
     }
     for (Json& claim : record_.at("claims")) {
+      const auto answer = answers.find(name_of(claim));
       if (claim.at("accepted") != true) {
         claim["again"] = "";
+      } else if (answer != answers.end()) {
+        claim["again"] = answer->second == Answer::accepted ? "accepted" : "came to no end in a minute";
       }
     }
   }
-  [[nodiscard]] bool accepted_again(const std::vector<std::string>& names) const {
-    std::vector<std::string> arguments{"900", "coqchk", "-silent", "-Q", ".", "Stickslip"};
+
+  enum class Answer { accepted, refused, no_end };
+  // A minute for one file: what is refused says why.
+  [[nodiscard]] Answer answer_of(const std::vector<std::string>& names) const {
+    std::vector<std::string> arguments{
+        std::to_string(60 * names.size()), "coqchk", "-silent", "-Q", ".", "Stickslip"};
     for (const std::string& name : names) {
       arguments.insert(arguments.end(), {"-norec", "Stickslip." + name});
     }
-    return tools::attempt(timeout, arguments, {}, workshop_.path()).succeeded;
+    const tools::Ran ran = tools::attempt(timeout, arguments, {}, workshop_.path());
+    return ran.succeeded                                  ? Answer::accepted
+           : ran.output.empty() && ran.complaints.empty() ? Answer::no_end
+                                                          : Answer::refused;
   }
 
   fs::path directory_;
