@@ -83,7 +83,9 @@ std::vector<Remark> on_misprints() {
        .see = "stickslip check 19 --explain"},
       {.claim = "45",
        .place = "(45)",
-       .says = "the right side, with $Gamma(T - t_1)$, is the state at the time $t = tau + t_1$",
+       .says =
+           "the right side, with $Gamma(T - t_1)$, is the state at the time $t$, where $t_1 = t - tau$ by "
+           "(17)",
        .fact = "it is the state at the time $tau + T - t_1$",
        .because = "$T - t_1$ is the time that has passed since the stick began at $tau$",
        .see = "stickslip check 45 --explain"},
