@@ -313,8 +313,9 @@ CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcom
     } else {
       result.unchecked = !proved                 ? "the witness itself was found in balls"
                          : claim.printed.empty() ? "there is no formula to evaluate"
-                         : assumed.empty()       ? "no point is known where its premises hold"
-                                           : "no point is known where its premises hold, and " + assumed;
+                         : assumed.empty()
+                             ? "no point is known where its premises hold"
+                             : "no point is known where its premises and what it assumes hold: " + assumed;
     }
     return result;
   }

@@ -250,6 +250,11 @@ bool is_status(const std::string& word) {
       statuses(), [&](const StatusFacts& row) { return word == row.name && row.status < Status::in_part; });
 }
 
+std::string words_of(const Record& record) {
+  const std::string& found = record.outcome.found;
+  return record.claim.words + (found.empty() ? "" : ": " + found);
+}
+
 std::vector<Claim> joined(const std::vector<std::vector<Claim>>& lists) {
   std::vector<Claim> all;
   for (const std::vector<Claim>& list : lists) {

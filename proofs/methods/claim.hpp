@@ -105,6 +105,7 @@ enum class Obeyed {
 // What a proof found out.
 struct Outcome {
   Verdict verdict = {};
+  std::string found = {};                   // the answer, where the words of the claim only ask: "stable"
   std::string route = {};                   // how, in one sentence
   std::vector<Hypothesis> hypotheses = {};  // beyond those the paper states
   std::set<std::string> uses = {};          // ids of the claims that the proof took as premises
@@ -138,7 +139,8 @@ struct Claim {
   // The other direction, where the paper presents what it deduces as equivalent: the premises from the
   // printed.
   Proof prove_converse = {};
-  // What the source has lost of the printed form, which is then a reading that the proof has to justify.
+  // What the source has lost of the printed form, which is then a reading that the proof has to justify:
+  // which glyphs, and how many of those that are there.
   std::string illegible = {};
   // If the printed form fails: the reading that the derivation supports, and its proof.
   std::vector<symbols::Statement> corrected = {};
@@ -211,6 +213,9 @@ struct Record {
   std::optional<Outcome> converse = {};
   std::vector<Repair> repairs = {};  // all single edits that are proved
 };
+
+// What the claim says, with the answer where its words only ask: "the stability of the orbit: stable".
+[[nodiscard]] std::string words_of(const Record& record);
 
 // Records in the paper's order.
 struct Audit {

@@ -68,22 +68,26 @@ struct PrintedStatement {
 // What there is to say about a claim of the paper that does not hold as it stands: the statement apart from
 // its denial.
 struct Remark {
-  std::string claim;     // id
-  std::string place;     // "line after (37)": for who has the paper before her
-  std::string says;      // what the paper says
-  std::string fact;      // what is so
-  std::string because;   // why; may be empty
-  std::string see = {};  // a command that shows it; may be empty
+  std::string claim;       // id
+  std::string place;       // "line after (37)": for who has the paper before her
+  std::string says;        // what the paper says
+  std::string fact;        // what is so
+  std::string because;     // why; may be empty
+  std::string see = {};    // a command that shows it; may be empty
+  std::string quote = {};  // the paper's own words, literally; empty where it has none for it
+  std::string note = {};   // what a reader of the printed page should look at; may be empty
 };
 
 // A result of the audit, to be cited.
 struct Result {
   std::string id;                   // "uniqueness": permanent
   std::string title;                // "Orbits that never stick are unique"
+  std::string setting = {};         // what it speaks of, for who does not have the paper
   std::string theorem;              // with all hypotheses
   std::string idea;                 // of the proof
   std::string see;                  // the command that checks it
   std::vector<std::string> claims;  // ids; the first is the theorem
+  bool lists = false;               // what the claims found is a part of the theorem
 };
 
 struct Paper {

@@ -20,6 +20,8 @@ Assumption closing_state(const Term& z, const Term& row) {
 
 const Assumption from_0 = not_before(t, 0), to_tau = not_after(t, tau);
 const Assumption from_start = not_before(t1, 0), to_end = not_after(t1, T);
+// What (17) says t_1 is.
+const Assumption counted_from_tau{"17.t1", equation(t, tau + t1)};
 
 // chi eta (z_2 - z_1) + p sin(omega (t_1 + tau/2)) at the time after the stick began.
 const Term gap = block(1, {-1, 1, 0, 0});
@@ -78,10 +80,10 @@ std::vector<Claim> stick_part() {
   return {
       {.id = "45",
        .kind = Kind::step,
-       .printed = {equation(Z(tau + t1), Gamma(T - t1) * E * Z0)},
+       .printed = {equation(Z(t), Gamma(T - t1) * E * Z0)},
        .words = "the stick solution at the time $T - t_1$",
-       .assumptions = {slip_ends, closing_state(z10, block(1, {1, 0})), closing_state(z20, block(1, {0, 1})),
-                       sticks, stick_lasts, from_start, to_end},
+       .assumptions = {counted_from_tau, slip_ends, closing_state(z10, block(1, {1, 0})),
+                       closing_state(z20, block(1, {0, 1})), sticks, stick_lasts, from_start, to_end},
        .prove = by_normal_form({equation(Gamma(t1) * E * Z0, Gamma(T - t1) * E * Z0)}),
        .corrected = {equation(Z(tau + T - t1), Gamma(T - t1) * E * Z0)},
        .prove_corrected = by_rewriting({from("4.stick").at("t", tau + T - t1)})},
@@ -104,7 +106,7 @@ std::vector<Claim> stick_part() {
       {.id = "17.stick",
        .kind = Kind::theorem,
        .printed = {equation(Z(tau + t1), E * Z(tau + T - t1))},
-       .words = "the stick is symmetric in time",
+       .words = "the stick is symmetric in time; the paper writes $Z(t_1)$ for what is $Z(tau + t_1)$ here",
        .assumptions = {sticks, stick_lasts, slip_ends, stick_ends, from_start, to_end},
        .prove = by_rewriting({from("4.stick").at("t", tau + t1), from("45"), from("46.group"),
                               from("41.commute").at("t", T).at("s", -t1).solved_for(Gamma(T) * Gamma(-t1)),

@@ -20,8 +20,7 @@ using namespace overshooting;
 const Entries H_{"H"}, h_{"h"}, Ht{"Htilde"}, G{"Gamma"};
 
 // One coefficient of equation i, "47.a": printed as `value`.
-Claim printed_coefficient(char letter, int equation_number, const Term& value,
-                          const std::string& illegible = {}) {
+Claim printed_coefficient(char letter, int equation_number, const Term& value) {
   const std::map<char, std::string> names{
       {'a', "$z_1(0)$"}, {'b', "$z_2(0)$"}, {'c', "$z_1'(0)$"}, {'d', "no unknown"}};
   static const std::array<const char *, 5> said{
@@ -34,8 +33,7 @@ Claim printed_coefficient(char letter, int equation_number, const Term& value,
           .printed = {equation(coefficient(letter, equation_number), value)},
           .words = fmt::format("what stands beside {} in {}", names.at(letter),
                                said.at(static_cast<std::size_t>(equation_number - 1))),
-          .prove = by_normal_form(),
-          .illegible = illegible};
+          .prove = by_normal_form()};
 }
 
 // What -F_0 contributes: -(x1 q1 + x2 q2) cos(phi), and (x3 q1 + x4 q2) sin(phi) with omega before or behind.
@@ -50,31 +48,26 @@ Term behind(const Term& x3, const Term& x4) {
 }
 
 std::vector<Claim> components() {
-  const char * const minus = "a minus sign";
   return {
-      printed_coefficient('a', 1, Ht(1, 1) - G(1, 1), minus),
-      printed_coefficient('b', 1, Ht(1, 2) - G(1, 2), minus),
+      printed_coefficient('a', 1, Ht(1, 1) - G(1, 1)),
+      printed_coefficient('b', 1, Ht(1, 2) - G(1, 2)),
       printed_coefficient('c', 1, Ht(1, 3) - G(1, 3)),
       printed_coefficient('d', 1,
                           place_part(Ht(1, 1), Ht(1, 2)) + before(Ht(1, 3), Ht(1, 4)) + q1 * cos(phiC) +
-                              2 * (h_(1, 1) - 1) * d01 + 2 * h_(1, 2) * d02 + (Ht(1, 4) + G(1, 4)) * V,
-                          "brackets"),
+                              2 * (h_(1, 1) - 1) * d01 + 2 * h_(1, 2) * d02 + (Ht(1, 4) + G(1, 4)) * V),
       printed_coefficient('a', 2, Ht(2, 1)),
       printed_coefficient('b', 2, Ht(2, 2) - 1),
       printed_coefficient('c', 2, Ht(2, 3)),
       printed_coefficient('d', 2,
                           place_part(Ht(2, 1), Ht(2, 2)) + before(Ht(2, 3), Ht(2, 4)) + q2 * cos(phiC) +
-                              2 * h_(2, 1) * d01 + 2 * (h_(2, 2) - 1) * d02 + (Ht(2, 4) + T) * V,
-                          "brackets"),
+                              2 * h_(2, 1) * d01 + 2 * (h_(2, 2) - 1) * d02 + (Ht(2, 4) + T) * V),
       printed_coefficient('a', 3, Ht(3, 1) + G(3, 1)),
       printed_coefficient('b', 3, Ht(3, 2) + G(3, 2)),
       printed_coefficient('c', 3, Ht(1, 1) - G(1, 1)),
       printed_coefficient('d', 3,
                           place_part(Ht(3, 1), Ht(3, 2)) + before(Ht(1, 1), Ht(1, 2)) -
                               omega * q1 * sin(phiC) + 2 * h_(3, 1) * d01 + 2 * h_(3, 2) * d02 +
-                              (Ht(1, 2) - G(1, 2)) * V,
-                          "brackets, $omega$ with the minus sign in front of $q_1 sin(phi_C)$, and the minus "
-                          "sign in front of $Gamma_12$"),
+                              (Ht(1, 2) - G(1, 2)) * V),
   };
 }
 
@@ -85,16 +78,13 @@ std::vector<Claim> speeds() {
       printed_coefficient('c', 4, H_(2, 1)),
       printed_coefficient('d', 4,
                           (H_(2, 2) - 1) * V - q2 * omega * sin(phiB) + place_part(H_(4, 1), H_(4, 2)) +
-                              behind(H_(2, 1), H_(2, 2)),
-                          "the minus sign in front of the bracket with $H_41$, and $omega$ with a bracket in "
-                          "front of $sin(phi)$"),
+                              behind(H_(2, 1), H_(2, 2))),
       printed_coefficient('a', 5, Ht(4, 1)),
       printed_coefficient('b', 5, Ht(4, 2)),
       printed_coefficient('c', 5, Ht(2, 1)),
       printed_coefficient('d', 5,
                           (Ht(2, 2) - 1) * V - q2 * omega * sin(phiC) + place_part(Ht(4, 1), Ht(4, 2)) +
-                              behind(Ht(2, 1), Ht(2, 2)) + 2 * (h_(4, 1) * d01 + h_(4, 2) * d02),
-                          "brackets, the minus signs in front of $q_2 omega$ and of the bracket with $H_41$"),
+                              behind(Ht(2, 1), Ht(2, 2)) + 2 * (h_(4, 1) * d01 + h_(4, 2) * d02)),
   };
 }
 

@@ -24,6 +24,22 @@ using namespace methods;
 
 namespace {
 
+// "4 orbits, all of them admissible: …".
+std::string what_is_listed(const OrbitList& list) {
+  std::vector<std::string> good, formal;
+  for (const Orbit& orbit : list.orbits) {
+    (orbit.admissible.truth == Truth::proved ? good : formal)
+        .push_back(told_apart(orbit, *list.question.family));
+  }
+  const std::size_t all = list.orbits.size();
+  std::string result = fmt::format("{} orbit{}, {} of them admissible", all, all == 1 ? "" : "s",
+                                   formal.empty() ? "all" : std::to_string(good.size()));
+  if (!good.empty()) {
+    result += fmt::format(": {}", fmt::join(good, "; "));
+  }
+  return formal.empty() ? result : fmt::format("{}; not admissible: {}", result, fmt::join(formal, "; "));
+}
+
 Claim list_claim(const PrintedPlace& where, const ListTheorem& theorem) {
   return {.id = where.example.name + ".list",
           .kind = Kind::numbers,
@@ -45,6 +61,9 @@ Claim list_claim(const PrintedPlace& where, const ListTheorem& theorem) {
                     list.complete()
                         ? Verdict::proved()
                         : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
+                if (list.complete()) {
+                  outcome.found = what_is_listed(list);
+                }
                 if (theorem.prove && list.complete()) {
                   outcome.uses = theorem.uses;
                   prove(outcome, [&] { return theorem.prove(list); });
@@ -73,6 +92,10 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
             if (found->margin) {
               route += "; smallest margin " + shown(*found->margin);
             }
+            const bool divided = requirement.along && (requirement.touches.start || requirement.touches.end);
+            if (found->margin && divided) {
+              route += " of the distance, divided by min(1, time to the end of the phase where it is zero)";
+            }
             if (found->at) {
               route += " at $t = " + shown(*found->at) + "$";
             }
@@ -94,11 +117,20 @@ std::string shown_complex(const ComplexBall& number) {
   return real ? shown(number.re) : fmt::format("$({}) + ({}) i$", shown(number.re), shown(number.im));
 }
 
+Ball largest_modulus(const Stability& stability) {
+  Ball largest(0);
+  for (const ComplexBall& mu : stability.multipliers) {
+    const Ball modulus = sqrt(mu.squared_modulus());
+    arb_max(largest.raw(), largest.raw(), modulus.raw(), WorkingPrecision::bits());
+  }
+  return largest;
+}
+
 Claim stability_claim(const PrintedPlace& where) {
   return {.id = where.example.name + ".stability",
           .kind = Kind::numbers,
           .origin = Origin::new_result,
-          .words = fmt::format("whether the orbit of {} is stable, which the paper leaves open",
+          .words = fmt::format("the stability of the orbit of {}, which the paper leaves open",
                                where.example.figure),
           .prove = [where](Prover& prover, const Claim&) {
             const std::optional<Stability>& stability = printed_orbit(where.example).stability;
@@ -115,6 +147,9 @@ Claim stability_claim(const PrintedPlace& where) {
             }
             outcome.route +=
                 fmt::format(": {}, with {}", to_string(stability->kind), fmt::join(multipliers, ", "));
+            outcome.found = fmt::format("{}, the largest $|mu|$ of a Floquet multiplier $mu$ is ${}$ ({})",
+                                        to_string(stability->kind), digits_of(largest_modulus(*stability)),
+                                        told_apart(printed_orbit(where.example), *where.example.family));
             outcome.verdict = Verdict::proved();
             prove_of_orbit(outcome, prover, where, orbits::stability_theorem);
             return outcome;
@@ -157,6 +192,37 @@ Claim raw_law_claim(const PrintedPlace& where) {
 std::string shown(const Ball& ball) {
   const BallText text = to_text(ball, 6);
   return fmt::format("{} ± {}", text.mid, text.rad);
+}
+
+std::string told_apart(const Orbit& orbit, const Family& family) {
+  std::string result;
+  for (const std::string name : {"tau", "tau1", "phi", "ur"}) {
+    const bool tells = name != "ur" || families::has_stick(family);
+    const bool has = std::ranges::any_of(
+        orbit.values, [&](const NamedBall& value) { return value.name == name && !value.value.is_exact(); });
+    if (tells && has) {
+      result += fmt::format("{}${} = {}$", result.empty() ? "" : ", ", name == "ur" ? "u_r" : name,
+                            digits_of(orbit.value(name)));
+    }
+  }
+  return result;
+}
+
+std::string digits_of(const Ball& ball) {
+  const std::string more = to_text(ball, 16).mid;
+  std::size_t end = 0;
+  int significant = 0;
+  for (; end < more.size() && significant < 6; ++end) {
+    significant += (more[end] >= '1' && more[end] <= '9') || (more[end] == '0' && significant > 0) ? 1 : 0;
+  }
+  if (more.find('e') != std::string::npos || more.find('.') >= end) {
+    return shown(ball);
+  }
+  // A number whose digits go on lies beyond what is cut off, and by less than one unit.
+  const Decimal cut = parse_decimal(more.substr(0, end));
+  const Ball beyond = abs(ball) - Ball(Rational(abs(cut.value)));
+  const bool known = beyond.is_positive() && (Ball(cut.unit) - beyond).is_positive();
+  return known ? cut.text + "..." : shown(ball);
 }
 
 Claim existence_claim(const PrintedPlace& where, const std::string& words) {

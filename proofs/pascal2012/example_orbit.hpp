@@ -13,6 +13,12 @@ namespace stickslip::proofs::pascal2012 {
 // "7.74669 ± 3.1e-6".
 [[nodiscard]] std::string shown(const Ball& ball);
 
+// The first six digits, "7.74669...", if the ball is known so well; else as shown().
+[[nodiscard]] std::string digits_of(const Ball& ball);
+
+// "tau = 7.74669..., u_r = 0.161022...": what tells one orbit of a list from another.
+[[nodiscard]] std::string told_apart(const numeric::Orbit& orbit, const numeric::Family& family);
+
 // "S.orbit": the printed orbit exists, as a theorem of the kernel.
 [[nodiscard]] methods::Claim existence_claim(const PrintedPlace& where, const std::string& words);
 

@@ -1,6 +1,7 @@
 // Section 4, example S: the data of Fig. 2. They leave the load's phase no choice; at all of them, the
 // printed u_r included, there are orbits of slip and stick that do not obey (13).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -90,6 +91,23 @@ kernel::Theorem phase_is_fixed(const orbits::Ranges& ranges) {
       Theorem::cut(tactics::part(Theorem::assume(during), 0), Theorem::cut(before_last, at_all)));
 }
 
+// "2 of the 4 admissible orbits at the data of Fig. 2 have phi + pi: …".
+std::string of_the_other_phase() {
+  std::vector<std::string> other;
+  std::size_t admissible = 0;
+  for (const Orbit& orbit : orbits_of(printed()).list.orbits) {
+    if (orbit.admissible.truth == Truth::proved) {
+      ++admissible;
+      const Ball later = orbit.phi() - (Ball::pi() - Ball(printed().data.omega) * orbit.tau()) / 2;
+      if ((later - Ball::pi()).contains_zero() || (later + Ball::pi()).contains_zero()) {
+        other.push_back(told_apart(orbit, *printed().family));
+      }
+    }
+  }
+  return fmt::format("{} of the {} admissible orbits at the data of Fig. 2 have $phi + pi$: {}", other.size(),
+                     admissible, fmt::join(other, "; "));
+}
+
 Claim lag_claim() {
   return {.id = "S.lag",
           .kind = Kind::numbers,
@@ -105,6 +123,7 @@ Claim lag_claim() {
                 "for one of the two $j$, by signs in balls; the load acts on both modes, by 7.modal");
             outcome.uses = {"4.lag.needed", "7.modal"};
             outcome.verdict = Verdict::proved();
+            outcome.found = of_the_other_phase();
             prove(outcome,
                   [] { return at_frequencies(printed().data.chi, printed().data.eta, phase_is_fixed); });
             return outcome;
@@ -135,17 +154,20 @@ Claim asymmetric_claim() {
         Outcome outcome = at_the_data(printed(), "exhaustive search in balls; the slips last");
         outcome.at.push_back({"ur", ur});
         std::vector<Verdict> each;
+        std::vector<std::string> slips;
         for (const words::WordOrbit& found : list.orbits) {
           const Motion& motion = found.orbit.motion;
           const auto slip = std::ranges::find(motion.phases, PhaseKind::slip,
                                               [](const Phase& phase) { return phase.kind; });
           outcome.route += (each.empty() ? " " : " and ") + shown(slip->duration);
+          slips.push_back(fmt::format("$tau = {}$", digits_of(slip->duration)));
           each.insert(each.end(), {found.existence, found.orbit.admissible, not_symmetric(motion)});
         }
         outcome.verdict = !list.unresolved.empty() ? Verdict::undecided("the list is not complete")
                           : list.orbits.size() != 2
                               ? Verdict::refuted(fmt::format("there are {}", list.orbits.size()))
                               : all_of(each);
+        outcome.found = fmt::format("their slips last {}", fmt::join(slips, " and "));
         return outcome;
       }};
 }

@@ -53,7 +53,7 @@ int check(const Paper& paper, const Wanted& wanted) {
   int code = exit_decided;
   for (const Record& record : audit(paper.claims, ids).records) {
     const std::string reason = plain(record.outcome.verdict.reason);
-    fmt::print("{:12} {:20} {}{}{}\n", record.claim.id, to_string(record.status), plain(record.claim.words),
+    fmt::print("{:12} {:20} {}{}{}\n", record.claim.id, to_string(record.status), plain(words_of(record)),
                reason.empty() ? "" : "\n             ", reason);
     const bool refuted = record.status == Status::refuted;
     if (refuted != wanted.known_to_be_refuted.contains(record.claim.id)) {

@@ -4,6 +4,7 @@
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/judgement.hpp"
 #include "proofs/pascal2012/remarks.hpp"
+#include "proofs/pascal2012/source.hpp"
 #include "proofs/pascal2012/statements.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -49,6 +50,9 @@ Paper assembled() {
     paper.sections.push_back(part.section);
     for (Claim& claim : part.claims()) {
       claim.place = part.section.id;
+      if (const std::string lost = lost_in_source(claim.id); !lost.empty()) {
+        claim.illegible = claim.illegible.empty() ? lost : lost + ", " + claim.illegible;
+      }
       paper.claims.push_back(std::move(claim));
     }
   }

@@ -19,7 +19,8 @@ std::vector<Remark> on_orbits() {
        .because = "(33) is deduced for slips that last half a period, and off resonance only $V = 0$ allows "
                   "that (33.V); without this assumption the slip below the belt's velocity lasts longer than "
                   "half a period where $V > 0$ (A5.longer)",
-       .see = "stickslip orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --ur 0.2 --V 0.1 --omega 0.6 --p 1"},
+       .see = "stickslip orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --ur 0.2 --V 0.1 --omega 0.6 --p 1",
+       .quote = "non-sticking periodic orbits are obtained only for $V = 0$"},
       {.claim = "7.always",
        .place = "abstract and Section 7",
        .says = "with the belt at rest every orbit that never sticks is symmetric in space and time; said "
@@ -30,7 +31,8 @@ std::vector<Remark> on_orbits() {
        .because = "a free motion of the first mode then has the load's period and vanishing velocity at both "
                   "transitions, and may be added to the symmetric orbit; off resonance, which is all $omega$ "
                   "but countably many, the statement is proved (7.symmetric, A5.symmetry)",
-       .see = "stickslip check 7.always 33.even --explain"},
+       .see = "stickslip check 7.always 33.even --explain",
+       .quote = "We prove that this kind of solution is symmetric in space and in time"},
       {.claim = "S.data",
        .place = "Section 4, example",
        .says = "$u_r = 0.1607$ belongs to the data of the orbit of Fig. 2",
@@ -39,7 +41,8 @@ std::vector<Remark> on_orbits() {
            "0.1607$ included, there are two orbits of slip and stick, which are not symmetric (S.asymmetric)",
        .because = "by (12) $u_r$ is a result, and the one of the orbit of Fig. 2 is another in the last "
                   "digits (S.ur); it was computed from the other printed numbers (S.from.ur)",
-       .see = "stickslip check S.data S.asymmetric --explain"},
+       .see = "stickslip check S.data S.asymmetric --explain",
+       .quote = "A numerical validation is made for the following set of data"},
       {.claim = "16",
        .place = "(16)",
        .says = "orbits of the first family exist under the four equations (16)",
@@ -49,7 +52,9 @@ std::vector<Remark> on_orbits() {
                "0.1$, $V = 1$, $p = 1/2$ this does not close",
        .because = "each equation is one half of (13) or (15), and the other half follows by dividing by "
                   "these cosines",
-       .see = "stickslip check 16 16.back --explain"},
+       .see = "stickslip check 16 16.back --explain",
+       .quote = "the conditions for the existence of this periodic solution are given by the following "
+                "system of four scalar equations"},
       {.claim = "37",
        .place = "(37)",
        .says = "the least load amplitude against sticking is the right side of (37)",
@@ -59,7 +64,9 @@ std::vector<Remark> on_orbits() {
        .because =
            "(36) says $q_2 omega cos(phi) > eta u_r/omega$ and (35) says $q_2 omega sin(phi) = -B$: the "
            "squares add up to $(q_2 omega)^2$; (37) keeps the second alone, which is that $phi$ exists",
-       .see = "stickslip check 37 37.sharp 37.sharp.back --explain"},
+       .see = "stickslip check 37 37.sharp 37.sharp.back --explain",
+       .quote = "a condition about the minimum value of the external force amplitude needed to avoid a "
+                "sticking motion is obtained"},
   };
 }
 
@@ -80,13 +87,43 @@ std::vector<Remark> on_misprints() {
        .fact = "the time is $tau + tau_1$, where the overshooting ends, and the factor is there",
        .because = "(19) is $|r| < u_r$ of (4), multiplied by $eta$; with this factor and $tau_1$ it says the "
                   "same as (4) (19.back). Its left inequality always holds (19.implied)",
-       .see = "stickslip check 19 --explain"},
+       .see = "stickslip check 19 --explain",
+       .quote =
+           "an overshooting motion for $t > tau$. This motion ends at $t = tau + tau_1$ if, at this time",
+       .note = "To be compared with the printed page: the text read has lost glyphs, and the factor $eta$ "
+               "may be one of them; $tau_2$ is in it."},
       {.claim = "45",
        .place = "(45)",
-       .says = "the right side, with $Gamma(T - t_1)$, is the state at the time $t = tau + t_1$",
+       .says =
+           "the right side, with $Gamma(T - t_1)$, is the state at the time $t$, where $t_1 = t - tau$ by "
+           "(17)",
        .fact = "it is the state at the time $tau + T - t_1$",
        .because = "$T - t_1$ is the time that has passed since the stick began at $tau$",
        .see = "stickslip check 45 --explain"},
+  };
+}
+
+// Which no claim of the paper's fails for: its letter says more than its proof gives, or leaves out a step.
+std::vector<Remark> on_steps() {
+  return {
+      {.claim = "4.lag.needed",
+       .place = "Section 4, before (14)",
+       .says = "the time lag is $phi = (pi - omega tau)/2$",
+       .fact = "but for slips on which (13) leaves $phi$ free it asks for $cos(phi + omega tau/2) = 0$, "
+               "which $phi + pi$ fulfils as well, and both occur: "
+               "{S.lag}",
+       .because =
+           "adding $pi$ to $phi$ changes the sign of $p$, in (16) and in $f_1$, $f_2$, and nothing else",
+       .see = "stickslip orbits symmetric --example S",
+       .quote = "The time lag $phi$ of the external force is given by"},
+      {.claim = "67.sin",
+       .place = "Appendix 5, after (67)",
+       .says = "(67) gives $sin(phi_B) = -sin(phi)$",
+       .fact =
+           "(67) gives $q_2 (sin(phi_B) + sin(phi)) = 0$, which is divided by $q_2$: that $q_2$ is not zero, "
+           "neither $p = 0$ nor $omega = 1$, is a hypothesis. The symmetry holds without it (A5.symmetry)",
+       .because = "the second row of (67) has $Q omega$, that is $q_2 omega$, in front of both sines",
+       .see = "stickslip check 67 A5.symmetry --explain"},
   };
 }
 
@@ -98,14 +135,17 @@ std::vector<Remark> on_what_is_taken_for_granted() {
        .fact = "that of Fig. 2 is unstable, and motions that begin near it leave it; those of Figs. 3 and 4 "
                "are stable",
        .because = "a Floquet multiplier of the orbit of Fig. 2 is greater than 1, in balls",
-       .see = "stickslip orbits symmetric --example S"},
+       .see = "stickslip orbits symmetric --example S",
+       .quote = "the steady state response of a two-degree-of-freedom oscillator subjected to dry friction "
+                "and harmonic load is considered"},
       {.claim = "4.defined",
        .place = "(4)",
        .says = "the law gives a friction in every state",
        .fact = "it gives none where $x2' = V$ and $|r| = u_r$, where each slip of Sections 4 and 5 begins; "
                "every motion of the paper goes on from there with $u = u_s$",
        .because = "its cases are $|r| < u_r$, $r > u_r$ and $r < -u_r$",
-       .see = "stickslip check 4.defined --explain"},
+       .see = "stickslip check 4.defined --explain",
+       .quote = "The dry friction force $u$ is obtained from Coulomb’s laws"},
       {.claim = "4.unique",
        .place = "(4)",
        .says = "the law continues every motion in one way",
@@ -121,7 +161,7 @@ std::vector<Remark> on_what_is_taken_for_granted() {
 
 std::vector<Remark> remarks() {
   std::vector<Remark> all = on_orbits();
-  for (const std::vector<Remark>& more : {on_misprints(), on_what_is_taken_for_granted()}) {
+  for (const std::vector<Remark>& more : {on_misprints(), on_steps(), on_what_is_taken_for_granted()}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

@@ -73,8 +73,7 @@ std::vector<Claim> ends() {
        .kind = Kind::definition,
        .printed = {equation(E, block(2, {-I2, zero(2, 2), zero(2, 2), I2}))},
        .words = "$E$ turns places round and keeps velocities",
-       .prove = by_normal_form(),
-       .illegible = "the minus sign"},
+       .prove = by_normal_form()},
       {.id = "13.E",
        .kind = Kind::identity,
        .printed = {equation(E * E, I4)},
@@ -93,8 +92,7 @@ std::vector<Claim> ends() {
        .words = "(14) lies strictly between the ends of (11): the mass sticks; from $0 < u_s < u_r$",
        .assumptions = {slides, holds},
        .prove = by_positive_combination({{.positive = {{2 * eta, {{assuming("4.us")}}}}},
-                                         {.positive = {{2 * eta, {{assuming("4.ur")}}}}}}),
-       .illegible = "the minus sign of the lower end"},
+                                         {.positive = {{2 * eta, {{assuming("4.ur")}}}}}})},
   };
 }
 
@@ -249,7 +247,7 @@ std::vector<Claim> stick_conditions() {
        .assumptions = {time_lag, above, below},
        .prove = by_positive_combination({{.positive = {{eta, {{assuming("11.below")}}}}},
                                          {.positive = {{eta, {{assuming("11.above")}}}}}}),
-       .illegible = "the range, printed as $t < t_1 < T$"},
+       .illegible = "the 0 of the range, printed as $t < t_1 < T$"},
       {.id = "4.f.back",
        .kind = Kind::condition,
        .origin = Origin::converse,

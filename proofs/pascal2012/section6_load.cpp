@@ -124,8 +124,7 @@ std::vector<Claim> condition36() {
        .prove = by_positive_combination(
            {{.positive = {{1 / power(omega, 2), {{from("36.square")}}}, {power(eta * ur / omega, 2)}},
              .equations = {from_35(1)},
-             .divisors = {{power(q2 * omega, 2)}}}}),
-       .illegible = "the bars of the absolute value"},
+             .divisors = {{power(q2 * omega, 2)}}}})},
   };
 }
 
@@ -146,8 +145,7 @@ std::vector<Claim> condition37() {
        .assumptions = moving_motion({load_acts, both}),
        .prove = by_positive_combination({{.positive = {{1, {{from("37.sharp")}}}, {square * rest}}}},
                                         assuming("1.p")),
-       .prove_converse = by_counterexample(weak_load()),
-       .illegible = "the bars of the absolute value, the fraction bar and a factor $omega$ below it"},
+       .prove_converse = by_counterexample(weak_load())},
       {.id = "37.sharp",
        .kind = Kind::condition,
        .origin = Origin::new_result,

@@ -7,6 +7,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "report/atlas/summary.hpp"
+#include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::atlas {
@@ -135,7 +136,7 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
                            to_string(q.region[i].lower));
     }
   }
-  data["title"] = fmt::format("How many {} orbits there are, at {}", q.family->name, fixed);
+  data["title"] = fmt::format("How many {} orbits there are, at {}", q.family->name, tools::in_greek(fixed));
   return tools::render_file("map.gp", data, tools::plain_format);
 }
 

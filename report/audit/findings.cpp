@@ -76,6 +76,44 @@ std::string sentence_of_ours(const Audit& audit) {
                            total == 1 ? "" : "s", total == 1 ? "is" : "are", fmt::join(parts, ", "));
 }
 
+std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
+  std::set<std::string> refuted;
+  std::size_t found = 0;
+  for (const Record& record : audit.records) {
+    found += is_finding(record) ? 1 : 0;
+    if (record.status == Status::refuted) {
+      refuted.insert(record.claim.id);
+    }
+  }
+  std::set<std::string> stating;
+  std::size_t statements = 0;
+  for (const PrintedStatement * statement : statements_in(paper, audit)) {
+    bool states = false;
+    for (const std::string& id : statement->claims) {
+      if (refuted.contains(id)) {
+        stating.insert(id);
+        states = true;
+      }
+    }
+    statements += states ? 1 : 0;
+  }
+  if (found == 0) {
+    return {};
+  }
+  std::string result =
+      "A finding is a claim, not a statement: one claim may state several statements, and some claims state "
+      "none";
+  if (!refuted.empty()) {
+    result += fmt::format("; of {} refuted claim{} {} state{} {} of the statements", refuted.size(),
+                          refuted.size() == 1 ? "" : "s", stating.size(), stating.size() == 1 ? "s" : "",
+                          statements);
+  }
+  if (stating.size() < refuted.size()) {
+    result += fmt::format(", the others what {} takes for granted", source_of(audit));
+  }
+  return result + ".";
+}
+
 std::vector<HypothesisGroup> hypothesis_groups(const Audit& audit) {
   std::map<std::set<std::string>, HypothesisGroup> groups;
   for (const Record& record : audit.records) {

@@ -21,6 +21,10 @@ namespace stickslip::report::audit {
 // One sentence with the number of claims that are not the paper's, by origin; empty if there are none.
 [[nodiscard]] std::string sentence_of_ours(const proofs::methods::Audit& audit);
 
+// How findings, refuted ones among them and statements are related, in a sentence; empty if nothing is found.
+[[nodiscard]] std::string sentence_of_findings(const proofs::methods::Paper& paper,
+                                               const proofs::methods::Audit& audit);
+
 // The same things that must not vanish, brought in by the proofs of some claims and inherited by others.
 struct HypothesisGroup {
   std::vector<proofs::methods::Hypothesis> hypotheses;

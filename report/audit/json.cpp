@@ -117,13 +117,13 @@ Json assumptions(const Record& record) {
   });
 }
 
-Json remark(const Remark * r) {
+Json remark(const Remark * r, const Audit& audit) {
   if (!r) {
     return nullptr;
   }
   return {{"place", plain(r->place)},
           {"says", plain(r->says)},
-          {"fact", plain(r->fact)},
+          {"fact", plain(with_answers(r->fact, audit))},
           {"because", plain(r->because)},
           {"see", r->see}};
 }
@@ -137,13 +137,13 @@ Json result(const Result& r) {
           {"claims", list_of(r.claims, as_it_is)}};
 }
 
-Json claim(const Paper& paper, const Record& record, const Certification& certificates) {
+Json claim(const Paper& paper, const Audit& audit, const Record& record, const Certification& certificates) {
   const Claim& c = record.claim;
   return {{"id", c.id},
           {"place", c.place},
           {"kind", proofs::methods::to_string(c.kind)},
           {"origin", proofs::methods::to_string(c.origin)},
-          {"words", plain(c.words)},
+          {"words", plain(words_of(record))},
           {"status", proofs::methods::to_string(record.status)},
           {"meaning", proofs::methods::facts(record.status).meaning},
           {"finding", is_finding(record)},
@@ -155,7 +155,7 @@ Json claim(const Paper& paper, const Record& record, const Certification& certif
           {"converse", record.converse ? outcome(*record.converse) : Json(nullptr)},
           {"repairs", list_of(record.repairs, repair)},
           {"illegible", plain(c.illegible)},
-          {"remark", remark(is_finding(record) ? remark_on(paper, c.id) : nullptr)},
+          {"remark", remark(is_finding(record) ? remark_on(paper, c.id) : nullptr, audit)},
           {"used_by", list_of(record.used_by, as_it_is)},
           {"certificate", to_json(certificates, c.id)}};
 }
@@ -206,9 +206,9 @@ Json bibliography(const proofs::methods::Bibliography& b) {
   return {{"author", b.author}, {"title", b.title}, {"journal", b.journal}, {"doi", b.doi}};
 }
 
-Json place(const Paper& paper, const PlaceRecords& p, const Certification& certificates) {
+Json place(const Paper& paper, const Audit& audit, const PlaceRecords& p, const Certification& certificates) {
   return {{"id", p.id}, {"title", p.title}, {"claims", list_of(p.records, [&](const Record * record) {
-                                               return claim(paper, *record, certificates);
+                                               return claim(paper, audit, *record, certificates);
                                              })}};
 }
 
@@ -232,8 +232,8 @@ Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
   json["summary"] = summary(paper, audit);
   json["summary"]["certificates"] = certificates.line;
   json["statements"] = printed_statements(paper, audit);
-  json["places"] =
-      list_of(by_place(paper, audit), [&](const PlaceRecords& p) { return place(paper, p, certificates); });
+  json["places"] = list_of(by_place(paper, audit),
+                           [&](const PlaceRecords& p) { return place(paper, audit, p, certificates); });
   json["results"] = list_of(results_in(paper, audit), result);
   json["examples"] = list_of(examples, example);
   json["mutants"] = gate ? to_json(*gate) : Json(nullptr);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "core/decimal.hpp"
@@ -76,7 +77,8 @@ void complete_claim(Json& claim, const Record& record, const std::string& place_
   claim["origin_words"] = facts(record.claim.origin).one;
   claim["examined"] = record.status != Status::model;
   claim["place_title"] = place_title;
-  claim["words_sentence"] = sentence(record.claim.words);
+  claim["words_sentence"] = sentence(words_of(record));
+  claim["answers"] = !record.outcome.found.empty();
   claim["illegible"] = record.claim.illegible;
   for (std::size_t i = 0; i < record.repairs.size(); ++i) {
     claim.at("repairs").at(i)["what"] = record.repairs[i].what;
@@ -100,10 +102,15 @@ const OriginFacts& origin_named(const std::string& name) {
 }
 
 // A remark with its sentences.
-Json remark_sentences(const Remark& remark, Origin origin) {
-  return {
-      {"place", remark.place},         {"who", facts(origin).says},           {"says", sentence(remark.says)},
-      {"fact", sentence(remark.fact)}, {"because", sentence(remark.because)}, {"see", remark.see}};
+Json remark_sentences(const Remark& remark, Origin origin, const proofs::methods::Audit& audit) {
+  return {{"place", remark.place},
+          {"who", facts(origin).says},
+          {"says", sentence(remark.says)},
+          {"quote", remark.quote},
+          {"note", remark.note},
+          {"fact", sentence(with_answers(remark.fact, audit))},
+          {"because", sentence(remark.because)},
+          {"see", remark.see}};
 }
 
 // The paper's statements that the audit answers, section by section.
@@ -177,16 +184,24 @@ Json results(const Paper& paper, const proofs::methods::Audit& audit, const std:
   for (const Result& result : results_in(paper, audit)) {
     Json one = {{"id", result.id},
                 {"title", result.title},
+                {"setting", result.setting},
                 {"theorem", sentence(result.theorem)},
                 {"idea", sentence(result.idea)},
                 {"see", result.see},
                 {"claims", result.claims},
                 {"formulas", Json::array()}};
+    one["found"] = Json::array();
     for (const Json& claim : claims) {
       if (claim.at("id") == result.claims.front() && claim.at("status") != "refuted") {
         one["formulas"] = claim.at("printed");
       }
+      if (result.lists && claim.at("answers") == true && claim.at("origin") == "new" &&
+          std::ranges::find(result.claims, claim.at("id").get<std::string>()) != result.claims.end()) {
+        one["found"].push_back(claim.at("words_sentence"));
+      }
     }
+    static const std::regex number(R"(\([0-9]+\))");
+    one["cites"] = std::regex_search(result.setting + result.theorem, number);
     all.push_back(std::move(one));
   }
   return all;
@@ -223,8 +238,10 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       complete_claim(claim, record, places[i].title);
       claim["states"] = stated_by(paper, record.claim.id);
       add_assumptions(data["assumptions"], claim);
+      const Remark * remark = remark_on(paper, record.claim.id);
+      claim["letter"] = remark ? remark_sentences(*remark, record.claim.origin, audit) : Json();
       if (!claim.at("remark").is_null()) {
-        claim["remark"] = remark_sentences(*remark_on(paper, record.claim.id), record.claim.origin);
+        claim["remark"] = claim.at("letter");
       }
       claims.push_back(claim);
       if (compares(claim)) {
@@ -235,9 +252,11 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
   data["errata"] = errata_data(paper, claims);
   data["results"] = results(paper, audit, claims);
   data["findings"] = finding_data(paper, audit, claims);
+  data["hypotheses_to_add"] = hypotheses_to_add(claims, data.at("findings"));
   data["verdict_lead"] = verdict_lead(paper, audit);
   data["verdict_sentence"] = verdict_sentence(paper, audit);
   data["sentence_of_ours"] = sentence_of_ours(audit);
+  data["sentence_of_findings"] = sentence_of_findings(paper, audit);
   return data;
 }
 

@@ -14,9 +14,10 @@ namespace stickslip::report::audit {
 // hypothesis with "foreign" unless it is the claim's own; shortened balls;
 // in every comparison "rounded", the proved value with as many digits as are printed; "sections", the paper's
 // statements section by section: [{"title", "statements"}]; "statuses_met", those that occur; "verdict_lead",
-// "verdict_sentence" and "sentence_of_ours"; "numbers", the claims that compare printed numbers; "errata",
-// what there is to correct, each {"place", "remark" or null, "misprint", "printed", "corrected", "numbers"};
-// "results"; and "findings" (finding_data.hpp).
+// "verdict_sentence", "sentence_of_ours" and "sentence_of_findings"; "numbers", the claims that compare
+// printed numbers; "errata", what there is to correct, each {"place", "remark" or null, "misprint",
+// "printed", "corrected", "numbers"}; "results", each with "found", what its claims found where that is a
+// part of it; "findings" (finding_data.hpp) and "hypotheses_to_add".
 [[nodiscard]] tools::Json page_data(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
                                     const tools::Json& json);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "numeric/families/family.hpp"
@@ -14,6 +16,7 @@
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/pictures.hpp"
+#include "report/tools/display.hpp"
 #include "report/tools/katex.hpp"
 #include "report/tools/latex.hpp"
 #include "report/tools/templates.hpp"
@@ -177,11 +180,14 @@ std::string theorem(const Paper& paper, const proofs::methods::Audit& audit, con
   const Json all = page_data(paper, audit, to_json(paper, audit, "stickslip latex --theorem " + id));
   for (Json one : all.at("results")) {
     if (one.at("id") == id) {
-      std::string lines;  // an empty one would end the environment
+      // The paper's primes, not the dots of other pages, as in the sentence.
+      static const std::regex rate(R"(\\dot ([a-z]_(?:\{[^}]*\}|.)))");
+      one["displays"] = Json::array();
       for (const Json& formula : one.at("formulas")) {
-        lines += (lines.empty() ? "" : " \\\\\n") + formula.at("latex").get<std::string>();
+        one["displays"].push_back(
+            displayed(std::regex_replace(formula.at("latex").get<std::string>(), rate, "$1'")));
       }
-      one["lines"] = lines;
+      one["paper"] = all.at("paper");
       return render_file("theorem.tex", one, tex_format);
     }
   }

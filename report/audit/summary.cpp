@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "proofs/methods/prover.hpp"
 
@@ -80,6 +81,19 @@ std::string source_of(const Audit& audit) {
     }
   }
   return facts(Origin::paper).source;
+}
+
+std::string with_answers(const std::string& sentence, const Audit& audit) {
+  static const std::regex asked(R"(\{([0-9A-Z]+\.[A-Za-z0-9.]+)\})");
+  std::smatch match;
+  if (!std::regex_search(sentence, match, asked)) {
+    return sentence;
+  }
+  const auto record =
+      std::ranges::find_if(audit.records, [&](const Record& one) { return one.claim.id == match[1].str(); });
+  const bool found = record != audit.records.end() && !record->outcome.found.empty();
+  return match.prefix().str() + (found ? record->outcome.found : "see " + match[1].str()) +
+         with_answers(match.suffix().str(), audit);
 }
 
 bool is_finding(const Record& record) {

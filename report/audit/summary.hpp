@@ -40,6 +40,10 @@ struct OriginCount {
 [[nodiscard]] std::vector<proofs::methods::Result> results_in(const proofs::methods::Paper& paper,
                                                               const proofs::methods::Audit& audit);
 
+// The sentence with what claims found in the place of their ids in braces: "both occur: {S.lag}". Where the
+// audit has no such claim: "both occur: see S.lag".
+[[nodiscard]] std::string with_answers(const std::string& sentence, const proofs::methods::Audit& audit);
+
 // The other claims that hold only under a hypothesis which this claim's proof brought in.
 [[nodiscard]] std::set<std::string> inheriting(const proofs::methods::Audit& audit,
                                                const proofs::methods::Record& record);

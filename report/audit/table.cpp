@@ -8,6 +8,7 @@
 
 #include "proofs/methods/prover.hpp"
 #include "proofs/tactics/text.hpp"
+#include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/layout.hpp"
@@ -119,7 +120,7 @@ std::string tables_by_place(const Paper& paper, const Audit& audit, const Style&
       rows.push_back({{record->claim.id},
                       {record->claim.origin == Origin::paper ? "" : to_string(record->claim.origin)},
                       status_cell(*record, style),
-                      {record->claim.words}});
+                      {words_of(*record)}});
     }
     result += heading(place.title, style) + columns_of(rows, style.width) + "\n";
   }
@@ -150,7 +151,7 @@ std::string findings(const Paper& paper, const Audit& audit, const Style& style)
     Details details(style.width);
     if (const Remark * remark = remark_on(paper, record.claim.id)) {
       details.add(facts(record.claim.origin).source ? "says" : "granted", remark->says);
-      details.add("in fact", remark->fact);
+      details.add("in fact", with_answers(remark->fact, audit));
       details.add("because", remark->because);
       details.add("see", remark->see);
       details.add("printed", record.claim.printed);
@@ -159,7 +160,7 @@ std::string findings(const Paper& paper, const Audit& audit, const Style& style)
       result += head(record, style) + details.text();
       continue;
     }
-    details.add("says", record.claim.words);
+    details.add("says", words_of(record));
     details.add("printed", record.claim.printed);
     details.add("lost", record.claim.illegible);
     details.add("why not", record.outcome.verdict.reason);
@@ -217,7 +218,7 @@ std::string explanation(const Record& record, const Style& style) {
   details.add("kind", proofs::methods::to_string(record.claim.kind));
   details.add("origin",
               fmt::format("{}: {}", to_string(record.claim.origin), facts(record.claim.origin).meaning));
-  details.add("says", record.claim.words);
+  details.add("says", words_of(record));
   details.add("printed", record.claim.printed);
   details.add("lost", record.claim.illegible);
   for (const proofs::methods::Assumption& assumption : record.claim.assumptions) {
@@ -243,6 +244,7 @@ std::string terminal_report(const Paper& paper, const Audit& audit, const Style&
                             const Certification& certificates) {
   return tables_by_place(paper, audit, style) + findings(paper, audit, style) +
          printed_numbers(audit, style) + paragraph(summary_line(paper, audit), style) +
+         paragraph(is_whole(paper, audit) ? sentence_of_findings(paper, audit) : "", style) +
          uncertified(certificates, style) +
          (certificates.line.empty() ? "" : paragraph(certificates.line, style));
 }
@@ -250,7 +252,7 @@ std::string terminal_report(const Paper& paper, const Audit& audit, const Style&
 std::string terminal_lines(const Paper& paper, const Audit& audit, const Style& style) {
   std::vector<Row> rows;
   for (const Record& record : audit.records) {
-    rows.push_back({{record.claim.id}, status_cell(record, style), {record.claim.words}});
+    rows.push_back({{record.claim.id}, status_cell(record, style), {words_of(record)}});
   }
   return columns_of(rows, unlimited) + summary_line(paper, audit) + "\n";
 }

@@ -9,6 +9,7 @@
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
+#include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
@@ -276,7 +277,7 @@ std::string plot_script(const BranchList& list, PlotFormat format, PlotShape sha
   }
   data["family"] = q.orbits.family->name;
   data["parameter"] = q.parameter;
-  data["parameters"] = others(q);
+  data["parameters"] = in_greek(others(q));
   data["from"] = fmt::format("{:.8g}", q.from.get_d());
   data["to"] = fmt::format("{:.8g}", q.to.get_d());
   return render_file("branches.gp", data, plain_format);

@@ -5,6 +5,7 @@
 #include "core/decimal.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/parts.hpp"
+#include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
@@ -248,7 +249,7 @@ std::string plot_script(const Diagram& d, PlotFormat format, const Units& units)
     return "";
   }
   data["parameter"] = parameter_of(d.question);
-  data["parameters"] = d.question.taken ? "the machine" : others(d.question);
+  data["parameters"] = d.question.taken ? "the machine" : in_greek(others(d.question));
   data["x2"] = units_at(d, units).labelled("x2", "m");
   data["from"] = fmt::format("{:.8g}", d.question.from.get_d());
   data["to"] = fmt::format("{:.8g}", d.question.to.get_d());
@@ -280,7 +281,7 @@ std::string plot_script(const Basins& b, PlotFormat format, const Units& units) 
   data["palette"] = b.attractors.size() == 1 ? palette + fmt::format(", 1 \"{}\"", colour(0)) : palette;
   data["count"] = std::max<std::size_t>(b.attractors.size(), 2);
   data["last"] = fmt::format("{}.5", std::max<std::size_t>(b.attractors.size(), 2) - 1);
-  data["parameters"] = parameter_list(q.machine.machine);
+  data["parameters"] = in_greek(parameter_list(q.machine.machine));
   data["x"] = units.labelled(coordinates[static_cast<std::size_t>(i)], i < 2 ? "m" : "m/s");
   data["y"] = units.labelled(coordinates[static_cast<std::size_t>(j)], j < 2 ? "m" : "m/s");
   const Vector4<double> first = units.state(b.starts.front()), last = units.state(b.starts.back());

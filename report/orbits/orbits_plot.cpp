@@ -9,6 +9,7 @@
 #include "numeric/families/family.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"
+#include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
@@ -99,7 +100,7 @@ std::string parameter_text(const OrbitQuestion& question) {
   for (const NamedRange& parameter : named_parameters(question)) {
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", parameter.name, notation(parameter.range));
   }
-  return text;
+  return in_greek(text);
 }
 
 std::string tell(const Orbit& orbit) {

@@ -6,6 +6,7 @@
 
 #include "report/orbits/pictures.hpp"
 #include "report/tools/katex.hpp"
+#include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
@@ -13,7 +14,10 @@ namespace stickslip::report::orbits {
 using namespace tools;
 
 Json rows_data(const std::vector<Row>& rows) {
-  return list_of(rows, [](const Row& row) { return Json{{"label", row[0].text}, {"text", row[1].text}}; });
+  return list_of(rows, [](const Row& row) {
+    const bool data = row[0].text == "parameters";
+    return Json{{"label", row[0].text}, {"text", data ? in_greek(row[1].text) : row[1].text}};
+  });
 }
 
 Json table(const char * anchor, const char * heading, const std::vector<Row>& rows) {

@@ -105,9 +105,8 @@ std::string plot_script(const Record& record, const PictureSamples& samples, Plo
       {"joules", units.unit(" in J")},
       {"periods", fmt::format("{:.6g}", record.done / record.period)},
       {"parameters",
-       fmt::format(
-           "chi = {:.6g}, eta = {:.6g}, us = {:.6g}, ur = {:.6g}, V = {:.6g}, omega = {:.6g}, p = {:.6g}",
-           a.chi, a.eta, a.us, record.start.ur, a.V, a.omega, a.p)}};
+       fmt::format("χ = {:.6g}, η = {:.6g}, u_s = {:.6g}, u_r = {:.6g}, V = {:.6g}, ω = {:.6g}, p = {:.6g}",
+                   a.chi, a.eta, a.us, record.start.ur, a.V, a.omega, a.p)}};
   return render_file("simulation.gp", data, plain_format);
 }
 

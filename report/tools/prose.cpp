@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <regex>
+#include <utility>
+#include <vector>
 
 #include "report/tools/escape.hpp"
 #include "symbolic/typeset/names.hpp"
@@ -28,13 +30,14 @@ std::string name(const std::string& text) {
 }
 
 std::string sign(const std::string& text) {
-  return text == "<="   ? "\\le"
-         : text == ">=" ? "\\ge"
-         : text == "!=" ? "\\ne"
-         : text == "±"  ? "\\pm"
-         : text == "*"  ? "\\cdot"
-         : text == " "  ? ""
-                        : text;
+  return text == "<="    ? "\\le"
+         : text == ">="  ? "\\ge"
+         : text == "!="  ? "\\ne"
+         : text == "±"   ? "\\pm"
+         : text == "*"   ? "\\cdot"
+         : text == "..." ? "\\dots"
+         : text == " "   ? ""
+                         : text;
 }
 
 std::string latex_of(const std::string& formula) {
@@ -55,8 +58,8 @@ std::string latex_of(const std::string& formula) {
   }
   // A name with primes, a number with an exponent, a sign.
   static const std::regex token(
-      "([A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*)('*)|([0-9]+(?:\\.[0-9]+)?)(?:e(-?[0-9]+))?|<=|>=|!=|[^ "
-      "-~]+|.");
+      "([A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*)('*)|([0-9]+(?:\\.[0-9]+)?)(?:e(-?[0-9]+))?|<=|>=|!=|"
+      "\\.\\.\\.|[^ -~]+|.");
   std::string latex;
   for (std::sregex_iterator found(formula.begin(), formula.end(), token), end; found != end; ++found) {
     const std::smatch& match = *found;
@@ -96,6 +99,19 @@ std::string prose_html(std::string_view sentence) {
 std::string prose_tex(std::string_view sentence) {
   return written(std::string(sentence), escape_tex,
                  [](const std::string& formula) { return "$" + latex_of(formula) + "$"; });
+}
+
+std::string in_greek(std::string list) {
+  static const std::vector<std::pair<std::regex, std::string>> names{
+      {std::regex("\\bchi( ?=)"), "χ$1"},
+      {std::regex("\\beta( ?=)"), "η$1"},
+      {std::regex("\\bomega( ?=)"), "ω$1"},
+      {std::regex("\\bphi( ?=)"), "φ$1"},
+      {std::regex("\\bu([sr])( ?=)"), "u_$1$2"}};
+  for (const auto& [name, letter] : names) {
+    list = std::regex_replace(list, name, letter);
+  }
+  return list;
 }
 
 std::string capitalised(std::string words) {

@@ -13,6 +13,9 @@ namespace stickslip::report::tools {
 [[nodiscard]] std::string prose_html(std::string_view sentence);
 [[nodiscard]] std::string prose_tex(std::string_view sentence);
 
+// A list of data for pages and pictures: "χ=0.3, η=4, u_s=0.1" for "chi=0.3, eta=4, us=0.1".
+[[nodiscard]] std::string in_greek(std::string list);
+
 // With a capital.
 [[nodiscard]] std::string capitalised(std::string words);
 

@@ -121,22 +121,27 @@ TEST_CASE("statements compile with their headings" * doctest::timeout(300)) {
   CHECK(result.code == 0);
 }
 
-TEST_CASE("every result compiles as a theorem" * doctest::timeout(300)) {
-  const TemporaryDirectory temporary;
-  {
-    std::ofstream file(temporary.path() / "theorems.tex");
-    file << "\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage{amsmath,amsthm}\n"
-            "\\newtheorem{theorem}{Theorem}\n\\begin{document}\n";
-    for (const proofs::methods::Result& result : proofs::pascal2012::paper().results) {
-      const Run theorem = stickslip_program({"latex", "--theorem", result.id});
-      CHECK(theorem.code == exit_decided);
-      file << theorem.out;
+TEST_CASE("every result compiles as a theorem, alone, in one column and in two, and nothing sticks out" *
+          doctest::timeout(600)) {
+  for (const proofs::methods::Result& result : proofs::pascal2012::paper().results) {
+    const Run theorem = stickslip_program({"latex", "--theorem", result.id});
+    REQUIRE(theorem.code == exit_decided);
+    for (const char * columns : {"onecolumn", "twocolumn"}) {
+      CAPTURE(result.id);
+      CAPTURE(columns);
+      const TemporaryDirectory temporary;
+      std::ofstream(temporary.path() / "theorem.tex")
+          << "\\documentclass[" << columns << "]{article}\n\\usepackage{amsmath,amsthm}\n"
+          << "\\newtheorem{theorem}{Theorem}\n\\begin{document}\n"
+          << theorem.out << "Theorem~\\ref{thm:" << result.id << "}.\n\\end{document}\n";
+      Run compiled = pdflatex(temporary.path(), "theorem.tex");
+      compiled = pdflatex(temporary.path(), "theorem.tex");
+      CAPTURE(compiled.out);
+      CHECK(compiled.code == 0);
+      CHECK(overfull(compiled.out).empty());
+      CHECK(compiled.out.find("undefined") == std::string::npos);
     }
-    file << "\\end{document}\n";
   }
-  const Run result = pdflatex(temporary.path(), "theorems.tex");
-  CAPTURE(result.out);
-  CHECK(result.code == 0);
 }
 
 TEST_CASE("an interruption while LaTeX is compiled leaves no temporary directory") {

@@ -44,8 +44,9 @@ TEST_CASE("the errata are by place, formulas and numbers alone, without the ids 
     CHECK(errata.out.find(part) != std::string::npos);
   }
   // In the order of the paper.
-  const std::vector<const char *> places{"Abstract and", "(16)", "Section 4,",   "(19)", "Section 5,",
-                                         "Section 6, a", "(37)", "Section 6, e", "(45)", "(47)"};
+  const std::vector<const char *> places{
+      "Abstract and", "(4)",  "Section 4, b", "(16)",      "Section 4, e", "(19)", "Section 5,",
+      "Section 6, a", "(37)", "Section 6, e", "Section 7", "(45)",         "(47)", "Appendix 5"};
   std::size_t last = 0;
   for (const char * place : places) {
     const std::size_t at = errata.out.find(std::string("\\entry{") + place);
@@ -55,6 +56,17 @@ TEST_CASE("the errata are by place, formulas and numbers alone, without the ids 
     last = at;
   }
   CHECK(errata.out.find("\\omega-\\omega_1 \\neq 0") != std::string::npos);
+  // A letter: who writes it is left open, what was read is said, the paper is quoted, and no hypothesis is
+  // told twice.
+  for (const char * part :
+       {"Your name", "The text read is that of HAL",
+        "``non-sticking periodic orbits are obtained only for $V = 0$''",
+        "To be compared with the printed page", "2 of the 4 admissible orbits at the data of Fig. 2",
+        "\\formula{Z(t) = \\Gamma(T - t_1) E Z_0}", "(Lost in the text read: the minus sign.)"}) {
+    CAPTURE(part);
+    CHECK(errata.out.find(part) != std::string::npos);
+  }
+  CHECK(errata.out.find("\\cos\\frac{T}{2} \\neq 0") == std::string::npos);
   for (const char * id : {"(16.back)", "(A5.longer)", "37.sharp", "S.tau", "does not matter"}) {
     CAPTURE(id);
     CHECK(errata.out.find(id) == std::string::npos);
@@ -68,6 +80,19 @@ TEST_CASE("a result is printed as a theorem, an unknown one names those that the
   CHECK(uniqueness.out.find("u_s > 0") != std::string::npos);
   CHECK(uniqueness.out.find("X(t) = Y(t)") != std::string::npos);
   CHECK(uniqueness.out.find("<<") == std::string::npos);
+  // It stands alone: what a motion is, the equations, the frequencies; a command in a comment may be copied.
+  for (const char * part : {"\\label{thm:uniqueness}", "A motion is", "x_1'' + x_1 - \\chi x_2 = 0",
+                            "\\omega_1 < \\omega_2", " --explain\n"}) {
+    CAPTURE(part);
+    CHECK(uniqueness.out.find(part) != std::string::npos);
+  }
+  const std::string lists = stickslip_program({"latex", "--theorem", "lists"}).out;
+  for (const char * part : {"\\item", "4 orbits, all of them admissible", "$\\tau = 7.74669 \\dots$"}) {
+    CAPTURE(part);
+    CHECK(lists.find(part) != std::string::npos);
+  }
+  const std::string resonance = stickslip_program({"latex", "--theorem", "resonance"}).out;
+  CHECK(resonance.find("\\chi = 3519 / 11800") != std::string::npos);
   const Run unknown = stickslip_program({"latex", "--theorem", "flat-earth"});
   CHECK(unknown.code == exit_usage);
   CHECK(unknown.out.empty());

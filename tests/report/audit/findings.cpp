@@ -66,6 +66,26 @@ TEST_CASE("the verdict counts the paper's statements, each once, and what is not
   CHECK(sentence_of_ours({}).empty());
 }
 
+TEST_CASE("findings, refuted claims and statements are told apart in a sentence") {
+  CHECK(sentence_of_findings({}, {}).empty());
+  CHECK(
+      sentence_of_findings(sample_paper(), with_status(Status::refuted)) ==
+      "A finding is a claim, not a statement: one claim may state several statements, and some claims state "
+      "none; of 1 refuted claim 1 states 1 of the statements.");
+}
+
+TEST_CASE("a remark tells what a claim found, where the audit has it") {
+  Audit audit;
+  audit.records.push_back({});
+  audit.records.front().claim.id = "S.list";
+  audit.records.front().outcome.found = "4 orbits";
+  CHECK(with_answers("there are {S.list}, and $Lambda^{-1}$", audit) ==
+        "there are 4 orbits, and $Lambda^{-1}$");
+  CHECK(with_answers("{O.list}: {S.list}", audit) == "see O.list: 4 orbits");
+  audit.records.front().claim.words = "all orbits";
+  CHECK(words_of(audit.records.front()) == "all orbits: 4 orbits");
+}
+
 TEST_CASE("what text books say is a statement of theirs, proved and never as printed") {
   Audit audit = with_status(Status::proved);
   for (Record& record : audit.records) {

@@ -73,7 +73,13 @@ Paper sample_paper() {
            {"S005", "Fig. 2", Kind::figure, "a portrait is drawn", {}, "a drawing", {"17"}, "Section 4"}},
           {{"44", "line after (44)", "time runs backwards, for $x < y$", "it runs to $-t$", "$E$ & $H$",
             "stickslip check 44"}},
-          {{"time", "Time is reversed", "for all $t$ & $x$", "by $E$", "stickslip check 5", {"5"}}}};
+          {{"time",
+            "Time is reversed",
+            "Let $t$ be a time.",
+            "for all $t$ & $x$",
+            "by $E$",
+            "stickslip check 5",
+            {"5"}}}};
 }
 
 Audit sample_audit() {

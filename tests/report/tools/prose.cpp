@@ -3,9 +3,34 @@
 #include <doctest/doctest.h>
 
 #include "core/verdict.hpp"
+#include "report/tools/display.hpp"
 
 using namespace stickslip;
 using namespace stickslip::report::tools;
+
+TEST_CASE("data of pages and pictures have the paper's letters") {
+  CHECK(in_greek("chi=0.5, eta = 3.8, us=0.02, ur=0.1, V=1, omega=0.6, p=1, phi=0") ==
+        "χ=0.5, η = 3.8, u_s=0.02, u_r=0.1, V=1, ω=0.6, p=1, φ=0");
+  CHECK(in_greek("theta=1, beta = 2, thus=3") == "theta=1, beta = 2, thus=3");
+}
+
+TEST_CASE("three points go on") {
+  CHECK(prose_tex("$tau = 7.74668...$") == "$\\tau = 7.74668 \\dots$");
+}
+
+TEST_CASE("a formula is displayed in lines that fit a narrow column") {
+  CHECK(displayed("a = b") == "\\begin{gather*}\na = b\n\\end{gather*}");
+  const std::string wide = displayed(
+      "\\frac{a + b}{c} + \\left(a_1 + a_2 + a_3 + a_4 + a_5\\right) + \\left(b_1 + b_2 + b_3 + b_4 + "
+      "b_5\\right) "
+      "= 0");
+  CHECK(wide.starts_with("\\begin{multline*}\n\\frac{a + b}{c} + \\left(a_1"));
+  CHECK(wide.find(" \\\\\n{} + \\left(b_1 + b_2 + b_3 + b_4 + b_5\\right)") != std::string::npos);
+  // Factors only where nothing else helps.
+  const std::string product =
+      displayed("p > \\left(a_1 + a_2 + a_3 + a_4 + a_5\\right) \\left(b_1 + b_2 + b_3 + b_4 + b_5\\right)");
+  CHECK(product.find(" \\\\\n{} \\cdot \\left(b_1") != std::string::npos);
+}
 
 TEST_CASE("what is marked is set as a formula") {
   CHECK(prose_tex("slip with $x2' < V$, $u = u_s$: the motion") ==
