@@ -133,7 +133,8 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
   }
   const proofs::methods::Audit& audit = examined.audit;
   const std::optional<proofs::checks::Gate>& gate = examined.gate;
-  const report::audit::Certification certificates = report::audit::certification(audit, record, paper.abbreviations);
+  const report::audit::Certification certificates =
+      report::audit::certification(audit, record, paper.abbreviations);
   const report::audit::Figures figures = drawn.valid() ? drawn.get() : report::audit::Figures{};
   report::audit::Report made;
   if (options.with_out) {

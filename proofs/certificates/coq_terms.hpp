@@ -22,7 +22,8 @@ namespace stickslip::proofs::certificates {
 [[nodiscard]] std::string coq_statement(const kernel::Term& term);
 [[nodiscard]] std::string coq_premise(const kernel::Term& term);
 
-// What coq_statement reads as, in lines: what there is on the first, then a line for each part of a conjunction.
+// What coq_statement reads as, in lines: what there is on the first, then a line for each part of a
+// conjunction.
 [[nodiscard]] std::string coq_lines(const kernel::Term& formula);
 
 // "(omega1 tau : R) (X : R -> Mat 4 1)": in the order given.

@@ -51,7 +51,8 @@ class Compared {
  public:
   Compared(const methods::Audit& audit, const fs::path& path,
            const std::vector<kernel::Definition>& abbreviations)
-      : record_(path.empty() ? Json{{"claims", Json::array()}, {"without", Json::array()}} : read_record(path)),
+      : record_(path.empty() ? Json{{"claims", Json::array()}, {"without", Json::array()}}
+                             : read_record(path)),
         directory_(path.parent_path()) {
     for (const Json& claim : record_.at("claims")) {
       claims_.emplace(claim.at("claim"), &claim);
