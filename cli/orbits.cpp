@@ -49,6 +49,7 @@ std::vector<proofs::methods::Claim> claims_of(const OrbitList& list) {
       try {
         const orbits::Question question = orbits::question_of(list.question, motion);
         outcome.theorems = {orbits::orbit_theorem(question, motion)};
+        outcome.by_kernel = true;
         outcome.verdict = Verdict::proved();
         outcome.theorems.push_back(orbits::stability_theorem(outcome.theorems.front(), question));
       } catch (const kernel::KernelError& error) {

@@ -60,9 +60,17 @@ TEST_CASE("nothing is left open, and what is proved says how") {
   }
 }
 
-TEST_CASE("what does not hold as the paper has it, and is no number, has a remark, and nothing else has") {
+TEST_CASE(
+    "what does not hold as the paper has it, and is no number, has a remark, and nothing else but two has") {
+  // What needs a hypothesis that the text hides: the lag is one of two, and (67) is divided by q_2.
+  const std::set<std::string> hidden{"4.lag.needed", "67.sin"};
   for (const Record& r : whole().records) {
     CAPTURE(r.claim.id);
+    if (hidden.contains(r.claim.id)) {
+      CHECK(r.status == Status::needs_hypotheses);
+      CHECK(remark_on(paper(), r.claim.id) != nullptr);
+      continue;
+    }
     const bool fails = r.status == Status::refuted || r.status == Status::misprint_corrected ||
                        r.status == Status::necessary_not_sufficient;
     CHECK((remark_on(paper(), r.claim.id) != nullptr) == fails);

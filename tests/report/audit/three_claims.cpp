@@ -12,7 +12,7 @@ using namespace proofs;
 using kernel::Theorem;
 namespace fs = std::filesystem;
 
-std::vector<methods::Claim> three_claims(bool with_cosine) {
+std::vector<methods::Claim> three_claims(bool with_cosine, int more) {
   const kernel::Variable t{"t"}, x{"x"}, y{"y"};
   const kernel::Definition f("f", {t}, with_cosine ? kernel::cos(t) : kernel::sin(t) + 1);
   const Theorem at_zero = Theorem::combination(kernel::equal(f({kernel::Term(0)}), 1), {}, {f});
@@ -32,11 +32,17 @@ std::vector<methods::Claim> three_claims(bool with_cosine) {
     };
     return result;
   };
-  return {claim("1", {}, [=](methods::Prover&) { return at_zero; }),
-          claim("2", {}, [=](methods::Prover&) { return rate; }),
-          claim("3", {"2"}, [=](methods::Prover& prover) {
-            return Theorem::instantiate(prover.theorem("2"), {{x, y * y}});
-          })};
+  std::vector<methods::Claim> claims{claim("1", {}, [=](methods::Prover&) { return at_zero; }),
+                                     claim("2", {}, [=](methods::Prover&) { return rate; }),
+                                     claim("3", {"2"}, [=](methods::Prover& prover) {
+                                       return Theorem::instantiate(prover.theorem("2"), {{x, y * y}});
+                                     })};
+  for (int k = 4; k < 4 + more; ++k) {
+    const Theorem theorem =
+        Theorem::combination(kernel::equal(f({kernel::Term(0)}) + kernel::Term(k), k + 1), {}, {f});
+    claims.push_back(claim(std::to_string(k).c_str(), {}, [=](methods::Prover&) { return theorem; }));
+  }
+  return claims;
 }
 
 void write(const fs::path& path, const std::string& text) {
@@ -49,8 +55,8 @@ std::string text_in(const fs::path& path) {
   return text.str();
 }
 
-void write_certificates(const fs::path& directory, bool with_cosine) {
-  const certificates::Certificates all = certificates::certificates(three_claims(with_cosine));
+void write_certificates(const fs::path& directory, bool with_cosine, int more) {
+  const certificates::Certificates all = certificates::certificates(three_claims(with_cosine, more));
   for (const certificates::File& file : all.files) {
     write(directory / file.name, file.text);
   }
