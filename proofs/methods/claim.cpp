@@ -230,15 +230,15 @@ std::string sentence(Obeyed obeyed) {
     case Obeyed::none_needed:
       return "";
     case Obeyed::theorem:
-      return "there are values with which all that is assumed holds: a theorem of the kernel";
+      return "by something, says a theorem";
     case Obeyed::balls:
-      return "there are values with which all that is assumed holds, by balls";
+      return "by values, in balls";
     case Obeyed::by_contradiction:
-      return "nothing obeys all that is assumed: that is what is claimed";
+      return "by nothing: that is what is claimed";
     case Obeyed::unknown:
       break;
   }
-  return "vacuous or unknown: no values, and no motion, are known with which all that is assumed holds";
+  return "vacuous or unknown: nothing is known with which all that is assumed holds";
 }
 
 std::string to_string(Status status) {

@@ -58,7 +58,9 @@ void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const
   json["route"] = outcome.route;
   json["evaluated"] = outcome.cross_check.formulas > 0;
   json["reason"] = outcome.verdict.reason;
-  json["obeyed_words"] = proofs::methods::sentence(outcome.obeyed);
+  // That a theorem says so is the rule, and not said.
+  json["obeyed_words"] =
+      outcome.obeyed == proofs::methods::Obeyed::theorem ? "" : proofs::methods::sentence(outcome.obeyed);
   json["may_be_vacuous"] = outcome.obeyed == proofs::methods::Obeyed::unknown;
   for (Json& coordinate : json.at("at")) {
     coordinate["value_latex"] = coordinate.at("value");
