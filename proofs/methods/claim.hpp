@@ -99,8 +99,8 @@ enum class Obeyed {
   by_contradiction,  // there is none, and that is what the claim says: 0 < 0
 };
 [[nodiscard]] std::string to_string(Obeyed obeyed);  // "theorem": in data
-// For a reader, by what all that is assumed can be obeyed: "by something, says a theorem"; empty where nothing is
-// assumed.
+// For a reader, by what all that is assumed can be obeyed: "by something, says a theorem"; empty where
+// nothing is assumed.
 [[nodiscard]] std::string sentence(Obeyed obeyed);
 
 // What a proof found out.

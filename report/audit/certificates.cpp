@@ -137,23 +137,26 @@ class Compared {
     return "";
   }
 
-  // Of one claim, and all that it imports.
-  [[nodiscard]] std::string why_changed(const Json& claim) const {
+  // Of one claim, and all that it imports; each is looked at once.
+  [[nodiscard]] const std::string& why_changed(const Json& claim) const {
     const std::string file = claim.at("file");
+    if (const auto known = changed_.find(file); known != changed_.end()) {
+      return known->second;
+    }
+    std::string changed;
     if (fingerprint_of(directory_ / file) != claim.at("text") ||
         fingerprint_of((directory_ / file).replace_extension(".vo")) != claim.at("compiled")) {
-      return file + " is not the one that Coq accepted";
+      changed = file + " is not the one that Coq accepted";
     }
     for (const std::string import : claim.at("imports")) {
-      const auto found = files_.find(import);
-      const std::string changed = found == files_.end() || found->second->at("accepted") != true
-                                      ? import + ".v is not one that Coq accepted"
-                                      : why_changed(*found->second);
-      if (!changed.empty()) {
-        return changed;
+      if (changed.empty()) {
+        const auto found = files_.find(import);
+        changed = found == files_.end() || found->second->at("accepted") != true
+                      ? import + ".v is not one that Coq accepted"
+                      : why_changed(*found->second);
       }
     }
-    return "";
+    return changed_.emplace(file, changed).first->second;
   }
 
   Json record_;
@@ -161,6 +164,7 @@ class Compared {
   std::map<std::string, const Json *> claims_, files_;
   std::map<std::string, std::string> without_;
   std::string spoiled_;
+  mutable std::map<std::string, std::string> changed_;  // by files: why, or nothing
 };
 
 }  // namespace
