@@ -104,6 +104,15 @@ const std::vector<StatusFacts>& statuses() {
        .tone = Tone::quiet,
        .stands = true,
        .finding = false},
+      {.status = Status::premise,
+       .name = "premise",
+       .meaning = "a premise: a condition that is imposed, and follows from nothing",
+       .one = "is a premise, imposed and deduced from nothing",
+       .many = "are premises, imposed and deduced from nothing",
+       .lead = holds,
+       .tone = Tone::quiet,
+       .stands = true,
+       .finding = false},
       {.status = Status::checked,
        .name = "checked",
        .meaning = "agrees with a computation in floating point, which proves nothing",
@@ -112,6 +121,17 @@ const std::vector<StatusFacts>& statuses() {
        .lead = holds,
        .tone = Tone::quiet,
        .finding = false},
+      {.status = Status::where_defined,
+       .name = "where_defined",
+       .meaning = "proved wherever the printed formulas are defined",
+       .one = "is proved wherever its printed formulas are defined",
+       .many = "are proved wherever their printed formulas are defined",
+       .lead = holds,
+       .tone = Tone::good,
+       .stands = true,
+       .heading = "Where the printed formulas are not defined",
+       .explanation = "Printed formulas divide by these, so that who reads them sees where they say nothing; "
+                      "here is what is true there. Each is shown once, with all statements that inherit it."},
       {.status = Status::needs_hypotheses,
        .name = "needs_hypotheses",
        .meaning = "proved under a hypothesis that the paper does not state",
@@ -121,8 +141,10 @@ const std::vector<StatusFacts>& statuses() {
        .tone = Tone::notable,
        .stands = true,
        .heading = "Hypotheses that the paper does not state",
-       .explanation = "The proofs divide by these; where one of them vanishes, the statements behind it are "
-                      "not claimed. Each is shown once, with all statements that inherit it."},
+       .explanation =
+           "The proofs divide by these, and the paper's formulas do not; where one of them vanishes, "
+           "the statements behind it are not claimed. Each is shown once, with all statements that inherit "
+           "it."},
       {.status = Status::digits_off,
        .name = "digits_off",
        .meaning = "printed digits are not the correctly rounded ones",
@@ -153,6 +175,15 @@ const std::vector<StatusFacts>& statuses() {
        .stands = true,
        .heading = "Necessary, not sufficient",
        .explanation = "It follows from what it is deduced from, but does not give that back."},
+      {.status = Status::on_one_reading,
+       .name = "on_one_reading",
+       .meaning = "true on one fair reading, false on another",
+       .one = "is proved on one fair reading and refuted on another",
+       .many = "are proved on one fair reading and refuted on another",
+       .lead = with_corrections,
+       .tone = Tone::notable,
+       .of_claims = false,
+       .finding = false},
       {.status = Status::refuted,
        .name = "refuted",
        .meaning = "refuted",
@@ -190,6 +221,7 @@ const std::vector<StatusFacts>& statuses() {
        .many = "are stated by our claims in part only",
        .lead = not_everything,
        .tone = Tone::quiet,
+       .of_claims = false,
        .decided = false,
        .finding = false},
       {.status = Status::not_stated,
@@ -199,6 +231,7 @@ const std::vector<StatusFacts>& statuses() {
        .many = "are stated by no claim of ours",
        .lead = not_everything,
        .tone = Tone::quiet,
+       .of_claims = false,
        .decided = false,
        .finding = false},
   };
@@ -246,8 +279,17 @@ std::string to_string(Status status) {
 }
 
 bool is_status(const std::string& word) {
-  return std::ranges::any_of(
-      statuses(), [&](const StatusFacts& row) { return word == row.name && row.status < Status::in_part; });
+  return std::ranges::any_of(statuses(),
+                             [&](const StatusFacts& row) { return word == row.name && row.of_claims; });
+}
+
+Status needing(const std::vector<Hypothesis>& hypotheses) {
+  return std::ranges::all_of(hypotheses, &Hypothesis::visible) ? Status::where_defined
+                                                               : Status::needs_hypotheses;
+}
+
+bool needs_something(const Record& record) {
+  return record.status == Status::where_defined || record.status == Status::needs_hypotheses;
 }
 
 std::string words_of(const Record& record) {

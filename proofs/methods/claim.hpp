@@ -60,6 +60,9 @@ struct Hypothesis {
   std::string text;    // "omega - omega1 != 0"
   std::string latex;   // the same
   std::string origin;  // the id of the claim whose proof divided by it
+  // Whether that claim prints a division by something that is zero where this is: who reads the formula sees
+  // where it has a meaning. Filled in by the Prover.
+  bool visible = false;
 };
 
 // One printed value against the proved one.
@@ -159,17 +162,19 @@ enum class Status {
   proved,                    // proved as it stands, and no one printed it
   decided_in_balls,          // so by a search in balls outside the kernel: no theorem says it
   model,                     // an equation of the model: taken as given
+  premise,                   // says no more than it assumes: a condition imposed
   checked,                   // a check in floating point that agrees
+  where_defined,             // proved where nothing is zero that printed formulas divide by
   needs_hypotheses,          // proved where something nonzero that the paper does not mention is nonzero
   digits_off,                // a printed number is not the correctly rounded one
   misprint_corrected,        // refuted as printed, the corrected form proved
   necessary_not_sufficient,  // follows, but does not give back what it was deduced from
-  refuted,
-  rests_on_unproved,  // proved, but something that it uses is not
+  on_one_reading,            // of a statement alone: one fair reading of it is proved, another refuted
+  refuted,                   // of a statement: on every fair reading
+  rests_on_unproved,         // proved, but something that it uses is not
   undecided,
-  // Of a statement of the paper alone, never of a claim:
-  in_part,     // its claims say less than it does
-  not_stated,  // no claim says it
+  in_part,     // of a statement alone: its claims say less than it does
+  not_stated,  // of a statement alone: no claim says it
 };
 
 // How a terminal shows a status.
@@ -185,6 +190,7 @@ struct StatusFacts {
   const char * lead;     // what a paper comes to in which nothing is worse
   Tone tone;
   bool stands = false;        // others may rest on it
+  bool of_claims = true;      // a claim can have it, and not a statement of the paper alone
   bool decided = true;        // the question about the statement is answered, one way or the other
   bool finding = true;        // worth a reader's attention
   bool fails = false;         // refuted (printed digits included) without a corrected form that is proved
@@ -198,6 +204,9 @@ struct StatusFacts {
 [[nodiscard]] std::string to_string(Status status);
 // Whether the word is the name of a status that a claim can have.
 [[nodiscard]] bool is_status(const std::string& word);
+
+// The status of what is proved under these hypotheses, of which there is one at least.
+[[nodiscard]] Status needing(const std::vector<Hypothesis>& hypotheses);
 
 // An edit of a refuted statement that makes it a theorem.
 struct Repair {
@@ -214,6 +223,9 @@ struct Record {
   std::optional<Outcome> converse = {};
   std::vector<Repair> repairs = {};  // all single edits that are proved
 };
+
+// Whether it is proved under hypotheses of its own or inherited, visible or not, and nothing else is wrong.
+[[nodiscard]] bool needs_something(const Record& record);
 
 // What the claim says, with the answer where its words only ask: "the stability of the orbit: stable".
 [[nodiscard]] std::string words_of(const Record& record);

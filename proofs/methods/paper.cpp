@@ -17,6 +17,19 @@ const PrintedResult& Example::result(const std::string& result_name) const {
   return *found;
 }
 
+std::vector<Coordinate> data_of(const Example& example) {
+  const numeric::motion::ExactParameters& a = example.data;
+  std::vector<Coordinate> data{{"chi", a.chi}, {"eta", a.eta},     {"us", a.us},
+                               {"V", a.V},     {"omega", a.omega}, {"p", a.p}};
+  if (example.phi) {
+    data.push_back({"phi", *example.phi});
+  }
+  if (example.ur) {
+    data.push_back({"ur", *example.ur});
+  }
+  return data;
+}
+
 namespace {
 
 const Record * record_of(const Audit& audit, const std::string& id) {
@@ -32,28 +45,70 @@ bool is_whole(const Paper& paper, const Audit& audit) {
                              [&](const Claim& claim) { return record_of(audit, claim.id) != nullptr; });
 }
 
+std::vector<std::string> stating(const PrintedStatement& statement) {
+  std::vector<std::string> all = statement.claims;
+  all.insert(all.end(), statement.or_read.begin(), statement.or_read.end());
+  return all;
+}
+
 std::vector<const PrintedStatement *> statements_in(const Paper& paper, const Audit& audit) {
   const auto known = [&](const std::string& id) { return record_of(audit, id) != nullptr; };
   const bool whole = is_whole(paper, audit);
   std::vector<const PrintedStatement *> statements;
   for (const PrintedStatement& statement : paper.statements) {
-    if (whole || (!statement.claims.empty() && std::ranges::all_of(statement.claims, known))) {
+    if (whole || (!statement.claims.empty() && std::ranges::all_of(stating(statement), known))) {
       statements.push_back(&statement);
     }
   }
   return statements;
 }
 
-Status status_of(const PrintedStatement& statement, const Audit& audit) {
+namespace {
+
+// Whether all that the claim's proof needs beyond what it assumes holds at the data of the example.
+bool all_hold_at(const Example& example, const Record& record) {
+  const std::vector<Coordinate> data = data_of(example);
+  return std::ranges::all_of(record.outcome.hypotheses, [&](const Hypothesis& one) {
+    try {
+      return symbols::evaluate(one.nonzero, symbols::at_point(data)).is_nonzero();
+    } catch (const InternalError&) {
+      return false;  // it speaks of more than the data
+    }
+  });
+}
+
+Status worst_of(const Paper& paper, const PrintedStatement& statement, const std::vector<std::string>& ids,
+                const Audit& audit) {
+  std::vector<Status> found;
+  for (const std::string& id : ids) {
+    const Record * record = record_of(audit, id);
+    const Status status = record ? record->status : Status::undecided;
+    const bool met = record && needs_something(*record) && !statement.example.empty() &&
+                     all_hold_at(example_named(paper.examples, statement.example), *record);
+    found.push_back(met ? Status::as_printed : status);
+  }
+  if (statement.kind == Kind::definition) {
+    std::ranges::replace(found, Status::where_defined, Status::as_printed);
+  }
+  if (statement.kind != Kind::condition && std::ranges::count(found, Status::premise) < std::ssize(found)) {
+    std::erase(found, Status::premise);
+  }
+  return *std::ranges::max_element(found);
+}
+
+}  // namespace
+
+Status status_of(const Paper& paper, const PrintedStatement& statement, const Audit& audit) {
   if (statement.claims.empty()) {
     return Status::not_stated;
   }
-  Status worst = Status::as_printed;
-  for (const std::string& id : statement.claims) {
-    const Record * record = record_of(audit, id);
-    worst = std::max(worst, record ? record->status : Status::undecided);
+  Status status = worst_of(paper, statement, statement.claims, audit);
+  if (!statement.or_read.empty()) {
+    const Status other = worst_of(paper, statement, statement.or_read, audit);
+    const auto& [better, worse] = std::minmax(status, other);
+    status = worse == Status::refuted && facts(better).stands ? Status::on_one_reading : worse;
   }
-  return statement.missing.empty() || worst > Status::needs_hypotheses ? worst : Status::in_part;
+  return statement.missing.empty() || status > Status::needs_hypotheses ? status : Status::in_part;
 }
 
 const Remark * remark_on(const Paper& paper, const std::string& claim) {

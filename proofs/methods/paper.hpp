@@ -63,6 +63,9 @@ struct PrintedStatement {
   std::string missing = {};              // what they leave unsaid; without claims, why there is none
   std::vector<std::string> see = {};     // ids of claims that touch it, and say something else
   std::string section = {};              // "Section 4"
+  // Ids of claims that say it on another fair reading, and the example at whose data alone it speaks: "S".
+  std::vector<std::string> or_read = {};
+  std::string example = {};
 };
 
 // What there is to say about a claim of the paper that does not hold as it stands: the statement apart from
@@ -106,12 +109,23 @@ struct Paper {
 // Whether every claim of the paper is in the audit.
 [[nodiscard]] bool is_whole(const Paper& paper, const Audit& audit);
 
+// The claims that state it, on whichever reading.
+[[nodiscard]] std::vector<std::string> stating(const PrintedStatement& statement);
+
+// The data of an example, phi and u_r among them as far as they are data.
+[[nodiscard]] std::vector<Coordinate> data_of(const Example& example);
+
 // The statements that the audit answers: all if it is whole, else those whose claims all are in it.
 [[nodiscard]] std::vector<const PrintedStatement *> statements_in(const Paper& paper, const Audit& audit);
 
-// The worst status of the claims that state it, one that is not in the audit being undecided; in_part if
-// something is missing, and nothing worse is known than a hypothesis; not_stated without claims.
-[[nodiscard]] Status status_of(const PrintedStatement& statement, const Audit& audit);
+// The worst status of the claims that state it, one that is not in the audit being undecided, where
+// - a premise counts beside others only if the statement is a condition;
+// - a definition holds wherever it is defined;
+// - hypotheses that hold at the data of the statement's example do not count;
+// on_one_reading if those of one reading are refuted and those of the other stand, else the worse of two
+// readings; in_part if something is missing, and nothing worse is known than a hypothesis;
+// not_stated without claims.
+[[nodiscard]] Status status_of(const Paper& paper, const PrintedStatement& statement, const Audit& audit);
 
 // What there is to say about the claim, or null.
 [[nodiscard]] const Remark * remark_on(const Paper& paper, const std::string& claim);

@@ -27,6 +27,50 @@ using namespace symbols;
 
 namespace {
 
+// Whether all that it prints is what it assumes.
+bool says_what_it_assumes(const Claim& claim) {
+  const auto is_assumed = [&](const Statement& one) {
+    return std::ranges::any_of(
+        claim.assumptions, [&](const Assumption& assumption) { return equal(assumption.statement, one); });
+  };
+  return !claim.printed.empty() && std::ranges::all_of(claim.printed, is_assumed);
+}
+
+// All that is divided by in the term, or below the bar of a tangent.
+std::vector<Term> divisors_in(const Term& term) {
+  std::vector<Term> all;
+  const std::vector<Term>& parts = term.arguments();
+  if (term.op() == Op::quotient) {
+    all.push_back(parts.at(1));
+  } else if (term.op() == Op::power && term.number() < 0) {
+    all.push_back(term.shape().is_scalar() ? parts.at(0) : determinant(parts.at(0)));
+  } else if (term.op() == Op::function && term.name() == "tan") {
+    all.push_back(cos(parts.at(0)));
+  }
+  for (const Term& part : parts) {
+    const std::vector<Term> deeper = divisors_in(part);
+    all.insert(all.end(), deeper.begin(), deeper.end());
+  }
+  return all;
+}
+
+// Whether the claim prints a division by something that is zero where the hypothesis fails.
+bool shows(const Claim& claim, const Hypothesis& hypothesis) {
+  Outcome printed;
+  for (const Statement& one : claim.printed) {
+    for (const Term& side : {one.left, one.right}) {
+      for (const Term& divisor : divisors_in(side)) {
+        if (is_in_field(divisor)) {
+          record_nonzero(printed, claim, evaluate<GiNaC::ex>(divisor, symbolically())(0, 0));
+        }
+      }
+    }
+  }
+  return std::ranges::any_of(printed.hypotheses, [&](const Hypothesis& known) {
+    return symbolic::algebra::vanishes_with(known.nonzero, hypothesis.nonzero);
+  });
+}
+
 Status status_of(const Record& record, bool premises_stand) {
   const bool repaired = record.corrected && record.corrected->verdict.truth == Truth::proved;
   switch (record.outcome.verdict.truth) {
@@ -39,7 +83,10 @@ Status status_of(const Record& record, bool premises_stand) {
                                                                 : Status::undecided;
       }
       if (!record.outcome.hypotheses.empty()) {
-        return Status::needs_hypotheses;
+        return needing(record.outcome.hypotheses);
+      }
+      if (says_what_it_assumes(record.claim)) {
+        return Status::premise;
       }
       if (!record.outcome.by_kernel) {
         return Status::decided_in_balls;
@@ -179,12 +226,12 @@ const Record& Prover::prove(const std::string& id) {
   }
   const bool premises_stand = inherit(record.corrected ? *record.corrected : record.outcome, record.claim) &&
                               (!record.converse || inherit(*record.converse, record.claim));
-  confirm(record.outcome, record.claim, record.claim.printed);
+  confirm(record.outcome, record.claim, record.claim.printed, {});
   if (record.corrected) {
-    confirm(*record.corrected, record.claim, record.claim.corrected);
+    confirm(*record.corrected, record.claim, record.claim.corrected, record.outcome.theorems);
   }
   if (record.converse) {
-    confirm(*record.converse, record.claim, {});
+    confirm(*record.converse, record.claim, {}, {});
   }
   record.status = status_of(record, premises_stand);
   under_way_.pop_back();
@@ -199,7 +246,8 @@ const kernel::Theorem& Prover::theorem(const std::string& id) {
   return theorems.front();
 }
 
-void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Statement>& form) {
+void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Statement>& form,
+                     const std::vector<kernel::Theorem>& refutation) {
   const Truth truth = outcome.verdict.truth;
   if (truth != Truth::proved && truth != Truth::refuted) {
     outcome.cross_check.unchecked = "it is neither proved nor refuted";
@@ -210,7 +258,7 @@ void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Sta
   reading.printed = form;
   outcome.cross_check = cross_check(*this, reading, outcome);
   if (truth == Truth::proved) {
-    look_for_values(outcome, reading);
+    look_for_values(outcome, reading, refutation);
   }
 }
 
@@ -231,7 +279,8 @@ bool Prover::is_met(const Claim& claim) {
 }
 
 // Points in balls are those at which all that can be evaluated holds: motions may be left out of that.
-void Prover::look_for_values(Outcome& outcome, const Claim& claim) {
+void Prover::look_for_values(Outcome& outcome, const Claim& claim,
+                             const std::vector<kernel::Theorem>& refutation) {
   if (claim.assumptions.empty()) {
     return;
   }
@@ -240,7 +289,11 @@ void Prover::look_for_values(Outcome& outcome, const Claim& claim) {
     return;
   }
   outcome.obeyed = Obeyed::unknown;
-  if (is_met(claim) || obeying_values(*this, claim)) {
+  const kernel::Formulas assumed = assumed_by(claim);
+  const bool refuted_there = std::ranges::any_of(refutation, [&](const kernel::Theorem& theorem) {
+    return says_that_there_are_values(theorem, assumed);
+  });
+  if (refuted_there || is_met(claim) || obeying_values(*this, claim)) {
     outcome.obeyed = Obeyed::theorem;
     return;
   }
@@ -291,6 +344,9 @@ bool Prover::inherit(Outcome& outcome, const Claim& claim) {
   } else {
     discharge_stated(outcome, claim);
     keep_strongest(outcome.hypotheses);
+  }
+  for (Hypothesis& one : outcome.hypotheses) {
+    one.visible = shows(this->claim(one.origin), one);
   }
   return all_stand;
 }

@@ -30,13 +30,15 @@ class Prover {
   // The claim that brought in the hypothesis of this text, among these and all that they use.
   std::optional<std::string> origin_of(const std::string& hypothesis, const std::set<std::string>& uses);
   // Has what is proved looked at: whether there is anything that obeys all that is assumed. Where that is
-  // neither known nor said to be a contradiction, it is undecided.
-  void look_for_values(Outcome& outcome, const Claim& claim);
+  // neither known nor said to be a contradiction, it is undecided. A refutation of the form as printed says
+  // so of what is assumed.
+  void look_for_values(Outcome& outcome, const Claim& claim, const std::vector<kernel::Theorem>& refutation);
   // Whether another claim's theorem says that there is something which obeys all that this one assumes.
   bool is_met(const Claim& claim);
   // Has the verdict compared with the claim (gate.hpp), and looked at by two further engines. Throws
   // InternalError if something is not so.
-  void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form);
+  void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form,
+               const std::vector<kernel::Theorem>& refutation);
 
   std::map<std::string, const Claim *> claims_;
   std::map<std::string, std::string> met_by_;  // the claim whose theorem says so

@@ -23,6 +23,8 @@ const Assumption from_start = not_before(t1, 0), to_end = not_after(t1, T);
 // What (17) says t_1 is.
 const Assumption counted_from_tau{"17.t1", equation(t, tau + t1)};
 
+const Assumption no_load{"17.p", equation(p, 0)};
+
 // chi eta (z_2 - z_1) + p sin(omega (t_1 + tau/2)) at the time after the stick began.
 const Term gap = block(1, {-1, 1, 0, 0});
 Term pull(const Term& after) {
@@ -99,10 +101,16 @@ std::vector<Claim> stick_part() {
        .prove = by_rewriting({from("41.reversal").at("t", t1)})},
       {.id = "46.period",
        .kind = Kind::step,
-       .printed = {equation(Z(Theta), Gamma(T) * E * Z0), equation(Gamma(T) * E * Z0, Z0)},
-       .words = "the stick ends where the slip began",
-       .assumptions = {sticks, stick_lasts, stick_takes_time, slip_ends, stick_ends},
-       .prove = by_rewriting({from("4.stick").at("t", Theta), assuming("15")})},
+       .printed = {equation(Z(Theta), Gamma(T) * E * Z0)},
+       .words = "the state at the end of the stick",
+       .assumptions = {sticks, stick_lasts, stick_takes_time, slip_ends},
+       .prove = by_rewriting({from("4.stick").at("t", Theta)})},
+      {.id = "46.closes",
+       .kind = Kind::condition,
+       .printed = {stick_ends.statement},
+       .words = "it is the state in which the slip began: (15) again",
+       .assumptions = {stick_ends},
+       .prove = by_premises({assuming("15")})},
       {.id = "17.stick",
        .kind = Kind::theorem,
        .printed = {equation(Z(tau + t1), E * Z(tau + T - t1))},
@@ -111,6 +119,24 @@ std::vector<Claim> stick_part() {
        .prove = by_rewriting({from("4.stick").at("t", tau + t1), from("45"), from("46.group"),
                               from("41.commute").at("t", T).at("s", -t1).solved_for(Gamma(T) * Gamma(-t1)),
                               assuming("15"), from("46.E").at("t1", -t1).solved_for(Gamma(t1) * E)})},
+      {.id = "17.F",
+       .kind = Kind::identity,
+       .origin = Origin::auxiliary,
+       .printed = {equation(F(t), zero(4, 1)), equation(F0, zero(4, 1))},
+       .words = "without a load there is no forced response",
+       .assumptions = {no_load},
+       .prove = by_normal_form()},
+      {.id = "17.free",
+       .kind = Kind::theorem,
+       .printed = {equation(Z(t), E * Z(tau - t)), equation(Z(tau + t1), E * Z(tau + T - t1))},
+       .words = "both symmetries without a load, $p = 0$: those of the self-excited oscillator",
+       .assumptions = {no_load, slips_below, begins, sticks, stick_lasts, slip_ends, stick_ends, from_0,
+                       to_tau, from_start, to_end},
+       .prove = by_rewriting({from("17.stick"), from("5"), from("43"), from("17.F"),
+                              from("17.F").at("t", tau), from("17.F").at("t", tau - t), from("44.H"),
+                              from("38.commute").at("t", tau).at("s", -t).solved_for(H(tau) * H(-t)),
+                              from("5").at("t", tau), assuming("13").solved_for(H(tau) * Z0), from("44.E"),
+                              from("13.E")})},
       {.id = "17.odd",
        .kind = Kind::step,
        .origin = Origin::auxiliary,

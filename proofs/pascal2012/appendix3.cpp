@@ -47,6 +47,16 @@ Term behind(const Term& x3, const Term& x4) {
   return (x3 * q1 + x4 * q2) * omega * sin(phi);
 }
 
+Term matrix_of(const Entries& entry) {
+  std::vector<Term> all;
+  for (int i = 1; i <= 4; ++i) {
+    for (int j = 1; j <= 4; ++j) {
+      all.push_back(entry(i, j));
+    }
+  }
+  return block(4, all);
+}
+
 std::vector<Claim> components() {
   return {
       printed_coefficient('a', 1, Ht(1, 1) - G(1, 1)),
@@ -130,6 +140,12 @@ std::vector<Claim> appendix3() {
                    .kind = Kind::definition,
                    .printed = {equation(phiB, omega * tau + phi), equation(phiC, phiB + omega * tau1)},
                    .words = "the load's phase at $tau$ and at $tau + tau_1$",
+                   .prove = by_normal_form()},
+                  {.id = "51.entries",
+                   .kind = Kind::definition,
+                   .printed = {equation(matrix_of(H_), H(tau)), equation(matrix_of(h_), H(tau1)),
+                               equation(matrix_of(Ht), H(tau + tau1)), equation(matrix_of(G), Gamma(T))},
+                   .words = "the entries of $H$ at $tau$, $tau_1$ and $tau + tau_1$, and those of $Gamma$",
                    .prove = by_normal_form()},
                   formulas()}});
 }

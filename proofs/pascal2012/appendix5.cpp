@@ -52,7 +52,7 @@ std::vector<Claim> motion() {
        .assumptions = cycle,
        .prove = by_rewriting({from("55.bar").solved_for(Zbar0), from("55.bar").solved_for(ZbarB),
                               assuming("28.closes").solved_for(Z0), from("27").at("t", Theta),
-                              from("52.L").at("t", Theta - tau), assuming("28.Theta")})},
+                              from("52.L").at("t", Theta - tau), from("28.Theta")})},
       {.id = "56.B",
        .kind = Kind::step,
        .printed = {equation(ZB, H(tau) * (Z0 - F0) + FB)},
@@ -187,6 +187,7 @@ std::vector<Claim> symmetry() {
   const Term turned = sin(phi + omega * tau / 2);
   const Assumption first_case{"67.case1", equation(turned, 0)};
   const Assumption second_case{"67.case2", equation(cos(omega * tau / 2), 0)};
+  const Assumption turns_over{"67.sin", equation(sin(phiB), -sin(phi))};
   const std::vector<Assumption> moving = cycle_and({off_resonance, starts_with_belt, meets_belt, at_rest});
   return {
       {.id = "66",
@@ -219,6 +220,19 @@ std::vector<Claim> symmetry() {
        .words = "two cases, whatever the multiple of $2 pi$: $sin(phi + omega tau/2) = 0$ ($phi = -omega "
                 "tau/2 + k pi$, the paper has $k = 0$), or $cos(omega tau/2) = 0$",
        .prove = by_normal_form()},
+      {.id = "67.branch",
+       .kind = Kind::step,
+       .printed = {equation((phi + omega * tau / 2) * cos(omega * tau / 2), 0)},
+       .words = "either $phi = -omega tau/2$, or $cos(omega tau/2) = 0$, which is $tau = pi/omega$",
+       .assumptions = {turns_over},
+       .prove =
+           by_counterexample({.point = {{"omega", Rational(1, 2)}, {"tau", Rational(1)}},
+                              .values = {equation(phi, pi() - omega * tau / 2)},
+                              .true_there = {turns_over.statement},
+                              .false_there = {equation((phi + omega * tau / 2) * cos(omega * tau / 2), 0)}}),
+       .corrected = {equation(turned * cos(omega * tau / 2), 0)},
+       .prove_corrected =
+           by_combination({{{from("67.cases"), 0, -Term(1) / 2}, {assuming("67.sin"), 0, Term(1) / 2}}})},
       {.id = "67.first",
        .kind = Kind::step,
        .printed = {equation(zB, z0)},

@@ -22,12 +22,10 @@ using half_period::slips_below;
 using half_period::starts_with_belt;
 
 inline const methods::Assumption rest_of_period{"56.tau1", symbols::equation(Theta, tau + tau1)};
-// Theta = 2 pi/omega is used in this form and, for sin(omega_j pi/omega), as Theta/2 = pi/omega.
-inline const methods::Assumption load_repeats{"28.Theta", symbols::equation(F(Theta), F0)};
 inline const methods::Assumption overshoot_takes_time{"tau1.positive", {tau1, 0, symbols::Relation::greater}};
-inline const std::vector<methods::Assumption> cycle{rest_of_period,  load_repeats,         begins,
-                                                    slips_below,     overshoots,           named_B,
-                                                    slip_takes_time, overshoot_takes_time, closes};
+inline const std::vector<methods::Assumption> cycle{
+    rest_of_period,       period, begins, slips_below, overshoots, named_B, slip_takes_time,
+    overshoot_takes_time, closes};
 inline const methods::Assumption second_half{"67.tau1", symbols::equation(tau1, symbols::pi() / omega)};
 
 inline const methods::Assumption regular_P{"65.det",

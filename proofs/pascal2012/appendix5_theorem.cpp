@@ -22,7 +22,7 @@ std::vector<Assumption> moving(std::vector<Assumption> more) {
 }  // namespace
 
 std::vector<Assumption> two_slips_at_rest() {
-  return moving({at_rest, period, goes_down});
+  return moving({at_rest, goes_down});
 }
 
 std::vector<Assumption> in_first_half() {

@@ -9,6 +9,7 @@
 #include "numeric/words/complete_list.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
@@ -91,6 +92,17 @@ kernel::Theorem phase_is_fixed(const orbits::Ranges& ranges) {
       Theorem::cut(tactics::part(Theorem::assume(during), 0), Theorem::cut(before_last, at_all)));
 }
 
+// (pi - omega tau)/2.
+Ball lag_of(const Orbit& orbit) {
+  return (Ball::pi() - Ball(printed().data.omega) * orbit.tau()) / 2;
+}
+
+// Whether phi is the time lag and pi, and not the time lag.
+bool has_the_other_phase(const Orbit& orbit) {
+  const Ball later = orbit.phi() - lag_of(orbit);
+  return (later - Ball::pi()).contains_zero() || (later + Ball::pi()).contains_zero();
+}
+
 // "2 of the 4 admissible orbits at the data of Fig. 2 have phi + pi: …".
 std::string of_the_other_phase() {
   std::vector<std::string> other;
@@ -98,8 +110,7 @@ std::string of_the_other_phase() {
   for (const Orbit& orbit : orbits_of(printed()).list.orbits) {
     if (orbit.admissible.truth == Truth::proved) {
       ++admissible;
-      const Ball later = orbit.phi() - (Ball::pi() - Ball(printed().data.omega) * orbit.tau()) / 2;
-      if ((later - Ball::pi()).contains_zero() || (later + Ball::pi()).contains_zero()) {
+      if (has_the_other_phase(orbit)) {
         other.push_back(told_apart(orbit, *printed().family));
       }
     }
@@ -126,6 +137,36 @@ Claim lag_claim() {
             outcome.found = of_the_other_phase();
             prove(outcome,
                   [] { return at_frequencies(printed().data.chi, printed().data.eta, phase_is_fixed); });
+            return outcome;
+          }};
+}
+
+Claim lag_is_no_consequence() {
+  return {.id = "4.lag",
+          .kind = Kind::theorem,
+          .origin = Origin::reading,
+          .words = "the time lag is a consequence: on every orbit of this family $phi = (pi - omega tau)/2$",
+          .prove = [](Prover&, const Claim&) {
+            Outcome outcome = at_the_data(printed(), "an orbit that has another phase, as a theorem");
+            const std::vector<Orbit>& all = orbits_of(printed()).list.orbits;
+            const auto other = std::ranges::find_if(all, [](const Orbit& orbit) {
+              return orbit.admissible.truth == Truth::proved && has_the_other_phase(orbit);
+            });
+            if (other == all.end()) {
+              outcome.verdict = Verdict::undecided("no orbit with another phase is proved at the data");
+              return outcome;
+            }
+            outcome.route += ": " + told_apart(*other, *printed().family);
+            outcome.verdict = Verdict::refuted(Witness{outcome.at,
+                                                       {},
+                                                       other->phi(),
+                                                       lag_of(*other),
+                                                       "the phase $phi$ of the load",
+                                                       "$(pi - omega tau)/2$"});
+            prove(outcome, [&] {
+              return orbits::orbit_theorem(orbits::question_of(question_of(printed()), other->motion),
+                                           other->motion);
+            });
             return outcome;
           }};
 }
@@ -175,7 +216,7 @@ Claim asymmetric_claim() {
 }  // namespace
 
 std::vector<Claim> data_of_S() {
-  return {lag_claim(), asymmetric_claim()};
+  return {lag_claim(), lag_is_no_consequence(), asymmetric_claim()};
 }
 
 }  // namespace stickslip::proofs::pascal2012

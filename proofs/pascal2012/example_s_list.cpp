@@ -128,6 +128,7 @@ kernel::Theorem at_both(const OrbitList& list,
 Claim friction_claim() {
   return {.id = "S.data",
           .kind = Kind::theorem,
+          .origin = Origin::reading,
           .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
           .prove = [](Prover&, const Claim&) {
             const OrbitList& list = orbits_of(printed()).list;

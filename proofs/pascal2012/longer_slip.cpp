@@ -57,8 +57,8 @@ Theorem longer_than_half(Derivation& derivation, std::size_t which) {
   const auto assumed = [&](const char * id) { return derivation.premise(assuming(id)); };
   const Theorem moves = assumed("A5.V.sign"), load = assumed("28.period"), both = assumed("56.tau1"),
                 falls_short = derivation.premise(from("A5.falls")),
-                balance = derivation.premise(from("A5.turn").given("28.Theta", "28.Theta")),
-                frequency = derivation.positive(w), started = derivation.follows(kernel::less(0, q)),
+                balance = derivation.premise(from("A5.turn")), frequency = derivation.positive(w),
+                started = derivation.follows(kernel::less(0, q)),
                 half_turn = Theorem::sign(kernel::less(0, kernel::pi()));
   const Theorem ended = derivation.order(kernel::less(q, kernel::pi()),
                                          {Positive{{frequency, assumed("tau1.positive")}, Rational(1, 2)}},

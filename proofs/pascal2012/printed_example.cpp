@@ -34,16 +34,9 @@ Comparison compared(const std::string& name, const Decimal& printed, const Ball&
 }
 
 Outcome at_the_data(const Example& example, const std::string& route) {
-  const ExactParameters& a = example.data;
   Outcome outcome;
   outcome.route = route;
-  outcome.at = {{"chi", a.chi}, {"eta", a.eta}, {"us", a.us}, {"V", a.V}, {"omega", a.omega}, {"p", a.p}};
-  if (example.phi) {
-    outcome.at.push_back({"phi", *example.phi});
-  }
-  if (example.ur) {
-    outcome.at.push_back({"ur", *example.ur});
-  }
+  outcome.at = data_of(example);
   return outcome;
 }
 

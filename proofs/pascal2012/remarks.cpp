@@ -55,7 +55,7 @@ std::vector<Remark> on_orbits() {
        .see = "stickslip check 16 16.back --explain",
        .quote = "the conditions for the existence of this periodic solution are given by the following "
                 "system of four scalar equations"},
-      {.claim = "37",
+      {.claim = "37.enough",
        .place = "(37)",
        .says = "the least load amplitude against sticking is the right side of (37)",
        .fact = "(37) is necessary and not sufficient: it leaves $u_r$ out. Necessary and sufficient for (36) "
@@ -106,16 +106,24 @@ std::vector<Remark> on_misprints() {
 // Which no claim of the paper's fails for: its letter says more than its proof gives, or leaves out a step.
 std::vector<Remark> on_steps() {
   return {
-      {.claim = "4.lag.needed",
+      {.claim = "4.lag",
        .place = "Section 4, before (14)",
-       .says = "the time lag is $phi = (pi - omega tau)/2$",
-       .fact = "but for slips on which (13) leaves $phi$ free it asks for $cos(phi + omega tau/2) = 0$, "
-               "which $phi + pi$ fulfils as well, and both occur: "
-               "{S.lag}",
+       .says = "the time lag is $phi = (pi - omega tau)/2$, without argument",
+       .fact =
+           "as a choice it is sound, and (44) makes use of it; it does not follow: but for slips on which "
+           "(13) leaves $phi$ free, (13) asks for $cos(phi + omega tau/2) = 0$ (4.lag.needed), which "
+           "$phi + pi$ fulfils as well, and both occur: {S.lag}",
        .because =
            "adding $pi$ to $phi$ changes the sign of $p$, in (16) and in $f_1$, $f_2$, and nothing else",
        .see = "stickslip orbits symmetric --example S",
        .quote = "The time lag $phi$ of the external force is given by"},
+      {.claim = "67.branch",
+       .place = "Appendix 5, after (67)",
+       .says = "either $phi_B = -phi$, which is $phi = -omega tau/2$, or $tau = tau_1 = pi/omega$",
+       .fact = "it is $sin(phi + omega tau/2) = 0$, so that $phi = pi - omega tau/2$ is a case as well; the "
+               "argument of the paper excludes it, too (67.first, 67.impossible)",
+       .because = "a sine is zero at every multiple of $pi$",
+       .see = "stickslip check 67 --explain"},
       {.claim = "67.sin",
        .place = "Appendix 5, after (67)",
        .says = "(67) gives $sin(phi_B) = -sin(phi)$",

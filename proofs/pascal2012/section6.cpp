@@ -51,6 +51,13 @@ std::vector<Claim> conditions() {
        .assumptions = {leaves_up, step_of_friction},
        .prove = by_positive_combination(
            {{.positive = {{eta, {{assuming("4.up")}}}, {eta, {{assuming("4.ur")}}}}}})},
+      {.id = "26.half",
+       .kind = Kind::condition,
+       .printed = {half.statement},
+       .words =
+           "each slip lasts half a period of the load; for $V = 0$ and off resonance that follows (A5.half)",
+       .assumptions = {half},
+       .prove = by_premises({assuming("26.half")})},
       {.id = "26.tau",
        .kind = Kind::condition,
        .printed = {equation(p * cos(omega * tau + phi) - eta * (ur + us), -p * cos(phi) - eta * (ur + us))},

@@ -54,6 +54,10 @@ std::vector<PrintedStatement> read_all(const std::string& text) {
       all.push_back(read(line, section));
     } else if (follows("  but: ")) {
       all.back().missing = line.substr(7);
+    } else if (follows("  or: ")) {
+      append(all.back().or_read, line.substr(6));
+    } else if (follows("  at: ")) {
+      all.back().example = line.substr(6);
     } else if (follows("  see: ")) {
       append(all.back().see, line.substr(7));
     } else {

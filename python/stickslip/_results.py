@@ -459,7 +459,7 @@ class Claim:
     """A statement, what became of its proof, and what the proof needs."""
 
     id: str
-    status: str  #: "as_printed", "needs_hypotheses", "misprint_corrected", …
+    status: str  #: "as_printed", "where_defined", "needs_hypotheses", "misprint_corrected", …
     meaning: str  #: the same in words
     words: str  #: what it says
     origin: str  #: whose it is: "paper", "reading", "converse", "new", "auxiliary"

@@ -38,7 +38,10 @@ bool has_erratum(const Json& claim) {
 
 // Whether the letter tells the claim with the statement: one that states it, or a reading that it leads to.
 bool is_told_with(const PrintedStatement& statement, const Json& claim) {
-  const std::vector<std::string>& ids = claim.at("origin") == "reading" ? statement.see : statement.claims;
+  std::vector<std::string> ids = stating(statement);
+  if (claim.at("origin") == "reading") {
+    ids.insert(ids.end(), statement.see.begin(), statement.see.end());
+  }
   return std::ranges::find(ids, claim.at("id").get<std::string>()) != ids.end();
 }
 

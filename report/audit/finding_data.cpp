@@ -44,11 +44,9 @@ Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, cons
 }
 
 Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
-  Json json = {{"hypotheses", Json::array()},
-               {"origins", Json::array()},
-               {"inherited_by", g.inherited_by},
-               {"inherited_by_count", g.inherited_by.size()},
-               {"matters", false}};
+  Json json = {{"hypotheses", Json::array()},     {"origins", Json::array()},
+               {"inherited_by", g.inherited_by},  {"inherited_by_count", g.inherited_by.size()},
+               {"status", to_string(g.status())}, {"matters", false}};
   for (const proofs::methods::Hypothesis& hypothesis : g.hypotheses) {
     json["hypotheses"].push_back({{"latex", hypothesis.latex}});
   }
@@ -122,10 +120,10 @@ Json finding_data(const Paper& paper, const proofs::methods::Audit& audit, const
     found["count"] = found.at("count").get<int>() + 1;
   };
   for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-    add(facts(Status::needs_hypotheses).heading, "hypotheses_groups", hypothesis_group(paper, audit, g));
+    add(facts(g.status()).heading, "hypotheses_groups", hypothesis_group(paper, audit, g));
   }
   for (auto& [record, claim] : by_weight(paper, audit, claims)) {
-    if (!facts(record->status).finding || record->status == Status::needs_hypotheses) {
+    if (!facts(record->status).finding || needs_something(*record)) {
       continue;
     }
     const Remark * remark = remark_on(paper, record->claim.id);

@@ -85,13 +85,13 @@ std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
       refuted.insert(record.claim.id);
     }
   }
-  std::set<std::string> stating;
+  std::set<std::string> said;
   std::size_t statements = 0;
   for (const PrintedStatement * statement : statements_in(paper, audit)) {
     bool states = false;
-    for (const std::string& id : statement->claims) {
+    for (const std::string& id : stating(*statement)) {
       if (refuted.contains(id)) {
-        stating.insert(id);
+        said.insert(id);
         states = true;
       }
     }
@@ -104,14 +104,18 @@ std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
       "A finding is a claim, not a statement: one claim may state several statements, and some claims state "
       "none";
   if (!refuted.empty()) {
-    result += fmt::format("; of {} refuted claim{} {} state{} {} of the statements", refuted.size(),
-                          refuted.size() == 1 ? "" : "s", stating.size(), stating.size() == 1 ? "s" : "",
-                          statements);
+    result +=
+        fmt::format("; of {} refuted claim{} {} state{} {} of the statements", refuted.size(),
+                    refuted.size() == 1 ? "" : "s", said.size(), said.size() == 1 ? "s" : "", statements);
   }
-  if (stating.size() < refuted.size()) {
+  if (said.size() < refuted.size()) {
     result += fmt::format(", the others what {} takes for granted", source_of(audit));
   }
   return result + ".";
+}
+
+Status HypothesisGroup::status() const {
+  return needing(hypotheses);
 }
 
 std::vector<HypothesisGroup> hypothesis_groups(const Audit& audit) {

@@ -30,6 +30,9 @@ struct HypothesisGroup {
   std::vector<proofs::methods::Hypothesis> hypotheses;
   std::vector<const proofs::methods::Record *> origins;
   std::set<std::string> inherited_by;  // ids
+
+  // That of a claim which needs nothing else.
+  [[nodiscard]] proofs::methods::Status status() const;
 };
 
 // All hypotheses beyond the paper's, each once, those with most statements behind them first. Points into the

@@ -40,7 +40,7 @@ Json repair(const proofs::methods::Repair& r) {
 }
 
 Json hypothesis(const proofs::methods::Hypothesis& h) {
-  return {{"latex", h.latex}, {"text", h.text}, {"origin", h.origin}};
+  return {{"latex", h.latex}, {"text", h.text}, {"origin", h.origin}, {"visible", h.visible}};
 }
 
 Json symbol(const std::string& name) {
@@ -183,8 +183,8 @@ Json summary(const Paper& paper, const Audit& audit) {
           {"line", summary_line(paper, audit)}};
 }
 
-Json printed_statement(const PrintedStatement& statement, const Audit& audit) {
-  const Status status = status_of(statement, audit);
+Json printed_statement(const Paper& paper, const PrintedStatement& statement, const Audit& audit) {
+  const Status status = status_of(paper, statement, audit);
   return {{"id", statement.id},
           {"section", statement.section},
           {"place", statement.place},
@@ -193,13 +193,16 @@ Json printed_statement(const PrintedStatement& statement, const Audit& audit) {
           {"status", proofs::methods::to_string(status)},
           {"meaning", proofs::methods::facts(status).meaning},
           {"claims", list_of(statement.claims, as_it_is)},
+          {"or_read", list_of(statement.or_read, as_it_is)},
+          {"example", statement.example},
           {"missing", plain(statement.missing)},
           {"see", list_of(statement.see, as_it_is)}};
 }
 
 Json printed_statements(const Paper& paper, const Audit& audit) {
-  return list_of(statements_in(paper, audit),
-                 [&](const PrintedStatement * statement) { return printed_statement(*statement, audit); });
+  return list_of(statements_in(paper, audit), [&](const PrintedStatement * statement) {
+    return printed_statement(paper, *statement, audit);
+  });
 }
 
 Json bibliography(const proofs::methods::Bibliography& b) {

@@ -137,7 +137,8 @@ Json printed_sections(const Paper& paper, const proofs::methods::Audit& audit, c
 Json stated_by(const Paper& paper, const std::string& claim) {
   Json found = Json::array();
   for (const PrintedStatement& statement : paper.statements) {
-    if (std::ranges::find(statement.claims, claim) != statement.claims.end()) {
+    const std::vector<std::string> ids = stating(statement);
+    if (std::ranges::find(ids, claim) != ids.end()) {
       found.push_back({{"id", statement.id}, {"place", statement.place}});
     }
   }

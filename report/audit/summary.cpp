@@ -53,7 +53,7 @@ std::string count_in_words(std::size_t total, const std::string& what,
 std::vector<StatusCount> count_statements(const Paper& paper, const Audit& audit) {
   std::vector<Status> found;
   for (const PrintedStatement * statement : statements_in(paper, audit)) {
-    found.push_back(status_of(*statement, audit));
+    found.push_back(status_of(paper, *statement, audit));
   }
   return counted(found);
 }
@@ -97,7 +97,7 @@ std::string with_answers(const std::string& sentence, const Audit& audit) {
 }
 
 bool is_finding(const Record& record) {
-  if (record.status == Status::needs_hypotheses) {
+  if (needs_something(record)) {
     return std::ranges::any_of(record.outcome.hypotheses, [&](const proofs::methods::Hypothesis& hypothesis) {
       return hypothesis.origin == record.claim.id;
     });

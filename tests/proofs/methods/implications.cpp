@@ -72,12 +72,35 @@ TEST_CASE("a hypothesis that the claim states is no finding") {
               .place = "test",
               .printed = {equation(sin(2 * tau) / sin(tau), 2 * cos(tau))},
               .prove = by_normal_form()};
-  CHECK(proved(claim).status == Status::needs_hypotheses);
+  CHECK(proved(claim).status == Status::where_defined);
   claim.assumptions = {{"s", {sin(2 * tau), 0, Relation::not_equal}}};
   CHECK(proved(claim).status == Status::as_printed);
   CHECK(proved(claim).outcome.assumed == std::set<std::string>{"s"});
   claim.assumptions = {{"s", {cos(tau), 0, Relation::not_equal}}};
-  CHECK(proved(claim).status == Status::needs_hypotheses);
+  CHECK(proved(claim).status == Status::where_defined);
+}
+
+TEST_CASE("a hypothesis is visible where the formula divides by what it keeps from zero, and only there") {
+  const auto status = [](const Statement& printed) {
+    return proved({.id = "c",
+                   .place = "test",
+                   .printed = {printed},
+                   .assumptions = {{"double", equation(z10 * z20, z20)}},
+                   .prove = by_combination({{{assuming("double"), 0, 1 / z20}}})})
+        .status;
+  };
+  CHECK(status(equation(z10, 1)) == Status::needs_hypotheses);
+  CHECK(status(equation(z10 - 1 / power(z20, 2), 1 - 1 / power(z20, 2))) == Status::where_defined);
+  CHECK(status(equation(z10 - 1 / us, 1 - 1 / us)) == Status::needs_hypotheses);
+}
+
+TEST_CASE("what says no more than it assumes is a premise, and as printed with one word more") {
+  Claim claim{.id = "c", .place = "test", .printed = {positive.statement}, .assumptions = {positive}};
+  claim.prove = by_premises({assuming("+")});
+  CHECK(proved(claim).status == Status::premise);
+  claim.printed = {{2 * z10, 0, Relation::greater}};
+  claim.prove = by_positive_combination({{.positive = {{2, {{assuming("+")}}}}}});
+  CHECK(proved(claim).status == Status::as_printed);
 }
 
 TEST_CASE("a misprint is repaired by the single edits that are proved") {

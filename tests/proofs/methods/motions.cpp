@@ -70,7 +70,7 @@ TEST_CASE("the mean value theorem gives its own bound and no other") {
 
 TEST_CASE("a closed form is that of a motion which obeys the equation, on its interval") {
   const std::vector<Claim> claims = paper().claims;
-  CHECK(status(claims, "5") == Status::needs_hypotheses);
+  CHECK(status(claims, "5") == Status::where_defined);
   for (const char * assumption : {"2.slip", "6.Z0", "t.from", "t.to"}) {
     CAPTURE(assumption);
     CHECK(status(paper_with("5", without(assumption)), "5") == Status::undecided);

@@ -117,8 +117,8 @@ TEST_CASE("hypotheses are inherited, but not where the data meet them") {
   const std::vector<Claim> claims{
       resonant, claim("user", in_balls({"r"})),
       claim("at data", in_balls({"r"}, {{"chi", Rational(1, 2)}, {"eta", 2}, {"omega", Rational(1, 3)}}))};
-  CHECK(status(claims, "r") == Status::needs_hypotheses);
-  CHECK(status(claims, "user") == Status::needs_hypotheses);
+  CHECK(status(claims, "r") == Status::where_defined);
+  CHECK(status(claims, "user") == Status::where_defined);
   CHECK(audit(claims, {"user"}).records.front().outcome.hypotheses.size() == 1);
   CHECK(status(claims, "at data") == Status::decided_in_balls);
 }

@@ -52,9 +52,9 @@ TEST_CASE("(25), (26) and (36) are the same condition") {
 }
 
 TEST_CASE("(37) is necessary but not sufficient, with u_r it is both") {
-  CHECK(record("37").status == Status::necessary_not_sufficient);
-  REQUIRE(record("37").converse.has_value());
-  CHECK(record("37").converse->verdict.witness.has_value());
+  CHECK(record("37").status == Status::where_defined);
+  CHECK(record("37.enough").status == Status::refuted);
+  CHECK(record("37.enough").outcome.verdict.witness.has_value());
   CHECK(record("37.sharp").outcome.verdict.truth == Truth::proved);
   CHECK(record("37.sharp.back").outcome.verdict.truth == Truth::proved);
 }
@@ -68,7 +68,7 @@ TEST_CASE("the route through P needs sin(omega_j tau) != 0, the one by half angl
   CHECK(hypotheses("65").contains("sin(omega1*tau) != 0"));
   CHECK(hypotheses("65").contains("sin(omega2*tau1) != 0"));
   CHECK(record("65").outcome.assumed.contains("65.det"));
-  CHECK(hypotheses("65.sharp") == off_load_resonance);
+  CHECK(hypotheses("65.sharp").empty());
   CHECK(record("65.sharp").outcome.assumed.contains("70.resonance"));
 }
 
@@ -138,7 +138,8 @@ TEST_CASE("every claim of these places is decided") {
     const bool here = claim.place == "sec6" || claim.place == "A4" || claim.place == "A5";
     if (here && claim.kind != Kind::numbers && claim.kind != Kind::check) {
       CAPTURE(claim.id);
-      CHECK(record(claim.id).outcome.verdict.truth == Truth::proved);
+      const bool false_as_it_stands = claim.id == "37.enough" || claim.id == "67.branch";
+      CHECK(record(claim.id).outcome.verdict.truth == (false_as_it_stands ? Truth::refuted : Truth::proved));
       CHECK(record(claim.id).status != Status::rests_on_unproved);
     }
   }

@@ -10,7 +10,9 @@
 #include <regex>
 #include <set>
 
+#include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "symbolic/algebra/symbols.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs::methods;
@@ -47,7 +49,7 @@ TEST_CASE("every statement of the paper has its claims, or the reason why it has
     CHECK_FALSE(statement.place.empty());
     CHECK_FALSE(statement.words.empty());
     CHECK((statement.claims.empty() ? !statement.missing.empty() : true));
-    for (const std::vector<std::string>& ids : {statement.claims, statement.see}) {
+    for (const std::vector<std::string>& ids : {stating(statement), statement.see}) {
       CHECK(std::set<std::string>(ids.begin(), ids.end()).size() == ids.size());
       for (const std::string& id : ids) {
         CAPTURE(id);
@@ -87,23 +89,68 @@ TEST_CASE("a statement stands as its worst claim does") {
   for (const Status worst : {Status::as_printed, Status::needs_hypotheses, Status::digits_off,
                              Status::refuted, Status::rests_on_unproved, Status::undecided}) {
     const Audit audit{{with_status("a", Status::as_printed), with_status("b", worst)}};
-    CHECK(status_of(two_claims, audit) == worst);
+    CHECK(status_of({}, two_claims, audit) == worst);
   }
-  CHECK(status_of(two_claims, {{with_status("a", Status::as_printed)}}) == Status::undecided);
+  CHECK(status_of({}, two_claims, {{with_status("a", Status::as_printed)}}) == Status::undecided);
+}
+
+TEST_CASE("refuted is what both readings refute, and on one reading what one refutes and the other proves") {
+  PrintedStatement read_twice = two_claims;
+  read_twice.claims = {"a"};
+  read_twice.or_read = {"b"};
+  const auto status = [&](Status a, Status b) {
+    return status_of({}, read_twice, {{with_status("a", a), with_status("b", b)}});
+  };
+  for (const Status holds : {Status::as_printed, Status::where_defined, Status::misprint_corrected}) {
+    CHECK(status(holds, Status::refuted) == Status::on_one_reading);
+    CHECK(status(Status::refuted, holds) == Status::on_one_reading);
+  }
+  CHECK(status(Status::refuted, Status::refuted) == Status::refuted);
+  CHECK(status(Status::undecided, Status::refuted) == Status::undecided);
+  CHECK(status(Status::as_printed, Status::undecided) == Status::undecided);
+}
+
+TEST_CASE("a premise counts for a condition or alone, and a definition holds wherever it is defined") {
+  PrintedStatement statement = two_claims;
+  const auto status = [&](Kind kind, Status a, Status b) {
+    statement.kind = kind;
+    return status_of({}, statement, {{with_status("a", a), with_status("b", b)}});
+  };
+  CHECK(status(Kind::condition, Status::as_printed, Status::premise) == Status::premise);
+  CHECK(status(Kind::identity, Status::as_printed, Status::premise) == Status::as_printed);
+  CHECK(status(Kind::identity, Status::premise, Status::premise) == Status::premise);
+  CHECK(status(Kind::definition, Status::as_printed, Status::where_defined) == Status::as_printed);
+  CHECK(status(Kind::definition, Status::as_printed, Status::needs_hypotheses) == Status::needs_hypotheses);
+  CHECK(status(Kind::step, Status::as_printed, Status::where_defined) == Status::where_defined);
+}
+
+TEST_CASE("what is said at the data of an example needs nothing that holds there") {
+  PrintedStatement there = two_claims;
+  there.claims = {"a"};
+  there.example = "S";
+  Record record = with_status("a", Status::needs_hypotheses);
+  const auto status = [&](const GiNaC::ex& nonzero) {
+    record.outcome.hypotheses = {hypothesis(nonzero, "a")};
+    return status_of(paper(), there, {{record}});
+  };
+  const GiNaC::ex omega = symbolic::algebra::symbol("omega");
+  CHECK(status(omega - GiNaC::numeric(1, 2)) == Status::as_printed);
+  CHECK(status(omega - GiNaC::numeric(3, 5)) == Status::needs_hypotheses);
+  CHECK(status(sin(symbolic::algebra::symbol("tau"))) == Status::needs_hypotheses);
 }
 
 TEST_CASE("what is stated in part is not proved, and a fault in that part is not hidden") {
   PrintedStatement in_part = two_claims;
   in_part.missing = "for one orbit only";
   const auto status = [&](Status b) {
-    return status_of(in_part, {{with_status("a", Status::as_printed), with_status("b", b)}});
+    return status_of({}, in_part, {{with_status("a", Status::as_printed), with_status("b", b)}});
   };
   CHECK(status(Status::as_printed) == Status::in_part);
   CHECK(status(Status::needs_hypotheses) == Status::in_part);
   CHECK(status(Status::misprint_corrected) == Status::misprint_corrected);
   CHECK(status(Status::refuted) == Status::refuted);
   in_part.claims.clear();
-  CHECK(status_of(in_part, {}) == Status::not_stated);
+  CHECK(status_of({}, in_part, {}) == Status::not_stated);
 }
 
 TEST_CASE("an audit of some claims answers the statements that have no other") {
