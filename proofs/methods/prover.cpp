@@ -289,9 +289,8 @@ void Prover::look_for_values(Outcome& outcome, const Claim& claim,
     return;
   }
   outcome.obeyed = Obeyed::unknown;
-  const kernel::Formulas assumed = assumed_by(claim);
   const bool refuted_there = std::ranges::any_of(refutation, [&](const kernel::Theorem& theorem) {
-    return says_that_there_are_values(theorem, assumed);
+    return says_that_there_are_values(theorem, assumed_by(claim));
   });
   if (refuted_there || is_met(claim) || obeying_values(*this, claim)) {
     outcome.obeyed = Obeyed::theorem;

@@ -49,9 +49,10 @@ TEST_CASE("the table of statuses stands in the order of the statuses, and names 
   for (std::size_t i = 0; i < statuses().size(); ++i) {
     CHECK(statuses()[i].status == static_cast<Status>(i));
     CHECK(names.insert(statuses()[i].name).second);
-    CHECK(is_status(statuses()[i].name) == (statuses()[i].status < Status::in_part));
+    CHECK(is_status(statuses()[i].name) == statuses()[i].of_claims);
   }
   CHECK(statuses().back().status == Status::not_stated);
+  CHECK_FALSE(is_status("on_one_reading"));
   CHECK_FALSE(is_status("correct"));
 }
 
