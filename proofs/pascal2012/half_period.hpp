@@ -73,6 +73,14 @@ inline const symbols::Statement inequality26{
 inline const symbols::Statement inequality36{chi * eta * (q2 - q1) * cos(phi) - p * cos(phi) - eta * ur, 0,
                                              symbols::Relation::greater};
 
+// b_1 d_01 + b_2 d_02, which is -q_2 omega sin(phi) by (35); and p/(q_2 omega), by (7).
+inline const symbols::Term B = b1 * d01 + b2 * d02;
+inline const symbols::Term D = (power(omega, 2) - power(omega1, 2)) * (power(omega, 2) - power(omega2, 2)),
+                           bound = D / (omega * (1 - power(omega, 2)));
+inline const methods::Assumption load_acts{"1.p", {p, 0, symbols::Relation::greater}};
+inline const symbols::Statement inequality37{p, abs(D * B / ((1 - power(omega, 2)) * omega)),
+                                             symbols::Relation::greater};
+
 inline const symbols::Term first_row = symbols::block(1, {1, 0}), second_row = symbols::block(1, {0, 1});
 inline const symbols::Term H2_inverse = symbols::inverse(H2(tau));
 
@@ -96,6 +104,8 @@ inline const symbols::Term speed_continued =
 [[nodiscard]] methods::Claim odd_resonance();
 // Orbits that never stick and are not symmetric, where omega_1 = 2 omega.
 [[nodiscard]] std::vector<methods::Claim> even_resonance();
+// (25)-(37) are not enough for the two slips.
+[[nodiscard]] std::vector<methods::Claim> not_enough_for_slips();
 // So what the paper says of all of them has exceptions.
 [[nodiscard]] methods::Claim always_symmetric();
 // The orbit of Fig. 4.

@@ -33,6 +33,25 @@ std::vector<Remark> on_orbits() {
                   "but countably many, the statement is proved (7.symmetric, A5.symmetry)",
        .see = "stickslip check 7.always 33.even --explain",
        .quote = "We prove that this kind of solution is symmetric in space and in time"},
+      {.claim = "25.enough",
+       .place = "Section 6, after (25)",
+       .says = "once (25) holds the second mass slips below the belt's velocity until $tau$",
+       .fact = "it may exceed the belt's velocity within the slip, though (25), (26), (36) and (37) hold and "
+               "the motion closes: by 0.82 at $omega_1 = 0.56$, $omega_2 = 2.4$, $omega = 0.49$, $u_s = "
+               "0.1$, $u_r = 0.15$, $V = 0$ and the load that makes $phi = -0.2$",
+       .because = "(25) and (26) look at the ends of the slip alone; that $x2' < V$ between them is a "
+                  "condition of its own, on the load, too (37.speed)",
+       .see = "stickslip check 25.enough --explain",
+       .quote = "the system undergoes a slipping motion with"},
+      {.claim = "26.enough",
+       .place = "Section 6, after (26)",
+       .says = "once (26) holds the second mass is faster than the belt until the period is over",
+       .fact = "it may be slower than the belt for a time, though (25), (26), (36) and (37) hold and the "
+               "motion closes: the motion of 25.enough is",
+       .because = "its second half is the first one turned round, $x(t + tau) = -x(t)$ (54), and so is "
+                  "what fails",
+       .see = "stickslip check 26.enough --explain",
+       .quote = "For $t > tau$ the system undergoes an overshooting slipping motion"},
       {.claim = "S.data",
        .place = "Section 4, example",
        .says = "$u_r = 0.1607$ belongs to the data of the orbit of Fig. 2",

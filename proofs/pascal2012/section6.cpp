@@ -279,6 +279,7 @@ std::vector<Claim> section6() {
                  states(),
                  closed_forms(),
                  section6_load(),
+                 not_enough_for_slips(),
                  {odd_resonance()},
                  even_resonance(),
                  example_P()});

@@ -10,14 +10,6 @@ using namespace symbols;
 namespace {
 
 const Assumption at_start{"25", inequality25}, at_end{"26", inequality26}, both{"36", inequality36};
-const Assumption load_acts{"1.p", {p, 0, Relation::greater}};
-
-// b_1 d_01 + b_2 d_02, which is -q_2 omega sin(phi) by (35).
-const Term B = b1 * d01 + b2 * d02;
-const Term D = (power(omega, 2) - power(omega1, 2)) * (power(omega, 2) - power(omega2, 2));
-// By (7) q_2 omega = p/bound.
-const Term bound = D / (omega * (1 - power(omega, 2)));
-const Term in_37 = D * B / ((1 - power(omega, 2)) * omega);
 
 const Statement sharp{power(p, 2), power(bound, 2) * (power(B, 2) + power(eta * ur / omega, 2)),
                       Relation::greater};
@@ -56,10 +48,7 @@ Counterexample weak_load() {
                     {"us", Rational(1, 10)},
                     {"ur", Rational(5)}},
           .values = {equation(p, load), equation(q1, chi * load / D), equation(q2, second)},
-          .true_there = {load_acts.statement,
-                         {p, abs(in_37), Relation::greater},
-                         equation(sin(phi), -B / (q2 * omega)),
-                         pushes,
+          .true_there = {load_acts.statement, inequality37, equation(sin(phi), -B / (q2 * omega)), pushes,
                          {ur, us, Relation::greater}},
           .false_there = {inequality36}};
 }
@@ -141,7 +130,7 @@ std::vector<Claim> condition37() {
        .prove = by_normal_form()},
       {.id = "37",
        .kind = Kind::condition,
-       .printed = {{p, abs(in_37), Relation::greater}},
+       .printed = {inequality37},
        .words = "the load amplitude that (36) needs",
        .assumptions = moving_motion({load_acts, both}),
        .prove = by_positive_combination({{.positive = {{1, {{from("37.sharp")}}}, {square * rest}}}},
@@ -152,7 +141,7 @@ std::vector<Claim> condition37() {
        .printed = {inequality36},
        .words = "a load above the bound (37) is enough for (36), with the phase of (35)",
        .assumptions = {load_acts,
-                       {"37", {p, abs(in_37), Relation::greater}},
+                       {"37", inequality37},
                        {"35", equation(sin(phi), -B / (q2 * omega))},
                        {"36.load", pushes},
                        {"4.ur", {ur, us, Relation::greater}}},
