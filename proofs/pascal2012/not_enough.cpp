@@ -2,13 +2,12 @@
 // of them, close, and pass the belt's velocity during a slip.
 #include "proofs/methods/implications.hpp"
 #include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/symmetric.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
 using namespace methods;
 using namespace symbols;
-
-namespace half_period {
 
 namespace {
 
@@ -22,6 +21,15 @@ Statements of(const std::vector<Assumption>& assumptions) {
   return result;
 }
 
+const Assumption friction_acts{"4.us", {vocabulary::us, 0, Relation::greater}},
+    step_of_friction{"4.ur", {vocabulary::ur, vocabulary::us, Relation::greater}};
+
+}  // namespace
+
+namespace half_period {
+
+namespace {
+
 // All that the paper asks of two slips of half a period each but what they do between their ends.
 std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
   std::vector<Assumption> all{half,
@@ -33,8 +41,8 @@ std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
                               {"36", inequality36},
                               {"37", inequality37},
                               load_acts,
-                              {"4.us", {us, 0, Relation::greater}},
-                              {"4.ur", {ur, us, Relation::greater}}};
+                              friction_acts,
+                              step_of_friction};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -101,5 +109,113 @@ std::vector<Claim> not_enough_for_slips() {
 }
 
 }  // namespace half_period
+
+namespace {
+
+using namespace symmetric;
+
+// All that the paper asks of a slip and a stick but what they do between their ends.
+std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
+  std::vector<Assumption> all{time_lag,
+                              period,
+                              slip_takes_time,
+                              stick_takes_time,
+                              stick_lasts,
+                              starts_with_belt,
+                              {"12", equation12},
+                              {"13.z1", equation(z1C, -z10)},
+                              {"13.z2", equation(z2C, -z20)},
+                              {"14.lower", {-eta * (ur + us), at_C, Relation::less}},
+                              {"14.upper", {at_C, eta * (ur - us), Relation::less}},
+                              stick_ends,
+                              half_sine,
+                              half_cosine,
+                              {"16.slip", slip16},
+                              {"16.stick", stick16},
+                              friction_acts,
+                              step_of_friction};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+// (16) is linear in the state and the load: where tau and the frequencies are given these are found. It is a
+// zdot10 + b p + c = 0 in each mode.
+Counterexample given_slip(const std::vector<Coordinate>& at, const Term& time, Statements assumed,
+                          Statements fails) {
+  const Term turn = tan(T / 2), rest = z20 * chi - turn * chi * V;
+  const Term D = half_period::D, first = chi / D, second = (1 - power(omega, 2)) / D;  // Q is p times these
+  struct Line {
+    Term a, b, c;
+  };
+  const auto line = [&](const Term& frequency, const Term& r1, const Term& r2) {
+    const Term C = cos(frequency * tau / 2), S = sin(frequency * tau / 2) / frequency;
+    return Line{r1 * (C * turn + S), (r1 * first + r2 * second) * (S * omega * c0 - C * s0),
+                C * (r1 * rest + r2 * z20) + S * r2 * V};
+  };
+  const Line l = line(omega1, lambda2, -1), m = line(omega2, -lambda1, 1);
+  const Term determinant = l.a * m.b - m.a * l.b;
+  return {.point = at,
+          .values = {period.statement, stick_lasts.statement, time_lag.statement, half_sine.statement,
+                     half_cosine.statement, equation(zdot20, V), equation(z20, V * T / 2),
+                     equation(zdot10, (m.c * l.b - l.c * m.b) / determinant),
+                     equation(p, (m.a * l.c - l.a * m.c) / determinant), equation(q1, first * p),
+                     equation(q2, second * p), equation(z10, rest + turn * zdot10), equation(z1C, -z10),
+                     equation(z2C, -z20), equation(ur, us + chi * (z20 - z10) - p / eta * cos(phi)),
+                     equation(t, time)},
+          .true_there = std::move(assumed),
+          .false_there = std::move(fails)};
+}
+
+}  // namespace
+
+std::vector<Claim> not_enough_for_slip_and_stick() {
+  const std::vector<Assumption> slipping = all_conditions({begins,
+                                                           slips_below,
+                                                           slip_ends,
+                                                           {"t.after", {t, 0, Relation::greater}},
+                                                           {"t.before", {t, tau, Relation::less}}});
+  const std::vector<Assumption> sticking = all_conditions({{"13.slip", slip13},
+                                                           slip_ends,
+                                                           sticks,
+                                                           closes,
+                                                           {"t.after", {t, tau, Relation::greater}},
+                                                           {"t.before", {t, Theta, Relation::less}}});
+  const Term speed = component(3, X(t)), by5 = component(3, H(t) * (Z0 - F0) + F(t)),
+             by10 = Gamma(t - tau) * E * Z0;
+  const auto friction = [](const Term& Z) {
+    return friction_at_rest(component(0, Z), component(1, Z), omega * t + phi);
+  };
+  return {
+      {.id = "12.enough",
+       .kind = Kind::step,
+       .printed = {{speed, V, Relation::less}},
+       .words = "the motion (5) that begins by (12) slips below the belt's velocity on all of $(0, tau)$; "
+                "here (13)-(16) hold, too, (14) strictly",
+       .assumptions = slipping,
+       .prove = by_counterexample(given_slip(
+           {{"omega1", Rational(2, 3)},
+            {"omega2", Rational(8, 3)},
+            {"omega", Rational(1, 2)},
+            {"tau", Rational(6)},
+            {"us", Rational(1, 50)},
+            {"V", Rational(1)}},
+           Term(21) / 5, of(slipping), {{speed, V, Relation::less}, {by5, V, Relation::less_or_equal}}))},
+      {.id = "14.enough",
+       .kind = Kind::step,
+       .printed = {{abs(friction(Z(t))), ur, Relation::less}},
+       .words = "the mass sticks from $tau$ to $tau + T$, $|r| < u_r$ on all of it, if (14) holds strictly; "
+                "here (12), (13), (15) and (16) hold, too",
+       .assumptions = sticking,
+       .prove = by_counterexample(given_slip(
+           {{"omega1", Rational(1, 3)},
+            {"omega2", Rational(2)},
+            {"omega", Rational(2, 3)},
+            {"tau", Rational(3)},
+            {"us", Rational(1, 50)},
+            {"V", Rational(1)}},
+           tau + Term(8) / 5, of(sticking),
+           {{abs(friction(Z(t))), ur, Relation::less}, {friction(by10), ur, Relation::less_or_equal}}))},
+  };
+}
 
 }  // namespace stickslip::proofs::pascal2012

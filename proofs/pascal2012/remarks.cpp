@@ -33,6 +33,27 @@ std::vector<Remark> on_orbits() {
                   "but countably many, the statement is proved (7.symmetric, A5.symmetry)",
        .see = "stickslip check 7.always 33.even --explain",
        .quote = "We prove that this kind of solution is symmetric in space and in time"},
+      {.claim = "12.enough",
+       .place = "Section 4, after (12)",
+       .says = "once (12) holds the second mass slips below the belt's velocity until $tau$",
+       .fact = "it may exceed the belt's velocity within the slip, though (12)-(16) hold, (14) strictly: at "
+               "$omega_1 = 2/3$, $omega_2 = 8/3$, $omega = 1/2$, $u_s = 0.02$, $V = 1$ the slip that lasts "
+               "$tau = 6$ does, by 1.43",
+       .because = "(12)-(16) look at the ends of the slip alone; $x2' < V$ between them is a condition of "
+                  "its own",
+       .see = "stickslip check 12.enough --explain",
+       .quote = "For $0 < t < tau$, the system undergoes a slip motion defined by (5)"},
+      {.claim = "14.enough",
+       .place = "Section 4, after (14)",
+       .says = "once (14) holds the mass sticks from $tau$ to $tau + T$",
+       .fact = "the friction that this needs may exceed $u_r$ within the stick, though (12)-(16) hold, (14) "
+               "strictly: at $omega_1 = 1/3$, $omega_2 = 2$, $omega = 2/3$, $u_s = 0.02$, $V = 1$, $tau = "
+               "3$ it is 3.1 where $u_r = 0.29$",
+       .because =
+           "(14) is (11) at $tau$ alone; at all times of the stick (11) is a condition of its own, $f_1 "
+           "<= 0$ and $f_2 > 0$, which the paper looks at for its example",
+       .see = "stickslip check 14.enough --explain",
+       .quote = "the system motion is a sticking motion given by"},
       {.claim = "25.enough",
        .place = "Section 6, after (25)",
        .says = "once (25) holds the second mass slips below the belt's velocity until $tau$",

@@ -14,18 +14,9 @@ namespace {
 
 using namespace symmetric;
 
-const Term s0 = scalar("s0"), c0 = scalar("c0"), z1 = scalar("z1"), z2 = scalar("z2");
+const Term z1 = scalar("z1"), z2 = scalar("z2");
 const Assumption breaks{"4.breaks", equation(friction_at_rest(z10, z20, phi), ur)};
-const Assumption half_sine{"16.s0", equation(s0, sin(omega *tau / 2))},
-    half_cosine{"16.c0", equation(c0, cos(omega *tau / 2))};
 const Assumption repeats{"28.closes", equation(Z(Theta), Z0)};
-
-const Statement equation12 = equation(chi * eta * (z20 - z10), p * cos(phi) + eta * (ur - us));
-
-const Term w0 = z0 - Q * s0, wdot0 = zdot0 + Q * omega * c0;
-const Statement slip16 = equation((H1(tau) + I2) * w0 + H2(tau) * wdot0, zero(2, 1)),
-                stick16 = equation((Gamma1(T) + I2) * z0 - Gamma2(T) * zdot0, zero(2, 1));
-const Statement slip13 = equation(H(tau) * (Z0 - F0) + F(tau), E * Z0);
 
 const Term top = block(1, {I2, zero(2, 2)});
 
@@ -35,7 +26,6 @@ Term diagonal(const Term& a, const Term& b) {
 
 // (12)-(14): the friction at both ends of the slip.
 std::vector<Claim> ends() {
-  const Term at_C = chi * eta * (z2C - z1C) - p * cos(omega * tau + phi);
   const Assumption state_C1{"13.z1", equation(z1C, -z10)}, state_C2{"13.z2", equation(z2C, -z20)};
   const Assumption slides{"4.us", {us, 0, Relation::greater}}, holds{"4.ur", {ur, us, Relation::greater}};
   return {
@@ -277,7 +267,8 @@ std::vector<Claim> stick_conditions() {
 }  // namespace
 
 std::vector<Claim> section4() {
-  return joined({ends(), lag(), closing(), reversal(), determinant_of_16(), stick_conditions(), example_S()});
+  return joined({ends(), lag(), closing(), reversal(), determinant_of_16(), stick_conditions(),
+                 not_enough_for_slip_and_stick(), example_S()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

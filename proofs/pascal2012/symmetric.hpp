@@ -25,6 +25,20 @@ inline const methods::Assumption stick_lasts{"4.T", symbols::equation(T, Theta -
 inline const methods::Assumption stick_takes_time{"T.positive", {T, 0, symbols::Relation::greater}};
 inline const methods::Assumption sticks = half_period::sticks(tau, Theta);
 
+// (12), the middle of (14), (13) in closed form, and (16).
+inline const symbols::Statement equation12 =
+    symbols::equation(chi * eta * (z20 - z10), p * cos(phi) + eta * (ur - us));
+inline const symbols::Term at_C = chi * eta * (z2C - z1C) - p * cos(omega * tau + phi);
+inline const symbols::Statement slip13 = symbols::equation(H(tau) * (Z0 - F0) + F(tau), E * Z0);
+inline const symbols::Term s0 = symbols::scalar("s0"), c0 = symbols::scalar("c0");
+inline const methods::Assumption half_sine{"16.s0", symbols::equation(s0, sin(omega *tau / 2))},
+    half_cosine{"16.c0", symbols::equation(c0, cos(omega *tau / 2))};
+inline const symbols::Statement slip16 = symbols::equation(
+                                    (H1(tau) + I2) * (z0 - Q * s0) + H2(tau) * (zdot0 + Q * omega * c0),
+                                    symbols::zero(2, 1)),
+                                stick16 = symbols::equation((Gamma1(T) + I2) * z0 - Gamma2(T) * zdot0,
+                                                            symbols::zero(2, 1));
+
 // Zero where omega_j tan(omega_j tau/2) = omega tan(omega tau/2).
 [[nodiscard]] inline symbols::Term balance(const symbols::Term& frequency) {
   return frequency * sin(frequency * tau / 2) * cos(omega * tau / 2) -
@@ -37,6 +51,8 @@ namespace stickslip::proofs::pascal2012 {
 
 // Where (16) can be solved, and where that is an orbit.
 [[nodiscard]] std::vector<methods::Claim> determinant_of_16();
+// (12)-(16) are not enough for the slip and the stick.
+[[nodiscard]] std::vector<methods::Claim> not_enough_for_slip_and_stick();
 // The orbit of Fig. 2.
 [[nodiscard]] std::vector<methods::Claim> example_S();
 // What its data allow: u_r is one of them.
