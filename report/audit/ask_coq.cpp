@@ -89,7 +89,10 @@ std::vector<std::string> required_by(const std::string& text) {
 class Questions {
  public:
   explicit Questions(const fs::path& directory)
-      : directory_(directory), record_(read_record(directory / certificate_record)), workshop_(purpose) {
+      : directory_(directory),
+        record_(read_record(directory / certificate_record)),
+        sealed_before_(is_sealed(record_)),
+        workshop_(purpose) {
     tools::require(coqc);
   }
 
@@ -283,7 +286,7 @@ class Questions {
   // Of which claims coqchk has said before what it would say now.
   [[nodiscard]] std::set<std::string> known_before() const {
     std::set<std::string> known;
-    if (!std::ranges::all_of(record_.at("foundations"), [&](const Json& one) {
+    if (!sealed_before_ || !std::ranges::all_of(record_.at("foundations"), [&](const Json& one) {
           const auto made = compiled_.find(fs::path(one.at("file").get<std::string>()).stem());
           return made == compiled_.end() || made->second == one.at("compiled");
         })) {
@@ -391,6 +394,7 @@ class Questions {
 
   fs::path directory_;
   Json record_;
+  bool sealed_before_;  // as it was read
   tools::Workshop workshop_;
   std::map<std::string, std::string> foundations_,
       compiled_;                               // by names: the texts' fingerprints, those of .vo

@@ -39,7 +39,8 @@ std::map<std::string, std::string> foundations_in(const Json& record) {
 
 }  // namespace
 
-Json record_of(const certificates::Certificates& all, const Json& before) {
+Json record_of(const certificates::Certificates& all, const Json& recorded_before) {
+  const Json before = is_sealed(recorded_before) ? recorded_before : Json::object();
   std::map<std::string, const Json *> recorded;
   if (before.contains("claims")) {
     for (const Json& claim : before.at("claims")) {

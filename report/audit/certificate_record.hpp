@@ -14,10 +14,10 @@ inline constexpr const char * certificate_record = "certificates.json";
 
 // The record as it is before Coq is asked: program and version; "foundations", the files that all stand on,
 // and for each claim its file, theorems, imports, fingerprints of what is said and of the file, whether it
-// was asked for, and "accepted": null, or what the record before says if nothing at all has changed in what
-// it rests on; those without, and why.
+// was asked for, and "accepted": null, or what the record before says if that is sealed and nothing at all
+// has changed in what it rests on; those without, and why.
 [[nodiscard]] tools::Json record_of(const proofs::certificates::Certificates& certificates,
-                                    const tools::Json& before = tools::Json::object());
+                                    const tools::Json& recorded_before = tools::Json::object());
 
 // Throws InputOutputError if there is no record, or none that can be read.
 [[nodiscard]] tools::Json read_record(const std::filesystem::path& path);

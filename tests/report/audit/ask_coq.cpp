@@ -139,6 +139,19 @@ TEST_CASE("manipulated certificates are not accepted") {
     CHECK(claim_in(record, "1").at("accepted") == true);
     CHECK(claim_in(record, "3").at("accepted") == false);
   }
+  SUBCASE("what coqchk said is not taken from a record that is not as it was made") {
+    const auto again = [](bool with_seal) {
+      const Copy copy;
+      Json record = read_record(copy.path / certificate_record);
+      for (Json& claim : record.at("claims")) {
+        claim["again"] = "accepted, says a forger";
+      }
+      write(copy.path / certificate_record, report::tools::to_text(with_seal ? sealed(record) : record));
+      return claim_in(checked(copy.path), "1").at("again").get<std::string>();
+    };
+    CHECK(again(true) == "accepted, says a forger");  // it is not asked again
+    CHECK(again(false) == "accepted");
+  }
   SUBCASE("lemmas other than those that were written are not looked at") {
     const Copy copy;
     write(copy.path / "Calculus.v", text_in(copy.path / "Calculus.v") + "\n");

@@ -179,11 +179,16 @@ TEST_CASE("what Coq said stays when certificates are written again, unless somet
   const Accepted same;
   same.write_again(true);
   CHECK(same.state("3") == State::certified);
-  const Accepted changed;
+  const Accepted changed, unsealed;
   changed.write_again(false);
+  Json record = unsealed.record();
+  record["seal"] = "";
+  write(unsealed.path / certificate_record, report::tools::to_text(record));
+  unsealed.write_again(true);
   for (const char * id : {"1", "2", "3"}) {
     CHECK(claim_in(changed.record(), id).at("accepted").is_null());
     CHECK(changed.state(id, false) == State::unknown);
+    CHECK(claim_in(unsealed.record(), id).at("accepted").is_null());
   }
 }
 
