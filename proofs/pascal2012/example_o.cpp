@@ -1,7 +1,5 @@
-// Section 5, example O: the orbit of Fig. 3, the numbers that are printed for it, and a zero of (23) that is
-// no orbit.
+// Section 5, example O: the orbit of Fig. 3, and the numbers that are printed for it.
 #include <fmt/format.h>
-#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -13,8 +11,6 @@
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
-#include "proofs/symbols/meaning.hpp"
-#include "proofs/symbols/point.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -258,86 +254,6 @@ std::vector<Claim> origins() {
   };
 }
 
-// --- A zero of (23) that is no orbit ---
-
-// A ball around a zero of f between the ends, which have opposite signs there; nothing otherwise.
-std::optional<Ball> zero_between(const std::function<Ball(const Ball&)>& f, Rational lower, Rational upper) {
-  const auto sign = [&](const Rational& at) {
-    const Ball value = f(Ball(at));
-    return value.is_positive() ? 1 : value.is_negative() ? -1 : 0;
-  };
-  const int left = sign(lower);
-  if (left == 0 || sign(upper) != -left) {
-    return std::nullopt;
-  }
-  for (int step = 0; step < 40; ++step) {
-    const Rational middle = (lower + upper) / 2;
-    const int here = sign(middle);
-    if (here == 0) {
-      break;
-    }
-    (here == left ? lower : upper) = middle;
-  }
-  return Ball::from_interval(lower, upper);
-}
-
-// The terms of overshooting.hpp at tau + tau1 = s.
-Ball on_the_line(const Term& term, const Ball& s) {
-  const ExactParameters& a = printed().data;
-  const Lookup<Ball> known = at_point({{"chi", a.chi}, {"eta", a.eta}});
-  return evaluate<Ball>(term, [&](const std::string& name) {
-    return name == "tau"    ? s
-           : name == "tau1" ? Ball(0)
-           : name == "T"    ? Ball(2) * Ball::pi() / Ball(a.omega) - s
-                            : known(name);
-  })(0, 0);
-}
-
-// Equations 1, 2, 4, 5 of (21) have no solution: the determinant of (a, b, c, d) is not zero.
-Ball unsolvable(const model::ClosingCoefficients<Ball>& k) {
-  Eigen::Matrix<Ball, 4, 4> m;
-  const std::array<std::size_t, 4> rows{0, 1, 3, 4};
-  for (int i = 0; i < 4; ++i) {
-    const std::size_t row = rows.at(static_cast<std::size_t>(i));
-    m(i, 0) = k.a[row];
-    m(i, 1) = k.b[row];
-    m(i, 2) = k.c[row];
-    m(i, 3) = k.d[row];
-  }
-  return m.determinant();
-}
-
-Claim spurious() {
-  return number(
-      "23.spurious", Origin::new_result,
-      "at the data of Fig. 3 a solution of (23) with $tau$, $tau_1$, $T > 0$ exists at which (21) has none: "
-      "$Delta = 0$ there",
-      [](Prover&, const Claim&) {
-        Outcome outcome = at_the_data(printed(), {});
-        outcome.uses = {"22.square", "22.null"};
-        const auto total =
-            zero_between([](const Ball& s) { return on_the_line(overshooting::even_determinant, s); }, 8,
-                         Rational(81, 10));
-        const auto F_1 = [&](const Ball& tau) {
-          return model::compatibility<Ball>(coefficients(tau, *total - tau, model::Reading::derived))[0];
-        };
-        const auto tau = total ? zero_between(F_1, 3, Rational(33, 10)) : std::nullopt;
-        if (!tau || !on_the_line(overshooting::even_place, *total).is_nonzero()) {
-          outcome.verdict = Verdict::undecided("no change of sign is certain");
-          return outcome;
-        }
-        outcome.route = fmt::format(
-            "the square in $Delta$ and, on the line where it is zero, $F_1$ change sign; $F_2$ is zero on "
-            "that line; the determinant of $(a, b, c, d)$ in equations 1, 2, 4, 5 is not zero: $tau = {}$, "
-            "$tau_1 = {}$",
-            to_string(*tau), to_string(*total - *tau));
-        outcome.verdict = unsolvable(coefficients(*tau, *total - *tau, model::Reading::derived)).is_nonzero()
-                              ? Verdict::proved()
-                              : Verdict::undecided("the determinant of equations 1, 2, 4, 5 may be zero");
-        return outcome;
-      });
-}
-
 }  // namespace
 
 std::vector<Claim> example_O() {
@@ -350,7 +266,7 @@ std::vector<Claim> example_O() {
                  orbit_claims(where()),
                  {printed_times(), printed_state_closes()},
                  origins(),
-                 {spurious()}});
+                 {spurious_zero()}});
 }
 
 }  // namespace stickslip::proofs::pascal2012

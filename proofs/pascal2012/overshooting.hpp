@@ -65,5 +65,6 @@ namespace stickslip::proofs::pascal2012 {
 
 [[nodiscard]] std::vector<methods::Claim> section5_linear();  // (21)-(23)
 [[nodiscard]] std::vector<methods::Claim> example_O();        // the orbit of Fig. 3
+[[nodiscard]] methods::Claim spurious_zero();                 // at its data: a zero of (23) that is no orbit
 
 }  // namespace stickslip::proofs::pascal2012
