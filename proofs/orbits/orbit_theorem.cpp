@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "proofs/orbits/definitions.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/names.hpp"
 #include "proofs/orbits/phase_proof.hpp"
 #include "proofs/orbits/with_zero.hpp"
+#include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::orbits {
 
@@ -26,11 +28,77 @@ class Orbit {
       box_.emplace_back(centre[i] - radius, centre[i] + radius);
       ranges_.emplace(phases_.unknowns()[i], box_.back());
     }
-    const Rational& omega = question.data.omega;
-    ranges_.emplace(phases_.omega(), Interval{omega, omega});
+    know_omega();
+  }
+  Orbit(const Question& question, const ClosedForm& known)
+      : phases_(question), names_(phases_.question()), known_(known) {
+    for (const Variable& unknown : phases_.unknowns()) {
+      const auto range = known.parameters.find(unknown);
+      ranges_.emplace(unknown,
+                      range != known.parameters.end()
+                          ? range->second
+                          : enclosure(known.values.at(unknown), known.parameters, Rational(1, 1L << 34)));
+    }
+    know_omega();
   }
 
   Theorem operator()() {
+    say_all();
+    return with_zero(exists(), phases_.unknowns(), phases_.equations(), box_, at_value());
+  }
+  Theorem in_closed_form(const std::vector<Formula>& also) {
+    say_all();
+    for (const Formula& equation : also) {
+      say(equation, Theorem::assume(substitute(equation, values_)));
+    }
+    Theorem result = Theorem::instantiate(Theorem::instantiate(exists(), known_->values), at_value());
+    const Formulas hypotheses = result.hypotheses();
+    for (const Formula& one : hypotheses) {
+      if (one.kind() == Kind::equal) {
+        result = Theorem::cut(solved(one), result);
+      } else if (!is_range(one)) {
+        result = Theorem::cut(
+            one.variables().empty() ? certainly(one) : Theorem::sign(one, ranges_in(one, known_->parameters)),
+            result);
+      }
+    }
+    return result;
+  }
+  [[nodiscard]] Theorem unique() const {
+    return exactly_one_zero(phases_.unknowns(), phases_.equations(), box_, at_value());
+  }
+
+ private:
+  void know_omega() {
+    const Rational& omega = phases_.question().data.omega;
+    ranges_.emplace(phases_.omega(), Interval{omega, omega});
+  }
+  // By the equation between the parameters, or without it; divisors have no parameters.
+  [[nodiscard]] Theorem solved(const Formula& equation) const {
+    const Theorem between = Theorem::assume(known_->between);
+    for (const int factor : {0, 1, -1}) {
+      try {
+        Theorem result = Theorem::combination(
+            equation, factor == 0 ? std::vector<Multiple>{} : std::vector<Multiple>{{between, factor}});
+        const Formulas hypotheses = result.hypotheses();
+        for (const Formula& one : hypotheses) {
+          result = is_divisor(one) ? Theorem::cut(certainly(one), result) : result;
+        }
+        return result;
+      } catch (const KernelError&) {
+        continue;
+      }
+    }
+    throw KernelError("the closed form does not solve: " + to_string(equation));
+  }
+  [[nodiscard]] bool is_range(const Formula& formula) const {
+    return std::ranges::any_of(known_->parameters, [&](const auto& one) {
+      return formula == at_most(one.second.first, one.first) ||
+             formula == at_most(one.first, one.second.second);
+    });
+  }
+
+  void say_all() {
     // The values of what is said to exist.
     const Question& q = phases_.question();
     for (std::size_t k = 0; k < phases_.count(); ++k) {
@@ -58,13 +126,8 @@ class Orbit {
       phase(k);
       transition(k);
     }
-    return with_zero(exists(), phases_.unknowns(), phases_.equations(), box_, at_value());
-  }
-  [[nodiscard]] Theorem unique() const {
-    return exactly_one_zero(phases_.unknowns(), phases_.equations(), box_, at_value());
   }
 
- private:
   struct Named {
     Variable variable;
     Term value;
@@ -102,6 +165,9 @@ class Orbit {
   void holds(const Formula& inequality) { say(inequality, sign(substitute(inequality, values_))); }
   // What lies between which decimals, in the names.
   void bound(const Term& term) {
+    if (known_) {
+      return;
+    }
     const auto [lower, upper] = decimals(substitute(term, values_));
     holds(less(lower, term));
     holds(less(term, upper));
@@ -221,6 +287,7 @@ class Orbit {
 
   Phases phases_;
   Names names_;  // of the question that phases_ keeps
+  std::optional<ClosedForm> known_ = {};
   Box box_;
   Ranges ranges_;
   std::vector<Named> named_;
@@ -233,6 +300,10 @@ class Orbit {
 
 Theorem orbit_theorem(const Question& question, const numeric::motion::Motion& nearly) {
   return Orbit(question, nearly)();
+}
+
+Theorem orbit_theorem(const Question& question, const ClosedForm& known, const std::vector<Formula>& also) {
+  return Orbit(question, known).in_closed_form(also);
 }
 
 Theorem locally_unique(const Question& question, const numeric::motion::Motion& nearly) {

@@ -27,6 +27,18 @@ namespace stickslip::proofs::orbits {
 // these are determined by the unknowns: the orbit is locally unique. Throws KernelError as before.
 [[nodiscard]] kernel::Theorem locally_unique(const Question& question, const numeric::motion::Motion& nearly);
 
+// The unknowns of phases.hpp as terms in parameters, that solve the equations where the parameters lie in
+// their ranges and one equation between them holds.
+struct ClosedForm {
+  kernel::Substitution values;
+  kernel::Ranges parameters;
+  kernel::Formula between;  // a = b of numbers
+};
+// Parameters' ranges, the equation between them ⊢ there are …, as in the orbit theorem, but for the decimals,
+// and of them these equations hold, too. Throws KernelError as before, and where the values solve none of it.
+[[nodiscard]] kernel::Theorem orbit_theorem(const Question& question, const ClosedForm& known,
+                                            const std::vector<kernel::Formula>& also);
+
 // ⊢ there are such numbers and one motion X, X(t + Theta) = X(t) for all t, of which all is true that the
 // orbit theorem says of its motions: X obeys (2) and (4) at all times. Throws KernelError where it is of
 // another form.

@@ -3,37 +3,42 @@
 // period: it may be added to the motion of (33), as long as x2' keeps its sign on both slips.
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "core/error.hpp"
-#include "model/nonsticking_closed_form.hpp"
-#include "numeric/families/nonsticking.hpp"
+#include "model/nonsticking.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/orbits/along.hpp"
+#include "proofs/orbits/by_parts.hpp"
+#include "proofs/orbits/names.hpp"
+#include "proofs/orbits/orbit_theorem.hpp"
+#include "proofs/orbits/orbit_with.hpp"
+#include "proofs/orbits/with_zero.hpp"
 #include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
+#include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::pascal2012::half_period {
 
 using namespace methods;
 using namespace numeric::motion;
 using namespace symbols;
-namespace families = numeric::families;
 
 namespace {
 
 constexpr long bits = 192;
 const Rational largest_epsilon(1, 20);
 
-// omega_1 = 7/10, omega_2 = 13/10 and omega = omega_1/2, exactly.
+const kernel::Variable epsilon{"epsilon"};
+const Rational first_frequency(7, 10), second_frequency(13, 10);
+
+// With omega = omega_1/2, exactly.
 struct Data {
   ExactParameters a;
   Rational ur;
 };
 Data data() {
-  const Rational omega1(7, 10), omega2(13, 10);
-  return {{model::chi_from_frequencies<Rational>(omega1, omega2),
-           model::eta_from_frequencies<Rational>(omega1, omega2), Rational(1, 10), Rational(0), omega1 / 2,
-           Rational(3)},
+  return {{model::chi_from_frequencies<Rational>(first_frequency, second_frequency),
+           model::eta_from_frequencies<Rational>(first_frequency, second_frequency), Rational(1, 10),
+           Rational(0), first_frequency / 2, Rational(3)},
           Rational(3, 25)};
 }
 
@@ -46,34 +51,103 @@ Outcome at_the_data(const std::string& route) {
   return outcome;
 }
 
-// The motion of (33) with (35), cos(phi) > 0, plus the mode.
-Motion with_mode(const Ball& epsilon) {
+// (35), cos(phi) > 0, nearly.
+Ball load_phase() {
   const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(data().a));
   const model::HalfPeriod<Ball> h =
       model::half_period<Ball>(o.data.chi, o.modes, o.d0, o.data.omega, Ball::pi());
   const Ball sin_phi = -h.friction_speed / (o.Q(1) * o.data.omega);
-  const Ball cos_phi = sqrt(Ball(1) - sin_phi * sin_phi);
   Ball phi;
   arb_asin(phi.raw(), sin_phi.raw(), WorkingPrecision::bits());
-  model::Vector4<Ball> Z0 = model::half_period_start<Ball>(h, o.Q, o.d0, o.data.omega, cos_phi, sin_phi);
-  Z0(0) += epsilon;
-  Z0(1) += epsilon * o.modes.lambda1;
-  const Ball tau = Ball::pi() / o.data.omega;
-  return compose(o, phi, Z0, {{PhaseKind::slip, tau}, {PhaseKind::overshoot, tau}});
+  return phi;
 }
 
-Verdict all_obey() {
-  const families::Family& family = families::nonsticking();
-  const Ball ur(data().ur);
-  constexpr int parts = 10;
-  std::vector<Verdict> verdicts;
-  for (int k = -parts; k < parts; ++k) {
-    const Rational unit = largest_epsilon / parts;
-    const Motion here = with_mode(Ball::hull(Ball(Rational(unit * k)), Ball(Rational(unit * (k + 1)))));
-    verdicts.push_back(
-        admissible(decide_all(family.phases, families::requirements(family), here, all_waves(here), ur)));
+// The motion of (33) with (35), plus the mode: amplitudes of its phases, each from its beginning.
+class WithMode {
+ public:
+  // Ranges of epsilon ⊢ there are phi and the motion, an orbit, with tau = pi/omega and x1(0) +
+  // x1(tau) = 2 epsilon.
+  [[nodiscard]] kernel::Theorem theorem(const orbits::Ranges& ranges) const {
+    const WorkingPrecision precision(bits);
+    const Rational near = orbits::near(load_phase()), radius(1, 1L << 34);
+    orbits::ClosedForm known{values_, ranges, kernel::equal(speed_at_start(), 0)};
+    known.parameters.emplace(phi_, kernel::Interval{near - radius, near + radius});
+    const kernel::Variable tau{"tau"};
+    const std::vector<kernel::Formula> also{
+        equal(tau, values_.at(tau)),
+        equal(entry(orbits::Names::state(0, 0), 0) + entry(orbits::Names::state(0, tau), 0),
+              kernel::Term(2) * epsilon)};
+    return orbits::with_zero(orbits::orbit_theorem(question_, known, also), {phi_}, {speed_at_start()},
+                             {known.parameters.at(phi_)});
   }
-  return all_of(verdicts);
+
+  WithMode() {
+    values_ = {{{"omega1"}, modes_.omega1},
+               {{"omega2"}, modes_.omega2},
+               {{"tau"}, kernel::pi() / kernel::Term(question_.data.omega)}};
+    for (const int j : {0, 1}) {
+      const kernel::Term rest(rest_(j)), swing = tangent(j) * rest, mode = j == 0 ? kernel::Term(epsilon) : 0;
+      values_.emplace(kernel::Variable{fmt::format("A{}_1", j + 1)}, mode - rest);
+      values_.emplace(kernel::Variable{fmt::format("B{}_1", j + 1)}, -swing);
+      values_.emplace(kernel::Variable{fmt::format("A{}_2", j + 1)}, mode + rest);
+      values_.emplace(kernel::Variable{fmt::format("B{}_2", j + 1)}, swing);
+    }
+  }
+
+ private:
+  // tan(omega_j pi/(2 omega)).
+  [[nodiscard]] kernel::Term tangent(int j) const {
+    const Rational omega_j = j == 0 ? modes_.omega1 : modes_.omega2;
+    return kernel::tan(kernel::Term(Rational(omega_j / (2 * question_.data.omega))) * kernel::pi());
+  }
+  // -x2'(0), which (35) says is zero.
+  [[nodiscard]] kernel::Term speed_at_start() const {
+    const Rational load = orbits::Phases(question_).Q()[1] * question_.data.omega;
+    kernel::Term sum = kernel::Term(load) * kernel::sin(phi_);
+    for (const int j : {0, 1}) {
+      const Rational slope =
+          j == 0 ? Rational(modes_.lambda1 * modes_.omega1) : Rational(modes_.lambda2 * modes_.omega2);
+      sum = sum + kernel::Term(Rational(slope * rest_(j))) * tangent(j);
+    }
+    return sum;
+  }
+
+  orbits::Question question_{.data = data().a,
+                             .phases = {PhaseKind::slip, PhaseKind::overshoot},
+                             .durations = {"tau", "tau1"},
+                             .ur = data().ur};
+  kernel::Variable phi_{"phi"};
+  model::Modes<Rational> modes_ = model::modes_of<Rational>(data().a.chi, first_frequency, second_frequency);
+  model::Vector2<Rational> rest_ =
+      model::modal_rest<Rational>(modes_, model::d0<Rational>(data().a.chi, data().a.us));
+  kernel::Substitution values_;
+};
+
+// For all epsilon.
+kernel::Theorem all_obey() {
+  const orbits::Ranges ranges{{epsilon, {-largest_epsilon, largest_epsilon}}};
+  const WithMode motion;
+  return orbits::for_all_in(
+      orbits::in_pieces(epsilon, ranges, [&](const orbits::Ranges& here) { return motion.theorem(here); }),
+      {epsilon}, ranges);
+}
+
+// At the largest: X(tau) is not -X(0).
+kernel::Theorem not_symmetric(const kernel::Theorem& orbits) {
+  using kernel::Theorem;
+  Theorem here = Theorem::specialize(orbits, largest_epsilon);
+  here = tactics::detach(here, tactics::certainly(here.conclusion().parts()[0]));
+  return orbits::orbit_with(here, [](const Theorem& orbit) {
+    const kernel::Term start = orbits::Names::state(0, 0),
+                       end = orbits::Names::state(0, kernel::Variable{"tau"});
+    const kernel::Formula opposite = equal(end, -start);
+    const Theorem apart = Theorem::consequence({orbit}, orbit.conclusion().parts().back());
+    const kernel::Term none = 2 * kernel::Term(largest_epsilon);
+    const Theorem level = Theorem::combination(
+        equal(none, 0), {{apart, -1}, {Theorem::assume(opposite), kernel::matrix(1, 4, {1, 0, 0, 0})}});
+    return Theorem::consequence({Theorem::discharge(level, opposite), tactics::certainly(differ(none, 0))},
+                                negation(opposite));
+  });
 }
 
 Claim family_of_orbits() {
@@ -85,13 +159,12 @@ Claim family_of_orbits() {
               "$V = 0$ these motions are orbits of the friction law for all $epsilon$ from $-1/20$ to "
               "$1/20$: a whole family at one and the same machine",
           .prove = [](Prover&, const Claim&) {
-            const WorkingPrecision precision(bits);
             Outcome outcome = at_the_data(
-                "(25), (26) and the sign of $x2'$ for all times of both slips and all $epsilon$, in balls; "
-                "they begin as 33.even.start says, close, and meet the belt at $tau$, by 33.even and "
-                "33.even.speed");
-            outcome.uses = {"5", "27", "33.even", "33.even.speed", "33.even.start"};
-            outcome.verdict = all_obey();
+                "in closed form the motions solve all equations at the ends of both slips, by normal form; "
+                "(25), (26) and the sign of $x2'$ for all times and all $epsilon$, by signs in balls");
+            outcome.uses = {"33.even", "33.even.speed", "33.even.start"};
+            outcome.verdict = Verdict::proved();
+            prove(outcome, all_obey);
             return outcome;
           }};
 }
@@ -112,8 +185,7 @@ Claim start_of_the_motion() {
 }
 
 std::vector<Claim> motions_that_close() {
-  const Term epsilon = scalar("epsilon");
-  const Term mode = epsilon * column({1, lambda1});
+  const Term mode = scalar("epsilon") * column({1, lambda1});
   const std::vector<Assumption> started{{"31.even", equation(omega, omega1 / 2)},
                                         half,
                                         {"33.odd", {cos(omega2 * pi() / omega1), 0, Relation::not_equal}},
@@ -168,18 +240,13 @@ Claim always_symmetric() {
             const WorkingPrecision precision(bits);
             Outcome outcome = at_the_data("$x_1(tau)$ is not $-x_1(0)$ on the orbit with $epsilon = 1/20$");
             outcome.uses = {"33.even.orbits", "33.even.places"};
-            const Motion here = with_mode(Ball(largest_epsilon));
-            const Ball at_0 = here.phases[0].Z(0) + here.oscillator.d0(0),
-                       at_tau = here.phases[1].Z(0) + here.oscillator.d0(0);
+            const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(data().a));
+            const Ball place = o.Q(0) * cos(load_phase()), mode(largest_epsilon);
             std::vector<Coordinate> point = outcome.at;
             point.push_back({"epsilon", largest_epsilon});
-            outcome.verdict = prover.prove("33.even.orbits").outcome.verdict;
-            if (outcome.verdict.truth == Truth::proved) {
-              outcome.verdict =
-                  (at_0 + at_tau).is_nonzero()
-                      ? Verdict::refuted(Witness{point, {}, at_tau, -at_0, "$x_1(tau)$", "$-x_1(0)$"})
-                      : Verdict::undecided("the states at 0 and tau may be opposite");
-            }
+            outcome.verdict = Verdict::refuted(
+                Witness{point, {}, mode - place, -(mode + place), "$x_1(tau)$", "$-x_1(0)$"});
+            prove(outcome, [&] { return not_symmetric(prover.theorem("33.even.orbits")); });
             return outcome;
           }};
 }
