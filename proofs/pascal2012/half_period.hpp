@@ -107,7 +107,7 @@ inline const symbols::Term speed_continued =
 // (25)-(37) are not enough for the two slips.
 [[nodiscard]] std::vector<methods::Claim> not_enough_for_slips();
 // So what the paper says of all of them has exceptions.
-[[nodiscard]] methods::Claim always_symmetric();
+[[nodiscard]] methods::Claim not_always_symmetric();
 // The orbit of Fig. 4.
 [[nodiscard]] std::vector<methods::Claim> example_P();
 

@@ -26,6 +26,11 @@ const std::vector<Judgement>& judgements() {
        "Where $omega_i$ is an odd multiple of $omega$, $det H_3 = 0$, which (31) excludes, and no motion "
        "closes.",
        {"31.det", "31.modes", "31.rest"}},
+      {"7.always",
+       true,
+       "At resonance there are orbits that never stick and are not symmetric. Section 6 and Appendix 5 state "
+       "the hypothesis, the abstract and the conclusion do not.",
+       {"7.exception"}},
       {"67.sin", false, "Uniqueness by energy gives the symmetry without it.", {"A5.symmetry"}},
       {"63.P", false, "Uniqueness by energy gives the symmetry without $P_1$ and $P_2$.", {"A5.symmetry"}},
       {"70.rho", false, "Uniqueness by energy gives the symmetry without $det P$.", {"A5.symmetry"}},

@@ -95,7 +95,7 @@ std::vector<Result> on_orbits_that_never_stick() {
                "sign on both slips is decided in balls for all $epsilon$ at once",
        .see = "stickslip check 33.even --explain",
        .claims = {"33.even.orbits", "33.even", "33.even.speed", "33.even.start", "33.even.places",
-                  "7.always"}},
+                  "7.exception"}},
       {.id = "uniqueness",
        .title = "There is at most one orbit that never sticks",
        .setting = equations + frequencies,

@@ -48,7 +48,10 @@ Counterexample weak_load() {
                     {"us", Rational(1, 10)},
                     {"ur", Rational(5)}},
           .values = {equation(p, load), equation(q1, chi * load / D), equation(q2, second)},
-          .true_there = {load_acts.statement, inequality37, equation(sin(phi), -B / (q2 * omega)), pushes,
+          .true_there = {load_acts.statement,
+                         inequality37,
+                         equation(sin(phi), -B / (q2 * omega)),
+                         pushes,
                          {ur, us, Relation::greater}},
           .false_there = {inequality36}};
 }

@@ -90,26 +90,78 @@ Outcome only_at_rest() {
   return outcome;
 }
 
+// What Appendix 5 assumes but for resonance. The period stands first: hypotheses are told in its terms.
+std::vector<Assumption> at_resonance_too() {
+  std::vector<Assumption> all = two_slips::in_first_half();
+  std::erase_if(all, [](const Assumption& one) { return one.id == two_slips::off_resonance.id; });
+  std::ranges::stable_partition(all, [](const Assumption& one) { return one.id == two_slips::period.id; });
+  return all;
+}
+
 // The title: limit cycles. An orbit that Krawczyk's test proves is the only one in a box.
 Claim isolated() {
+  const auto only_one = [](const char * figure) {
+    return fmt::format(
+        "the equations by which the phases of the orbit of {} fit together have one solution in a "
+        "box about it",
+        figure);
+  };
   return {.id = "7.cycles",
           .kind = Kind::theorem,
           .words =
-              "title: the orbits of the three figures are limit cycles, that is, isolated: at their data "
-              "there are finitely many orbits of the family",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome;
-            outcome.route = "the lists of all orbits of the three families are complete and finite";
-            std::vector<Verdict> each;
-            for (const char * name : {"S", "O", "P"}) {
-              outcome.uses.insert({name + std::string(".orbit"), name + std::string(".list")});
-              each.push_back(orbits_of(example_named(name)).list.complete()
-                                 ? printed_orbit(example_named(name)).admissible
-                                 : Verdict::undecided("a list is not complete"));
-            }
-            outcome.verdict = all_of(each);
-            return outcome;
-          }};
+              "title: the orbits of the three figures are limit cycles, that is, isolated: near each of "
+              "them no other motion through the same phases, with any times, closes",
+          .prove =
+              [](Prover& prover, const Claim&) {
+                Outcome outcome;
+                outcome.route =
+                    "Krawczyk's test in the times of the phases and the state; that motions "
+                    "nearby have the same phases is what the strict conditions of (4) say";
+                outcome.verdict = Verdict::proved();
+                outcome.by_kernel = true;
+                for (const char * name : {"S.orbit", "O.orbit", "P.orbit"}) {
+                  const Outcome& orbit = prover.prove(name).outcome;
+                  outcome.uses.insert(name);
+                  if (orbit.theorems.size() != 2) {
+                    outcome.verdict = Verdict::undecided(fmt::format("there is no theorem of {}", name));
+                    outcome.by_kernel = false;
+                    return outcome;
+                  }
+                  outcome.theorems.push_back(orbit.theorems.back());
+                }
+                return outcome;
+              },
+          .parts = {only_one("Fig. 2"), only_one("Fig. 3"), only_one("Fig. 4")}};
+}
+
+// Among all motions of the load's period: a family of them through the orbit would have a multiplier 1.
+Claim isolated_among_all() {
+  return {
+      .id = "7.isolated",
+      .kind = Kind::theorem,
+      .words =
+          "title: isolated among all motions of the load's period, too: no Floquet multiplier of the "
+          "orbits of the three figures is 1",
+      .prove = [](Prover&, const Claim&) {
+        Outcome outcome;
+        outcome.route =
+            "the multipliers in balls; the phases of motions nearby are the same, as the "
+            "conditions of (4) hold strictly";
+        std::vector<Verdict> each;
+        for (const char * name : {"S", "O", "P"}) {
+          outcome.uses.insert(name + std::string(".stability"));
+          const Orbit& orbit = printed_orbit(example_named(name));
+          each.push_back(orbit.admissible);
+          const bool none_is_1 =
+              orbit.stability && std::ranges::all_of(orbit.stability->multipliers, [](const ComplexBall& mu) {
+                return (mu.re - Ball(1)).is_nonzero() || mu.im.is_nonzero();
+              });
+          each.push_back(none_is_1 ? Verdict::proved()
+                                   : Verdict::undecided(fmt::format("a multiplier of {} may be 1", name)));
+        }
+        outcome.verdict = all_of(each);
+        return outcome;
+      }};
 }
 
 // What the response settles on attracts.
@@ -154,6 +206,7 @@ std::vector<Claim> section7() {
   return joined(
       {{
            isolated(),
+           isolated_among_all(),
            steady(),
            exists("7.overshoot", "O",
                   "abstract: periodic orbits exist on which the mass overtakes the belt for a time"),
@@ -174,7 +227,17 @@ std::vector<Claim> section7() {
                      "countable set",
             .assumptions = two_slips::in_first_half(),
             .prove = by_premises({from("A5.theorem")})},
-           half_period::always_symmetric(),
+           {.id = "7.always",
+            .kind = Kind::theorem,
+            .printed = {equation(vocabulary::X(vocabulary::t),
+                                 -vocabulary::X(vocabulary::t + vocabulary::tau)),
+                        two_slips::half.statement},
+            .words =
+                "abstract and conclusion, said without exception: with the belt at rest every orbit that "
+                "never sticks is symmetric in space and time",
+            .assumptions = at_resonance_too(),
+            .prove = by_premises({from("A5.theorem")})},
+           half_period::not_always_symmetric(),
        },
        met_by_orbits()});
 }
