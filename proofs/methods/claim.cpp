@@ -154,7 +154,8 @@ const std::vector<StatusFacts>& statuses() {
        .tone = Tone::notable,
        .fails = true,
        .heading = "Digits",
-       .explanation = "Printed numbers that are not the correctly rounded ones."},
+       .explanation =
+           "Printed numbers that are not the correctly rounded ones; printed data are taken as exact."},
       {.status = Status::misprint_corrected,
        .name = "misprint_corrected",
        .meaning = "misprint: refuted as printed, the corrected form is proved",

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "model/appendix3.hpp"
 #include "model/waves.hpp"
@@ -254,6 +255,59 @@ std::vector<Claim> origins() {
   };
 }
 
+// What the rounding of omega = 0.6289, the datum on which most depends, can explain: parts of the interval
+// that the decimal stands for, in each of which some printed result is none of the orbit's.
+Claim rounding_of_the_data() {
+  return number(
+      "O.rounding", Origin::new_result,
+      "no load frequency that rounds to the printed $omega = 0.6289$ gives all printed digits of the orbit "
+      "of "
+      "Fig. 3, all other data taken as exact",
+      [](Prover&, const Claim&) {
+        constexpr int parts = 10;
+        const Decimal omega = parse_decimal("0.6289");
+        const Rational step = (omega.upper() - omega.lower()) / parts;
+        Outcome outcome;
+        outcome.route = fmt::format("the orbit for all $omega$ of each tenth of the interval, in balls");
+        outcome.verdict = Verdict::proved();
+        std::map<std::string, std::vector<Rational>> explained;
+        std::optional<Ball> z20;
+        for (int i = 0; i < parts; ++i) {
+          OrbitQuestion question = question_of(printed());
+          const Rational middle = omega.lower() + (i + Rational(1, 2)) * step;
+          question.parameters.omega = {middle, step / 2};
+          const OrbitList list = list_orbits(question);
+          const auto orbit = std::ranges::find_if(
+              list.orbits, [](const Orbit& one) { return one.admissible.truth == Truth::proved; });
+          bool all = true;
+          for (const PrintedResult& result : printed().results) {
+            const bool may = orbit == list.orbits.end() ||
+                             orbit->value(result.name)
+                                 .overlaps(printed_interval(as_printed(result, orbit->value(result.name))));
+            all = all && may;
+            if (may) {
+              explained[result.name].insert(explained[result.name].end(),
+                                            {middle - step / 2, middle + step / 2});
+            }
+          }
+          if (all) {
+            outcome.verdict = Verdict::undecided("some $omega$ may give all of them");
+            return outcome;
+          }
+          z20 = z20 ? Ball::hull(*z20, orbit->value("z20")) : orbit->value("z20");
+        }
+        const auto between = [&](const std::string& name) {
+          const auto& ends = explained[name];
+          return ends.empty() ? "no $omega$ at all"
+                              : fmt::format("an $omega$ from {} to {}", stickslip::to_string(ends.front()),
+                                            stickslip::to_string(ends.back()));
+        };
+        outcome.found = fmt::format("$z_20$ is {} over the interval; the printed $tau_1$ needs {}, $z_20$ {}",
+                                    shown(*z20), between("tau1"), between("z20"));
+        return outcome;
+      });
+}
+
 }  // namespace
 
 std::vector<Claim> example_O() {
@@ -264,7 +318,7 @@ std::vector<Claim> example_O() {
   return joined({{existence},
                  printed_values(where(), {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}),
                  orbit_claims(where()),
-                 {printed_times(), printed_state_closes()},
+                 {printed_times(), printed_state_closes(), rounding_of_the_data()},
                  origins(),
                  {spurious_zero()}});
 }

@@ -1,4 +1,10 @@
 // Section 4, example S: the orbit of Fig. 2, and the numbers that are printed for it.
+#include <array>
+
+#include <array>
+#include "model/symmetric.hpp"
+
+#include "model/symmetric.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/by_parts.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
@@ -97,6 +103,37 @@ Claim printed_values_close() {
       }};
 }
 
+// z10 and zdot10 as the first two of (16), which are linear in them, give them.
+template <class S>
+std::array<S, 2> from_the_slip(const model::Modes<S>& modes) {
+  const Printed<S> number{printed()};
+  const model::Parameters<S> a = number.data();
+  const S tau = number("tau");
+  const auto rows = [&](const S& z10, const S& zdot10) {
+    return model::Vector4<S>(model::symmetric_residual<S>(a.chi, modes, model::Q<S>(a, modes), a.omega, tau,
+                                                          tau, {z10, number("z20")}, {zdot10, a.V}));
+  };
+  const model::Vector4<S> rest = rows(0, 0), place = rows(1, 0) - rest, speed = rows(0, 1) - rest;
+  const S determinant = place(0) * speed(1) - place(1) * speed(0);
+  return {S((rest(1) * speed(0) - rest(0) * speed(1)) / determinant),
+          S((rest(0) * place(1) - rest(1) * place(0)) / determinant)};
+}
+
+Claim by_the_slip(const std::string& name, std::size_t which) {
+  using tactics::Symbolic;
+  return computed_from(
+      where(), name, "a solution of the slip's half of (16), a function",
+      [which] { return from_the_slip(printed_orbit(printed()).motion.oscillator.modes).at(which); },
+      [which](const Decimal& decimal, bool it_is) {
+        const Rational chi = printed().data.chi;
+        return at_frequencies(chi, printed().data.eta, [&](const orbits::Ranges& ranges) {
+          const auto modes = model::modes_of<Symbolic>(
+              Symbolic(kernel::Term(chi)), kernel::Variable{"omega1"}, kernel::Variable{"omega2"});
+          return rounds_to(decimal, from_the_slip(modes).at(which).term, it_is, ranges);
+        });
+      });
+}
+
 // Which printed numbers were computed from which.
 std::vector<Claim> origins() {
   const PrintedPlace place = where();
@@ -106,6 +143,7 @@ std::vector<Claim> origins() {
                       [](const auto& printed) {
                         return printed.data().V * printed("T") * printed.number(Rational(1, 2));
                       }),
+          by_the_slip("z10", 0), by_the_slip("zdot10", 1),
           computed_by(place, "ur", "(12) solved for $u_r$", [](const auto& printed) {
             const auto a = printed.data();
             const auto cos_phi = sin(a.omega * printed("tau") * printed.number(Rational(1, 2)));
