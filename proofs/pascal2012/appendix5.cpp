@@ -348,7 +348,7 @@ std::vector<Claim> resonance() {
 
 std::vector<Claim> appendix5() {
   return joined({motion(), relations(), through_P(), weaker_hypotheses(), symmetry(), theorem(),
-                 longer_slip(), resonance(), uniqueness()});
+                 longer_slip(), resonance(), uniqueness(), attraction()});
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -71,6 +71,8 @@ inline const symbols::Term top = symbols::block(1, {I2, symbols::zero(2, 2)}),
 [[nodiscard]] std::vector<methods::Claim> theorem();
 // For V > 0: tau > Theta/2.
 [[nodiscard]] std::vector<methods::Claim> longer_slip();
+// Why orbits that never stick attract.
+[[nodiscard]] std::vector<methods::Claim> attraction();
 // At most one motion that never sticks, by the energy of differences.
 [[nodiscard]] std::vector<methods::Claim> uniqueness();
 

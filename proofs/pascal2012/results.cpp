@@ -142,6 +142,24 @@ std::vector<Result> on_stability() {
                "0$",
        .see = "stickslip check A5.stable --explain",
        .claims = {"A5.stable", "A5.energy"}},
+      {.id = "attraction",
+       .title = "Off resonance, orbits that never stick on a belt at rest attract",
+       .setting = equations + law,
+       .theorem = model +
+                  ", $V = 0$, $tau = pi/omega$, with $omega_j != k omega$ and $omega_2 +- omega_1 != 2 k "
+                  "omega$ for all whole $k$. A deviation over four half periods loses energy unless it is "
+                  "zero, so that every symmetric orbit with two transitions per period, none of them at "
+                  "$|r| = u_s$, is exponentially stable, and the product of its Floquet multipliers is "
+                  "$rho^2$, $rho = (|r| - u_s)/(|r| + u_s)$ at its transitions",
+       .idea =
+           "between transitions a small deviation moves freely and keeps its energy; a transition takes the "
+           "speed $delta_2'$ of the second mass to $rho delta_2'$ and leaves all else. If nothing is lost "
+           "over "
+           "four of them, this speed was zero at all four, and then both modes are: their parts of it differ "
+           "in "
+           "frequency",
+       .see = "stickslip check A5.seen A5.loss A5.product --explain",
+       .claims = {"A5.seen", "A5.loss", "A5.product"}},
       {.id = "stability",
        .title = "The orbit of Fig. 2 is unstable; those of Figs. 3 and 4 are stable",
        .setting = equations + law + period,
