@@ -66,28 +66,28 @@ Claim friction_claim() {
 
 // (37) made sharp, with x2' < 0 on the whole slip.
 Claim least_load_claim() {
-  return {.id = "P.least",
-          .kind = Kind::condition,
-          .origin = Origin::new_result,
-          .words =
-              "the load of Fig. 4 exceeds the least one: $p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2)$, "
-              "$B = b_1 d_01 + b_2 d_02$, which is necessary and sufficient; $S$ is the supremum over $0 < t "
-              "< pi/omega$ that 37.speed leaves, and 37.sharp is the case $eta u_r/omega > S$",
-          .prove = [](Prover&, const Claim&) {
-            const Example& example = example_named("P");
-            const LeastLoad least = least_load(printed_orbit(example).motion, Ball(*example.ur), 20);
-            Outcome outcome = at_the_data(
-                example,
-                fmt::format("the supremum bracketed in balls: $S = {}$, $eta u_r/omega = {}$, least $p = {}$",
-                            shown(least.speed_push), shown(least.friction_push), shown(least.p)));
-            outcome.uses = {"P.orbit", "37.speed", "37.sharp", "37.sharp.back"};
-            const Ball slack = Ball(example.data.p) - least.p;
-            outcome.verdict = slack.is_positive() ? Verdict::proved()
-                              : slack.is_negative()
-                                  ? Verdict::refuted("the least $p$ is " + shown(least.p))
-                                  : Verdict::undecided("the least $p$ is " + shown(least.p));
-            return outcome;
-          }};
+  return {
+      .id = "P.least",
+      .kind = Kind::condition,
+      .origin = Origin::new_result,
+      .words =
+          "the load of Fig. 4 exceeds the least one: $p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2)$, "
+          "$B = b_1 d_01 + b_2 d_02$, which is necessary and sufficient; $S$ is the supremum over $0 < t "
+          "< pi/omega$ of $g/sin(omega t)$ in 37.slip, and 37.sharp is the case $eta u_r/omega > S$",
+      .prove = [](Prover&, const Claim&) {
+        const Example& example = example_named("P");
+        const LeastLoad least = least_load(printed_orbit(example).motion, Ball(*example.ur), 20);
+        Outcome outcome = at_the_data(
+            example,
+            fmt::format("the supremum bracketed in balls: $S = {}$, $eta u_r/omega = {}$, least $p = {}$",
+                        shown(least.speed_push), shown(least.friction_push), shown(least.p)));
+        outcome.uses = {"P.orbit", "37.sharp", "37.sharp.back", "37.slip", "37.slip.back", "37.slip.free"};
+        const Ball slack = Ball(example.data.p) - least.p;
+        outcome.verdict = slack.is_positive()   ? Verdict::proved()
+                          : slack.is_negative() ? Verdict::refuted("the least $p$ is " + shown(least.p))
+                                                : Verdict::undecided("the least $p$ is " + shown(least.p));
+        return outcome;
+      }};
 }
 
 }  // namespace

@@ -75,9 +75,6 @@ class MotionOf {
   // holds at once.
   [[nodiscard]] Theorem obeys(const std::vector<const Claim *>& claims) {
     name_states();
-    for (const auto& [name, value] : met_.values) {
-      give({name}, Reader()(value));
-    }
     if (met_.goes_on_to) {
       const Theorem repeats = facts_.front();
       const Term end = substitute(Reader()(*met_.goes_on_to), values_);
@@ -176,6 +173,9 @@ class MotionOf {
         values_.insert_or_assign(Variable{names.at(k).at(static_cast<std::size_t>(i))},
                                  entry(apply(X_, interval(k).first), i) - entry(rest, i));
       }
+    }
+    for (const auto& [name, value] : met_.values) {
+      give({name}, read(value));
     }
     give({"t"}, met_.at_the_last_phase ? interval(phases_.size() - 1).first : Term(0));
     give({"t1"}, 0);
@@ -598,6 +598,12 @@ std::vector<Claim> met_by_orbits() {
                 .premises = {"A5.half", "A5.second"},
                 .values = {{"delta", 1}},
                 .goes_on_to = 3 * Theta / 2}),
+      // Times of the slip at which x2' would be positive without the load's push, and would not.
+      claim_of("P.meets.slip", {.example = "P",
+                                .ids = ids("37.slip 37.slip.back"),
+                                .premises = {"A5.half", "A5.second"},
+                                .values = {{"t", 1}}}),
+      claim_of("P.meets.free", {.example = "P", .ids = ids("37.slip.free"), .values = {{"t", 4}}}),
       claim_of("P.meets.35", {.example = "P", .ids = ids("33.even.start"), .premises = {"A5.half", "35"}}),
       claim_of("P.meets.63", {.example = "P", .ids = ids("64.back"), .premises = {"63", "64"}}),
   };

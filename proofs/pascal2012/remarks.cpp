@@ -98,13 +98,20 @@ std::vector<Remark> on_orbits() {
       {.claim = "37.enough",
        .place = "(37)",
        .says = "the least load amplitude against sticking is the right side of (37)",
-       .fact = "(37) is necessary and not sufficient: it leaves $u_r$ out. Necessary and sufficient for (36) "
-               "is the same bound with the root of $B^2 + (eta u_r/omega)^2$ in place of $|B|$, $B = b_1 "
-               "d_01 + b_2 d_02$ (37.sharp, 37.sharp.back)",
+       .fact =
+           "(37) is necessary and not sufficient: it leaves out $u_r$ and what the mass does within the "
+           "slip. "
+           "Necessary and sufficient for (36) is the same bound with the root of $B^2 + (eta u_r/omega)^2$ "
+           "in "
+           "place of $|B|$, $B = b_1 d_01 + b_2 d_02$ (37.sharp, 37.sharp.back); for $x2' < 0$ at a time $t$ "
+           "of the slip at which it would be $g > 0$ without the load's push, the root of $B^2 + "
+           "(g/sin(omega t))^2$ (37.slip, 37.slip.back). The least load is the largest of all these, for "
+           "all parameters (37.slip.free); that (36) alone is not enough, 25.enough shows",
        .because =
-           "(36) says $q_2 omega cos(phi) > eta u_r/omega$ and (35) says $q_2 omega sin(phi) = -B$: the "
-           "squares add up to $(q_2 omega)^2$; (37) keeps the second alone, which is that $phi$ exists",
-       .see = "stickslip check 37 37.sharp 37.sharp.back --explain",
+           "(36) says $q_2 omega cos(phi) > eta u_r/omega$, $x2' < 0$ says $q_2 omega cos(phi) > g/sin(omega "
+           "t)$ (37.speed), and (35) says $q_2 omega sin(phi) = -B$: the squares add up to $(q_2 omega)^2$; "
+           "(37) keeps the last alone, which is that $phi$ exists",
+       .see = "stickslip check 37 --explain",
        .quote = "a condition about the minimum value of the external force amplitude needed to avoid a "
                 "sticking motion is obtained"},
   };

@@ -27,6 +27,15 @@ std::vector<Assumption> moving_motion(std::vector<Assumption> more) {
 
 const Term push = power(omega, 2) * q2 * cos(phi);
 
+// What x2' would be on the first slip without the load's push, by 37.speed.
+Term share(const Term& frequency, const Term& phi_i) {
+  return frequency * sin(frequency * t) - phi_i * (cos(frequency * t) - cos(omega * t));
+}
+const Term unpushed =
+    us / ((1 - chi) * (power(omega2, 2) - power(omega1, 2))) *
+    (lambda1 * power(omega2, 2) * share(omega1, phi1) - lambda2 * power(omega1, 2) * share(omega2, phi2));
+const Term pushed = q2 * omega * cos(phi) * sin(omega * t);
+
 // (q_2 omega sin(phi))^2 - B^2, times a coefficient, is a multiple of (35).
 Multiple from_35(const Term& coefficient) {
   return {from("35"), 0, coefficient * power(q2 * omega, 2) * (sin(phi) - B / (q2 * omega))};
@@ -173,9 +182,7 @@ std::vector<Claim> condition37() {
       {.id = "37.speed",
        .kind = Kind::step,
        .origin = Origin::auxiliary,
-       .printed = {equation(block(1, {0, 0, 0, 1}) * (H(t) * (Z0 - F0) + F(t)),
-                            -q2 * omega * cos(phi) * sin(omega * t) + B * cos(omega * t) -
-                                second_row * (H3(t) * d0 - H1(t) * H2_inverse * (H1(tau) - I2) * d0))},
+       .printed = {equation(block(1, {0, 0, 0, 1}) * (H(t) * (Z0 - F0) + F(t)), unpushed - pushed)},
        .words =
            "the speed of the second mass on the first slip: $x2' < 0$ there exactly if $q_2 omega cos(phi)$ "
            "exceeds, for all $0 < t < pi/omega$, what the other terms give divided by $sin(omega t)$",
@@ -186,10 +193,54 @@ std::vector<Claim> condition37() {
   };
 }
 
+// What x2' < 0 at a time of the slip, by 37.speed, says about the load amplitude: as (36) does by 37.sharp.
+std::vector<Claim> load_of_the_slip() {
+  const Term square = power(bound, 2), sine = sin(omega * t), g = scalar("g");
+  const Statement enough{power(p * sine, 2), square * (power(B * sine, 2) + power(g, 2)), Relation::greater};
+  const Statement below{g, pushed, Relation::less};
+  const Assumption without_push{"37.g", equation(g, unpushed)}, slips{"37.speed", below},
+      pushes_down{"36.load", pushes}, within{"37.within", {sine, 0, Relation::greater}},
+      rises{"37.rises", {g, 0, Relation::greater}}, falls{"37.falls", {g, 0, Relation::less_or_equal}};
+  const Positive push_down{omega, {{assuming("36.load")}, {assuming("37.within")}}};
+  return {
+      {.id = "37.slip",
+       .kind = Kind::condition,
+       .origin = Origin::new_result,
+       .printed = {enough},
+       .words = "what $x2' < 0$ and (35) say about the load amplitude at a time of the slip at which without "
+                "the load's push $x2'$ would be $g > 0$: 37.sharp with $g/sin(omega t)$ in place of $eta "
+                "u_r/omega$",
+       .assumptions = moving_motion({without_push, slips, rises}),
+       .prove = by_positive_combination(
+           {{.positive = {{square, {{assuming("37.speed")}, {assuming("37.speed")}}},
+                          {2 * square, {{assuming("37.rises")}, {assuming("37.speed")}}}},
+             .equations = {from_35(square * power(sine, 2)), from_load(power(sine, 2))}}})},
+      {.id = "37.slip.back",
+       .kind = Kind::condition,
+       .origin = Origin::new_result,
+       .printed = {below},
+       .words = "conversely that amplitude gives $x2' < 0$ at that time, for the phase $phi$ for which $q_2 "
+                "cos(phi)$ is positive",
+       .assumptions = moving_motion({without_push, pushes_down, within, rises, {"37.slip", enough}}),
+       .prove = by_positive_combination(
+           {{.positive = {{1 / square, {{assuming("37.slip")}}}},
+             .equations = {from_35(-power(sine, 2)), from_load(-power(sine, 2) / square)},
+             .divisors = {push_down, {1, {{assuming("37.rises")}}}}}})},
+      {.id = "37.slip.free",
+       .kind = Kind::condition,
+       .origin = Origin::new_result,
+       .printed = {below},
+       .words = "at all other times of the slip $x2' < 0$ follows from $q_2 cos(phi) > 0$: the least load is "
+                "the largest that 37.sharp, and 37.slip at some time, ask for",
+       .assumptions = {without_push, pushes_down, within, falls},
+       .prove = by_positive_combination({{.positive = {push_down, {1, {{assuming("37.falls")}}}}}})},
+  };
+}
+
 }  // namespace
 
 std::vector<Claim> section6_load() {
-  return joined({condition36(), condition37()});
+  return joined({condition36(), condition37(), load_of_the_slip()});
 }
 
 }  // namespace stickslip::proofs::pascal2012::half_period

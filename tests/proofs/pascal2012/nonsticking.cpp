@@ -59,6 +59,21 @@ TEST_CASE("(37) is necessary but not sufficient, with u_r it is both") {
   CHECK(record("37.sharp.back").outcome.verdict.truth == Truth::proved);
 }
 
+TEST_CASE("the load that a time of the slip asks for is not more, and no less is enough") {
+  Claim more = claim_named(paper().claims, "37.slip"), less = claim_named(paper().claims, "37.slip.back");
+  for (const Claim& claim : {more, less}) {
+    CHECK(record(claim.id).outcome.by_kernel);
+    CHECK(record(claim.id).outcome.obeyed == Obeyed::theorem);
+  }
+  more.printed.front().right = 2 * more.printed.front().right;
+  less.assumptions.back().statement.right = less.assumptions.back().statement.right / 2;
+  Prover prover(paper().claims);
+  for (const Claim& wrong : {more, less}) {
+    CAPTURE(wrong.id);
+    CHECK(wrong.prove(prover, wrong).verdict.truth != Truth::proved);
+  }
+}
+
 TEST_CASE("the symmetry of Appendix 4 is a chain from (5) and (27)") {
   CHECK(record("52").outcome.uses == std::set<std::string>{"27", "28.F", "5", "5.F", "52.L", "52.X", "6.H"});
   CHECK(record("54").outcome.uses == std::set<std::string>{"52", "53.F", "53.X"});
