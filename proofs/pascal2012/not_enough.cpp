@@ -2,6 +2,7 @@
 // of them, close, and pass the belt's velocity during a slip.
 #include "proofs/methods/implications.hpp"
 #include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -110,9 +111,9 @@ std::vector<Claim> not_enough_for_slips() {
 
 }  // namespace half_period
 
-namespace {
+namespace symmetric {
 
-using namespace symmetric;
+namespace {
 
 // All that the paper asks of a slip and a stick but what they do between their ends.
 std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
@@ -166,9 +167,7 @@ Counterexample given_slip(const std::vector<Coordinate>& at, const Term& time, S
           .false_there = std::move(fails)};
 }
 
-}  // namespace
-
-std::vector<Claim> not_enough_for_slip_and_stick() {
+std::vector<Claim> slip_and_stick() {
   const std::vector<Assumption> slipping = all_conditions({begins,
                                                            slips_below,
                                                            slip_ends,
@@ -216,6 +215,129 @@ std::vector<Claim> not_enough_for_slip_and_stick() {
            tau + Term(8) / 5, of(sticking),
            {{abs(friction(Z(t))), ur, Relation::less}, {friction(by10), ur, Relation::less_or_equal}}))},
   };
+}
+
+}  // namespace
+
+}  // namespace symmetric
+
+std::vector<Claim> not_enough_for_slip_and_stick() {
+  return symmetric::slip_and_stick();
+}
+
+namespace overshooting {
+
+namespace {
+
+// All that the paper asks of a slip, an overshoot and a stick but what they do between their ends.
+std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
+  std::vector<Assumption> all{half_period::period,
+                              period,
+                              slip_takes_time,
+                              overshoot_takes_time,
+                              stick_takes_time,
+                              starts_with_belt,
+                              {"12", at_start},
+                              meets_belt,
+                              {"18", inequality18},
+                              lands_on_belt,
+                              {"19.above", above19},
+                              {"19.below", below19},
+                              {"56.B", equation(ZB, after_slip)},
+                              {"20.C", equation(ZC, Gamma(-T) * Z0)},
+                              friction_acts,
+                              step_of_friction,
+                              named_C};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+// tau, tau_1 and T are such multiples of pi that all is rational in pi and the load's phase: the closing
+// conditions, which are linear in the state at 0, the load and u_s, solved.
+Counterexample given_times(const Term& time, Statements assumed, Statements fails) {
+  const auto number = [](int numerator, int denominator) { return Term(numerator) / denominator; };
+  const Term push = p * sin(phi);
+  const Term D = half_period::D;
+  Statements values{
+      equation(tau, 6 * pi()),
+      equation(tau1, 3 * pi()),
+      equation(T, 3 * pi()),
+      equation(Theta, 12 * pi()),
+      equation(p, number(169, 36) / (cos(phi) - sin(phi))),
+      equation(q1, chi * p / D),
+      equation(q2, (1 - power(omega, 2)) * p / D),
+      equation(us, number(13585, 168921) + number(3080, 18769) * push),
+      equation(d01, us / (1 - chi)),
+      equation(d02, d01 / chi),
+      equation(z10, number(21071, 5343) + number(399, 274) * pi() + number(16422, 23153) * push - d01),
+      equation(z20, number(3873, 728) + number(3, 2) * pi() + number(3753, 3211) * push - d02),
+      equation(zdot10, number(133, 137) - number(64, 137) * push),
+      equation(ur, us + chi * (z20 - z10) - p / eta * cos(phi)),
+      equation(t, time)};
+  const std::vector<std::pair<Term, Term>> states{
+      {column({z1B, z2B, scalar("zdot1B"), scalar("zdot2B")}), after_slip},
+      {column({z1C, z2C, scalar("zdot1C"), scalar("zdot2C")}), Gamma(-T) * Z0}};
+  for (const auto& [names, state] : states) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      values.push_back(equation(names.arguments()[i], i == 3 ? V : component(i, state)));
+    }
+  }
+  return {.point = {{"omega1", Rational(1, 3)},
+                    {"omega2", Rational(13, 6)},
+                    {"omega", Rational(1, 6)},
+                    {"phi", Rational(-1, 20)},
+                    {"V", Rational(1)},
+                    {"zdot20", Rational(1)}},
+          .values = std::move(values),
+          .true_there = std::move(assumed),
+          .false_there = std::move(fails)};
+}
+
+std::vector<Claim> three_phases() {
+  const std::vector<Assumption> overshooting =
+      all_conditions({named_B,
+                      overshoots,
+                      {"t.after", {t, tau, Relation::greater}},
+                      {"t.before", {t, tau + tau1, Relation::less}}});
+  const std::vector<Assumption> sticking = all_conditions({{"20.slips", equation(ZC, after_both)},
+                                                           sticks,
+                                                           closes,
+                                                           {"t.after", {t, tau + tau1, Relation::greater}},
+                                                           {"t.before", {t, Theta, Relation::less}}});
+  const Term speed = component(3, X(t)),
+             by8 = component(3, H(t - tau) * (ZB - F(tau)) + 2 * L(t - tau) * d0 + F(t)),
+             by10 = Gamma(t - tau - tau1) * ZC;
+  const auto friction = [](const Term& Z) {
+    return half_period::friction_at_rest(component(0, Z), component(1, Z), omega * t + phi);
+  };
+  return {
+      {.id = "18.enough",
+       .kind = Kind::step,
+       .printed = {{speed, V, Relation::greater}},
+       .words = "the motion (8) that begins by (18) overshoots on all of $(tau, tau + tau_1)$; here (12), "
+                "(19) and (20) hold, too",
+       .assumptions = overshooting,
+       .prove = by_counterexample(
+           given_times(tau + Term(79) / 10, of(overshooting),
+                       {{speed, V, Relation::greater}, {by8, V, Relation::greater_or_equal}}))},
+      {.id = "19.enough",
+       .kind = Kind::step,
+       .printed = {{abs(friction(Z(t))), ur, Relation::less}},
+       .words = "the mass that begins to stick by (19) sticks until $tau + tau_1 + T$, $|r| < u_r$ on all of "
+                "it; here (12), (18) and (20) hold, too",
+       .assumptions = sticking,
+       .prove = by_counterexample(given_times(
+           tau + tau1 + 5, of(sticking),
+           {{abs(friction(Z(t))), ur, Relation::less}, {abs(friction(by10)), ur, Relation::less}}))},
+  };
+}
+
+}  // namespace
+
+}  // namespace overshooting
+
+std::vector<Claim> not_enough_for_three_phases() {
+  return overshooting::three_phases();
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -40,6 +40,20 @@ inline const methods::Assumption starts_with_belt{"12.V", symbols::equation(zdot
 inline const methods::Assumption meets_belt{"18.V", symbols::equation(zdot2B, V)};
 inline const methods::Assumption lands_on_belt{"19.V", symbols::equation(symbols::scalar("zdot2C"), V)};
 
+// chi eta (z2 - z1) - p cos(load): eta (r - u_s). (12), (18), (19).
+[[nodiscard]] inline symbols::Term eta_r(const symbols::Term& z1, const symbols::Term& z2,
+                                         const symbols::Term& load_phase) {
+  return chi * eta * (z2 - z1) - p * cos(load_phase);
+}
+inline const symbols::Term load_at_C = omega * (tau + tau1) + phi;
+inline const symbols::Statement at_start =
+    symbols::equation(chi * eta * (z20 - z10), p * cos(phi) + eta * (ur - us));
+inline const symbols::Statement inequality18{eta_r(z1B, z2B, omega * tau + phi) + eta * (ur + us), 0,
+                                             symbols::Relation::less};
+inline const symbols::Term middle19 = eta_r(z1C, z2C, load_at_C);
+inline const symbols::Statement above19{-eta * (ur + us), middle19, symbols::Relation::less};
+inline const symbols::Statement below19{middle19, eta *(ur - us), symbols::Relation::less};
+
 // a_i z10 + b_i z20 + c_i z1'(0) + d_i.
 [[nodiscard]] inline symbols::Term closing_form(int i) {
   return symbols::coefficient('a', i) * z10 + symbols::coefficient('b', i) * z20 +
@@ -64,6 +78,8 @@ inline const symbols::Term even_state =
 namespace stickslip::proofs::pascal2012 {
 
 [[nodiscard]] std::vector<methods::Claim> section5_linear();  // (21)-(23)
+// (12), (18)-(20) are not enough for the overshoot and the stick.
+[[nodiscard]] std::vector<methods::Claim> not_enough_for_three_phases();
 [[nodiscard]] std::vector<methods::Claim> example_O();        // the orbit of Fig. 3
 [[nodiscard]] methods::Claim spurious_zero();                 // at its data: a zero of (23) that is no orbit
 

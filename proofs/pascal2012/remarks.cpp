@@ -54,6 +54,25 @@ std::vector<Remark> on_orbits() {
            "<= 0$ and $f_2 > 0$, which the paper looks at for its example",
        .see = "stickslip check 14.enough --explain",
        .quote = "the system motion is a sticking motion given by"},
+      {.claim = "18.enough",
+       .place = "Section 5, after (18)",
+       .says = "once (18) holds the second mass is faster than the belt until $tau + tau_1$",
+       .fact = "it may be slower than the belt for a time, though (12) and (18)-(20) hold: at $omega_1 = "
+               "1/3$, $omega_2 = 13/6$, $omega = 1/6$, $phi = -0.05$, $V = 1$, $u_s = 0.044$, $p = 4.48$ a "
+               "motion with $tau = 6 pi$, $tau_1 = T = 3 pi$ is, by 0.045",
+       .because = "(18) and (19) look at the ends of the overshoot alone; $x2' > V$ between them is a "
+                  "condition of its own",
+       .see = "stickslip check 18.enough --explain",
+       .quote = "we get an overshooting motion for $t > tau$"},
+      {.claim = "19.enough",
+       .place = "Section 5, after (19)",
+       .says = "once (19) holds the mass sticks until the period is over",
+       .fact = "the friction that this needs may exceed $u_r$ within the stick, though (12) and (18)-(20) "
+               "hold: on the motion of 18.enough it is 0.277 where $u_r = 0.204$",
+       .because = "(19) is (11) at $tau + tau_1$ alone; at all times of the stick (11) is a condition of its "
+                  "own",
+       .see = "stickslip check 19.enough --explain",
+       .quote = "the system undergoes a sticking motion"},
       {.claim = "25.enough",
        .place = "Section 6, after (25)",
        .says = "once (25) holds the second mass slips below the belt's velocity until $tau$",

@@ -18,19 +18,7 @@ using half_period::friction_at_rest;
 using Assumptions = std::vector<Assumption>;
 
 // The friction at rest of (4) at tau and at tau + tau1.
-const Term load_at_C = omega * (tau + tau1) + phi;
 const Term rB = friction_at_rest(z1B, z2B, omega *tau + phi), rC = friction_at_rest(z1C, z2C, load_at_C);
-
-// chi eta (z2 - z1) - p cos(load): eta (r - u_s).
-Term eta_r(const Term& z1, const Term& z2, const Term& load_phase) {
-  return chi * eta * (z2 - z1) - p * cos(load_phase);
-}
-
-const Statement at_start = equation(chi * eta * (z20 - z10), p * cos(phi) + eta * (ur - us));
-const Statement inequality18{eta_r(z1B, z2B, omega * tau + phi) + eta * (ur + us), 0, Relation::less};
-const Term middle19 = eta_r(z1C, z2C, load_at_C);
-const Statement above19{-eta * (ur + us), middle19, Relation::less};
-const Statement below19{middle19, eta *(ur - us), Relation::less};
 
 const Assumption leaves_up{"4.up", {rB, -ur, Relation::less}};
 const Assumption sticks_above{"4.rest", {-ur, rC, Relation::less}};
@@ -194,7 +182,7 @@ std::vector<Claim> motion() {
 }  // namespace
 
 std::vector<Claim> section5() {
-  return joined({conditions(), motion(), section5_linear(), example_O()});
+  return joined({conditions(), motion(), section5_linear(), not_enough_for_three_phases(), example_O()});
 }
 
 }  // namespace stickslip::proofs::pascal2012
