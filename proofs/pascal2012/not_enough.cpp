@@ -1,6 +1,7 @@
 // The conditions at the ends of phases are not enough for what the motion does between: motions that obey all
-// of them, close, and pass the belt's velocity during a slip.
+// of them, close, and pass the belt's velocity during a slip, or need more friction than there is in a stick.
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/symmetric.hpp"
@@ -12,14 +13,26 @@ using namespace symbols;
 
 namespace {
 
-using Statements = std::vector<Statement>;
+using Assumptions = std::vector<Assumption>;
 
-Statements of(const std::vector<Assumption>& assumptions) {
-  Statements result;
+Assumptions joined(Assumptions all, const Assumptions& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+// What is printed is false at values with which all that is assumed holds, and so is its closed form.
+Claim refuted(const std::string& id, const std::string& words, const Assumptions& assumptions,
+              const Statement& printed, const Statement& closed_form, const Scene& at) {
+  std::vector<Statement> hold;
   for (const Assumption& one : assumptions) {
-    result.push_back(one.statement);
+    hold.push_back(one.statement);
   }
-  return result;
+  return {.id = id,
+          .kind = Kind::step,
+          .printed = {printed},
+          .words = words,
+          .assumptions = assumptions,
+          .prove = by_counterexample({at.point, at.values, hold, {printed, closed_form}})};
 }
 
 const Assumption friction_acts{"4.us", {vocabulary::us, 0, Relation::greater}},
@@ -32,24 +45,23 @@ namespace half_period {
 namespace {
 
 // All that the paper asks of two slips of half a period each but what they do between their ends.
-std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
-  std::vector<Assumption> all{half,
-                              period,
-                              starts_with_belt,
-                              meets_belt,
-                              {"25", inequality25},
-                              {"26", inequality26},
-                              {"36", inequality36},
-                              {"37", inequality37},
-                              load_acts,
-                              friction_acts,
-                              step_of_friction};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+Assumptions all_conditions(const Assumptions& more) {
+  return joined({half,
+                 period,
+                 starts_with_belt,
+                 meets_belt,
+                 {"25", inequality25},
+                 {"26", inequality26},
+                 {"36", inequality36},
+                 {"37", inequality37},
+                 load_acts,
+                 friction_acts,
+                 step_of_friction},
+                more);
 }
 
 // A motion of (34) and (35), the load given by its phase, at a time since one of the slips began.
-Counterexample passes_the_belt(const Term& begin, std::vector<Statement> assumed, Statements fails) {
+Scene passes_the_belt(const Term& begin) {
   const Term load = -bound * B / sin(phi), first = chi * load / D, second = load * (1 - power(omega, 2)) / D;
   const Term speed = -q1 * omega * sin(phi) - a1 * d01 - a2 * d02;
   return {.point = {{"omega1", Rational(14, 25)},
@@ -65,47 +77,37 @@ Counterexample passes_the_belt(const Term& begin, std::vector<Statement> assumed
                      equation(q2, second), equation(z10, q1 * cos(phi) - d01),
                      equation(z20, q2 * cos(phi) - d02), equation(zdot10, speed),
                      equation(z1B, -q1 * cos(phi) - d01), equation(z2B, -q2 * cos(phi) - d02),
-                     equation(zdot1B, -speed), equation(t, begin + Term(49) / 50)},
-          .true_there = std::move(assumed),
-          .false_there = std::move(fails)};
+                     equation(zdot1B, -speed), equation(t, begin + Term(49) / 50)}};
 }
 
 }  // namespace
 
 std::vector<Claim> not_enough_for_slips() {
   const Term speed = component(3, X(t));
-  const std::vector<Assumption> below =
-      all_conditions({begins,
-                      slips_below,
-                      named_B,
-                      {"28", equation(Z0, H(tau) * (ZB - FB) + 2 * L(tau) * d0 + F0)},
-                      {"t.after", {t, 0, Relation::greater}},
-                      {"t.before", {t, tau, Relation::less}}});
-  const std::vector<Assumption> above = all_conditions({named_B,
-                                                        overshoots,
-                                                        closes,
-                                                        {"28.B", equation(ZB, H(tau) * (Z0 - F0) + FB)},
-                                                        {"t.after", {t, tau, Relation::greater}},
-                                                        {"t.before", {t, Theta, Relation::less}}});
+  const Assumptions below = all_conditions({begins,
+                                            slips_below,
+                                            named_B,
+                                            {"28", equation(Z0, H(tau) * (ZB - FB) + 2 * L(tau) * d0 + F0)},
+                                            {"t.after", {t, 0, Relation::greater}},
+                                            {"t.before", {t, tau, Relation::less}}});
+  const Assumptions above = all_conditions({named_B,
+                                            overshoots,
+                                            closes,
+                                            {"28.B", equation(ZB, H(tau) * (Z0 - F0) + FB)},
+                                            {"t.after", {t, tau, Relation::greater}},
+                                            {"t.before", {t, Theta, Relation::less}}});
   const Term by5 = component(3, H(t) * (Z0 - F0) + F(t)),
              by27 = component(3, H(t - tau) * (ZB - FB) + 2 * L(t - tau) * d0 + F(t));
   return {
-      {.id = "25.enough",
-       .kind = Kind::step,
-       .printed = {{speed, V, Relation::less}},
-       .words = "the motion (5) that begins by (25) slips below the belt's velocity on all of $(0, tau)$; "
-                "here (26), (36) and (37) hold, too, and the motion closes",
-       .assumptions = below,
-       .prove = by_counterexample(
-           passes_the_belt(0, of(below), {{speed, V, Relation::less}, {by5, V, Relation::less_or_equal}}))},
-      {.id = "26.enough",
-       .kind = Kind::step,
-       .printed = {{speed, V, Relation::greater}},
-       .words = "the motion (27) that begins by (26) overshoots on all of $(tau, Theta)$; here (25), (36) "
-                "and (37) hold, too, and the motion closes",
-       .assumptions = above,
-       .prove = by_counterexample(passes_the_belt(
-           tau, of(above), {{speed, V, Relation::greater}, {by27, V, Relation::greater_or_equal}}))},
+      refuted("25.enough",
+              "the motion (5) that begins by (25) slips below the belt's velocity on all of $(0, tau)$; "
+              "here (26), (36) and (37) hold, too, and the motion closes",
+              below, {speed, V, Relation::less}, {by5, V, Relation::less_or_equal}, passes_the_belt(0)),
+      refuted("26.enough",
+              "the motion (27) that begins by (26) overshoots on all of $(tau, Theta)$; here (25), (36) "
+              "and (37) hold, too, and the motion closes",
+              above, {speed, V, Relation::greater}, {by27, V, Relation::greater_or_equal},
+              passes_the_belt(tau)),
   };
 }
 
@@ -116,33 +118,31 @@ namespace symmetric {
 namespace {
 
 // All that the paper asks of a slip and a stick but what they do between their ends.
-std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
-  std::vector<Assumption> all{time_lag,
-                              period,
-                              slip_takes_time,
-                              stick_takes_time,
-                              stick_lasts,
-                              starts_with_belt,
-                              {"12", equation12},
-                              {"13.z1", equation(z1C, -z10)},
-                              {"13.z2", equation(z2C, -z20)},
-                              {"14.lower", {-eta * (ur + us), at_C, Relation::less}},
-                              {"14.upper", {at_C, eta * (ur - us), Relation::less}},
-                              stick_ends,
-                              half_sine,
-                              half_cosine,
-                              {"16.slip", slip16},
-                              {"16.stick", stick16},
-                              friction_acts,
-                              step_of_friction};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+Assumptions all_conditions(const Assumptions& more) {
+  return joined({time_lag,
+                 period,
+                 slip_takes_time,
+                 stick_takes_time,
+                 stick_lasts,
+                 starts_with_belt,
+                 {"12", equation12},
+                 {"13.z1", equation(z1C, -z10)},
+                 {"13.z2", equation(z2C, -z20)},
+                 {"14.lower", {-eta * (ur + us), at_C, Relation::less}},
+                 {"14.upper", {at_C, eta * (ur - us), Relation::less}},
+                 stick_ends,
+                 half_sine,
+                 half_cosine,
+                 {"16.slip", slip16},
+                 {"16.stick", stick16},
+                 friction_acts,
+                 step_of_friction},
+                more);
 }
 
 // (16) is linear in the state and the load: where tau and the frequencies are given these are found. It is a
 // zdot10 + b p + c = 0 in each mode.
-Counterexample given_slip(const std::vector<Coordinate>& at, const Term& time, Statements assumed,
-                          Statements fails) {
+Scene given_slip(const std::vector<Coordinate>& at, const Term& time) {
   const Term turn = tan(T / 2), rest = z20 * chi - turn * chi * V;
   const Term D = half_period::D, first = chi / D, second = (1 - power(omega, 2)) / D;  // Q is p times these
   struct Line {
@@ -162,58 +162,50 @@ Counterexample given_slip(const std::vector<Coordinate>& at, const Term& time, S
                      equation(p, (m.a * l.c - l.a * m.c) / determinant), equation(q1, first * p),
                      equation(q2, second * p), equation(z10, rest + turn * zdot10), equation(z1C, -z10),
                      equation(z2C, -z20), equation(ur, us + chi * (z20 - z10) - p / eta * cos(phi)),
-                     equation(t, time)},
-          .true_there = std::move(assumed),
-          .false_there = std::move(fails)};
+                     equation(t, time)}};
 }
 
 std::vector<Claim> slip_and_stick() {
-  const std::vector<Assumption> slipping = all_conditions({begins,
-                                                           slips_below,
-                                                           slip_ends,
-                                                           {"t.after", {t, 0, Relation::greater}},
-                                                           {"t.before", {t, tau, Relation::less}}});
-  const std::vector<Assumption> sticking = all_conditions({{"13.slip", slip13},
-                                                           slip_ends,
-                                                           sticks,
-                                                           closes,
-                                                           {"t.after", {t, tau, Relation::greater}},
-                                                           {"t.before", {t, Theta, Relation::less}}});
+  const Assumptions slipping = all_conditions({begins,
+                                               slips_below,
+                                               slip_ends,
+                                               {"t.after", {t, 0, Relation::greater}},
+                                               {"t.before", {t, tau, Relation::less}}});
+  const Assumptions sticking = all_conditions({{"13.slip", slip13},
+                                               slip_ends,
+                                               sticks,
+                                               closes,
+                                               {"t.after", {t, tau, Relation::greater}},
+                                               {"t.before", {t, Theta, Relation::less}}});
   const Term speed = component(3, X(t)), by5 = component(3, H(t) * (Z0 - F0) + F(t)),
              by10 = Gamma(t - tau) * E * Z0;
   const auto friction = [](const Term& Z) {
     return friction_at_rest(component(0, Z), component(1, Z), omega * t + phi);
   };
   return {
-      {.id = "12.enough",
-       .kind = Kind::step,
-       .printed = {{speed, V, Relation::less}},
-       .words = "the motion (5) that begins by (12) slips below the belt's velocity on all of $(0, tau)$; "
-                "here (13)-(16) hold, too, (14) strictly",
-       .assumptions = slipping,
-       .prove = by_counterexample(given_slip(
-           {{"omega1", Rational(2, 3)},
-            {"omega2", Rational(8, 3)},
-            {"omega", Rational(1, 2)},
-            {"tau", Rational(6)},
-            {"us", Rational(1, 50)},
-            {"V", Rational(1)}},
-           Term(21) / 5, of(slipping), {{speed, V, Relation::less}, {by5, V, Relation::less_or_equal}}))},
-      {.id = "14.enough",
-       .kind = Kind::step,
-       .printed = {{abs(friction(Z(t))), ur, Relation::less}},
-       .words = "the mass sticks from $tau$ to $tau + T$, $|r| < u_r$ on all of it, if (14) holds strictly; "
-                "here (12), (13), (15) and (16) hold, too",
-       .assumptions = sticking,
-       .prove = by_counterexample(given_slip(
-           {{"omega1", Rational(1, 3)},
-            {"omega2", Rational(2)},
-            {"omega", Rational(2, 3)},
-            {"tau", Rational(3)},
-            {"us", Rational(1, 50)},
-            {"V", Rational(1)}},
-           tau + Term(8) / 5, of(sticking),
-           {{abs(friction(Z(t))), ur, Relation::less}, {friction(by10), ur, Relation::less_or_equal}}))},
+      refuted("12.enough",
+              "the motion (5) that begins by (12) slips below the belt's velocity on all of $(0, tau)$; "
+              "here (13)-(16) hold, too, (14) strictly",
+              slipping, {speed, V, Relation::less}, {by5, V, Relation::less_or_equal},
+              given_slip({{"omega1", Rational(2, 3)},
+                          {"omega2", Rational(8, 3)},
+                          {"omega", Rational(1, 2)},
+                          {"tau", Rational(6)},
+                          {"us", Rational(1, 50)},
+                          {"V", Rational(1)}},
+                         Term(21) / 5)),
+      refuted("14.enough",
+              "the mass sticks from $tau$ to $tau + T$, $|r| < u_r$ on all of it, if (14) holds strictly; "
+              "here (12), (13), (15) and (16) hold, too",
+              sticking, {abs(friction(Z(t))), ur, Relation::less},
+              {friction(by10), ur, Relation::less_or_equal},
+              given_slip({{"omega1", Rational(1, 3)},
+                          {"omega2", Rational(2)},
+                          {"omega", Rational(2, 3)},
+                          {"tau", Rational(3)},
+                          {"us", Rational(1, 50)},
+                          {"V", Rational(1)}},
+                         tau + Term(8) / 5)),
   };
 }
 
@@ -230,35 +222,34 @@ namespace overshooting {
 namespace {
 
 // All that the paper asks of a slip, an overshoot and a stick but what they do between their ends.
-std::vector<Assumption> all_conditions(const std::vector<Assumption>& more) {
-  std::vector<Assumption> all{half_period::period,
-                              period,
-                              slip_takes_time,
-                              overshoot_takes_time,
-                              stick_takes_time,
-                              starts_with_belt,
-                              {"12", at_start},
-                              meets_belt,
-                              {"18", inequality18},
-                              lands_on_belt,
-                              {"19.above", above19},
-                              {"19.below", below19},
-                              {"56.B", equation(ZB, after_slip)},
-                              {"20.C", equation(ZC, Gamma(-T) * Z0)},
-                              friction_acts,
-                              step_of_friction,
-                              named_C};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+Assumptions all_conditions(const Assumptions& more) {
+  return joined({half_period::period,
+                 period,
+                 slip_takes_time,
+                 overshoot_takes_time,
+                 stick_takes_time,
+                 starts_with_belt,
+                 {"12", at_start},
+                 meets_belt,
+                 {"18", inequality18},
+                 lands_on_belt,
+                 {"19.above", above19},
+                 {"19.below", below19},
+                 {"56.B", equation(ZB, after_slip)},
+                 {"20.C", equation(ZC, Gamma(-T) * Z0)},
+                 friction_acts,
+                 step_of_friction,
+                 named_C},
+                more);
 }
 
 // tau, tau_1 and T are such multiples of pi that all is rational in pi and the load's phase: the closing
 // conditions, which are linear in the state at 0, the load and u_s, solved.
-Counterexample given_times(const Term& time, Statements assumed, Statements fails) {
+Scene given_times(const Term& time) {
   const auto number = [](int numerator, int denominator) { return Term(numerator) / denominator; };
   const Term push = p * sin(phi);
   const Term D = half_period::D;
-  Statements values{
+  std::vector<Statement> values{
       equation(tau, 6 * pi()),
       equation(tau1, 3 * pi()),
       equation(T, 3 * pi()),
@@ -288,22 +279,19 @@ Counterexample given_times(const Term& time, Statements assumed, Statements fail
                     {"phi", Rational(-1, 20)},
                     {"V", Rational(1)},
                     {"zdot20", Rational(1)}},
-          .values = std::move(values),
-          .true_there = std::move(assumed),
-          .false_there = std::move(fails)};
+          .values = std::move(values)};
 }
 
 std::vector<Claim> three_phases() {
-  const std::vector<Assumption> overshooting =
-      all_conditions({named_B,
-                      overshoots,
-                      {"t.after", {t, tau, Relation::greater}},
-                      {"t.before", {t, tau + tau1, Relation::less}}});
-  const std::vector<Assumption> sticking = all_conditions({{"20.slips", equation(ZC, after_both)},
-                                                           sticks,
-                                                           closes,
-                                                           {"t.after", {t, tau + tau1, Relation::greater}},
-                                                           {"t.before", {t, Theta, Relation::less}}});
+  const Assumptions overshooting = all_conditions({named_B,
+                                                   overshoots,
+                                                   {"t.after", {t, tau, Relation::greater}},
+                                                   {"t.before", {t, tau + tau1, Relation::less}}});
+  const Assumptions sticking = all_conditions({{"20.slips", equation(ZC, after_both)},
+                                               sticks,
+                                               closes,
+                                               {"t.after", {t, tau + tau1, Relation::greater}},
+                                               {"t.before", {t, Theta, Relation::less}}});
   const Term speed = component(3, X(t)),
              by8 = component(3, H(t - tau) * (ZB - F(tau)) + 2 * L(t - tau) * d0 + F(t)),
              by10 = Gamma(t - tau - tau1) * ZC;
@@ -311,24 +299,16 @@ std::vector<Claim> three_phases() {
     return half_period::friction_at_rest(component(0, Z), component(1, Z), omega * t + phi);
   };
   return {
-      {.id = "18.enough",
-       .kind = Kind::step,
-       .printed = {{speed, V, Relation::greater}},
-       .words = "the motion (8) that begins by (18) overshoots on all of $(tau, tau + tau_1)$; here (12), "
-                "(19) and (20) hold, too",
-       .assumptions = overshooting,
-       .prove = by_counterexample(
-           given_times(tau + Term(79) / 10, of(overshooting),
-                       {{speed, V, Relation::greater}, {by8, V, Relation::greater_or_equal}}))},
-      {.id = "19.enough",
-       .kind = Kind::step,
-       .printed = {{abs(friction(Z(t))), ur, Relation::less}},
-       .words = "the mass that begins to stick by (19) sticks until $tau + tau_1 + T$, $|r| < u_r$ on all of "
-                "it; here (12), (18) and (20) hold, too",
-       .assumptions = sticking,
-       .prove = by_counterexample(given_times(
-           tau + tau1 + 5, of(sticking),
-           {{abs(friction(Z(t))), ur, Relation::less}, {abs(friction(by10)), ur, Relation::less}}))},
+      refuted("18.enough",
+              "the motion (8) that begins by (18) overshoots on all of $(tau, tau + tau_1)$; here (12), "
+              "(19) and (20) hold, too",
+              overshooting, {speed, V, Relation::greater}, {by8, V, Relation::greater_or_equal},
+              given_times(tau + Term(79) / 10)),
+      refuted("19.enough",
+              "the mass that begins to stick by (19) sticks until $tau + tau_1 + T$, $|r| < u_r$ on all of "
+              "it; here (12), (18) and (20) hold, too",
+              sticking, {abs(friction(Z(t))), ur, Relation::less}, {abs(friction(by10)), ur, Relation::less},
+              given_times(tau + tau1 + 5)),
   };
 }
 
