@@ -247,6 +247,13 @@ Differentiable differentiable(const Definition& value) {
           Theorem::convert(found, derivative(f, t, slope({parameters.begin(), parameters.end()})), {slope})};
 }
 
+Theorem within_bounds(const EnclosedZero& zero, Theorem theorem) {
+  const Theorem there = Theorem::assume(zero.says);
+  const auto& [lower, upper] = zero.bounds;
+  theorem = Theorem::cut(Theorem::order(at_most(lower, zero.x), {{{part(there, 0)}}}), theorem);
+  return Theorem::cut(Theorem::order(at_most(zero.x, upper), {{{part(there, 1)}}}), theorem);
+}
+
 AllZeros all_zeros(const Differentiable& f, const std::vector<Term>& others, const Variable& t,
                    const Interval& ends, const Ranges& ranges, const std::vector<Rational>& nearly) {
   return Zeros(f, others, t, ends, ranges)(nearly);

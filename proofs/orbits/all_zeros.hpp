@@ -20,6 +20,8 @@ struct EnclosedZero {
   kernel::Formula says;    // l < x, x < u, f(x) = 0
   kernel::Theorem exists;  // ranges ⊢ there is x: that
 };
+// The theorem with what is said of the zero in place of its bounds l <= x, x <= u.
+[[nodiscard]] kernel::Theorem within_bounds(const EnclosedZero& zero, kernel::Theorem theorem);
 struct AllZeros {
   std::vector<EnclosedZero> zeros;  // as they were given
   // ranges, what is said of each zero, from <= t, t <= to, f(t) = 0 ⊢ t = x1 or t = x2 or ….

@@ -33,11 +33,7 @@ class Orbit {
   Orbit(const Question& question, const ClosedForm& known)
       : phases_(question), names_(phases_.question()), known_(known) {
     for (const Variable& unknown : phases_.unknowns()) {
-      const auto range = known.parameters.find(unknown);
-      ranges_.emplace(unknown,
-                      range != known.parameters.end()
-                          ? range->second
-                          : enclosure(known.values.at(unknown), known.parameters, Rational(1, 1L << 34)));
+      ranges_.emplace(unknown, enclosure(known.values.at(unknown), known.parameters, Rational(1, 1L << 34)));
     }
     know_omega();
   }

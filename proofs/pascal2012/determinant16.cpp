@@ -300,16 +300,8 @@ class AtTheData {
     here[zero.x] = zero.bounds;
     return here;
   }
-  // The theorem less the zero's range.
-  [[nodiscard]] Theorem between_bounds(const orbits::EnclosedZero& zero, Theorem theorem) const {
-    const Theorem there = Theorem::assume(zero.says);
-    theorem = Theorem::cut(Theorem::order(at_most(zero.bounds.first, zero.x), {{{tactics::part(there, 0)}}}),
-                           theorem);
-    return Theorem::cut(Theorem::order(at_most(zero.x, zero.bounds.second), {{{tactics::part(there, 1)}}}),
-                        theorem);
-  }
   [[nodiscard]] Theorem no_orbit(const orbits::EnclosedZero& zero) const {
-    return between_bounds(zero, sign(differ(at(factors_.back(), zero.x), 0), ranges_with(zero)));
+    return orbits::within_bounds(zero, sign(differ(at(factors_.back(), zero.x), 0), ranges_with(zero)));
   }
   // There are z1(0), z2(0), z1'(0) that solve the equations without the cosines.
   [[nodiscard]] Theorem solved(const orbits::EnclosedZero& zero, const Theorem& vanishes) const {
@@ -324,7 +316,7 @@ class AtTheData {
     const kernel::Formulas hypotheses = result.hypotheses();
     for (const Formula& one : hypotheses) {
       if (tactics::is_divisor(one)) {
-        result = Theorem::cut(between_bounds(zero, sign(one, ranges_with(zero))), result);
+        result = Theorem::cut(orbits::within_bounds(zero, sign(one, ranges_with(zero))), result);
       }
     }
     const std::vector<kernel::Variable> z{{"z10"}, {"z20"}, {"zdot10"}};

@@ -6,12 +6,11 @@
 #include "model/nonsticking.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/orbits/along.hpp"
+#include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/by_parts.hpp"
 #include "proofs/orbits/names.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/orbits/orbit_with.hpp"
-#include "proofs/orbits/with_zero.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/closed.hpp"
@@ -69,16 +68,23 @@ class WithMode {
   // x1(tau) = 2 epsilon.
   [[nodiscard]] kernel::Theorem theorem(const orbits::Ranges& ranges) const {
     const WorkingPrecision precision(bits);
-    const Rational near = orbits::near(load_phase()), radius(1, 1L << 34);
-    orbits::ClosedForm known{values_, ranges, kernel::equal(speed_at_start(), 0)};
-    known.parameters.emplace(phi_, kernel::Interval{near - radius, near + radius});
+    const Rational near = orbits::near(load_phase()), apart(1, 64);
+    const kernel::Definition speed("speed_at_start", {phi_}, speed_at_start());
+    const orbits::AllZeros found =
+        orbits::all_zeros(orbits::differentiable(speed), {}, phi_, {near - apart, near + apart}, {}, {near});
+    const orbits::EnclosedZero& zero = found.zeros.front();
+    const kernel::Theorem rests = kernel::Theorem::convert(
+        tactics::part(kernel::Theorem::assume(zero.says), 2), equal(speed.unfolded({zero.x}), 0), {speed});
+    orbits::ClosedForm known{values_, ranges, rests.conclusion()};
+    known.values.emplace(phi_, zero.x);
+    known.parameters.emplace(zero.x, zero.bounds);
     const kernel::Variable tau{"tau"};
-    const std::vector<kernel::Formula> also{
-        equal(tau, values_.at(tau)),
-        equal(entry(orbits::Names::state(0, 0), 0) + entry(orbits::Names::state(0, tau), 0),
-              kernel::Term(2) * epsilon)};
-    return orbits::with_zero(orbits::orbit_theorem(question_, known, also), {phi_}, {speed_at_start()},
-                             {known.parameters.at(phi_)});
+    const kernel::Term start = orbits::Names::state(0, 0), end = orbits::Names::state(0, tau);
+    const kernel::Theorem orbit = orbits::orbit_theorem(
+        question_, known,
+        {equal(tau, values_.at(tau)), equal(entry(start, 0) + entry(end, 0), kernel::Term(2) * epsilon)});
+    return kernel::Theorem::choose(zero.exists, zero.x,
+                                   orbits::within_bounds(zero, kernel::Theorem::cut(rests, orbit)));
   }
 
   WithMode() {

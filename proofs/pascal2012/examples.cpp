@@ -61,6 +61,17 @@ const std::vector<Example>& printed_examples() {
   return all;
 }
 
+const Example& on_a_moving_belt() {
+  static const Example example{"V",
+                               "a moving belt",
+                               &nonsticking(),
+                               parse_parameters("0.3", "4", "0.1", "0.1", "0.6", "1"),
+                               std::nullopt,
+                               parse_rational("0.2"),
+                               {}};
+  return example;
+}
+
 const Example& example_named(const std::string& name) {
   return methods::example_named(printed_examples(), name);
 }

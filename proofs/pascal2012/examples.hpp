@@ -11,4 +11,7 @@ namespace stickslip::proofs::pascal2012 {
 // Throws UsageError naming the known ones when there is no example of that name.
 [[nodiscard]] const methods::Example& example_named(const std::string& name);
 
+// Data of ours, "V": a belt that moves, and a motion that never sticks (7.only).
+[[nodiscard]] const methods::Example& on_a_moving_belt();
+
 }  // namespace stickslip::proofs::pascal2012

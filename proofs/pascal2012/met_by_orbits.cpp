@@ -36,11 +36,15 @@ using numeric::motion::PhaseKind;
 
 namespace {
 
+const Example& example_of(const Met& met) {
+  return met.example == on_a_moving_belt().name ? on_a_moving_belt() : example_named(met.example);
+}
+
 // Of what "S.motion" says of durations, phi, ur and X, at frequencies that give the example's chi and eta.
 class MotionOf {
  public:
   MotionOf(const Met& met, const Theorem& said, const orbits::Ranges& frequencies)
-      : example_(example_named(met.example)), met_(met), said_(said), frequencies_(frequencies) {
+      : example_(example_of(met)), met_(met), said_(said), frequencies_(frequencies) {
     const numeric::motion::ExactParameters& a = example_.data;
     give({"omega"}, a.omega);
     give({"p"}, a.p);
@@ -215,7 +219,7 @@ class MotionOf {
   [[nodiscard]] Theorem discharged(Theorem theorem) const {
     const kernel::Formulas hypotheses = theorem.hypotheses();
     for (const Formula& one : hypotheses) {
-      if (!said_.hypotheses().contains(one) && !is_of_data(one)) {
+      if (!said_.hypotheses().contains(one) && !is_of_data(one) && !is_range(one)) {
         theorem = Theorem::cut(holds(one), theorem);
       }
     }
@@ -231,6 +235,12 @@ class MotionOf {
     Reader read;
     return {{read(symbols::vocabulary::chi), example_.data.chi, {"of chi"}},
             {read(symbols::vocabulary::eta), example_.data.eta, {"of eta"}}};
+  }
+  [[nodiscard]] bool is_range(const Formula& formula) const {
+    return std::ranges::any_of(frequencies_, [&](const auto& one) {
+      return formula == at_most(one.second.first, one.first) ||
+             formula == at_most(one.first, one.second.second);
+    });
   }
   [[nodiscard]] bool is_of_data(const Formula& formula) const {
     return std::ranges::any_of(data(),
@@ -280,6 +290,14 @@ class MotionOf {
         }
       }
     }
+    if (const std::optional<Term> row = row_that_solves(formula)) {
+      for (const Theorem& one : facts_) {
+        if (one.conclusion().kind() == Kind::equal &&
+            one.conclusion().parts()[0].type() == kernel::real_matrix(row->type().columns, 1)) {
+          attempts.push_back({{one, *row}});
+        }
+      }
+    }
     const auto from_one = [&](const Formula& open) {
       for (const std::vector<Multiple>& because : attempts) {
         try {
@@ -296,6 +314,16 @@ class MotionOf {
     } catch (const kernel::KernelError&) {
       return from_one(formula);
     }
+  }
+  // Of z = row inverse(M) …, which solves M z = … for one component: row inverse(M).
+  [[nodiscard]] static std::optional<Term> row_that_solves(const Formula& equation) {
+    Term left = equation.parts()[1];
+    for (; left.kind() == Kind::product; left = left.parts()[0]) {
+      if (left.parts()[1].kind() == Kind::inverse && !left.type().is_scalar()) {
+        return left;
+      }
+    }
+    return std::nullopt;
   }
   // What the fact is multiplied with: a datum, or what its right side divides by.
   [[nodiscard]] std::vector<Term> factors(const Formula& fact) const {
@@ -501,7 +529,7 @@ class MotionOf {
 }  // namespace
 
 Theorem met_theorem(Prover& prover, const Met& met) {
-  const numeric::motion::ExactParameters& a = example_named(met.example).data;
+  const numeric::motion::ExactParameters& a = example_of(met).data;
   std::vector<const Claim *> claims;
   for (const std::string& id : met.ids) {
     claims.push_back(&prover.claim(id));
@@ -524,12 +552,12 @@ Claim claim_of(const std::string& id, const Met& met) {
   return {.id = id,
           .kind = methods::Kind::numbers,
           .origin = Origin::auxiliary,
-          .words = "the orbit of " + example_named(met.example).figure +
+          .words = "the orbit of " + example_of(met).figure +
                    ", as one motion, obeys all at once that these claims assume, which are of something: " +
                    fmt::format("{}", fmt::join(met.ids, ", ")),
           .prove =
               [met](Prover& prover, const Claim&) {
-                Outcome outcome = at_the_data(example_named(met.example),
+                Outcome outcome = at_the_data(example_of(met),
                                               "each assumption, from what " + met.example + ".motion says");
                 outcome.uses = {met.premises.begin(), met.premises.end()};
                 outcome.uses.insert(met.example + ".motion");
@@ -573,6 +601,9 @@ std::vector<Claim> met_by_orbits() {
       claim_of("S.meets.15",
                {"S", ids("16 16.halves 16.orbits 46.period 17.stick 17.odd"), {"13.follows", "15"}}),
       claim_of("S.meets.16", {"S", ids("16.back 16.zeros"), {"13.follows", "15", "16"}}),
+      claim_of(
+          "S.meets.45",
+          {.example = "S", .ids = {"45"}, .premises = {"13.follows", "15", "16"}, .at_the_last_phase = true}),
       claim_of("O.meets",
                {.example = "O",
                 .ids = ids("18 18.back 18.begins 20.slips 20.sticking 20 20.C 21.gap 18.speed 19.speed 21"),
@@ -605,6 +636,7 @@ std::vector<Claim> met_by_orbits() {
                                 .values = {{"t", 1}}}),
       claim_of("P.meets.free", {.example = "P", .ids = ids("37.slip.free"), .values = {{"t", 4}}}),
       claim_of("P.meets.35", {.example = "P", .ids = ids("33.even.start"), .premises = {"A5.half", "35"}}),
+      claim_of("V.meets", {.example = "V", .ids = {"A5.longer"}}),
       claim_of("P.meets.63", {.example = "P", .ids = ids("64.back"), .premises = {"63", "64"}}),
   };
 }

@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "core/error.hpp"
-#include "numeric/families/nonsticking.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/prover.hpp"
@@ -40,53 +39,42 @@ Claim exists(const std::string& id, const std::string& example, const std::strin
           }};
 }
 
-// A belt that moves, and a motion that never sticks.
-OrbitQuestion moving_belt() {
-  OrbitQuestion question;
-  question.family = &families::nonsticking();
-  question.parameters = {{Rational(3, 10)}, {Rational(4)},    {Rational(1, 10)},
-                         {Rational(1, 10)}, {Rational(3, 5)}, {Rational(1)}};
-  question.ur = Range{Rational(1, 5)};
-  question.digits = 30;
-  return question;
+// The first on a moving belt of which every condition is proved.
+const Orbit& orbit_on_moving_belt() {
+  const std::vector<Orbit>& all = orbits_of(on_a_moving_belt()).list.orbits;
+  const auto found =
+      std::ranges::find_if(all, [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+  if (found == all.end()) {
+    throw kernel::KernelError("no orbit on a moving belt is proved at the data");
+  }
+  return *found;
+}
+// What `theorem` makes of it.
+kernel::Theorem of_moving_belt(
+    const std::function<kernel::Theorem(const kernel::Theorem&, const orbits::Question&)>& theorem) {
+  const Motion& motion = orbit_on_moving_belt().motion;
+  const orbits::Question known = orbits::question_of(question_of(on_a_moving_belt()), motion);
+  return theorem(orbits::orbit_theorem(known, motion), known);
 }
 
 Outcome only_at_rest() {
-  const OrbitQuestion question = moving_belt();
-  const OrbitList list = list_orbits(question);
-  const auto found = std::find_if(list.orbits.begin(), list.orbits.end(),
-                                  [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
-  Outcome outcome;
+  Outcome outcome = at_the_data(on_a_moving_belt(), {});
+  const std::vector<Coordinate> point = std::exchange(outcome.at, {});
   outcome.uses = {"28.reduced"};
-  if (found == list.orbits.end()) {
-    outcome.verdict = Verdict::undecided("no orbit on a moving belt is proved at the data");
-    return outcome;
-  }
-  outcome.route = fmt::format(
-      "a counterexample proved in balls, with every condition along the motion: $tau = {}$, $Theta = {}$, "
-      "$phi = {}$",
-      shown(found->tau()), shown(found->Theta()), shown(found->phi()));
-  try {
-    const orbits::Question known = orbits::question_of(question, found->motion);
-    outcome.theorems = {orbits::stability_theorem(orbits::orbit_theorem(known, found->motion), known)};
-    outcome.by_kernel = true;
-  } catch (const kernel::KernelError& error) {
-    outcome.verdict = Verdict::undecided(error.what());
-    return outcome;
-  }
-  const model::Parameters<Range>& a = question.parameters;
-  outcome.verdict = Verdict::refuted(Witness{{{"chi", a.chi.middle},
-                                              {"eta", a.eta.middle},
-                                              {"us", a.us.middle},
-                                              {"ur", question.ur->middle},
-                                              {"V", a.V.middle},
-                                              {"omega", a.omega.middle},
-                                              {"p", a.p.middle}},
+  outcome.verdict = Verdict::refuted(Witness{point,
                                              {},
-                                             Ball(a.V.middle),
+                                             Ball(on_a_moving_belt().data.V),
                                              Ball(0),
                                              "the velocity of the belt, $V$,",
                                              "what the paper asks for"});
+  prove(outcome, [] { return of_moving_belt(orbits::stability_theorem); });
+  if (outcome.by_kernel) {
+    const Orbit& orbit = orbit_on_moving_belt();
+    outcome.route = fmt::format(
+        "a counterexample proved in balls, with every condition along the motion: $tau = {}$, $Theta = {}$, "
+        "$phi = {}$",
+        shown(orbit.tau()), shown(orbit.Theta()), shown(orbit.phi()));
+  }
   return outcome;
 }
 
@@ -96,6 +84,22 @@ std::vector<Assumption> at_resonance_too() {
   std::erase_if(all, [](const Assumption& one) { return one.id == two_slips::off_resonance.id; });
   std::ranges::stable_partition(all, [](const Assumption& one) { return one.id == two_slips::period.id; });
   return all;
+}
+
+Claim motion_on_moving_belt() {
+  return {.id = "V.motion",
+          .kind = Kind::numbers,
+          .origin = Origin::auxiliary,
+          .words =
+              "the orbit of 7.only as one motion $X$, $X(t + Theta) = X(t)$ for all $t$, that obeys (2) and "
+              "(4) during each phase, ends included",
+          .prove = [](Prover&, const Claim&) {
+            Outcome outcome = at_the_data(on_a_moving_belt(),
+                                          "the motions of its phases, joined at their ends and continued");
+            outcome.verdict = Verdict::proved();
+            prove(outcome, [] { return of_moving_belt(orbits::one_motion); });
+            return outcome;
+          }};
 }
 
 // The title: limit cycles. An orbit that Krawczyk's test proves is the only one in a box.
@@ -238,6 +242,7 @@ std::vector<Claim> section7() {
             .assumptions = at_resonance_too(),
             .prove = by_premises({from("A5.theorem")})},
            half_period::not_always_symmetric(),
+           motion_on_moving_belt(),
        },
        met_by_orbits()});
 }

@@ -159,15 +159,9 @@ class Halved {
     const orbits::EnclosedZero& zero = found.zeros.front();
     ranges_[zero.x] = zero.bounds;
     const Theorem there = Theorem::assume(zero.says);
-    Theorem result =
+    const Theorem result =
         at_zero(zero.x, Theorem::convert(part(there, 2), equal(at(determinant_, zero.x), 0), {determinant}));
-    for (const std::size_t side : {0, 1}) {
-      const Theorem& bound = part(there, side);
-      const Formula& order = bound.conclusion();
-      result = Theorem::cut(Theorem::order(at_most(order.parts()[0], order.parts()[1]), {Positive{{bound}}}),
-                            result);
-    }
-    return Theorem::choose(zero.exists, zero.x, result);
+    return Theorem::choose(zero.exists, zero.x, orbits::within_bounds(zero, result));
   }
 
  private:

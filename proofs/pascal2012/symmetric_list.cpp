@@ -266,15 +266,11 @@ class List {
   }
 
   // What is said of the zero in place of its bounds, and 0 < tau.
-  [[nodiscard]] static Theorem within_bounds(const orbits::EnclosedZero& zero, Theorem theorem) {
+  [[nodiscard]] static Theorem within_bounds(const orbits::EnclosedZero& zero, const Theorem& theorem) {
     const Theorem there = Theorem::assume(zero.says);
-    const auto& [a, b] = zero.bounds;
-    for (const Theorem& known : {Theorem::order(at_most(a, zero.x), {{{part(there, 0)}}}),
-                                 Theorem::order(at_most(zero.x, b), {{{part(there, 1)}}}),
-                                 Theorem::order(less(0, zero.x), {{{part(there, 0)}}, Positive{{}, a}})}) {
-      theorem = Theorem::cut(known, theorem);
-    }
-    return theorem;
+    return Theorem::cut(
+        Theorem::order(less(0, zero.x), {{{part(there, 0)}}, Positive{{}, zero.bounds.first}}),
+        orbits::within_bounds(zero, theorem));
   }
 
   [[nodiscard]] Formula every(const Formula& goal) const {
