@@ -33,7 +33,8 @@ class Orbit {
   Orbit(const Question& question, const ClosedForm& known)
       : phases_(question), names_(phases_.question()), known_(known) {
     for (const Variable& unknown : phases_.unknowns()) {
-      ranges_.emplace(unknown, enclosure(known.values.at(unknown), known.parameters, Rational(1, 1L << 34)));
+      ranges_.emplace(unknown, enclosure(substitute(substitute(unknown, known.values), known.numbers),
+                                         known.parameters, Rational(1, 1L << 34)));
     }
     know_omega();
   }
@@ -47,15 +48,15 @@ class Orbit {
     for (const Formula& equation : also) {
       say(equation, Theorem::assume(substitute(equation, values_)));
     }
-    Theorem result = Theorem::instantiate(Theorem::instantiate(exists(), known_->values), at_value());
+    Theorem result = solved(Theorem::instantiate(exists(), known_->values), known_->between);
+    result =
+        solved(Theorem::instantiate(result, known_->numbers), substitute(known_->between, known_->numbers));
     const Formulas hypotheses = result.hypotheses();
     for (const Formula& one : hypotheses) {
-      if (one.kind() == Kind::equal) {
-        result = Theorem::cut(solved(one), result);
-      } else if (!is_range(one)) {
-        result = Theorem::cut(
-            one.variables().empty() ? certainly(one) : Theorem::sign(one, ranges_in(one, known_->parameters)),
-            result);
+      if (one.variables().empty()) {
+        result = Theorem::cut(certainly(one), result);
+      } else if (one.kind() == Kind::at_most && !is_range(one)) {
+        result = Theorem::cut(Theorem::sign(one, ranges_in(one, known_->parameters)), result);
       }
     }
     return result;
@@ -69,23 +70,24 @@ class Orbit {
     const Rational& omega = phases_.question().data.omega;
     ranges_.emplace(phases_.omega(), Interval{omega, omega});
   }
-  // By the equation between the parameters, or without it; divisors have no parameters.
-  [[nodiscard]] Theorem solved(const Formula& equation) const {
-    const Theorem between = Theorem::assume(known_->between);
-    for (const int factor : {0, 1, -1}) {
-      try {
-        Theorem result = Theorem::combination(
-            equation, factor == 0 ? std::vector<Multiple>{} : std::vector<Multiple>{{between, factor}});
-        const Formulas hypotheses = result.hypotheses();
-        for (const Formula& one : hypotheses) {
-          result = is_divisor(one) ? Theorem::cut(certainly(one), result) : result;
+  // The theorem less its equations, as far as they hold identically or by the one between the parameters.
+  [[nodiscard]] static Theorem solved(Theorem theorem, const Formula& between) {
+    const Formulas hypotheses = theorem.hypotheses();
+    for (const Formula& one : hypotheses) {
+      for (const int factor : {0, 1, -1}) {
+        if (one.kind() != Kind::equal || one == between) {
+          break;
         }
-        return result;
-      } catch (const KernelError&) {
-        continue;
+        try {
+          const std::vector<Multiple> because(factor == 0 ? 0 : 1, {Theorem::assume(between), factor});
+          theorem = Theorem::cut(Theorem::combination(one, because), theorem);
+          break;
+        } catch (const KernelError&) {
+          continue;
+        }
       }
     }
-    throw KernelError("the closed form does not solve: " + to_string(equation));
+    return theorem;
   }
   [[nodiscard]] bool is_range(const Formula& formula) const {
     return std::ranges::any_of(known_->parameters, [&](const auto& one) {

@@ -27,10 +27,10 @@ namespace stickslip::proofs::orbits {
 // these are determined by the unknowns: the orbit is locally unique. Throws KernelError as before.
 [[nodiscard]] kernel::Theorem locally_unique(const Question& question, const numeric::motion::Motion& nearly);
 
-// The unknowns of phases.hpp as terms in parameters, that solve the equations where the parameters lie in
-// their ranges and one equation between them holds.
+// The unknowns of phases.hpp as terms in parameters and in letters for exact numbers, omega among them, that
+// solve the equations where the parameters lie in their ranges and one equation between all these holds.
 struct ClosedForm {
-  kernel::Substitution values;
+  kernel::Substitution values, numbers;
   kernel::Ranges parameters;
   kernel::Formula between;  // a = b of numbers
 };

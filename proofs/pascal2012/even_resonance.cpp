@@ -69,30 +69,32 @@ class WithMode {
   [[nodiscard]] kernel::Theorem theorem(const orbits::Ranges& ranges) const {
     const WorkingPrecision precision(bits);
     const Rational near = orbits::near(load_phase()), apart(1, 64);
-    const kernel::Definition speed("speed_at_start", {phi_}, speed_at_start());
+    const kernel::Substitution numbers{{omega_, question_.data.omega}, {omega2_, second_frequency}};
+    const kernel::Definition speed("speed_at_start", {phi_}, substitute(speed_at_start(), numbers));
     const orbits::AllZeros found =
         orbits::all_zeros(orbits::differentiable(speed), {}, phi_, {near - apart, near + apart}, {}, {near});
     const orbits::EnclosedZero& zero = found.zeros.front();
     const kernel::Theorem rests = kernel::Theorem::convert(
         tactics::part(kernel::Theorem::assume(zero.says), 2), equal(speed.unfolded({zero.x}), 0), {speed});
-    orbits::ClosedForm known{values_, ranges, rests.conclusion()};
+    orbits::ClosedForm known{values_, numbers, ranges,
+                             equal(substitute(speed_at_start(), {{phi_, zero.x}}), 0)};
     known.values.emplace(phi_, zero.x);
     known.parameters.emplace(zero.x, zero.bounds);
     const kernel::Variable tau{"tau"};
     const kernel::Term start = orbits::Names::state(0, 0), end = orbits::Names::state(0, tau);
-    const kernel::Theorem orbit = orbits::orbit_theorem(
-        question_, known,
-        {equal(tau, values_.at(tau)), equal(entry(start, 0) + entry(end, 0), kernel::Term(2) * epsilon)});
+    const kernel::Theorem orbit =
+        orbits::orbit_theorem(question_, known,
+                              {equal(tau, substitute(values_.at(tau), numbers)),
+                               equal(entry(start, 0) + entry(end, 0), kernel::Term(2) * epsilon)});
     return kernel::Theorem::choose(zero.exists, zero.x,
                                    orbits::within_bounds(zero, kernel::Theorem::cut(rests, orbit)));
   }
 
   WithMode() {
-    values_ = {{{"omega1"}, modes_.omega1},
-               {{"omega2"}, modes_.omega2},
-               {{"tau"}, kernel::pi() / kernel::Term(question_.data.omega)}};
+    values_ = {{{"omega1"}, kernel::Term(2) * omega_}, {{"tau"}, kernel::pi() / omega_}};
     for (const int j : {0, 1}) {
-      const kernel::Term rest(rest_(j)), swing = tangent(j) * rest, mode = j == 0 ? kernel::Term(epsilon) : 0;
+      const kernel::Term rest(rest_(j)), swing = j == 0 ? kernel::Term(0) : tangent() * rest,
+                                         mode = j == 0 ? kernel::Term(epsilon) : 0;
       values_.emplace(kernel::Variable{fmt::format("A{}_1", j + 1)}, mode - rest);
       values_.emplace(kernel::Variable{fmt::format("B{}_1", j + 1)}, -swing);
       values_.emplace(kernel::Variable{fmt::format("A{}_2", j + 1)}, mode + rest);
@@ -101,31 +103,25 @@ class WithMode {
   }
 
  private:
-  // tan(omega_j pi/(2 omega)).
-  [[nodiscard]] kernel::Term tangent(int j) const {
-    const Rational omega_j = j == 0 ? modes_.omega1 : modes_.omega2;
-    return kernel::tan(kernel::Term(Rational(omega_j / (2 * question_.data.omega))) * kernel::pi());
+  // tan(omega2 pi/(2 omega)), that of omega1 is zero: in letters, for as numbers both would make one phase.
+  [[nodiscard]] kernel::Term tangent() const {
+    return kernel::tan(omega2_ * kernel::pi() / (kernel::Term(2) * omega_));
   }
   // -x2'(0), which (35) says is zero.
   [[nodiscard]] kernel::Term speed_at_start() const {
-    const Rational load = orbits::Phases(question_).Q()[1] * question_.data.omega;
-    kernel::Term sum = kernel::Term(load) * kernel::sin(phi_);
-    for (const int j : {0, 1}) {
-      const Rational slope =
-          j == 0 ? Rational(modes_.lambda1 * modes_.omega1) : Rational(modes_.lambda2 * modes_.omega2);
-      sum = sum + kernel::Term(Rational(slope * rest_(j))) * tangent(j);
-    }
-    return sum;
+    return kernel::Term(orbits::Phases(question_).Q()[1]) * omega_ * kernel::sin(phi_) +
+           kernel::Term(Rational(rest_(1) / question_.data.chi)) *
+               (kernel::Term(1) - kernel::power(omega2_, 2)) * omega2_ * tangent();
   }
 
   orbits::Question question_{.data = data().a,
                              .phases = {PhaseKind::slip, PhaseKind::overshoot},
                              .durations = {"tau", "tau1"},
                              .ur = data().ur};
-  kernel::Variable phi_{"phi"};
-  model::Modes<Rational> modes_ = model::modes_of<Rational>(data().a.chi, first_frequency, second_frequency);
+  kernel::Variable phi_{"phi"}, omega_{"omega"}, omega2_{"omega2"};
   model::Vector2<Rational> rest_ =
-      model::modal_rest<Rational>(modes_, model::d0<Rational>(data().a.chi, data().a.us));
+      model::modal_rest<Rational>(model::modes_of<Rational>(data().a.chi, first_frequency, second_frequency),
+                                  model::d0<Rational>(data().a.chi, data().a.us));
   kernel::Substitution values_;
 };
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/paper.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -19,6 +19,9 @@ struct Met {
   std::optional<symbols::Term> goes_on_to = {};
   bool at_the_last_phase = false;  // the time t is when this begins, else 0
 };
+
+// The data of its orbit.
+[[nodiscard]] const methods::Example& example_of(const Met& met);
 
 // ⊢ there are frequencies that give the example's chi and eta, durations, the motion and values of all
 // letters with which everything holds at once that the claims assume. Throws KernelError where one of these

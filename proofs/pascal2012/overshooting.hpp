@@ -80,7 +80,7 @@ namespace stickslip::proofs::pascal2012 {
 [[nodiscard]] std::vector<methods::Claim> section5_linear();  // (21)-(23)
 // (12), (18)-(20) are not enough for the overshoot and the stick.
 [[nodiscard]] std::vector<methods::Claim> not_enough_for_three_phases();
-[[nodiscard]] std::vector<methods::Claim> example_O();        // the orbit of Fig. 3
-[[nodiscard]] methods::Claim spurious_zero();                 // at its data: a zero of (23) that is no orbit
+[[nodiscard]] std::vector<methods::Claim> example_O();  // the orbit of Fig. 3
+[[nodiscard]] methods::Claim spurious_zero();           // at its data: a zero of (23) that is no orbit
 
 }  // namespace stickslip::proofs::pascal2012

@@ -2,20 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <string>
 
 #include "report/tools/json.hpp"
 
 namespace stickslip::report::audit {
-
-// The axioms of Coq's real numbers and of classical logic, and what each says, as Coq prints it in one line:
-// what a theorem may rest on.
-[[nodiscard]] const std::map<std::string, std::string>& allowed_axioms();
-
-// What Coq prints for "Print Assumptions": names and what they say, each in one line. Whatever else it prints
-// there, as of checks that were switched off, stands among the names.
-[[nodiscard]] std::map<std::string, std::string> axioms_in(const std::string& printed);
 
 // The record (certificate_record.hpp) after Coq was asked, here and now: for each claim "accepted", "reason"
 // if it is not, "seconds", "compiled" (the fingerprint of its .vo), "again" (what coqchk says); "coq": its

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "proofs/certificates/prelude.hpp"
 #include "proofs/certificates/statement_files.hpp"
-#include "report/audit/ask_coq.hpp"
+#include "report/audit/coq_output.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/versions.hpp"
 
