@@ -57,6 +57,8 @@ class Orbit {
         result = Theorem::cut(certainly(one), result);
       } else if (one.kind() == Kind::at_most && !is_range(one)) {
         result = Theorem::cut(Theorem::sign(one, ranges_in(one, known_->parameters)), result);
+      } else if (one.kind() == Kind::equal && one != substitute(known_->between, known_->numbers)) {
+        throw KernelError("the closed form does not solve " + to_string(one));
       }
     }
     return result;

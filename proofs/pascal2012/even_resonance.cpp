@@ -93,8 +93,8 @@ class WithMode {
   WithMode() {
     values_ = {{{"omega1"}, kernel::Term(2) * omega_}, {{"tau"}, kernel::pi() / omega_}};
     for (const int j : {0, 1}) {
-      const kernel::Term rest(rest_(j)), swing = j == 0 ? kernel::Term(0) : tangent() * rest,
-                                         mode = j == 0 ? kernel::Term(epsilon) : 0;
+      const kernel::Term rest = rest_(j).term, swing = j == 0 ? kernel::Term(0) : tangent() * rest,
+                         mode = j == 0 ? kernel::Term(epsilon) : 0;
       values_.emplace(kernel::Variable{fmt::format("A{}_1", j + 1)}, mode - rest);
       values_.emplace(kernel::Variable{fmt::format("B{}_1", j + 1)}, -swing);
       values_.emplace(kernel::Variable{fmt::format("A{}_2", j + 1)}, mode + rest);
@@ -110,8 +110,7 @@ class WithMode {
   // -x2'(0), which (35) says is zero.
   [[nodiscard]] kernel::Term speed_at_start() const {
     return kernel::Term(orbits::Phases(question_).Q()[1]) * omega_ * kernel::sin(phi_) +
-           kernel::Term(Rational(rest_(1) / question_.data.chi)) *
-               (kernel::Term(1) - kernel::power(omega2_, 2)) * omega2_ * tangent();
+           modes_.lambda2.term * omega2_ * rest_(1).term * tangent();
   }
 
   orbits::Question question_{.data = data().a,
@@ -119,9 +118,11 @@ class WithMode {
                              .durations = {"tau", "tau1"},
                              .ur = data().ur};
   kernel::Variable phi_{"phi"}, omega_{"omega"}, omega2_{"omega2"};
-  model::Vector2<Rational> rest_ =
-      model::modal_rest<Rational>(model::modes_of<Rational>(data().a.chi, first_frequency, second_frequency),
-                                  model::d0<Rational>(data().a.chi, data().a.us));
+  using Symbolic = tactics::Symbolic;
+  Symbolic chi_ = kernel::Term(data().a.chi);
+  model::Modes<Symbolic> modes_ = model::modes_of<Symbolic>(chi_, kernel::Term(2) * omega_, omega2_);
+  model::Vector2<Symbolic> rest_ =
+      model::modal_rest<Symbolic>(modes_, model::d0<Symbolic>(chi_, kernel::Term(data().a.us)));
   kernel::Substitution values_;
 };
 

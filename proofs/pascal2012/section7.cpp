@@ -102,40 +102,40 @@ Claim motion_on_moving_belt() {
           }};
 }
 
-// The title: limit cycles. An orbit that Krawczyk's test proves is the only one in a box.
+// The title: limit cycles.
 Claim isolated() {
-  const auto only_one = [](const char * figure) {
-    return fmt::format(
-        "the equations by which the phases of the orbit of {} fit together have one solution in a "
-        "box about it",
-        figure);
-  };
+  std::vector<std::string> parts;
+  for (const char * figure : {"Fig. 2", "Fig. 3", "Fig. 4"}) {
+    parts.push_back(fmt::format(
+        "the equations by which phases in closed form fit together at the data of {}, a characteristic "
+        "polynomial for both frequencies among them, have exactly one solution in a box about that of the "
+        "orbit",
+        figure));
+  }
   return {.id = "7.cycles",
           .kind = Kind::theorem,
           .words =
-              "title: the orbits of the three figures are limit cycles, that is, isolated: near each of "
-              "them no other motion through the same phases, with any times, closes",
+              "title: the orbits of the three figures are limit cycles, that is, isolated: at their data no "
+              "other orbit of the family is near",
           .prove =
               [](Prover& prover, const Claim&) {
                 Outcome outcome;
-                outcome.route =
-                    "Krawczyk's test in the times of the phases and the state; that motions "
-                    "nearby have the same phases is what the strict conditions of (4) say";
+                outcome.route = "each orbit is the only one in a box, by Krawczyk's test";
                 outcome.verdict = Verdict::proved();
-                outcome.by_kernel = true;
-                for (const char * name : {"S.orbit", "O.orbit", "P.orbit"}) {
-                  const Outcome& orbit = prover.prove(name).outcome;
-                  outcome.uses.insert(name);
-                  if (orbit.theorems.size() != 2) {
-                    outcome.verdict = Verdict::undecided(fmt::format("there is no theorem of {}", name));
-                    outcome.by_kernel = false;
+                for (const char * name : {"S", "O", "P"}) {
+                  const std::string orbit = name + std::string(".orbit");
+                  outcome.uses.insert(orbit);
+                  const std::vector<kernel::Theorem>& theorems = prover.prove(orbit).outcome.theorems;
+                  if (theorems.size() < 2) {
+                    outcome = {.verdict = Verdict::undecided(orbit + " is not proved to be locally unique")};
                     return outcome;
                   }
-                  outcome.theorems.push_back(orbit.theorems.back());
+                  outcome.theorems.push_back(theorems.back());
                 }
+                outcome.by_kernel = true;
                 return outcome;
               },
-          .parts = {only_one("Fig. 2"), only_one("Fig. 3"), only_one("Fig. 4")}};
+          .parts = parts};
 }
 
 // Among all motions of the load's period: a family of them through the orbit would have a multiplier 1.

@@ -144,6 +144,18 @@ TEST_CASE("what is no orbit is refused") {
   refuses(both, motion_of("O"));
 }
 
+TEST_CASE("a closed form has to solve the equations: numbers near the solution do not") {
+  const orbits::Question asked = question("P");
+  const orbits::Phases phases(asked);
+  const std::vector<Rational> near = phases.near(motion_of("P"));
+  const Variable epsilon{"epsilon"};
+  orbits::ClosedForm known{{}, {{phases.omega(), asked.data.omega}}, {{epsilon, {0, 1}}}, equal(epsilon, 0)};
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    known.values.emplace(phases.unknowns()[i], near[i]);
+  }
+  CHECK_THROWS_AS(static_cast<void>(orbits::orbit_theorem(asked, known, {})), KernelError);
+}
+
 TEST_CASE("a value lies where the orbit's theorem says, and nowhere else") {
   const orbits::Question q = question("S");
   const Theorem orbit = orbits::orbit_theorem(q, motion_of("S"));

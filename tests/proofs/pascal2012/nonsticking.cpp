@@ -103,6 +103,7 @@ TEST_CASE(
   CHECK(hypotheses("7.always") ==
         std::set<std::string>{"sin(pi*omega1/omega) != 0", "sin(pi*omega2/omega) != 0"});
   CHECK(record("7.exception").outcome.by_kernel);
+  CHECK(record("7.cycles").outcome.theorems.size() == 3);
   const auto altered = [](const std::string& id, const Statement& statement) {
     Claim claim = claim_named(paper().claims, "33.even");
     for (Assumption& one : claim.assumptions) {
