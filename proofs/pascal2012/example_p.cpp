@@ -1,9 +1,13 @@
 // Section 6, example P: the orbit of Fig. 4, and the numbers that are printed for it.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
+#include "model/nonsticking_closed_form.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/families/least_load.hpp"
+#include "numeric/families/nonsticking.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/half_period.hpp"
@@ -90,6 +94,50 @@ Claim least_load_claim() {
       }};
 }
 
+// Where x2' < 0 within the slip asks for more than (36).
+Claim more_than_36() {
+  return {
+      .id = "37.least",
+      .kind = Kind::numbers,
+      .origin = Origin::new_result,
+      .words =
+          "the least load at $chi = 0.64$, $eta = 7.9$, $u_s = 0.1$, $u_r = 0.15$, $V = 0$, $omega = "
+          "0.492$, beside the one that (36) alone asks for",
+      .prove = [](Prover&, const Claim&) {
+        OrbitQuestion question;
+        question.family = &families::nonsticking();
+        question.parameters = {{Rational(16, 25)}, {Rational(79, 10)},   {Rational(1, 10)},
+                               {Rational(0)},      {Rational(123, 250)}, {Rational(7)}};
+        question.ur = Range{Rational(3, 20)};
+        question.digits = 30;
+        Outcome outcome;
+        outcome.route = "an orbit with $p = 7$, and the supremum of 37.slip, bracketed in balls";
+        outcome.at = {{"chi", question.parameters.chi.middle}, {"eta", question.parameters.eta.middle},
+                      {"us", question.parameters.us.middle},   {"ur", question.ur->middle},
+                      {"V", question.parameters.V.middle},     {"omega", question.parameters.omega.middle},
+                      {"p", question.parameters.p.middle}};
+        outcome.uses = {"37.sharp", "37.sharp.back", "37.slip", "37.slip.back", "37.slip.free"};
+        const OrbitList list = list_orbits(question);
+        const auto orbit = std::ranges::find_if(
+            list.orbits, [](const Orbit& one) { return one.admissible.truth == Truth::proved; });
+        if (orbit == list.orbits.end()) {
+          outcome.verdict = Verdict::undecided("no orbit with p = 7 is proved");
+          return outcome;
+        }
+        const Ball ur(question.ur->middle);
+        const model::Oscillator<Ball>& o = orbit->motion.oscillator;
+        const Ball by36 = sqrt(model::least_load_squared<Ball>(
+            o.data, o.modes, model::half_period<Ball>(o.data.chi, o.modes, o.d0, o.data.omega, Ball::pi()),
+            ur));
+        const Ball least = least_load(orbit->motion, ur, 20).p;
+        outcome.found =
+            fmt::format("$p > {}$, where (36) asks for $p > {}$", digits_of(least), digits_of(by36));
+        outcome.verdict =
+            (least - by36).is_positive() ? Verdict::proved() : Verdict::undecided("(36) may ask for as much");
+        return outcome;
+      }};
+}
+
 }  // namespace
 
 std::vector<Claim> half_period::example_P() {
@@ -99,7 +147,7 @@ std::vector<Claim> half_period::example_P() {
       "obey the friction law at all times");
   return joined({{existence},
                  printed_values(where(), {"Theta", "x10", "x20", "xdot10", "phi"}),
-                 {friction_claim(), least_load_claim()},
+                 {friction_claim(), least_load_claim(), more_than_36()},
                  orbit_claims(where(), list_of_P())});
 }
 

@@ -125,7 +125,8 @@ std::vector<Remark> on_orbits() {
            "place of $|B|$, $B = b_1 d_01 + b_2 d_02$ (37.sharp, 37.sharp.back); for $x2' < 0$ at a time $t$ "
            "of the slip at which it would be $g > 0$ without the load's push, the root of $B^2 + "
            "(g/sin(omega t))^2$ (37.slip, 37.slip.back). The least load is the largest of all these, for "
-           "all parameters (37.slip.free); that (36) alone is not enough, 25.enough shows",
+           "all parameters (37.slip.free): at $chi = 0.64$, $eta = 7.9$, $u_s = 0.1$, $u_r = 0.15$, $omega = "
+           "0.492$ it is 6.04, and (36) alone asks for 2.75 (37.least)",
        .because =
            "(36) says $q_2 omega cos(phi) > eta u_r/omega$, $x2' < 0$ says $q_2 omega cos(phi) > g/sin(omega "
            "t)$ (37.speed), and (35) says $q_2 omega sin(phi) = -B$: the squares add up to $(q_2 omega)^2$; "
