@@ -108,6 +108,8 @@ inline const symbols::Term speed_continued =
 [[nodiscard]] std::vector<methods::Claim> not_enough_for_slips();
 // So what the paper says of all of them has exceptions.
 [[nodiscard]] methods::Claim not_always_symmetric();
+// An orbit that never sticks on a belt that moves, where omega_1 = 2 omega.
+[[nodiscard]] methods::Claim only_at_rest_by_halves();
 // The orbit of Fig. 4.
 [[nodiscard]] std::vector<methods::Claim> example_P();
 

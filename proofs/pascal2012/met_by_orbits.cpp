@@ -80,15 +80,15 @@ std::vector<Claim> met_by_orbits() {
       claim_of("O.meets.20", {.example = "O", .ids = ids("20.back"), .premises = {"20.C"}}),
       claim_of("O.meets.21", {.example = "O", .ids = ids("21.back 22 23"), .premises = {"21"}}),
       claim_of("O.meets.22", {.example = "O", .ids = ids("23.back"), .premises = {"21", "22", "23"}}),
-      claim_of(
-          "P.meets",
-          {.example = "P",
-           .ids = ids(
-               "2 3.domain 4.r 4.slips 25 26 25.begins 26.begins 36.load 36.square "
-               "55.B 56 56.B 57 60 62 63 64 65 65.modes 65.sharp 66 67 67.sin A5.turn A5.falls A5.down "
-               "A5.cos A5.difference A5.free "
-               "A5.half A5.second A5.theorem A5.energy A5.stable A5.sides A5.moves A5.unique 7.symmetric 7.always"),
-           .values = units}),
+      claim_of("P.meets",
+               {.example = "P",
+                .ids = ids(
+                    "2 3.domain 4.r 4.slips 25 26 25.begins 26.begins 36.load 36.square "
+                    "55.B 56 56.B 57 60 62 63 64 65 65.modes 65.sharp 66 67 67.sin A5.turn A5.falls A5.down "
+                    "A5.cos A5.difference A5.free "
+                    "A5.half A5.second A5.theorem A5.energy A5.stable A5.sides A5.moves A5.unique "
+                    "7.symmetric 7.always"),
+                .values = units}),
       claim_of("P.meets.half",
                {.example = "P",
                 .ids = ids("28 28.B 29 30 30.back 31 31.modes 32 33 33.symmetry 33.V 34.H 34 35 36 36.26 "

@@ -21,6 +21,16 @@ std::vector<Remark> on_orbits() {
                   "half a period where $V > 0$ (A5.longer)",
        .see = "stickslip orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --ur 0.2 --V 0.1 --omega 0.6 --p 1",
        .quote = "non-sticking periodic orbits are obtained only for $V = 0$"},
+      {.claim = "7.only.half",
+       .place = "Section 6, after (33)",
+       .says = "orbits that never stick, with $tau = Theta/2$, are obtained for $V = 0$ and for no other $V$",
+       .fact = "at resonance one exists on a moving belt: at $chi = 0.625$, $eta = 2.4$, $u_s = 0.1$, $u_r = "
+               "0.12$, $V = 0.1$, $omega = 0.25$, $p = 3$, where $omega_1 = 2 omega$ and $omega_2 = 6 omega$",
+       .because = "a free motion of the first mode then has the load's period and $x2' = V cos(omega_1 t)$, "
+                  "which is $V$ at 0 and $tau$: it may be added to the orbit for a belt at rest; where $det "
+                  "H_3$ is not zero the statement is proved (33.V)",
+       .see = "stickslip check 7.only.half --explain",
+       .quote = "non-sticking periodic orbits are obtained only for $V = 0$"},
       {.claim = "7.always",
        .place = "abstract and Section 7",
        .says = "with the belt at rest every orbit that never sticks is symmetric in space and time; said "

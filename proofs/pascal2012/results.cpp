@@ -75,9 +75,11 @@ std::vector<Result> on_orbits_that_never_stick() {
            "equivalent to (28) with $z2' = V$ at both ends; each condition is decided in balls for all times "
            "of its slip. None is symmetric in time: off resonance, for $V > 0$, the slip below the belt's "
            "velocity "
-           "lasts longer than half a period",
+           "lasts longer than half a period; at resonance, where $omega_1 = 2 omega$, one with two equal "
+           "slips "
+           "exists, too (7.only.half)",
        .see = "stickslip orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --ur 0.2 --V 0.1 --omega 0.6 --p 1",
-       .claims = {"7.only", "A5.longer", "28.reduced"}},
+       .claims = {"7.only", "A5.longer", "28.reduced", "7.only.half"}},
       {.id = "resonance",
        .title = "At resonance there are families of orbits that are not symmetric",
        .setting = equations + law + period,

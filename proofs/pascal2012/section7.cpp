@@ -220,6 +220,7 @@ std::vector<Claim> section7() {
             .origin = Origin::reading,
             .words = "Section 6: orbits that never stick exist only for $V = 0$, whatever their slips last",
             .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
+           half_period::only_at_rest_by_halves(),
            {.id = "7.symmetric",
             .kind = Kind::theorem,
             .printed = {equation(vocabulary::X(vocabulary::t),

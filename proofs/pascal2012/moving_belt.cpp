@@ -1,0 +1,87 @@
+// An orbit that never sticks on a belt that moves, with slips of half a period each. Where the first natural
+// frequency is twice the load's, x2' of the first mode, V cos(omega_1 t), is V at 0, at tau = pi/omega and at
+// Theta, and the mode has the load's period: added to an orbit for a belt at rest it makes one for this belt.
+#include "proofs/orbits/orbit_theorem.hpp"
+#include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
+
+namespace stickslip::proofs::pascal2012::half_period {
+
+using namespace methods;
+using namespace numeric::motion;
+
+namespace {
+
+// omega_1 = 1/2 and omega_2 = 3/2 are even multiples of omega = 1/4: then (33) and (35) have tan(omega_j
+// pi/(2 omega)) = 0 and phi = 0, and all is rational.
+const ExactParameters data{Rational(5, 8),  Rational(12, 5), Rational(1, 10),
+                           Rational(1, 10), Rational(1, 4),  Rational(3)};
+const Rational friction(3, 25), omega1_there(1, 2), omega2_there(3, 2);
+const Rational lambda1_there(6, 5);
+
+// The amplitudes of both modes in x1: the place of rest is left, and the belt's velocity met.
+struct Amplitudes {
+  Rational rest1, rest2, mode;
+};
+Amplitudes amplitudes() {
+  return {Rational(3 * data.us), Rational(-data.us / 3), Rational(data.V / (omega1_there * lambda1_there))};
+}
+
+kernel::Theorem orbit() {
+  const auto [rest1, rest2, mode] = amplitudes();
+  const orbits::Question question{.data = data,
+                                  .phases = {PhaseKind::slip, PhaseKind::overshoot},
+                                  .durations = {"tau", "tau1"},
+                                  .ur = friction};
+  const kernel::Substitution exactly{{{"omega1"}, omega1_there},
+                                     {{"omega2"}, omega2_there},
+                                     {{"tau"}, kernel::Term(4) * kernel::pi()},
+                                     {{"phi"}, 0},
+                                     {{"A1_1"}, Rational(-rest1)},
+                                     {{"B1_1"}, mode},
+                                     {{"A2_1"}, Rational(-rest2)},
+                                     {{"B2_1"}, 0},
+                                     {{"A1_2"}, rest1},
+                                     {{"B1_2"}, mode},
+                                     {{"A2_2"}, rest2},
+                                     {{"B2_2"}, 0}};
+  const kernel::Theorem nothing_between = kernel::Theorem::reflexive(0);
+  const kernel::Theorem orbit =
+      orbits::orbit_theorem(question, {exactly, {{{"omega"}, data.omega}}, {}, nothing_between.conclusion()},
+                            {equal(kernel::Variable{"tau"}, kernel::Term(4) * kernel::pi())});
+  return orbits::one_motion(kernel::Theorem::cut(nothing_between, orbit), question);
+}
+
+}  // namespace
+
+Claim only_at_rest_by_halves() {
+  return {.id = "7.only.half",
+          .kind = Kind::theorem,
+          .origin = Origin::reading,
+          .words =
+              "Section 6: orbits that never stick, with $tau = Theta/2$, are obtained only for $V = 0$; "
+              "33.V without $det H_3 != 0$",
+          .prove = [](Prover&, const Claim&) {
+            Outcome outcome;
+            outcome.route =
+                "a counterexample in closed form, where $omega_1 = 2 omega$: the orbit for a belt at rest, "
+                "and a free motion of the first mode with $x2' = V cos(omega_1 t)$, which has the load's "
+                "period; its speed against the belt's by signs in balls, and by mean values at the ends";
+            outcome.verdict = Verdict::refuted(Witness{{{"chi", data.chi},
+                                                        {"eta", data.eta},
+                                                        {"us", data.us},
+                                                        {"ur", friction},
+                                                        {"V", data.V},
+                                                        {"omega", data.omega},
+                                                        {"p", data.p}},
+                                                       {},
+                                                       Ball(data.V),
+                                                       Ball(0),
+                                                       "the velocity of the belt, $V$,",
+                                                       "what the paper asks for"});
+            prove(outcome, [] { return orbit(); });
+            return outcome;
+          }};
+}
+
+}  // namespace stickslip::proofs::pascal2012::half_period
