@@ -10,6 +10,7 @@
 #include "proofs/orbits/by_parts.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/mean_value.hpp"
 #include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 
@@ -110,30 +111,60 @@ Ball exactly(const std::string& name) {
   return Ball(printed_decimal(printed(), name));
 }
 
+// F_1 and F_2 are not both zero: a sum of both is negative, which depends on tau hardly at all.
+kernel::Theorem not_compatible() {
+  using kernel::Term;
+  using kernel::Theorem;
+  const auto F = model::compatibility<tactics::Symbolic>(coefficients(tau_, tau1_, model::Reading::derived));
+  const kernel::Formula first = equal(F[0].term, 0), second = equal(F[1].term, 0),
+                        both = kernel::all({first, second});
+  const Term share(Rational(-729, 100)), sum = F[0].term + share * F[1].term;
+  // In letters: none of the terms need be looked into.
+  const kernel::Variable x{"x"}, y{"y"}, z{"z"};
+  const auto assumed = [](const kernel::Formula& formula) { return Theorem::assume(formula); };
+  Theorem zero =
+      Theorem::instantiate(Theorem::combination(equal(Term(x) + share * y, 0),
+                                                {{assumed(equal(x, 0))}, {assumed(equal(y, 0)), share}}),
+                           {{x, F[0].term}, {y, F[1].term}});
+  for (const std::size_t side : {0, 1}) {
+    zero = Theorem::cut(tactics::part(assumed(both), side), zero);
+  }
+  return over_intervals({{tau_, decimal("tau")}, {tau1_, decimal("tau1")}}, [&](const orbits::Ranges&
+                                                                                    ranges) {
+    return orbits::in_pieces(tau_, ranges, [&](const orbits::Ranges& here) {
+      const MeanValue over_tau(sum, tau_, here);
+      const auto [one, e1] = over_tau.above();
+      const Term there = substitute(sum, {{tau_, over_tau.middle()}});
+      const MeanValue over_tau1(there, tau1_, here);
+      const auto [other, e2] = over_tau1.above();
+      const Term centre = substitute(there, {{tau1_, over_tau1.middle()}});
+      const Theorem falls = Theorem::order(less(x, 0), {{{assumed(at_most(x, Term(y) + Term(e1)))}},
+                                                        {{assumed(at_most(y, Term(z) + Term(e2)))}},
+                                                        {{assumed(less(z, Rational(-e1 - e2)))}}});
+      Theorem negative = Theorem::instantiate(tactics::different(falls), {{x, sum}, {y, there}, {z, centre}});
+      for (const Theorem& known :
+           {one, other, orbits::sign_by_parts(less(centre, Rational(-e1 - e2)), here)}) {
+        negative = Theorem::cut(known, negative);
+      }
+      return Theorem::consequence({Theorem::discharge(zero, both), negative}, negation(both));
+    });
+  });
+}
+
 Claim printed_times() {
   return number(
       "O.23", Origin::reading,
       "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
       [](Prover&, const Claim&) {
-        Outcome outcome = at_the_data(printed(),
-                                      "$Delta$ over the printed intervals in balls: where it is not zero, a "
-                                      "zero of (23) is one of the complete list");
-        outcome.uses = {"O.list", "22.back", "23.back"};
-        const OrbitList& list = orbits_of(printed()).list;
-        const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
-        const bool listed = std::any_of(list.orbits.begin(), list.orbits.end(), [&](const Orbit& one) {
-          return one.tau().overlaps(tau) && one.tau1().overlaps(tau1);
-        });
-        const bool regular =
-            model::cramer<Ball>(coefficients(tau, tau1, model::Reading::derived)).Delta.is_nonzero();
+        Outcome outcome = at_the_data(
+            printed(),
+            "a sum of $F_1$ and $F_2$ is negative over the printed intervals, in balls, by its slopes");
         const auto F = model::compatibility<Ball>(
             coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
-        outcome.verdict = regular && list.complete() && !listed
-                              ? Verdict::refuted(
-                                    "no orbit lies in the printed intervals; at the printed "
-                                    "decimals $F_1$ and $F_2$ are " +
-                                    residuals({F[0], F[1]}))
-                              : Verdict::undecided("the printed intervals may hold a zero");
+        outcome.verdict = Verdict::refuted(
+            "$F_1$ and $F_2$ are not both zero in the printed intervals; at the printed decimals they are " +
+            residuals({F[0], F[1]}));
+        prove(outcome, not_compatible);
         return outcome;
       });
 }

@@ -78,6 +78,7 @@ TEST_CASE("(23) is necessary without, sufficient with Delta != 0, and Delta is a
   CHECK(record("22.square").status == Status::proved);
   CHECK(record("23.spurious").status == Status::proved);
   CHECK(record("23.spurious").outcome.by_kernel);
+  CHECK(record("O.23").outcome.by_kernel);
 }
 
 TEST_CASE("example O: the orbit is proved and obeys every condition, which printed numbers are right") {
