@@ -132,10 +132,10 @@ kernel::Theorem not_compatible() {
   return over_intervals({{tau_, decimal("tau")}, {tau1_, decimal("tau1")}}, [&](const orbits::Ranges&
                                                                                     ranges) {
     return orbits::in_pieces(tau_, ranges, [&](const orbits::Ranges& here) {
-      const MeanValue over_tau(sum, tau_, here);
+      const MeanValue over_tau("sum_of_F", sum, tau_, here);
       const auto [one, e1] = over_tau.above();
       const Term there = substitute(sum, {{tau_, over_tau.middle()}});
-      const MeanValue over_tau1(there, tau1_, here);
+      const MeanValue over_tau1("sum_of_F_by_tau1", sum, tau1_, here, {{tau_, over_tau.middle()}});
       const auto [other, e2] = over_tau1.above();
       const Term centre = substitute(there, {{tau1_, over_tau1.middle()}});
       const Theorem falls = Theorem::order(less(x, 0), {{{assumed(at_most(x, Term(y) + Term(e1)))}},

@@ -15,12 +15,14 @@ class MeanValue {
   using Theorem = kernel::Theorem;
   using Variable = kernel::Variable;
 
-  // Of terms in ranges, x among them.
-  MeanValue(const kernel::Term& f, const Variable& x, const orbits::Ranges& ranges)
+  // Of terms in ranges, x among them; of the other variables some have values. The name is the function's.
+  MeanValue(const std::string& name, const kernel::Term& f, const Variable& x, const orbits::Ranges& ranges,
+            const kernel::Substitution& values = {})
       : x_(x),
         ranges_(ranges),
         parameters_(parameters(f, x)),
-        f_(orbits::differentiable({"f", parameters_, f})) {}
+        f_(orbits::differentiable({name, parameters_, f})),
+        values_(values) {}
 
   // Ranges ⊢ f(x) <= f(m) + the number given back.
   [[nodiscard]] std::pair<Theorem, Rational> above() const {
@@ -75,8 +77,10 @@ class MeanValue {
     return result;
   }
   [[nodiscard]] std::vector<Term> at(const Term& x) const {
-    std::vector<Term> arguments(parameters_.begin(), parameters_.end());
-    arguments.back() = x;
+    std::vector<Term> arguments;
+    for (const Variable& one : parameters_) {
+      arguments.push_back(one == x_ ? x : substitute(one, values_));
+    }
     return arguments;
   }
   [[nodiscard]] Term value(const Term& x) const { return f_.value(at(x)); }
@@ -94,16 +98,18 @@ class MeanValue {
   // There is c between the ends with f(b) - f(a) = f'(c) (b - a).
   [[nodiscard]] Theorem chord(const Term& a, const Term& b, const Theorem& order) const {
     const Variable s{"s"};
-    return Theorem::mean_value(
-        discharged(Theorem::continuity(lambda(s, value(s)), a, b)),
-        tactics::for_every(s, kernel::between(a, s, b), discharged(Theorem::instantiate(f_.rate, {{x_, s}}))),
-        order);
+    return Theorem::mean_value(discharged(Theorem::continuity(lambda(s, value(s)), a, b)),
+                               tactics::for_every(s, kernel::between(a, s, b),
+                                                  discharged(Theorem::instantiate(
+                                                      Theorem::instantiate(f_.rate, values_), {{x_, s}}))),
+                               order);
   }
 
   Variable x_;
   orbits::Ranges ranges_;
   std::vector<Variable> parameters_;
   orbits::Differentiable f_;
+  kernel::Substitution values_;
 };
 
 }  // namespace stickslip::proofs::pascal2012
