@@ -98,6 +98,12 @@ std::vector<Claim> met_by_orbits() {
                 .premises = {"A5.half", "A5.second"},
                 .values = {{"delta", 1}},
                 .goes_on_to = 3 * Theta / 2}),
+      // Times of the slip at which x2' would be positive without the load's push, and would not.
+      claim_of("P.meets.slip", {.example = "P",
+                                .ids = ids("37.slip 37.slip.back"),
+                                .premises = {"A5.half", "A5.second"},
+                                .values = {{"t", 1}}}),
+      claim_of("P.meets.free", {.example = "P", .ids = ids("37.slip.free"), .values = {{"t", 4}}}),
       claim_of("P.meets.35", {.example = "P", .ids = ids("33.even.start"), .premises = {"A5.half", "35"}}),
       claim_of("V.meets", {.example = "V", .ids = {"A5.longer"}}),
       claim_of("P.meets.63", {.example = "P", .ids = ids("64.back"), .premises = {"63", "64"}}),

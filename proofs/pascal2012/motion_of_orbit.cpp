@@ -70,9 +70,6 @@ class MotionOf {
   // holds at once.
   [[nodiscard]] Theorem obeys(const std::vector<const Claim *>& claims) {
     name_states();
-    for (const auto& [name, value] : met_.values) {
-      give({name}, Reader()(value));
-    }
     if (met_.goes_on_to) {
       const Theorem repeats = facts_.front();
       const Term end = substitute(Reader()(*met_.goes_on_to), values_);
@@ -171,6 +168,9 @@ class MotionOf {
         values_.insert_or_assign(Variable{names.at(k).at(static_cast<std::size_t>(i))},
                                  entry(apply(X_, interval(k).first), i) - entry(rest, i));
       }
+    }
+    for (const auto& [name, value] : met_.values) {
+      give({name}, read(value));
     }
     give({"t"}, met_.at_the_last_phase ? interval(phases_.size() - 1).first : Term(0));
     give({"t1"}, 0);

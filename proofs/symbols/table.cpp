@@ -51,10 +51,10 @@ const Names& plain_names() {
       names.push_back(Function{name, {}});
     }
     for (const char * name :
-         {"m1",     "m2",    "k1",      "k2",  "ttilde", "Omega",  "ptilde",    "omegatilde",
-          "Ftilde", "v0",    "v2",      "x1",  "x2",     "xdot2",  "xddot1",    "xddot2",
-          "u",      "s0",    "c0",      "z1",  "z2",     "z1B",    "z2B",       "z1C",
-          "z2C",    "delta", "epsilon", "rho", "delta1", "delta2", "deltadot1", "deltadot2"}) {
+         {"m1", "m2",  "k1",     "k2",     "ttilde",    "Omega",    "ptilde", "omegatilde", "Ftilde",
+          "v0", "v2",  "x1",     "x2",     "xdot2",     "xddot1",   "xddot2", "u",          "s0",
+          "c0", "z1",  "z2",     "z1B",    "z2B",       "z1C",      "z2C",    "delta",      "epsilon",
+          "g",  "rho", "delta1", "delta2", "deltadot1", "deltadot2"}) {
       names.push_back(scalar(name));
     }
     return names;

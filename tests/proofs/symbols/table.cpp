@@ -1,6 +1,8 @@
 #include "proofs/symbols/table.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -53,7 +55,8 @@ TEST_CASE("every symbol that a claim uses, or that stands for one in the table, 
   for (const Symbol& symbol : symbol_table()) {
     names_without_row(symbol.value.value_or(0), missing);
   }
-  CHECK(missing == std::set<std::string>{});
+  CAPTURE(fmt::format("{}", fmt::join(missing, ", ")));
+  CHECK(missing.empty());
 }
 
 TEST_CASE("a misprint can be made both ways, and leaves a formula with meaning") {
