@@ -10,17 +10,29 @@ using namespace symbols;
 
 namespace {
 
-Verdict verdict_on(Prover& prover, Claim claim, const Statement& statement) {
+Outcome outcome_on(Prover& prover, Claim claim, const Statement& statement) {
   claim.printed = {statement};
-  return claim.prove(prover, claim).verdict;
+  return claim.prove(prover, claim);
+}
+
+// Whether the proof has refuted an edited statement by the theorem that refutes the printed one: it does not
+// look at what is printed.
+bool same_refutation(const Outcome& edited, const Outcome& printed) {
+  return edited.theorems.size() == 1 && printed.theorems.size() == 1 &&
+         edited.theorems.front().conclusion() == printed.theorems.front().conclusion();
 }
 
 }  // namespace
 
-std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement& statement) {
+std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement& statement,
+                            const Outcome& refuted) {
   std::vector<Repair> found;
   for (const Edit& edit : edits(statement)) {
-    if (verdict_on(prover, claim, edit.statement).truth == Truth::proved) {
+    const Outcome outcome = outcome_on(prover, claim, edit.statement);
+    if (same_refutation(outcome, refuted)) {
+      return found;
+    }
+    if (outcome.verdict.truth == Truth::proved) {
       found.push_back({edit.what, edit.statement});
     }
   }
@@ -30,11 +42,12 @@ std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement&
 void repair(Prover& prover, Record& record) {
   std::vector<Statement> corrected;
   for (const Statement& statement : record.claim.printed) {
-    if (verdict_on(prover, record.claim, statement).truth == Truth::proved) {
+    if (record.claim.printed.size() > 1 &&
+        outcome_on(prover, record.claim, statement).verdict.truth == Truth::proved) {
       corrected.push_back(statement);
       continue;
     }
-    const std::vector<Repair> found = repairs(prover, record.claim, statement);
+    const std::vector<Repair> found = repairs(prover, record.claim, statement, record.outcome);
     if (found.empty()) {
       return;
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "proofs/kernel/rule.hpp"
 
@@ -42,8 +43,12 @@ Term abstracted_at(const Term& term, const Variable& variable, long depth) {
                 [&](const Term& part, long inside) { return abstracted_at(part, variable, inside); });
 }
 
+// What became of parts of one term, by their nodes and the binders around them: a part that stands in many
+// places is replaced once.
+using Done = std::map<std::pair<const Node *, long>, Term>;
+
 // The values may hold indices of binders around the term.
-Term substituted_at(const Term& term, const Substitution& substitution, long depth) {
+Term substituted_at(const Term& term, const Substitution& substitution, long depth, Done& done) {
   if (term.kind() == Kind::variable) {
     const auto found = substitution.find({term.name(), term.type()});
     return found == substitution.end() ? term : shifted(found->second, depth);
@@ -52,8 +57,16 @@ Term substituted_at(const Term& term, const Substitution& substitution, long dep
                    [&](const Variable& free) { return substitution.contains(free); })) {
     return term;
   }
-  return mapped(term, depth,
-                [&](const Term& part, long inside) { return substituted_at(part, substitution, inside); });
+  const std::pair place(&Node::of(term), depth);
+  if (const auto known = done.find(place); known != done.end()) {
+    return known->second;
+  }
+  return done
+      .emplace(place, mapped(term, depth,
+                             [&](const Term& part, long inside) {
+                               return substituted_at(part, substitution, inside, done);
+                             }))
+      .first->second;
 }
 
 }  // namespace
@@ -98,7 +111,8 @@ Term substitute(const Term& term, const Substitution& substitution) {
     require(value.is_closed(), "what is substituted is no part of a binder's body");
     require(value.type() == variable.type, "a variable is replaced by something of another type");
   }
-  return substituted_at(term, substitution, 0);
+  Done done;
+  return substituted_at(term, substitution, 0, done);
 }
 
 Term replaced(const Term& term, const Term& part, const Term& by) {
@@ -145,7 +159,8 @@ Term unfold(const Term& term, const Definitions& definitions) {
     for (std::size_t i = 0; i < inner.parts().size(); ++i) {
       arguments.emplace(definition.parameters()[i], inner.parts()[i]);
     }
-    return self(self, substituted_at(definition.body(), arguments, 0));
+    Done done;
+    return self(self, substituted_at(definition.body(), arguments, 0, done));
   };
   return definitions.empty() ? term : visit(visit, term);
 }

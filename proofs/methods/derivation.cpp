@@ -39,7 +39,7 @@ std::size_t opened_size(const Term& term, const Definitions& definitions) {
   const bool opened = term.kind() == kernel::Kind::defined && definitions.contains(term.definition());
   return opened ? result + opened_size(term.definition().body(), definitions) : result;
 }
-constexpr std::size_t longest_looked_into = 30000;
+constexpr std::size_t longest_looked_into = 30000, longest_of_inequalities = 400;
 
 // What the theorems of the domain suppose.
 const Formulas& domain_formulas() {
@@ -80,7 +80,9 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
   for (const Theorem& known : known_) {
     if (known.conclusion().kind() == kernel::Kind::less) {
       const Term gap = known.conclusion().parts()[1] - known.conclusion().parts()[0];
-      know(different(Theorem::order(less(0, gap), {Positive{{known}}})));
+      if (opened_size(gap, openings({known.conclusion()}).in_parameters()) < longest_of_inequalities) {
+        know(different(Theorem::order(less(0, gap), {Positive{{known}}})));
+      }
     }
   }
   for (const auto& entry : assumed_) {
@@ -95,6 +97,9 @@ void Derivation::know(const Theorem& nonzero) {
 }
 
 Theorem Derivation::without_divisors(const Theorem& theorem) {
+  if (divisors_stay_) {
+    return theorem;
+  }
   const auto open_ones = [this](const Theorem& of) {
     std::vector<Formula> result;
     for (const Formula& one : of.hypotheses()) {

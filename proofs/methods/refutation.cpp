@@ -93,6 +93,7 @@ class Place {
  public:
   Place(Prover& prover, const Scene& scene)
       : claim_(claim_of(scene)), derivation_(prover, claim_), state_(scene.state) {
+    derivation_.leave_divisors();
     for (const Coordinate& coordinate : scene.point) {
       values_.emplace(Variable{coordinate.name}, Term(coordinate.value));
     }

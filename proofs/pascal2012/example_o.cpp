@@ -129,13 +129,14 @@ kernel::Theorem not_compatible() {
   for (const std::size_t side : {0, 1}) {
     zero = Theorem::cut(tactics::part(assumed(both), side), zero);
   }
+  const MeanValue by_tau("sum_of_F", sum, tau_), by_tau1("sum_of_F_by_tau1", sum, tau1_);
   return over_intervals({{tau_, decimal("tau")}, {tau1_, decimal("tau1")}}, [&](const orbits::Ranges&
                                                                                     ranges) {
     return orbits::in_pieces(tau_, ranges, [&](const orbits::Ranges& here) {
-      const MeanValue over_tau("sum_of_F", sum, tau_, here);
+      const MeanValue over_tau = by_tau.in(here);
       const auto [one, e1] = over_tau.above();
       const Term there = substitute(sum, {{tau_, over_tau.middle()}});
-      const MeanValue over_tau1("sum_of_F_by_tau1", sum, tau1_, here, {{tau_, over_tau.middle()}});
+      const MeanValue over_tau1 = by_tau1.in(here, {{tau_, over_tau.middle()}});
       const auto [other, e2] = over_tau1.above();
       const Term centre = substitute(there, {{tau1_, over_tau1.middle()}});
       const Theorem falls = Theorem::order(less(x, 0), {{{assumed(at_most(x, Term(y) + Term(e1)))}},

@@ -15,14 +15,17 @@ class MeanValue {
   using Theorem = kernel::Theorem;
   using Variable = kernel::Variable;
 
-  // Of terms in ranges, x among them; of the other variables some have values. The name is the function's.
-  MeanValue(const std::string& name, const kernel::Term& f, const Variable& x, const orbits::Ranges& ranges,
-            const kernel::Substitution& values = {})
-      : x_(x),
-        ranges_(ranges),
-        parameters_(parameters(f, x)),
-        f_(orbits::differentiable({name, parameters_, f})),
-        values_(values) {}
+  // The name is the function's.
+  MeanValue(const std::string& name, const kernel::Term& f, const Variable& x)
+      : x_(x), parameters_(parameters(f, x)), f_(orbits::differentiable({name, parameters_, f})) {}
+
+  // In ranges, that of x among them; of the other variables some have values.
+  [[nodiscard]] MeanValue in(const orbits::Ranges& ranges, const kernel::Substitution& values = {}) const {
+    MeanValue here = *this;
+    here.ranges_ = ranges;
+    here.values_ = values;
+    return here;
+  }
 
   // Ranges ⊢ f(x) <= f(m) + the number given back.
   [[nodiscard]] std::pair<Theorem, Rational> above() const {
