@@ -79,6 +79,24 @@ std::vector<Claim> attraction() {
                 "deviation to $rho delta_2'$, a small deviation loses energy in proportion to the square of "
                 "that speed; $rho = (|r| - u_s)/(|r| + u_s) < 1$, the accelerations behind and before",
        .prove = by_normal_form()},
+      {.id = "A5.landing",
+       .kind = Kind::identity,
+       .origin = Origin::new_result,
+       .printed = {equation(energy_of(column({delta1, delta2, deltadot1, 0})),
+                            energy_of(deviation) - power(deltadot2, 2) / (2 * eta))},
+       .words =
+           "where the mass lands on the belt and sticks, the speed $delta_2'$ of a deviation is lost, and "
+           "its energy with it",
+       .prove = by_normal_form()},
+      {.id = "A5.held",
+       .kind = Kind::identity,
+       .origin = Origin::new_result,
+       .printed = {equation(energy_of(Gamma(t) * column({delta1, delta2, deltadot1, 0})),
+                            energy_of(column({delta1, delta2, deltadot1, 0})))},
+       .words =
+           "a stick keeps the energy of a deviation: with A5.loss and A5.landing, of all that happens only "
+           "the break-away from a stick can make it grow",
+       .prove = by_normal_form()},
       {.id = "A5.product",
        .kind = Kind::identity,
        .origin = Origin::new_result,

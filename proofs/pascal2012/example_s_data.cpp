@@ -213,10 +213,34 @@ Claim asymmetric_claim() {
       }};
 }
 
+// Between these the two orbits of S.asymmetric meet.
+Claim fold_claim() {
+  return {.id = "S.fold",
+          .kind = Kind::numbers,
+          .origin = Origin::new_result,
+          .words =
+              "at the other data of Fig. 2 there is no orbit of one slip and one stick in a period of the "
+              "load for $u_r = 0.155$, and there are two for $u_r = 0.16$",
+          .prove = [](Prover&, const Claim&) {
+            Outcome outcome = at_the_data(printed(), "exhaustive searches in balls");
+            outcome.verdict = Verdict::proved();
+            for (const auto& [ur, count] : {std::pair(Rational(31, 200), 0), {Rational(4, 25), 2}}) {
+              const words::WordList list = words::all_orbits({.data = printed().data, .ur = ur, .digits = 10},
+                                                             words::Word::parse("ST"), 1);
+              if (!list.unresolved.empty()) {
+                outcome.verdict = Verdict::undecided("a list is not complete");
+              } else if (std::ssize(list.orbits) != count) {
+                outcome.verdict = Verdict::refuted(fmt::format("there are {}", list.orbits.size()));
+              }
+            }
+            return outcome;
+          }};
+}
+
 }  // namespace
 
 std::vector<Claim> data_of_S() {
-  return {lag_claim(), lag_is_no_consequence(), asymmetric_claim()};
+  return {lag_claim(), lag_is_no_consequence(), asymmetric_claim(), fold_claim()};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -110,6 +110,8 @@ inline const symbols::Term speed_continued =
 [[nodiscard]] methods::Claim not_always_symmetric();
 // An orbit that never sticks on a belt that moves, where omega_1 = 2 omega.
 [[nodiscard]] methods::Claim only_at_rest_by_halves();
+// How long the orbit of Fig. 4 lives on a belt that moves.
+[[nodiscard]] methods::Claim orbits_over_the_belts_speed();
 // The orbit of Fig. 4.
 [[nodiscard]] std::vector<methods::Claim> example_P();
 

@@ -1,7 +1,14 @@
 // An orbit that never sticks on a belt that moves, with slips of half a period each. Where the first natural
 // frequency is twice the load's, x2' of the first mode, V cos(omega_1 t), is V at 0, at tau = pi/omega and at
 // Theta, and the mode has the load's period: added to an orbit for a belt at rest it makes one for this belt.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "numeric/branches/branches.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 
@@ -82,6 +89,46 @@ Claim only_at_rest_by_halves() {
             prove(outcome, [] { return orbit(); });
             return outcome;
           }};
+}
+
+// "stable for $V$ from 0 to 0.229523…".
+std::string followed(const numeric::branches::Branch& branch) {
+  using numeric::branches::State;
+  std::vector<std::string> pieces;
+  for (const numeric::branches::Piece& piece : branch.pieces) {
+    const bool holds = numeric::branches::is_admissible(piece.state);
+    pieces.push_back(
+        fmt::format("{} for $V$ from {} to {}",
+                    holds ? to_string(piece.state) : "no orbit, as " + piece.condition + " fails,",
+                    to_text(piece.first, 10).mid, to_text(piece.last, 10).mid));
+  }
+  return fmt::format("{}", fmt::join(pieces, "; "));
+}
+
+Claim orbits_over_the_belts_speed() {
+  return {
+      .id = "P.belt",
+      .kind = Kind::numbers,
+      .origin = Origin::new_result,
+      .words = "the orbit of Fig. 4 with $u_r = 0.25$, followed over the velocity of the belt from 0 to 0.3",
+      .prove = [](Prover&, const Claim&) {
+        const Example& example = example_named("P");
+        Outcome outcome = at_the_data(example, "all branches, of which every piece is proved in balls");
+        numeric::branches::BranchQuestion question{
+            .orbits = question_of(example), .parameter = "V", .from = 0, .to = Rational(3, 10), .at = {}};
+        question.orbits.ur = Range{Rational(1, 4)};
+        const numeric::branches::BranchList list = numeric::branches::list_branches(question);
+        const auto good = std::ranges::find_if(list.branches, [](const numeric::branches::Branch& one) {
+          return numeric::branches::is_admissible(one.pieces.front().state);
+        });
+        if (!list.complete || !list.resolved() || good == list.branches.end()) {
+          outcome.verdict = Verdict::undecided("not all orbits are known");
+          return outcome;
+        }
+        outcome.found = followed(*good);
+        outcome.verdict = Verdict::proved();
+        return outcome;
+      }};
 }
 
 }  // namespace stickslip::proofs::pascal2012::half_period

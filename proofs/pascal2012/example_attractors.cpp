@@ -1,0 +1,63 @@
+// What random starts end on at the data of the figures: a check in floating point, with shares.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "numeric/attractors/attractors.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
+
+namespace stickslip::proofs::pascal2012 {
+
+using namespace methods;
+using numeric::attractors::Attractor;
+using numeric::attractors::AttractorList;
+using numeric::attractors::AttractorQuestion;
+
+namespace {
+
+// u_r, where it is a result, to the digits of a double.
+Rational friction_of(const Example& example) {
+  return example.ur ? *example.ur : parse_rational(to_text(printed_orbit(example).ur(), 17).mid);
+}
+
+std::string shown(const Attractor& one) {
+  const std::string share =
+      fmt::format("{:.0f} % ({:.0f} to {:.0f})", 100 * one.share, 100 * one.least, 100 * one.most);
+  if (one.kind != numeric::attractors::Kind::periodic) {
+    return share + " " + to_string(one.kind);
+  }
+  const std::string proved = one.orbit && one.orbit->existence.truth == Truth::proved ? ", proved" : "";
+  return fmt::format("{} period {}{}{}", share, one.periods, proved,
+                     one.family.empty() ? "" : ", of the paper's families");
+}
+
+}  // namespace
+
+Claim attractors_claim(const Example& example, long starts) {
+  return {
+      .id = example.name + ".attractors",
+      .kind = methods::Kind::check,
+      .origin = Origin::new_result,
+      .words = fmt::format("what motions from {} random starts end on, at the data of {}: shares, with 95 % "
+                           "of confidence",
+                           starts, example.figure),
+      .prove = [&example, starts](Prover&, const Claim&) {
+        Outcome outcome = at_the_data(example,
+                                      "simulation of the law (4) in floating point, of which "
+                                      "periodic motions are proved");
+        outcome.uses = {example.name + ".orbit"};
+        AttractorQuestion question;
+        question.machine = {.data = example.data, .ur = friction_of(example), .digits = 10};
+        question.starts = starts;
+        const AttractorList list = numeric::attractors::find_attractors(question);
+        std::vector<std::string> found;
+        for (const Attractor& one : list.attractors) {
+          found.push_back(shown(one));
+        }
+        outcome.found = fmt::format("{}", fmt::join(found, "; "));
+        outcome.verdict = list.interrupted ? Verdict::undecided("interrupted")
+                                           : Verdict::checked("they end on these motions");
+        return outcome;
+      }};
+}
+
+}  // namespace stickslip::proofs::pascal2012
