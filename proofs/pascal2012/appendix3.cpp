@@ -144,8 +144,8 @@ std::vector<Claim> appendix3() {
                   {.id = "51.entries",
                    .kind = Kind::definition,
                    .printed = {equation(matrix_of(H_), H(tau)), equation(matrix_of(h_), H(tau1)),
-                               equation(matrix_of(Ht), H(tau + tau1)), equation(matrix_of(G), Gamma(T))},
-                   .words = "the entries of $H$ at $tau$, $tau_1$ and $tau + tau_1$, and those of $Gamma$",
+                               equation(matrix_of(Ht), H(tau + tau1))},
+                   .words = "the entries of $H$ at $tau$, $tau_1$ and $tau + tau_1$",
                    .prove = by_normal_form()},
                   formulas()}});
 }

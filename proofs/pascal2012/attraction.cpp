@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/appendix5.hpp"
 
 namespace stickslip::proofs::pascal2012::two_slips {
@@ -21,11 +22,15 @@ const Term deviation = column({delta1, delta2, deltadot1, deltadot2});
 // What a transition does to a deviation.
 const Term transition = block(4, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, rho});
 
-// The energy of A5.energy.
-Term energy_of(const Term& vector) {
-  const Term x1 = component(0, vector), x2 = component(1, vector);
-  return power(component(2, vector), 2) / 2 + power(component(3, vector), 2) / (2 * eta) + power(x1, 2) / 2 -
-         chi * x1 * x2 + chi * power(x2, 2) / 2;
+// The energy of A5.energy, of a deviation whose second mass has this speed.
+Term energy_with(const Term& speed) {
+  return power(deltadot1, 2) / 2 + power(speed, 2) / (2 * eta) + power(delta1, 2) / 2 -
+         chi * delta1 * delta2 + chi * power(delta2, 2) / 2;
+}
+
+Assumption sticks_as(const std::string& id, const Function& motion) {
+  return {id,
+          almost_always(0, Theta, equation(derivative(motion(t)), first_order(stick_matrix) * motion(t)))};
 }
 
 // The speed of the second mass at the k-th transition, if none before took anything away.
@@ -68,35 +73,32 @@ std::vector<Multiple> all_four(std::size_t which) {
 }  // namespace
 
 std::vector<Claim> attraction() {
+  const auto at = [](const char * name) { return Function{name, {}}(t); };
+  const Term moved = chi * (at("xdot2") - at("ydot2")) * (at("x2") - at("y2") - (at("x1") - at("y1")));
   return {
       {.id = "A5.loss",
        .kind = Kind::identity,
        .origin = Origin::new_result,
-       .printed = {equation(energy_of(transition * H(tau) * deviation),
-                            energy_of(deviation) - (1 - power(rho, 2)) / (2 * eta) *
-                                                       power(component(3, H(tau) * deviation), 2))},
-       .words = "$V = 0$: over a slip and the transition behind it, which takes the speed $delta_2'$ of a "
-                "deviation to $rho delta_2'$, a small deviation loses energy in proportion to the square of "
-                "that speed; $rho = (|r| - u_s)/(|r| + u_s) < 1$, the accelerations behind and before",
-       .prove = by_normal_form()},
-      {.id = "A5.landing",
-       .kind = Kind::identity,
-       .origin = Origin::new_result,
-       .printed = {equation(energy_of(column({delta1, delta2, deltadot1, 0})),
-                            energy_of(deviation) - power(deltadot2, 2) / (2 * eta))},
+       .printed = {equation(energy_with(rho * deltadot2),
+                            energy_with(deltadot2) - (1 - power(rho, 2)) / (2 * eta) * power(deltadot2, 2))},
        .words =
-           "where the mass lands on the belt and sticks, the speed $delta_2'$ of a deviation is lost, and "
-           "its energy with it",
+           "$V = 0$: a transition takes the speed $delta_2'$ of a small deviation to $rho delta_2'$ and "
+           "leaves "
+           "all else, $rho = (|r| - u_s)/(|r| + u_s) < 1$, the accelerations behind and before: energy is "
+           "lost, which between transitions stays as it is (A5.energy); where the mass lands and sticks, "
+           "$rho "
+           "= 0$",
        .prove = by_normal_form()},
       {.id = "A5.held",
-       .kind = Kind::identity,
+       .kind = Kind::theorem,
        .origin = Origin::new_result,
-       .printed = {equation(energy_of(Gamma(t) * column({delta1, delta2, deltadot1, 0})),
-                            energy_of(column({delta1, delta2, deltadot1, 0})))},
+       .printed = {almost_always(0, Theta, equation(derivative(energy_of_difference()), moved))},
        .words =
-           "a stick keeps the energy of a deviation: with A5.loss and A5.landing, of all that happens only "
-           "the break-away from a stick can make it grow",
-       .prove = by_normal_form()},
+           "the energy of the difference of two motions that stick changes with the difference of the speeds "
+           "of the second mass, which are the belt's: not at all. With A5.energy and A5.loss, of all that "
+           "happens only the break-away from a stick can make it grow",
+       .assumptions = {sticks_as("9.x", X), sticks_as("9.y", Y)},
+       .prove = by_chain_rule({assuming("9.x"), assuming("9.y")})},
       {.id = "A5.product",
        .kind = Kind::identity,
        .origin = Origin::new_result,
@@ -110,8 +112,8 @@ std::vector<Claim> attraction() {
        .printed = {equation(delta1, 0), equation(delta2, 0), equation(deltadot1, 0), equation(deltadot2, 0)},
        .words =
            "a deviation with which the second mass has no speed at four transitions that follow each other "
-           "is zero, if $omega_j != k omega$ and $omega_2 +- omega_1 != 2 k omega$, $tau = pi/omega$: with "
-           "A5.loss, every symmetric orbit that never sticks is exponentially stable there",
+           "is zero, if $sin(omega_j tau) != 0$ and $cos(omega_1 tau) != cos(omega_2 tau)$: at $tau = "
+           "pi/omega$, $omega_j != k omega$ and $omega_2 +- omega_1 != 2 k omega$",
        .assumptions = {not_seen(1),
                        not_seen(2),
                        not_seen(3),

@@ -150,7 +150,8 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
   data["lists"] = data.at("examples");
   add_paper_and_pages(report, "audit", std::move(data), [&](const Json& complete) {
     std::vector<File> made;
-    for (const char * name : {"index.html", "paper.html", "statements.html", "orbits.html"}) {
+    for (const char * name :
+         {"index.html", "paper.html", "statements.html", "assumptions.html", "orbits.html"}) {
       if (name != std::string("orbits.html") || !figures.examples.empty()) {
         made.push_back({name, render_file(name, complete, html_format)});
       }
