@@ -134,7 +134,7 @@ const std::vector<StatusFacts>& statuses() {
                       "here is what is true there. Each is shown once, with all statements that inherit it."},
       {.status = Status::needs_hypotheses,
        .name = "needs_hypotheses",
-       .meaning = "proved under a hypothesis that the paper does not state",
+       .meaning = "proved under a hypothesis that no printed formula shows",
        .one = "is proved under hypotheses that the paper does not state",
        .many = "are proved under hypotheses that the paper does not state",
        .lead = "The paper holds, under hypotheses that it does not state.",

@@ -61,8 +61,6 @@ inline const symbols::Term top = symbols::block(1, {I2, symbols::zero(2, 2)}),
 [[nodiscard]] methods::Assumption slips_with_friction(const std::string& id, const symbols::Term& motion,
                                                       const symbols::Term& speed, const symbols::Term& end);
 
-// The energy of the difference of two motions X and Y, in components that are functions of time.
-[[nodiscard]] symbols::Term energy_of_difference();
 // Off resonance both xi vanish, with no other hypothesis.
 [[nodiscard]] std::vector<methods::Claim> weaker_hypotheses();
 // What its theorem assumes: a cycle of two slips at V = 0, off resonance, with x2' < 0 on the first.

@@ -142,7 +142,7 @@ Claim lag_claim() {
 }
 
 Claim lag_is_no_consequence() {
-  return {.id = "4.lag",
+  return {.id = "4.lag.only",
           .kind = Kind::theorem,
           .origin = Origin::reading,
           .words = "the time lag is a consequence: on every orbit of this family $phi = (pi - omega tau)/2$",

@@ -78,7 +78,7 @@ std::vector<Remark> on_orbits() {
        .place = "Section 5, after (19)",
        .says = "once (19) holds the mass sticks until the period is over",
        .fact = "the friction that this needs may exceed $u_r$ within the stick, though (12) and (18)-(20) "
-               "hold: on the motion of 18.enough it is 0.277 where $u_r = 0.204$",
+               "hold: on the motion given after (18) it is 0.277 where $u_r = 0.204$",
        .because = "(19) is (11) at $tau + tau_1$ alone; at all times of the stick (11) is a condition of its "
                   "own",
        .see = "stickslip check 19.enough --explain",
@@ -183,7 +183,7 @@ std::vector<Remark> on_misprints() {
 // Which no claim of the paper's fails for: its letter says more than its proof gives, or leaves out a step.
 std::vector<Remark> on_steps() {
   return {
-      {.claim = "4.lag",
+      {.claim = "4.lag.only",
        .place = "Section 4, before (14)",
        .says = "the time lag is $phi = (pi - omega tau)/2$, without argument",
        .fact =

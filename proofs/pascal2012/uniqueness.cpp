@@ -239,10 +239,6 @@ std::vector<Claim> weaker_hypotheses() {
   };
 }
 
-Term energy_of_difference() {
-  return energy;
-}
-
 std::vector<Claim> uniqueness() {
   return joined({decrease(), free_motion(), one_motion(), mirror()});
 }

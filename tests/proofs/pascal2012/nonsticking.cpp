@@ -1,5 +1,7 @@
 // Section 6, Appendices 4 and 5: what is decided, on what it rests, and that wrong statements do not pass.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -222,6 +224,7 @@ TEST_CASE("but for two claims, a theorem says that there is something which obey
       others.insert(claim.id);
     }
   }
+  CAPTURE(fmt::format("{}", fmt::join(others, ", ")));
   CHECK(met >= 153);
   CHECK(others == std::set<std::string>{"17.free", "67.first", "67.opposite"});
 }
