@@ -20,34 +20,42 @@ namespace {
 
 using namespace determinant16;
 
-// A x = 0 has the solution (x1, x2, x3, 1) where det A = 0, from the cofactors of the last row.
-struct Solution {
-  std::vector<kernel::Term> x;
-  kernel::Theorem solves;  // det A = 0, the last cofactor is not zero ⊢ A x = 0
+// The last factor without matrices, short for Coq: z2(0) = T V/2, and the slip's equations are scaled by
+// lambda2 - lambda1. Its rows are (z1(0), z1'(0), 1) as they stand here.
+struct Row {
+  Term place, speed, alone;
 };
-// Of a matrix of four rows, written entry by entry.
-Solution solution(const kernel::Term& A) {
-  using kernel::Theorem;
-  std::vector<kernel::Term> letters, x, unit(4, 0);
-  kernel::Substitution values;
-  for (const kernel::Term& one : A.parts()) {
-    letters.push_back(kernel::Variable{fmt::format("A{}", letters.size())});
-    values.emplace(kernel::Variable{letters.back().name()}, one);
+struct LastFactor {
+  Row first, second, stick;
+  Term value = stick.place * (first.speed * second.alone - second.speed * first.alone) -
+               stick.speed * (first.place * second.alone - second.place * first.alone) +
+               stick.alone * (first.place * second.speed - second.place * first.speed);
+  // The first slip's equation and the stick's give z1(0) and z1'(0), if this is not zero.
+  Term divisor = stick.place * first.speed - stick.speed * first.place;
+  Term z1 = (first.alone * stick.speed - stick.alone * first.speed) / divisor,
+       zdot1 = (stick.alone * first.place - first.alone * stick.place) / divisor;
+};
+LastFactor last_factor() {
+  const Term sine = sin(omega * tau / 2), cosine = cos(omega * tau / 2), way = T * V / 2;
+  const Term load1 = lambda2 * q1 - q2, load2 = q2 - lambda1 * q1;
+  const Term place1 = omega1 * cos(alpha1), place2 = omega2 * cos(alpha2);
+  return {.first = {place1 * lambda2, sin(alpha1) * lambda2,
+                    sin(alpha1) * (omega * cosine * load1 - V) - place1 * (sine * load1 + way)},
+          .second = {-(place2 * lambda1), -(sin(alpha2) * lambda1),
+                     sin(alpha2) * (omega * cosine * load2 + V) - place2 * (sine * load2 - way)},
+          .stick = {cos(half_T), -sin(half_T), chi * (V * sin(half_T) - cos(half_T) * way)}};
+}
+
+// Those that stand in the term itself.
+kernel::Definitions definitions_in(const kernel::Term& term) {
+  if (term.kind() == kernel::Kind::defined) {
+    return {term.definition()};
   }
-  const kernel::Term any = kernel::matrix(4, 4, letters), adjugate = kernel::adjugate(any),
-                     last = entry(adjugate, 3, 3);
-  for (int k = 0; k < 3; ++k) {
-    x.push_back(entry(adjugate, k, 3) / last);
+  kernel::Definitions found;
+  for (const kernel::Term& part : term.parts()) {
+    found.merge(definitions_in(part));
   }
-  x.emplace_back(1);
-  unit.back() = kernel::Term(1) / last;
-  const Theorem generic =
-      Theorem::combination(equal(any * kernel::matrix(4, 1, x), zero(kernel::real_matrix(4, 1))),
-                           {{Theorem::assume(equal(determinant(any), 0)), kernel::matrix(4, 1, unit)}});
-  for (kernel::Term& one : x) {
-    one = substitute(one, values);
-  }
-  return {x, Theorem::instantiate(generic, values)};
+  return found;
 }
 
 // The determinants at the data of Fig. 2, T = Theta - tau, from ranges of omega1 and omega2.
@@ -66,7 +74,7 @@ class AtTheData {
     for (const auto& [name, term] : {std::pair{"slip_cosine_1", cos(alpha1)},
                                      {"slip_cosine_2", cos(alpha2)},
                                      {"stick_cosine", cos(half_T)},
-                                     {"determinant_without_cosines", determinant(of_halves)},
+                                     {"last_factor", last_.value},
                                      {"rows_without_cosines", of_halves},
                                      {"determinant_of_16", determinant(of_16)}}) {
       (factors_.size() < 4 ? factors_ : wholes_)
@@ -78,7 +86,7 @@ class AtTheData {
   // 16.det, from numbers near the zeros of each factor. Where a cosine is zero the last factor is not; where
   // that is zero the equations without the cosines have a solution.
   [[nodiscard]] Theorem theorem(const Theorem& factorized, const std::vector<std::vector<Rational>>& nearly) {
-    factorized_ = given(Theorem::instantiate(factorized, data_));
+    factorized_ = given(Theorem::instantiate(with_last_factor(factorized), data_));
     const kernel::Number last(Rational(
         mpz_class(orbits::enclosure(Theta_, {}, Rational(1, 1024)).second.value() * 1024 + 1), 1024));
     std::vector<orbits::EnclosedZero> zeros;
@@ -135,6 +143,23 @@ class AtTheData {
     }
     return theorem;
   }
+  // The determinant by its last factor without matrices.
+  [[nodiscard]] Theorem with_last_factor(const Theorem& factorized) const {
+    const kernel::Variable whole{"a"}, cosines{"b"}, halves{"c"}, last{"d"};
+    const Theorem generic =
+        Theorem::combination(equal(whole, kernel::Term(cosines) * last),
+                             {{Theorem::assume(equal(whole, kernel::Term(cosines) * halves))},
+                              {Theorem::assume(equal(halves, last)), cosines}});
+    const kernel::Term product = factorized.conclusion().parts()[1];
+    const Theorem shorter = Theorem::combination(
+        equal(product.parts()[1], Reader()(scale_) * Reader()(last_.value)), {}, opened_);
+    return Theorem::cut(
+        shorter,
+        Theorem::cut(factorized, Theorem::instantiate(generic, {{whole, factorized.conclusion().parts()[0]},
+                                                                {cosines, product.parts()[0]},
+                                                                {halves, product.parts()[1]},
+                                                                {last, shorter.conclusion().parts()[1]}})));
+  }
   // 16.det in the names of its factors: the determinant is that number times their product.
   struct Factorized {
     kernel::Term number;
@@ -144,12 +169,14 @@ class AtTheData {
     const Theorem here = Theorem::instantiate(*factorized_, {{tau_, tau}});
     const kernel::Term number = read(8 * (lambda2 - lambda1) / (omega1 * omega2));
     kernel::Term product = number;
-    for (const kernel::Definition& factor : factors_) {
-      product = product * at(factor, tau);
+    for (std::size_t k = 0; k + 1 < factors_.size(); ++k) {
+      product = product * at(factors_[k], tau);
     }
+    const kernel::Term scale = read(scale_);
+    product = product * (scale * at(factors_.back(), tau));
     kernel::Definitions names(factors_.begin(), factors_.end());
     names.insert(wholes_.back());
-    return {number, Theorem::convert(here, equal(at(wholes_.back(), tau), product), names)};
+    return {number * scale, Theorem::convert(here, equal(at(wholes_.back(), tau), product), names)};
   }
   // The determinant is zero ⊢ one of the factors is.
   [[nodiscard]] Theorem one_factor_vanishes() const {
@@ -197,12 +224,20 @@ class AtTheData {
   [[nodiscard]] Theorem solved(const orbits::EnclosedZero& zero, const Theorem& vanishes) const {
     const kernel::Definition& matrix = wholes_.front();
     const kernel::Term nothing = kernel::zero(kernel::real_matrix(4, 1));
-    const kernel::Term rows = matrix.unfolded({omega_1_, omega_2_, zero.x});
-    const Solution found = solution(rows);
-    Theorem result = Theorem::cut(
-        Theorem::convert(vanishes, equal(kernel::determinant(rows), 0), {factors_.back()}), found.solves);
-    result = Theorem::convert(result, equal(at(matrix, zero.x) * kernel::matrix(4, 1, found.x), nothing),
-                              {matrix});
+    const auto here = [&](const Term& term) { return substitute(read(term), {{tau_, zero.x}}); };
+    const kernel::Term unit = kernel::matrix(4, 1, {0, Reader()(1 / (delta_ * last_.divisor)), 0, 0});
+    const std::vector<Term> solution{last_.z1, T * V / 2, last_.zdot1};
+    const Theorem generic = Theorem::combination(
+        equal(Reader()(of_halves * column({solution[0], solution[1], solution[2], 1})), nothing),
+        {{Theorem::assume(equal(Reader()(last_.value), 0)), unit}}, opened_);
+    Theorem result = Theorem::instantiate(Theorem::instantiate(generic, data_), {{tau_, zero.x}});
+    result = Theorem::cut(Theorem::convert(vanishes, equal(here(last_.value), 0), {factors_.back()}), result);
+    std::vector<kernel::Term> x;
+    for (const Term& one : solution) {
+      x.push_back(here(one));
+    }
+    result = Theorem::convert(
+        result, equal(at(matrix, zero.x) * kernel::matrix(4, 1, {x[0], x[1], x[2], 1}), nothing), {matrix});
     const kernel::Formulas hypotheses = result.hypotheses();
     for (const Formula& one : hypotheses) {
       if (tactics::is_divisor(one)) {
@@ -215,12 +250,17 @@ class AtTheData {
       says = exists(z[k], says);
       kernel::Substitution values;
       for (std::size_t i = 0; i < k; ++i) {
-        values.emplace(z[i], found.x[i]);
+        values.emplace(z[i], x[i]);
       }
-      result = Theorem::witness(result, substitute(says, values), found.x[k]);
+      result = Theorem::witness(result, substitute(says, values), x[k]);
     }
     return result;
   }
+  const LastFactor last_ = last_factor();
+  // Of the determinant without cosines, in parts of that factor.
+  const Term delta_ = lambda2 - lambda1, scale_ = 2 / power(delta_, 2);
+  // These are looked into where that is seen.
+  const kernel::Definitions opened_ = definitions_in(Reader()(of_halves));
   const kernel::Variable tau_{"tau"}, omega_1_{"omega1"}, omega_2_{"omega2"};
   kernel::Term Theta_;
   kernel::Substitution data_;
