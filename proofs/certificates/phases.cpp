@@ -183,22 +183,103 @@ class Divisors {
   std::map<Monomial, std::vector<mpz_class>> divisors_;
 };
 
+// The largest number of which all are whole multiples.
+Rational common_unit(const std::set<Rational>& numbers) {
+  mpz_class numerator, divisor = 1;
+  for (const Rational& one : numbers) {
+    numerator = gcd(numerator, one.get_num());
+    divisor = lcm(divisor, one.get_den());
+  }
+  Rational unit(numerator, divisor);
+  unit.canonicalize();
+  return unit;
+}
+Rational unit_of(const Rational& number, const Numbers& numbers) {
+  const auto of = std::ranges::find_if(
+      numbers, [&](const std::set<Rational>& together) { return together.contains(abs(number)); });
+  return common_unit(*of);
+}
+std::string phase(const Rational& unit) {
+  return unit.get_den() == 1 ? unit.get_num().get_str()
+                             : fmt::format("({} / {})", unit.get_num().get_str(), unit.get_den().get_str());
+}
+std::set<Term> arguments_in(const std::vector<Term>& terms) {
+  std::set<Term> seen, arguments;
+  for (const Term& term : terms) {
+    collect(term, seen, arguments);
+  }
+  return arguments;
+}
+// The numbers that are added in the argument, times the factor: those that stand apart may have phases of
+// their own.
+void collect_numbers(const Term& argument, const Rational& factor, std::vector<Rational>& found) {
+  const Linear whole = linear(argument);
+  const auto number = whole.find({});
+  const auto is_number = [](const Term& term) {
+    return std::ranges::all_of(linear(term), [](const auto& part) { return part.first.empty(); });
+  };
+  const bool scales = argument.kind() == Kind::product && argument.parts()[0].type().is_scalar() &&
+                      argument.parts()[1].type().is_scalar();
+  if (argument.kind() == Kind::sum) {
+    for (const Term& part : argument.parts()) {
+      collect_numbers(part, factor, found);
+    }
+  } else if (scales && is_number(argument.parts()[0]) != is_number(argument.parts()[1])) {
+    const std::size_t by = is_number(argument.parts()[0]) ? 0 : 1;
+    const Linear scale = linear(argument.parts()[by]);
+    if (!scale.empty()) {
+      collect_numbers(argument.parts()[1 - by], factor * scale.begin()->second, found);
+    }
+  } else if (number != whole.end()) {
+    found.push_back(factor * number->second);
+  }
+}
+std::vector<Rational> numbers_in(const Term& argument) {
+  std::vector<Rational> found;
+  collect_numbers(argument, 1, found);
+  return found;
+}
+
 void repeat(std::vector<std::string>& parts, const std::string& part, const Rational& times) {
   if (abs(times) > 40) {
     throw KernelError("a phase is taken more than 40 times");
   }
   for (long k = std::abs(times.get_num().get_si()); k > 0; --k) {
-    parts.push_back(times < 0 ? fmt::format("- {}", part) : part);
+    // Coq reads - 3 as a number of its own.
+    const bool whole = part.find_first_not_of("0123456789") == std::string::npos;
+    parts.push_back(times > 0 ? part : whole ? fmt::format("- ({})", part) : fmt::format("- {}", part));
   }
 }
 
 }  // namespace
 
-Phases phases_of(const std::vector<Term>& terms) {
-  std::set<Term> seen, arguments;
-  for (const Term& term : terms) {
-    collect(term, seen, arguments);
+std::set<Rational> numbers_in_phases(const std::vector<Term>& terms) {
+  std::set<Rational> numbers;
+  for (const Term& argument : arguments_in(terms)) {
+    for (const Rational& number : numbers_in(argument)) {
+      numbers.insert(abs(number));
+    }
   }
+  return numbers;
+}
+
+std::vector<Term> apart(const std::vector<Term>& terms, const Numbers& numbers) {
+  std::vector<Term> result = terms;
+  for (const Term& argument : arguments_in(terms)) {
+    Term other = argument;
+    for (const Rational& number : numbers_in(argument)) {
+      const Rational unit = unit_of(number, numbers);
+      other = other - Term(number) + Term(Rational(number / unit)) * Variable{"phase " + unit.get_str()};
+    }
+    for (Term& term : result) {
+      term = replaced(replaced(term, cos(argument), cos(other)), sin(argument), sin(other));
+    }
+  }
+  return result;
+}
+
+Phases phases_of(const std::vector<Term>& terms, const Numbers& numbers) {
+  const std::set<Term> arguments = arguments_in(terms);
   struct Sum {
     std::vector<Part> parts;
     Rational turns = 0;
@@ -214,18 +295,26 @@ Phases phases_of(const std::vector<Term>& terms) {
         sum.turns = (coefficient - part.coefficient) / 2;
       }
       sum.parts.push_back(part);
-      if (!is_quarters(part)) {
+      if (!part.monomial.empty() && !is_quarters(part)) {
         divisors.add(part);
       }
     }
   }
   Phases result{.arguments = {}, .phases = divisors.phases()};
+  for (const std::set<Rational>& together : numbers) {
+    result.phases.push_back(phase(common_unit(together)));
+  }
   std::set<std::string> done;
   for (const auto& [argument, sum] : sums) {
     std::vector<std::string> parts;
     for (const Part& part : sum.parts) {
       if (is_quarters(part)) {
         repeat(parts, "(PI / 2)", part.coefficient * 2);
+      } else if (part.monomial.empty()) {
+        for (const Rational& number : numbers_in(argument)) {
+          const Rational unit = unit_of(number, numbers);
+          repeat(parts, phase(unit), number / unit);
+        }
       } else {
         const mpz_class divisor = divisors.of(part);
         repeat(parts, Divisors::phase(part.monomial, divisor), part.coefficient * divisor);

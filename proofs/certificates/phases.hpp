@@ -1,6 +1,7 @@
 // Arguments of cos and sin as sums of phases, for the addition theorems.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,14 @@ struct Phases {
   std::vector<std::string> phases;
 };
 
+// Numbers in arguments, as 3 in cos(3 + t), without signs: those together that have a phase in common.
+using Numbers = std::vector<std::set<Rational>>;
+[[nodiscard]] std::set<Rational> numbers_in_phases(const std::vector<kernel::Term>& terms);
+// With variables in the place of their phases: where an identity is seen still, they may be apart.
+[[nodiscard]] std::vector<kernel::Term> apart(const std::vector<kernel::Term>& terms, const Numbers& numbers);
+
 // Of all cos and sin in the terms, which are as Coq will have them: definitions that are to be looked into
 // are unfolded. Nothing is proved here; Coq checks each sum.
-[[nodiscard]] Phases phases_of(const std::vector<kernel::Term>& terms);
+[[nodiscard]] Phases phases_of(const std::vector<kernel::Term>& terms, const Numbers& numbers);
 
 }  // namespace stickslip::proofs::certificates

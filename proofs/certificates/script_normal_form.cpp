@@ -224,6 +224,50 @@ std::vector<Letter> with_letters(std::vector<Term>& terms) {
   return letters;
 }
 
+// Numbers in arguments, as few of them with a phase in common as it takes for the first term to vanish: else
+// cos(8) and cos(3/2) would be polynomials in that of 1/2. Each at most with its double.
+Numbers numbers_apart(const std::vector<Term>& terms) {
+  const std::set<Rational> all = numbers_in_phases(terms);
+  std::vector<std::pair<Rational, Rational>> doubles;
+  for (const Rational& one : all) {
+    if (all.contains(2 * one)) {
+      doubles.emplace_back(one, 2 * one);
+    }
+  }
+  const auto together = [&](const auto& pairs) {
+    Numbers numbers;
+    for (const Rational& one : all) {
+      // The half comes before its double.
+      const auto half = std::ranges::find_if(pairs, [&](const auto& pair) { return pair.second == one; });
+      const auto of = half == pairs.end()
+                          ? numbers.end()
+                          : std::ranges::find_if(numbers, [&](const std::set<Rational>& some) {
+                              return some.contains(half->first);
+                            });
+      if (of == numbers.end()) {
+        numbers.push_back({one});
+      } else {
+        of->insert(one);
+      }
+    }
+    return numbers;
+  };
+  if (all.size() < 2) {
+    return together(doubles);
+  }
+  if (!vanishes(apart(terms, together(doubles)))) {
+    return {all};
+  }
+  for (std::size_t k = doubles.size(); k-- > 0;) {
+    auto fewer = doubles;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+    if (vanishes(apart(terms, together(fewer)))) {
+      doubles = fewer;
+    }
+  }
+  return together(doubles);
+}
+
 }  // namespace
 
 std::string Script::normal_form(const Term& left, const Term& right, const Step& step,
@@ -265,7 +309,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
       }
     }
   }
-  const Phases phases = phases_of(terms);
+  const Phases phases = phases_of(terms, numbers_apart(terms));
   std::string expansions;
   for (std::size_t i = 0; i < phases.arguments.size(); ++i) {
     const auto& [argument, sum] = phases.arguments[i];
