@@ -22,6 +22,9 @@ namespace {
 using methods::Outcome;
 using methods::Record;
 
+// Of a file: Coq has taken up to 1.5 GB for 2.8 million.
+constexpr std::size_t most_characters = 4'000'000;
+
 class Writer {
  public:
   explicit Writer(const std::vector<methods::Claim>& claims) : prover_(claims) {}
@@ -125,6 +128,10 @@ class Writer {
     if (certificate.theorems.empty()) {
       result_.uncertified.push_back({id, without_theorem(record)});
       return;
+    }
+    if (const std::size_t size = script.text().size(); size > most_characters) {
+      throw kernel::KernelError(fmt::format(
+          "its proof takes {} million characters, more than Coq reads in 1.5 GB", size / 1'000'000));
     }
     certificate.imports = script.imports();
     for (const kernel::Definition& definition : script.definitions()) {
