@@ -60,8 +60,7 @@ struct Hypothesis {
   std::string text;    // "omega - omega1 != 0"
   std::string latex;   // the same
   std::string origin;  // the id of the claim whose proof divided by it
-  // Whether that claim prints a division by something that is zero where this is: who reads the formula sees
-  // where it has a meaning. Filled in by the Prover.
+  // Whether who reads the formulas sees it (visible.hpp). Filled in by the Prover.
   bool visible = false;
 };
 

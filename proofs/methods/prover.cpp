@@ -15,6 +15,7 @@
 #include "proofs/methods/gate.hpp"
 #include "proofs/methods/progress.hpp"
 #include "proofs/methods/refutation.hpp"
+#include "proofs/methods/visible.hpp"
 #include "proofs/symbols/point.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
 #include "symbolic/algebra/signs.hpp"
@@ -34,41 +35,6 @@ bool says_what_it_assumes(const Claim& claim) {
         claim.assumptions, [&](const Assumption& assumption) { return equal(assumption.statement, one); });
   };
   return !claim.printed.empty() && std::ranges::all_of(claim.printed, is_assumed);
-}
-
-// All that is divided by in the term, or below the bar of a tangent.
-std::vector<Term> divisors_in(const Term& term) {
-  std::vector<Term> all;
-  const std::vector<Term>& parts = term.arguments();
-  if (term.op() == Op::quotient) {
-    all.push_back(parts.at(1));
-  } else if (term.op() == Op::power && term.number() < 0) {
-    all.push_back(term.shape().is_scalar() ? parts.at(0) : determinant(parts.at(0)));
-  } else if (term.op() == Op::function && term.name() == "tan") {
-    all.push_back(cos(parts.at(0)));
-  }
-  for (const Term& part : parts) {
-    const std::vector<Term> deeper = divisors_in(part);
-    all.insert(all.end(), deeper.begin(), deeper.end());
-  }
-  return all;
-}
-
-// Whether the claim prints a division by something that is zero where the hypothesis fails.
-bool shows(const Claim& claim, const Hypothesis& hypothesis) {
-  Outcome printed;
-  for (const Statement& one : claim.printed) {
-    for (const Term& side : {one.left, one.right}) {
-      for (const Term& divisor : divisors_in(side)) {
-        if (is_in_field(divisor)) {
-          record_nonzero(printed, claim, evaluate<GiNaC::ex>(divisor, symbolically())(0, 0));
-        }
-      }
-    }
-  }
-  return std::ranges::any_of(printed.hypotheses, [&](const Hypothesis& known) {
-    return symbolic::algebra::vanishes_with(known.nonzero, hypothesis.nonzero);
-  });
 }
 
 Status status_of(const Record& record, bool premises_stand) {
@@ -345,7 +311,7 @@ bool Prover::inherit(Outcome& outcome, const Claim& claim) {
     keep_strongest(outcome.hypotheses);
   }
   for (Hypothesis& one : outcome.hypotheses) {
-    one.visible = shows(this->claim(one.origin), one);
+    one.visible = is_seen(one, claim, this->claim(one.origin));
   }
   return all_stand;
 }

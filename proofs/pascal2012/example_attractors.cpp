@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "numeric/attractors/attractors.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 
@@ -32,15 +34,15 @@ std::string shown(const Attractor& one) {
 
 }  // namespace
 
-Claim attractors_claim(const Example& example, long starts) {
+Claim attractors_claim(const Example& example, long starts, bool attracts) {
   return {
       .id = example.name + ".attractors",
       .kind = methods::Kind::check,
       .origin = Origin::new_result,
-      .words = fmt::format("what motions from {} random starts end on, at the data of {}: shares, with 95 % "
-                           "of confidence",
-                           starts, example.figure),
-      .prove = [&example, starts](Prover&, const Claim&) {
+      .words = fmt::format(
+          "of {} random starts at the data of {} {}; shares, with 95 % of confidence", starts, example.figure,
+          attracts ? "more end on its orbit than on any other motion" : "none ends on its orbit"),
+      .prove = [&example, starts, attracts](Prover&, const Claim&) {
         Outcome outcome = at_the_data(example,
                                       "simulation of the law (4) in floating point, of which "
                                       "periodic motions are proved");
@@ -54,8 +56,12 @@ Claim attractors_claim(const Example& example, long starts) {
           found.push_back(shown(one));
         }
         outcome.found = fmt::format("{}", fmt::join(found, "; "));
+        const auto is_of_family = [](const Attractor& one) { return !one.family.empty(); };
+        const bool so = attracts ? is_of_family(list.attractors.front())
+                                 : std::ranges::none_of(list.attractors, is_of_family);
         outcome.verdict = list.interrupted ? Verdict::undecided("interrupted")
-                                           : Verdict::checked("they end on these motions");
+                          : so             ? Verdict::checked("they end on these motions")
+                                           : Verdict::undecided("they end on other motions");
         return outcome;
       }};
 }

@@ -297,7 +297,7 @@ Claim rounding_of_the_data() {
       "Fig. 3, all other data taken as exact",
       [](Prover&, const Claim&) {
         constexpr int parts = 10;
-        const Decimal omega = parse_decimal("0.6289");
+        const Decimal omega = parse_decimal(stickslip::to_string(printed().data.omega));
         const Rational step = (omega.upper() - omega.lower()) / parts;
         Outcome outcome;
         outcome.route = fmt::format("the orbit for all $omega$ of each tenth of the interval, in balls");

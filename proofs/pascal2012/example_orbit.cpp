@@ -265,7 +265,7 @@ Claim box_claim(const PrintedPlace& where) {
           .origin = Origin::new_result,
           .words =
               fmt::format("orbits of the family exist, and obey every condition, for all data within 1e-6 of "
-                          "those of {} ($V = 0$ and $u_r$, where they are data, as they are)",
+                          "those of {} ($V = 0$, $phi$ and $u_r$, where they are data, as they are)",
                           where.example.figure),
           .prove = [where](Prover&, const Claim&) {
             Outcome outcome = at_the_data(where.example, "the orbit for all members of the box, in balls");

@@ -158,8 +158,8 @@ std::vector<Result> on_stability() {
            "speed $delta_2'$ of the second mass to $rho delta_2'$ and leaves all else. If nothing is lost "
            "over "
            "four of them, this speed was zero at all four, and then both modes are: their parts of it differ "
-           "in "
-           "frequency",
+           "in frequency. These identities are checked; that a norm of deviations which falls over four half "
+           "periods makes them die out exponentially is the usual argument, told here only",
        .see = "stickslip check A5.seen A5.loss A5.product --explain",
        .claims = {"A5.seen", "A5.loss", "A5.product"}},
       {.id = "stability",

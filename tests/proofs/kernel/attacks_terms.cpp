@@ -182,6 +182,11 @@ TEST_CASE("definitions") {
   // A property with a binder in it.
   const Definition bounded("bounded", {f, c}, for_all(t, at_most(apply(f, t), c)));
   CHECK(unfold(bounded({lambda(s, Term(s) * t), t}), {bounded}) == for_all(x, at_most(Term(x) * t, t)));
+  // A part that stands in two places, in one of them under a binder more: for all c: c + 1 < 0, and for all
+  // y: c + 1 < y. Were it replaced once for both, the second would say y + 1 < y.
+  const Definition twice("twice", {x}, all({less(Term(x) + 1, 0), for_all(y, less(Term(x) + 1, y))}));
+  CHECK(unfold(for_all(c, twice({c})), {twice}) ==
+        for_all(c, all({less(Term(c) + 1, 0), for_all(y, less(Term(c) + 1, y))})));
   // An argument that is not used is looked at for divisors all the same.
   const Definition one("one", {x}, 1);
   CHECK(Theorem::combination(equal(one({1 / Term(y)}), 1), {}, {one}).hypotheses() == Formulas{differ(y, 0)});

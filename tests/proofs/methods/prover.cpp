@@ -121,6 +121,11 @@ TEST_CASE("hypotheses are inherited, but not where the data meet them") {
   CHECK(status(claims, "user") == Status::where_defined);
   CHECK(audit(claims, {"user"}).records.front().outcome.hypotheses.size() == 1);
   CHECK(status(claims, "at data") == Status::decided_in_balls);
+  // No one who reads the paper sees a formula of ours.
+  std::vector<Claim> ours = claims;
+  ours[0].origin = Origin::auxiliary;
+  CHECK(status(ours, "r") == Status::where_defined);
+  CHECK(status(ours, "user") == Status::needs_hypotheses);
 }
 
 TEST_CASE("a premise's own assumptions must be assumed, and stay as they were") {

@@ -1,0 +1,54 @@
+#include "proofs/methods/visible.hpp"
+
+#include <algorithm>
+
+#include "proofs/methods/deciding.hpp"
+#include "proofs/symbols/meaning.hpp"
+#include "symbolic/algebra/signs.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace symbols;
+
+namespace {
+
+// All that is divided by in the term, or below the bar of a tangent.
+std::vector<Term> divisors_in(const Term& term) {
+  std::vector<Term> all;
+  const std::vector<Term>& parts = term.arguments();
+  if (term.op() == Op::quotient) {
+    all.push_back(parts.at(1));
+  } else if (term.op() == Op::power && term.number() < 0) {
+    all.push_back(term.shape().is_scalar() ? parts.at(0) : determinant(parts.at(0)));
+  } else if (term.op() == Op::function && term.name() == "tan") {
+    all.push_back(cos(parts.at(0)));
+  }
+  for (const Term& part : parts) {
+    const std::vector<Term> deeper = divisors_in(part);
+    all.insert(all.end(), deeper.begin(), deeper.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+bool is_seen(const Hypothesis& hypothesis, const Claim& needing, const Claim& origin) {
+  if (origin.id != needing.id && facts(origin.origin).source == nullptr) {
+    return false;
+  }
+  Outcome printed;
+  for (const Statement& one : origin.printed) {
+    for (const Term& side : {one.left, one.right}) {
+      for (const Term& divisor : divisors_in(side)) {
+        if (is_in_field(divisor)) {
+          record_nonzero(printed, origin, evaluate<GiNaC::ex>(divisor, symbolically())(0, 0));
+        }
+      }
+    }
+  }
+  return std::ranges::any_of(printed.hypotheses, [&](const Hypothesis& known) {
+    return symbolic::algebra::vanishes_with(known.nonzero, hypothesis.nonzero);
+  });
+}
+
+}  // namespace stickslip::proofs::methods
