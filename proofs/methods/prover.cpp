@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 
@@ -177,8 +178,7 @@ const Record& Prover::prove(const std::string& id) {
   under_way_.push_back(id);
   Record record{claim(id), {}, {}, {}, {}};
   const Given has_values(record.claim);  // none of which goes in a circle: that would be no end
-  record.outcome =
-      record.claim.prove ? record.claim.prove(*this, record.claim) : taken_as_given(record.claim);
+  record.outcome = outcome_of(record.claim);
   look_for_witness(record.outcome, *this, record.claim);
   if (record.outcome.verdict.truth == Truth::refuted && record.claim.prove_corrected) {
     Claim reading = record.claim;
@@ -202,6 +202,31 @@ const Record& Prover::prove(const std::string& id) {
   record.status = status_of(record, premises_stand);
   under_way_.pop_back();
   return records_.emplace(id, std::move(record)).first->second;
+}
+
+void Prover::begin(const std::vector<std::string>& ids) {
+  if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2) {
+    return;
+  }
+  std::vector<std::packaged_task<Outcome()>> tasks;
+  for (const std::string& id : ids) {
+    if (claim(id).compute) {
+      tasks.emplace_back(claim(id).compute);
+      begun_.emplace(id, tasks.back().get_future());
+    }
+  }
+  computing_ = std::async(std::launch::async, [tasks = std::move(tasks)]() mutable {
+    for (std::packaged_task<Outcome()>& task : tasks) {
+      task();
+    }
+  });
+}
+
+Outcome Prover::outcome_of(const Claim& claim) {
+  if (const auto begun = begun_.find(claim.id); begun != begun_.end()) {
+    return begun->second.get();
+  }
+  return claim.compute ? claim.compute() : claim.prove ? claim.prove(*this, claim) : taken_as_given(claim);
 }
 
 const kernel::Theorem& Prover::theorem(const std::string& id) {
@@ -383,6 +408,7 @@ Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids, 
       asked.push_back(claim.id);
     }
   }
+  prover.begin(asked);
   return prove_all(prover, asked, progress);
 }
 

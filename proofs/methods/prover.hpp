@@ -1,6 +1,7 @@
 // Proves claims in the order in which they need each other.
 #pragma once
 
+#include <future>
 #include <map>
 #include <optional>
 #include <set>
@@ -23,7 +24,12 @@ class Prover {
 
   [[nodiscard]] const Claim& claim(const std::string& id) const;
 
+  // Begins with what these claims compute without others, in a thread of its own where there may be several.
+  void begin(const std::vector<std::string>& ids);
+
  private:
+  // What the claim proves, computes, or takes as given.
+  Outcome outcome_of(const Claim& claim);
   // Adds the hypotheses of all that the outcome uses, takes away those that the claim states; whether all
   // that it uses stands.
   bool inherit(Outcome& outcome, const Claim& claim);
@@ -44,6 +50,8 @@ class Prover {
   std::map<std::string, std::string> met_by_;  // the claim whose theorem says so
   std::map<std::string, Record> records_;
   std::vector<std::string> under_way_;
+  std::map<std::string, std::future<Outcome>> begun_;
+  std::future<void> computing_;
 };
 
 // What a claim offers as a premise: the form that was proved, as printed or corrected. The caller records the

@@ -290,12 +290,14 @@ std::vector<Claim> origins() {
 // What the rounding of omega = 0.6289, the datum on which most depends, can explain: parts of the interval
 // that the decimal stands for, in each of which some printed result is none of the orbit's.
 Claim rounding_of_the_data() {
-  return number(
-      "O.rounding", Origin::new_result,
-      "no load frequency that rounds to the printed $omega = 0.6289$ gives all printed digits of the orbit "
-      "of "
-      "Fig. 3, all other data taken as exact",
-      [](Prover&, const Claim&) {
+  return {
+      .id = "O.rounding",
+      .kind = Kind::numbers,
+      .origin = Origin::new_result,
+      .words =
+          "no load frequency that rounds to the printed $omega = 0.6289$ gives all printed digits of the "
+          "orbit of Fig. 3, all other data taken as exact",
+      .compute = [] {
         constexpr int parts = 10;
         const Decimal omega = parse_decimal(stickslip::to_string(printed().data.omega));
         const Rational step = (omega.upper() - omega.lower()) / parts;
@@ -337,7 +339,7 @@ Claim rounding_of_the_data() {
         outcome.found = fmt::format("$z_20$ is {} over the interval; the printed $tau_1$ needs {}, $z_20$ {}",
                                     shown(*z20), between("tau1"), between("z20"));
         return outcome;
-      });
+      }};
 }
 
 }  // namespace
