@@ -32,8 +32,9 @@ PrintedPlace where() {
   return {printed(), "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
 }
 
-Claim number(const std::string& id, Origin origin, const std::string& words, Proof prove) {
-  return {.id = id, .kind = Kind::numbers, .origin = origin, .words = words, .prove = std::move(prove)};
+Claim number(const std::string& id, Origin origin, const std::string& words,
+             std::function<Outcome()> compute) {
+  return {.id = id, .kind = Kind::numbers, .origin = origin, .words = words, .compute = std::move(compute)};
 }
 
 // --- (21)-(24) at the printed values ---
@@ -134,17 +135,17 @@ kernel::Theorem not_compatible() {
                                                                                     ranges) {
     return orbits::in_pieces(tau_, ranges, [&](const orbits::Ranges& here) {
       const MeanValue over_tau = by_tau.in(here);
-      const auto [one, e1] = over_tau.above();
+      const Rational e1 = over_tau.reach();
       const Term there = substitute(sum, {{tau_, over_tau.middle()}});
       const MeanValue over_tau1 = by_tau1.in(here, {{tau_, over_tau.middle()}});
-      const auto [other, e2] = over_tau1.above();
+      const Rational e2 = over_tau1.reach();
       const Term centre = substitute(there, {{tau1_, over_tau1.middle()}});
+      const Theorem below = orbits::sign_by_parts(less(centre, Rational(-e1 - e2)), here);
       const Theorem falls = Theorem::order(less(x, 0), {{{assumed(at_most(x, Term(y) + Term(e1)))}},
                                                         {{assumed(at_most(y, Term(z) + Term(e2)))}},
                                                         {{assumed(less(z, Rational(-e1 - e2)))}}});
       Theorem negative = Theorem::instantiate(tactics::different(falls), {{x, sum}, {y, there}, {z, centre}});
-      for (const Theorem& known :
-           {one, other, orbits::sign_by_parts(less(centre, Rational(-e1 - e2)), here)}) {
+      for (const Theorem& known : {over_tau.above(e1), over_tau1.above(e2), below}) {
         negative = Theorem::cut(known, negative);
       }
       return Theorem::consequence({Theorem::discharge(zero, both), negative}, negation(both));
@@ -155,8 +156,7 @@ kernel::Theorem not_compatible() {
 Claim printed_times() {
   return number(
       "O.23", Origin::reading,
-      "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
-      [](Prover&, const Claim&) {
+      "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)", [] {
         Outcome outcome = at_the_data(
             printed(),
             "a sum of $F_1$ and $F_2$ is negative over the printed intervals, in balls, by its slopes");
@@ -195,7 +195,7 @@ Claim printed_state_closes() {
   return number("O.21", Origin::reading,
                 "the printed $tau$, $tau_1$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its "
                 "last place, close the motion",
-                [](Prover&, const Claim&) {
+                [] {
                   Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
                   const PrintedClosing<5> closing =
                       printed_closing_overshooting(printed().data, *printed().phi,
@@ -269,7 +269,7 @@ std::vector<Claim> origins() {
       number("O.c1", Origin::auxiliary,
              "the printed $tau$ and $tau_1$ were not computed with the printed $c_1$: over their intervals "
              "it takes $F_1$ farther from zero than the derived one",
-             [](Prover&, const Claim&) {
+             [] {
                const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
                const auto F_1 = [&](model::Reading reading) {
                  return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);

@@ -27,16 +27,19 @@ class MeanValue {
     return here;
   }
 
-  // Ranges ⊢ f(x) <= f(m) + the number given back.
-  [[nodiscard]] std::pair<Theorem, Rational> above() const {
+  // K r, by a search alone.
+  [[nodiscard]] Rational reach() const {
+    const auto bounds = orbits::enclosure(f_.slope.unfolded(at(x_)), ranges_, Rational(1, 1024));
+    return std::max(Rational(-bounds.first.value()), Rational(bounds.second.value())) * radius();
+  }
+  // Ranges ⊢ f(x) <= f(m) + the reach.
+  [[nodiscard]] Theorem above(const Rational& reach) const {
     const auto& [lower, upper] = ranges_.at(x_);
-    const Rational lo = lower.value(), hi = upper.value(), m = middle(), r = (hi - lo) / 2;
+    const Rational lo = lower.value(), hi = upper.value(), m = middle(), K = reach / radius();
     orbits::Ranges here = ranges_;
     const Variable c{"c"};
     here[c] = ranges_.at(x_);
-    const auto bounds = orbits::enclosure(f_.slope.unfolded(at(c)), here, Rational(1, 1024));
-    const Rational K = std::max(Rational(-bounds.first.value()), Rational(bounds.second.value()));
-    const kernel::Formula goal = at_most(value(x_), value(m) + Term(Rational(K * r)));
+    const kernel::Formula goal = at_most(value(x_), value(m) + Term(reach));
     std::vector<Theorem> cases{Theorem::trichotomy(x_, m)};
     for (const bool before : {true, false}) {
       const Theorem order = Theorem::assume(before ? less(x_, m) : less(m, x_));
@@ -59,16 +62,19 @@ class MeanValue {
     const Theorem equation = Theorem::assume(equal(x_, m));
     const Variable place{"place"};
     const Theorem same = Theorem::replace(
-        tactics::symmetric(equation), place, at_most(value(place), value(m) + Term(Rational(K * r))),
-        Theorem::order(at_most(value(m), value(m) + Term(Rational(K * r))), {kernel::Positive{{}, K * r}}));
+        tactics::symmetric(equation), place, at_most(value(place), value(m) + Term(reach)),
+        Theorem::order(at_most(value(m), value(m) + Term(reach)), {kernel::Positive{{}, reach}}));
     cases.push_back(Theorem::discharge(same, equation.conclusion()));
-    return {Theorem::convert(Theorem::consequence(cases, goal), unfold(goal, {f_.value}), {f_.value}), K * r};
+    return Theorem::convert(Theorem::consequence(cases, goal), unfold(goal, {f_.value}), {f_.value});
   }
   [[nodiscard]] Rational middle() const {
     return (ranges_.at(x_).first.value() + ranges_.at(x_).second.value()) / 2;
   }
 
  private:
+  [[nodiscard]] Rational radius() const {
+    return (ranges_.at(x_).second.value() - ranges_.at(x_).first.value()) / 2;
+  }
   static std::vector<Variable> parameters(const kernel::Term& f, const Variable& x) {
     std::vector<Variable> result;
     for (const Variable& one : f.variables()) {
