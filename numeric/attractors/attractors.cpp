@@ -12,6 +12,7 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
+#include "numeric/simulation/agreement.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -65,10 +66,13 @@ bool is_there(const WordOrbit& found, const Return& seen) {
   });
 }
 
+bool is_stable(const WordOrbit& found) {
+  return found.existence.truth == Truth::proved && found.orbit.admissible.truth == Truth::proved &&
+         found.orbit.stability->kind == StabilityKind::stable;
+}
+
 bool attracts(const Group& group) {
-  const auto& found = group.orbit;
-  return found && found->existence.truth == Truth::proved && found->orbit.admissible.truth == Truth::proved &&
-         found->orbit.stability->kind == StabilityKind::stable && is_there(*found, group.seen);
+  return group.orbit && is_stable(*group.orbit) && is_there(*group.orbit, group.seen);
 }
 
 class Survey {
@@ -91,8 +95,9 @@ class Survey {
       follow(nearness);
       prove();
     }
+    place_what_nears();
     (void)parallel_map(followers_.size(), [&](std::size_t i) {
-      if (!interrupted()) {
+      if (!interrupted() && !is_placed(i)) {
         followers_[i].classify(question_.most_periods / 4);
       }
       return true;
@@ -112,6 +117,16 @@ class Survey {
   // Motions that return are put together, each sort is proved, and those that cannot stay where they are are
   // open again.
   void prove();
+  // Joins the group to the one of the same orbit.
+  void add(const Group& group);
+  // Motions that have not settled in their time, but go through the word of a proved stable orbit and come
+  // nearer and nearer to it.
+  void place_what_nears();
+  [[nodiscard]] bool is_placed(std::size_t i) const {
+    return std::ranges::any_of(groups_, [&](const Group& group) {
+      return std::ranges::find(group.members, i) != group.members.end();
+    });
+  }
   // Motions that seem to return where no orbit is proved to hold them are followed on. At the end of their
   // time those have not settled whose orbit is proved not to hold them; the others are what is returned.
   [[nodiscard]] std::vector<std::size_t> left_after_sending_on(const Group& group);
@@ -169,13 +184,58 @@ void Survey::prove() {
     if (fresh[i].members.empty()) {
       continue;
     }
-    const auto known = std::find_if(groups_.begin(), groups_.end(), [&](const Group& group) {
-      return group.orbit && fresh[i].orbit && overlap(*group.orbit, *fresh[i].orbit);
-    });
-    if (known == groups_.end()) {
-      groups_.push_back(fresh[i]);
-    } else {
-      known->members.insert(known->members.end(), fresh[i].members.begin(), fresh[i].members.end());
+    add(fresh[i]);
+  }
+}
+
+void Survey::add(const Group& group) {
+  const auto known = std::find_if(groups_.begin(), groups_.end(), [&](const Group& one) {
+    return one.orbit && group.orbit && overlap(*one.orbit, *group.orbit);
+  });
+  if (known == groups_.end()) {
+    groups_.push_back(group);
+  } else {
+    known->members.insert(known->members.end(), group.members.begin(), group.members.end());
+  }
+}
+
+void Survey::place_what_nears() {
+  if (!words::in_word_domain(question_.machine) || interrupted()) {
+    return;
+  }
+  std::vector<std::size_t> slow;
+  for (std::size_t i = 0; i < followers_.size(); ++i) {
+    if (followers_[i].kind() == Kind::unsettled && !followers_[i].is_too_slow() && !is_placed(i)) {
+      slow.push_back(i);
+    }
+  }
+  const std::vector<std::optional<Return>> seen =
+      parallel_map(slow.size(), [&](std::size_t i) { return steady_word(followers_[slow[i]].simulation()); });
+  std::map<std::pair<std::string, long>, Group> of_word;  // one proof for all motions of a word
+  for (const std::optional<Return>& one : seen) {
+    if (one && !of_word.contains({one->word, one->guess.periods})) {
+      of_word[{one->word, one->guess.periods}] = {*one, {}, prove_word_orbit(question_.machine, one->guess)};
+    }
+  }
+  const auto on_its_way = parallel_map(slow.size(), [&](std::size_t i) {
+    if (!seen[i] || interrupted()) {
+      return false;
+    }
+    const WordOrbit& found = *of_word.at({seen[i]->word, seen[i]->guess.periods}).orbit;
+    return is_stable(found) && found.word.letters() == seen[i]->word &&
+           found.periods == seen[i]->guess.periods &&
+           nears(followers_[slow[i]].simulation(), at_phase_0(simulation::start_of(found.orbit)),
+                 found.periods, question_.most_periods / 4);
+  });
+  for (std::size_t i = 0; i < slow.size(); ++i) {
+    if (on_its_way[i]) {
+      of_word.at({seen[i]->word, seen[i]->guess.periods}).members.push_back(slow[i]);
+    }
+  }
+  for (auto& [word, group] : of_word) {
+    if (!group.members.empty()) {
+      group.seen.once.front() = at_phase_0(simulation::start_of(group.orbit->orbit));
+      add(group);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "numeric/attractors/settle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -59,6 +60,32 @@ Vector4<double> at_phase_0(const simulation::Start& start) {
   Simulation simulation(start.data, start.ur, phase, start.X);
   simulation.advance((phase > 0 ? turn - phase : -phase) / start.data.omega);
   return simulation.state();
+}
+
+std::optional<Return> steady_word(const Simulation& simulation) {
+  constexpr long most = 8;
+  for (long n = 1; n <= most; ++n) {
+    const Return once = over_periods(simulation, n);
+    if (words::is_word(once.word) && over_periods(simulation, 2 * n).word == once.word + once.word) {
+      return once;
+    }
+  }
+  return std::nullopt;
+}
+
+bool nears(Simulation simulation, const Vector4<double>& X, long n, long periods) {
+  constexpr double clearly = 1 - 1e-3;
+  constexpr long parts = 9;  // of which the first, the middle and the last are compared
+  std::array<double, parts> farthest{};
+  for (double& most : farthest) {
+    for (long k = 0; k < periods / (parts * n); ++k) {
+      for (long i = 0; i < n; ++i) {
+        simulation.advance(simulation.period());
+      }
+      most = std::max(most, distance(simulation.state(), X));
+    }
+  }
+  return farthest[parts / 2] < clearly * farthest.front() && farthest.back() < clearly * farthest[parts / 2];
 }
 
 Follower::Follower(const model::Parameters<double>& a, double ur, const Vector4<double>& X)

@@ -30,6 +30,16 @@ struct Return {
 // The state of the motion when the load's phase is next a multiple of 2 pi.
 [[nodiscard]] model::Vector4<double> at_phase_0(const simulation::Start& start);
 
+// The fewest periods, at most 8, in which a motion goes through one word again and again, and the first of
+// these repetitions; nothing where there is none.
+[[nodiscard]] std::optional<Return> steady_word(const simulation::Simulation& simulation);
+
+// Whether the motion, seen every n periods, comes nearer and nearer to X: at its farthest it is nearer in the
+// middle than in the beginning of so many periods, and nearer still in the end. A check; slower than a part
+// in 1000 within these periods is not told from a torus.
+[[nodiscard]] bool nears(simulation::Simulation simulation, const model::Vector4<double>& X, long n,
+                         long periods);
+
 class Follower {
  public:
   // From X at t = 0, the load being cos omega t. Throws as Simulation does.
