@@ -16,7 +16,7 @@ constexpr const char * exit_codes =
 
 bool is_omega(const std::string& word) {
   if (word != "chi" && word != "omega") {
-    throw CLI::ValidationError("--in", "'" + word + "' is neither chi nor omega");
+    throw UsageError("in: '" + word + "' is neither chi nor omega");
   }
   return word == "omega";
 }
@@ -39,11 +39,9 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
   CLI::Option * mutants = command->add_flag("--mutants", options.mutants,
                                             "Also put wrong statements to the proofs, made by single edits\n"
                                             "of all formulas, and say what became of them: takes minutes");
-  command->add_option("--one-in", options.one_in, "Take a random sample of them, one in N")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber)
+  add_text(*command, "--one-in", options.one_in, "N", "Take a random sample of them, one in N")
       ->needs(mutants);
-  command->add_option("--seed", options.seed, "The seed of that sample")->type_name("N")->needs(mutants);
+  add_text(*command, "--seed", options.seed, "N", "The seed of that sample")->needs(mutants);
   add_text(*command, "--certificates", options.certificates, "DIR",
            "The directory in which script/certify had Coq check the\nproofs: say of each claim whether it is "
            "certified");
@@ -106,7 +104,7 @@ void add_certify(CLI::App& program, CertifyOptions& options, Request& request, c
       ->excludes(ids);
   command->callback([&options, &request] {
     if (options.out.empty() && options.record.empty()) {
-      throw CLI::RequiredError("--out");
+      throw UsageError("stickslip certify needs --out DIR, or --record DIR");
     }
     request = options;
   });
@@ -162,26 +160,6 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
   command->callback([&options, &request] { request = options; });
 }
 
-// The arguments that the program, as opposed to its commands, was given beyond its own.
-void require_command(const CLI::App& program) {
-  const std::vector<std::string> strangers = program.remaining();
-  std::vector<std::string> names;
-  for (const CLI::App * command : program.get_subcommands([](const CLI::App *) { return true; })) {
-    names.push_back(command->get_name());
-  }
-  const std::string last = names.back();
-  names.pop_back();
-  const std::string known =
-      fmt::format("the commands are {} and {}; see stickslip --help", fmt::join(names, ", "), last);
-  if (!strangers.empty()) {
-    const std::string kind = strangers.front().starts_with("-") ? "option" : "command";
-    throw UsageError(fmt::format("there is no {} {}: {}", kind, strangers.front(), known));
-  }
-  if (program.get_subcommands().empty()) {
-    throw UsageError("a command is missing: " + known);
-  }
-}
-
 }  // namespace
 
 Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
@@ -220,7 +198,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   } catch (const CLI::Success&) {
     return HelpWanted{program.help()};
   } catch (const CLI::ParseError& error) {
-    throw UsageError(fmt::format("{}; see stickslip --help", error.what()));
+    throw not_understood(program, error);
   }
   if (!directory_of_manual.empty()) {
     return ManualWanted{directory_of_manual, manual(program)};

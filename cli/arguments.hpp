@@ -16,8 +16,8 @@ struct AuditOptions {
   bool with_out = false;
   bool json = false;
   bool mutants = false;
-  unsigned one_in = 1;       // of the mutants
-  unsigned seed = 0;         // of that sample
+  std::string one_in;        // of the mutants
+  std::string seed;          // of that sample
   std::string certificates;  // a record, or its directory; empty if there is none
 };
 

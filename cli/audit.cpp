@@ -35,7 +35,8 @@ std::future<report::audit::Figures> figures_of(const Paper& paper, bool with_pic
                     [&paper, with_pictures] { return report::audit::figures_of(paper, with_pictures); });
 }
 
-std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options, const Paper& paper) {
+std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options, const Paper& paper,
+                                            const proofs::checks::Sampling& sampling) {
   if (!options.mutants) {
     return std::nullopt;
   }
@@ -43,8 +44,7 @@ std::optional<proofs::checks::Gate> gate_of(const AuditOptions& options, const P
   struct Stopped {};
   try {
     return proofs::checks::mutant_gate(
-        paper.claims, {}, {options.seed, options.one_in},
-        [&line](const std::string& id, std::size_t done, std::size_t all) {
+        paper.claims, {}, sampling, [&line](const std::string& id, std::size_t done, std::size_t all) {
           if (interrupted()) {
             throw Stopped();
           }
@@ -66,11 +66,11 @@ struct Examined {
   bool interrupted = false;
 };
 
-Examined examine(const AuditOptions& options, const Paper& paper) {
+Examined examine(const AuditOptions& options, const Paper& paper, const proofs::checks::Sampling& sampling) {
   const Interruptible scope;
   Examined examined{prove(paper.claims, {}), {}, false};
   if (!interrupted()) {
-    examined.gate = gate_of(options, paper);
+    examined.gate = gate_of(options, paper, sampling);
   }
   examined.interrupted = interrupted();
   return examined;
@@ -118,6 +118,9 @@ fs::path record_of(const AuditOptions& options) {
 
 ExitCode run(const AuditOptions& options, const Paper& paper) {
   const Jobs limit = jobs(options.jobs);
+  const proofs::checks::Sampling sampling{
+      static_cast<unsigned>(whole_number("seed", options.seed, AttractorsOptions::greatest_number, 0)),
+      static_cast<unsigned>(whole_number("one-in", options.one_in, AttractorsOptions::greatest_number, 1))};
   const fs::path record = record_of(options);
   if (options.with_out) {
     report::tools::require_writable(options.out);
@@ -127,7 +130,7 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
   if (options.with_out || options.json) {
     drawn = figures_of(paper, options.with_out);
   }
-  const Examined examined = examine(options, paper);
+  const Examined examined = examine(options, paper, sampling);
   if (examined.interrupted) {
     return print_interrupted(examined, options, paper);
   }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/arguments.hpp"
+#include "core/error.hpp"
 
 namespace stickslip::cli {
 
@@ -25,5 +26,11 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
                     const PaperInHelp& paper);
 void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const PaperInHelp& paper);
 void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper);
+
+// What is wrong with a command line that CLI11 refused, in a sentence.
+[[nodiscard]] UsageError not_understood(const CLI::App& program, const CLI::ParseError& error);
+// After it was parsed: throws UsageError unless there is a command, and no argument that the program, as
+// opposed to its commands, does not have.
+void require_command(const CLI::App& program);
 
 }  // namespace stickslip::cli

@@ -1,8 +1,10 @@
 // stickslip attractors --along and --plane.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
+#include <ranges>
 #include <string>
 
 #include "cli/answer.hpp"
@@ -74,6 +76,10 @@ std::function<numeric::DataTaken(const Rational&)> machine_along(const Options& 
                                                                  const ParameterFile& file) {
   const std::string& name = o.along[0];
   if (!file.in_SI.contains(name)) {
+    if (file.machine && std::ranges::find(parameter_names, name) == parameter_names.end()) {
+      throw UsageError(fmt::format("along: '{}' is none of the parameters in {}: {}", name, file.name,
+                                   fmt::join(std::views::keys(file.in_SI), ", ")));
+    }
     return {};
   }
   if (o.json) {

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string_view>
+#include <utility>
+
 #include "cli/output.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
@@ -121,6 +124,21 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
     dimensionless["ur"] = to_string(*taken.ur);
   }
   return {file, dimensionless, taken, parameters, {}};
+}
+
+Error in_keys_of(const std::string& file, const DomainError& error) {
+  constexpr std::pair<const char *, const char *> keys[] = {
+      {"p", "load_amplitude"}, {"V", "belt_velocity"}, {"omega", "load_frequency"}};
+  const std::string_view message = error.what();  // begins with the name of the datum
+  const TypedParameters parameters =
+      file.empty() ? TypedParameters() : parse_parameters(report::tools::read_file(file), file);
+  for (const auto& [datum, key] : keys) {
+    const auto typed = parameters.find(key);
+    if (typed != parameters.end() && message.starts_with(fmt::format("{} = ", datum))) {
+      return {error.code(), fmt::format("{} = {} in {}: {}", key, typed->second, file, message)};
+    }
+  }
+  return error;
 }
 
 void leave_out(ParameterFile& file, const std::string& parameter, const std::string& why) {

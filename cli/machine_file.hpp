@@ -34,6 +34,10 @@ enum class FrictionAtRest { needed, optional };
 [[nodiscard]] ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
                                             const std::string& example, FrictionAtRest at_rest);
 
+// The error about a datum that was taken for a machine in SI units, with the key and value of its file before
+// it; the same error if there is no such file.
+[[nodiscard]] Error in_keys_of(const std::string& file, const DomainError& error);
+
 // Leaves out what is a result of the question, if it is in the file: one file serves every question about its
 // machine. Throws UsageError for what is no number.
 void leave_out(ParameterFile& file, const std::string& parameter, const std::string& why);

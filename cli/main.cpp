@@ -13,6 +13,7 @@
 
 #include "cli/cluster.hpp"
 #include "cli/commands.hpp"
+#include "cli/machine_file.hpp"
 #include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
 #include "numeric/families/family.hpp"
@@ -103,7 +104,18 @@ ExitCode run(const ManualWanted& manual, const Paper& /*paper*/) {
 }
 
 ExitCode answer(const Request& request) {
-  return std::visit([](const auto& asked) { return run(asked, paper()); }, request);
+  const auto answer_to = [](const auto& asked) {
+    if constexpr (requires { asked.file; }) {
+      try {
+        return run(asked, paper());
+      } catch (const DomainError& error) {
+        throw in_keys_of(asked.file, error);
+      }
+    } else {
+      return run(asked, paper());
+    }
+  };
+  return std::visit(answer_to, request);
 }
 
 // Ends with a full stop, as a sentence does.

@@ -29,7 +29,7 @@ using TypedParameters = std::map<std::string, std::string>;
 
 // The parameters in TOML, lines such as chi = 0.5; each value is taken as text, exactly. They are either
 // dimensionless or those of a machine in SI units. Throws UsageError naming the file and what is not a
-// parameter.
+// parameter; of what the model lacks, such as damping, that it has none. A byte order mark says nothing.
 [[nodiscard]] TypedParameters parse_parameters(const std::string& text, const std::string& file);
 
 // Whether they are those of a machine in SI units.

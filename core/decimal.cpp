@@ -12,13 +12,27 @@ namespace {
 
 constexpr long largest_exponent = 10000;
 
-[[noreturn]] void not_a_number(std::string_view text) {
-  throw UsageError(fmt::format(
-      "'{}' is not a number: write a decimal such as 0.1607 or 2.5e-3, or a fraction such as 1/3", text));
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+
+// What is probably meant by a text that is no number: 12,4 or 12.4 kg.
+std::string hint(std::string_view text) {
+  const std::size_t end = text.find_first_not_of("+-.0123456789");
+  const bool begins_well =
+      end != std::string_view::npos &&
+      std::any_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), is_digit);
+  if (begins_well && text[end] == ',') {
+    return fmt::format("a decimal has a point, {}.{}", text.substr(0, end), text.substr(end + 1));
+  }
+  if (begins_well && (text[end] == ' ' || std::isalpha(static_cast<unsigned char>(text[end])) != 0)) {
+    return fmt::format("write {} alone, without a unit", text.substr(0, end));
+  }
+  return "write a decimal such as 0.1607 or 2.5e-3, or a fraction such as 1/3";
+}
+
+[[noreturn]] void not_a_number(std::string_view text) {
+  throw UsageError(fmt::format("'{}' is not a number: {}", text, hint(text)));
 }
 
 Rational power_of_ten(long exponent) {

@@ -1,6 +1,7 @@
 #include "numeric/families/family.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "core/error.hpp"
 #include "numeric/families/nonsticking.hpp"
@@ -47,7 +48,12 @@ const Family& family_named(const std::string& name) {
       return *family;
     }
   }
-  throw UsageError("there is no family '" + name + "' of orbits: " + names_of_families());
+  std::string capitals = name;
+  std::ranges::transform(capitals, capitals.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const bool is_word = !name.empty() && capitals.find_first_not_of("SOT") == std::string::npos;
+  throw UsageError("there is no family '" + name + "' of orbits: " + names_of_families() +
+                   (is_word ? "; a word of phases is written in capitals: " + capitals : ""));
 }
 
 bool has_stick(const Family& family) {

@@ -5,6 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
@@ -204,6 +206,50 @@ TEST_CASE("a machine that is none is named in one sentence") {
     check_refused({{refused.arguments, refused.code, refused.named}},
                   [&](const Words& arguments) { return run_with(refused.machine, arguments); });
   }
+}
+
+TEST_CASE("what the model lacks, and what a value or a file should look like, is said where it is met") {
+  const Words attractors{"attractors"};
+  const auto refused = [](const Machine& machine, const Words& arguments, int code, const std::string& part) {
+    check_refused({{arguments, code, part}}, [&](const Words& words) { return run_with(machine, words); });
+  };
+  for (const auto& [name, part] : std::vector<std::pair<std::string, std::string>>{
+           {"damping", "the model has no damping"},
+           {"stribeck_velocity", "the model has none: sliding friction is the same at all velocities"},
+           {"second_load_frequency", "a single harmonic, with one frequency"},
+           {"load_frequency_2", "a single harmonic, with one frequency"}}) {
+    refused(with(O, name, "0.1"), attractors, exit_usage, "'" + name + "' is not a parameter: ");
+    refused(with(O, name, "0.1"), attractors, exit_usage, part);
+  }
+  refused(with(O, "load_frequency", "[5.1, 7.2]"), attractors, exit_usage,
+          "load_frequency needs exactly one value: the load of the model is a single harmonic");
+  for (const std::string quote : {"", "\""}) {
+    refused(with(O, "m1", quote + "12,4" + quote), attractors, exit_usage,
+            "m1: '12,4' is not a number: a decimal has a point, 12.4");
+    refused(with(O, "m1", quote + "12.4 kg" + quote), attractors, exit_usage,
+            "m1: '12.4 kg' is not a number: write 12.4 alone, without a unit");
+  }
+  refused(with(O, "load_amplitude", "0"), attractors, exit_domain, "load_amplitude = 0 in ");
+  refused(with(O, "load_amplitude", "0"), {"orbits", "overshooting"}, exit_domain, "load_amplitude = 0 in ");
+  refused(O, {"attractors", "--along", "frequency", "1..2"}, exit_usage,
+          "'frequency' is none of the parameters in ");
+  refused(O, {"attractors", "--along", "frequency", "1..2"}, exit_usage,
+          "belt_velocity, friction_at_rest, friction_sliding, k1, k2, load_amplitude, load_frequency, m1");
+}
+
+TEST_CASE("a byte order mark before the parameters says nothing") {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "machine.toml";
+  const auto orbits = [&](const std::string& mark) {
+    std::ofstream(file) << mark << "chi = 0.5\neta = 3.8\nus = 0.02\nV = 1\nomega = 0.6\np = 0.05\n";
+    return stickslip_program({"orbits", "symmetric", "--params", file});
+  };
+  const Run plain = orbits("");
+  CHECK(plain.code == exit_decided);
+  CHECK(orbits("\xef\xbb\xbf").out == plain.out);
+  const Run wide = orbits("\xff\xfe");
+  CHECK(wide.code == exit_usage);
+  CHECK(is_one_sentence(wide.err, "is in UTF-16: save it as UTF-8"));
 }
 
 TEST_CASE("a simulation and its start in SI units are those of the data in other units") {

@@ -26,6 +26,27 @@ TEST_CASE("what is not understood is named in one sentence") {
   });
 }
 
+TEST_CASE("a command line that is not understood is answered in the program's own words") {
+  check_refused({
+      {{"orbits", "ost"}, exit_usage, "a word of phases is written in capitals: OST"},
+      {{"branch", "ots"}, exit_usage, "a word of phases is written in capitals: OTS"},
+      {{"orbits", "OTS", "--example", "O", "--omega", "0,62"}, exit_usage, "a decimal has a point, 0.62"},
+      {{"audit", "--frob"}, exit_usage, "there is no option --frob of stickslip audit; see stickslip audit"},
+      {{"orbits", "symmetric", "--exmple", "S"}, exit_usage, "there is no option --exmple of"},
+      {{"audit", "extra"}, exit_usage, "stickslip audit does not know what to do with 'extra'"},
+      {{"audit", "--out"}, exit_usage, "--out needs a value: --out DIR"},
+      {{"orbits", "--chi"}, exit_usage, "--chi needs a value: --chi NUMBER"},
+      {{"attractors", "--along", "ur"}, exit_usage, "--along needs a value: --along NAME A..B"},
+      {{"orbits", "symmetric", "--chi", "0.1", "--chi", "0.2"}, exit_usage, "--chi is given twice"},
+      {{"check", "--list", "--json"}, exit_usage, "--list and --json do not go together"},
+      {{"simulate", "--state", "0,0,0,0", "--orbit", "symmetric:1"}, exit_usage, "do not go together"},
+      {{"audit", "--one-in", "5"}, exit_usage, "--one-in is for --mutants: give --mutants, too"},
+      {{"audit", "--mutants", "--one-in", "x"}, exit_usage, "one-in: 'x' is not a whole number from 1 to"},
+      {{"certify"}, exit_usage, "stickslip certify needs --out DIR, or --record DIR"},
+      {{"latex", "--in", "tau"}, exit_usage, "in: 'tau' is neither chi nor omega"},
+  });
+}
+
 TEST_CASE("help and versions are answers, on standard output") {
   const std::vector<Words> questions = {
       {"--help"}, {"-h"}, {"--version"}, {"audit", "--help"}, {"check", "--help"}, {"latex", "--help"}};
