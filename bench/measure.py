@@ -21,7 +21,7 @@ import atlases
 import boxes
 import branches
 import table
-from completeness import complete_lists
+from completeness import complete_lists, four_phases
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/release"
@@ -146,7 +146,7 @@ def program(arguments, before=(), cores=1):
                          env=atlases.environment(),
                          preexec_fn=(lambda: os.sched_setaffinity(0, {CORE})) if cores == 1 else None)
     wall, after = time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
-    if run.returncode not in (0, 2):
+    if run.returncode not in (0, 2, 130):
         sys.exit(f"measure.py: stickslip {' '.join(arguments)} failed with exit code {run.returncode}.")
     return run.stdout, after.ru_utime + after.ru_stime - used.ru_utime - used.ru_stime, wall
 
@@ -196,6 +196,9 @@ def main():
     say("lists at random data")
     run = lambda words: program(words)[:2]
     results["completeness"] = complete_lists(run, 5 if given.quick else 100)
+    results["four_phases"] = four_phases(
+        lambda words, seconds: program(words, ["timeout", "--preserve-status", "--signal=INT", str(seconds)])[0],
+        3 if given.quick else 40)
     say("branches, SciPy and AUTO beside")
     results["branches"] = branches.measured(run, peer, installed)
     say("boxes of parameters")

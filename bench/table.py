@@ -127,6 +127,9 @@ def targets(r):
     out += [at_least("complete", "complete lists of overshooting orbits at random data",
                      sum(x["complete"] for x in lists) / sum(x["count"] for x in lists), 0.95, percent),
             at_most("complete.longest", "the longest of them", max(x["longest"] for x in lists), SECONDS)]
+    four = r["four_phases"]
+    out.append(at_least("four.phases", "lists of four phases at random data, interrupted after 6 s on one core, that have "
+                        "a stable orbit", four["found"] / four["count"], 0.95, percent))
     for x in r["branches"]:
         what = f"{x['family']} branches in ω over [{', '.join(x['interval'])}]"
         if x["example"] == "S":

@@ -255,7 +255,7 @@ Attractor periodic(const Group& group) {
 }
 
 AttractorList Survey::result() const {
-  AttractorList list{question_, {}, 0, interrupted()};
+  AttractorList list{question_, {}, 0, interrupted(), 0};
   std::vector<bool> placed(followers_.size());
   for (const Group& group : groups_) {
     list.attractors.push_back(periodic(group));
@@ -267,6 +267,10 @@ AttractorList Survey::result() const {
   for (std::size_t i = 0; i < followers_.size(); ++i) {
     const Follower& follower = followers_[i];
     list.simulated += follower.periods();
+    if (!placed[i] && !follower.is_followed(question_.most_periods)) {
+      continue;  // interrupted
+    }
+    ++list.followed;
     if (placed[i]) {
       continue;
     }
@@ -287,8 +291,8 @@ AttractorList Survey::result() const {
     list.attractors.push_back(attractor);
   }
   for (Attractor& a : list.attractors) {
-    const Interval interval = wilson(a.count, question_.starts);
-    a.share = static_cast<double>(a.count) / static_cast<double>(question_.starts);
+    const Interval interval = wilson(a.count, list.followed);
+    a.share = static_cast<double>(a.count) / static_cast<double>(list.followed);
     a.least = interval.least;
     a.most = interval.most;
   }

@@ -41,6 +41,7 @@ struct AttractorList {
   std::vector<Attractor> attractors;
   long simulated = 0;  // periods in all
   bool interrupted = false;
+  long followed = 0;  // starts, until they had settled or for all periods; the shares are of these
 };
 
 // Throws as words::require_word_domain and simulation::Simulation do.

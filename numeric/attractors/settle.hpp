@@ -60,6 +60,10 @@ class Follower {
 
   [[nodiscard]] Kind kind() const { return kind_; }
   [[nodiscard]] long periods() const { return periods_; }
+  // Whether it has settled, or gone through so many periods, or cannot be followed.
+  [[nodiscard]] bool is_followed(long most_periods) const {
+    return kind_ != Kind::unsettled || periods_ >= most_periods || is_too_slow_;
+  }
   // A period of the load takes too many steps to be followed.
   [[nodiscard]] bool is_too_slow() const { return is_too_slow_; }
   // Of a motion that settled as periodic, over its own period; nothing when its events make no word.

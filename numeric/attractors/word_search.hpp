@@ -29,8 +29,8 @@ struct WordOrbits {
 };
 
 // With a start: the motion from there through n periods if it goes through the word, else what it settles on.
-// Without: all orbits where words/complete_list.hpp has them; else those that some random starts settle on.
-// Throws as words::require_word_domain and simulation::Simulation do.
+// Without: all orbits where words/complete_list.hpp has them, of four phases first those that random starts
+// settle on; else those alone. Throws as words::require_word_domain and simulation::Simulation do.
 [[nodiscard]] WordOrbits find_word_orbits(const WordSearch& question);
 
 }  // namespace stickslip::numeric::attractors

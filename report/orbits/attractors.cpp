@@ -23,14 +23,19 @@ namespace {
 
 constexpr std::size_t most_phases = 16;  // in a table
 
-// The largest modulus of a multiplier, rounded up.
+// The largest modulus of a multiplier, rounded up, with as many digits as tell it from 1.
 std::string spectral_radius(const Stability& s) {
   Ball largest(0);
   for (const ComplexBall& mu : s.multipliers) {
     const Ball modulus = sqrt(mu.squared_modulus());
     arb_max(largest.raw(), largest.raw(), modulus.raw(), WorkingPrecision::bits());
   }
-  return fmt::format("{:.4g}", largest.upper().approximate());
+  const double radius = largest.upper().approximate();
+  std::string text = "1";
+  for (int digits = 4; text == "1" && digits <= 17; ++digits) {
+    text = fmt::format("{:.{}g}", radius, digits);
+  }
+  return text;
 }
 
 // What is proved of a periodic motion.
@@ -189,12 +194,16 @@ std::string in_words(const Attractor& a) {
 
 std::vector<Row> rows_of(const AttractorList& list) {
   const AttractorQuestion& q = list.question;
-  std::vector<Row> head{{{"parameters"}, {parameter_list(q.machine)}},
-                        {{"starts"},
-                         {fmt::format("{} at random, seed {}, each followed until it has settled or for {} "
-                                      "periods of the load; {} periods in all{}",
-                                      q.starts, q.seed, q.most_periods, list.simulated,
-                                      list.interrupted ? "; interrupted" : "")}}};
+  std::vector<Row> head{
+      {{"parameters"}, {parameter_list(q.machine)}},
+      {{"starts"},
+       {fmt::format("{} at random, seed {}, each followed until it has settled or for {} "
+                    "periods of the load; {} periods in all{}",
+                    q.starts, q.seed, q.most_periods, list.simulated,
+                    list.interrupted ? fmt::format("; interrupted when {} of them were done, of which "
+                                                   "the shares are",
+                                                   list.followed)
+                                     : "")}}};
   if (const words::PureSlip slip = words::pure_slip(q.machine.data); slip.exists.truth == Truth::proved) {
     head.push_back(
         {{"pure slip"},

@@ -89,6 +89,8 @@ Json to_json(const AttractorList& list) {
   json["seed"] = q.seed;
   json["most_periods"] = q.most_periods;
   json["simulated"] = list.simulated;
+  json["interrupted"] = list.interrupted;
+  json["followed"] = list.followed;
   const words::PureSlip slip = words::pure_slip(q.machine.data);
   json["pure_slip"] = {{"forced", to_json(slip.forced, q.machine.digits)},
                        {"verdict", to_string(slip.exists.truth)}};

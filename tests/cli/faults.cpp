@@ -51,6 +51,51 @@ TEST_CASE("an interrupted search tells what it has found, and that it is not all
   CHECK(list.at("unresolved").dump().find("the search was interrupted") != std::string::npos);
 }
 
+namespace {
+
+// What the program prints as JSON when it is interrupted after so many seconds.
+Json interrupted_after(int seconds, const Words& arguments) {
+  const TemporaryDirectory temporary;
+  const std::string file = temporary.path() / "out";
+  const int output = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  const int process = start(arguments, output);
+  std::this_thread::sleep_for(std::chrono::seconds(seconds));
+  ::kill(process, SIGINT);
+  CHECK(wait_for(process) == exit_interrupted);
+  ::close(output);
+  return Json::parse(content(file));
+}
+
+}  // namespace
+
+TEST_CASE("the shares of interrupted attractors are of the starts that were followed to their end") {
+  const Json list = interrupted_after(2, {"attractors", "--example", "S", "--starts", "100000", "--json"});
+  CHECK(list.at("interrupted") == true);
+  CHECK(list.at("followed") < 100000);
+  long count = 0;
+  double shares = 0;
+  for (const Json& one : list.at("attractors")) {
+    count += one.at("count").get<long>();
+    shares += one.at("share").get<double>();
+  }
+  CHECK(list.at("followed") == count);
+  CHECK((count == 0 || std::abs(shares - 1) < 1e-9));
+}
+
+TEST_CASE("a list of four phases has what simulations find before all is searched") {
+  // Some minutes for all of it; the attractor of two thirds of the starts.
+  const Words arguments{"orbits",   "OTST", "--json",   "--chi", "0.170243", "--eta",
+                        "5.23063",  "--us", "0.339466", "--V",   "0.167912", "--omega",
+                        "0.195101", "--p",  "4.61749",  "--ur",  "2.37177"};
+  bool found = false;
+  for (int seconds = 4; !found && seconds <= 64; seconds *= 2) {  // as the machine is slow
+    const Json list = interrupted_after(seconds, arguments);
+    CHECK(list.at("complete") == false);
+    found = !list.at("orbits").empty() && list.at("orbits").at(0).at("stability") == "stable";
+  }
+  CHECK(found);
+}
+
 TEST_CASE("a device or a pipe is not replaced by a file") {
   const TemporaryDirectory temporary;
   for (const char * option : {"--csv", "--plot"}) {

@@ -8,6 +8,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "numeric/attractors/settle.hpp"
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/motion/contact.hpp"
 #include "numeric/simulation/simulation.hpp"
@@ -163,6 +164,34 @@ TEST_CASE("a word that repeats a shorter one is answered with that one's orbit")
   // Two turns of the word in one period are another matter.
   CHECK(find_word_orbits({{P(), parse_rational("0.25"), 20}, words::Word::parse("SOSO"), 1, {}})
             .orbits.empty());
+}
+
+// m1 = 0.37, m2 = 1.9 kg, k1 = 8300, k2 = 2650.5 N/m, 13.1 and 21.7 N, belt 0.213 m/s, 44.4 N at 5.15 Hz,
+// near the first natural frequency: 20000 periods of the load are not enough.
+TEST_CASE("what nears a stable orbit slowly is not called quasi-periodic") {
+  const words::WordQuestion machine{{Rational(5301, 21901), Rational(37, 190), Rational(26200, 21901),
+                                     parse_rational("1.2381221429252405841"),
+                                     parse_rational("0.18809228597721180517"), Rational(328560, 416119)},
+                                    Rational(43400, 21901)};
+  const AttractorList list = find_attractors({machine, 10, 1, 20000});
+  check_sound(list);
+  REQUIRE(list.attractors.size() == 1);
+  CHECK(list.attractors[0].word == "OS");
+  CHECK(list.followed == 10);
+  CHECK(list.simulated == 10 * 20000);
+}
+
+TEST_CASE("a motion nears the orbit that attracts it, and no other state") {
+  const auto data = motion::parameters_as<double>(P());
+  const simulation::Simulation simulation(data, 0.25, 0, model::Vector4<double>(0.5, 1, 0, 0));
+  const Attractor a = find_attractor({P(), parse_rational("0.25"), 20}, simulation.state());
+  REQUIRE(a.kind == Kind::periodic);
+  CHECK(nears(simulation, a.state, 1, 90));
+  CHECK_FALSE(nears(simulation, a.state + model::Vector4<double>(0.1, 0, 0, 0), 1, 90));
+  const auto once = steady_word(simulation::Simulation(data, 0.25, 0, a.state));
+  REQUIRE(once);
+  CHECK(once->word == "OS");
+  CHECK(once->guess.periods == 1);
 }
 
 TEST_CASE("without a load no orbit is alone") {
