@@ -84,7 +84,7 @@ ExitCode print_interrupted(const Examined& examined, const AuditOptions& options
     json["interrupted"] = true;
     print(report::tools::to_text(json));
   } else {
-    const std::string also = options.mutants ? "; wrong statements are not told" : "";
+    const std::string also = options.mutants ? "; wrong statements are not listed" : "";
     print(report::audit::terminal_report(paper, audit, terminal_style()) +
           fmt::format("Interrupted: {} of {} claims were examined{}.\n", audit.records.size(),
                       paper.claims.size(), also));

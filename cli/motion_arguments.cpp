@@ -46,7 +46,7 @@ constexpr const char * attractors_details =
     "Follows many starts until they have settled, and says on what, and how many on each:\n"
     "periodic motions with their period, in periods of the load, and their word of S (slip),\n"
     "O (overshoot), T (stick); each of these is proved, and whether it is stable. What is\n"
-    "quasi-periodic or irregular is told by its largest Lyapunov exponent, which is a check\n"
+    "quasi-periodic or irregular is distinguished by its largest Lyapunov exponent, which is a check\n"
     "and no proof. A motion may also slide for ever, be stuck, or remain unsettled.\n\n"
     "All parameters and --ur are given, or --example; the load is cos(omega t). At the data\n"
     "of an example whose ur is a result, ur is that result to 17 digits.\n\n"
@@ -104,7 +104,7 @@ void add_sources(CLI::App& command, std::string& example, std::string& file, con
   add_text(command, "--example", example, "NAME", "Take the data of the paper's example " + paper.examples);
   add_text(command, "--params", file, "FILE",
            "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a "
-           "machine in SI units,\nas the README says");
+           "machine in SI units,\nsee doc/parameters.md");
 }
 
 void add_jobs(CLI::App& command, std::string& text) {
@@ -235,7 +235,8 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
   add("--example", options.example, "NAME",
       "Start where the orbit of the paper's example " + paper.examples + " begins");
   add("--params", options.file, "FILE",
-      "Take parameters from a TOML file with lines chi = 0.5;\nor a machine in SI units, as the README says");
+      "Take parameters from a TOML file with lines chi = 0.5;\nor a machine in SI units, see "
+      "doc/parameters.md");
   CLI::Option * orbit = add("--orbit", options.orbit, "FAMILY:K",
                             "Start where orbit K of a family begins: " + paper.family_names);
   add("--state", options.state, "X", "Start at x1,x2,x1',x2'")->excludes(orbit);

@@ -22,7 +22,7 @@ struct DataTaken {
   static constexpr int digits = 20;
 
   MachineInSI machine;
-  motion::ExactParameters data;  // exact, but for what is said to be rounded
+  motion::ExactParameters data;  // exact, except for what is said to be rounded
   std::optional<Rational> ur;    // exact
   int thousands = 0;             // the unit of length is 1000^thousands m
   bool rounded_V = false;        // to so many significant digits; omega always is

@@ -30,7 +30,7 @@ template <class T>
   return {is_positive_over(x.over), hope_of(x)};
 }
 
-// Whether g(t) > 0 for 0 < t < duration, ends included but for those that g touches: there it is zero by
+// Whether g(t) > 0 for 0 < t < duration, ends included except for those that g touches: there it is zero by
 // construction, and has to leave zero with nonzero speed. Refuted when some time has g < 0 for every member,
 // the same share of the duration for all. Only the open times are looked at, and those that stay open are
 // left there. g(t) is the value with its derivative by t; `least` is how short pieces of the phase may

@@ -12,7 +12,7 @@ namespace stickslip::numeric::atlas {
 
 template <class T>
 struct Convex {
-  bool is_proved = false;   // g is positive all over the piece, but for an end that it touches
+  bool is_proved = false;   // g is positive all over the piece, except for an end that it touches
   bool is_refuted = false;  // negative somewhere, at the same place for every member
   T least;                  // not above g anywhere on the piece; the slope inwards at the end that g touches
 };

@@ -26,7 +26,7 @@ constexpr int more_for_arb = 4;
 
 enum class Where { inside, outside, across };
 
-// Each bound is on one parameter, but for ur > us.
+// Each bound is on one parameter, except for ur > us.
 Where place(const Question& q, const Box& box) {
   const bool sticks = families::has_stick(*q.family);
   Where where = Where::inside;

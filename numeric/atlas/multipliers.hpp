@@ -13,7 +13,7 @@
 
 namespace stickslip::numeric::atlas {
 
-// Orbits that never stick. Admissible ones are stable, but for coincidences of frequencies.
+// Orbits that never stick. Admissible ones are stable, except for coincidences of frequencies.
 //
 // On C⁴ let E(w) = (w'* M w' + w* M K w)/2, M = diag(eta, 1), for which M K is symmetric and positive
 // definite. The flow H of a deviation w keeps E. A crossing of the belt multiplies w2' by rho = a+/a, the

@@ -136,7 +136,7 @@ template <class T>
   return families::two_slips_motion<T>(s.o, s.pi, delta, *mu);
 }
 
-// All sheets, the same for every member, or why that cannot be told. With p = 0 both load phases of symmetric
+// All sheets, the same for every member, or why that is not known. With p = 0 both load phases of symmetric
 // orbits have the same orbits.
 template <class T>
 [[nodiscard]] std::variant<std::vector<Sheet>, Reason> sheets_of(const families::Family& family,

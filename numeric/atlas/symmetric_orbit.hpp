@@ -97,7 +97,8 @@ class SymmetricOrbit {
   // determinant 1 and det Lambda = d = lambda_2 - lambda_1 divided out:
   //   det(I - M) = 8/(d² omega_1 omega_2) (lambda_2 s_2 P_1 - lambda_1 s_1 P_2) N,
   //   N = omega_1 P_1 E_2 - omega_2 P_2 E_1.
-  // The orbit's own velocity is even, and meets the even conditions but for the load: with A_j = omega_j b_j,
+  // The orbit's own velocity is even, and meets the even conditions except for the load: with A_j = omega_j
+  // b_j,
   //   sum of omega_j P_j A_j = sigma p rho_1,  sum of E_j A_j = sigma p rho_2,
   // so by Cramer's rule N (A_1² + A_2²) = sigma p (A_1 (rho_1 E_2 - rho_2 omega_2 P_2)
   //                                              + A_2 (omega_1 P_1 rho_2 - E_1 rho_1)).

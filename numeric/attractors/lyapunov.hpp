@@ -21,7 +21,7 @@ struct Exponent {
 
 // From the motion and a neighbour that is brought back to a small distance after each of so many periods,
 // after a lead of a fifth as many. The simulation is to be at a time when the load's phase is
-// 0. Nothing is told by one that is interrupted.
+// 0. One that is interrupted says nothing.
 [[nodiscard]] Exponent largest_exponent(simulation::Simulation simulation, long periods);
 
 }  // namespace stickslip::numeric::attractors

@@ -36,7 +36,7 @@ struct Return {
 
 // Whether the motion, seen every n periods, comes nearer and nearer to X: at its farthest it is nearer in the
 // middle than in the beginning of so many periods, and nearer still in the end. A check; slower than a part
-// in 1000 within these periods is not told from a torus.
+// in 1000 within these periods is not distinguished from a torus.
 [[nodiscard]] bool nears(simulation::Simulation simulation, const model::Vector4<double>& X, long n,
                          long periods);
 

@@ -17,10 +17,6 @@ namespace {
 
 constexpr long starts = 100;
 constexpr long most_periods = 20000;  // as in attractors, which finds what nears an orbit slowly
-// Before a search of the whole domain, which may take minutes: what a start in a hundred ends on is among
-// them in 19 of 20 times.
-constexpr long starts_before = 300;
-constexpr long periods_before = 1000;
 
 // A word for readers, shortened.
 std::string shown(const std::string& word) {
@@ -79,9 +75,9 @@ WordOrbits from_start(const WordSearch& q) {
   return result;
 }
 
-WordOrbits from_random_starts(const WordSearch& q, long count, long periods) {
+WordOrbits from_random_starts(const WordSearch& q) {
   WordOrbits result{q, {}, {}};
-  const AttractorList list = find_attractors({q.machine, count, 1, periods});
+  const AttractorList list = find_attractors({q.machine, starts, 1, most_periods});
   std::string others;
   for (const Attractor& a : list.attractors) {
     if (a.orbit && a.orbit->existence.truth == Truth::proved && is_of(*a.orbit, q)) {
@@ -94,7 +90,7 @@ WordOrbits from_random_starts(const WordSearch& q, long count, long periods) {
   }
   result.interrupted = list.interrupted;
   if (result.orbits.empty()) {
-    result.seen = fmt::format("{} random starts end on: {}", count, others);
+    result.seen = fmt::format("{} random starts end on: {}", starts, others);
   }
   return result;
 }
@@ -121,8 +117,7 @@ bool may_be_same(const WordOrbit& a, const WordOrbit& b) {
 // What simulations find, and then all others.
 WordOrbits all_of(const WordSearch& q) {
   constexpr std::size_t long_search = 4;  // phases
-  const WordOrbits first = q.word.size() < long_search ? WordOrbits{q, {}, {}}
-                                                       : from_random_starts(q, starts_before, periods_before);
+  const WordOrbits first = q.word.size() < long_search ? WordOrbits{q, {}, {}} : from_random_starts(q);
   const words::WordList list = words::all_orbits(q.machine, q.word, q.periods);
   WordOrbits result{q, list.orbits, list.why_none, interrupted(), true, list.unresolved};
   for (const WordOrbit& found : first.orbits) {
@@ -147,7 +142,7 @@ WordOrbits find_word_orbits(const WordSearch& question) {
   }
   return words::has_complete_list(question.machine, question.word, question.periods)
              ? all_of(question)
-             : from_random_starts(question, starts, most_periods);
+             : from_random_starts(question);
 }
 
 }  // namespace stickslip::numeric::attractors

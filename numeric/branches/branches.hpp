@@ -37,7 +37,7 @@ enum class State {
   inadmissible,  // closed, but a condition of the friction law is violated
   stable,        // admissible: all conditions hold; and by its multipliers
   unstable,
-  marginal,    // 1 is a multiplier for want of a load
+  marginal,    // 1 is a multiplier where there is no load
   admissible,  // and the stability is undecided
   undecided,   // whether the friction law is obeyed, or a phase lasts at all
 };

@@ -184,7 +184,7 @@ Candidate candidate(const TwoSlips& f, const Box<2>& x, const Box<2>& unique) {
   return {equations, guess, where, is_same, 0, 1};
 }
 
-// All zeros, refined, but for those outside, at the edge, and the same again modulo 2 pi.
+// All zeros, refined, except for those outside, at the edge, and the same again modulo 2 pi.
 void conclude(const ExactParameters& a, const std::vector<FoundZero<2>>& zeros, Found& result) {
   std::vector<FoundZero<2>> known;
   for (const FoundZero<2>& zero : zeros) {

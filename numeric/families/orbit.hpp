@@ -69,7 +69,7 @@ struct Unresolved {
 enum class Remark {
   load_absent,           // p = 0: the load's phase means nothing
   closes_without_stick,  // omega_j = k omega, k > 1: at T = 0 a motion closes that never sticks; not listed
-  interrupted,           // the search was told to stop: the list is what it had found
+  interrupted,           // the search was asked to stop: the list is what it had found
   nothing_drives,        // V = 0, the load does not act on x2: friction ends every motion; none is listed
   odd_resonance,       // V = 0, omega_j = k omega, k odd: no motion that never sticks closes; none is listed
   searched_at_middle,  // a box: other orbits were searched for at the middle of the parameters only

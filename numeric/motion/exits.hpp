@@ -57,7 +57,7 @@ struct ExitFactors {
   }
 };
 
-// The coefficients of a polynomial whose zeros are the multipliers, but for zeros: that of the return map
+// The coefficients of a polynomial whose zeros are the multipliers, except for zeros: that of the return map
 // seen where a stick begins, with more than one. Then not finite where one of them may end at rest.
 template <class S>
 [[nodiscard]] std::vector<S> multiplier_coefficients(const MotionOf<S>& motion) {

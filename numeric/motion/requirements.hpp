@@ -65,7 +65,7 @@ template <class S>
   }
 }
 
-// Whether it can be told only when ur is known.
+// Whether it can be decided only when ur is known.
 [[nodiscard]] bool needs_ur(Quantity quantity);
 
 // One condition of a family, as data.

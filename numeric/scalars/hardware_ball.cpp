@@ -7,8 +7,8 @@
 namespace stickslip::numeric::scalars {
 namespace {
 
-// What the point functions below are off by at most. All that they compute with is at most 1 in size but for
-// the argument, whose reduction is exact up to 2^-51; they round less than thirty times.
+// What the point functions below are off by at most. All that they compute with is at most 1 in size except
+// for the argument, whose reduction is exact up to 2^-51; they round less than thirty times.
 constexpr double error = 0x1p-47;
 constexpr double largest_argument = 0x1p19;
 

@@ -98,7 +98,7 @@ Row<T> odd(const TwoSticksData<T>& d, const Between<T>& b, const Mode<T>& j) {
   return row;
 }
 
-// What even_j is made of, divided by t/2 but for the velocities: amplitudes, load and friction.
+// What even_j is made of, divided by t/2 except for the velocities: amplitudes, load and friction.
 template <class T>
 struct Even {
   T sine;      // omega_j sin(alpha_j)/(t/2)

@@ -42,7 +42,7 @@ struct WordOrbit {
 // Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and no natural frequency, p >= 0, ur >
 // us.
 void require_machine_domain(const WordQuestion& question);
-// Likewise, and unless p > 0: there a closed motion is isolated, but for chance.
+// Likewise, and unless p > 0: there a closed motion is isolated, except for chance.
 void require_word_domain(const WordQuestion& question);
 [[nodiscard]] bool in_word_domain(const WordQuestion& question);
 

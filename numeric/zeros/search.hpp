@@ -122,7 +122,7 @@ struct SearchResult {
   [[nodiscard]] bool complete() const { return unresolved.empty(); }
 };
 
-inline constexpr const char * no_progress = "the zero cannot be told from a multiple one";
+inline constexpr const char * no_progress = "the zero cannot be distinguished from a multiple one";
 
 namespace detail {
 
@@ -170,7 +170,7 @@ void record(SearchResult<N>& result, const FoundZero<N>& found) {
       return;
     }
     if (intersection<N>(known.zero, found.zero)) {
-      result.unresolved.push_back({found.zero, "two proved zeros could not be told apart"});
+      result.unresolved.push_back({found.zero, "two proved zeros could not be distinguished"});
       return;
     }
   }

@@ -187,7 +187,7 @@ std::vector<Remark> on_steps() {
        .place = "Section 4, before (14)",
        .says = "the time lag is $phi = (pi - omega tau)/2$, without argument",
        .fact =
-           "as a choice it is sound, and (44) makes use of it; it does not follow: but for slips on which "
+           "as a choice it is sound, and (44) makes use of it; it does not follow: except for slips on which "
            "(13) leaves $phi$ free, (13) asks for $cos(phi + omega tau/2) = 0$ (4.lag.needed), which "
            "$phi + pi$ fulfils as well, and both occur: {S.lag}",
        .because =

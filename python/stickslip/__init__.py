@@ -152,7 +152,7 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
     """What a machine does: the motions that random starts end on, each periodic one proved.
 
     starts: how many; seed: of the random numbers, the same everywhere; most_periods: of the load, that a start
-    is followed for. The load is cos(omega t). What is quasi-periodic or irregular is told by its Lyapunov
+    is followed for. The load is cos(omega t). What is quasi-periodic or irregular is distinguished by its Lyapunov
     exponent, which is a check and no proof.
 
     Raises as orbits does.

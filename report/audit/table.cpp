@@ -127,7 +127,8 @@ std::string tables_by_place(const Paper& paper, const Audit& audit, const Style&
   return result;
 }
 
-// Those with remarks first, in the order of their weight, but for what the paper does not say, which is last.
+// Those with remarks first, in the order of their weight, except for what the paper does not say, which is
+// last.
 std::vector<const Record *> findings_by_weight(const Paper& paper, const Audit& audit) {
   std::vector<const Record *> found;
   for (const Record& record : audit.records) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int digits = 12;
 
-// The data but for the one that varies.
+// The data except for the one that varies.
 std::string others(const BranchQuestion& q) {
   std::string text;
   for (const NamedRange& parameter : named_parameters(q.orbits)) {
@@ -63,7 +63,7 @@ std::string searched_in(const BranchList& list) {
 std::string complete_in_words(const BranchList& list) {
   return list.complete      ? "yes: every orbit at any value is on one of the branches"
          : list.question.at ? "no: only the branches of the orbits at one value were asked for"
-                            : "but for what is unresolved";
+                            : "except for what is unresolved";
 }
 
 std::string state_in_words(const Piece& piece) {

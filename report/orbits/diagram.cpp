@@ -41,7 +41,7 @@ Json states(const std::vector<Vector4<double>>& all) {
   return list_of(all, [](const Vector4<double>& X) { return Json{X(0), X(1), X(2), X(3)}; });
 }
 
-// The data but for the one that varies.
+// The data except for the one that varies.
 std::string others(const DiagramQuestion& q) {
   std::string all = parameter_list(q.machine.machine) + ", ";
   const std::size_t from = (" " + all).find(" " + q.parameter + "=");
@@ -87,7 +87,7 @@ std::string parameter_of(const DiagramQuestion& q) {
 
 std::vector<Row> rows_of(const Diagram& d) {
   const DiagramQuestion& q = d.question;
-  return {{{"parameters"}, {q.taken ? "of the machine, but for " + q.parameter : others(q)}},
+  return {{{"parameters"}, {q.taken ? "of the machine, except for " + q.parameter : others(q)}},
           {{"along"},
            {fmt::format("{} from {} to {}, {} values", parameter_of(q), to_string(q.from), to_string(q.to),
                         q.values)}},

@@ -27,7 +27,7 @@ namespace stickslip::report::orbits {
 // What the terminal's report is made of: a label and a sentence each.
 [[nodiscard]] std::vector<tools::Row> machine_rows(const numeric::DataTaken& taken);
 
-// In which units a text says its times, lengths, velocities, forces and energies, and is told them.
+// In which units a text says its times, lengths, velocities, forces and energies, and reads them.
 class Units {
  public:
   Units() = default;                             // those of (2)

@@ -157,7 +157,7 @@ Ball value_of(const ex& coefficient, const Place& place) {
     numeric::motion::require_response(exact_data(place.given));
     throw UsageError(fmt::format(
         "{} has no value at these parameters: something that it is divided by is zero there, or cannot be "
-        "told from zero",
+        "distinguished from zero",
         place.object.name));
   }
   // What vanishes for all parameters is 0, not a small ball.

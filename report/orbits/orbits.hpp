@@ -24,7 +24,7 @@ namespace stickslip::report::orbits {
 // undecided; "split" is then, for a box of parameters, the one to divide first.
 [[nodiscard]] tools::Json to_json(const numeric::OrbitList& list);
 
-// Which orbits are told in full: those that may be admissible, or all.
+// Which orbits are described in full: those that may be admissible, or all.
 enum class InFull { admissible, all };
 
 // The parameters; how complete the search is; each orbit with its values to the asked digits and its

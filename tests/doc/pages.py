@@ -87,7 +87,7 @@ def fails(script):
     nodes = [node for node in ast.walk(ast.parse(script)) if isinstance(node, ast.Import)]
     missing = [a.name for node in nodes for a in node.names if importlib.util.find_spec(a.name) is None]
     if missing:
-        print(f"not run, for want of {', '.join(missing)}:\n{script}")
+        print(f"not run without {', '.join(missing)}:\n{script}")
         return ""
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
     return run.stderr if run.returncode else ""
