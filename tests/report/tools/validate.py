@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Validates the JSON of a report against its published schema.
+"""Validates JSON against its published schema.
 
   validate.py SCHEMA-DIRECTORY SCHEMA FILE...
 
@@ -12,19 +12,29 @@ import sys
 import jsonschema
 
 
-def main():
-    directory = pathlib.Path(sys.argv[1])
-    schemas = {path.name: json.loads(path.read_text()) for path in sorted(directory.glob("*.schema.json"))}
-    for schema in schemas.values():
+def validators(directory):
+    """Of each schema in the directory, by the name of its file; they find one another by their `$id`s."""
+    schemas = {path.name: json.loads(path.read_text()) for path in sorted(pathlib.Path(directory).glob("*.schema.json"))}
+    store = {schema["$id"]: schema for schema in schemas.values()}
+    made = {}
+    for name, schema in schemas.items():
         jsonschema.Draft202012Validator.check_schema(schema)
-    resolver = jsonschema.RefResolver("", {}, store=schemas)
-    validator = jsonschema.Draft202012Validator(schemas[sys.argv[2]], resolver=resolver)
-    faults = 0
-    for name in sys.argv[3:]:
-        for error in validator.iter_errors(json.loads(pathlib.Path(name).read_text())):
-            faults += 1
-            print(f"{name}: {error.json_path}: {error.message[:300]}", file=sys.stderr)
-    sys.exit(1 if faults else 0)
+        if not schema["$id"].startswith("https://") or not schema["$id"].endswith("/" + name):
+            sys.exit(f"{name}: the $id '{schema['$id']}' is no absolute name of it")
+        resolver = jsonschema.RefResolver(schema["$id"], schema, store=store)
+        made[name] = jsonschema.Draft202012Validator(schema, resolver=resolver)
+    return made
+
+
+def faults(validator, instance):
+    return [f"{error.json_path}: {error.message[:300]}" for error in validator.iter_errors(instance)]
+
+
+def main():
+    validator = validators(sys.argv[1])[sys.argv[2]]
+    said = [f"{name}: {fault}" for name in sys.argv[3:]
+            for fault in faults(validator, json.loads(pathlib.Path(name).read_text()))]
+    sys.exit("\n".join(said) or 0)
 
 
 if __name__ == "__main__":

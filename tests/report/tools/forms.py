@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+"""Every form of every command with --json against its schema.
+
+  forms.py PROGRAM SCHEMA-DIRECTORY [WORD]      WORD: only the forms whose command line has it
+
+Of each form, that what it prints obeys the schema, and that it would not with a key left out or one too many.
+Needs Debian's python3-jsonschema.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from validate import faults, validators
+
+# The machine of README.md, and one that is given by forces.
+MACHINE = """m1 = 1
+m2 = 0.8
+k1 = 8
+k2 = 9
+normal_force = 10
+friction_sliding = 0.15
+friction_at_rest = 0.2
+belt_velocity = 0.05
+load_amplitude = 4
+load_frequency = 0.5
+"""
+FORCES = re.sub("normal_force.*\n|friction_.*\n", "", MACHINE) + ("friction_force_sliding = 1.5\n"
+                                                                 "friction_force_at_rest = 2\nload_phase = 0.1\n")
+
+FORMS = {
+    "audit": ["check 47.c", "check 44.H 20 --jobs 1"],
+    "orbits": [
+        "orbits symmetric --example S", "orbits overshooting --example O", "orbits nonsticking --example P",
+        "orbits overshooting --example O --phi 0.3", "orbits nonsticking --example P --ur 0.3 --digits 40",
+        "orbits nonsticking --example P --omega 0.6+-1e-6", "orbits symmetric --example S --omega 0.5+-0.3 --cells 50",
+        "orbits nonsticking --params MACHINE", "orbits overshooting --params FORCES --jobs 1"
+    ],
+    "words": [
+        "orbits OTS --example O", "orbits ST --example S", "orbits OSOTSOST --period 3 --example P",
+        "orbits ST --example S --near 0.1,0.2,0,0 --phi 1", "orbits OS --params MACHINE"
+    ],
+    "pure": [
+        "orbits S --example S", "orbits O --example S", "orbits T --example P", "orbits T --example S --p 9",
+        "orbits S --params MACHINE"
+    ],
+    "branches": [
+        "branch symmetric --example S --omega 0.586..0.588", "branch nonsticking --example P --omega 0.6..0.61 --at 0.6",
+        "branch OTS --example O --ur 0.4375..0.4385 --at 0.438", "branch nonsticking --example P --p 0.9..1.1"
+    ],
+    "attractors": [
+        "attractors --example O --starts 20", "attractors --example P --starts 20 --seed 3 --digits 30",
+        "attractors --example P --starts 5 --most-periods 20", "attractors --example S --p 1e-3 --starts 5",
+        "attractors --params MACHINE --starts 5",
+        "attractors --example P --along ur 0.25..0.3 --values 3 --starts 5",
+        "attractors --example P --along us 0.1..2 --values 3 --starts 3",
+        "attractors --params MACHINE --along omega 0.5..0.6 --values 2 --starts 3 --seed 2",
+        "attractors --example P --plane x1,x2 --pixels 3",
+        "attractors --example O --plane x2,x1' --pixels 3 --through 0.1,0,0,0 --most-periods 300",
+        "attractors --params MACHINE --plane x1,x2' --pixels 2"
+    ],
+    "simulation": [
+        "simulate --example O", "simulate --example O --perturb 0.01,0,0,0 --periods 3",
+        "simulate --orbit nonsticking:1 --example P --periods 3 --csv SAMPLES",
+        "simulate --example S --state 0,0,0,0 --every 0.1", "simulate --example P --state 9,9,9,9 --p 0",
+        "simulate --params MACHINE --state 0,0,0,0", "simulate --params FORCES --orbit overshooting:1 --periods 2"
+    ],
+    "atlas": [
+        "atlas symmetric --example S --omega 0.55..0.57 --p 0..0.1 --resolution 3 --out ATLAS",
+        "atlas nonsticking --example P --omega 0.6..0.61 --resolution 2 --jobs 1 --out ATLAS1",
+        "atlas overshooting --example O --phi 0 --omega 0.5..0.51 --p 0.05..0.051 --resolution 3 --out ATLAS2",
+        "atlas symmetric --example S --omega 0.55..0.57 --resolution 6 --time-limit 0.001 --out ATLAS3",
+        "atlas symmetric --example S --omega 0.55..0.57 --resolution 6 --resume --out ATLAS3"
+    ],
+}
+
+# Keys that are there only where they apply.
+OPTIONAL = {
+    "at", "energy", "forced", "machine", "reason", "remarks", "room", "seen", "settles", "stability"
+}
+
+
+def printed(program, words):
+    run = subprocess.run([program, *words, "--json"], capture_output=True, text=True)
+    if run.returncode not in (0, 1, 2):
+        sys.exit(f"{' '.join(words)}: exit code {run.returncode}: {run.stderr}")
+    return json.loads(run.stdout)
+
+
+def spoiled(instance):
+    yield "a surplus key", {**instance, "surplus": 0}
+    for key in instance.keys() - OPTIONAL:
+        yield f"{key} left out", {name: value for name, value in instance.items() if name != key}
+
+
+def main():
+    program, schemas = sys.argv[1], validators(sys.argv[2])
+    only = sys.argv[3] if len(sys.argv) > 3 else ""
+    if {f"{name}.schema.json" for name in FORMS} != set(schemas):
+        sys.exit(f"the schemas are {', '.join(schemas)}")
+    said = []
+    with tempfile.TemporaryDirectory() as directory:
+        places = {name: str(pathlib.Path(directory, name))
+                  for name in ("MACHINE", "FORCES", "SAMPLES", "ATLAS", "ATLAS1", "ATLAS2", "ATLAS3")}
+        pathlib.Path(places["MACHINE"]).write_text(MACHINE)
+        pathlib.Path(places["FORCES"]).write_text(FORCES)
+        for name, forms in FORMS.items():
+            schema = schemas[f"{name}.schema.json"]
+            for form in forms:
+                if only not in form:
+                    continue
+                instance = printed(program, [places.get(word, word) for word in form.split()])
+                said += [f"{form}: {fault}" for fault in faults(schema, instance)]
+                said += [f"{form}: {what} is not seen" for what, bad in spoiled(instance)
+                         if not faults(schema, bad)]
+    sys.exit("\n".join(said) or 0)
+
+
+if __name__ == "__main__":
+    main()
