@@ -303,20 +303,18 @@ py::dict columns(const Archive& a) {
                   py::arg("reasons") = report::atlas::all_reasons(*a.question.family));
 }
 
+// For gnuplot; empty where there is nothing to draw.
 template <class List>
-std::string drawn(const List& list) {
+std::string script(const List& list) {
   return report::orbits::plot_script(list, report::tools::PlotFormat::svg);
 }
-std::string drawn(const Archive& a) {
+std::string script_of(const Archive& a) {
   return report::atlas::plot_script(a.question, a.leaves, report::tools::PlotFormat::svg);
 }
 
-// The picture, or nothing where there is nothing to draw.
-template <class Found>
-std::string svg(const Found& found) {
+std::string gnuplot(const std::string& script) {
   const py::gil_scoped_release released;
-  const std::string script = drawn(found);
-  return script.empty() ? script : report::tools::gnuplot(script);
+  return report::tools::gnuplot(script);
 }
 
 }  // namespace
@@ -342,17 +340,17 @@ PYBIND11_MODULE(_core, m) {
       .def("__len__", [](const numeric::OrbitList& list) { return list.orbits.size(); })
       .def("orbit", &orbit, py::arg("number"))
       .def("conditions", &conditions, py::arg("number"))
-      .def("svg", &svg<numeric::OrbitList>);
+      .def("script", &script<numeric::OrbitList>);
   py::class_<numeric::attractors::WordOrbits>(m, "WordOrbits")
       .def("json",
            [](const numeric::attractors::WordOrbits& list) { return report::orbits::to_json(list).dump(); });
   py::class_<numeric::branches::BranchList>(m, "BranchList")
       .def("json",
            [](const numeric::branches::BranchList& list) { return report::orbits::to_json(list).dump(); })
-      .def("svg", &svg<numeric::branches::BranchList>);
+      .def("script", &script<numeric::branches::BranchList>);
   py::class_<Archive>(m, "Archive")
       .def("json", [](const Archive& a) { return report::atlas::to_json(a.question, a.leaves).dump(); })
-      .def("svg", &svg<Archive>)
+      .def("script", &script_of)
       .def("columns", &columns)
       .def("box", &box, py::arg("number"));
   m.def("orbits", &orbits, py::arg("family"), py::arg("parameters"), py::arg("example"), py::arg("digits"),
@@ -370,6 +368,7 @@ PYBIND11_MODULE(_core, m) {
         py::arg("conduct"));
   m.def("check", &check, py::arg("words"), py::arg("conduct"));
   m.def("latex", &latex, py::arg("name"), py::arg("in_frequencies"), py::arg("conduct"));
+  m.def("gnuplot", &gnuplot, py::arg("script"));
   m.def("expressions", &expressions);
   m.def("version", [] { return report::tools::program_version(); });
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numbers
 from dataclasses import dataclass, fields
-from decimal import Context, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal, localcontext
 from fractions import Fraction
 from functools import lru_cache
 from math import inf, isfinite, nextafter
@@ -123,6 +123,23 @@ class Ball(Later):
     def __str__(self) -> str:
         return f"{self.mid} ± {self.rad}"
 
+    def __format__(self, spec: str) -> str:
+        """As a Decimal is formatted, where all members become the same text; else the interval, rounded outwards.
+
+        f"{ball:.5f}" is "5.40311", or of a wider ball "[5.40310, 5.40324]"; f"{ball}" is str(ball).
+        """
+        if not spec:
+            return str(self)
+        lower, upper = self._end(-1), self._end(1)
+        low, high = format(lower, spec), format(upper, spec)
+        if low == high:
+            return low
+        with localcontext() as context:
+            context.rounding = ROUND_FLOOR
+            low = format(lower, spec)
+            context.rounding = ROUND_CEILING
+            return f"[{low}, {format(upper, spec)}]"
+
     def _repr_latex_(self) -> str:
         return rf"${self.mid} \pm {_latex_decimal(self.rad)}$"
 
@@ -143,6 +160,9 @@ class ComplexBall:
     def approximate(self) -> complex:
         """The complex float next to the midpoints."""
         return complex(self.re.approximate, self.im.approximate)
+
+    def __format__(self, spec: str) -> str:
+        return f"{self.re:{spec}} + i ({self.im:{spec}})"
 
     def __complex__(self) -> complex:
         raise TypeError("a ball is no complex float: say ball.approximate")

@@ -5,14 +5,20 @@ from __future__ import annotations
 import json as _json
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Optional, Tuple
+from html import escape as _escape
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 from . import _core
 from ._exact import Ball, ComplexBall, Later
 from ._exact import names as _names
+from ._views import Drawn, Listed, Row
+from ._views import frame as _frame
+from ._views import html as _html
+from ._views import short as _short
 
 if TYPE_CHECKING:
     import numpy
+    import pandas
 
 
 def _ball(data: Optional[Dict[str, str]]) -> Optional[Ball]:
@@ -66,8 +72,12 @@ def _unresolved(data: Dict[str, Any]) -> Tuple[Unresolved, ...]:
         for part in data["unresolved"])
 
 
-@dataclass(frozen=True)
-class Orbit(Later):
+def _listed(parameters: Dict[str, str]) -> str:
+    return " ".join(f"{name}={value}" for name, value in parameters.items())
+
+
+@dataclass(frozen=True, repr=False)
+class Orbit(Later, Row):
     """A periodic orbit that is proved to exist, with everything decided about it.
 
     Times and angles are dimensionless; lengths are in the unit of us, V and p. What the family does not have
@@ -98,6 +108,7 @@ class Orbit(Later):
     durations: Tuple[Ball, ...] = ()  #: of an orbit of a word: of its phases
 
     _balls = ("tau", "tau1", "T", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur", "ur_max")
+    _aside = ("Theta", "z10", "z20", "zdot10")
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Orbit":
@@ -118,6 +129,21 @@ class Orbit(Later):
 
     __getstate__ = Later._state
 
+    def _row(self) -> Dict[str, Any]:
+        told = ("word", "period", *self._balls, "admissible", "stability")
+        return {name: getattr(self, name) for name in told}
+
+    def _repr_html_(self) -> str:
+        conditions = [
+            dict(condition=c.statement, phase=c.phase, verdict=c.verdict, margin=c.margin, reason=c.reason)
+            for c in self.conditions
+        ]
+        title = f"{self.word or 'orbit'}: " + {True: "admissible", False: "not admissible",
+                                              None: "undecided"}[self.admissible]
+        multipliers = ", ".join(f"{m:.6g}" for m in self.multipliers)
+        stability = f", {self.stability}, multipliers {multipliers}" if self.stability else ""
+        return _html(title + stability, conditions, _escape(self._repr_latex_()))
+
     def _repr_latex_(self) -> str:
         names = {"tau": r"\tau", "tau1": r"\tau_1", "Theta": r"\Theta", "phi": r"\varphi", "ur": "u_r",
                  "ur_max": r"u_{r,\max}"}
@@ -125,8 +151,8 @@ class Orbit(Later):
         return "$$\\begin{aligned}" + r"\\ ".join(rows) + "\\end{aligned}$$"
 
 
-@dataclass(frozen=True)
-class Orbits(Later):
+@dataclass(frozen=True, repr=False)
+class Orbits(Drawn, Later, Listed[Orbit]):
     """A list of orbits, and what is known of its completeness; a sequence of its orbits.
 
     Decimals are made of what was found when they are first asked for.
@@ -157,19 +183,21 @@ class Orbits(Later):
                     unresolved=_unresolved(data), family=data.get("family"), word=data.get("word"),
                     period=data.get("period"), remarks=tuple(data.get("remarks", [])), seen=data.get("seen", ""))
 
-    def __len__(self) -> int:
-        return len(self.orbits)
+    def _items(self) -> Tuple[Orbit, ...]:
+        return self.orbits
 
-    def __iter__(self) -> Iterator[Orbit]:
-        return iter(self.orbits)
-
-    def __getitem__(self, index: int) -> Orbit:
-        return self.orbits[index]
+    def _title(self) -> str:
+        parts = f", {len(self.unresolved)} parts unresolved" if self.unresolved else ""
+        found = "complete" if self.complete else "not complete" + parts
+        return f"{self.family or self.word}, {_listed(self.parameters)}; {found}"
 
     @property
     def admissible(self) -> Tuple[Orbit, ...]:
         """The orbits that obey every condition."""
         return tuple(orbit for orbit in self.orbits if orbit.admissible)
+
+    def _script(self) -> str:
+        return super()._script() if self.word is None else ""
 
     def svg(self) -> str:
         """Phase portraits and time histories, drawn by gnuplot; empty where there is no orbit to draw.
@@ -178,10 +206,10 @@ class Orbits(Later):
         """
         if self.word is not None:
             raise TypeError("there are pictures of the orbits of a family, not of a word")
-        return self._found.svg()
+        return super().svg()
 
     def _repr_svg_(self) -> Optional[str]:
-        return (self.svg() or None) if self.word is None else None
+        return super()._repr_svg_() if self.word is None else None
 
 
 @dataclass(frozen=True)
@@ -232,8 +260,8 @@ class BranchEnd:
         return _given(cls, data, at=_ball(data["at"]))
 
 
-@dataclass(frozen=True)
-class Branch:
+@dataclass(frozen=True, repr=False)
+class Branch(Row):
     """A curve of orbits, without a gap."""
 
     first: BranchEnd
@@ -254,6 +282,15 @@ class Branch:
                    tuple(Change._from(c) for c in data["changes"]),
                    {name: numpy.array([row[name] for row in rows]) for name in (rows[0] if rows else ())})
 
+    def _row(self) -> Dict[str, Any]:
+        return {"from": self.first.at, "begins": self.first.kind, "to": self.last.at, "ends": self.last.kind,
+                "pieces": _short(", ".join(piece.state for piece in self.pieces)),
+                "changes": _short(", ".join(f"{c.kind} {c.what}".strip() for c in self.changes))}
+
+    def to_frame(self) -> "pandas.DataFrame":
+        """The samples, a row each. Needs pandas."""
+        return _frame(self.samples)
+
 
 @dataclass(frozen=True)
 class Count:
@@ -273,8 +310,8 @@ class Count:
         return _given(cls, data, first=_ball(data["from"]), last=_ball(data["to"]))
 
 
-@dataclass(frozen=True)
-class Branches:
+@dataclass(frozen=True, repr=False)
+class Branches(Drawn, Listed[Branch]):
     """Orbits over an interval of one parameter; a sequence of branches."""
 
     family: str
@@ -296,25 +333,28 @@ class Branches:
                           counts=tuple(Count._from(c) for c in data["counts"]))
         return _with(branches, found)
 
-    def __len__(self) -> int:
-        return len(self.branches)
+    def _items(self) -> Tuple[Branch, ...]:
+        return self.branches
 
-    def __iter__(self) -> Iterator[Branch]:
-        return iter(self.branches)
+    def _title(self) -> str:
+        found = "complete" if self.complete else "not complete"
+        return (f"{self.family}, {self.parameter} from {self.interval[0]} to {self.interval[1]}, "
+                f"{_listed(self.parameters)}; {found}")
 
-    def __getitem__(self, index: int) -> Branch:
-        return self.branches[index]
+    def to_frame(self) -> "pandas.DataFrame":
+        """The samples of all branches, a row each; "branch" counts from 0. Needs pandas."""
+        names = ["value", "state", *{name: 0 for b in self.branches for name in b.samples if name != "state"}]
+        columns: Dict[str, List[Any]] = {"branch": [], **{name: [] for name in names}}
+        for number, branch in enumerate(self.branches):
+            count = len(branch.samples.get("value", ()))
+            columns["branch"] += [number] * count
+            for name in columns.keys() - {"branch"}:
+                columns[name] += list(branch.samples.get(name, [None] * count))
+        return _frame(columns)
 
-    def svg(self) -> str:
-        """The diagram, drawn by gnuplot; empty where there is nothing to draw. Raises InputOutputError without it."""
-        return self._found.svg()
 
-    def _repr_svg_(self) -> Optional[str]:
-        return self.svg() or None
-
-
-@dataclass(frozen=True, eq=False)
-class Atlas:
+@dataclass(frozen=True, eq=False, repr=False)
+class Atlas(Drawn):
     """What is proved over a rectangle of parameters, box by box. Arrays have a row per box."""
 
     family: str
@@ -347,18 +387,38 @@ class Atlas:
 
     def box(self, number: int) -> Dict[str, Tuple[Fraction, Fraction]]:
         """The exact least and greatest value of each parameter in the box of this row. IndexError beyond the last."""
-        return {name: (Fraction(least), Fraction(greatest)) for name, least, greatest in self._found.box(number)}
+        box = self.__dict__["_boxes"][number] if "_boxes" in self.__dict__ else self._found.box(number)
+        return {name: (Fraction(least), Fraction(greatest)) for name, least, greatest in box}
+
+    def __repr__(self) -> str:
+        shares = ", ".join(f"{float(share):.4g} {name}" for name, share in self.volume.items())
+        return f"Atlas: {self.family}, {_listed(self.parameters)}; {len(self)} boxes: {shares}"
+
+    def _repr_html_(self) -> str:
+        return _html(repr(self), [], self._repr_svg_() or "")
+
+    def to_frame(self) -> "pandas.DataFrame":
+        """A row for each box: least and greatest values as floats, counts, the reason of what is open. Needs pandas."""
+        ends = {f"{axis}_{end}": array[:, k] for k, axis in enumerate(self.axes)
+                for end, array in (("lower", self.lower), ("upper", self.upper))}
+        return _frame({**ends, "orbits": self.orbits, "admissible": self.admissible, "stable": self.stable,
+                       "reason": self.reason})
 
     def svg(self) -> str:
         """The map, drawn by gnuplot: of two axes, else UsageError. Raises InputOutputError without gnuplot."""
-        return self._found.svg()
+        return super().svg()
 
     def _repr_svg_(self) -> Optional[str]:
-        return self.svg() if len(self.axes) == 2 else None
+        return super()._repr_svg_() if len(self.axes) == 2 else None
+
+    def __getstate__(self) -> Dict[str, Any]:
+        drawing = self._script() if len(self.axes) == 2 else ""
+        boxes = self.__dict__.get("_boxes") or [self._found.box(number) for number in range(len(self))]
+        return {**{name: getattr(self, name) for name in _names(Atlas)}, "_drawing": drawing, "_boxes": boxes}
 
 
-@dataclass(frozen=True, eq=False)
-class Attractor:
+@dataclass(frozen=True, eq=False, repr=False)
+class Attractor(Row):
     """A motion that starts end on. A periodic one is proved."""
 
     kind: str  #: "periodic", "quasi-periodic", "irregular", "slides", "stuck" or "unsettled"
@@ -385,9 +445,14 @@ class Attractor:
         return _given(cls, data, state=numpy.array(data["state"]), share_interval=tuple(data["share_interval"]),
                       durations=tuple(Ball(**d) for d in data.get("durations", [])), multipliers=_multipliers(data))
 
+    def _row(self) -> Dict[str, Any]:
+        return dict(share=self.share, count=self.count, kind=self.kind, word=_short(self.word or ""),
+                    period=self.period, verdict=self.verdict, stability=self.stability, family=self.family,
+                    lyapunov=self.lyapunov)
 
-@dataclass(frozen=True)
-class Attractors:
+
+@dataclass(frozen=True, repr=False)
+class Attractors(Listed[Attractor]):
     """What a machine does, the most frequent first; a sequence of attractors."""
 
     parameters: Dict[str, str]
@@ -402,14 +467,11 @@ class Attractors:
         data = _json.loads(text)
         return _given(cls, data, attractors=tuple(Attractor._from(a) for a in data["attractors"]), json=data)
 
-    def __len__(self) -> int:
-        return len(self.attractors)
+    def _items(self) -> Tuple[Attractor, ...]:
+        return self.attractors
 
-    def __iter__(self) -> Iterator[Attractor]:
-        return iter(self.attractors)
-
-    def __getitem__(self, index: int) -> Attractor:
-        return self.attractors[index]
+    def _title(self) -> str:
+        return f"{_listed(self.parameters)}; {self.starts} starts, seed {self.seed}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -453,9 +515,14 @@ class Simulation:
                    r=rows[:, 5], u=rows[:, 6], energy=rows[:, 7], shares=data["shares"], events=events["count"],
                    first_events=made(events["first"]), last_events=made(events.get("last", [])), json=data)
 
+    def to_frame(self) -> "pandas.DataFrame":
+        """The samples, a row each. Needs pandas."""
+        states = {name: self.state[:, k] for k, name in enumerate(("x1", "x2", "x1'", "x2'"))}
+        return _frame({"t": self.t, **states, "phase": self.phase, "r": self.r, "u": self.u, "energy": self.energy})
 
-@dataclass(frozen=True)
-class Claim:
+
+@dataclass(frozen=True, repr=False)
+class Claim(Row):
     """A statement, what became of its proof, and what the proof needs."""
 
     id: str
@@ -486,14 +553,17 @@ class Claim:
                    uses=tuple(outcome["uses"]), theorems=tuple(outcome["theorems"]),
                    obeyed=outcome["obeyed"])
 
+    def _row(self) -> Dict[str, Any]:
+        return dict(id=self.id, verdict=self.verdict, status=self.status, words=_short(self.words))
+
     def _repr_latex_(self) -> str:
         lines = [rf"\text{{({self.id}) {self.meaning}}}", *(self.corrected or self.printed)]
         lines += [h for h in self.hypotheses]
         return r"$$\begin{gathered}" + r"\\ ".join(lines) + r"\end{gathered}$$"
 
 
-@dataclass(frozen=True)
-class Check:
+@dataclass(frozen=True, repr=False)
+class Check(Listed[Claim]):
     """Claims in the paper's order, with what they come to; a sequence of claims."""
 
     claims: Tuple[Claim, ...]
@@ -506,11 +576,8 @@ class Check:
         return cls(tuple(Claim._from(c) for place in data["places"] for c in place["claims"]),
                    data["summary"]["line"], data)
 
-    def __len__(self) -> int:
-        return len(self.claims)
+    def _items(self) -> Tuple[Claim, ...]:
+        return self.claims
 
-    def __iter__(self) -> Iterator[Claim]:
-        return iter(self.claims)
-
-    def __getitem__(self, index: int) -> Claim:
-        return self.claims[index]
+    def _title(self) -> str:
+        return self.line

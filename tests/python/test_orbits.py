@@ -140,7 +140,7 @@ def test_pictures_and_formulas_for_notebooks():
 def test_results_become_dictionaries():
     found = stickslip.orbits("nonsticking", **MACHINE)
     assert dataclasses.asdict(found)["orbits"][0]["tau"]["mid"] == found[0].tau.mid
-    assert repr(found).startswith("Orbits(parameters={'chi': '0.3'") and "_found" not in repr(found)
+    assert repr(found).startswith("Orbits: nonsticking, chi=0.3 eta=4") and "_found" not in repr(found)
     for thing in (found, found[0], found[0].tau):
         with pytest.raises(AttributeError, match="nothing"):
             thing.nothing
