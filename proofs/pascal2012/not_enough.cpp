@@ -64,20 +64,20 @@ Assumptions all_conditions(const Assumptions& more) {
 Scene passes_the_belt(const Term& begin) {
   const Term load = -bound * B / sin(phi), first = chi * load / D, second = load * (1 - power(omega, 2)) / D;
   const Term speed = -q1 * omega * sin(phi) - a1 * d01 - a2 * d02;
-  return {
-      .point = {{"omega1", Rational(4, 5)},
-                {"omega2", Rational(7, 5)},
-                {"omega", Rational(1, 2)},
-                {"phi", Rational(-1, 2)},
-                {"us", Rational(1, 10)},
-                {"ur", Rational(3, 25)},
-                {"V", Rational(0)},
-                {"zdot20", Rational(0)},
-                {"zdot2B", Rational(0)}},
-      .values = {half.statement, period.statement, equation(p, load), equation(q1, first),
-                 equation(q2, second), equation(z10, q1 * cos(phi) - d01), equation(z20, q2 * cos(phi) - d02),
-                 equation(zdot10, speed), equation(z1B, -q1 * cos(phi) - d01),
-                 equation(z2B, -q2 * cos(phi) - d02), equation(zdot1B, -speed), equation(t, begin + 1)}};
+  return {.point = {{"omega1", Rational(14, 25)},
+                    {"omega2", Rational(12, 5)},
+                    {"omega", Rational(49, 100)},
+                    {"phi", Rational(-1, 5)},
+                    {"us", Rational(1, 10)},
+                    {"ur", Rational(3, 20)},
+                    {"V", Rational(0)},
+                    {"zdot20", Rational(0)},
+                    {"zdot2B", Rational(0)}},
+          .values = {half.statement, period.statement, equation(p, load), equation(q1, first),
+                     equation(q2, second), equation(z10, q1 * cos(phi) - d01),
+                     equation(z20, q2 * cos(phi) - d02), equation(zdot10, speed),
+                     equation(z1B, -q1 * cos(phi) - d01), equation(z2B, -q2 * cos(phi) - d02),
+                     equation(zdot1B, -speed), equation(t, begin + Term(49) / 50)}};
 }
 
 }  // namespace
