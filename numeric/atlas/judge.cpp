@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "numeric/atlas/judges.hpp"
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/nonsticking_orbit.hpp"
 #include "numeric/atlas/steep_zero.hpp"
@@ -66,9 +67,12 @@ bool may_be_resonant(const model::Oscillator<T>& o) {
 
 // ---- all orbits of a family with one unknown
 
-template <class S, int N>
+// Orbit: SymmetricOrbit or NonstickingOrbit.
+template <template <class> class OrbitOf, class S, int N>
 class Judge {
   using T = scalars::Form<S, N>;
+  using Orbit = OrbitOf<T>;
+  static constexpr bool sticks = std::is_same_v<Orbit, SymmetricOrbit<T>>;
   using Jet = scalars::Jet<T, 1>;
 
  public:
@@ -81,11 +85,10 @@ class Judge {
         lifted_(setting_.template lifted<Jet>()) {}
 
   Finding operator()(Knowledge& known) {
-    const bool sticks = families::has_stick(family_);
     if (!sticks && may_be_resonant(setting_.o)) {
       return open(Reason::resonance);
     }
-    const auto found = sheets_of<T>(family_, setting_, box_);
+    const Sheets found = sticks ? symmetric_sheets(box_) : nonsticking_sheets<T>(setting_, box_);
     if (const auto * reason = std::get_if<Reason>(&found)) {
       return open(*reason);
     }
@@ -97,9 +100,8 @@ class Judge {
     if (why != Reason::none) {
       return open(why);
     }
-    const bool all_exist =
-        sticks ? judge_all<SymmetricOrbit<T>>(sheets, known) : judge_all<NonstickingOrbit<T>>(sheets, known);
-    return all_exist ? finding_of(known.sheets) : open(sticks ? Reason::no_amplitude : Reason::merging);
+    return judge_all(sheets, known) ? finding_of(known.sheets)
+                                    : open(sticks ? Reason::no_amplitude : Reason::merging);
   }
 
  private:
@@ -147,7 +149,6 @@ class Judge {
   }
 
   // False when a zero may be no orbit.
-  template <class Orbit>
   bool judge_all(const std::vector<Sheet>& sheets, Knowledge& known) const {
     std::vector<std::pair<Orbit, Knowledge::Orbit *>> orbits;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
@@ -162,7 +163,7 @@ class Judge {
           return false;
         }
         if (!orbit.zero.is_straight() && orbit.zero.steepest > 0) {
-          if (auto better = at_steep_zero<Orbit>(sheets[i], orbit.zero)) {
+          if (auto better = at_steep_zero(sheets[i], orbit.zero)) {
             here = std::move(better);
             orbit.zero.steepest = 0;
           }
@@ -182,7 +183,6 @@ class Judge {
   }
 
   // The orbit, and some beyond the box, as a function of u; nothing where it is none.
-  template <class Orbit>
   [[nodiscard]] std::optional<Orbit> at_steep_zero(const Sheet& sheet, const Bracket& zero) const {
     const int k = zero.steepest;
     const auto setting_at = [&](const Data<T, S>& data) {
@@ -206,15 +206,18 @@ class Judge {
   Setting<Jet> lifted_;
 };
 
-template <class S>
+template <template <class> class OrbitOf, class S>
 Finding judge_with(const Question& q, const Box& box, bool last, Knowledge& known) {
-  if (takes_phi(*q.family)) {
-    return judge_overshooting(q, box, std::is_same_v<S, scalars::HardwareBall>, last, known);
-  }
-  return q.axes.size() <= 2 ? Judge<S, 3>(q, box, last)(known) : Judge<S, 5>(q, box, last)(known);
+  return q.axes.size() <= 2 ? Judge<OrbitOf, S, 3>(q, box, last)(known)
+                            : Judge<OrbitOf, S, 5>(q, box, last)(known);
 }
 
 }  // namespace
+
+const Judges symmetric_judges{judge_with<SymmetricOrbit, scalars::HardwareBall>,
+                              judge_with<SymmetricOrbit, Ball>};
+const Judges nonsticking_judges{judge_with<NonstickingOrbit, scalars::HardwareBall>,
+                                judge_with<NonstickingOrbit, Ball>};
 
 namespace {
 
@@ -230,13 +233,13 @@ Finding judge_box(const Question& q, const Box& box, Balls balls, bool last, int
       break;
   }
   if (balls != Balls::arb) {
-    const Finding finding = judge_with<scalars::HardwareBall>(q, box, last, known);
+    const Finding finding = q.family->judges->in_doubles(q, box, last, known);
     if (finding.is_decided() || balls == Balls::hardware ||
         halvings < enough_for_doubles * static_cast<int>(q.axes.size())) {
       return finding;
     }
   }
-  return judge_with<Ball>(q, box, last, known);
+  return q.family->judges->in_balls(q, box, last, known);
 }
 
 // The box is halved, if there is hope or Arb alone is asked, and so are its halves: what all parts say is

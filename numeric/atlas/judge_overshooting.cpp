@@ -1,3 +1,4 @@
+#include "numeric/atlas/judges.hpp"
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/overshooting_orbit.hpp"
 
@@ -108,9 +109,7 @@ Finding judge_with(const Question& q, const Box& box, bool last, Knowledge& know
 
 }  // namespace
 
-Finding judge_overshooting(const Question& q, const Box& box, bool in_doubles, bool last, Knowledge& known) {
-  return in_doubles ? judge_with<scalars::HardwareBall>(q, box, last, known)
-                    : judge_with<Ball>(q, box, last, known);
-}
+// phi is given.
+const Judges overshooting_judges{judge_with<scalars::HardwareBall>, judge_with<Ball>};
 
 }  // namespace stickslip::numeric::atlas

@@ -100,8 +100,4 @@ void judge_orbit(const families::Family& family, const Orbit& orbit, double leas
 // What is said of a box whose orbits are these.
 [[nodiscard]] Finding finding_of(const std::vector<Knowledge::Sheet>& sheets);
 
-// Of overshooting orbits, phi given, in doubles or in Arb balls.
-[[nodiscard]] Finding judge_overshooting(const Question& q, const Box& box, bool in_doubles, bool last,
-                                         Knowledge& known);
-
 }  // namespace stickslip::numeric::atlas

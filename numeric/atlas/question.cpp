@@ -18,6 +18,9 @@ const std::vector<std::string>& parameter_names(const families::Family& family) 
 }
 
 void require_understood(const Question& q) {
+  if (q.family->judges == nullptr) {
+    throw UsageError(fmt::format("no atlas is made of {} orbits", q.family->name));
+  }
   if (takes_phi(*q.family) && q.region.size() <= place_of_datum) {
     throw UsageError(fmt::format("an atlas of {} orbits needs phi; u_r is a result", q.family->name));
   }

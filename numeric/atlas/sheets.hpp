@@ -136,20 +136,24 @@ template <class T>
   return families::two_slips_motion<T>(s.o, s.pi, delta, *mu);
 }
 
-// All sheets, the same for every member, or why that is not known. With p = 0 both load phases of symmetric
-// orbits have the same orbits.
-template <class T>
-[[nodiscard]] std::variant<std::vector<Sheet>, Reason> sheets_of(const families::Family& family,
-                                                                 const Setting<T>& s, const Box& box) {
+// All sheets, the same for every member, or why that is not known.
+using Sheets = std::variant<std::vector<Sheet>, Reason>;
+
+// Of symmetric orbits: with p = 0 both load phases have the same orbits.
+[[nodiscard]] inline Sheets symmetric_sheets(const Box& box) {
   using Kind = Sheet::Kind;
-  if (families::has_stick(family)) {
-    const Interval& p = box[place_of_p];
-    if (p.lower == 0 && p.upper > 0) {
-      return Reason::no_load;
-    }
-    return p.upper == 0 ? std::vector<Sheet>{{Kind::symmetric, 1}}
-                        : std::vector<Sheet>{{Kind::symmetric, 1}, {Kind::symmetric, -1}};
+  const Interval& p = box[place_of_p];
+  if (p.lower == 0 && p.upper > 0) {
+    return Reason::no_load;
   }
+  return p.upper == 0 ? std::vector<Sheet>{{Kind::symmetric, 1}}
+                      : std::vector<Sheet>{{Kind::symmetric, 1}, {Kind::symmetric, -1}};
+}
+
+// Of orbits that never stick.
+template <class T>
+[[nodiscard]] Sheets nonsticking_sheets(const Setting<T>& s, const Box& box) {
+  using Kind = Sheet::Kind;
   const Interval& V = box[place_of_V];
   if (V.lower > 0 || V.upper < 0) {
     return std::vector<Sheet>{{Kind::moving}};

@@ -26,6 +26,11 @@
 #include "numeric/families/strip.hpp"
 #include "numeric/motion/closing.hpp"
 
+namespace stickslip::numeric::atlas {
+struct Judges;  // atlas/judges.hpp
+extern const Judges symmetric_judges, overshooting_judges, nonsticking_judges;
+}  // namespace stickslip::numeric::atlas
+
 namespace stickslip::numeric::families {
 
 // A zero of a family's reduced equations, proved to be one.
@@ -64,6 +69,8 @@ struct Family {
   // Conditions beyond the requirements, of a motion whose largest admissible friction is known; may be null.
   std::vector<motion::Condition> (*further)(const motion::Motion&, const Ball& ur_max,
                                             const std::optional<Ball>& ur) = nullptr;
+  // What is proved of its orbits over a box of parameters; null where no atlas is made of them.
+  const atlas::Judges * judges = nullptr;
 };
 
 [[nodiscard]] bool has_stick(const Family& family);

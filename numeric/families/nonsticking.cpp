@@ -325,7 +325,8 @@ const Family& nonsticking() {
       .searched = [](const OrbitQuestion&) { return std::string("$0 <= tau <= Theta$, every $phi$"); },
       .search = search_nonsticking,
       .strips = nonsticking_strips,
-      .further = further};
+      .further = further,
+      .judges = &atlas::nonsticking_judges};
   return family;
 }
 

@@ -166,7 +166,8 @@ const Family& overshooting() {
                    (q.phi ? "at this $phi$" : "for every $phi$ that gives this $ur$");
           },
       .search = search_overshooting,
-      .strips = overshooting_strips};
+      .strips = overshooting_strips,
+      .judges = &atlas::overshooting_judges};
   return family;
 }
 

@@ -247,7 +247,8 @@ const Family& symmetric() {
                 "$0 <= tau <= Theta$ at both load phases, $phi = (pi - omega tau)/2$ and that $+ pi$");
           },
       .search = search_symmetric,
-      .strips = symmetric_strips};
+      .strips = symmetric_strips,
+      .judges = &atlas::symmetric_judges};
   return family;
 }
 

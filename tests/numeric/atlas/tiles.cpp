@@ -177,6 +177,14 @@ TEST_CASE("Questions that no atlas answers are refused") {
   q = near_S(12);
   q.family = &families::overshooting();
   CHECK_THROWS_AS(require_understood(q), UsageError);
+  // A family with a stick that no atlas knows is not judged by the equations of another.
+  families::Family fourth;
+  fourth.name = "fourth";
+  fourth.phases = families::symmetric().phases;
+  fourth.why_no_phi = "phi is a result";
+  q = near_S(12);
+  q.family = &fourth;
+  CHECK_THROWS_WITH_AS(require_understood(q), "no atlas is made of fourth orbits", UsageError);
 }
 
 }  // namespace
