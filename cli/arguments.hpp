@@ -76,8 +76,9 @@ struct OrbitsOptions {
 
 struct BranchOptions {
   std::string family;
-  TypedParameters parameters;  // one of them an interval A..B
-  std::string file, example, at, csv, plot, out, jobs;
+  TypedParameters parameters;      // one of them an interval A..B, or
+  std::vector<std::string> along;  // a parameter, or a value of the machine in the file, and A..B
+  std::string file, units, example, at, csv, plot, out, jobs;
   std::string period;  // of a word
   bool with_out = false;
   bool json = false;

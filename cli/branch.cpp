@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
+#include "core/decimal.hpp"
 #include "core/interruption.hpp"
 #include "numeric/families/family.hpp"
 
@@ -21,25 +22,53 @@ struct Asked {
   BranchQuestion question;
 };
 
+// The file, of a machine in SI units as it is at the value that `at` says or in the middle.
+ParameterFile file_of(const BranchOptions& o, TypedParameters typed, FrictionAtRest at_rest) {
+  const Along along = along_interval(typed);
+  typed[along.parameter] = to_string(value_at(along, o.at));
+  ParameterFile file = read_parameters(o.file, typed, o.example, at_rest);
+  (void)units_of(o.units, file, false);
+  if (!o.units.empty() && !is_in_SI(along.parameter)) {
+    throw UsageError(
+        fmt::format("--units si goes with --along a value of the machine, not with {}", along.parameter));
+  }
+  return file;
+}
+
+// Along a value of a machine in SI units: the path of its data. The list says all of the machine.
+Asked along_machine(Asked asked) {
+  BranchQuestion& q = asked.question;
+  if (asked.file.machine && is_in_SI(q.parameter)) {
+    q.machine = machine_between(asked.file, q.parameter, q.from, q.to);
+    q.machine_file = asked.file.name;
+    if (q.orbits.phi) {
+      q.machine->phi = q.orbits.phi->middle;
+    }
+    asked.file.machine.reset();
+  }
+  return asked;
+}
+
 Asked asked_of_family(const BranchOptions& o, const proofs::methods::Paper& paper) {
   const Family& family = family_named(o.family);
   if (!o.period.empty()) {
     throw UsageError(fmt::format("--period is for words of phases, not for the family '{}'", o.family));
   }
-  Asked asked{read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional), {}};
-  leave_results_out(asked.file, family, o.parameters);
-  asked.question = branch_question(paper, family, o.parameters, asked.file.parameters, o.example, o.at);
-  return asked;
+  const TypedParameters typed = with_along(o.parameters, o.along);
+  Asked asked{file_of(o, typed, FrictionAtRest::optional), {}};
+  leave_results_out(asked.file, family, typed);
+  asked.question = branch_question(paper, family, typed, asked.file.parameters, o.example, o.at);
+  return along_machine(std::move(asked));
 }
 
 Asked asked_of_word(const BranchOptions& o, const proofs::methods::Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
   const int periods = whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1);
-  Asked asked{read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed), {}};
+  const TypedParameters typed = with_along(o.parameters, o.along);
+  Asked asked{file_of(o, typed, FrictionAtRest::needed), {}};
   leave_out(asked.file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  asked.question =
-      word_branch_question(paper, word, periods, o.parameters, asked.file.parameters, o.example, o.at);
-  return asked;
+  asked.question = word_branch_question(paper, word, periods, typed, asked.file.parameters, o.example, o.at);
+  return along_machine(std::move(asked));
 }
 
 bool is_decided(const BranchList& list) {

@@ -98,24 +98,33 @@ MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& 
 }
 
 ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
-                              const std::string& example, FrictionAtRest at_rest) {
-  if (file.empty()) {
-    return {};
+                              const std::string& example, FrictionAtRest at_rest,
+                              const std::function<TypedParameters(const TypedParameters&)>& one_of) {
+  TypedParameters parameters;
+  if (!file.empty()) {
+    parameters = parse_parameters(report::tools::read_file(file), file);
   }
-  const TypedParameters parameters = parse_parameters(report::tools::read_file(file), file);
   if (!are_in_SI(parameters)) {
+    for (const auto& [name, text] : options) {
+      if (is_in_SI(name)) {
+        throw UsageError(
+            fmt::format("{} is a value of a machine in SI units: give its file by --params", name));
+      }
+    }
     return {file, parameters, std::nullopt, {}, {}};
   }
   if (!example.empty()) {
     throw UsageError(fmt::format("--example does not go with the machine of {}: both give all data", file));
   }
   for (const auto& [name, text] : options) {
-    if (name != "phi") {
+    if (is_in_SI(name)) {
+      parameters[name] = text;
+    } else if (name != "phi") {
       throw UsageError(fmt::format(
           "--{} does not go with the machine of {}, which is in SI units: change it there", name, file));
     }
   }
-  const DataTaken taken = numeric::data_taken(machine_in_SI(parameters, file, at_rest));
+  const DataTaken taken = numeric::data_taken(machine_in_SI(one_of(parameters), file, at_rest));
   const numeric::motion::ExactParameters& a = taken.data;
   TypedParameters dimensionless{{"chi", to_string(a.chi)},     {"eta", to_string(a.eta)},
                                 {"us", to_string(a.us)},       {"V", to_string(a.V)},
@@ -139,6 +148,23 @@ Error in_keys_of(const std::string& file, const DomainError& error) {
     }
   }
   return error;
+}
+
+numeric::MachineAlong machine_between(const ParameterFile& file, const std::string& name,
+                                      const Rational& from, const Rational& to) {
+  if (name == "load_phase") {
+    throw UsageError("load_phase: no orbit depends on it, for it is where simulations begin");
+  }
+  const auto at = [&](const Rational& value) {
+    TypedParameters there = file.in_SI;
+    there[name] = to_string(value);
+    MachineInSI machine = machine_in_SI(there, file.name, FrictionAtRest::optional);
+    if (!file.machine->machine.friction_at_rest) {
+      machine.friction_at_rest.reset();
+    }
+    return machine;
+  };
+  return {at(from), at(to), from, to, file.machine->thousands};
 }
 
 void leave_out(ParameterFile& file, const std::string& parameter, const std::string& why) {

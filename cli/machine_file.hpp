@@ -1,12 +1,13 @@
 // A file of parameters: dimensionless ones, or a machine in SI units.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/typed_parameters.hpp"
-#include "numeric/machine.hpp"
+#include "numeric/machine_along.hpp"
 #include "numeric/orbits.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/tools/json.hpp"
@@ -28,11 +29,20 @@ enum class FrictionAtRest { needed, optional };
 [[nodiscard]] numeric::MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& file,
                                                  FrictionAtRest at_rest);
 
-// What is in the file; nothing if its name is empty. Of a machine in SI units neither an option but phi nor
-// an example may replace a part. Throws InputOutputError when the file cannot be read, and as
-// parse_parameters and machine_in_SI do.
-[[nodiscard]] ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
-                                            const std::string& example, FrictionAtRest at_rest);
+// What is in the file; nothing if its name is empty. Options replace values of a machine in SI units under
+// the names that these have in the file; no other option but phi goes with one, and no example. Throws
+// InputOutputError when the file cannot be read, and as parse_parameters and machine_in_SI do.
+// `one_of`: a machine among those that the values of one in SI units stand for; by default these are numbers.
+[[nodiscard]] ParameterFile read_parameters(
+    const std::string& file, const TypedParameters& options, const std::string& example,
+    FrictionAtRest at_rest,
+    const std::function<TypedParameters(const TypedParameters&)>& one_of = std::identity());
+
+// The machine of the file, with the friction at rest if that is not left out, where one of its values varies:
+// its data as functions of it. Throws as machine_in_SI does, UsageError for the load's phase, which moves
+// none.
+[[nodiscard]] numeric::MachineAlong machine_between(const ParameterFile& file, const std::string& name,
+                                                    const Rational& from, const Rational& to);
 
 // The error about a datum that was taken for a machine in SI units, with the key and value of its file before
 // it; the same error if there is no such file.

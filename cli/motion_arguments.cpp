@@ -27,7 +27,9 @@ constexpr const char * words_details =
 
 constexpr const char * branch_details =
     "Gives one parameter as an interval A..B and follows the orbits over it, each proved to\n"
-    "exist and to be the only one near it, as a function of the parameter. Every place where\n"
+    "exist and to be the only one near it, as a function of the parameter. Of a machine in SI\n"
+    "units that is one of the values in its file, --along load_frequency 7..8 or m1 3.9..4.1:\n"
+    "all data that it moves follow it exactly, and results are in SI units. Every place where\n"
     "something changes is enclosed to 1e-10, named, and proved to be passed once: a fold, a\n"
     "condition that is lost, a multiplier that crosses the unit circle, a phase that lasts no\n"
     "time. What cannot be resolved is listed, with its reason.\n\n"
@@ -162,6 +164,14 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
   add("FAMILY", options.family, "", paper.family_names);
   add_parameters(*command, options.parameters);
   add_sources(*command, options.example, options.file, paper);
+  command
+      ->add_option("--along", options.along,
+                   "The parameter that varies and its interval, such as omega 0.5..0.6,\nor load_frequency "
+                   "7..8 of a machine in SI units")
+      ->expected(2)
+      ->type_name("NAME A..B");
+  add("--units", options.units, "UNITS",
+      "si: results are in SI units; those of a machine in SI units\nalways are");
   add("--at", options.at, "NUMBER",
       "The branches of the orbits that there are at this value of the\nparameter alone");
   add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");

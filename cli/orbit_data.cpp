@@ -138,6 +138,26 @@ Along along_interval(TypedParameters& typed) {
   return found;
 }
 
+TypedParameters with_along(TypedParameters typed, const std::vector<std::string>& along) {
+  if (along.empty()) {
+    return typed;
+  }
+  const std::string& name = along[0];
+  if (!is_parameter(name) && !is_in_SI(name)) {
+    throw UsageError(fmt::format("along: '{}' is none of {}; or, of a machine in SI units, {}", name,
+                                 fmt::join(parameter_names, ", "), fmt::join(names_in_SI, ", ")));
+  }
+  if (along[1].find("..") == std::string::npos) {
+    throw UsageError(fmt::format("along: '{}' is no interval A..B, such as 0.1..0.5", along[1]));
+  }
+  typed[name] = along[1];
+  return typed;
+}
+
+Rational value_at(const Along& along, const std::string& at) {
+  return at.empty() ? Rational((along.from + along.to) / 2) : exact_number("at", at);
+}
+
 branches::BranchQuestion branch_question(const Paper& paper, const Family& family, TypedParameters typed,
                                          const TypedParameters& from_file, const std::string& example,
                                          const std::string& at) {
@@ -157,7 +177,7 @@ branches::BranchQuestion word_branch_question(const Paper& paper, const words::W
                                               TypedParameters typed, const TypedParameters& from_file,
                                               const std::string& example, const std::string& at) {
   const Along along = along_interval(typed);
-  const Rational value = at.empty() ? Rational((along.from + along.to) / 2) : exact_number("at", at);
+  const Rational value = value_at(along, at);
   typed[along.parameter] = to_string(value);
   const words::WordQuestion there = machine(paper, typed, from_file, example, OrbitsOptions::default_digits);
   branches::BranchQuestion asked = branches::word_question(

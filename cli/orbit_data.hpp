@@ -41,6 +41,13 @@ struct Along {
 // UsageError when none or several are intervals, and as exact_number.
 [[nodiscard]] Along along_interval(TypedParameters& typed);
 
+// What is typed with what --along NAME A..B says, if it says anything. Throws UsageError for a name that is
+// neither a parameter's nor a machine's in SI units.
+[[nodiscard]] TypedParameters with_along(TypedParameters typed, const std::vector<std::string>& along);
+
+// The value `at`, or the middle of the interval if that is empty. Throws UsageError.
+[[nodiscard]] Rational value_at(const Along& along, const std::string& at);
+
 // The question about the family's orbits over the one parameter that is typed as an interval "A..B": all of
 // them, or the branches of the orbits at the value `at` unless that is empty. Throws likewise, and when none
 // or several of the parameters are intervals.

@@ -79,10 +79,10 @@ TypedParameters parse_parameters(const std::string& text, const std::string& fil
       throw UsageError(fmt::format("{}: '{}' stands in a section, but parameters stand in none", file,
                                    fmt::join(item.parents, ".")));
     }
-    if (!has(parameter_names, item.name) && !has(names_in_SI, item.name)) {
+    if (!is_parameter(item.name) && !is_in_SI(item.name)) {
       not_a_parameter(item.name, file);
     }
-    if (!parameters.empty() && has(names_in_SI, item.name) != are_in_SI(parameters)) {
+    if (!parameters.empty() && is_in_SI(item.name) != are_in_SI(parameters)) {
       throw UsageError(fmt::format("{}: {} and {} do not go together, for one is in SI units and one is not",
                                    file, parameters.begin()->first, item.name));
     }
@@ -97,8 +97,16 @@ TypedParameters parse_parameters(const std::string& text, const std::string& fil
   return parameters;
 }
 
+bool is_parameter(const std::string& name) {
+  return has(parameter_names, name);
+}
+
+bool is_in_SI(const std::string& name) {
+  return has(names_in_SI, name);
+}
+
 bool are_in_SI(const TypedParameters& parameters) {
-  return !parameters.empty() && has(names_in_SI, parameters.begin()->first);
+  return !parameters.empty() && is_in_SI(parameters.begin()->first);
 }
 
 }  // namespace stickslip::cli

@@ -32,6 +32,9 @@ using TypedParameters = std::map<std::string, std::string>;
 // parameter; of what the model lacks, such as damping, that it has none. A byte order mark says nothing.
 [[nodiscard]] TypedParameters parse_parameters(const std::string& text, const std::string& file);
 
+[[nodiscard]] bool is_parameter(const std::string& name);
+[[nodiscard]] bool is_in_SI(const std::string& name);
+
 // Whether they are those of a machine in SI units.
 [[nodiscard]] bool are_in_SI(const TypedParameters& parameters);
 

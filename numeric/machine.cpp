@@ -64,12 +64,6 @@ Rational decimal_near(const Ball& value) {
   return parse_rational(to_text(value, DataTaken::digits).mid);
 }
 
-Rational power_of_1000(int exponent) {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 1000, static_cast<unsigned long>(std::abs(exponent)));
-  return exponent < 0 ? Rational(mpz_class(1), power) : Rational(power);
-}
-
 // With it the largest of the lengths is between 0.1 and 100.
 int readable_thousands(double largest) {
   return static_cast<int>(std::floor((std::log10(largest) + 1) / 3));
@@ -90,6 +84,12 @@ model::Machine<S> machine_over(const MachineInSI& m, const S& full_turn) {
 
 }  // namespace
 
+Rational power_of_1000(int exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 1000, static_cast<unsigned long>(std::abs(exponent)));
+  return exponent < 0 ? Rational(mpz_class(1), power) : Rational(power);
+}
+
 Ball DataTaken::Omega() const {
   return sqrt(Ball(Rational((machine.k1 + machine.k2) / machine.m1)));
 }
@@ -106,7 +106,7 @@ Ball DataTaken::frequency() const {
   return Omega() / (Ball(2) * Ball::pi());
 }
 
-DataTaken data_taken(const MachineInSI& machine) {
+DataTaken data_taken(const MachineInSI& machine, std::optional<int> given_thousands) {
   require_machine(machine);
   const WorkingPrecision precision(bits);
   const model::Machine<Ball> balls = machine_over<Ball>(machine, Ball(2) * Ball::pi());
@@ -120,8 +120,8 @@ DataTaken data_taken(const MachineInSI& machine) {
   if (machine.friction_at_rest) {
     ur = model::length_of<Rational>(exact, *machine.friction_at_rest);
   }
-  const int thousands = readable_thousands(
-      std::max({enclosed.V.approximate(), enclosed.us.approximate(), ur.value_or(Rational(0)).get_d()}));
+  const int thousands = given_thousands.value_or(readable_thousands(
+      std::max({enclosed.V.approximate(), enclosed.us.approximate(), ur.value_or(Rational(0)).get_d()})));
   const Rational unit = power_of_1000(thousands);
   const bool rounded_V = !root && machine.belt_velocity != 0;
   data.V = rounded_V ? decimal_near(enclosed.V / Ball(unit)) : Rational(data.V / unit);

@@ -35,11 +35,14 @@ struct DataTaken {
   [[nodiscard]] Ball frequency() const;  // what omega = 1 is, in Hz
 };
 
+[[nodiscard]] Rational power_of_1000(int exponent);
+
 // By (3). chi, eta, us, ur and p are rational; Omega is a square root and omega has a factor 2 pi, so omega
 // is irrational and V mostly is: they are replaced by decimals next to them, which is to say that
 // load_frequency and belt_velocity are changed by less than one part in 10^19. (No resonance is lost by that:
 // with rational data and 2 pi there is none.) Throws DomainError unless masses, stiffnesses, friction and
-// frequency are > 0, velocity and amplitude >= 0, friction at rest > sliding.
-[[nodiscard]] DataTaken data_taken(const MachineInSI& machine);
+// frequency are > 0, velocity and amplitude >= 0, friction at rest > sliding. The unit of length is the one
+// that `thousands` says, if it is given.
+[[nodiscard]] DataTaken data_taken(const MachineInSI& machine, std::optional<int> thousands = {});
 
 }  // namespace stickslip::numeric

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numeric/branches/end.hpp"
+#include "numeric/machine_along.hpp"
 #include "numeric/orbits.hpp"
 
 namespace stickslip::numeric::branches {
@@ -22,12 +23,17 @@ struct WordOrbits {
 };
 
 struct BranchQuestion {
-  OrbitQuestion orbits;   // exact; what it says of the free parameter does not count
-  std::string parameter;  // chi, eta, us, V, omega, p; phi or ur where the family takes it
-  Rational from, to;      // from < to
+  OrbitQuestion orbits;  // exact; what it says of the free parameter does not count
+  // chi, eta, us, V, omega, p; phi or ur where the family takes it; or a value of `machine`.
+  std::string parameter;
+  Rational from, to;  // from < to
   // Follow the branches of the orbits that there are at this value; without it all branches are looked for.
   std::optional<Rational> at;
   std::optional<WordOrbits> word = {};
+  // In SI units: then `orbits` are the data taken for it at one of the values, and what varies is the name of
+  // the machine's value.
+  std::optional<MachineAlong> machine = {};
+  std::string machine_file = {};  // for the command that asks again
 };
 
 // What the orbits on a piece of a branch are, every one of them.

@@ -58,8 +58,7 @@ Eigen::VectorXd tangent(const Curve& curve, const Point& point, const Eigen::Vec
   for (int i = 0; i < n; ++i) {
     x(i) = ParameterJet::variable(point.x(i).midpoint(), i, n + 1);
   }
-  VectorOf<ParameterJet> p = curve.data.cast<ParameterJet>();
-  p(curve.place) = ParameterJet::variable(point.value.midpoint(), n, n + 1);
+  const VectorOf<ParameterJet> p = curve.data_at(ParameterJet::variable(point.value.midpoint(), n, n + 1));
   const VectorOf<ParameterJet> f = curve.equations.closing<ParameterJet>(x, p);
   Eigen::MatrixXd slope(n, n + 1);
   for (int i = 0; i < n; ++i) {
@@ -316,8 +315,7 @@ Point unscaled_point(const Units& units, const Point& point) {
 }
 
 Point point_of(const Driven& f, const Vector& y, const Vector& q) {
-  const auto s = f.split<Ball>(y, q);
-  const Point point{s.x, s.p(f.curve->place)};
+  const Point point{f.split<Ball>(y, q).x, f.value<Ball>(y, q)};
   return f.curve->units ? unscaled_point(*f.curve->units, point) : point;
 }
 

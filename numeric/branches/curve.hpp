@@ -16,6 +16,7 @@
 
 #include "core/rational.hpp"
 #include "numeric/branches/end.hpp"
+#include "numeric/machine_along.hpp"
 #include "numeric/motion/closing.hpp"
 
 namespace stickslip::numeric::branches {
@@ -37,7 +38,8 @@ struct Units {
   friend bool operator==(const Units&, const Units&) = default;
 };
 
-// Closing conditions with one free parameter: where it stands among the data, and its interval.
+// Closing conditions with one free parameter, and its interval: the parameter stands at `place` among the
+// data, or is a value of a machine in SI units, on which they depend.
 struct Curve {
   motion::Closing equations;
   zeros::Vector data;  // whatever stands at `place`
@@ -48,6 +50,18 @@ struct Curve {
   double far = HUGE_VAL;
   std::vector<Growth> growths = {};
   std::optional<Units> units = {};  // of the unknowns and the motions, where these are not their own
+  std::optional<MachineAlong> machine = {};
+
+  // In the equations' order, at that value of the free parameter.
+  template <class T>
+  [[nodiscard]] zeros::VectorOf<T> data_at(const T& value) const {
+    if (machine) {
+      return equations.parameters<T>(machine->at<T, Ball>(value));
+    }
+    zeros::VectorOf<T> p = data.template cast<T>();
+    p(place) = value;
+    return p;
+  }
 };
 
 inline constexpr int by_parameter = -1;
@@ -64,8 +78,7 @@ struct Driven {
   };
   template <class T>
   [[nodiscard]] Split<T> split(const zeros::VectorOf<T>& y, const zeros::VectorOf<T>& q) const {
-    Split<T> s{y, curve->data.template cast<T>()};
-    s.p(curve->place) = driver == by_parameter ? q(0) : y(driver);
+    Split<T> s{y, curve->data_at<T>(value<T>(y, q))};
     if (driver != by_parameter) {
       s.x(driver) = q(0);
     }

@@ -25,9 +25,10 @@ constexpr double free_looks = 160;
 // Where it is given, in the motion's units.
 template <class T>
 std::optional<T> given_friction(const Law& law, const T& value, const T& unit) {
-  return law.ur_is_free ? std::optional(T(value * unit))
-         : law.ur       ? std::optional(T(T(Ball(*law.ur)) * unit))
-                        : std::nullopt;
+  return law.ur_is_free          ? std::optional(T(value * unit))
+         : law.ur && law.machine ? std::optional(T(*law.machine->at<T, Ball>(value).ur * unit))
+         : law.ur                ? std::optional(T(T(Ball(*law.ur)) * unit))
+                                 : std::nullopt;
 }
 
 int sign(const Ball& x) {

@@ -26,8 +26,9 @@ struct Law {
   bool ur_is_result = false;   // r when the first phase begins
   std::optional<Rational> ur;  // where it is given and not the free parameter
   bool ur_is_free = false;
-  bool phi_is_given = false;  // of the load when the first phase begins
-  bool is_symmetric = false;  // all motions are orbits of Section 4
+  std::optional<MachineAlong> machine = {};  // whose value the free parameter is: then its ur, if it is given
+  bool phi_is_given = false;                 // of the load when the first phase begins
+  bool is_symmetric = false;                 // all motions are orbits of Section 4
 
   template <class S>
   [[nodiscard]] motion::ExitFactors<S> exit_factors(const motion::MotionOf<S>& motion) const {

@@ -94,8 +94,7 @@ class Description {
 
   // The name of the natural frequency that omega may have somewhere in the gap; empty if it has none.
   [[nodiscard]] std::string resonance(const Gap& gap) const {
-    zeros::Vector p = t_.curve.data;
-    p(t_.curve.place) = gap.at;
+    const zeros::Vector p = t_.curve.data_at(gap.at);
     const model::Modes<Ball> m = model::modes<Ball>(p(0), p(1));
     return m.omega1.overlaps(p(4)) ? "omega1" : m.omega2.overlaps(p(4)) ? "omega2" : "";
   }

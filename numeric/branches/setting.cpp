@@ -54,13 +54,32 @@ Given<Rational> exact(const OrbitQuestion& q) {
       {a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle}, of(q.phi), of(q.ur)};
 }
 
+OrbitQuestion at_one_value(const OrbitQuestion& q, const Given<Rational>& given) {
+  const ExactParameters& a = given.data;
+  const auto range = [](const std::optional<Rational>& value) {
+    return value ? std::optional(Range{*value}) : std::nullopt;
+  };
+  return {q.family,
+          {Range{a.chi}, Range{a.eta}, Range{a.us}, Range{a.V}, Range{a.omega}, Range{a.p}},
+          range(given.phi),
+          range(given.ur),
+          q.digits};
+}
+
 }  // namespace
 
 Given<Rational> data_at(const BranchQuestion& question, const Rational& value) {
+  if (question.machine) {
+    const DataTaken taken = question.machine->taken(value);
+    return {taken.data, question.machine->phi, taken.ur};
+  }
   return exact(with(question, {value}));
 }
 
 StripQuestion strip_question(const BranchQuestion& question) {
+  if (question.machine) {
+    return {data_at(question, question.to), parameters.size(), question.from, question.to, question.machine};
+  }
   const auto place = std::find(parameters.begin(), parameters.end(), question.parameter) - parameters.begin();
   return {data_at(question, question.from), static_cast<std::size_t>(place), question.from, question.to};
 }
@@ -70,7 +89,8 @@ void require_question(const BranchQuestion& question) {
     throw UsageError(
         "a branch of a word is along chi, eta, us, V, omega, p or ur, from its orbits at a value");
   }
-  if (std::find(parameters.begin(), parameters.end(), question.parameter) == parameters.end()) {
+  if (!question.machine &&
+      std::find(parameters.begin(), parameters.end(), question.parameter) == parameters.end()) {
     throw UsageError(fmt::format("'{}' is none of {}, which a branch can be along", question.parameter,
                                  "chi, eta, us, V, omega, p, phi and ur"));
   }
@@ -98,6 +118,12 @@ void require_question(const BranchQuestion& question) {
     }
     return;
   }
+  if (question.machine) {
+    for (const Rational& end : {question.from, question.to}) {
+      require_answerable(at_one_value(question.orbits, data_at(question, end)));
+    }
+    return;
+  }
   require_answerable(with(question, {(question.from + question.to) / 2, (question.to - question.from) / 2}));
 }
 
@@ -109,6 +135,7 @@ Law law_of_word(const BranchQuestion& question) {
   if (!law.ur_is_free) {
     law.ur = question.orbits.ur->middle;
   }
+  law.machine = question.machine;
   law.requirements = question.orbits.family->requirements;
   law.conditions = [family = question.word->family](const ClosedMotion& closed,
                                                     const std::optional<Ball>& ur) {
@@ -126,6 +153,7 @@ Law law_of(const BranchQuestion& question) {
   const Family& family = *question.orbits.family;
   const OrbitQuestion& q = question.orbits;
   Law law;
+  law.machine = question.machine;
   law.ur_is_result = has_stick(family);
   law.phi_is_given = q.phi.has_value() || question.parameter == "phi";
   law.ur_is_free = !law.ur_is_result && question.parameter == "ur";
@@ -144,7 +172,8 @@ Law law_of(const BranchQuestion& question) {
   }
   // (36) is (25) of an orbit whose slip lasts half a period at V = 0: there x(0) = Q cos(phi), for the motion
   // that the friction excites alone is odd about t = 0.
-  if (&family == &nonsticking() && q.parameters.V.middle == 0 && question.parameter != "V") {
+  const auto at_rest = [&](const Rational& value) { return data_at(question, value).data.V == 0; };
+  if (&family == &nonsticking() && at_rest(question.from) && at_rest(question.to)) {
     law.requirements.push_back({"36", "", Quantity::beyond_ur, 0});
   }
   law.conditions = [&family](const ClosedMotion& closed, const std::optional<Ball>& ur) {
@@ -179,10 +208,14 @@ Curve curve_of(const BranchQuestion& question, const Closing& equations) {
   balls.phi = given.phi ? std::optional(Ball(*given.phi)) : std::nullopt;
   balls.ur = given.ur ? std::optional(Ball(*given.ur)) : std::nullopt;
   Curve curve{equations, equations.parameters(balls), 0, question.from, question.to};
+  curve.machine = question.machine;
+  curve.growths = growths_of(question);
+  if (question.machine) {
+    return curve;
+  }
   const std::vector<std::string> names = equations.parameter_names();
   const auto found = std::find(names.begin(), names.end(), question.parameter);
   curve.place = static_cast<int>(found - names.begin());
-  curve.growths = growths_of(question);
   if (found == names.end()) {
     // The equations do not depend on it.
     curve.data.conservativeResize(curve.data.size() + 1);
@@ -192,14 +225,8 @@ Curve curve_of(const BranchQuestion& question, const Closing& equations) {
 }
 
 std::string resonance_near(const Ball& value, const BranchQuestion& question) {
-  const Given<Rational> given = data_at(question, question.from);
-  model::Parameters<double> a = parameters_as<double>(given.data);
-  const std::array<double *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (question.parameter == parameters[k]) {
-      *all[k] = value.approximate();
-    }
-  }
+  const auto a = parameters_as<double>(
+      data_at(question, std::clamp(Rational(value.approximate()), question.from, question.to)).data);
   const model::Modes<double> m = model::modes<double>(a.chi, a.eta);
   for (const auto& [frequency, name] :
        {std::pair(m.omega1, "omega1"), std::pair(1.0, "1"), std::pair(m.omega2, "omega2")}) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "numeric/machine_along.hpp"
 #include "numeric/motion/closing.hpp"
 #include "numeric/scalars/form.hpp"
 #include "numeric/zeros/search.hpp"
@@ -21,6 +22,8 @@ struct StripQuestion {
   motion::Given<Rational> given;
   std::size_t place = 0;
   Rational from, to;
+  // Then it is that of the machine which varies, and `given` are the data at its upper end.
+  std::optional<MachineAlong> machine = {};
 };
 
 // v, of which a family with one unknown takes the first, and how far the parameter is on its way from the one
@@ -82,6 +85,9 @@ using StripForm = scalars::Form<S, 3>;
 
 template <class S>
 [[nodiscard]] motion::Given<StripForm<S>> forms(const StripQuestion& q, const StripForm<S>& parameter) {
+  if (q.machine) {
+    return q.machine->at<StripForm<S>, S>(parameter);
+  }
   const model::Parameters<Rational>& a = q.given.data;
   const auto form = [&](std::size_t k, const Rational& value) {
     return k == q.place ? parameter : StripForm<S>(scalars::scalar<S>(value));

@@ -24,20 +24,23 @@ Given<Ball> rounded(const Given<Rational>& given) {
 
 }  // namespace
 
-Vector Closing::parameters(const Given<Ball>& given) const {
+template <class T>
+VectorOf<T> Closing::parameters(const Given<T>& given) const {
   if ((takes_phi_ && !given.phi) || (takes_ur_ && !given.ur)) {
     throw InternalError("the load's phase or the friction of a motion is not given");
   }
-  const model::Parameters<Ball>& a = given.data;
-  std::vector<Ball> p{a.chi, a.eta, a.us, a.V, a.omega, a.p};
+  const model::Parameters<T>& a = given.data;
+  std::vector<T> p{a.chi, a.eta, a.us, a.V, a.omega, a.p};
   if (takes_phi_) {
     p.push_back(*given.phi);
   }
   if (takes_ur_) {
     p.push_back(*given.ur);
   }
-  return Eigen::Map<Vector>(p.data(), static_cast<Eigen::Index>(p.size()));
+  return Eigen::Map<VectorOf<T>>(p.data(), static_cast<Eigen::Index>(p.size()));
 }
+template VectorOf<Ball> Closing::parameters(const Given<Ball>&) const;
+template VectorOf<ParameterJet> Closing::parameters(const Given<ParameterJet>&) const;
 
 std::vector<std::string> Closing::parameter_names() const {
   std::vector<std::string> names{"chi", "eta", "us", "V", "omega", "p"};

@@ -56,7 +56,8 @@ class Closing {
 
   // p, and the names of its members on the command line. Throws InternalError when a datum that is taken is
   // not given.
-  [[nodiscard]] zeros::Vector parameters(const Given<Ball>& given) const;
+  template <class T = Ball>
+  [[nodiscard]] zeros::VectorOf<T> parameters(const Given<T>& given) const;
   [[nodiscard]] std::vector<std::string> parameter_names() const;
 
  private:

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/decimal.hpp"
 #include "numeric/families/family.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
@@ -25,12 +27,15 @@ constexpr int digits = 12;
 // The data except for the one that varies.
 std::string others(const BranchQuestion& q) {
   std::string text;
-  for (const NamedRange& parameter : named_parameters(q.orbits)) {
-    if (parameter.name != q.parameter) {
-      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter.name, notation(parameter.range));
-    }
+  for (const auto& [name, value] : parameters_of(q)) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value);
   }
-  return text;
+  return q.machine ? text + ", in SI units" : text;
+}
+
+// What the units of (2) are where what varies is that; those of (2) themselves without a machine.
+Units units_at(const BranchQuestion& q, double value) {
+  return q.machine ? Units(q.machine->taken(std::clamp(Rational(value), q.from, q.to))) : Units();
 }
 
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
@@ -71,17 +76,18 @@ std::string state_in_words(const Piece& piece) {
                                  : fmt::format("{}: {}", to_string(piece.state), piece.condition);
 }
 
-std::string change_in_words(const Change& change) {
+std::string change_in_words(const Change& change, const BranchQuestion& q) {
   std::string text = to_string(change.kind) + (change.what.empty() ? "" : " " + change.what);
   if (change.kind != ChangeKind::resonance) {
     text += ": " + change.words;
   }
-  return change.when && change.when->is_finite() ? text + fmt::format("; at t = {}", rounded(*change.when, 6))
-                                                 : text;
+  const std::optional<Ball> time = time_of(q, change);
+  return time ? text + fmt::format("; at t = {}{}", rounded(*time, 6), q.machine ? " s" : "") : text;
 }
 
-std::string branch_text(const Branch& branch, std::size_t number, const Style& style) {
-  const BranchRows told = rows_of(branch);
+std::string branch_text(const Branch& branch, const BranchQuestion& q, std::size_t number,
+                        const Style& style) {
+  const BranchRows told = rows_of(branch, q);
   std::vector<Row> pieces, changes;
   for (std::size_t k = 0; k < told.pieces.size(); ++k) {
     const Row& row = told.pieces[k];
@@ -98,23 +104,78 @@ std::string branch_text(const Branch& branch, std::size_t number, const Style& s
 
 }  // namespace
 
-OrbitStart start_of(const motion::MotionOf<double>& m) {
+SampleValues values_of(const BranchQuestion& q, const Sample& sample) {
+  const motion::MotionOf<double>& m = sample.motion;
+  const Units units = units_at(q, sample.value);
   const auto& first = m.phases.front();
-  return {first.load, first.Z(0) + m.oscillator.d0(0), first.Z(1) + m.oscillator.d0(1), first.Z(2)};
+  const model::Vector4<double> X =
+      units.state({first.Z(0) + m.oscillator.d0(0), first.Z(1) + m.oscillator.d0(1), first.Z(2), first.Z(3)});
+  SampleValues values{{}, first.load, X(0), X(1), X(2)};
+  for (const auto& phase : m.phases) {
+    values.durations.push_back(units.time(phase.duration));
+  }
+  return values;
+}
+
+std::optional<Ball> time_of(const BranchQuestion& q, const Change& change) {
+  if (!change.when || !change.when->is_finite()) {
+    return std::nullopt;
+  }
+  return q.machine ? *change.when / q.machine->Omega(change.at) : *change.when;
+}
+
+std::vector<NamedBall> where(const BranchQuestion& q, const UnresolvedPart& part) {
+  std::vector<NamedBall> values = part.where;
+  for (NamedBall& one : values) {
+    if (q.machine && one.name.starts_with("t")) {
+      one.value = one.value / q.machine->Omega(part.value);
+    }
+  }
+  return values;
+}
+
+std::vector<std::pair<std::string, std::string>> parameters_of(const BranchQuestion& q) {
+  std::vector<std::pair<std::string, std::string>> parameters;
+  if (!q.machine) {
+    for (const NamedRange& parameter : named_parameters(q.orbits)) {
+      if (parameter.name != q.parameter) {
+        parameters.emplace_back(parameter.name, notation(parameter.range));
+      }
+    }
+    return parameters;
+  }
+  const auto first = values_in_SI(q.machine->at_from), last = values_in_SI(q.machine->at_to);
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const auto& [name, from] = first[k];
+    if (name != q.parameter && name != "load_phase") {
+      const Rational& to = last[k].second;
+      parameters.emplace_back(name, from == to
+                                        ? stickslip::to_string(from)
+                                        : stickslip::to_string(from) + ".." + stickslip::to_string(to));
+    }
+  }
+  if (q.machine->phi) {
+    parameters.emplace_back("phi", stickslip::to_string(*q.machine->phi));
+  }
+  return parameters;
+}
+
+std::string parameter_of(const BranchQuestion& q) {
+  return q.parameter + (q.machine ? in_unit_of(q.parameter) : "");
 }
 
 std::vector<Row> rows_of(const BranchList& list) {
   const BranchQuestion& q = list.question;
   return {{{"parameters"}, {others(q)}},
           {{"along"},
-           {fmt::format("{} from {} to {}", q.parameter, stickslip::to_string(q.from),
+           {fmt::format("{} from {} to {}", parameter_of(q), stickslip::to_string(q.from),
                         stickslip::to_string(q.to))}},
           {{"searched"}, {searched_in(list)}},
           {{"complete"}, {complete_in_words(list)}},
           {{"result"}, {result_of(list)}}};
 }
 
-BranchRows rows_of(const Branch& branch) {
+BranchRows rows_of(const Branch& branch, const BranchQuestion& q) {
   BranchRows told{fmt::format("from {}, {}, to {}, {}", rounded(branch.first.at, digits), branch.first.words,
                               rounded(branch.last.at, digits), branch.last.words),
                   {},
@@ -126,7 +187,7 @@ BranchRows rows_of(const Branch& branch) {
   for (const Change& change : branch.changes) {
     const bool proved = change.verdict.truth == Truth::proved;
     told.changes.push_back({{readable(change.at, digits)},
-                            {change_in_words(change)},
+                            {change_in_words(change, q)},
                             {proved ? to_string(change.verdict.truth) : change.verdict.reason}});
   }
   return told;
@@ -135,12 +196,12 @@ BranchRows rows_of(const Branch& branch) {
 std::vector<Row> unresolved_rows(const BranchList& list) {
   std::vector<Row> rows;
   for (const UnresolvedPart& part : list.unresolved) {
-    std::string where;
-    for (const NamedBall& value : part.where) {
-      where += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
+    std::string at;
+    for (const NamedBall& value : where(list.question, part)) {
+      at += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
     }
     rows.push_back({{fmt::format("{} = {}", list.question.parameter, readable(part.value, digits))},
-                    {where + part.reason}});
+                    {at + part.reason}});
   }
   return rows;
 }
@@ -174,10 +235,10 @@ std::string terminal_report(const BranchList& list, const Style& style) {
                  style.width) +
       columns_of(rows, style.width);
   for (std::size_t k = 0; k < list.branches.size(); ++k) {
-    text += branch_text(list.branches[k], k + 1, style);
+    text += branch_text(list.branches[k], q, k + 1, style);
   }
   std::vector<Row> counts = count_rows(list);
-  counts.insert(counts.begin(), {{q.parameter}, {""}, {"orbits"}, {"admissible"}, {"stable"}});
+  counts.insert(counts.begin(), {{parameter_of(q)}, {""}, {"orbits"}, {"admissible"}, {"stable"}});
   return text + "\n" + columns_of(counts, style.width);
 }
 
@@ -192,11 +253,11 @@ std::string to_csv(const BranchList& list) {
     const std::vector<Piece>& pieces = list.branches[b].pieces;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       for (const Sample& sample : pieces[k].samples) {
+        const SampleValues s = values_of(q, sample);
         text += fmt::format("{:.17g},{},{},{}", sample.value, b + 1, k + 1, to_string(pieces[k].state));
-        for (const auto& phase : sample.motion.phases) {
-          text += fmt::format(",{:.17g}", phase.duration);
+        for (const double duration : s.durations) {
+          text += fmt::format(",{:.17g}", duration);
         }
-        const OrbitStart s = start_of(sample.motion);
         text += fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g}\n", s.phi, s.x10, s.x20, s.xdot10);
       }
     }
@@ -245,14 +306,14 @@ std::string plot_script(const BranchList& list, PlotFormat format, PlotShape sha
                                                                         : 3]
                                .table;
       for (const Sample& s : piece.samples) {
-        table += fmt::format("{:.10g} {:.8g}\n", s.value, start_of(s.motion).x20);
+        table += fmt::format("{:.10g} {:.8g}\n", s.value, values_of(q, s).x20);
       }
       table += "\n";
     }
     for (const Change& change : branch.changes) {
       if (const Sample * s = nearest(branch, change.at.approximate())) {
         marks[static_cast<std::size_t>(change.kind)].table +=
-            fmt::format("{:.10g} {:.8g}\n", change.at.approximate(), start_of(s->motion).x20);
+            fmt::format("{:.10g} {:.8g}\n", change.at.approximate(), values_of(q, *s).x20);
       }
     }
   }
@@ -276,8 +337,9 @@ std::string plot_script(const BranchList& list, PlotFormat format, PlotShape sha
     return "";
   }
   data["family"] = q.orbits.family->name;
-  data["parameter"] = q.parameter;
-  data["parameters"] = in_greek(others(q));
+  data["parameter"] = parameter_of(q);
+  data["x2"] = q.machine ? "x2 in m" : "x2";
+  data["parameters"] = q.machine ? others(q) : in_greek(others(q));
   data["from"] = fmt::format("{:.8g}", q.from.get_d());
   data["to"] = fmt::format("{:.8g}", q.to.get_d());
   return render_file("branches.gp", data, plain_format);
@@ -288,13 +350,17 @@ std::string command_of(const BranchQuestion& q) {
   if (q.word && q.word->periods > 1) {
     command += fmt::format(" --period={}", q.word->periods);
   }
-  for (const NamedRange& parameter : named_parameters(q.orbits)) {
-    if (parameter.name != q.parameter) {
-      command += fmt::format(" --{}={}", parameter.name, notation(parameter.range));
+  if (q.machine) {
+    command += fmt::format(" --params {}{} --along {} {}..{}", q.machine_file,
+                           q.machine->phi ? " --phi=" + stickslip::to_string(*q.machine->phi) : "",
+                           q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to));
+  } else {
+    for (const auto& [name, value] : parameters_of(q)) {
+      command += fmt::format(" --{}={}", name, value);
     }
+    command +=
+        fmt::format(" --{}={}..{}", q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to));
   }
-  command +=
-      fmt::format(" --{}={}..{}", q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to));
   return q.at ? command + " --at=" + stickslip::to_string(*q.at) : command;
 }
 

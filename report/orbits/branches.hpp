@@ -26,26 +26,40 @@ struct BranchRows {
   std::string heading;
   std::vector<tools::Row> pieces, changes;
 };
-[[nodiscard]] BranchRows rows_of(const numeric::branches::Branch& branch);
+[[nodiscard]] BranchRows rows_of(const numeric::branches::Branch& branch,
+                                 const numeric::branches::BranchQuestion& question);
 // The question and its result, a label and a sentence each; what is unresolved, where and why; from, to, and
 // how many orbits there are between, how many admissible and stable.
 [[nodiscard]] std::vector<tools::Row> rows_of(const numeric::branches::BranchList& list);
 [[nodiscard]] std::vector<tools::Row> unresolved_rows(const numeric::branches::BranchList& list);
 [[nodiscard]] std::vector<tools::Row> count_rows(const numeric::branches::BranchList& list);
 
-// The start of a motion, as the paper names it.
-struct OrbitStart {
+// How long the phases of an orbit last, and its start, as the paper names it: all in SI units along a value
+// of a machine, else dimensionless.
+struct SampleValues {
+  std::vector<double> durations;
   double phi, x10, x20, xdot10;
 };
-[[nodiscard]] OrbitStart start_of(const numeric::motion::MotionOf<double>& motion);
+[[nodiscard]] SampleValues values_of(const numeric::branches::BranchQuestion& question,
+                                     const numeric::branches::Sample& sample);
+// The same of where in the motion something changes, and of where there may be orbits.
+[[nodiscard]] std::optional<Ball> time_of(const numeric::branches::BranchQuestion& question,
+                                          const numeric::branches::Change& change);
+[[nodiscard]] std::vector<numeric::NamedBall> where(const numeric::branches::BranchQuestion& question,
+                                                    const numeric::branches::UnresolvedPart& part);
 
-// What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "complete",
-// "at"?, "branches": [{"from", "to",
-// "closed", "ends": [{"at", "kind", "reason", "resolved"}], "pieces": [{"from", "to", "state", "violates"?}],
-// "changes": [{"kind", "condition" | "multiplier" | "duration" | "frequency"?, "words", "at", "time"?,
-// "verdict", "reason"?}], "samples": [{"value", "state", durations, "phi", "x10", "x20", "xdot10"}]}],
-// "counts": [{"from", "to", "orbits", "admissible", "stable", "unsettled", "undecided",
-// "more"}], "unresolved":
+// What stays, by its name: a number or, of a machine, the interval in which it follows what varies.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> parameters_of(
+    const numeric::branches::BranchQuestion& question);
+// What varies: "omega", "load_frequency in Hz".
+[[nodiscard]] std::string parameter_of(const numeric::branches::BranchQuestion& question);
+
+// What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "units"?: "si",
+// "complete", "at"?, "branches": [{"from", "to", "closed", "ends": [{"at", "kind", "reason", "resolved"}],
+// "pieces": [{"from", "to", "state", "violates"?}], "changes": [{"kind", "condition" | "multiplier" |
+// "duration" | "frequency"?, "words", "at", "time"?, "verdict", "reason"?}], "samples": [{"value", "state",
+// durations, "phi", "x10", "x20", "xdot10"}]}], "counts": [{"from", "to", "orbits", "admissible", "stable",
+// "unsettled", "undecided", "more"}], "unresolved":
 // [{"value", "reason", "resonance", …}], "interrupted"}.
 [[nodiscard]] tools::Json to_json(const numeric::branches::BranchList& list);
 

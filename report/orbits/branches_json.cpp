@@ -14,7 +14,7 @@ using namespace tools;
 
 namespace {
 
-Json change_data(const Change& change) {
+Json change_data(const Change& change, const BranchQuestion& q) {
   static constexpr std::array names{"", "condition", "multiplier", "duration", "frequency"};
   Json json = {{"kind", to_string(change.kind)}};
   if (!change.what.empty()) {
@@ -22,8 +22,8 @@ Json change_data(const Change& change) {
   }
   json["words"] = change.words;
   json["at"] = to_json(change.at, 20);
-  if (change.when && change.when->is_finite()) {
-    json["time"] = to_json(*change.when, 20);
+  if (const auto time = time_of(q, change)) {
+    json["time"] = to_json(*time, 20);
   }
   json["verdict"] = to_string(change.verdict.truth);
   if (!change.verdict.reason.empty()) {
@@ -38,7 +38,7 @@ Json branch_data(const Branch& branch, const BranchQuestion& q) {
                {"closed", branch.closed},
                {"ends", Json::array()},
                {"pieces", Json::array()},
-               {"changes", list_of(branch.changes, [](const Change& c) { return change_data(c); })},
+               {"changes", list_of(branch.changes, [&](const Change& c) { return change_data(c, q); })},
                {"samples", Json::array()}};
   for (const BranchEnd * end : {&branch.first, &branch.last}) {
     json["ends"].push_back({{"at", to_json(end->at, 20)},
@@ -56,10 +56,10 @@ Json branch_data(const Branch& branch, const BranchQuestion& q) {
     json["pieces"].push_back(one);
     for (const Sample& sample : piece.samples) {
       Json here = {{"value", sample.value}, {"state", to_string(piece.state)}};
-      for (std::size_t k = 0; k < sample.motion.phases.size(); ++k) {
-        here[q.orbits.family->durations[k]] = sample.motion.phases[k].duration;
+      const SampleValues start = values_of(q, sample);
+      for (std::size_t k = 0; k < start.durations.size(); ++k) {
+        here[q.orbits.family->durations[k]] = start.durations[k];
       }
-      const OrbitStart start = start_of(sample.motion);
       here["phi"] = start.phi;
       here["x10"] = start.x10;
       here["x20"] = start.x20;
@@ -79,10 +79,11 @@ Json to_json(const BranchList& list) {
   json["parameter"] = q.parameter;
   json["interval"] = {stickslip::to_string(q.from), stickslip::to_string(q.to)};
   json["parameters"] = Json::object();
-  for (const NamedRange& parameter : named_parameters(q.orbits)) {
-    if (parameter.name != q.parameter) {
-      json["parameters"][parameter.name] = notation(parameter.range);
-    }
+  for (const auto& [name, value] : parameters_of(q)) {
+    json["parameters"][name] = value;
+  }
+  if (q.machine) {
+    json["units"] = "si";
   }
   json["complete"] = list.complete;
   if (q.at) {
@@ -95,9 +96,9 @@ Json to_json(const BranchList& list) {
                 {"stable", count.stable},          {"unsettled", count.unsettled},
                 {"undecided", count.undecided},    {"more", count.more}};
   });
-  json["unresolved"] = list_of(list.unresolved, [](const UnresolvedPart& part) {
+  json["unresolved"] = list_of(list.unresolved, [&](const UnresolvedPart& part) {
     Json one = {{"value", to_json(part.value, 20)}};
-    add_values(one, part.where, 20);
+    add_values(one, where(q, part), 20);
     one["reason"] = plain(part.reason);
     one["resonance"] = part.resonance;
     return one;

@@ -36,8 +36,8 @@ Json cells(const std::vector<Row>& rows, const std::vector<std::string>& names) 
   });
 }
 
-Json branch_data(const Branch& branch, std::size_t number) {
-  const BranchRows told = rows_of(branch);
+Json branch_data(const Branch& branch, const BranchQuestion& q, std::size_t number) {
+  const BranchRows told = rows_of(branch, q);
   const bool decided = is_decided(branch);
   Json data = {{"number", number},
                {"tone", decided ? "proved" : "undecided"},
@@ -64,13 +64,13 @@ std::vector<File> pages(const BranchList& list, const PageFrame& frame) {
   const std::vector<Row> facts = rows_of(list);
   data["tables"].push_back(table("question", "Question", facts));
   data["family"] = q.orbits.family->title;
-  data["parameter"] = q.parameter;
+  data["parameter"] = parameter_of(q);
   data["picture_in_words"] =
       fmt::format("x2 where the first phase begins against {}: {}. The tables below say the same.",
-                  q.parameter, facts.back()[1].text);
+                  parameter_of(q), facts.back()[1].text);
   data["branches"] = Json::array();
   for (const Branch& branch : list.branches) {
-    data["branches"].push_back(branch_data(branch, data["branches"].size() + 1));
+    data["branches"].push_back(branch_data(branch, q, data["branches"].size() + 1));
   }
   data["counts"] = cells(count_rows(list), {"from", "to", "orbits", "admissible", "stable"});
   data["unresolved"] = rows_data(unresolved_rows(list));

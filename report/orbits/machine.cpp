@@ -122,20 +122,27 @@ std::string terminal_report(const DataTaken& taken, const Style& style) {
          columns_of(machine_rows(taken), style.width) + "\n";
 }
 
+std::vector<std::pair<std::string, Rational>> values_in_SI(const MachineInSI& m) {
+  std::vector<std::pair<std::string, Rational>> values{{"m1", m.m1},
+                                                       {"m2", m.m2},
+                                                       {"k1", m.k1},
+                                                       {"k2", m.k2},
+                                                       {"friction_sliding", m.friction_sliding},
+                                                       {"belt_velocity", m.belt_velocity},
+                                                       {"load_amplitude", m.load_amplitude},
+                                                       {"load_frequency", m.load_frequency},
+                                                       {"load_phase", m.load_phase}};
+  if (m.friction_at_rest) {
+    values.emplace_back("friction_at_rest", *m.friction_at_rest);
+  }
+  return values;
+}
+
 Json to_json(const DataTaken& taken) {
   const WorkingPrecision precision(bits);
-  const MachineInSI& m = taken.machine;
-  Json si = {{"m1", to_string(m.m1)},
-             {"m2", to_string(m.m2)},
-             {"k1", to_string(m.k1)},
-             {"k2", to_string(m.k2)},
-             {"friction_sliding", to_string(m.friction_sliding)},
-             {"belt_velocity", to_string(m.belt_velocity)},
-             {"load_amplitude", to_string(m.load_amplitude)},
-             {"load_frequency", to_string(m.load_frequency)},
-             {"load_phase", to_string(m.load_phase)}};
-  if (m.friction_at_rest) {
-    si["friction_at_rest"] = to_string(*m.friction_at_rest);
+  Json si;
+  for (const auto& [name, value] : values_in_SI(taken.machine)) {
+    si[name] = to_string(value);
   }
   const auto ball = [](const Ball& value) { return to_json(value, DataTaken::digits); };
   Json json = {{"si", si},

@@ -21,6 +21,9 @@ namespace stickslip::report::orbits {
 // "rounded": ["omega", "V"]}. Friction is in N; friction_at_rest is absent where it is a result.
 [[nodiscard]] tools::Json to_json(const numeric::DataTaken& taken);
 
+// Of a machine, each under its name in JSON; friction in N.
+[[nodiscard]] std::vector<std::pair<std::string, Rational>> values_in_SI(const numeric::MachineInSI& machine);
+
 // " in kg", "" for a coefficient: of a value of a machine in SI units, by its name in the machine's file.
 [[nodiscard]] std::string in_unit_of(const std::string& name);
 

@@ -1,12 +1,14 @@
 // stickslip branch from outside: exit codes, sentences, JSON, tables.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/error.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/cli/machines.hpp"
 #include "tests/report/temporary.hpp"
 
 using namespace stickslip;
@@ -105,4 +107,122 @@ TEST_CASE("branch: of a word, and what is not looked for is said") {
   CHECK(text.code == exit_decided);
   CHECK(text.out.find("other branches are not looked for") != std::string::npos);
   CHECK(text.out.find("condition crossing") != std::string::npos);
+}
+
+namespace {
+
+// Example O as a machine, whose orbit is admissible at its own load; the friction at rest is a result at phi.
+Words along_machine(const char * name, const char * interval, Words more = {}) {
+  Words words{"branch", "overshooting", "--along", name, interval};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+double middle_of(const Json& ball) {
+  return std::stod(ball["mid"].get<std::string>());
+}
+
+// The places where something changes, in order.
+std::vector<double> changes_of(const Json& list) {
+  std::vector<double> places;
+  for (const Json& branch : list["branches"]) {
+    for (const Json& change : branch["changes"]) {
+      places.push_back(middle_of(change["at"]));
+    }
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE("branch: for which load frequencies the orbit of a machine in SI units persists") {
+  const TemporaryDirectory directory;
+  const auto page = directory.path() / "page";
+  const Machine machine = without(machine_O, {"load_frequency"});
+  const Words asked = along_machine("load_frequency", "0.99..1.01");
+  const Run json = run_with(machine, with(asked, {"--json", "--units", "si", "--out", page}));
+  CAPTURE(json.err);
+  REQUIRE(json.code == exit_decided);
+  const Json list = Json::parse(json.out);
+  CHECK(list["parameter"] == "load_frequency");
+  CHECK(list["interval"] == Json{"0.99", "1.01"});
+  CHECK(list["parameters"]["k1"] == "320");
+  CHECK(list["parameters"]["friction_sliding"] == "0.02");
+  CHECK(list["units"] == "si");
+  CHECK(list["complete"] == true);
+  // The same along omega = 2 pi f/10, next to which the ends are decimals.
+  const Run plain = stickslip_program({"branch", "overshooting", "--chi", "0.2", "--eta", "4", "--us", "0.05",
+                                       "--V", "1", "--p", "0.05", "--ur", "0.4585", "--omega",
+                                       "0.622035345410779..0.634601716025138", "--json"});
+  REQUIRE(plain.code == exit_decided);
+  const Json dimensionless = Json::parse(plain.out);
+  const std::vector<double> here = changes_of(list), there = changes_of(dimensionless);
+  REQUIRE(here.size() == there.size());
+  REQUIRE(!here.empty());
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    CHECK(here[k] == doctest::Approx(there[k] * 10 / 6.283185307179586).epsilon(1e-9));
+  }
+  // A time of 1 is 0.1 s, a length 1 mm, a velocity 0.01 m/s.
+  const Json& one = list["branches"][0]["samples"][0];
+  const Json& same = dimensionless["branches"][0]["samples"][0];
+  CHECK(one["tau"].get<double>() == doctest::Approx(0.1 * same["tau"].get<double>()).epsilon(1e-3));
+  CHECK(one["x20"].get<double>() == doctest::Approx(1e-3 * same["x20"].get<double>()).epsilon(1e-3));
+  CHECK(one["xdot10"].get<double>() == doctest::Approx(1e-2 * same["xdot10"].get<double>()).epsilon(1e-3));
+  const std::string html = content(page / "index.html");
+  CHECK(html.find("load_frequency in Hz") != std::string::npos);
+  CHECK(html.find("--along load_frequency 0.99..1.01") != std::string::npos);
+  CHECK(content(page / "branches.csv").starts_with("load_frequency,branch"));
+  const Run text = run_with(machine, asked);
+  CHECK(text.out.find("load_frequency in Hz from 0.99 to 1.01") != std::string::npos);
+}
+
+TEST_CASE("branch: a mass moves several data of a machine, and the branch follows their path") {
+  const Run json = run_with(machine_O, along_machine("m1", "3.98..4.02", {"--json"}));
+  CAPTURE(json.err);
+  REQUIRE(json.code == exit_decided);
+  const Json list = Json::parse(json.out);
+  CHECK(list["complete"] == true);
+  REQUIRE(list["branches"].size() > 0);
+  // The orbits of the machine with that mass: eta, V and omega are others.
+  std::size_t compared = 0;
+  for (const Json& branch : list["branches"]) {
+    const Json& samples = branch["samples"];
+    for (const Json& sample : {samples.front(), samples[samples.size() / 2], samples.back()}) {
+      const std::string mass = sample["value"].dump();
+      const Json there =
+          Json::parse(run_with(with(machine_O, "m1", mass), {"orbits", "overshooting", "--json"}).out);
+      const double Omega = std::sqrt(400 / sample["value"].get<double>());
+      for (const Json& orbit : there["orbits"]) {
+        const bool same =
+            std::abs(middle_of(orbit["tau"]) / Omega / sample["tau"].get<double>() - 1) < 1e-9 &&
+            std::abs(1e-3 * middle_of(orbit["x20"]) / sample["x20"].get<double>() - 1) < 1e-9;
+        compared += same ? 1 : 0;
+      }
+    }
+  }
+  CHECK(compared == 3 * list["branches"].size());
+  // A word at the friction at rest that the machine has, which k1 moves as all lengths.
+  const Run word = run_with(machine_O, {"branch", "OTS", "--along", "k1", "318..322", "--json"});
+  CAPTURE(word.err);
+  CHECK(word.code == exit_decided);
+  CHECK(Json::parse(word.out)["branches"].size() == 2);
+}
+
+TEST_CASE("branch: what may be along a value of a machine") {
+  for (const auto& [arguments, code, text] :
+       {std::tuple(along_machine("frequency", "1..2"), exit_usage, "load_frequency"),
+        std::tuple(along_machine("load_phase", "0..1"), exit_usage, "load_phase"),
+        std::tuple(along_machine("load_frequency", "2..1"), exit_usage, "does not rise"),
+        std::tuple(along_machine("load_frequency", "1"), exit_usage, "no interval A..B"),
+        std::tuple(along_machine("load_frequency", "-1..1"), exit_domain, "load_frequency"),
+        std::tuple(along_machine("friction_force_sliding", "0.01..0.02"), exit_usage, "does not go with"),
+        std::tuple(along_machine("omega", "0.5..0.6"), exit_usage, "does not go with"),
+        std::tuple(along_machine("load_frequency", "1..2", {"--example", "O"}), exit_usage, "--example")}) {
+    const Run run = run_with(machine_O, arguments);
+    CAPTURE(run.err);
+    CHECK(run.code == code);
+    CHECK(is_one_sentence(run.err, text));
+  }
+  check_refused({{along_machine("load_frequency", "1..2"), exit_usage, "--params"}});
 }

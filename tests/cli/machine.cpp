@@ -1,60 +1,19 @@
 // A machine in SI units, from outside: the data taken, and what is refused.
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 #include <vector>
 
 #include "core/error.hpp"
-#include "tests/cli/program.hpp"
-#include "tests/report/temporary.hpp"
+#include "tests/cli/machines.hpp"
 
 using namespace stickslip;
 
 namespace {
 
 using Json = nlohmann::json;
-using Machine = std::map<std::string, std::string>;
-
-// Example O with Omega = 10 and lengths in mm, but for the last digits of omega.
-const Machine O{{"m1", "4"},
-                {"m2", "1"},
-                {"k1", "320"},
-                {"k2", "80"},
-                {"normal_force", "0.1"},
-                {"friction_at_rest", "1.834"},
-                {"friction_sliding", "0.2"},
-                {"belt_velocity", "0.01"},
-                {"load_amplitude", "0.005"},
-                {"load_frequency", "1.0009254372"}};
-
-Machine with(Machine machine, const std::string& name, const std::string& value) {
-  machine[name] = value;
-  return machine;
-}
-
-Machine without(Machine machine, const Words& names) {
-  for (const std::string& name : names) {
-    machine.erase(name);
-  }
-  return machine;
-}
-
-Run run_with(const Machine& machine, Words arguments) {
-  const TemporaryDirectory temporary;
-  const std::string file = temporary.path() / "machine.toml";
-  std::ofstream stream(file);
-  for (const auto& [name, value] : machine) {
-    stream << name << " = " << value << "\n";
-  }
-  stream.close();
-  arguments.insert(arguments.end(), {"--params", file});
-  return stickslip_program(arguments);
-}
-
 Json parameters_of(const Machine& machine) {
   const Run result = run_with(machine, {"orbits", "nonsticking", "--digits", "5", "--json"});
   CAPTURE(result.err);
@@ -65,7 +24,7 @@ Json parameters_of(const Machine& machine) {
 }  // namespace
 
 TEST_CASE("a machine in SI units has the orbits of the data that are taken for it") {
-  const Run result = run_with(O, {"orbits", "overshooting", "--json"});
+  const Run result = run_with(machine_O, {"orbits", "overshooting", "--json"});
   REQUIRE(result.code == exit_decided);
   CHECK(result.err.empty());
   const Json json = Json::parse(result.out);
@@ -91,38 +50,38 @@ TEST_CASE("a machine in SI units has the orbits of the data that are taken for i
 }
 
 TEST_CASE("friction in N is the same machine, and every value counts") {
-  Machine forces = without(O, {"normal_force", "friction_at_rest", "friction_sliding"});
+  Machine forces = without(machine_O, {"normal_force", "friction_at_rest", "friction_sliding"});
   forces["friction_force_at_rest"] = "0.1834";
   forces["friction_force_sliding"] = "0.02";
-  const Json taken = parameters_of(O);
+  const Json taken = parameters_of(machine_O);
   CHECK(parameters_of(forces) == taken);
-  CHECK(parameters_of(with(O, "load_phase", "0.3")) == taken);
-  for (const auto& [name, value] : O) {
+  CHECK(parameters_of(with(machine_O, "load_phase", "0.3")) == taken);
+  for (const auto& [name, value] : machine_O) {
     CAPTURE(name);
-    CHECK(parameters_of(with(O, name, value + "1")) != taken);
+    CHECK(parameters_of(with(machine_O, name, value + "1")) != taken);
   }
 }
 
 TEST_CASE("attractors, words and simulations take the machine and say which data they took") {
   const std::string data = "data taken  chi=0.2, eta=4, us=0.05, V=1, omega=0.62890000005973438933, p=0.05";
-  const Run attractors = run_with(O, {"attractors", "--starts", "10", "--most-periods", "300"});
+  const Run attractors = run_with(machine_O, {"attractors", "--starts", "10", "--most-periods", "300"});
   CHECK(attractors.out.find(data) != std::string::npos);
-  const Run word = run_with(O, {"orbits", "OTS"});
+  const Run word = run_with(machine_O, {"orbits", "OTS"});
   CHECK(word.code == exit_decided);
   CHECK(word.out.find(data) != std::string::npos);
-  const Run motion = run_with(with(O, "load_phase", "0.25"), {"simulate", "--state", "0,0,0,0"});
+  const Run motion = run_with(with(machine_O, "load_phase", "0.25"), {"simulate", "--state", "0,0,0,0"});
   CHECK(motion.code == exit_decided);
   CHECK(motion.out.find(data) != std::string::npos);
   CHECK(motion.out.find("phi=0.25") != std::string::npos);
   // Friction at rest is a result for this family, and is not given.
-  CHECK(run_with(without(O, {"friction_at_rest"}), {"orbits", "symmetric"}).code == exit_decided);
+  CHECK(run_with(without(machine_O, {"friction_at_rest"}), {"orbits", "symmetric"}).code == exit_decided);
 }
 
 TEST_CASE("values in SI units are those of the table in other units") {
   // Omega = 10: a time of 1 is 0.1 s, a length 1 mm, a velocity 0.01 m/s, a force 0.4 N.
-  const Run word = run_with(O, {"orbits", "OTS", "--units", "si", "--digits", "8"});
+  const Run word = run_with(machine_O, {"orbits", "OTS", "--units", "si", "--digits", "8"});
   CHECK(word.code == exit_decided);
-  const Json orbit = Json::parse(run_with(O, {"orbits", "OTS", "--json"}).out).at("orbits").at(0);
+  const Json orbit = Json::parse(run_with(machine_O, {"orbits", "OTS", "--json"}).out).at("orbits").at(0);
   const auto in_table = [](const Run& run, const std::string& name) {
     const std::size_t at = run.out.find("\n  " + name + " ");
     REQUIRE(at != std::string::npos);
@@ -153,15 +112,15 @@ TEST_CASE("values in SI units are those of the table in other units") {
 
 TEST_CASE("one file of a machine serves every question, which says what of it is a result") {
   const Words told{"the friction at rest is not taken", "ur is not given for symmetric orbits"};
-  const Run symmetric = run_with(O, {"orbits", "symmetric"});
-  const Run without_it = run_with(without(O, {"friction_at_rest"}), {"orbits", "symmetric"});
+  const Run symmetric = run_with(machine_O, {"orbits", "symmetric"});
+  const Run without_it = run_with(without(machine_O, {"friction_at_rest"}), {"orbits", "symmetric"});
   CHECK(symmetric.code == exit_decided);
   CHECK(symmetric.out == without_it.out);
   CHECK(without_it.err.empty());
   for (const std::string& part : told) {
     CHECK(symmetric.err.find(part) != std::string::npos);
   }
-  const Run by_phase = run_with(O, {"orbits", "overshooting", "--phi", "1"});
+  const Run by_phase = run_with(machine_O, {"orbits", "overshooting", "--phi", "1"});
   CHECK(by_phase.err.find("the friction at rest is not taken: with --phi it is a result") !=
         std::string::npos);
   CHECK(by_phase.out.find("ur=") == std::string::npos);
@@ -176,31 +135,34 @@ TEST_CASE("a machine that is none is named in one sentence") {
   };
   const Words attractors{"attractors"};
   const std::vector<RefusedMachine> refusals{
-      {without(O, {"m2", "belt_velocity", "friction_at_rest"}), attractors, exit_usage,
+      {without(machine_O, {"m2", "belt_velocity", "friction_at_rest"}), attractors, exit_usage,
        "missing for a machine in SI units: m2, friction_at_rest, belt_velocity"},
       {{{"m1", "4"}},
        {"orbits", "symmetric"},
        exit_usage,
        "m2, k1, k2, normal_force, friction_sliding, belt"},
-      {with(O, "chi", "0.2"), attractors, exit_usage, "belt_velocity and chi do not go together"},
-      {with(O, "mass", "1"), attractors, exit_usage, "'mass' is not a parameter"},
-      {with(O, "friction_force_sliding", "1"), attractors, exit_usage, "normal_force does not go"},
-      {with(O, "m1", "heavy"), attractors, exit_usage, "m1: "},
-      {with(O, "k1", "\"320+-1\""), attractors, exit_usage, "is an interval"},
-      {with(O, "m1", "-4"), attractors, exit_domain, "m1 = -4"},
-      {with(O, "k2", "0"), attractors, exit_domain, "k2 = 0"},
-      {with(O, "normal_force", "-1"), attractors, exit_domain, "normal_force = -1"},
-      {with(O, "friction_sliding", "0"), attractors, exit_domain, "friction_sliding = 0"},
-      {with(O, "friction_at_rest", "0.1"), attractors, exit_domain, "friction_at_rest = 0.01 N"},
-      {with(O, "belt_velocity", "-0.01"), attractors, exit_domain, "belt_velocity = -0.01"},
-      {with(O, "load_frequency", "0"), {"simulate", "--state", "0,0,0,0"}, exit_domain, "load_frequency = 0"},
-      {O, {"attractors", "--chi", "0.3"}, exit_usage, "--chi does not go with the machine"},
-      {O, {"attractors", "--example", "O"}, exit_usage, "--example does not go with the machine"},
-      {O, {"simulate", "--example", "O"}, exit_usage, "--example does not go with the machine"},
-      {O, {"attractors", "--units", "imperial"}, exit_usage, "units: 'imperial'"},
-      {O, {"orbits", "OTS", "--units", "si", "--json"}, exit_usage, "--units si is for text"},
+      {with(machine_O, "chi", "0.2"), attractors, exit_usage, "belt_velocity and chi do not go together"},
+      {with(machine_O, "mass", "1"), attractors, exit_usage, "'mass' is not a parameter"},
+      {with(machine_O, "friction_force_sliding", "1"), attractors, exit_usage, "normal_force does not go"},
+      {with(machine_O, "m1", "heavy"), attractors, exit_usage, "m1: "},
+      {with(machine_O, "k1", "\"320+-1\""), attractors, exit_usage, "is an interval"},
+      {with(machine_O, "m1", "-4"), attractors, exit_domain, "m1 = -4"},
+      {with(machine_O, "k2", "0"), attractors, exit_domain, "k2 = 0"},
+      {with(machine_O, "normal_force", "-1"), attractors, exit_domain, "normal_force = -1"},
+      {with(machine_O, "friction_sliding", "0"), attractors, exit_domain, "friction_sliding = 0"},
+      {with(machine_O, "friction_at_rest", "0.1"), attractors, exit_domain, "friction_at_rest = 0.01 N"},
+      {with(machine_O, "belt_velocity", "-0.01"), attractors, exit_domain, "belt_velocity = -0.01"},
+      {with(machine_O, "load_frequency", "0"),
+       {"simulate", "--state", "0,0,0,0"},
+       exit_domain,
+       "load_frequency = 0"},
+      {machine_O, {"attractors", "--chi", "0.3"}, exit_usage, "--chi does not go with the machine"},
+      {machine_O, {"attractors", "--example", "O"}, exit_usage, "--example does not go with the machine"},
+      {machine_O, {"simulate", "--example", "O"}, exit_usage, "--example does not go with the machine"},
+      {machine_O, {"attractors", "--units", "imperial"}, exit_usage, "units: 'imperial'"},
+      {machine_O, {"orbits", "OTS", "--units", "si", "--json"}, exit_usage, "--units si is for text"},
       {{{"chi", "0.2"}}, {"orbits", "symmetric", "--units", "si"}, exit_usage, "needs a machine"},
-      {with(O, "k1", "1e60"), attractors, exit_domain, "k1 = "},
+      {with(machine_O, "k1", "1e60"), attractors, exit_domain, "k1 = "},
   };
   for (const RefusedMachine& refused : refusals) {
     check_refused({{refused.arguments, refused.code, refused.named}},
@@ -218,22 +180,23 @@ TEST_CASE("what the model lacks, and what a value or a file should look like, is
            {"stribeck_velocity", "the model has none: sliding friction is the same at all velocities"},
            {"second_load_frequency", "a single harmonic, with one frequency"},
            {"load_frequency_2", "a single harmonic, with one frequency"}}) {
-    refused(with(O, name, "0.1"), attractors, exit_usage, "'" + name + "' is not a parameter: ");
-    refused(with(O, name, "0.1"), attractors, exit_usage, part);
+    refused(with(machine_O, name, "0.1"), attractors, exit_usage, "'" + name + "' is not a parameter: ");
+    refused(with(machine_O, name, "0.1"), attractors, exit_usage, part);
   }
-  refused(with(O, "load_frequency", "[5.1, 7.2]"), attractors, exit_usage,
+  refused(with(machine_O, "load_frequency", "[5.1, 7.2]"), attractors, exit_usage,
           "load_frequency needs exactly one value: the load of the model is a single harmonic");
   for (const std::string quote : {"", "\""}) {
-    refused(with(O, "m1", quote + "12,4" + quote), attractors, exit_usage,
+    refused(with(machine_O, "m1", quote + "12,4" + quote), attractors, exit_usage,
             "m1: '12,4' is not a number: a decimal has a point, 12.4");
-    refused(with(O, "m1", quote + "12.4 kg" + quote), attractors, exit_usage,
+    refused(with(machine_O, "m1", quote + "12.4 kg" + quote), attractors, exit_usage,
             "m1: '12.4 kg' is not a number: write 12.4 alone, without a unit");
   }
-  refused(with(O, "load_amplitude", "0"), attractors, exit_domain, "load_amplitude = 0 in ");
-  refused(with(O, "load_amplitude", "0"), {"orbits", "overshooting"}, exit_domain, "load_amplitude = 0 in ");
-  refused(O, {"attractors", "--along", "frequency", "1..2"}, exit_usage,
+  refused(with(machine_O, "load_amplitude", "0"), attractors, exit_domain, "load_amplitude = 0 in ");
+  refused(with(machine_O, "load_amplitude", "0"), {"orbits", "overshooting"}, exit_domain,
+          "load_amplitude = 0 in ");
+  refused(machine_O, {"attractors", "--along", "frequency", "1..2"}, exit_usage,
           "'frequency' is none of the parameters in ");
-  refused(O, {"attractors", "--along", "frequency", "1..2"}, exit_usage,
+  refused(machine_O, {"attractors", "--along", "frequency", "1..2"}, exit_usage,
           "belt_velocity, friction_at_rest, friction_sliding, k1, k2, load_amplitude, load_frequency, m1");
 }
 
@@ -256,7 +219,7 @@ TEST_CASE("a simulation and its start in SI units are those of the data in other
   const TemporaryDirectory temporary;
   const auto csv = [&](const char * name, const Words& options) {
     const std::string file = temporary.path() / name;
-    const Run run = run_with(O, with({"simulate", "--periods", "1", "--csv", file}, options));
+    const Run run = run_with(machine_O, with({"simulate", "--periods", "1", "--csv", file}, options));
     CHECK(run.code == exit_decided);
     std::istringstream lines(content(file));
     std::vector<std::string> all;
@@ -286,7 +249,8 @@ TEST_CASE("a simulation and its start in SI units are those of the data in other
       CHECK((i == 1 || std::stod(b[i]) == doctest::Approx(units[i] * std::stod(a[i])).epsilon(1e-9)));
     }
   }
-  const Run text = run_with(O, {"simulate", "--periods", "1", "--state", "1e-3,0,0,0", "--units", "si"});
+  const Run text =
+      run_with(machine_O, {"simulate", "--periods", "1", "--state", "1e-3,0,0,0", "--units", "si"});
   CHECK(text.out.find("x1 = 0.001, x2 = 0, x1' = 0, x2' = 0 in m and m/s") != std::string::npos);
   CHECK(text.out.find("event at t in s") != std::string::npos);
 }
@@ -297,7 +261,7 @@ TEST_CASE("along a value of the machine in SI units the states are in SI, whatev
   // At 1e-5 N the unit of length is smaller.
   const Words along{"attractors", "--along", "load_amplitude", "0.00001..0.005",
                     "--values",   "2",       "--starts",       "3"};
-  CHECK(run_with(O, with(along, {"--csv", file})).code == exit_decided);
+  CHECK(run_with(machine_O, with(along, {"--csv", file})).code == exit_decided);
   const std::string table = content(file);
   CHECK(table.starts_with("load_amplitude in N,attractor,share,kind,period,word,stable,x1 in m,"));
   const std::pair<const char *, const char *> ends[] = {{"0.00001", "\n1.0000000000000001e-05,1,"},
@@ -312,7 +276,7 @@ TEST_CASE("along a value of the machine in SI units the states are in SI, whatev
     }
     REQUIRE(first.size() == 11);
     const Json alone = Json::parse(
-        run_with(with(O, "load_amplitude", value), {"attractors", "--starts", "3", "--json"}).out);
+        run_with(with(machine_O, "load_amplitude", value), {"attractors", "--starts", "3", "--json"}).out);
     const Json& units = alone.at("machine").at("units");
     const auto unit = [&](const char * name) {
       return std::stod(units.at(name).at("mid").get<std::string>());
@@ -322,11 +286,11 @@ TEST_CASE("along a value of the machine in SI units the states are in SI, whatev
     CHECK(std::stod(first[10]) ==
           doctest::Approx(unit("velocity") * state.at(3).get<double>()).epsilon(1e-9));
   }
-  const Run refused = run_with(O, with(along, {"--json"}));
+  const Run refused = run_with(machine_O, with(along, {"--json"}));
   CHECK(refused.code == exit_usage);
   CHECK(is_one_sentence(refused.err, "--json"));
-  const Run plane = run_with(O, {"attractors", "--plane", "x1,x2", "--pixels", "3", "--units", "si", "--csv",
-                                 temporary.path() / "p.csv"});
+  const Run plane = run_with(machine_O, {"attractors", "--plane", "x1,x2", "--pixels", "3", "--units", "si",
+                                         "--csv", temporary.path() / "p.csv"});
   CHECK(plane.code == exit_decided);
   CHECK(content(temporary.path() / "p.csv").starts_with("x1 in m,x2 in m,x1' in m/s,x2' in m/s,attractor,"));
 }
