@@ -49,7 +49,7 @@ struct LatexOptions {
 };
 
 struct OrbitsOptions {
-  std::string family;  // or a word
+  std::string family;               // or a word
   std::string period;  // of a word
   std::string near;
   bool with_near = false;
@@ -79,7 +79,8 @@ struct BranchOptions {
   TypedParameters parameters;      // one of them an interval A..B, or
   std::vector<std::string> along;  // a parameter, or a value of the machine in the file, and A..B
   std::string file, units, example, at, csv, plot, out, jobs;
-  std::string period;  // of a word
+  std::string period, orbit, near;  // of a word
+  bool all = false;                 // likewise
   bool with_out = false;
   bool json = false;
 };

@@ -54,6 +54,13 @@ Asked asked_of_family(const BranchOptions& o, const proofs::methods::Paper& pape
   if (!o.period.empty()) {
     throw UsageError(fmt::format("--period is for words of phases, not for the family '{}'", o.family));
   }
+  if (o.all || !o.orbit.empty() || !o.near.empty()) {
+    throw UsageError(
+        fmt::format("--all, --orbit and --near are for words of phases, not for the family '{}', of which "
+                    "all branches are "
+                    "followed",
+                    o.family));
+  }
   const TypedParameters typed = with_along(o.parameters, o.along);
   Asked asked{file_of(o, typed, FrictionAtRest::optional), {}};
   leave_results_out(asked.file, family, typed);
@@ -67,7 +74,12 @@ Asked asked_of_word(const BranchOptions& o, const proofs::methods::Paper& paper)
   const TypedParameters typed = with_along(o.parameters, o.along);
   Asked asked{file_of(o, typed, FrictionAtRest::needed), {}};
   leave_out(asked.file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  asked.question = word_branch_question(paper, word, periods, typed, asked.file.parameters, o.example, o.at);
+  Followed followed{o.all, o.orbit, {}};
+  if (!o.near.empty()) {
+    followed.near = units_of(o.units, asked.file, false).of_state(four_numbers("near", o.near));
+  }
+  asked.question =
+      word_branch_question(paper, word, periods, typed, asked.file.parameters, o.example, o.at, followed);
   return along_machine(std::move(asked));
 }
 

@@ -37,8 +37,9 @@ constexpr const char * branch_details =
     "of them is proved; where that is not so is listed. With --at only the branches of the\n"
     "orbits at that value are followed.\n\n"
     "A word of S (slip), O (overshoot), T (stick) instead of a family, such as OTS: the branches\n"
-    "of those of its orbits at --ur in --period N periods of the load that are found at --at, by\n"
-    "default the middle of the interval; others are not looked for.\n\n";
+    "of those of its admissible orbits at --ur in --period N periods of the load that are found\n"
+    "at --at, by default the middle of the interval, of words of four and more phases by\n"
+    "simulation; --all, --orbit K and --near follow others.\n\n";
 
 constexpr const char * branch_exits =
     "\nExit code: 0 every change is proved and nothing is unresolved but next to resonances; 2\n"
@@ -175,6 +176,14 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
   add("--at", options.at, "NUMBER",
       "The branches of the orbits that there are at this value of the\nparameter alone");
   add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
+  CLI::Option * orbit =
+      add("--orbit", options.orbit, "K", "Of a word: orbit K of those that orbits WORD lists");
+  CLI::Option * near =
+      add("--near", options.near, "X", "Of a word: the orbit near x1,x2,x1',x2' at load phase 0");
+  command->add_flag("--all", options.all, "Of a word: orbits that are not admissible, too")
+      ->excludes(orbit)
+      ->excludes(near);
+  orbit->excludes(near);
   add("--csv", options.csv, "FILE", "Also write an orbit of each part as a table");
   add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg or FILE.pdf");
   CLI::Option * out =

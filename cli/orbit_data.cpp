@@ -175,13 +175,28 @@ branches::BranchQuestion branch_question(const Paper& paper, const Family& famil
 
 branches::BranchQuestion word_branch_question(const Paper& paper, const words::Word& word, int periods,
                                               TypedParameters typed, const TypedParameters& from_file,
-                                              const std::string& example, const std::string& at) {
+                                              const std::string& example, const std::string& at,
+                                              const Followed& followed) {
   const Along along = along_interval(typed);
   const Rational value = value_at(along, at);
   typed[along.parameter] = to_string(value);
   const words::WordQuestion there = machine(paper, typed, from_file, example, OrbitsOptions::default_digits);
-  branches::BranchQuestion asked = branches::word_question(
-      there, word, periods, attractors::find_word_orbits({there, word, periods, {}}).orbits);
+  const bool all = followed.all || !followed.orbit.empty();
+  std::vector<words::WordOrbit> known =
+      attractors::find_word_orbits({there, word, periods, followed.near, all}).orbits;
+  if (!followed.orbit.empty()) {
+    const int k = whole_number("orbit", followed.orbit, 1000000, 1);
+    if (static_cast<std::size_t>(k) > known.size()) {
+      throw UsageError(fmt::format("--orbit {}: of {} there are {} orbits at {} = {}", k, word.letters(),
+                                   known.size(), along.parameter, to_string(value)));
+    }
+    known = {known[static_cast<std::size_t>(k) - 1]};
+  } else if (!all && !followed.near) {
+    std::erase_if(known, [](const words::WordOrbit& one) {
+      return one.existence.truth == Truth::proved && one.orbit.admissible.truth != Truth::proved;
+    });
+  }
+  branches::BranchQuestion asked = branches::word_question(there, word, periods, known);
   asked.parameter = along.parameter;
   asked.from = along.from;
   asked.to = along.to;

@@ -55,11 +55,20 @@ struct Along {
     const proofs::methods::Paper& paper, const numeric::Family& family, TypedParameters typed,
     const TypedParameters& from_file, const std::string& example, const std::string& at);
 
+// Which orbits of a word are followed: the admissible ones that are found, of words of four phases and more
+// by simulation alone; or all that `stickslip orbits WORD` lists, the K-th of these, or the one near a state.
+struct Followed {
+  bool all = false;
+  std::string orbit;                           // K, as typed
+  std::optional<model::Vector4<double>> near;  // (x1, x2, x1', x2') at load phase 0
+};
+
 // The same about the orbits through a word, over so many periods of the load, that are found at the value
 // `at`, or in the middle of the interval if that is empty.
 [[nodiscard]] numeric::branches::BranchQuestion word_branch_question(
     const proofs::methods::Paper& paper, const numeric::words::Word& word, int periods, TypedParameters typed,
-    const TypedParameters& from_file, const std::string& example, const std::string& at);
+    const TypedParameters& from_file, const std::string& example, const std::string& at,
+    const Followed& followed = {});
 
 // The machine whose motions are asked for: the same, with ur in any case, that of the example's own orbit to
 // 17 digits when none is given, and without phi, for the load is cos(omega t). Throws likewise, also for

@@ -114,10 +114,14 @@ bool may_be_same(const WordOrbit& a, const WordOrbit& b) {
   return same;
 }
 
+bool is_long_search(const WordSearch& q) {
+  constexpr std::size_t phases = 4;
+  return q.word.size() >= phases && words::why_no_motion(q.machine.data.V, q.word).empty();
+}
+
 // What simulations find, and then all others.
 WordOrbits all_of(const WordSearch& q) {
-  constexpr std::size_t long_search = 4;  // phases
-  const WordOrbits first = q.word.size() < long_search ? WordOrbits{q, {}, {}} : from_random_starts(q);
+  const WordOrbits first = is_long_search(q) ? from_random_starts(q) : WordOrbits{q, {}, {}};
   const words::WordList list = words::all_orbits(q.machine, q.word, q.periods);
   WordOrbits result{q, list.orbits, list.why_none, interrupted(), true, list.unresolved};
   for (const WordOrbit& found : first.orbits) {
@@ -140,7 +144,8 @@ WordOrbits find_word_orbits(const WordSearch& question) {
   if (question.near) {
     return from_start(question);
   }
-  return words::has_complete_list(question.machine, question.word, question.periods)
+  return words::has_complete_list(question.machine, question.word, question.periods) &&
+                 (question.all || !is_long_search(question))
              ? all_of(question)
              : from_random_starts(question);
 }

@@ -15,6 +15,8 @@ struct WordSearch {
   words::Word word;
   long periods = 1;                            // n
   std::optional<model::Vector4<double>> near;  // (x1, x2, x1', x2') at load phase 0; else random starts
+  bool all =
+      true;  // of four phases or more, too, where that may take minutes; else what random starts end on
 };
 
 struct WordOrbits {
@@ -30,7 +32,8 @@ struct WordOrbits {
 
 // With a start: the motion from there through n periods if it goes through the word, else what it settles on.
 // Without: all orbits where words/complete_list.hpp has them, of four phases first those that random starts
-// settle on; else those alone. Throws as words::require_word_domain and simulation::Simulation do.
+// settle on, and these alone if not all are asked for; else those alone. Throws as words::require_word_domain
+// and simulation::Simulation do.
 [[nodiscard]] WordOrbits find_word_orbits(const WordSearch& question);
 
 }  // namespace stickslip::numeric::attractors
