@@ -126,6 +126,9 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
                           paper.equation(), paper.part))
           ->type_name("");
   CLI::Option * list = command->add_flag("--list", options.list, "List the names, with equation numbers");
+  CLI::Option * bare = command->add_flag("--bare", options.bare,
+                                         "The formulas alone, without headings and \\[ \\]: lines for an\n"
+                                         "environment of your own, such as gather*");
   command
       ->add_flag(
           "--errata", options.errata,
@@ -153,6 +156,9 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
       ->excludes(command->get_option("--errata"))
       ->excludes(command->get_option("--theorem"))
       ->excludes(command->get_option("--in"));
+  for (const char * name : {"--list", "--errata", "--theorem", "--orbit"}) {
+    bare->excludes(command->get_option(name));
+  }
   add_parameters(*command, options.parameters);
   add_sources(*command, options.example, options.file, paper);
   add_text(*command, "--digits", options.digits, "N",

@@ -38,6 +38,7 @@ struct CertifyOptions {
 struct LatexOptions {
   std::vector<std::string> names;
   bool in_frequencies = false;  // else with chi, eta and abbreviations
+  bool bare = false;            // formulas alone
   bool list = false;
   bool errata = false;
   std::string theorem;  // the id of a result; empty if none is asked for

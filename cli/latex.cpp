@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,6 +42,17 @@ std::string heading(const std::string& sentence, const std::string& number) {
                      number);
 }
 
+constexpr const char * new_line = " \\\\\n";
+
+// The lines of a statement in the form that is proved.
+std::vector<std::string> lines_of(const proofs::methods::Record& record) {
+  std::vector<std::string> lines;
+  for (const proofs::symbols::Statement& statement : proofs::methods::proved_form(record)) {
+    lines.push_back(proofs::symbols::latex(statement));
+  }
+  return lines;
+}
+
 // The statements with these ids in the form that is proved, each after a comment that says what is known of
 // it; a refuted one is only spoken of.
 std::string statements(const std::vector<proofs::methods::Claim>& claims, const std::set<std::string>& ids) {
@@ -50,20 +62,39 @@ std::string statements(const std::vector<proofs::methods::Claim>& claims, const 
     if (record.status == proofs::methods::Status::refuted) {
       continue;
     }
-    std::vector<std::string> lines;
-    for (const proofs::symbols::Statement& statement : proofs::methods::proved_form(record)) {
-      lines.push_back(proofs::symbols::latex(statement));
-    }
-    if (!lines.empty()) {
+    if (const std::vector<std::string> lines = lines_of(record); !lines.empty()) {
       result += heading(record.claim.words, fmt::format("({})", record.claim.id));
-      result += fmt::format("\\begin{{gather*}}\n{}\n\\end{{gather*}}\n", fmt::join(lines, " \\\\\n"));
+      result += fmt::format("\\begin{{gather*}}\n{}\n\\end{{gather*}}\n", fmt::join(lines, new_line));
     }
   }
   return result;
 }
 
+// Their formulas alone. Throws UsageError naming one that is not proved, and if there is no formula at all.
+std::vector<std::string> bare_statements(const std::vector<proofs::methods::Claim>& claims,
+                                         const std::set<std::string>& ids) {
+  std::vector<std::string> all;
+  for (const proofs::methods::Record& record : prove(claims, ids).records) {
+    using proofs::methods::Status;
+    if (record.status == Status::refuted || record.status == Status::undecided) {
+      throw UsageError(fmt::format("bare: {} is {}: there is no proved formula to print", record.claim.id,
+                                   proofs::methods::facts(record.status).meaning));
+    }
+    const std::vector<std::string> lines = lines_of(record);
+    all.insert(all.end(), lines.begin(), lines.end());
+  }
+  if (all.empty()) {
+    throw UsageError(fmt::format("bare: {} is in words, without a formula", fmt::join(ids, ", ")));
+  }
+  return all;
+}
+
 std::string derived(const symbolic::objects::Object& object, symbolic::objects::Unknowns unknowns) {
   return heading(object.title, object.number) + symbolic::objects::displayed(object, unknowns);
+}
+
+symbolic::objects::Unknowns unknowns_of(const LatexOptions& options) {
+  return options.in_frequencies ? symbolic::objects::Unknowns::omega : symbolic::objects::Unknowns::chi;
 }
 
 bool gives_parameters(const LatexOptions& options) {
@@ -105,8 +136,7 @@ std::string formulas(const LatexOptions& options, const proofs::methods::Paper& 
     }
   }
   const auto at_parameters = values(options, paper, asked);
-  const symbolic::objects::Unknowns unknowns =
-      options.in_frequencies ? symbolic::objects::Unknowns::omega : symbolic::objects::Unknowns::chi;
+  const symbolic::objects::Unknowns unknowns = unknowns_of(options);
   std::vector<std::function<std::string()>> parts;
   bool any_statement = false;
   for (const std::string& name : options.names) {
@@ -133,6 +163,27 @@ std::string formulas(const LatexOptions& options, const proofs::methods::Paper& 
     result += (result.empty() ? "" : "\n") + part();
   }
   return result + (any_statement ? symbolic::objects::meanings(unknowns) : "");
+}
+
+// The same formulas one below the other, without what is said about them.
+std::string bare_formulas(const LatexOptions& options, const proofs::methods::Paper& paper) {
+  if (options.names.empty()) {
+    throw UsageError(
+        "--bare needs the name of an expression or a statement: stickslip latex --list names "
+        "the former, stickslip check --list the latter");
+  }
+  if (gives_parameters(options)) {
+    throw UsageError("--bare is for formulas without values: leave the parameters out");
+  }
+  std::vector<std::string> lines;
+  for (const std::string& name : options.names) {
+    if (const symbolic::objects::Object * object = symbolic::objects::find_object(name)) {
+      lines.push_back(symbolic::objects::bare(*object, unknowns_of(options)));
+    } else {
+      std::ranges::copy(bare_statements(paper.claims, named(paper.claims, name)), std::back_inserter(lines));
+    }
+  }
+  return fmt::format("{}\n", fmt::join(lines, new_line));
 }
 
 }  // namespace
@@ -182,6 +233,7 @@ ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper) {
   }
   print(options.errata ? report::audit::errata(paper, prove(paper.claims, {}))
         : options.list ? symbolic::objects::list_of_objects()
+        : options.bare ? bare_formulas(options, paper)
                        : formulas(options, paper));
   return exit_decided;
 }

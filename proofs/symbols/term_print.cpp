@@ -128,7 +128,10 @@ Piece print_derivative(const Term& term, Style style) {
           atom_binding};
 }
 
-Piece print_block(const Term& matrix, Style style) {
+// As a matrix, or between the bars of a determinant.
+enum class Fence { matrix, determinant };
+
+Piece print_block(const Term& matrix, Style style, Fence fence) {
   const auto rows = static_cast<std::size_t>(matrix.number().get_num().get_si());
   const auto per_row = matrix.arguments().size() / rows;
   std::string result;
@@ -139,9 +142,18 @@ Piece print_block(const Term& matrix, Style style) {
     }
     result += print(matrix.arguments()[i], style).text;
   }
-  return {style == Style::latex ? fmt::format("\\begin{{pmatrix}} {} \\end{{pmatrix}}", result)
+  const char * const environment = fence == Fence::matrix ? "pmatrix" : "vmatrix";
+  return {style == Style::latex ? fmt::format("\\begin{{{0}}} {1} \\end{{{0}}}", environment, result)
                                 : fmt::format("[{}]", result),
           atom_binding};
+}
+
+Piece print_determinant(const Term& matrix, Style style) {
+  const bool latex = style == Style::latex;
+  if (latex && matrix.op() == Op::block) {
+    return print_block(matrix, style, Fence::determinant);
+  }
+  return {(latex ? "\\det" : "det") + parenthesised(print(matrix, style).text, style), atom_binding};
 }
 
 Piece print_number(const Term& term, Style style) {
@@ -175,11 +187,9 @@ Piece print(const Term& term, Style style) {
     case Op::derivative:
       return print_derivative(term, style);
     case Op::block:
-      return print_block(term, style);
+      return print_block(term, style, Fence::matrix);
     case Op::determinant:
-      return {(style == Style::latex ? "\\det" : "det") +
-                  parenthesised(print(term.arguments().front(), style).text, style),
-              atom_binding};
+      return print_determinant(term.arguments().front(), style);
   }
   return {{}, atom_binding};
 }

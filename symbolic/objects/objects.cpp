@@ -1,6 +1,7 @@
 #include "symbolic/objects/objects.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -277,6 +278,14 @@ std::string displayed(const Lines& lines) {
 
 std::string displayed(const Object& object, Unknowns unknowns) {
   return displayed(object.lines(unknowns));
+}
+
+std::string bare(const Object& object, Unknowns unknowns) {
+  std::vector<std::string> lines;
+  for (const Line& line : object.lines(unknowns)) {
+    lines.push_back(line.left + " = " + line.right);
+  }
+  return fmt::format("{}", fmt::join(lines, " \\\\\n"));
 }
 
 const std::vector<Object>& objects() {

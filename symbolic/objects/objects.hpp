@@ -42,6 +42,9 @@ struct Object {
 [[nodiscard]] std::string displayed(const std::vector<Line>& lines);
 [[nodiscard]] std::string displayed(const Object& object, Unknowns unknowns);
 
+// Its lines as they stand in the display, for an environment of the reader's own, such as gather*.
+[[nodiscard]] std::string bare(const Object& object, Unknowns unknowns);
+
 // left = the terms, each with its sign but for the first, broken into lines that fit a page.
 [[nodiscard]] Line broken(const std::string& left, const std::vector<std::string>& terms);
 

@@ -1,6 +1,8 @@
 // The equations that orbits are found by, Sections 4-6, and what Appendices 3 and 5 derive from them.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "model/appendix3.hpp"
 #include "model/nonsticking.hpp"
 #include "model/nonsticking_closed_form.hpp"
@@ -60,23 +62,27 @@ Lines closing_coefficients(Unknowns unknowns) {
   return lines;
 }
 
-// (22) and (23) in the coefficients, whatever these are written in.
-model::ClosingCoefficients<ex> letters() {
-  model::ClosingCoefficients<ex> k;
-  for (std::size_t i = 0; i < 5; ++i) {
-    const std::string number = std::to_string(i + 1);
-    k.a[i] = symbol("a" + number);
-    k.b[i] = symbol("b" + number);
-    k.c[i] = symbol("c" + number);
-    k.d[i] = symbol("d" + number);
+// left = a determinant of (22), with these columns of the coefficients, in rows 1, 2, 3.
+Line determinant(const std::string& left, const std::string& sign,
+                 const std::array<const char *, 3>& columns) {
+  GiNaC::matrix entries(3, 3);
+  std::string rows;
+  for (unsigned i = 0; i < 3; ++i) {
+    for (unsigned j = 0; j < 3; ++j) {
+      entries(i, j) = symbol(columns[j] + std::to_string(i + 1));
+      rows += latex(ex(entries(i, j))) + (j < 2 ? " & " : i < 2 ? " \\\\\n" : "\n");
+    }
   }
-  return k;
+  const ex value = entries.determinant();
+  return {left,
+          fmt::format("{}\\begin{{vmatrix}}\n{}\\end{{vmatrix}}", sign, rows),
+          {sign.empty() ? value : -value}};
 }
 
+// model::cramer() in the coefficients, whatever these are written in.
 Lines cramer(Unknowns) {
-  const model::CramerDeterminants<ex> c = model::cramer<ex>(letters());
-  return {sum("\\Delta", terms_of(c.Delta.expand())), sum("\\Delta_1", terms_of(c.Delta1.expand())),
-          sum("\\Delta_2", terms_of(c.Delta2.expand())), sum("\\Delta_3", terms_of(c.Delta3.expand()))};
+  return {determinant("\\Delta", "", {"a", "b", "c"}), determinant("\\Delta_1", "-", {"d", "b", "c"}),
+          determinant("\\Delta_2", "", {"d", "a", "c"}), determinant("\\Delta_3", "", {"d", "b", "a"})};
 }
 
 model::HalfPeriod<ex> half_period() {

@@ -151,3 +151,25 @@ TEST_CASE("an orbit is printed phase by phase, with numbers that are those of th
       {{"latex", "--orbit", "symmetric:1", "--example", "S", "--digits", "0"}, exit_usage, "digits: '0'"},
   });
 }
+
+TEST_CASE("formulas alone are lines for an environment of one's own") {
+  const std::string H1 = stickslip_program({"latex", "H1", "--bare"}).out;
+  CHECK(H1.starts_with("H_1(t) = "));
+  CHECK(stickslip_program({"latex", "H1"}).out.find(H1) != std::string::npos);
+  CHECK(stickslip_program({"latex", "44.H", "--bare"}).out == "H(\\tau - t) = H(\\tau) H(-t)\n");
+  CHECK(stickslip_program({"latex", "H1", "44.H", "--bare"}).out ==
+        H1.substr(0, H1.size() - 1) + " \\\\\n" + "H(\\tau - t) = H(\\tau) H(-t)\n");
+  check_refused({{{"latex", "--bare"}, exit_usage, "--bare needs the name of an expression or a statement"},
+                 {{"latex", "H", "--bare", "--chi", "0.3"}, exit_usage, "leave the parameters out"},
+                 {{"latex", "--list", "--bare"}, exit_usage, "--list and --bare do not go together"},
+                 {{"latex", "7.only.half", "--bare"}, exit_usage, "7.only.half is refuted"}});
+}
+
+TEST_CASE("a determinant is printed as one") {
+  const std::string expression = stickslip_program({"latex", "cramer", "--bare"}).out;
+  CHECK(expression.starts_with("\\Delta = \\begin{vmatrix}\na_1 & b_1 & c_1 \\\\\na_2 & b_2 & c_2 \\\\\n"));
+  const std::string statement = stickslip_program({"latex", "22.Delta"}).out;
+  CHECK(statement.find("\\Delta = \\begin{vmatrix} a_1 & b_1 & c_1 \\\\ a_2 & b_2 & c_2 \\\\ ") !=
+        std::string::npos);
+  CHECK(statement.find("pmatrix") == std::string::npos);
+}

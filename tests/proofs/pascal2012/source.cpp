@@ -52,7 +52,8 @@ std::string as_text(std::string latex) {
       {std::regex(R"(\\(left|right))"), ""},
       {std::regex(R"((H|\\Gamma)_(\d)(\^\{-?\d\})?\((\\tau|T)\))"), "$1_$2$3"},
       {std::regex(R"(H_(\d)(\^\{-?\d\})?\(\\tau_1\))"), "h_$1$2"},
-      {std::regex(R"(\\(begin|end)\{pmatrix\}|\\frac|\\\\)"), ""},
+      {std::regex(R"(\\begin\{vmatrix\})"), "det"},
+      {std::regex(R"(\\(begin\{pmatrix\}|end\{[pv]matrix\})|\\frac|\\\\)"), ""},
       {std::regex("-"), "−"},
       {std::regex("'"), "′"}};
   for (const auto& [what, with] : rules) {

@@ -28,6 +28,9 @@ TEST_CASE("statements print in the order in which they stand") {
   CHECK(text(equation(Sigma, block(2, {1, chi, 0, 1}))) == "Sigma = [1, chi; 0, 1]");
   CHECK(text(Statement{ur, us, Relation::greater}) == "ur > us");
   CHECK(latex(determinant(H3(t))) == "\\det\\left(H_3(t)\\right)");
+  CHECK(latex(determinant(block(2, {1, chi, 0, 1}))) ==
+        "\\begin{vmatrix} 1 & \\chi \\\\ 0 & 1 \\end{vmatrix}");
+  CHECK(text(determinant(block(2, {1, chi, 0, 1}))) == "det([1, chi; 0, 1])");
 }
 
 TEST_CASE("what is said of all times, or of almost all, says of which") {

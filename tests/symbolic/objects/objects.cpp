@@ -6,6 +6,8 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "model/appendix3.hpp"
+#include "symbolic/algebra/symbols.hpp"
 
 using namespace stickslip;
 using namespace stickslip::symbolic::objects;
@@ -62,4 +64,22 @@ TEST_CASE("formulas of the paper, as a reader would write them") {
             .find("\\rho_1 = \\frac{\\omega_1\\sin(\\omega_1(\\tau+\\tau_1)/2)}"
                   "{\\sin(\\omega_1\\tau/2)\\sin(\\omega_1\\tau_1/2)}") != std::string::npos);
   CHECK(H.find("\\lambda_2 c_1-\\lambda_1 c_2 & c_2-c_1") != std::string::npos);
+}
+
+TEST_CASE("the determinants that are printed are those of the model") {
+  model::ClosingCoefficients<GiNaC::ex> k;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const std::string number = std::to_string(i + 1);
+    k.a[i] = symbolic::algebra::symbol("a" + number);
+    k.b[i] = symbolic::algebra::symbol("b" + number);
+    k.c[i] = symbolic::algebra::symbol("c" + number);
+    k.d[i] = symbolic::algebra::symbol("d" + number);
+  }
+  const auto c = model::cramer<GiNaC::ex>(k);
+  const std::vector<Line> lines = find_object("cramer")->lines(Unknowns::chi);
+  REQUIRE(lines.size() == 4);
+  CHECK((lines[0].entries.at(0) - c.Delta).expand().is_zero());
+  CHECK((lines[1].entries.at(0) - c.Delta1).expand().is_zero());
+  CHECK((lines[2].entries.at(0) - c.Delta2).expand().is_zero());
+  CHECK((lines[3].entries.at(0) - c.Delta3).expand().is_zero());
 }
