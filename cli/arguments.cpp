@@ -207,7 +207,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
     throw not_understood(program, error);
   }
   if (!directory_of_manual.empty()) {
-    return ManualWanted{directory_of_manual, manual(program)};
+    return ManualWanted{directory_of_manual, manual(program, paper.completions)};
   }
   require_command(program);
   return request;

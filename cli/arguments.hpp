@@ -148,6 +148,7 @@ struct PaperInHelp {
   std::string examples;      // "S, O or P"
   std::string family_names;  // "symmetric, overshooting or nonsticking"
   std::string families;      // what each is given and what it finds, in lines
+  Completions completions;
 
   [[nodiscard]] std::string equation() const { return part.substr(0, part.find('.')); }
 };

@@ -22,6 +22,7 @@
 #include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
+#include "symbolic/objects/objects.hpp"
 
 namespace stickslip::cli {
 
@@ -66,6 +67,30 @@ std::string families() {
   return report::tools::columns_of(rows, width_of_help);
 }
 
+Completions completions() {
+  Completions found;
+  for (const numeric::Family * family : numeric::all_families()) {
+    found["FAMILY"].push_back(family->name);
+  }
+  for (const symbolic::objects::Object& object : symbolic::objects::objects()) {
+    found["NAME"].push_back(object.name);
+  }
+  for (const Claim& claim : paper().claims) {
+    found["ID"].push_back(claim.id);
+    found["NAME"].push_back(claim.id);
+  }
+  for (const Section& section : paper().sections) {
+    found["ID"].push_back(section.id);
+  }
+  for (const Example& example : paper().examples) {
+    found["--example"].push_back(example.name);
+  }
+  for (const Result& result : paper().results) {
+    found["--theorem"].push_back(result.id);
+  }
+  return found;
+}
+
 PaperInHelp in_help() {
   const Bibliography& source = paper().bibliography;
   const std::string about = fmt::format(
@@ -82,7 +107,8 @@ PaperInHelp in_help() {
           id_of_a_part(paper().claims),
           names_of(paper().examples),
           numeric::families::names_of_families(),
-          families()};
+          families(),
+          completions()};
 }
 
 ExitCode run(const HelpWanted& help, const Paper& /*paper*/) {

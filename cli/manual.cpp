@@ -5,6 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <sstream>
+#include <utility>
+
+#include "cli/typed_parameters.hpp"
 
 namespace stickslip::cli {
 namespace {
@@ -42,6 +45,87 @@ std::string option_entry(const CLI::Option& option) {
                      roff(option.get_description()));
 }
 
+struct Sample {
+  const char * command;  // of the program
+  const char *words, *line;
+};
+constexpr Sample samples[] = {
+    {"audit", "Examine the paper and write a report that begins with audit/index.html:",
+     "stickslip audit --out audit"},
+    {"check", "All about equation (44), and Appendix 1:", "stickslip check 44 A1 --explain"},
+    {"check", "What is wrong in the paper, for a program:", "stickslip check refuted --json"},
+    {"certify", "Proofs for Coq of equation (44), then checked by it:", "stickslip certify 44 --out proofs"},
+    {"certify", "", "make -C proofs -k -j"},
+    {"latex",
+     "A derived expression with its values at some parameters:", "stickslip latex H2 --chi 0.3 --eta 4"},
+    {"latex",
+     "Formulas alone, for an environment of your own:", "stickslip latex cramer --bare > cramer.tex"},
+    {"latex",
+     "The closed forms of an orbit, phase by phase:", "stickslip latex --orbit overshooting:2 --example O"},
+    {"orbits", "All orbits of a family at your parameters:",
+     "stickslip orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --V 0.1 --omega 0.6 --p 1"},
+    {"orbits", "Orbits of a machine in SI units through overshoot, stick and slip:",
+     "stickslip orbits OTS --params machine.toml --units si"},
+    {"orbits",
+     "A picture of an example of the paper:", "stickslip orbits symmetric --example S --plot orbits.png"},
+    {"branch", "Orbits over the frequency of the load, drawn:",
+     "stickslip branch symmetric --example S --omega 0.58..0.61 --plot branches.pdf"},
+    {"attractors",
+     "What a machine does, in SI units:", "stickslip attractors --params machine.toml --units si"},
+    {"attractors", "The same over the frequency of its load, in Hz:",
+     "stickslip attractors --params machine.toml --along load_frequency 5..6 --plot along.png"},
+    {"atlas", "Count orbits over a range of a parameter, then prove some of its boxes again:",
+     "stickslip atlas symmetric --example S --p 0..0.2 --out a.h5"},
+    {"atlas", "", "stickslip atlas --verify a.h5"},
+    {"simulate", "The motion of a machine from rest, as a table:",
+     "stickslip simulate --params machine.toml --units si --state 0,0,0,0 --csv motion.csv"},
+    {"simulate",
+     "From an orbit, drawn:", "stickslip simulate --orbit symmetric:1 --example S --plot motion.png"},
+};
+
+std::string examples_of(const CLI::App& command) {
+  std::string entries;
+  for (const Sample& sample : samples) {
+    if (command.get_name() == sample.command) {
+      entries += fmt::format("{}.PP\n.RS\n.nf\n{}.fi\n.RE\n",
+                             *sample.words == '\0' ? "" : ".PP\n" + roff(sample.words), roff(sample.line));
+    }
+  }
+  return entries.empty() ? "" : ".SH EXAMPLES\n" + entries;
+}
+
+// The keys of a machine in SI units, with what they mean.
+constexpr std::pair<const char *, const char *> keys[] = {
+    {"m1", "mass between the springs, in kg"},
+    {"m2", "mass on the belt, which the load acts on, in kg"},
+    {"k1", "stiffness between mass 1 and the wall, in N/m"},
+    {"k2", "stiffness between the masses, in N/m"},
+    {"normal_force", "of mass 2 on the belt, in N, with the two coefficients that follow"},
+    {"friction_sliding", "coefficient of sliding friction, > 0"},
+    {"friction_at_rest", "coefficient of friction at rest, greater than that of sliding"},
+    {"friction_force_sliding", "sliding friction in N, in place of normal_force and a coefficient"},
+    {"friction_force_at_rest", "greatest friction at rest in N, likewise"},
+    {"belt_velocity", "in m/s"},
+    {"load_amplitude", "of the force on mass 2, in N"},
+    {"load_frequency", "in Hz"},
+    {"load_phase", "of the load at t = 0 in simulations, in rad: 0 if it is left out"}};
+
+std::string files_of(const CLI::App& command) {
+  if (command.get_option_no_throw("--params") == nullptr) {
+    return "";
+  }
+  std::string entries;
+  for (const auto& [key, words] : keys) {
+    entries += fmt::format(".TP\n\\fB{}\\fR\n{}", key, roff(words));
+  }
+  return fmt::format(
+      ".SH FILES\nThe TOML file of \\fB\\-\\-params\\fR has lines such as\n.PP\n.RS\nchi = 0.5\n.RE\n.PP\n"
+      "with the keys {}, which are those of the options, in the dimensionless data of the paper; or those of "
+      "a "
+      "machine in SI units, as it is, without damping and with one frequency of the load:\n{}",
+      fmt::join(parameter_names, ", "), entries);
+}
+
 std::string page(const CLI::App& command, const std::string& name, const std::string& words,
                  const std::string& synopsis, const std::string& body) {
   std::string options;
@@ -50,41 +134,54 @@ std::string page(const CLI::App& command, const std::string& name, const std::st
   }
   return fmt::format(
       ".TH {} 1 \"\" stickslip\n.SH NAME\n{} \\- {}.SH SYNOPSIS\n{}{}.SH OPTIONS\n{}.SH "
-      "DETAILS\n.nf\n{}.fi\n",
-      name, name, words, synopsis, body, options, roff(command.get_footer()));
+      "DETAILS\n.nf\n{}.fi\n{}{}.SH SEE ALSO\nThe manual, in share/doc/stickslip/doc where the program is "
+      "installed; it begins with index.md.\n",
+      name, name, words, synopsis, body, options, roff(command.get_footer()), files_of(command),
+      examples_of(command));
 }
 
-std::string completion(const CLI::App& program) {
-  const auto words_of = [](const CLI::App& command) {
+std::string completion(const CLI::App& program, const Completions& completions) {
+  const auto words_of = [&completions](const CLI::App& command) {
     std::vector<std::string> words;
     for (const CLI::Option * option : options_of(command)) {
       for (const std::string& name : option->get_lnames()) {
         words.push_back("--" + name);
       }
+      const auto place = completions.find(option->get_positional() ? option->get_name(true) : "");
+      if (place != completions.end()) {
+        words.insert(words.end(), place->second.begin(), place->second.end());
+      }
     }
     return fmt::format("{}", fmt::join(words, " "));
   };
-  std::string names, cases;
+  std::string names, cases, values;
+  for (const auto& [option, words] : completions) {
+    if (option.starts_with("-")) {
+      values += fmt::format("    {}) words=\"{}\" ;;\n", option, fmt::join(words, " "));
+    }
+  }
   for (const CLI::App * command : commands_of(program)) {
     names += command->get_name() + " ";
     cases += fmt::format("    1:{}) words=\"{}\" ;;\n", command->get_name(), words_of(*command));
   }
   return fmt::format(
-      "# Completion of stickslip in bash: commands, options, files.\n"
+      "# Completion of stickslip in bash: commands, options, what has a name, files.\n"
       "_stickslip() {{\n"
       "  local words\n"
       "  case $((COMP_CWORD > 1)):${{COMP_WORDS[1]}} in\n"
       "    0:*) words=\"{}{}\" ;;\n{}"
       "  esac\n"
+      "  case ${{COMP_WORDS[COMP_CWORD-1]}} in\n{}"
+      "  esac\n"
       "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"${{COMP_WORDS[COMP_CWORD]}}\")\n"
       "}}\n"
       "complete -o default -F _stickslip stickslip\n",
-      names, words_of(program), cases);
+      names, words_of(program), cases, values);
 }
 
 }  // namespace
 
-std::vector<ManualFile> manual(const CLI::App& program) {
+std::vector<ManualFile> manual(const CLI::App& program, const Completions& completions) {
   const std::string name = program.get_name();
   std::vector<ManualFile> files;
   std::string list = ".SH COMMANDS\n";
@@ -99,7 +196,7 @@ std::vector<ManualFile> manual(const CLI::App& program) {
   files.push_back({name + ".1", page(program, name, "audits a paper on dry-friction oscillators\n",
                                      fmt::format("\\fB{}\\fR COMMAND [OPTION]...\n", name),
                                      ".SH DESCRIPTION\n" + roff(program.get_description()) + list)});
-  files.push_back({name + ".bash", completion(program)});
+  files.push_back({name + ".bash", completion(program, completions)});
   return files;
 }
 

@@ -1,8 +1,10 @@
 // What the program says to arguments it does not understand, and to those it does.
 #include <doctest/doctest.h>
 
+#include "cli/typed_parameters.hpp"
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/report/temporary.hpp"
 
 using namespace stickslip;
 
@@ -67,4 +69,21 @@ TEST_CASE("lists cost nothing and name everything once") {
   const Run objects = stickslip_program({"latex", "--list"});
   CHECK(objects.code == exit_decided);
   CHECK(objects.out.find("Gamma2") != std::string::npos);
+}
+
+TEST_CASE("manual pages have examples, and the keys of a parameter file") {
+  const TemporaryDirectory temporary;
+  CHECK(stickslip_program({"--manual", temporary.path()}).code == exit_decided);
+  for (const char * command :
+       {"audit", "check", "certify", "latex", "orbits", "branch", "attractors", "atlas", "simulate"}) {
+    CAPTURE(command);
+    const std::string page = content(temporary.path() / (std::string("stickslip-") + command + ".1"));
+    const std::size_t examples = page.find(".SH EXAMPLES\n");
+    REQUIRE(examples != std::string::npos);
+    CHECK(page.find(std::string("stickslip ") + command, examples) != std::string::npos);
+    const bool has_file = page.find("\\-\\-params") != std::string::npos;
+    for (const auto& key : cli::names_in_SI) {
+      CHECK((page.find(std::string("\\fB") + key + "\\fR\n") != std::string::npos) == has_file);
+    }
+  }
 }

@@ -24,4 +24,19 @@ for command in "${commands[@]}"; do
     grep -qx -- "$option" <(completed "$command" "${option:0:5}") || { echo "$command $option is not completed"; exit 1; }
   done
 done
+# Families, examples, claims and expressions, in their places.
+while read -r command begun word; do
+  grep -qx -- "$word" <(completed $command "$begun") || { echo "after $command, $word is not completed"; exit 1; }
+done <<EOF
+orbits sym symmetric
+branch over overshooting
+atlas non nonsticking
+check A5.un A5.unique
+certify 44 44.H
+latex cra cramer
+latex 22.D 22.Delta
+EOF
+[[ $(completed orbits --example O) == O ]] || { echo "--example O is not completed"; exit 1; }
+[[ $(completed latex --theorem uni) == uniqueness ]] || { echo "--theorem uniqueness is not completed"; exit 1; }
+[[ -z $(completed simulate sym) ]] || { echo "simulate is no place for a family"; exit 1; }
 [[ -z $(completed orbits --frob) ]] || { echo "--frob is completed"; exit 1; }
