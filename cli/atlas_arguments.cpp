@@ -41,7 +41,8 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
   add("--time-limit", options.time_limit, "T", "End in order after T seconds");
   add("--csv", options.csv, "FILE", "Write the boxes as a table, too");
   add("--plot", options.plot, "FILE",
-      "Draw a map of two parameters into FILE.svg or FILE.pdf; FILE.vtk: of up to three, for ParaView");
+      "Draw a map of two parameters into FILE.svg, FILE.pdf or FILE.png;\nFILE.vtk: of up to three, for "
+      "ParaView");
   add_jobs(*command, options.jobs);
   add("--verify", options.verify, "FILE", "Prove boxes of this atlas again");
   add("--sample", options.sample, "N",

@@ -42,8 +42,7 @@ AskedMachine asked(const Options& options, const TypedParameters& typed,
                    const proofs::methods::Paper& paper) {
   ParameterFile file = read_parameters(options.file, typed, options.example, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  const int digits =
-      whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits);
+  const int digits = digits_of(options.digits, file);
   return {file, units_of(options.units, file, options.json),
           machine(paper, typed, file.parameters, options.example, digits), jobs(options.jobs), options.json};
 }
@@ -150,7 +149,8 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
     const Progress progress("searching for orbits ...");
     return find_word_orbits(search);
   }();
-  print_result(list, given.file, given.json, given.units);
+  print_result(list, given.file, given.json, given.units,
+               options.all ? report::orbits::InFull::all : report::orbits::InFull::admissible);
   if (list.interrupted) {
     return exit_interrupted;
   }

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
+#include "cli/arguments.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
@@ -53,6 +56,27 @@ void require_complete(const TypedParameters& parameters, const std::string& file
   if (!needed.empty()) {
     throw UsageError(fmt::format("{}: missing for a machine in SI units: {}", file, fmt::join(needed, ", ")));
   }
+}
+
+// Significant digits of a decimal as it is typed: 3 of -0.213e-2; none of a fraction, which is exact.
+int significant_digits(const std::string& typed) {
+  if (typed.find('/') != std::string::npos) {
+    return 0;
+  }
+  const std::string mantissa = typed.substr(0, typed.find_first_of("eE"));
+  const std::size_t first = mantissa.find_first_of("123456789");
+  return first == std::string::npos
+             ? 0
+             : static_cast<int>(std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first),
+                                              mantissa.end(), [](char c) { return c != '.'; }));
+}
+
+int deserved_digits(const TypedParameters& parameters) {
+  int most = 4;
+  for (const auto& [name, typed] : parameters) {
+    most = std::max(most, significant_digits(typed));
+  }
+  return most + 2;
 }
 
 }  // namespace
@@ -111,7 +135,7 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
             fmt::format("{} is a value of a machine in SI units: give its file by --params", name));
       }
     }
-    return {file, parameters, std::nullopt, {}, {}};
+    return {file, parameters, std::nullopt, {}, 0, {}};
   }
   if (!example.empty()) {
     throw UsageError(fmt::format("--example does not go with the machine of {}: both give all data", file));
@@ -132,7 +156,15 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
   if (taken.ur) {
     dimensionless["ur"] = to_string(*taken.ur);
   }
-  return {file, dimensionless, taken, parameters, {}};
+  return {file, dimensionless, taken, parameters, deserved_digits(parameters), {}};
+}
+
+int digits_of(const std::string& text, ParameterFile& file) {
+  const int digits = whole_number("digits", text, OrbitsOptions::most_digits, OrbitsOptions::default_digits);
+  if (!text.empty()) {
+    file.digits = digits;
+  }
+  return digits;
 }
 
 Error in_keys_of(const std::string& file, const DomainError& error) {
@@ -208,7 +240,9 @@ void tell_left_out(const ParameterFile& file) {
 }
 
 std::string machine_report(const ParameterFile& file) {
-  return file.machine ? report::orbits::terminal_report(*file.machine, terminal_style()) : "";
+  return file.machine ? report::orbits::terminal_report(*file.machine, terminal_style(),
+                                                        std::min(file.digits, DataTaken::digits))
+                      : "";
 }
 
 report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file) {
@@ -220,7 +254,8 @@ report::tools::Json with_machine(report::tools::Json json, const ParameterFile& 
 
 report::orbits::Units units_of(const std::string& text, const ParameterFile& file, bool json) {
   if (text.empty()) {
-    return {};
+    return file.machine ? report::orbits::Units::dimensionless(*file.machine, file.digits)
+                        : report::orbits::Units();
   }
   if (text != "si") {
     throw UsageError(fmt::format("units: '{}' is not si", text));
@@ -231,7 +266,7 @@ report::orbits::Units units_of(const std::string& text, const ParameterFile& fil
   if (json) {
     throw UsageError("--units si is for text: JSON is in the units that stand in it under machine");
   }
-  return report::orbits::Units(*file.machine);
+  return report::orbits::Units(*file.machine, file.digits);
 }
 
 }  // namespace stickslip::cli

@@ -19,6 +19,7 @@ struct ParameterFile {
   TypedParameters parameters;                 // dimensionless, without phi for a machine
   std::optional<numeric::DataTaken> machine;  // in SI units
   TypedParameters in_SI;                      // of the machine, as they stand in the file
+  int digits = 0;                             // of a machine, that its texts have at most
   std::vector<std::string> left_out;          // a sentence for each
 };
 
@@ -47,6 +48,11 @@ enum class FrictionAtRest { needed, optional };
 // The error about a datum that was taken for a machine in SI units, with the key and value of its file before
 // it; the same error if there is no such file.
 [[nodiscard]] Error in_keys_of(const std::string& file, const DomainError& error);
+
+// --digits, of each value of a result, 20 by default. For a machine in SI units texts then have as many;
+// without --digits they have as many as the file's data deserve, two more than the one with the most, at
+// least six. Throws UsageError.
+[[nodiscard]] int digits_of(const std::string& text, ParameterFile& file);
 
 // Leaves out what is a result of the question, if it is in the file: one file serves every question about its
 // machine. Throws UsageError for what is no number.

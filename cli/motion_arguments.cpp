@@ -138,8 +138,8 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
   command->add_flag("--all", options.all, "Say all about formal solutions, which are not admissible, too");
   command->add_flag("--json", options.json, "Print the list as JSON");
   CLI::Option * plot = add("--plot", options.plot, "FILE",
-                           "Draw the admissible orbits, or all if none is, into FILE.svg or\n"
-                           "FILE.pdf: phase portraits and time histories");
+                           "Draw the admissible orbits, or all if none is, into FILE.svg,\n"
+                           "FILE.pdf or FILE.png: phase portraits and time histories");
   CLI::Option * out = add("--out", options.out, "DIR",
                           "Also write a report into DIR: index.html, orbits.pdf where there is\n"
                           "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
@@ -185,7 +185,7 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
       ->excludes(near);
   orbit->excludes(near);
   add("--csv", options.csv, "FILE", "Also write an orbit of each part as a table");
-  add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg or FILE.pdf");
+  add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg, FILE.pdf or FILE.png");
   CLI::Option * out =
       add("--out", options.out, "DIR",
           "Also write a page into DIR, with the diagram and all tables:\nindex.html, branches.json, "
@@ -228,7 +228,7 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
       fmt::format("N x N of them: {} by default", AttractorsOptions::default_pixels));
   add("--through", options.through, "X", "A state x1,x2,x1',x2' in the middle of the plane");
   add("--csv", options.csv, "FILE", "Of --along and --plane: write a table, too");
-  add("--plot", options.plot, "FILE", "Of --along and --plane: draw FILE.svg or FILE.pdf");
+  add("--plot", options.plot, "FILE", "Of --along and --plane: draw FILE.svg, FILE.pdf or FILE.png");
   CLI::Option * out =
       add("--out", options.out, "DIR",
           "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "
@@ -267,8 +267,8 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
   CLI::Option * csv =
       add("--csv", options.csv, "FILE",
           "Write the samples, with r, u and the energy; -: on standard\noutput, in place of the report");
-  CLI::Option * plot =
-      add("--plot", options.plot, "FILE", "Draw phase portraits, speed and energy into FILE.svg or FILE.pdf");
+  CLI::Option * plot = add("--plot", options.plot, "FILE",
+                           "Draw phase portraits, speed and energy into FILE.svg, FILE.pdf or\nFILE.png");
   add_units(*command, options.units);
   command->add_flag("--json", options.json, "Print the result as JSON");
   command->callback([&options, &request, csv, plot] {

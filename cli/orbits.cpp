@@ -112,10 +112,10 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
   ParameterFile file =
       read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
   leave_results_out(file, family, options.parameters);
+  const int digits = digits_of(options.digits, file);
   const report::orbits::Units units = units_of(options.units, file, options.json);
-  const OrbitQuestion asked = question(
-      paper, family, options.parameters, file.parameters, options.example,
-      whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits));
+  const OrbitQuestion asked =
+      question(paper, family, options.parameters, file.parameters, options.example, digits);
   const Jobs limit = jobs(options.jobs);
   const zeros::Effort patience = effort(options);
   if (options.with_plot) {
@@ -136,7 +136,9 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     certify(list, options.certify);
   }
   if (options.with_plot) {
-    draw(options.plot, report::orbits::plot_script(list, report::tools::plot_format(options.plot)),
+    draw(options.plot,
+         report::orbits::plot_script(list, report::tools::plot_format(options.plot),
+                                     report::tools::PlotShape::wide, std::nullopt, units),
          "no orbit");
   }
   report::audit::Report made;

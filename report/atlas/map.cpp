@@ -98,7 +98,7 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
   const std::vector<std::size_t> shown = painted(leaves, legend, halvings);
   const std::size_t side = std::size_t{1} << halvings;
   std::array<std::pair<double, double>, 2> ends;
-  Json data{{"svg", format == tools::PlotFormat::svg}, {"pdf", format == tools::PlotFormat::pdf}};
+  Json data{{"terminal", tools::terminal(format, 900, 860)}};
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval& range = q.region[q.axes[k]];
     ends[k] = {range.lower.get_d(), range.upper.get_d()};

@@ -79,7 +79,7 @@ std::vector<Condition> worst(const WordOrbit& o) {
 
 std::string phases(const WordOrbit& o, const Style& style, const Units& units) {
   const Motion& m = o.orbit.motion;
-  const int digits = units.are_SI() ? 8 : 10;
+  const int digits = units.digits(10);
   std::vector<Row> rows{{{"  phase"},
                          {units.are_SI() ? "from t in s" : "begins at t"},
                          {units.labelled("lasts", "s")},
@@ -111,7 +111,7 @@ std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const 
     }
   }
   return columns_of(rows, style.width) + "\n" + phases(o, style, units) +
-         stability_rows(o.orbit, digits, style) + "\n" + condition_rows(worst(o), style);
+         stability_rows(o.orbit, units.digits(digits), style) + "\n" + condition_rows(worst(o), style);
 }
 
 std::string searched(const WordOrbits& list) {
@@ -140,12 +140,44 @@ std::string result_of(const WordOrbits& list) {
          (list.seen.empty() ? "" : ": " + list.seen) + (list.interrupted ? "; interrupted" : "");
 }
 
-// "not admissible: slip", each kind of condition once.
-std::string verdict_of(const WordOrbit& o) {
-  Orbit brief;
-  brief.conditions = worst(o);
-  brief.admissible = o.orbit.admissible;
-  return verdict_on(brief);
+// With each kind of condition once.
+Orbit brief(const WordOrbit& o) {
+  Orbit result;
+  result.conditions = worst(o);
+  result.admissible = o.orbit.admissible;
+  return result;
+}
+
+// In a line each: how long the phases last, under their letters, and phi.
+std::string formal_solutions(const std::vector<WordOrbit>& orbits, const std::vector<std::size_t>& which,
+                             const Style& style, const Units& units) {
+  if (which.empty()) {
+    return {};
+  }
+  constexpr std::size_t most = 6;  // phases
+  const std::string letters = orbits[which.front()].word.letters();
+  Row names{{"  orbit"}};
+  for (const char letter : letters.substr(0, most)) {
+    names.push_back({std::string(1, letter) + units.unit(" in s")});
+  }
+  if (letters.size() > most) {
+    names.push_back({"..."});
+  }
+  names.insert(names.end(), {{"phi"}, {"violates"}});
+  std::vector<Row> rows{names};
+  for (const std::size_t i : which) {
+    const Orbit& orbit = orbits[i].orbit;
+    Row row{{fmt::format("  {}", i + 1)}};
+    for (std::size_t k = 0; k < std::min(most, orbit.motion.phases.size()); ++k) {
+      row.push_back({rounded(units.time(orbit.motion.phases[k].duration), digits_in_rows)});
+    }
+    row.resize(names.size() - 2, {""});
+    const auto phi = std::ranges::find(orbit.values, "phi", &NamedBall::name);
+    row.push_back({phi == orbit.values.end() ? "" : units.short_text(*phi, digits_in_rows)});
+    row.push_back(violated(brief(orbits[i]), style));
+    rows.push_back(row);
+  }
+  return table_of_formal(rows, style);
 }
 
 }  // namespace
@@ -249,7 +281,7 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
              style.width);
 }
 
-std::string terminal_report(const WordOrbits& list, const Style& style, const Units& units) {
+std::string terminal_report(const WordOrbits& list, const Style& style, const Units& units, InFull in_full) {
   const WordSearch& q = list.question;
   std::vector<Row> rows{{{"parameters"}, {parameter_list(q.machine)}},
                         {{"searched"}, {searched(list)}},
@@ -264,13 +296,20 @@ std::string terminal_report(const WordOrbits& list, const Style& style, const Un
   const std::string title = fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
                                         q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods));
   std::string text = columns_of({{{title, bold(style)}}}, style.width) + columns_of(rows, style.width);
-  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
+  std::vector<Truth> admissible;
+  for (const WordOrbit& o : list.orbits) {
+    admissible.push_back(o.orbit.admissible.truth);
+  }
+  const Told these = told(admissible, in_full);
+  for (const std::size_t i : these.in_full) {
     const WordOrbit& o = list.orbits[i];
     const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
-    const Row heading{{label, bold(style)}, {verdict_of(o), colour_of(o.orbit.admissible.truth, style)}};
+    const Row heading{{label, bold(style)},
+                      {verdict_on(brief(o)), colour_of(o.orbit.admissible.truth, style)}};
     text += "\n" + columns_of({heading}, style.width) + one_orbit(o, q.machine.digits, style, units);
   }
-  return list.orbits.empty()
+  text += formal_solutions(list.orbits, these.formal, style, units);
+  return these.in_full.empty()
              ? text
              : text + "\n" +
                    labelled(0, "condition", "of all phases, the one nearest to a violation", style.width) +

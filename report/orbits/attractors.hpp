@@ -5,6 +5,7 @@
 
 #include "numeric/attractors/word_search.hpp"
 #include "report/orbits/machine.hpp"
+#include "report/orbits/orbits.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 
@@ -32,9 +33,11 @@ namespace stickslip::report::orbits {
 // margins.
 [[nodiscard]] std::string terminal_report(const numeric::attractors::AttractorList& list,
                                           const tools::Style& style, const Units& units = {});
-// Each orbit with its values, phases, stability and, of all phases, the least margin of each condition.
+// Each orbit with its values, phases, stability and, of all phases, the least margin of each condition;
+// formal solutions in a line each, as of the families.
 [[nodiscard]] std::string terminal_report(const numeric::attractors::WordOrbits& list,
-                                          const tools::Style& style, const Units& units = {});
+                                          const tools::Style& style, const Units& units = {},
+                                          InFull in_full = InFull::admissible);
 
 // "settles on OTS with the period 1: stable, |mu| <= 0.916".
 [[nodiscard]] std::string in_words(const numeric::attractors::Attractor& attractor);

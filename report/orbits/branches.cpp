@@ -267,9 +267,9 @@ std::string to_csv(const BranchList& list) {
 
 std::string plot_script(const BranchList& list, PlotFormat format, PlotShape shape) {
   const BranchQuestion& q = list.question;
-  Json data = {{"svg", format == PlotFormat::svg},
-               {"pdf", format == PlotFormat::pdf},
-               {"narrow", shape == PlotShape::narrow}};
+  const bool narrow = shape == PlotShape::narrow;
+  Json data = {{"terminal", narrow ? terminal(format, 480, 560) : terminal(format, 1000, 600)},
+               {"narrow", narrow}};
   struct Stroke {
     const char *name, *style;
     std::string table;

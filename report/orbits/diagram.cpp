@@ -71,10 +71,6 @@ std::string states_named(const Units& units) {
   return text;
 }
 
-Json formatted(PlotFormat format) {
-  return {{"svg", format == PlotFormat::svg}, {"pdf", format == PlotFormat::pdf}};
-}
-
 }  // namespace
 
 std::string short_name(const Attractor& a) {
@@ -220,7 +216,7 @@ Json to_json(const Basins& b) {
 }
 
 std::string plot_script(const Diagram& d, PlotFormat format, const Units& units) {
-  Json data = formatted(format);
+  Json data = {{"terminal", terminal(format, 1000, 600)}};
   data["kinds"] = Json::array();
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     std::string table;
@@ -249,7 +245,8 @@ std::string plot_script(const Diagram& d, PlotFormat format, const Units& units)
     return "";
   }
   data["parameter"] = parameter_of(d.question);
-  data["parameters"] = d.question.taken ? "the machine" : in_greek(others(d.question));
+  data["parameters"] = d.question.taken ? units_at(d, units).machine_or("the machine", d.question.parameter)
+                                        : in_greek(others(d.question));
   data["x2"] = units_at(d, units).labelled("x2", "m");
   data["from"] = fmt::format("{:.8g}", d.question.from.get_d());
   data["to"] = fmt::format("{:.8g}", d.question.to.get_d());
@@ -262,7 +259,7 @@ std::string plot_script(const Basins& b, PlotFormat format, const Units& units) 
   }
   const BasinsQuestion& q = b.question;
   const auto [i, j] = q.across;
-  Json data = formatted(format);
+  Json data = {{"terminal", terminal(format, 900, 760)}};
   std::string table;
   for (std::size_t k = 0; k < b.starts.size(); ++k) {
     const Vector4<double> X = units.state(b.starts[k]);
@@ -281,7 +278,7 @@ std::string plot_script(const Basins& b, PlotFormat format, const Units& units) 
   data["palette"] = b.attractors.size() == 1 ? palette + fmt::format(", 1 \"{}\"", colour(0)) : palette;
   data["count"] = std::max<std::size_t>(b.attractors.size(), 2);
   data["last"] = fmt::format("{}.5", std::max<std::size_t>(b.attractors.size(), 2) - 1);
-  data["parameters"] = in_greek(parameter_list(q.machine.machine));
+  data["parameters"] = units.machine_or(in_greek(parameter_list(q.machine.machine)));
   data["x"] = units.labelled(coordinates[static_cast<std::size_t>(i)], i < 2 ? "m" : "m/s");
   data["y"] = units.labelled(coordinates[static_cast<std::size_t>(j)], j < 2 ? "m" : "m/s");
   const Vector4<double> first = units.state(b.starts.front()), last = units.state(b.starts.back());

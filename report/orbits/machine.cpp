@@ -1,7 +1,9 @@
 #include "report/orbits/machine.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <array>
 #include <map>
 
 #include "core/decimal.hpp"
@@ -17,21 +19,43 @@ using namespace tools;
 
 namespace {
 
-constexpr int digits = 8;
-
 // Enough to see by how little the last digit of the data changes the machine.
 constexpr long bits = 256;
 
-std::string in_SI(const MachineInSI& m) {
-  const std::string at_rest =
-      m.friction_at_rest ? fmt::format(", {} N at rest", to_string(*m.friction_at_rest)) : "";
-  const std::string phase =
-      m.load_phase == 0 ? "" : fmt::format(", phase {} at t = 0 in simulations", to_string(m.load_phase));
-  return fmt::format(
-      "m1 = {} kg, m2 = {} kg, k1 = {} N/m, k2 = {} N/m, friction {} N sliding{}, belt {} m/s, "
-      "load {} N at {} Hz{}",
-      to_string(m.m1), to_string(m.m2), to_string(m.k1), to_string(m.k2), to_string(m.friction_sliding),
-      at_rest, to_string(m.belt_velocity), to_string(m.load_amplitude), to_string(m.load_frequency), phase);
+// The masses and springs, and the rest; without the value that the machine's file has under the name.
+std::array<std::string, 2> in_SI(const MachineInSI& m, const std::string& but_for = "") {
+  using Words = std::vector<std::string>;
+  const auto add = [&](Words& words, const char * name, const std::string& text) {
+    if (but_for != name) {
+      words.push_back(text);
+    }
+  };
+  const auto after = [](const char * label, const Words& words, const char * separator) {
+    return words.empty() ? "" : fmt::format("{} {}", label, fmt::join(words, separator));
+  };
+  Words first, friction, load;
+  add(first, "m1", "m1 = " + to_string(m.m1) + " kg");
+  add(first, "m2", "m2 = " + to_string(m.m2) + " kg");
+  add(first, "k1", "k1 = " + to_string(m.k1) + " N/m");
+  add(first, "k2", "k2 = " + to_string(m.k2) + " N/m");
+  // By either of its names: friction is a force, or a coefficient of the normal force.
+  const bool varies = but_for == "normal_force";
+  if (!varies && but_for != "friction_sliding") {
+    add(friction, "friction_force_sliding", to_string(m.friction_sliding) + " N sliding");
+  }
+  if (m.friction_at_rest && !varies && but_for != "friction_at_rest") {
+    add(friction, "friction_force_at_rest", to_string(*m.friction_at_rest) + " N at rest");
+  }
+  add(load, "load_amplitude", to_string(m.load_amplitude) + " N");
+  add(load, "load_frequency", "at " + to_string(m.load_frequency) + " Hz");
+  Words rest{after("friction", friction, ", ")};
+  add(rest, "belt_velocity", "belt " + to_string(m.belt_velocity) + " m/s");
+  rest.push_back(after("load", load, " "));
+  if (m.load_phase != 0) {
+    add(rest, "load_phase", "phase " + to_string(m.load_phase) + " at t = 0 in simulations");
+  }
+  std::erase(rest, "");
+  return {fmt::format("{}", fmt::join(first, ", ")), fmt::format("{}", fmt::join(rest, ", "))};
 }
 
 std::string dimensionless(const DataTaken& taken) {
@@ -75,7 +99,7 @@ std::string unit_of_length(int thousands) {
   }
 }
 
-std::string units(const DataTaken& taken) {
+std::string units(const DataTaken& taken, int digits) {
   const WorkingPrecision precision(bits);
   return fmt::format(
       "x, V, p, us, ur are in {}; t = 1 is {} s, x' = 1 is {} m/s, u = 1 is {} N, omega = 1 is "
@@ -84,7 +108,7 @@ std::string units(const DataTaken& taken) {
       rounded(taken.velocity(), digits), rounded(taken.force(), digits), rounded(taken.frequency(), digits));
 }
 
-std::string natural_frequencies(const DataTaken& taken) {
+std::string natural_frequencies(const DataTaken& taken, int digits) {
   const WorkingPrecision precision(bits);
   const model::Modes<Ball> modes = model::modes<Ball>(Ball(taken.data.chi), Ball(taken.data.eta));
   return fmt::format("{} Hz and {} Hz", rounded(modes.omega1 * taken.frequency(), digits),
@@ -109,17 +133,17 @@ std::string in_unit_of(const std::string& name) {
   return found == units.end() ? "" : std::string(" in ") + found->second;
 }
 
-std::vector<Row> machine_rows(const DataTaken& taken) {
-  return {{{"machine"}, {in_SI(taken.machine)}},
-          {{"natural"}, {natural_frequencies(taken)}},
+std::vector<Row> machine_rows(const DataTaken& taken, int digits) {
+  return {{{"machine"}, {fmt::format("{}", fmt::join(in_SI(taken.machine), ", "))}},
+          {{"natural"}, {natural_frequencies(taken, digits)}},
           {{"data taken"}, {dimensionless(taken)}},
           {{"exactness"}, {exactness(taken)}},
-          {{"units"}, {units(taken)}}};
+          {{"units"}, {units(taken, digits)}}};
 }
 
-std::string terminal_report(const DataTaken& taken, const Style& style) {
+std::string terminal_report(const DataTaken& taken, const Style& style, int digits) {
   return columns_of({{{"A machine in SI units", bold(style)}}}, style.width) +
-         columns_of(machine_rows(taken), style.width) + "\n";
+         columns_of(machine_rows(taken, digits), style.width) + "\n";
 }
 
 std::vector<std::pair<std::string, Rational>> values_in_SI(const MachineInSI& m) {
@@ -159,11 +183,24 @@ Json to_json(const DataTaken& taken) {
   return json;
 }
 
-Units::Units(const DataTaken& si)
-    : si_(si),
+Units::Units(const DataTaken& si, int most_digits)
+    : machine_(si.machine),
+      most_digits_(most_digits),
+      si_(si),
       factors_{1 / si.Omega().approximate(), si.length().approximate(), si.velocity().approximate(),
                si.force().approximate(), 0} {
   factors_.energy = si.machine.m1.get_d() * factors_.velocity * factors_.velocity;
+}
+
+Units Units::dimensionless(const DataTaken& taken, int most_digits) {
+  Units units;
+  units.machine_ = taken.machine;
+  units.most_digits_ = most_digits;
+  return units;
+}
+
+std::string Units::machine_or(const std::string& data, const std::string& but_for) const {
+  return machine_ ? fmt::format("{}", fmt::join(in_SI(*machine_, but_for), ",\\n")) : data;
 }
 
 std::string Units::labelled(const std::string& name, const char * unit) const {
@@ -244,7 +281,8 @@ Units::Measured Units::measured(const families::NamedBall& value) const {
   throw InternalError("a value of an orbit without a unit: " + name);
 }
 
-std::string Units::text(const families::NamedBall& value, int digits) const {
+std::string Units::text(const families::NamedBall& value, int asked) const {
+  const int digits = this->digits(asked);
   // So that the factor does not take any of the digits.
   const WorkingPrecision precision(static_cast<long>(3.33 * digits) + bits);
   const Measured m = measured(value);

@@ -1,6 +1,8 @@
 // A machine in SI units and the dimensionless data that are taken for it, for readers and for programs.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +15,12 @@
 
 namespace stickslip::report::orbits {
 
+// Of frequencies and units, unless others are asked for.
+inline constexpr int digits_of_machine = 8;
+
 // The machine, the data taken, how exact they are, and what the units of the answer are in SI.
-[[nodiscard]] std::string terminal_report(const numeric::DataTaken& taken, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const numeric::DataTaken& taken, const tools::Style& style,
+                                          int digits = digits_of_machine);
 
 // {"si": {"m1", "m2", "k1", "k2", "friction_sliding", "friction_at_rest", "belt_velocity", "load_amplitude",
 // "load_frequency", "load_phase"}, "units": {"length", "time", "velocity", "force", "frequency"}: BALL each,
@@ -28,15 +34,27 @@ namespace stickslip::report::orbits {
 [[nodiscard]] std::string in_unit_of(const std::string& name);
 
 // What the terminal's report is made of: a label and a sentence each.
-[[nodiscard]] std::vector<tools::Row> machine_rows(const numeric::DataTaken& taken);
+[[nodiscard]] std::vector<tools::Row> machine_rows(const numeric::DataTaken& taken,
+                                                   int digits = digits_of_machine);
 
 // In which units a text says its times, lengths, velocities, forces and energies, and reads them.
 class Units {
  public:
-  Units() = default;                             // those of (2)
-  explicit Units(const numeric::DataTaken& si);  // s, m, m/s, N, J
+  static constexpr int all_digits = std::numeric_limits<int>::max();
+
+  Units() = default;  // those of (2)
+  // s, m, m/s, N, J; a text has at most so many digits of a value, however many are asked for.
+  explicit Units(const numeric::DataTaken& si, int most_digits = all_digits);
+
+  // Those of (2), for a machine in SI units that titles of pictures are to name.
+  [[nodiscard]] static Units dimensionless(const numeric::DataTaken& taken, int most_digits = all_digits);
 
   [[nodiscard]] bool are_SI() const { return si_.has_value(); }
+  // How many of the digits asked for a text has.
+  [[nodiscard]] int digits(int asked) const { return std::min(asked, most_digits_); }
+  // For a title of gnuplot: the machine in two lines, without the value that varies, by its name in the
+  // machine's file; or these data, if it is none in SI units.
+  [[nodiscard]] std::string machine_or(const std::string& data, const std::string& but_for = "") const;
   // A value of an orbit by its name, z10, tau, ur, ..., to at most so many digits, with its unit:
   // rad, and those of SI.
   [[nodiscard]] std::string text(const numeric::families::NamedBall& value, int digits) const;
@@ -66,6 +84,8 @@ class Units {
   };
   [[nodiscard]] Measured measured(const numeric::families::NamedBall& value) const;
 
+  std::optional<numeric::MachineInSI> machine_;
+  int most_digits_ = all_digits;
   std::optional<numeric::DataTaken> si_;
   struct {
     double time = 1, length = 1, velocity = 1, force = 1, energy = 1;

@@ -18,12 +18,6 @@ using namespace numeric;
 using namespace numeric::motion;
 using namespace tools;
 
-namespace {
-
-constexpr int digits_in_rows = 6;
-
-}  // namespace
-
 std::string shown(const std::optional<Ball>& margin) {
   return margin ? rounded(*margin, 5) : "";
 }
@@ -130,7 +124,8 @@ std::string all_about(const OrbitList& list, std::size_t i, const Style& style, 
   const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
   const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
   return "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style, units) +
-         stability_rows(orbit, list.question.digits, style) + "\n" + condition_rows(orbit.conditions, style);
+         stability_rows(orbit, units.digits(list.question.digits), style) + "\n" +
+         condition_rows(orbit.conditions, style);
 }
 
 // What tells formal solutions apart: how long their phases last, and what else is a result.
@@ -139,16 +134,6 @@ bool tells_apart(const NamedBall& value, const OrbitQuestion& question) {
   const bool result = value.name == "phi" || value.name.starts_with("ur");
   return !is_given(value, question) &&
          (result || std::find(durations.begin(), durations.end(), value.name) != durations.end());
-}
-
-// The first of the violated conditions.
-std::string violated(const Orbit& orbit) {
-  constexpr std::size_t most = 3;
-  const std::vector<std::string> ids = decisive_conditions(orbit);
-  const std::vector<std::string> first(ids.begin(),
-                                       ids.begin() + static_cast<std::ptrdiff_t>(std::min(most, ids.size())));
-  const std::string more = ids.size() > most ? fmt::format(" and {} more", ids.size() - most) : "";
-  return fmt::format("{}{}", fmt::join(first, ", "), more);
 }
 
 // In a line each.
@@ -172,34 +157,57 @@ std::string formal_solutions(const OrbitList& list, const std::vector<std::size_
         row.push_back({units.short_text(value, digits_in_rows)});
       }
     }
-    row.push_back({violated(list.orbits[i]), colour_of(Truth::refuted, style)});
+    row.push_back(violated(list.orbits[i], style));
     rows.push_back(row);
   }
+  return table_of_formal(rows, style);
+}
+
+}  // namespace
+
+Told told(const std::vector<Truth>& admissible, InFull in_full) {
+  Told result;
+  const auto is = [&](std::size_t i, Truth truth) { return admissible[i] == truth; };
+  for (std::size_t i = 0; i < admissible.size(); ++i) {
+    (is(i, Truth::refuted) && in_full == InFull::admissible ? result.formal : result.in_full).push_back(i);
+  }
+  const auto begin = result.in_full.begin();
+  const auto refuted = std::stable_partition(begin, result.in_full.end(),
+                                             [&](std::size_t i) { return !is(i, Truth::refuted); });
+  std::stable_partition(begin, refuted, [&](std::size_t i) { return is(i, Truth::proved); });
+  return result;
+}
+
+Cell violated(const Orbit& orbit, const Style& style) {
+  constexpr std::size_t most = 3;
+  const std::vector<std::string> ids = decisive_conditions(orbit);
+  const std::vector<std::string> first(ids.begin(),
+                                       ids.begin() + static_cast<std::ptrdiff_t>(std::min(most, ids.size())));
+  const std::string more = ids.size() > most ? fmt::format(" and {} more", ids.size() - most) : "";
+  return {fmt::format("{}{}", fmt::join(first, ", "), more), colour_of(Truth::refuted, style)};
+}
+
+std::string table_of_formal(const std::vector<Row>& rows, const Style& style) {
   return "\n" +
          columns_of({{{"Formal solutions, not admissible", bold(style)}, {"(--all says all about them)"}}},
                     style.width) +
          columns_of(rows, style.width);
 }
 
-}  // namespace
-
 std::string terminal_report(const OrbitList& list, const Style& style, const Units& units, InFull in_full) {
-  std::vector<std::size_t> told, formal;
-  const auto is = [&](std::size_t i, Truth truth) { return list.orbits[i].admissible.truth == truth; };
-  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    (is(i, Truth::refuted) && in_full == InFull::admissible ? formal : told).push_back(i);
+  std::vector<Truth> admissible;
+  for (const Orbit& orbit : list.orbits) {
+    admissible.push_back(orbit.admissible.truth);
   }
-  const auto refuted =
-      std::stable_partition(told.begin(), told.end(), [&](std::size_t i) { return !is(i, Truth::refuted); });
-  std::stable_partition(told.begin(), refuted, [&](std::size_t i) { return is(i, Truth::proved); });
+  const Told these = told(admissible, in_full);
   std::string text = head(list, style);
-  for (const std::size_t i : told) {
+  for (const std::size_t i : these.in_full) {
     text += all_about(list, i, style, units);
   }
-  text += formal_solutions(list, formal, style, units);
-  return told.empty() ? text
-                      : text + "\n" + labelled(0, "margin", meaning_of_margin(), style.width) +
-                            labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
+  text += formal_solutions(list, these.formal, style, units);
+  return these.in_full.empty() ? text
+                               : text + "\n" + labelled(0, "margin", meaning_of_margin(), style.width) +
+                                     labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
 }
 
 }  // namespace stickslip::report::orbits

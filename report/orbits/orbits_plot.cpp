@@ -21,8 +21,7 @@ using namespace tools;
 
 namespace {
 
-constexpr int samples = 240;  // per phase
-constexpr double pixels_per_inch = 96;
+constexpr int samples = 240;         // per phase
 constexpr double arrow_pixels = 15;  // the length of a head: wider than the heaviest line
 
 // In pixels of the SVG: the width of the picture, the height of a panel, and the rows of an orbit's panels.
@@ -201,7 +200,7 @@ std::string meaning_of_picture() {
 }
 
 std::string plot_script(const OrbitList& list, PlotFormat format, PlotShape shape,
-                        std::optional<std::size_t> only) {
+                        std::optional<std::size_t> only, const Units& units) {
   Json orbits = Json::array();
   for (const std::size_t i : drawn(list, only)) {
     orbits.push_back(orbit_data(list, i));
@@ -212,17 +211,12 @@ std::string plot_script(const OrbitList& list, PlotFormat format, PlotShape shap
   const Page page = shape == PlotShape::wide ? wide_page : narrow_page;
   const std::size_t rows = orbits.size() * static_cast<std::size_t>(page.rows);
   const int height = page.panel_height * static_cast<int>(rows);
-  const Json data = {{"svg", format == PlotFormat::svg},
-                     {"pdf", format == PlotFormat::pdf},
-                     {"width", std::to_string(page.width)},
-                     {"height", std::to_string(height)},
-                     {"inches_wide", fmt::format("{:.2f}", page.width / pixels_per_inch)},
-                     {"inches", fmt::format("{:.2f}", height / pixels_per_inch)},
+  const Json data = {{"terminal", terminal(format, page.width, height)},
                      {"rows", std::to_string(rows)},
                      {"columns", std::to_string(4 / page.rows)},
                      {"narrow", shape == PlotShape::narrow},
                      {"arrow_size", fmt::format("{:.3f}", arrow_pixels / page.width)},
-                     {"parameters", parameter_text(list.question)},
+                     {"parameters", units.machine_or(parameter_text(list.question))},
                      {"orbits", orbits}};
   return render_file("orbits.gp", data, plain_format);
 }

@@ -1,12 +1,14 @@
 // The parts of an orbit that all of its reports share.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "numeric/attractors/attractors.hpp"
 #include "numeric/orbits.hpp"
+#include "report/orbits/orbits.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 
@@ -56,5 +58,18 @@ void add_stability(tools::Json& json, const numeric::Orbit& orbit, int digits);
 [[nodiscard]] std::string stability_rows(const numeric::Orbit& orbit, int digits, const tools::Style& style);
 [[nodiscard]] std::string condition_rows(const std::vector<numeric::motion::Condition>& conditions,
                                          const tools::Style& style);
+
+// Places in a list by what is known of their orbits: those to be told in full, admissible ones first and
+// others before those that are not; and formal solutions, unless all are asked for in full.
+struct Told {
+  std::vector<std::size_t> in_full, formal;
+};
+[[nodiscard]] Told told(const std::vector<Truth>& admissible, InFull in_full);
+
+// Formal solutions in a line each: the names of what tells them apart, then for each its number in the list,
+// those values and the first conditions that it violates.
+inline constexpr int digits_in_rows = 6;
+[[nodiscard]] std::string table_of_formal(const std::vector<tools::Row>& rows, const tools::Style& style);
+[[nodiscard]] tools::Cell violated(const numeric::Orbit& orbit, const tools::Style& style);
 
 }  // namespace stickslip::report::orbits

@@ -93,10 +93,7 @@ std::string plot_script(const Portrait& p, PlotFormat format, PlotShape shape, c
   Json section = ranges(widened(extent_once(p, 1), margin), widened(extent_once(p, 3), margin));
   section["x"] = units.labelled("x_2", "m");
   section["y"] = units.labelled("x'_2", "m/s");
-  const Json data = {{"svg", format == PlotFormat::svg},
-                     {"pdf", format == PlotFormat::pdf},
-                     {"width", narrow ? "480" : "1200"},
-                     {"height", narrow ? "1200" : "420"},
+  const Json data = {{"terminal", narrow ? terminal(format, 480, 1200) : terminal(format, 1200, 420)},
                      {"layout", narrow ? "3,1" : "1,3"},
                      {"phases", phase_tables(p.samples)},
                      {"portraits", {axes(0), axes(1)}},

@@ -91,8 +91,7 @@ std::string plot_script(const Record& record, const PictureSamples& samples, Plo
   const double from = std::max(0.0, record.done - PictureSamples::periods_at_end * record.period);
   const model::Parameters<double>& a = record.start.data;
   const Json data = {
-      {"svg", format == PlotFormat::svg},
-      {"pdf", format == PlotFormat::pdf},
+      {"terminal", terminal(format, 1000, 760)},
       {"portrait", lines(samples.last())},
       {"history", lines(samples.all_times())},
       {"phases", phase_tables(samples.last(), from)},
@@ -105,8 +104,9 @@ std::string plot_script(const Record& record, const PictureSamples& samples, Plo
       {"joules", units.unit(" in J")},
       {"periods", fmt::format("{:.6g}", record.done / record.period)},
       {"parameters",
-       fmt::format("χ = {:.6g}, η = {:.6g}, u_s = {:.6g}, u_r = {:.6g}, V = {:.6g}, ω = {:.6g}, p = {:.6g}",
-                   a.chi, a.eta, a.us, record.start.ur, a.V, a.omega, a.p)}};
+       units.machine_or(fmt::format(
+           "χ = {:.6g}, η = {:.6g}, u_s = {:.6g}, u_r = {:.6g}, V = {:.6g}, ω = {:.6g}, p = {:.6g}", a.chi,
+           a.eta, a.us, record.start.ur, a.V, a.omega, a.p))}};
   return render_file("simulation.gp", data, plain_format);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <utility>
 
 #include "core/error.hpp"
 #include "report/tools/files.hpp"
@@ -21,13 +22,31 @@ const Tool& plotter() {
 }  // namespace
 
 PlotFormat plot_format(const fs::path& file) {
-  if (file.extension() == ".svg") {
-    return PlotFormat::svg;
+  for (const auto& [ending, format] :
+       {std::pair(".svg", PlotFormat::svg), {".pdf", PlotFormat::pdf}, {".png", PlotFormat::png}}) {
+    if (file.extension() == ending) {
+      return format;
+    }
   }
-  if (file.extension() == ".pdf") {
-    return PlotFormat::pdf;
+  throw UsageError(fmt::format("plot: the name '{}' ends in none of .svg, .pdf and .png", file.string()));
+}
+
+std::string terminal(PlotFormat format, int width, int height) {
+  constexpr double pixels_per_inch = 96;
+  constexpr int png_scale = 2;  // pixels of a PNG for each of the SVG, so that it can be printed
+  constexpr const char * rest = "enhanced background rgb \"white\"";
+  switch (format) {
+    case PlotFormat::svg:
+      return fmt::format("svg size {},{} font \"sans,13\" {}", width, height, rest);
+    case PlotFormat::pdf:
+      return fmt::format("pdfcairo size {:.2f}in,{:.2f}in font \"sans,11\" {}", width / pixels_per_inch,
+                         height / pixels_per_inch, rest);
+    case PlotFormat::png:
+      return fmt::format(
+          "pngcairo size {0},{1} font \"sans,10\" fontscale {2} linewidth {2} pointscale {2} {3}",
+          png_scale * width, png_scale * height, png_scale, rest);
   }
-  throw UsageError(fmt::format("plot: the name '{}' ends in neither .svg nor .pdf", file.string()));
+  throw InternalError("a picture of no known format");
 }
 
 void require_plot(const fs::path& file) {
@@ -49,7 +68,8 @@ std::string gnuplot(const std::string& script) {
   // gnuplot does not say when it could not write all of it.
   const std::size_t last = picture.find_last_not_of('\n');
   const std::string_view text = std::string_view(picture).substr(0, last == std::string::npos ? 0 : last + 1);
-  if (!text.ends_with("</svg>") && !text.ends_with("%%EOF")) {
+  constexpr std::string_view end_of_png = "IEND\xae\x42\x60\x82";
+  if (!text.ends_with("</svg>") && !text.ends_with("%%EOF") && !text.ends_with(end_of_png)) {
     throw InputOutputError("cannot draw a plot: what gnuplot drew is not whole");
   }
   return picture;

@@ -6,13 +6,16 @@
 
 namespace stickslip::report::tools {
 
-enum class PlotFormat { svg, pdf };
+enum class PlotFormat { svg, pdf, png };
 
 // Two panels beside each other, or one: for a telephone.
 enum class PlotShape { wide, narrow };
 
-// By the ending of the file's name. Throws UsageError when that is neither .svg nor .pdf.
+// By the ending of the file's name. Throws UsageError when that is none of .svg, .pdf and .png.
 [[nodiscard]] PlotFormat plot_format(const std::filesystem::path& file);
+
+// What `set terminal` of gnuplot is given for a picture of this size in pixels of the SVG.
+[[nodiscard]] std::string terminal(PlotFormat format, int width, int height);
 
 // Throws InputOutputError unless there is a gnuplot that runs and the file can be written, UsageError as
 // plot_format does. Called before long work that ends in a picture.

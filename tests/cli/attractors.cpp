@@ -171,6 +171,20 @@ TEST_CASE(
   CHECK(nowhere.code == exit_io);
 }
 
+TEST_CASE("orbits of a word that are not admissible stand in a line each, unless all are asked for in full") {
+  const Run brief = stickslip_program({"orbits", "OTS", "--example", "O"});
+  CHECK(brief.code == exit_decided);
+  CHECK(brief.out.find("Orbit 2 of 2:  admissible\n") != std::string::npos);
+  CHECK(brief.out.find("Orbit 1 of 2") == std::string::npos);
+  CHECK(brief.out.find("Formal solutions, not admissible  (--all says all about them)\n"
+                       "  orbit  O        T        S        phi          violates\n"
+                       "  1      2.55481  2.53789  4.89805  1.68138 rad  crossing\n") != std::string::npos);
+  const Run all = stickslip_program({"orbits", "OTS", "--example", "O", "--all"});
+  CHECK(all.out.find("Orbit 1 of 2:  not admissible: crossing\n") >
+        all.out.find("Orbit 2 of 2:  admissible\n"));
+  CHECK(all.out.find("Formal solutions") == std::string::npos);
+}
+
 TEST_CASE("a word without an orbit is exit code 2, with what was met instead") {
   const Run result = stickslip_program({"orbits", "OSOSOT", "--example", "P", "--ur", "0.25"});
   CHECK(result.code == exit_undecided);
@@ -251,7 +265,7 @@ TEST_CASE("what makes no sense with --along and --plane is named") {
       {at_P({"--plane", "x1,x1"}), exit_usage, "twice"},
       {at_P({"--plane", "x1,x2", "--pixels", "1"}), exit_usage, "pixels"},
       {at_P({"--plane", "x1,x2", "--seed", "3"}), exit_usage, "--seed"},
-      {at_P({"--plane", "x1,x2", "--plot", "a.png"}), exit_usage, "a.png"},
+      {at_P({"--plane", "x1,x2", "--plot", "a.jpg"}), exit_usage, "a.jpg"},
       {at_P({"--plane", "x1,x2", "--csv", "/no/such/place/a.csv"}), exit_io, "/no/such/place"},
       {at_P({"--csv", "a.csv"}), exit_usage, "--csv"},
   });

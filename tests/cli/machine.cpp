@@ -81,7 +81,8 @@ TEST_CASE("values in SI units are those of the table in other units") {
   // Omega = 10: a time of 1 is 0.1 s, a length 1 mm, a velocity 0.01 m/s, a force 0.4 N.
   const Run word = run_with(machine_O, {"orbits", "OTS", "--units", "si", "--digits", "8"});
   CHECK(word.code == exit_decided);
-  const Json orbit = Json::parse(run_with(machine_O, {"orbits", "OTS", "--json"}).out).at("orbits").at(0);
+  const Json orbit = Json::parse(run_with(machine_O, {"orbits", "OTS", "--json"}).out).at("orbits").at(1);
+  REQUIRE(orbit.at("admissible") == true);  // that one is told first
   const auto in_table = [](const Run& run, const std::string& name) {
     const std::size_t at = run.out.find("\n  " + name + " ");
     REQUIRE(at != std::string::npos);
@@ -198,6 +199,58 @@ TEST_CASE("what the model lacks, and what a value or a file should look like, is
           "'frequency' is none of the parameters in ");
   refused(machine_O, {"attractors", "--along", "frequency", "1..2"}, exit_usage,
           "belt_velocity, friction_at_rest, friction_sliding, k1, k2, load_amplitude, load_frequency, m1");
+}
+
+TEST_CASE("values of a machine have the digits that its data deserve, or those of --digits") {
+  const Machine five{{"m1", "12.4"},
+                     {"m2", "3.1"},
+                     {"k1", "8300"},
+                     {"k2", "2650.5"},
+                     {"friction_force_sliding", "13.1"},
+                     {"friction_force_at_rest", "21.7"},
+                     {"belt_velocity", "0.213"},
+                     {"load_amplitude", "44.4"},
+                     {"load_frequency", "5.15"}};
+  const Words orbits{"orbits", "nonsticking", "--units", "si"};
+  const auto line = [](const Run& run, const std::string& label) {
+    CAPTURE(run.err);
+    const std::size_t at = run.out.find("\n" + label);
+    REQUIRE(at != std::string::npos);
+    return run.out.substr(at + 1, run.out.find('\n', at + 1) - at - 1);
+  };
+  // Two more than the five of k2; without k2's, two more than four.
+  const Run seven = run_with(five, orbits);
+  CHECK(line(seven, "natural") == "natural     3.343472 Hz and 5.731309 Hz");
+  CHECK(line(seven, "  Theta") == "  Theta   0.1941748 ± 4.36e-8 s");
+  CHECK(line(run_with(with(five, "k2", "2.7e3"), orbits), "  Theta").starts_with("  Theta   0.194175 ± "));
+  CHECK(line(run_with(five, with(orbits, {"--digits", "9"})), "  Theta")
+            .starts_with("  Theta   0.194174757 ± "));
+}
+
+TEST_CASE("figures are titled by the machine, in each format") {
+  const TemporaryDirectory temporary;
+  const std::string svg = temporary.path() / "a.svg", png = temporary.path() / "a.png";
+  const std::string springs = "m1 = 4 kg, m2 = 1 kg, k1 = 320 N/m, k2 = 80 N/m,";
+  const std::string rest = "friction 0.02 N sliding, 0.1834 N at rest, belt 0.01 m/s, load 0.005 N";
+  const Words start{"simulate", "--state", "0,0,0,0", "--periods", "3", "--plot"};
+  const auto drawn = [&](const Words& arguments) {
+    const Run run = run_with(O, with(arguments, {svg}));
+    CAPTURE(run.err);
+    CHECK(run.code != exit_usage);
+    return content(svg);
+  };
+  for (const Words& arguments : {start, Words{"attractors", "--plane", "x1,x2", "--pixels", "2", "--plot"},
+                                 Words{"orbits", "overshooting", "--plot"}}) {
+    const std::string picture = drawn(arguments);
+    CHECK(picture.find(springs) != std::string::npos);
+    CHECK(picture.find(rest + " at 1.0009254372 Hz") != std::string::npos);
+  }
+  const std::string along = drawn(
+      {"attractors", "--along", "load_frequency", "1..1.1", "--values", "2", "--starts", "2", "--plot"});
+  CHECK(along.find(rest + "<") != std::string::npos);
+  CHECK(along.find("at 1.0009254372 Hz") == std::string::npos);
+  CHECK(run_with(O, with(start, {png})).code == exit_decided);
+  CHECK(content(png).starts_with("\x89PNG"));
 }
 
 TEST_CASE("a byte order mark before the parameters says nothing") {

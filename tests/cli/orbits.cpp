@@ -48,7 +48,7 @@ TEST_CASE("what is missing, misplaced or no number is a usage error that names i
       {{"symmetric", "--example", "S", "--chi", "0.5+--1"}, exit_usage, "chi"},
       {{"symmetric", "--example", "S", "--digits", "0"}, exit_usage, "digits"},
       {{"symmetric", "--example", "S", "--digits", "ten"}, exit_usage, "digits"},
-      {{"symmetric", "--example", "S", "--plot", "a.png"}, exit_usage, "a.png"},
+      {{"symmetric", "--example", "S", "--plot", "a.jpg"}, exit_usage, "a.jpg"},
       {{"symmetric", "--example", "S", "--jobs", "0"}, exit_usage, "jobs: '0'"},
       {{"symmetric", "--example", "S", "--jobs", "2x"}, exit_usage, "jobs: '2x'"},
       {{"symmetric", "--example", "S", "--jobs", "100000"}, exit_usage, "from 1 to 1024"},

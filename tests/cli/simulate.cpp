@@ -55,7 +55,7 @@ TEST_CASE("what is missing or malformed is a usage error that names it") {
           {{"--example", "S", "--perturb", "1,2,3,4,5"}, exit_usage, "perturb"},
           {{"--example", "S", "--state", "a,2,3,4"}, exit_usage, "state: 'a'"},
           {{"--example", "S", "--chi", "0.5+-0.1"}, exit_usage, "interval"},
-          {{"--example", "S", "--plot", "a.png"}, exit_usage, "a.png"},
+          {{"--example", "S", "--plot", "a.jpg"}, exit_usage, "a.jpg"},
           {{"--example", "S", "--ur", "0.001"}, exit_domain, "ur = 0.001"},
           {{"--example", "S", "--omega", "0"}, exit_domain, "omega = 0"},
           {{"--example", "S", "--csv", "/no/such/directory/a.csv"}, exit_io, "/no/such/directory"},

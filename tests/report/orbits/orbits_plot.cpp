@@ -69,14 +69,16 @@ TEST_CASE("another u_r for each orbit is said only where it is proved") {
   CHECK(report::orbits::remark_on_ur(list_orbits(question_of(example_named("P")))).empty());
 }
 
-TEST_CASE("gnuplot draws both formats") {
+TEST_CASE("gnuplot draws all formats") {
   const TemporaryDirectory temporary;
   const OrbitList list = example_list();
   report::tools::write_plot(temporary.path() / "a.svg", report::orbits::plot_script(list, PlotFormat::svg));
   report::tools::write_plot(temporary.path() / "a.pdf", report::orbits::plot_script(list, PlotFormat::pdf));
   CHECK(report::tools::read_file(temporary.path() / "a.svg").find("</svg>") != std::string::npos);
+  report::tools::write_plot(temporary.path() / "a.png", report::orbits::plot_script(list, PlotFormat::png));
   CHECK(report::tools::read_file(temporary.path() / "a.pdf").starts_with("%PDF"));
-  CHECK(temporary.count() == 2);
+  CHECK(report::tools::read_file(temporary.path() / "a.png").starts_with("\x89PNG"));
+  CHECK(temporary.count() == 3);
 }
 
 TEST_CASE("what cannot be drawn is an error, and leaves no file") {
@@ -87,6 +89,6 @@ TEST_CASE("what cannot be drawn is an error, and leaves no file") {
   std::filesystem::create_directory(temporary.path() / "directory.svg");
   CHECK_THROWS_AS(report::tools::require_plot(temporary.path() / "directory.svg"), InputOutputError);
   CHECK_THROWS_AS(report::tools::require_plot(temporary.path()), UsageError);
-  CHECK_THROWS_AS((void)report::tools::plot_format("a.png"), UsageError);
+  CHECK_THROWS_AS((void)report::tools::plot_format("a.jpg"), UsageError);
   CHECK(temporary.count() == 1);
 }
