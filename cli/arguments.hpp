@@ -109,7 +109,8 @@ struct AttractorsOptions {
 struct AtlasOptions {
   std::string family;
   TypedParameters parameters;
-  std::string file, example, resolution, out, csv, plot, jobs, time_limit, verify, sample;
+  std::vector<std::pair<std::string, std::string>> along;  // parameters, or values of the machine, and A..B
+  std::string file, units, example, resolution, out, csv, plot, jobs, time_limit, verify, sample;
   bool resume = false, json = false;
 
   static constexpr int default_resolution = 8;

@@ -11,7 +11,7 @@
 
 #include "cli/cluster.hpp"
 #include "cli/commands.hpp"
-#include "cli/machine_file.hpp"
+#include "cli/machine_box.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
@@ -34,39 +34,37 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "A..B", "0.5+-1e-4" or a number.
-Interval interval(const std::string& name, const std::string& text) {
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos) {
-    const Range range = parse_range(name, text);
-    return {range.middle - range.radius, range.middle + range.radius};
-  }
-  const Interval result{exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
-  if (result.lower >= result.upper) {
-    throw UsageError(fmt::format("{}: '{}' does not rise: A..B needs A < B", name, text));
-  }
-  return result;
-}
+// What is asked, and of which machines.
+struct AtlasAsked {
+  Question question;
+  report::atlas::Machine machine;
+};
 
-Question question_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
+AtlasAsked asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
   if (o.family.empty()) {
     throw UsageError("a family of orbits is missing: " + numeric::families::names_of_families());
   }
   Question q;
   q.family = &numeric::families::family_named(o.family);
-  ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional);
-  leave_results_out(file, *q.family, o.parameters);
-  TypedParameters given = given_parameters(paper, o.parameters, file.parameters, o.example);
+  TypedParameters typed = o.parameters;
+  for (const auto& [name, range] : o.along) {
+    typed = with_along(std::move(typed), {name, range});
+  }
+  MachineBox box = read_machine_box(o.file, typed, o.example);
+  ParameterFile& file = box.file;
+  (void)units_of(o.units, file, false);
+  leave_results_out(file, *q.family, typed);
+  TypedParameters given = given_parameters(paper, typed, file.parameters, o.example);
   for (const auto& [name, why] :
        {std::pair("phi", q.family->why_no_phi), std::pair("ur", q.family->why_no_ur)}) {
-    if (o.parameters.contains(name) && !why.empty()) {
+    if (typed.contains(name) && !why.empty()) {
       throw UsageError(why);
     }
     if (!why.empty()) {
       given.erase(name);  // the example's
     }
   }
-  if (takes_phi(*q.family) && o.parameters.contains("ur")) {
+  if (takes_phi(*q.family) && typed.contains("ur")) {
     throw UsageError(fmt::format("ur: an atlas of {} orbits takes phi, and u_r is a result", q.family->name));
   }
   std::vector<std::string> needed(numeric::atlas::parameter_names(*q.family).begin(),
@@ -74,7 +72,8 @@ Question question_of(const AtlasOptions& o, const proofs::methods::Paper& paper)
   require_given(given, needed);
   for (const std::string& name : numeric::atlas::parameter_names(*q.family)) {
     if (given.contains(name)) {
-      q.region.push_back(interval(name, given.at(name)));
+      const auto [lower, upper] = interval(name, given.at(name));
+      q.region.push_back({lower, upper});
       if (!q.region.back().is_point()) {
         q.axes.push_back(q.region.size() - 1);
       }
@@ -84,7 +83,7 @@ Question question_of(const AtlasOptions& o, const proofs::methods::Paper& paper)
                               AtlasOptions::default_resolution);
   require_understood(q);
   tell_left_out(file);
-  return q;
+  return {q, box.said};
 }
 
 // Whether --plot asks for a mesh that ParaView opens.
@@ -93,21 +92,23 @@ bool is_mesh(const fs::path& plot) {
 }
 
 // What was asked for beside the atlas.
-void write_pictures(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
+void write_pictures(const AtlasOptions& o, const AtlasAsked& asked, const std::vector<Leaf>& leaves) {
+  const auto& [q, machine] = asked;
   if (!o.csv.empty()) {
-    report::tools::write_file(o.csv, report::atlas::to_csv(q, leaves));
+    report::tools::write_file(o.csv, report::atlas::to_csv(q, leaves, machine));
   }
   if (is_mesh(o.plot)) {
-    report::tools::write_file(o.plot, report::atlas::to_vtk(q, leaves));
+    report::tools::write_file(o.plot, report::atlas::to_vtk(q, leaves, machine));
   } else if (!o.plot.empty()) {
-    report::tools::write_plot(o.plot,
-                              report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot)));
+    report::tools::write_plot(
+        o.plot, report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot), machine));
   }
 }
 
-void print_summary(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
-  print(o.json ? report::tools::to_text(report::atlas::to_json(q, leaves))
-               : report::atlas::terminal_report(q, leaves, terminal_style()));
+void print_summary(const AtlasOptions& o, const AtlasAsked& asked, const std::vector<Leaf>& leaves) {
+  const auto& [q, machine] = asked;
+  print(o.json ? report::tools::to_text(report::atlas::to_json(q, leaves, machine))
+               : report::atlas::terminal_report(q, leaves, terminal_style(), machine));
 }
 
 // Before long work.
@@ -262,19 +263,24 @@ void work(const AtlasOptions& o, Cluster& cluster, const Question& q, const fs::
 }
 
 // The atlas in its place and the log gone; without HDF5 a table.
-void keep(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves, const fs::path& log) {
+void keep(const AtlasOptions& o, const AtlasAsked& asked, const std::vector<Leaf>& leaves,
+          const fs::path& log) {
+  const auto& [q, machine] = asked;
   if (report::atlas::has_hdf5()) {
     report::atlas::write_archive(o.out, q, leaves);
     fs::remove_all(log);
     return;
   }
   const std::string table = o.out + ".csv";
-  report::tools::write_file(table, report::atlas::to_csv(q, leaves));
-  tell(fmt::format("stickslip: this program was built without HDF5: the boxes are in {} and {}.", table,
-                   log.string()));
+  report::tools::write_file(table, report::atlas::to_csv(q, leaves, machine));
+  tell(fmt::format(
+      "stickslip: this program was built without HDF5, which script/bootstrap cluster installs: the "
+      "boxes are in {} and {}.",
+      table, log.string()));
 }
 
-ExitCode make(const AtlasOptions& o, const Question& q, Cluster& cluster) {
+ExitCode make(const AtlasOptions& o, const AtlasAsked& asked, Cluster& cluster) {
+  const Question& q = asked.question;
   if (o.out.empty()) {
     throw UsageError("--out FILE is missing: where the atlas is to be written");
   }
@@ -302,15 +308,15 @@ ExitCode make(const AtlasOptions& o, const Question& q, Cluster& cluster) {
     put_in_order(q, leaves);
     complete = gaps(leaves).empty();
     if (complete && fs::exists(log)) {
-      keep(o, q, leaves, log);
+      keep(o, asked, leaves, log);
     }
     begun.leaves = std::move(leaves);
     ended = !complete && interrupted();
   }
   if (complete) {
-    write_pictures(o, q, begun.leaves);
+    write_pictures(o, asked, begun.leaves);
   }
-  print_summary(o, q, begun.leaves);
+  print_summary(o, asked, begun.leaves);
   return ended ? exit_interrupted : code_of(q, begun.leaves);
 }
 
@@ -323,11 +329,11 @@ ExitCode run(const AtlasOptions& o, const proofs::methods::Paper& paper) {
   if (!o.sample.empty()) {
     throw UsageError("--sample is for --verify");
   }
-  const Question q = question_of(o, paper);
+  const AtlasAsked here = asked_of(o, paper);
   Cluster cluster;
   const Jobs limit = jobs(o.jobs);
   try {
-    return make(o, q, cluster);
+    return make(o, here, cluster);
   } catch (const Error& error) {
     if (cluster.size() == 1) {
       throw;

@@ -12,6 +12,9 @@ constexpr const char * details =
     "stable. Parameters that vary are given as A..B. Boxes that cannot be decided are halved,\n"
     "each side at most --resolution times, and say why they are left open. Decided and open\n"
     "volume add up exactly.\n\n"
+    "In the file of a machine in SI units each value may be a range, such as \"7..8\",\n"
+    "\"7.5+-0.01\" or \"4+-5%\"; --along replaces it. The box of the data encloses those of all\n"
+    "these machines: where a mass or a stiffness varies it holds more, and that is said.\n\n"
     "What is found is written into OUT.log while the work goes on; whatever happens to the\n"
     "program, --resume goes on from there. The atlas, an HDF5 file, is written when all is\n"
     "done, and the log removed. It is the same whoever made it, in however many parts. Where\n"
@@ -34,6 +37,16 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
   const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
     return add_text(*command, name, text, type, words);
   };
+  command
+      ->add_option(
+          "--along", options.along,
+          "A parameter that varies and its interval, once for each of them, such as\nomega 0.5..0.6, "
+          "or load_frequency 7..8 of a machine in SI units")
+      ->allow_extra_args(false)
+      ->type_name("NAME A..B");
+  add("--units", options.units, "UNITS",
+      "si: tables and maps are in SI units; of a machine in SI units whose masses\nand stiffnesses are "
+      "numbers they always are");
   add("--resolution", options.resolution, "K",
       fmt::format("Boxes are at least 2^-K of each range: {} by default", AtlasOptions::default_resolution));
   add("--out", options.out, "FILE", "Write the atlas there, and while it grows FILE.log");

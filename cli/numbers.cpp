@@ -36,6 +36,26 @@ Rational exact_number(const std::string& name, const std::string& text) {
   return range.middle;
 }
 
+std::pair<Rational, Rational> interval(const std::string& name, const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots != std::string::npos) {
+    const std::pair ends{exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
+    if (ends.first >= ends.second) {
+      throw UsageError(fmt::format("{}: '{}' does not rise: A..B needs A < B", name, text));
+    }
+    return ends;
+  }
+  const std::size_t sign = text.find("+-");
+  if (text.ends_with('%') && sign != std::string::npos) {
+    const Rational middle = exact_number(name, text.substr(0, sign));
+    const Rational share = exact_number(name, text.substr(sign + 2, text.size() - sign - 3)) / 100;
+    const Rational radius = abs(middle * share);
+    return {middle - radius, middle + radius};
+  }
+  const Range range = parse_range(name, text);
+  return {range.middle - range.radius, range.middle + range.radius};
+}
+
 double number(const std::string& name, const std::string& text) {
   return numeric::scalars::scalar<double>(exact_number(name, text));
 }

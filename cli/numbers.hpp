@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "core/parallel.hpp"
 #include "core/rational.hpp"
@@ -16,6 +17,9 @@ namespace stickslip::cli {
 [[nodiscard]] Rational exact_number(const std::string& name, const std::string& text);
 [[nodiscard]] double number(const std::string& name, const std::string& text);
 [[nodiscard]] double positive(const std::string& name, const std::string& text);
+
+// "A..B" with A < B, "0.5+-1e-4", "4+-5%" or a number: its ends. Throws UsageError naming `name`.
+[[nodiscard]] std::pair<Rational, Rational> interval(const std::string& name, const std::string& text);
 
 // A state "x1,x2,x1',x2'". Throws likewise.
 [[nodiscard]] model::Vector4<double> four_numbers(const std::string& name, const std::string& text);

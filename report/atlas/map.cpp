@@ -7,6 +7,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "report/atlas/summary.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
 
@@ -89,7 +90,8 @@ std::vector<std::size_t> painted(const std::vector<Leaf>& leaves, const Legend& 
 
 }  // namespace
 
-std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tools::PlotFormat format) {
+std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tools::PlotFormat format,
+                        const Machine& machine) {
   if (q.axes.size() != 2) {
     throw UsageError("plot: a map needs two parameters that vary");
   }
@@ -101,9 +103,11 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
   Json data{{"terminal", tools::terminal(format, 900, 860)}};
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval& range = q.region[q.axes[k]];
-    ends[k] = {range.lower.get_d(), range.upper.get_d()};
+    const std::size_t axis = q.axes[k];
+    ends[k] = {machine.value_of(q, axis, range.lower), machine.value_of(q, axis, range.upper)};
     const std::string name = k == 0 ? "x" : "y";
-    data[name] = parameter_names(*q.family)[q.axes[k]];
+    const std::string said = machine.name_of(q, axis);
+    data[name] = said + orbits::in_unit_of(said);
     data[name + "_from"] = fmt::format("{:.9g}", ends[k].first);
     data[name + "_to"] = fmt::format("{:.9g}", ends[k].second);
   }

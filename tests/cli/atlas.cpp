@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -15,8 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/cli/program.hpp"
-#include "tests/report/temporary.hpp"
+#include "tests/cli/machines.hpp"
 
 namespace stickslip {
 namespace {
@@ -187,6 +187,68 @@ TEST_CASE("An atlas of overshooting orbits is one at the phase of the load that 
   CHECK(json["parameters"]["phi"] == "0");
   REQUIRE(json["counts"].size() > 0);
   CHECK(json["counts"][0]["orbits"] == 2);
+}
+
+// Example P as a machine: Omega = 10, lengths in mm.
+const Machine machine_P{{"m1", "4"},
+                        {"m2", "1"},
+                        {"k1", "320"},
+                        {"k2", "80"},
+                        {"friction_force_sliding", "0.02"},
+                        {"belt_velocity", "0.01"},
+                        {"load_amplitude", "0.1"},
+                        {"load_frequency", "1.1"}};
+
+TEST_CASE("An atlas of a machine in SI units encloses the ranges of its values") {
+  const TemporaryDirectory directory;
+  const Words asked{"atlas", "nonsticking", "--resolution", "2", "--json", "--csv", directory / "a.csv"};
+  const auto json = [&](const Machine& machine, const Words& more = {}) {
+    const Run made = run_with(machine, with(with(asked, {"--out", directory / "a.h5"}), more));
+    INFO(made.err);
+    REQUIRE(made.code == 0);
+    fs::remove(directory / "a.h5");
+    return nlohmann::json::parse(made.out);
+  };
+  const auto range = [](const nlohmann::json& made, const char * name) {
+    const std::string text = made["parameters"][name];
+    return std::pair(std::stod(text), std::stod(text.substr(text.find("..") + 2)));
+  };
+  const double turn = 6.283185307179586;
+  // One datum moves, and is said as the value of the machine.
+  const auto frequency = json(with(machine_P, "load_frequency", "\"1.1+-0.01\""), {"--units", "si"});
+  CHECK(frequency["axes"] == nlohmann::json{"omega"});
+  CHECK(range(frequency, "omega").first == doctest::Approx(turn * 1.09 / 10).epsilon(1e-14));
+  CHECK(range(frequency, "omega").second == doctest::Approx(turn * 1.11 / 10).epsilon(1e-14));
+  CHECK(frequency["machine"]["si"]["omega"]["name"] == "load_frequency");
+  CHECK(frequency["machine"]["holds_more"] == false);
+  CHECK(content(directory / "a.csv").starts_with("load_frequency_from,load_frequency_to,orbits"));
+  CHECK(content(directory / "a.csv").find("\n1.09,") != std::string::npos);
+  // The same by --along.
+  CHECK(json(machine_P, {"--along", "load_frequency", "1.09..1.11"})["parameters"] ==
+        frequency["parameters"]);
+  // A mass moves four data, and the box holds more than their path.
+  const auto mass = json(with(machine_P, "m1", "\"4+-5%\""));
+  CHECK(mass["axes"] == nlohmann::json{"eta", "V", "omega", "p"});
+  CHECK(mass["parameters"]["eta"] == "3.8..4.2");
+  CHECK(range(mass, "V").first == doctest::Approx(std::sqrt(0.95)).epsilon(1e-14));
+  CHECK(range(mass, "omega").second == doctest::Approx(turn * 0.11 * std::sqrt(1.05)).epsilon(1e-14));
+  CHECK(mass["machine"]["holds_more"] == true);
+  CHECK(mass["machine"]["values"]["m1"] == "4+-5%");
+  // A stiffness moves three if us is the unit of length, six in a fixed one.
+  const auto stiffness = json(with(machine_P, "k1", "\"320+-5%\""));
+  CHECK(stiffness["axes"] == nlohmann::json{"chi", "V", "omega"});
+  CHECK(stiffness["parameters"]["us"] == "1");
+  CHECK(stiffness["parameters"]["chi"] == "5/26..5/24");
+  // Masses and stiffnesses at once, of a belt at rest.
+  Machine all = with(machine_P, "belt_velocity", "0");
+  for (const char * name : {"m1", "m2", "k1", "k2"}) {
+    all[name] = "\"" + all[name] + "+-5%\"";
+  }
+  CHECK(json(all)["axes"] == nlohmann::json{"chi", "eta", "omega", "p"});
+  const Run many = run_with(with(with(machine_P, "k1", "\"320+-5%\""), "m1", "\"4+-5%\""),
+                            with(asked, {"--out", directory / "b.h5"}));
+  CHECK(many.code == 64);
+  CHECK(is_one_sentence(many.err, "one to four"));
 }
 
 TEST_CASE("What lies outside the domain is no error, and said") {
