@@ -65,6 +65,11 @@ Leaf leaf_of(const unsigned char * r) {
            r[11]}};
 }
 
+// What stands in the file of the question: that, and a line by which damage is seen.
+std::string with_sum(const std::string& identity) {
+  return identity + fmt::format("{:08x}\n", seed_of(identity));
+}
+
 [[noreturn]] void fail(const fs::path& file, const char * what, int error) {
   throw InputOutputError(
       fmt::format("{}: cannot {}: {}", file.string(), what, std::generic_category().message(error)));
@@ -112,7 +117,7 @@ void create_log(const fs::path& directory, const std::string& identity) {
   // Under its own name only when it is complete: a log without a question is none.
   const fs::path pending = directory / "question.part";
   std::ofstream stream(pending, std::ios::binary);
-  stream << identity << std::flush;
+  stream << with_sum(identity) << std::flush;
   if (!stream) {
     fail(directory / name_of_question, "be written", errno);
   }
@@ -149,10 +154,15 @@ std::vector<Leaf> read_log(const fs::path& directory, const std::string& identit
   if (!fs::exists(question)) {
     throw InputOutputError(fmt::format("{}: no log of an atlas is there", directory.string()));
   }
-  const std::string asked = content_of(question);
+  const std::string content = content_of(question);
+  const std::string asked = content.substr(0, content.find('\n') + 1);
+  if (content != with_sum(asked)) {
+    throw InputOutputError(
+        fmt::format("{} is damaged: what the boxes of this log answer is not known", question.string()));
+  }
   if (asked != identity) {
     throw UsageError(fmt::format("{} answers another question, or one of another version: {}",
-                                 directory.string(), asked.substr(0, asked.find('\n'))));
+                                 directory.string(), asked.substr(0, asked.size() - 1)));
   }
   std::vector<Leaf> leaves;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {

@@ -84,6 +84,15 @@ TEST_CASE("An atlas is ended in order, says what is missing, and goes on") {
   CHECK(is_one_sentence(other.err, "another question"));
   CHECK(is_one_sentence(stickslip_program(near_S(out, "6")).err, "--resume"));
   {
+    const std::string question = out + ".log/question";
+    const std::string asked = content(question);
+    std::ofstream(question) << "S" << asked.substr(1);
+    const Run damaged = stickslip_program(with(near_S(out, "6"), {"--resume"}));
+    CHECK(damaged.code == 74);
+    CHECK(is_one_sentence(damaged.err, "question is damaged"));
+    std::ofstream(question) << asked;
+  }
+  {
     const int another = ::open((out + ".log/question").c_str(), O_RDONLY | O_CLOEXEC);
     REQUIRE(::flock(another, LOCK_EX) == 0);
     const Run second = stickslip_program(with(near_S(out, "6"), {"--resume"}));
