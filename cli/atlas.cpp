@@ -161,11 +161,27 @@ Second compare(const Leaf& leaf, const Finding& again) {
                   });
 }
 
+// Why a box is left open depends on how it was looked at, and is found again by doing the same.
+Second compare_reason(const Question& q, const Leaf& leaf, bool same_program) {
+  const bool same =
+      leaf.finding.is_decided() || judge_from_whole(q, leaf.tile, Balls::both).reason == leaf.finding.reason;
+  return same ? Second::confirmed : same_program ? Second::contradicted : Second::silent;
+}
+
 // From the leaf alone; where that tells too little from the whole down.
-Second look_again(const Question& q, const Leaf& leaf) {
+Second look_again(const report::atlas::Archive& archive, const Leaf& leaf) {
+  const Question& q = archive.question;
+  const bool same_program = archive.version == report::tools::program_version();
+  const Second reason = compare_reason(q, leaf, same_program);
+  if (archive.elsewhere.contains(leaf.tile) || reason == Second::contradicted) {
+    return Second::contradicted;
+  }
   Knowledge nothing;
-  const Second alone = compare(leaf, judge(q, leaf.tile, Balls::arb, nothing));
-  return alone != Second::silent ? alone : compare(leaf, judge_from_whole(q, leaf.tile, Balls::arb));
+  Second counts = compare(leaf, judge(q, leaf.tile, Balls::arb, nothing));
+  if (counts == Second::silent) {
+    counts = compare(leaf, judge_from_whole(q, leaf.tile, Balls::arb));
+  }
+  return counts == Second::confirmed ? reason : counts;
 }
 
 ExitCode verify(const AtlasOptions& o) {
@@ -176,11 +192,17 @@ ExitCode verify(const AtlasOptions& o) {
   std::vector<Leaf> sample;
   std::mt19937_64 random(1);
   std::sample(archive.leaves.begin(), archive.leaves.end(), std::back_inserter(sample), wanted, random);
+  for (const Leaf& leaf : archive.leaves) {
+    if (archive.elsewhere.contains(leaf.tile) &&
+        std::find(sample.begin(), sample.end(), leaf) == sample.end()) {
+      sample.push_back(leaf);
+    }
+  }
   const Jobs limit = jobs(o.jobs);
   const Interruptible scope;
   Progress progress("proving boxes again ...");
   const std::vector<Second> results = parallel_map(sample.size(), [&](std::size_t i) {
-    return interrupted() ? Second::silent : look_again(q, sample[i]);
+    return interrupted() ? Second::silent : look_again(archive, sample[i]);
   });
   std::string text;
   std::array<std::size_t, 3> counts{};

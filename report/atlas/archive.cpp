@@ -205,16 +205,25 @@ void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leav
   put(file, "reasons", all_reasons(*q.family));
 }
 
-void put_datasets(hid_t file, const Question& q, const std::vector<Leaf>& leaves) {
-  std::vector<double> lower;
-  std::vector<double> upper;
+// Of the axes, box after box, rounded to doubles.
+struct Bounds {
+  std::vector<double> lower, upper;
+};
+
+Bounds bounds_of(const Question& q, const std::vector<Leaf>& leaves) {
+  Bounds bounds;
   for (const Leaf& leaf : leaves) {
     const Box box = box_of(q, leaf.tile);
     for (const std::size_t axis : q.axes) {
-      lower.push_back(box[axis].lower.get_d());
-      upper.push_back(box[axis].upper.get_d());
+      bounds.lower.push_back(box[axis].lower.get_d());
+      bounds.upper.push_back(box[axis].upper.get_d());
     }
   }
+  return bounds;
+}
+
+void put_datasets(hid_t file, const Question& q, const std::vector<Leaf>& leaves) {
+  const auto [lower, upper] = bounds_of(q, leaves);
   put_rows(file, "tile", H5T_STD_U64LE, H5T_NATIVE_UINT64, 1,
            each<std::uint64_t>(leaves, [](const Leaf& leaf) { return leaf.tile; }));
   put_rows(file, "lower", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, q.axes.size(), lower);
@@ -230,18 +239,27 @@ void put_datasets(hid_t file, const Question& q, const std::vector<Leaf>& leaves
            each<std::uint8_t>(leaves, [](const Leaf& leaf) { return leaf.finding.reason; }));
 }
 
-// On the disk, under its name.
-void take_place(const fs::path& pending, const fs::path& file) {
-  for (const fs::path& path : {pending, file.has_parent_path() ? file.parent_path() : fs::path(".")}) {
-    if (path != pending && ::rename(pending.c_str(), file.c_str()) != 0) {
-      throw InputOutputError("it cannot take its place");
-    }
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool synced = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
-    ::close(descriptor);
-    if (!synced) {
-      throw InputOutputError("the disk does not take it");
-    }
+// The file's bytes, made in memory: a disk that is full is met when they are written, and not within the
+// library, which does not survive it.
+std::string image_of(const Question& q, const std::vector<Leaf>& leaves) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  require(H5Pset_fapl_core(access, 1 << 20, false));
+  const Handle out(H5Fcreate("atlas", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+  put_attributes(out, q, leaves);
+  put_datasets(out, q, leaves);
+  require(H5Fflush(out, H5F_SCOPE_GLOBAL));
+  std::string bytes(static_cast<std::size_t>(std::max<ssize_t>(H5Fget_file_image(out, nullptr, 0), 0)), '\0');
+  require(H5Fget_file_image(out, bytes.data(), bytes.size()) > 0 ? 0 : -1);
+  return bytes;
+}
+
+// That a file has its name there is on the disk.
+void keep_names(const fs::path& directory) {
+  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool kept = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
+  ::close(descriptor);
+  if (!kept) {
+    throw InputOutputError(fmt::format("cannot write {}: the disk does not take it", directory.string()));
   }
 }
 
@@ -283,10 +301,27 @@ Archive read_open(hid_t file) {
       throw InputOutputError("its columns are of different lengths");
     }
   }
+  const std::size_t reasons = all_reasons(*archive.question.family).size();
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     archive.leaves.push_back({tiles[i], {orbits[i], admissible[i], stable[i], reason[i]}});
+    if (reason[i] >= reasons) {
+      throw InputOutputError(fmt::format("no reason has the number {}", reason[i]));
+    }
   }
+  const std::vector<Leaf> rows_in_file = archive.leaves;
   put_in_order(archive.question, archive.leaves);
+  const Bounds bounds = bounds_of(archive.question, rows_in_file);
+  const auto lower = rows<double>(file, "lower", H5T_NATIVE_DOUBLE);
+  const auto upper = rows<double>(file, "upper", H5T_NATIVE_DOUBLE);
+  if (lower.size() != bounds.lower.size() || upper.size() != bounds.upper.size()) {
+    throw InputOutputError("its bounds are not those of its boxes");
+  }
+  const std::size_t axes = archive.question.axes.size();
+  for (std::size_t i = 0; i < rows_in_file.size() * axes; ++i) {
+    if (lower[i] != bounds.lower[i] || upper[i] != bounds.upper[i]) {
+      archive.elsewhere.insert(rows_in_file[i / axes].tile);
+    }
+  }
   if (!gaps(archive.leaves).empty()) {
     throw InputOutputError("its boxes leave gaps");
   }
@@ -301,20 +336,8 @@ bool has_hdf5() {
 
 void write_archive(const fs::path& file, const Question& q, const std::vector<Leaf>& leaves) {
   be_silent();
-  fs::path pending = file;
-  pending += ".part";
-  try {
-    {
-      const Handle out(H5Fcreate(pending.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-      put_attributes(out, q, leaves);
-      put_datasets(out, q, leaves);
-      require(H5Fflush(out, H5F_SCOPE_GLOBAL));
-    }
-    take_place(pending, file);
-  } catch (const Error& error) {
-    fs::remove(pending);
-    throw InputOutputError(fmt::format("cannot write {}: {}", file.string(), error.what()));
-  }
+  tools::write_file(file, image_of(q, leaves));
+  keep_names(file.has_parent_path() ? file.parent_path() : fs::path("."));
 }
 
 Archive read_archive(const fs::path& file) {

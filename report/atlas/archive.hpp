@@ -8,6 +8,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Archive {
   numeric::atlas::Question question;
   std::string version;  // of the program that wrote it
   std::vector<numeric::atlas::Leaf> leaves;
+  std::set<numeric::atlas::Tile> elsewhere = {};  // those whose `lower` and `upper` are others in the file
 };
 
 // Throws InputOutputError naming the file when it cannot be read, is no atlas, or does not tile the whole.

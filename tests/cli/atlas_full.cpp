@@ -1,8 +1,10 @@
 // Atlases as HDF5 files, and made by several processes.
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <hdf5.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -23,6 +25,19 @@ using namespace report::atlas;
 Words near_S(const std::string& out) {
   return {"atlas", "symmetric", "--example",    "S", "--omega", "0.55..0.57",
           "--p",   "0..0.1",    "--resolution", "5", "--out",   out};
+}
+
+void change_first(const std::string& file, const char * column) {
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(opened, column, H5P_DEFAULT);
+  const hid_t space = H5Dget_space(set);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  CHECK(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+  values[0] *= 1.0001;
+  CHECK(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Fclose(opened);
 }
 
 TEST_CASE("An atlas that says what is false is found out") {
@@ -46,6 +61,27 @@ TEST_CASE("An atlas that says what is false is found out") {
     }
     write_archive(wrong, archive.question, leaves);
     const Run found = stickslip_program({"atlas", "--verify", wrong, "--sample", "1000000"});
+    CHECK(found.code == 1);
+    CHECK(found.out.find(" 1 contradicted") != std::string::npos);
+  }
+  // A reason that is another one.
+  {
+    std::vector<numeric::atlas::Leaf> leaves = archive.leaves;
+    const auto open = std::find_if(leaves.begin(), leaves.end(), [](const numeric::atlas::Leaf& leaf) {
+      return !leaf.finding.is_decided();
+    });
+    REQUIRE(open != leaves.end());
+    open->finding.reason = open->finding.reason == 7 ? 8 : 7;
+    write_archive(wrong, archive.question, leaves);
+    const Run found = stickslip_program({"atlas", "--verify", wrong, "--sample", "1000000"});
+    CHECK(found.code == 1);
+    CHECK(found.out.find(" 1 contradicted") != std::string::npos);
+  }
+  // Bounds that are not those of the box, whether it is in the sample or not.
+  for (const char * column : {"lower", "upper"}) {
+    write_archive(wrong, archive.question, archive.leaves);
+    change_first(wrong, column);
+    const Run found = stickslip_program({"atlas", "--verify", wrong, "--sample", "1"});
     CHECK(found.code == 1);
     CHECK(found.out.find(" 1 contradicted") != std::string::npos);
   }

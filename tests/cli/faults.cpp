@@ -128,6 +128,21 @@ TEST_CASE("a disk that is full leaves nothing that could be taken for a result")
   }
 }
 
+TEST_CASE("a disk that is full ends an atlas, whose log stays, and it goes on from there") {
+  const TemporaryDirectory temporary;
+  const Words atlas{"atlas",        "symmetric", "--example", "S",     "--omega",
+                    "0.55..0.57",   "--p",       "0..0.1",    "--out", temporary.path() / "a.h5",
+                    "--resolution", "2"};
+  const Run full = in_shell("ulimit -f 8", atlas);
+  CAPTURE(full.err);
+  CHECK(full.code == exit_io);
+  CHECK(is_one_sentence(full.err, "a.h5"));
+  CHECK(temporary.count() == 1);
+  Words again = atlas;
+  again.push_back("--resume");
+  CHECK(stickslip_program(again).code == exit_decided);
+}
+
 TEST_CASE("a directory that vanishes while the program works is an error") {
   const TemporaryDirectory temporary;
   const auto directory = temporary.path() / "results" / "today";
