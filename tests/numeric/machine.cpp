@@ -8,6 +8,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "model/load.hpp"
+#include "numeric/machine_along.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;
@@ -110,4 +111,38 @@ TEST_CASE("machines that are none are refused") {
   refused([](MachineInSI& m) { m.load_frequency = 0; });
   refused([](MachineInSI& m) { m.k1 = q("1e51"); });
   refused([](MachineInSI& m) { m.load_amplitude = q("1e-9999"); });
+}
+
+TEST_CASE("along a value of a machine the data are those of the machine there, and their slopes") {
+  const WorkingPrecision precision(128);
+  for (Rational MachineInSI::*const member :
+       {&MachineInSI::m1, &MachineInSI::m2, &MachineInSI::k1, &MachineInSI::k2,
+        &MachineInSI::friction_sliding, &MachineInSI::belt_velocity, &MachineInSI::load_amplitude,
+        &MachineInSI::load_frequency}) {
+    const MachineInSI first = machine("1200", "450");
+    MachineInSI last = first;
+    last.*member *= q("1.3");
+    const MachineAlong along{first, last, q("2"), q("5"), data_taken(first).thousands};
+    const auto all = [](const auto& given) {
+      const auto& a = given.data;
+      return std::vector{a.chi, a.eta, a.us, a.V, a.omega, a.p, *given.ur};
+    };
+    const auto balls = [&](const Rational& value) { return all(along.at<Ball, Ball>(Ball(value))); };
+    const Rational here = q("3.1");
+    MachineInSI there = first;
+    there.*member *= 1 + q("0.1") * (here - 2);
+    const DataTaken taken = data_taken(there, along.thousands);
+    CHECK(along.taken(here).data.omega == taken.data.omega);
+    const std::vector<Ball> expected =
+        all(motion::Given<Ball>{motion::parameters_as<Ball>(taken.data), {}, Ball(*taken.ur)});
+    const std::vector<Ball> found = balls(here), later = balls(here + q("1e-9"));
+    const auto jets =
+        all(along.at<zeros::ParameterJet, Ball>(zeros::ParameterJet::variable(Ball(here), 0, 1)));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      CAPTURE(k);
+      CHECK(agree(found[k], expected[k]));
+      const Ball slope = (later[k] - found[k]) / Ball(q("1e-9"));
+      CHECK(jets[k].partial(0).approximate() == doctest::Approx(slope.approximate()).epsilon(1e-6));
+    }
+  }
 }
