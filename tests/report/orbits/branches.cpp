@@ -42,10 +42,11 @@ TEST_CASE("the JSON of a branch says of each end what it is, and only where it s
 }
 
 TEST_CASE("a change that is not proved bears its reason where another is called proved") {
-  Branch branch = ending(End::interval, End::interval).branches.front();
+  const BranchList list = ending(End::interval, End::interval);
+  Branch branch = list.branches.front();
   branch.changes.push_back({ChangeKind::fold, "", "turns", Ball(1), {}, Verdict::proved()});
   branch.changes.push_back({ChangeKind::fold, "", "turns", Ball(1), {}, Verdict::undecided("too near")});
-  const BranchRows rows = rows_of(branch);
+  const BranchRows rows = rows_of(branch, list.question);
   REQUIRE(rows.changes.size() == 2);
   CHECK(rows.changes[0].back().text == "proved");
   CHECK(rows.changes[1].back().text == "too near");
