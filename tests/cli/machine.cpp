@@ -234,7 +234,7 @@ TEST_CASE("figures are titled by the machine, in each format") {
   const std::string rest = "friction 0.02 N sliding, 0.1834 N at rest, belt 0.01 m/s, load 0.005 N";
   const Words start{"simulate", "--state", "0,0,0,0", "--periods", "3", "--plot"};
   const auto drawn = [&](const Words& arguments) {
-    const Run run = run_with(O, with(arguments, {svg}));
+    const Run run = run_with(machine_O, with(arguments, {svg}));
     CAPTURE(run.err);
     CHECK(run.code != exit_usage);
     return content(svg);
@@ -249,7 +249,7 @@ TEST_CASE("figures are titled by the machine, in each format") {
       {"attractors", "--along", "load_frequency", "1..1.1", "--values", "2", "--starts", "2", "--plot"});
   CHECK(along.find(rest + "<") != std::string::npos);
   CHECK(along.find("at 1.0009254372 Hz") == std::string::npos);
-  CHECK(run_with(O, with(start, {png})).code == exit_decided);
+  CHECK(run_with(machine_O, with(start, {png})).code == exit_decided);
   CHECK(content(png).starts_with("\x89PNG"));
 }
 
