@@ -128,7 +128,8 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
       add("--near", options.near, "X", "Of a word: start at x1,x2,x1',x2', at load phase --phi or 0");
   add_sources(*command, options.example, options.file, paper);
   add("--digits", options.digits, "N",
-      fmt::format("Significant digits of each value: {} by default, {} at most",
+      fmt::format("Significant digits of each value: {} by default, {} at most; of a\nmachine in SI units by "
+                  "default as many as its data deserve",
                   OrbitsOptions::default_digits, OrbitsOptions::most_digits));
   add_units(*command, options.units);
   add("--cells", options.cells, "N",
@@ -234,7 +235,9 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
           "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "
           "created if only its last part is missing");
   add("--digits", options.digits, "N",
-      fmt::format("Significant digits of each value in JSON: {} by default", OrbitsOptions::default_digits));
+      fmt::format("Significant digits of each value in JSON: {} by default; of what is\nsaid about a machine "
+                  "in SI units: as many as its data deserve",
+                  OrbitsOptions::default_digits));
   add_units(*command, options.units);
   add_jobs(*command, options.jobs);
   command->add_flag("--json", options.json, "Print the result as JSON");
