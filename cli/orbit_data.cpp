@@ -133,7 +133,9 @@ Along along_interval(TypedParameters& typed) {
     text = to_string(found.from);
   }
   if (found.parameter.empty()) {
-    throw UsageError("a branch needs one parameter as an interval A..B, such as --omega 0.5..0.6");
+    throw UsageError(
+        "a branch needs one parameter as an interval A..B, such as --omega 0.5..0.6, or --along "
+        "load_frequency 7..8 of a machine in SI units");
   }
   return found;
 }
