@@ -48,7 +48,8 @@ FORMS = {
     ],
     "branches": [
         "branch symmetric --example S --omega 0.586..0.588", "branch nonsticking --example P --omega 0.6..0.61 --at 0.6",
-        "branch OTS --example O --ur 0.4375..0.4385 --at 0.438", "branch nonsticking --example P --p 0.9..1.1"
+        "branch OTS --example O --ur 0.4375..0.4385 --at 0.438", "branch nonsticking --example P --p 0.9..1.1",
+        "branch nonsticking --params MACHINE --along load_amplitude 4..4.1 --at 4", "branch OS --params MACHINE --along m1 1..1.01"
     ],
     "attractors": [
         "attractors --example O --starts 20", "attractors --example P --starts 20 --seed 3 --digits 30",
@@ -72,13 +73,15 @@ FORMS = {
         "atlas nonsticking --example P --omega 0.6..0.61 --resolution 2 --jobs 1 --out ATLAS1",
         "atlas overshooting --example O --phi 0 --omega 0.5..0.51 --p 0.05..0.051 --resolution 3 --out ATLAS2",
         "atlas symmetric --example S --omega 0.55..0.57 --resolution 6 --time-limit 0.001 --out ATLAS3",
-        "atlas symmetric --example S --omega 0.55..0.57 --resolution 6 --resume --out ATLAS3"
+        "atlas symmetric --example S --omega 0.55..0.57 --resolution 6 --resume --out ATLAS3",
+        "atlas nonsticking --params RANGES --resolution 1 --out ATLAS4"
     ],
 }
 
 # Keys that are there only where they apply.
 OPTIONAL = {
-    "at", "energy", "forced", "machine", "reason", "remarks", "room", "seen", "settles", "stability"
+    "at", "energy", "forced", "machine", "reason", "remarks", "room", "seen", "settles", "stability",
+    "units"
 }
 
 
@@ -103,9 +106,10 @@ def main():
     said = []
     with tempfile.TemporaryDirectory() as directory:
         places = {name: str(pathlib.Path(directory, name))
-                  for name in ("MACHINE", "FORCES", "SAMPLES", "ATLAS", "ATLAS1", "ATLAS2", "ATLAS3")}
+                  for name in ("MACHINE", "FORCES", "SAMPLES", "ATLAS", "ATLAS1", "ATLAS2", "ATLAS3", "ATLAS4", "RANGES")}
         pathlib.Path(places["MACHINE"]).write_text(MACHINE)
         pathlib.Path(places["FORCES"]).write_text(FORCES)
+        pathlib.Path(places["RANGES"]).write_text(MACHINE.replace("load_frequency = 0.5", 'load_frequency = "0.5+-0.001"'))
         for name, forms in FORMS.items():
             schema = schemas[f"{name}.schema.json"]
             for form in forms:
