@@ -50,7 +50,7 @@ struct LatexOptions {
 };
 
 struct OrbitsOptions {
-  std::string family;               // or a word
+  std::string family;  // or a word
   std::string period;  // of a word
   std::string near;
   bool with_near = false;

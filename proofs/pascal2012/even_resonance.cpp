@@ -161,7 +161,7 @@ Claim family_of_orbits() {
               "with $omega_1 = 7/10$, $omega_2 = 13/10$, $omega = 7/20$, $u_s = 0.1$, $u_r = 0.12$, $p = 3$, "
               "$V = 0$ these motions are orbits of the friction law for all $epsilon$ from $-1/20$ to "
               "$1/20$: a whole family at one and the same machine",
-          .compute = [] {
+          .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(
                 "in closed form the motions solve all equations at the ends of both slips, by normal form; "
                 "(25), (26) and the sign of $x2'$ for all times and all $epsilon$, by signs in balls");

@@ -32,9 +32,8 @@ PrintedPlace where() {
   return {printed(), "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
 }
 
-Claim number(const std::string& id, Origin origin, const std::string& words,
-             std::function<Outcome()> compute) {
-  return {.id = id, .kind = Kind::numbers, .origin = origin, .words = words, .compute = std::move(compute)};
+Claim number(const std::string& id, Origin origin, const std::string& words, Proof prove) {
+  return {.id = id, .kind = Kind::numbers, .origin = origin, .words = words, .prove = std::move(prove)};
 }
 
 // --- (21)-(24) at the printed values ---
@@ -156,7 +155,8 @@ kernel::Theorem not_compatible() {
 Claim printed_times() {
   return number(
       "O.23", Origin::reading,
-      "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)", [] {
+      "the printed $tau$ and $tau_1$, each within half a unit of its last place, solve (23)",
+      [](Prover&, const Claim&) {
         Outcome outcome = at_the_data(
             printed(),
             "a sum of $F_1$ and $F_2$ is negative over the printed intervals, in balls, by its slopes");
@@ -195,7 +195,7 @@ Claim printed_state_closes() {
   return number("O.21", Origin::reading,
                 "the printed $tau$, $tau_1$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its "
                 "last place, close the motion",
-                [] {
+                [](Prover&, const Claim&) {
                   Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
                   const PrintedClosing<5> closing =
                       printed_closing_overshooting(printed().data, *printed().phi,
@@ -269,7 +269,7 @@ std::vector<Claim> origins() {
       number("O.c1", Origin::auxiliary,
              "the printed $tau$ and $tau_1$ were not computed with the printed $c_1$: over their intervals "
              "it takes $F_1$ farther from zero than the derived one",
-             [] {
+             [](Prover&, const Claim&) {
                const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
                const auto F_1 = [&](model::Reading reading) {
                  return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);

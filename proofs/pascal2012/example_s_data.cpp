@@ -127,7 +127,7 @@ Claim lag_claim() {
               "at the data of Fig. 2 there is no slip, however long in the period, that leaves the load's "
               "phase free (4.lag.needed): the list of orbits, which has both phases of the time lag, is "
               "that of all orbits that obey (13)",
-          .compute = [] {
+          .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(
                 printed(),
                 "at each time up to $Theta$, $omega_j tan(omega_j tau/2)$ is not $omega tan(omega tau/2)$ "
@@ -146,7 +146,7 @@ Claim lag_is_no_consequence() {
           .kind = Kind::theorem,
           .origin = Origin::reading,
           .words = "the time lag is a consequence: on every orbit of this family $phi = (pi - omega tau)/2$",
-          .compute = [] {
+          .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(printed(), "an orbit that has another phase, as a theorem");
             const std::vector<Orbit>& all = orbits_of(printed()).list.orbits;
             const auto other = std::ranges::find_if(all, [](const Orbit& orbit) {
@@ -188,7 +188,7 @@ Claim asymmetric_claim() {
       .words =
           "at the data of Fig. 2, $u_r = 0.1607$ included, exactly two orbits of one slip and one stick in "
           "a period of the load exist; they obey every condition, and are not symmetric",
-      .compute = [] {
+      .prove = [](Prover&, const Claim&) {
         const Rational ur = printed().result("ur").value.value;
         const words::WordList list =
             words::all_orbits({.data = printed().data, .ur = ur, .digits = 20}, words::Word::parse("ST"), 1);
@@ -221,7 +221,7 @@ Claim fold_claim() {
           .words =
               "at the other data of Fig. 2 there is no orbit of one slip and one stick in a period of the "
               "load for $u_r = 0.155$, and there are two for $u_r = 0.16$",
-          .compute = [] {
+          .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(printed(), "exhaustive searches in balls");
             outcome.verdict = Verdict::proved();
             for (const auto& [ur, count] : {std::pair(Rational(31, 200), 0), {Rational(4, 25), 2}}) {

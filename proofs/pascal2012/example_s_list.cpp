@@ -130,7 +130,7 @@ Claim friction_claim() {
           .kind = Kind::theorem,
           .origin = Origin::reading,
           .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
-          .compute = [] {
+          .prove = [](Prover&, const Claim&) {
             const OrbitList& list = orbits_of(printed()).list;
             const Decimal given = printed().result("ur").value;
             Outcome outcome =

@@ -68,7 +68,7 @@ Claim only_at_rest_by_halves() {
           .words =
               "Section 6: orbits that never stick, with $tau = Theta/2$, are obtained only for $V = 0$; "
               "33.V without $det H_3 != 0$",
-          .compute = [] {
+          .prove = [](Prover&, const Claim&) {
             Outcome outcome;
             outcome.route =
                 "a counterexample in closed form, where $omega_1 = 2 omega$: the orbit for a belt at rest, "

@@ -93,7 +93,7 @@ Claim motion_on_moving_belt() {
           .words =
               "the orbit of 7.only as one motion $X$, $X(t + Theta) = X(t)$ for all $t$, that obeys (2) and "
               "(4) during each phase, ends included",
-          .compute = [] {
+          .prove = [](Prover&, const Claim&) {
             Outcome outcome = at_the_data(on_a_moving_belt(),
                                           "the motions of its phases, joined at their ends and continued");
             outcome.verdict = Verdict::proved();
@@ -146,7 +146,7 @@ Claim isolated_among_all() {
       .words =
           "title: isolated among all motions of the load's period, too: no Floquet multiplier of the "
           "orbits of the three figures is 1",
-      .compute = [] {
+      .prove = [](Prover&, const Claim&) {
         Outcome outcome;
         outcome.route =
             "the multipliers in balls; the phases of motions nearby are the same, as the "
@@ -222,7 +222,7 @@ std::vector<Claim> section7() {
             .kind = Kind::theorem,
             .origin = Origin::reading,
             .words = "Section 6: orbits that never stick exist only for $V = 0$, whatever their slips last",
-            .compute = [] { return only_at_rest(); }},
+            .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
            half_period::only_at_rest_by_halves(),
            half_period::orbits_over_the_belts_speed(),
            {.id = "7.symmetric",

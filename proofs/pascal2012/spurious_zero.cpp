@@ -280,7 +280,7 @@ Claim spurious_zero() {
       .words =
           "at the data of Fig. 3 a solution of (23) with $tau$, $tau_1$, $T > 0$ exists at which (21) "
           "has none: $Delta = 0$ there",
-      .compute = [] {
+      .prove = [](methods::Prover&, const methods::Claim&) {
         Outcome outcome = at_the_data(
             example(),
             "where the square in $Delta$ changes sign, and with $tau = tau_1$, the state of 22.null solves "

@@ -119,8 +119,10 @@ function piece(source, start) {
     }
     throw new Error(`nothing ends ${open} in ${source}`);
   };
-  const [begin, end] = ["\\begin{pmatrix}", "\\end{pmatrix}"];
-  if (source.startsWith(begin, start)) return source.slice(start, ends(begin, end));
+  for (const kind of ["{pmatrix}", "{vmatrix}"]) {
+    const [begin, end] = [`\\begin${kind}`, `\\end${kind}`];
+    if (source.startsWith(begin, start)) return source.slice(start, ends(begin, end));
+  }
   if (source[start] === "{") return source.slice(start, ends("{", "}"));
   return /^(?:\\(?:[a-zA-Z]+|.)|.)/s.exec(source.slice(start))[0];
 }
@@ -175,7 +177,8 @@ function unfolded(source) {
     const one = all[i];
     if (one.startsWith("\\begin")) {
       const rows = rowsOf(one).map((row) => row.map((entry) => unfolded(entry.trim())).join(",\\allowbreak\\ "));
-      result += widthOf(one) > wide ? `\\left[${rows.join(";\\allowbreak\\ ")}\\right]` : one;
+      const [left, right] = one.startsWith("\\begin{vmatrix}") ? ["|", "|"] : ["[", "]"];
+      result += widthOf(one) > wide ? `\\left${left}${rows.join(";\\allowbreak\\ ")}\\right${right}` : one;
       result += "\\allowbreak ";
     } else if (one === "\\frac" && widthOf(`\\frac${all[i + 1]}${all[i + 2]}`) > wide) {
       const [above, below] = [all[i + 1].slice(1, -1), all[i + 2].slice(1, -1)];

@@ -95,7 +95,7 @@ TEST_CASE("branch: the table, the JSON, the CSV and the page of a short interval
 
 TEST_CASE("branch: of a word, and what is not looked for is said") {
   const Run json = stickslip_program(
-      {"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438", "--json"});
+      {"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438", "--all", "--json"});
   CHECK(json.code == exit_decided);
   const Json data = Json::parse(json.out);
   CHECK(data["family"] == "OTS");
@@ -203,7 +203,7 @@ TEST_CASE("branch: a mass moves several data of a machine, and the branch follow
   }
   CHECK(compared == 3 * list["branches"].size());
   // A word at the friction at rest that the machine has, which k1 moves as all lengths.
-  const Run word = run_with(machine_O, {"branch", "OTS", "--along", "k1", "318..322", "--json"});
+  const Run word = run_with(machine_O, {"branch", "OTS", "--along", "k1", "318..322", "--all", "--json"});
   CAPTURE(word.err);
   CHECK(word.code == exit_decided);
   CHECK(Json::parse(word.out)["branches"].size() == 2);
