@@ -193,12 +193,15 @@ branches::BranchQuestion word_branch_question(const Paper& paper, const words::W
                                    known.size(), along.parameter, to_string(value)));
     }
     known = {known[static_cast<std::size_t>(k) - 1]};
-  } else if (!all && !followed.near) {
-    std::erase_if(known, [](const words::WordOrbit& one) {
-      return one.existence.truth == Truth::proved && one.orbit.admissible.truth != Truth::proved;
+  }
+  std::size_t not_admissible = 0;
+  if (!all && !followed.near) {
+    not_admissible = std::erase_if(known, [](const words::WordOrbit& one) {
+      return one.existence.truth == Truth::proved && one.orbit.admissible.truth == Truth::refuted;
     });
   }
   branches::BranchQuestion asked = branches::word_question(there, word, periods, known);
+  asked.word->not_admissible = not_admissible;
   asked.parameter = along.parameter;
   asked.from = along.from;
   asked.to = along.to;

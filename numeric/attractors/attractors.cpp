@@ -66,6 +66,14 @@ bool is_there(const WordOrbit& found, const Return& seen) {
   });
 }
 
+double spectral_radius(const motion::Stability& stability) {
+  double largest = 0;
+  for (const ComplexBall& mu : stability.multipliers) {
+    largest = std::max(largest, Ball(sqrt(mu.squared_modulus())).approximate());
+  }
+  return largest;
+}
+
 bool is_stable(const WordOrbit& found) {
   return found.existence.truth == Truth::proved && found.orbit.admissible.truth == Truth::proved &&
          found.orbit.stability->kind == StabilityKind::stable;
@@ -225,7 +233,7 @@ void Survey::place_what_nears() {
     return is_stable(found) && found.word.letters() == seen[i]->word &&
            found.periods == seen[i]->guess.periods &&
            nears(followers_[slow[i]].simulation(), at_phase_0(simulation::start_of(found.orbit)),
-                 found.periods, question_.most_periods / 4);
+                 spectral_radius(*found.orbit.stability), found.periods, question_.most_periods / 4);
   });
   for (std::size_t i = 0; i < slow.size(); ++i) {
     if (on_its_way[i]) {

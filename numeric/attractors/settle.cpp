@@ -73,19 +73,25 @@ std::optional<Return> steady_word(const Simulation& simulation) {
   return std::nullopt;
 }
 
-bool nears(Simulation simulation, const Vector4<double>& X, long n, long periods) {
-  constexpr double clearly = 1 - 1e-3;
+bool nears(Simulation simulation, const Vector4<double>& X, double mu, long n, long periods) {
+  constexpr double least = 1e-3;
   constexpr long parts = 9;  // of which the first, the middle and the last are compared
+  const long returns = periods / (parts * n);
   std::array<double, parts> farthest{};
   for (double& most : farthest) {
-    for (long k = 0; k < periods / (parts * n); ++k) {
+    for (long k = 0; k < returns; ++k) {
       for (long i = 0; i < n; ++i) {
         simulation.advance(simulation.period());
       }
       most = std::max(most, distance(simulation.state(), X));
     }
   }
-  return farthest[parts / 2] < clearly * farthest.front() && farthest.back() < clearly * farthest[parts / 2];
+  const double expected = -std::log(mu) * static_cast<double>(parts / 2 * returns);
+  const auto falls = [&](double before, double after) {
+    const double by = std::log(before / after);
+    return by > least && by > expected / 2 && by < expected * 2;
+  };
+  return falls(farthest.front(), farthest[parts / 2]) && falls(farthest[parts / 2], farthest.back());
 }
 
 Follower::Follower(const model::Parameters<double>& a, double ur, const Vector4<double>& X)

@@ -34,11 +34,12 @@ struct Return {
 // these repetitions; nothing where there is none.
 [[nodiscard]] std::optional<Return> steady_word(const simulation::Simulation& simulation);
 
-// Whether the motion, seen every n periods, comes nearer and nearer to X: at its farthest it is nearer in the
-// middle than in the beginning of so many periods, and nearer still in the end. A check; slower than a part
-// in 1000 within these periods is not distinguished from a torus.
-[[nodiscard]] bool nears(simulation::Simulation simulation, const model::Vector4<double>& X, long n,
-                         long periods);
+// Whether the motion, seen every n periods, comes nearer to X as motions do that near a stable orbit with a
+// largest multiplier of the size mu: its farthest in the middle of so many periods is less than in the
+// beginning, and in the end less than in the middle, both by mu to the power of the returns between, within a
+// factor 2 of the exponent. A check; less than a part in 1000 is not distinguished from a torus.
+[[nodiscard]] bool nears(simulation::Simulation simulation, const model::Vector4<double>& X, double mu,
+                         long n, long periods);
 
 class Follower {
  public:

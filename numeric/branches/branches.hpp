@@ -20,6 +20,7 @@ struct WordOrbits {
   std::shared_ptr<const families::Family> family;  // a record of the word: what question.orbits.family is
   std::vector<motion::Motion> motions;             // that close, nearly
   int periods = 1;                                 // of the load, each
+  std::size_t not_admissible = 0;                  // orbits that are known, too, and are not followed
 };
 
 struct BranchQuestion {

@@ -209,7 +209,11 @@ void Search::follow_from(const Rational& value) {
       open.push_back({Ball(value), one.where, one.reason});
     }
     if (question_.word && found.candidates.empty()) {
-      open.push_back({Ball(value), {}, "no orbit of the word is known here"});
+      open.push_back({Ball(value),
+                      {},
+                      question_.word->not_admissible > 0
+                          ? "the orbits of the word that are known here are not admissible"
+                          : "no orbit of the word is known here"});
     }
     for (const Candidate& candidate : found.candidates) {
       std::string why;

@@ -28,8 +28,8 @@ namespace stickslip::numeric::families {
 
 // For any V and, if it is given, any ur: without it ur_max, the largest for which (25) and (26) hold, is a
 // result. At resonance, omega_j = k omega with an integer k > 1, what the list may hold is unresolved, with
-// that reason; except for V = 0 and k odd it is empty, and for V = 0 and k even it has the motions that are
-// their own mirror images, with a remark that they are not alone. The search throws DomainError for k = 1.
+// that reason. At V = 0, however, it is empty for k odd, and for k even it has the motions that are their own
+// mirror images, with a remark that they are not alone. The search throws DomainError for k = 1.
 // When the load does not act on x2 (q2 = 0: p = 0 or omega = 1) there is none for V ≠ 0. For V = 0 there is
 // none that obeys the friction law, and others are not looked for: w = x - Q cos(omega t + phi) moves without
 // load and has w2' = x2', so with E as above E' = -eta us |x2'|, and E returns only if x2' = 0 always.

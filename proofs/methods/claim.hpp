@@ -139,8 +139,8 @@ struct Claim {
   // Of a claim in words: what these suppose and no assumption says. Its theorems may rest on that.
   kernel::Formulas supposed = {};
   Proof prove = {};  // none for a model equation
-  // In the place of a proof: a computation that needs neither other claims nor terms or GiNaC's expressions,
-  // so that it may go on in another thread while others are proved.
+  // In the place of a proof: a computation that needs neither other claims nor theorems, whose tactics use
+  // GiNaC, so that it may go on in another thread while others are proved.
   std::function<Outcome()> compute = {};
   // The other direction, where the paper presents what it deduces as equivalent: the premises from the
   // printed.

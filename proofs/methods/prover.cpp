@@ -223,10 +223,15 @@ void Prover::begin(const std::vector<std::string>& ids) {
 }
 
 Outcome Prover::outcome_of(const Claim& claim) {
-  if (const auto begun = begun_.find(claim.id); begun != begun_.end()) {
-    return begun->second.get();
+  if (!claim.compute) {
+    return claim.prove ? claim.prove(*this, claim) : taken_as_given(claim);
   }
-  return claim.compute ? claim.compute() : claim.prove ? claim.prove(*this, claim) : taken_as_given(claim);
+  const auto begun = begun_.find(claim.id);
+  Outcome outcome = begun != begun_.end() ? begun->second.get() : claim.compute();
+  if (claim.prove || !outcome.theorems.empty()) {
+    throw InternalError(claim.id + " is computed, and makes theorems or has a proof");
+  }
+  return outcome;
 }
 
 const kernel::Theorem& Prover::theorem(const std::string& id) {

@@ -19,6 +19,7 @@ using namespace kernel;
 using namespace tactics;
 using methods::Claim;
 using methods::Outcome;
+using methods::Prover;
 
 namespace {
 
@@ -280,7 +281,7 @@ Claim spurious_zero() {
       .words =
           "at the data of Fig. 3 a solution of (23) with $tau$, $tau_1$, $T > 0$ exists at which (21) "
           "has none: $Delta = 0$ there",
-      .prove = [](methods::Prover&, const methods::Claim&) {
+      .prove = [](Prover&, const Claim&) {
         Outcome outcome = at_the_data(
             example(),
             "where the square in $Delta$ changes sign, and with $tau = tau_1$, the state of 22.null solves "

@@ -56,9 +56,11 @@ std::string result_of(const BranchList& list) {
 std::string searched_in(const BranchList& list) {
   const BranchQuestion& q = list.question;
   if (q.word) {
-    return fmt::format("near {} at {} = {}; other branches are not looked for",
+    const std::size_t left = q.word->not_admissible;
+    return fmt::format("near {} at {} = {}{}; other branches are not looked for",
                        counted(q.word->motions.size(), "known orbit", "known orbits"), q.parameter,
-                       stickslip::to_string(*q.at));
+                       stickslip::to_string(*q.at),
+                       left == 0 ? "" : fmt::format(", and not near {} that are not admissible", left));
   }
   return q.at ? fmt::format("{} at {} = {}; branches that do not reach this value are not looked for",
                             searched(q.orbits), q.parameter, stickslip::to_string(*q.at))

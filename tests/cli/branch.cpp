@@ -93,6 +93,31 @@ TEST_CASE("branch: the table, the JSON, the CSV and the page of a short interval
   CHECK(text.out.find("stability real -1") != std::string::npos);
 }
 
+TEST_CASE("branch: of a word the admissible orbits, one of the list, or one near a state") {
+  const Words word{"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438"};
+  const auto with = [&](const Words& more) {
+    Words arguments = word;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return stickslip_program(arguments);
+  };
+  const auto branches = [&](Words more) {
+    more.emplace_back("--json");
+    return Json::parse(with(more).out).at("branches").size();
+  };
+  CHECK(with({}).out.find("near 1 known orbit at ur = 0.438, and not near 1 that are") != std::string::npos);
+  CHECK(branches({}) == 1);
+  CHECK(branches({"--all"}) == 2);
+  CHECK(branches({"--orbit", "1"}) == 1);
+  CHECK(branches({"--orbit", "2"}) == 1);
+  CHECK(branches({"--near", "0.5,0.9,0.4,0.7"}) == 1);
+  check_refused({{{"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--orbit", "3"},
+                  exit_usage,
+                  "--orbit 3: of OTS there are 2 orbits at ur = 0.438"},
+                 {{"branch", "symmetric", "--example", "S", "--omega", "0.58..0.59", "--all"},
+                  exit_usage,
+                  "for words of phases"}});
+}
+
 TEST_CASE("branch: of a word, and what is not looked for is said") {
   const Run json = stickslip_program(
       {"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438", "--all", "--json"});

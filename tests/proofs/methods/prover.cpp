@@ -167,3 +167,19 @@ TEST_CASE("what contradicts itself proves nothing") {
   CHECK(verdict_now().truth == Truth::undecided);
   CHECK(verdict_now().reason.find("vacuous") == 0);
 }
+
+TEST_CASE("what is computed beside the proofs makes no theorems") {
+  Claim claim{.id = "test", .words = "0 is 0", .compute = [] {
+                Outcome outcome;
+                outcome.verdict = Verdict::proved();
+                return outcome;
+              }};
+  CHECK(audit({claim}).records.front().status == Status::decided_in_balls);
+  claim.compute = [] {
+    Outcome outcome;
+    outcome.verdict = Verdict::proved();
+    outcome.theorems = {proofs::kernel::Theorem::combination(proofs::kernel::equal(0, 0))};
+    return outcome;
+  };
+  CHECK_THROWS_AS((void)audit({claim}), InternalError);
+}
