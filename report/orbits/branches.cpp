@@ -341,7 +341,7 @@ std::string plot_script(const BranchList& list, PlotFormat format, PlotShape sha
   data["family"] = q.orbits.family->name;
   data["parameter"] = parameter_of(q);
   data["x2"] = q.machine ? "x2 in m" : "x2";
-  data["parameters"] = q.machine ? others(q) : in_greek(others(q));
+  data["parameters"] = units_at(q, q.from.get_d()).machine_or(in_greek(others(q)), q.parameter);
   data["from"] = fmt::format("{:.8g}", q.from.get_d());
   data["to"] = fmt::format("{:.8g}", q.to.get_d());
   return render_file("branches.gp", data, plain_format);

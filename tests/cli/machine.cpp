@@ -249,6 +249,10 @@ TEST_CASE("figures are titled by the machine, in each format") {
       {"attractors", "--along", "load_frequency", "1..1.1", "--values", "2", "--starts", "2", "--plot"});
   CHECK(along.find(rest + "<") != std::string::npos);
   CHECK(along.find("at 1.0009254372 Hz") == std::string::npos);
+  const std::string branches =
+      drawn({"branch", "overshooting", "--along", "load_frequency", "1..1.001", "--at", "1", "--plot"});
+  CHECK(branches.find(springs) != std::string::npos);
+  CHECK(branches.find(rest + "<") != std::string::npos);
   CHECK(run_with(machine_O, with(start, {png})).code == exit_decided);
   CHECK(content(png).starts_with("\x89PNG"));
 }
