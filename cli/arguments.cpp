@@ -78,6 +78,36 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request, const
   command->callback([&options, &request] { request = options; });
 }
 
+void add_prove(CLI::App& program, ProveOptions& options, Request& request) {
+  CLI::App * command = program.add_subcommand("prove", "Prove or refute a statement of your own");
+  command->footer(
+      "The notation is that in which check prints statements:\n"
+      "  stickslip prove \"H1(t)^2 - I = H2(t) H3(t)\"\n"
+      "  stickslip prove \"Theta = tau + T\" \"omega Theta = 2 pi\" \"T = 2 pi/omega - tau\"\n"
+      "  stickslip prove \"a^2 + b^2 >= 2 a b\" --symbols a,b\n"
+      "Greek letters, subscripts, powers and relations may also be typed as such: \u03c9\u2081\u00b2 \u2264 "
+      "\u03c9\u2082\u00b2.\n"
+      "\n"
+      "Exit code: 0 it is proved, perhaps under the hypotheses listed; 1 it is refuted;\n"
+      "2 undecided.");
+  command
+      ->add_option(
+          "STATEMENT", options.statement,
+          "An equation or an inequality in the paper's symbols (check --list\nnames where they occur)")
+      ->type_name("")
+      ->required();
+  command->add_option("ASSUMPTION", options.assumptions, "What it assumes")->type_name("");
+  command->add_option("--symbols", options.symbols, "Names of further numbers, with commas between them")
+      ->type_name("NAMES")
+      ->delimiter(',');
+  CLI::Option * explain = command->add_flag("--explain", options.explain, "Say all about its proof");
+  add_text(*command, "--certificate", options.certificate, "DIR",
+           "Write its proof for the proof assistant Coq");
+  CLI::Option * json = command->add_flag("--json", options.json, "Print the result as JSON");
+  explain->excludes(json);
+  command->callback([&options, &request] { request = options; });
+}
+
 void add_certify(CLI::App& program, CertifyOptions& options, Request& request, const PaperInHelp& paper) {
   CLI::App * command = program.add_subcommand("certify", "Write proofs that the proof assistant Coq checks");
   command->footer(
@@ -168,9 +198,21 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
 
 }  // namespace
 
+namespace {
+
+// A statement that begins with a minus sign is no option: it is typed for the parser's other minus sign.
+std::string as_statement(const std::string& word) {
+  const bool is_option =
+      !word.starts_with('-') || word.starts_with("--") || word.find_first_of("=<>!") == std::string::npos;
+  return is_option ? word : "\u2212" + word.substr(1);
+}
+
+}  // namespace
+
 Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   AuditOptions audit;
   CheckOptions check;
+  ProveOptions prove;
   CertifyOptions certify;
   LatexOptions latex;
   OrbitsOptions orbits;
@@ -189,6 +231,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   program.get_formatter()->column_width(16);
   add_audit(program, audit, request);
   add_check(program, check, request, paper);
+  add_prove(program, prove, request);
   add_certify(program, certify, request, paper);
   add_latex(program, latex, request, paper);
   add_orbits(program, orbits, request, paper);
@@ -197,8 +240,13 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   add_atlas(program, atlas, request, paper);
   add_simulate(program, simulate, request, paper);
   program.allow_extras();
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "prove") {
+    std::ranges::transform(words, words.begin(), as_statement);
+  }
+  std::ranges::reverse(words);  // as CLI11 takes them
   try {
-    program.parse(argc, argv);
+    program.parse(words);
   } catch (const CLI::CallForVersion&) {
     return VersionsWanted{};
   } catch (const CLI::Success&) {

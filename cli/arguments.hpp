@@ -29,6 +29,15 @@ struct CheckOptions {
   bool json = false;
 };
 
+struct ProveOptions {
+  std::string statement;
+  std::vector<std::string> assumptions;
+  std::vector<std::string> symbols;  // beside the paper's
+  std::string certificate;           // a directory, or nothing
+  bool explain = false;
+  bool json = false;
+};
+
 struct CertifyOptions {
   std::vector<std::string> words;  // as those of check
   std::string out;
@@ -137,9 +146,9 @@ struct ManualWanted {
   std::vector<ManualFile> files;
 };
 
-using Request =
-    std::variant<AuditOptions, CheckOptions, CertifyOptions, LatexOptions, OrbitsOptions, BranchOptions,
-                 AttractorsOptions, AtlasOptions, SimulateOptions, HelpWanted, VersionsWanted, ManualWanted>;
+using Request = std::variant<AuditOptions, CheckOptions, ProveOptions, CertifyOptions, LatexOptions,
+                             OrbitsOptions, BranchOptions, AttractorsOptions, AtlasOptions, SimulateOptions,
+                             HelpWanted, VersionsWanted, ManualWanted>;
 
 // What the help says of the paper that the program is about, and of the families of orbits.
 struct PaperInHelp {

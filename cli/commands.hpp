@@ -9,6 +9,7 @@ namespace stickslip::cli {
 
 [[nodiscard]] ExitCode run(const AuditOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const ProveOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const CertifyOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper);

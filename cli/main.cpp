@@ -19,6 +19,7 @@
 #include "numeric/families/family.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/parse.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
@@ -173,6 +174,9 @@ int main(int argc, char ** argv) {
   } catch (const Error& error) {
     if (!cli::is_silent_copy()) {
       cli::tell("stickslip: " + cli::sentence(error.what()));
+      if (const auto * unread = dynamic_cast<const proofs::symbols::ParseError *>(&error)) {
+        cli::tell(unread->excerpt());
+      }
     }
     return error.code();
   } catch (const std::bad_alloc&) {

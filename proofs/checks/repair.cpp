@@ -28,6 +28,9 @@ std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement&
                             const Outcome& refuted) {
   std::vector<Repair> found;
   for (const Edit& edit : edits(statement)) {
+    if (equal(edit.statement.left, edit.statement.right)) {
+      continue;  // which says nothing
+    }
     const Outcome outcome = outcome_on(prover, claim, edit.statement);
     if (same_refutation(outcome, refuted)) {
       return found;

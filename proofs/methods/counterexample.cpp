@@ -29,24 +29,6 @@ struct Place {
   }
 };
 
-// Both sides, in balls, of an entry in which they certainly differ, or of the first.
-Witness witness_of(const Statement& statement, const Scene& scene) {
-  Place here{at_point(scene.point), {}};
-  for (const Statement& value : scene.values) {
-    here.values.emplace(value.left.name(), value.right);
-  }
-  const Value<Ball> left = here(statement.left), right = here(statement.right);
-  Eigen::Index shown = 0;
-  for (Eigen::Index i = left.size() - 1; i >= 0; --i) {
-    shown = left(i).overlaps(right(i)) ? shown : i;
-  }
-  Witness witness{scene.point, {}, left(shown), right(shown)};
-  if (left.size() > 1) {
-    witness.component = fmt::format("({},{})", shown % left.rows() + 1, shown / left.rows() + 1);
-  }
-  return witness;
-}
-
 // The verdict refuted, with its theorem; undecided where the kernel does not say so.
 void refute(Outcome& outcome, Prover& prover, const Scene& scene, const std::vector<Statement>& holding,
             const std::vector<Statement>& failing) {
@@ -65,6 +47,23 @@ void refute(Outcome& outcome, Prover& prover, const Scene& scene, const std::vec
 }
 
 }  // namespace
+
+Witness witness_of(const Statement& statement, const Scene& scene) {
+  Place here{at_point(scene.point), {}};
+  for (const Statement& value : scene.values) {
+    here.values.emplace(value.left.name(), value.right);
+  }
+  const Value<Ball> left = here(statement.left), right = here(statement.right);
+  Eigen::Index shown = 0;
+  for (Eigen::Index i = left.size() - 1; i >= 0; --i) {
+    shown = left(i).overlaps(right(i)) ? shown : i;
+  }
+  Witness witness{scene.point, {}, left(shown), right(shown)};
+  if (left.size() > 1) {
+    witness.component = fmt::format("({},{})", shown % left.rows() + 1, shown / left.rows() + 1);
+  }
+  return witness;
+}
 
 Proof by_counterexample(Counterexample example) {
   return [example = std::move(example)](Prover& prover, const Claim&) {

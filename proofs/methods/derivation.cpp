@@ -318,11 +318,15 @@ void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems
 
 std::optional<Theorem> contradiction(Prover& prover, const Claim& claim) {
   Derivation derivation(prover, claim);
-  try {
-    return derivation.settled(derivation.follows(less(0, 0)));
-  } catch (const KernelError&) {
-    return std::nullopt;
+  for (const Formula& absurd : {less(0, 0), equal(1, 0)}) {
+    try {
+      return derivation.settled(absurd.kind() == kernel::Kind::less ? derivation.follows(absurd)
+                                                                    : derivation.combined(absurd));
+    } catch (const KernelError&) {
+      continue;
+    }
   }
+  return std::nullopt;
 }
 
 Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {

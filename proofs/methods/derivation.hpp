@@ -47,6 +47,9 @@ class Derivation {
                                       const std::vector<kernel::Multiple>& multiples = {});
   // An inequality or an equation, or several, from what the claim assumes.
   [[nodiscard]] kernel::Theorem follows(const kernel::Formula& formula);
+  // An equation between numbers as a combination of those that the claim assumes, which is looked for
+  // (membership.hpp).
+  [[nodiscard]] kernel::Theorem combined(const kernel::Formula& equation);
   // All definitions in these formulas, to be looked into.
   [[nodiscard]] kernel::Definitions open(const std::vector<kernel::Formula>& formulas);
   // a = b: b is put in for a wherever that stands.
@@ -109,7 +112,7 @@ class Derivation {
 // How one of the printed statements, by its number from 0, is derived.
 using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 
-// 0 < 0 from what the claim assumes: nothing obeys it. Nothing where no contradiction is found.
+// 0 < 0, or 1 = 0, from what the claim assumes: nothing obeys it. Nothing where no contradiction is found.
 [[nodiscard]] std::optional<kernel::Theorem> contradiction(Prover& prover, const Claim& claim);
 
 // What the claim prints, as the kernel derives it; undecided where it does not.

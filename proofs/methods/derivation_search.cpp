@@ -6,6 +6,7 @@
 #include "proofs/methods/derivation.hpp"
 #include "proofs/tactics/estimate.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/membership.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -253,6 +254,40 @@ Theorem Derivation::follows(const Formula& formula) {
     problem.positives.push_back({{known}});
   }
   return with_fewest_given(problem, rule);
+}
+
+Theorem Derivation::combined(const Formula& equation) {
+  const auto is_of_numbers = [](const Formula& formula) {
+    return formula.kind() == kernel::Kind::equal && formula.parts()[0].type().is_scalar();
+  };
+  const auto difference = [](const Formula& one) { return one.parts()[0] - one.parts()[1]; };
+  std::vector<Theorem> equations;
+  std::vector<Formula> said{equation};
+  for (const Formula& one : assumed()) {
+    if (is_of_numbers(one)) {
+      equations.push_back(Theorem::assume(one));
+      said.push_back(one);
+    }
+  }
+  if (!is_of_numbers(equation) || equations.empty()) {
+    throw KernelError("there are no equations to be combined");
+  }
+  for (const Definitions& opened : {Definitions{}, openings(said).all()}) {
+    std::vector<Term> given;
+    for (const Theorem& one : equations) {
+      given.push_back(unfold(difference(one.conclusion()), opened));
+    }
+    if (const auto factors = multipliers(unfold(difference(equation), opened), given)) {
+      std::vector<Multiple> multiples;
+      for (std::size_t k = 0; k < equations.size(); ++k) {
+        if (!((*factors)[k] == Term(0))) {
+          multiples.push_back({equations[k], (*factors)[k], 1});
+        }
+      }
+      return combination(equation, multiples);
+    }
+  }
+  throw KernelError("it is no combination of the assumed equations");
 }
 
 }  // namespace stickslip::proofs::methods

@@ -57,7 +57,8 @@ class Gate {
   void refuted() {
     require(outcome_.theorems.size() == 1, "the refutation is not one theorem");
     const Theorem& theorem = outcome_.theorems[0];
-    require(says_that_there_are_values(theorem, form_.empty() ? Formulas{} : assumed_by(claim_)),
+    const Formulas assumed = form_.empty() ? Formulas{} : assumed_by(claim_);
+    require((!form_.empty() && assumed.empty()) || says_that_there_are_values(theorem, assumed),
             "where it is refuted need not lie in the domain, or obey what is assumed");
     require(form_.empty() || std::ranges::any_of(form_,
                                                  [&](const auto& one) {
@@ -120,8 +121,10 @@ Formulas assumed_by(const Claim& claim) {
 bool says_that_there_are_values(const Theorem& theorem, const Formulas& all) {
   Variables named;
   Formulas holding;
-  return theorem.hypotheses().empty() && theorem.conclusion().kind() == kernel::Kind::exists &&
-         collect(theorem.conclusion(), named, holding) && std::ranges::includes(holding, all, Before{}) &&
+  const Formula& conclusion = theorem.conclusion();
+  const bool needs_none = !all.empty() && conclusion.variables().empty();  // 1 = 2 fails for no values at all
+  return theorem.hypotheses().empty() && (conclusion.kind() == kernel::Kind::exists || needs_none) &&
+         collect(conclusion, named, holding) && std::ranges::includes(holding, all, Before{}) &&
          std::ranges::all_of(all, [&](const Formula& one) {
            return std::ranges::includes(named, one.variables(), Before{});
          });

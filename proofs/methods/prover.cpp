@@ -286,18 +286,21 @@ void Prover::look_for_values(Outcome& outcome, const Claim& claim,
   const bool refuted_there = std::ranges::any_of(refutation, [&](const kernel::Theorem& theorem) {
     return says_that_there_are_values(theorem, assumed_by(claim));
   });
-  if (refuted_there || is_met(claim) || obeying_values(*this, claim)) {
+  if (refuted_there || is_met(claim) || obeying_values(*this, claim, outcome.hypotheses)) {
     outcome.obeyed = Obeyed::theorem;
     return;
   }
   Outcome alone;  // of what the claim assumes, and not of what its proof uses
   alone.hypotheses = outcome.hypotheses;
   const Premises premises = premises_of(*this, claim, alone);
-  if (outcome.cross_check.premise_points == 0 && premise_points(premises, 1).empty()) {
-    outcome.verdict =
-        Verdict::undecided("vacuous or unknown: no values are known with which all that is assumed holds");
+  const bool seen = outcome.cross_check.premise_points > 0 || !premise_points(premises, 1).empty();
+  if (!seen && obeying_point(*this, claim, outcome.hypotheses)) {
+    outcome.obeyed = Obeyed::theorem;
   } else if (contradiction(*this, claim)) {
     outcome.verdict = Verdict::undecided("vacuous: what is assumed contradicts itself, and nothing obeys it");
+  } else if (!seen) {
+    outcome.verdict =
+        Verdict::undecided("vacuous or unknown: no values are known with which all that is assumed holds");
   } else if (premises.left_out.empty()) {
     outcome.obeyed = Obeyed::balls;
   }

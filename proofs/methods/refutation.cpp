@@ -5,6 +5,7 @@
 
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/derivation.hpp"
+#include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
@@ -249,11 +250,16 @@ Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols
   return result;
 }
 
-std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim) {
+std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
+                                      const std::vector<Hypothesis>& hypotheses) {
   Scene scene{.state = 0};
   std::vector<symbols::Statement> holding;
+  try {
+    holding = assumed_statements(with_hypotheses(prover, claim, hypotheses));
+  } catch (const symbols::NoValue&) {
+    return std::nullopt;
+  }
   for (const Assumption& assumption : claim.assumptions) {
-    holding.push_back(assumption.statement);
     if (is_substitution(assumption)) {
       scene.values.push_back(assumption.statement);
     }

@@ -30,8 +30,17 @@ struct Scene {
                                          const std::vector<symbols::Statement>& holding,
                                          const std::vector<symbols::Statement>& failing);
 
+// Both sides, in balls, of an entry in which they certainly differ, or of the first.
+[[nodiscard]] Witness witness_of(const symbols::Statement& statement, const Scene& scene);
+
 struct Claim;
-// ⊢ there are values in the domain with which all that the claim assumes holds; nothing where none was found.
-[[nodiscard]] std::optional<kernel::Theorem> obeying_values(Prover& prover, const Claim& claim);
+struct Hypothesis;
+// ⊢ there are values in the domain with which all that the claim assumes holds, and no hypothesis vanishes;
+// nothing where none was found.
+[[nodiscard]] std::optional<kernel::Theorem> obeying_values(Prover& prover, const Claim& claim,
+                                                            const std::vector<Hypothesis>& hypotheses = {});
+// The same, at points drawn at random (points.hpp): longer work, for what speaks of numbers alone.
+[[nodiscard]] std::optional<kernel::Theorem> obeying_point(Prover& prover, const Claim& claim,
+                                                           const std::vector<Hypothesis>& hypotheses = {});
 
 }  // namespace stickslip::proofs::methods

@@ -15,18 +15,18 @@ namespace {
 
 // What nobody writes, and what would end in no time or no stack.
 constexpr std::size_t longest_line = 20000, longest_number = 1000;
-constexpr int deepest = 200, greatest_exponent = 1000;
+constexpr int deepest = 200, greatest_exponent = 200;
 
 // What may be typed for plain names and signs.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 46> typed{{
-    {"−", "-"},      {"·", "*"},      {"⋅", "*"},     {"×", "*"},     {"≤", "<="},      {"≥", ">="},
-    {"≠", "!="},     {"²", "^2"},     {"³", "^3"},    {"′", "'"},     {"″", "''"},      {"₀", "0"},
-    {"₁", "1"},      {"₂", "2"},      {"₃", "3"},     {"₄", "4"},     {"₅", "5"},       {"π", "pi"},
-    {"χ", "chi"},    {"η", "eta"},    {"ω", "omega"}, {"τ", "tau"},   {"φ", "phi"},     {"ϕ", "phi"},
-    {"ψ", "psi"},    {"ξ", "xi"},     {"λ", "lambda"}, {"ρ", "rho"},  {"δ", "delta"},   {"ε", "epsilon"},
-    {"ϵ", "epsilon"}, {"γ", "gamma"}, {"α", "alpha"}, {"β", "beta"},  {"μ", "mu"},      {"θ", "theta"},
-    {"Θ", "Theta"},  {"Γ", "Gamma"},  {"Λ", "Lambda"}, {"Σ", "Sigma"}, {"Δ", "Delta"},  {"Φ", "Phi"},
-    {"Ψ", "Psi"},    {"Ω", "Omega"},  {"Ξ", "Xi"},    {"\u00a0", " "},
+    {"−", "-"},       {"·", "*"},     {"⋅", "*"},      {"×", "*"},      {"≤", "<="},    {"≥", ">="},
+    {"≠", "!="},      {"²", "^2"},    {"³", "^3"},     {"′", "'"},      {"″", "''"},    {"₀", "0"},
+    {"₁", "1"},       {"₂", "2"},     {"₃", "3"},      {"₄", "4"},      {"₅", "5"},     {"π", "pi"},
+    {"χ", "chi"},     {"η", "eta"},   {"ω", "omega"},  {"τ", "tau"},    {"φ", "phi"},   {"ϕ", "phi"},
+    {"ψ", "psi"},     {"ξ", "xi"},    {"λ", "lambda"}, {"ρ", "rho"},    {"δ", "delta"}, {"ε", "epsilon"},
+    {"ϵ", "epsilon"}, {"γ", "gamma"}, {"α", "alpha"},  {"β", "beta"},   {"μ", "mu"},    {"θ", "theta"},
+    {"Θ", "Theta"},   {"Γ", "Gamma"}, {"Λ", "Lambda"}, {"Σ", "Sigma"},  {"Δ", "Delta"}, {"Φ", "Phi"},
+    {"Ψ", "Psi"},     {"Ω", "Omega"}, {"Ξ", "Xi"},     {"\u00a0", " "},
 }};
 
 enum class Kind { number, name, sign, end };
@@ -34,8 +34,8 @@ enum class Kind { number, name, sign, end };
 struct Token {
   Kind kind = Kind::end;
   std::string text = {};
-  std::size_t at = 0;       // in the line
-  bool apart = true;        // a blank or nothing stands before it
+  std::size_t at = 0;  // in the line
+  bool apart = true;   // a blank or nothing stands before it
 };
 
 bool is_digit(char c) {
@@ -58,8 +58,8 @@ struct Plain {
       throw ParseError(line.substr(0, 60), 0, fmt::format("a line has at most {} characters", longest_line));
     }
     for (std::size_t i = 0; i < line.size();) {
-      const auto other = std::ranges::find_if(
-          typed, [&](const auto& one) { return line.substr(i).starts_with(one.first); });
+      const auto other =
+          std::ranges::find_if(typed, [&](const auto& one) { return line.substr(i).starts_with(one.first); });
       const std::string_view plain = other == typed.end() ? line.substr(i, 1) : other->second;
       text += plain;
       places.insert(places.end(), plain.size(), i);
@@ -101,7 +101,8 @@ std::vector<Token> tokens_of(std::string_view line) {
                        static_cast<std::size_t>(std::ranges::find_if_not(rest.substr(whole + 1), is_digit) -
                                                 rest.substr(whole + 1).begin());
       if (digits > longest_number) {
-        throw ParseError(line, plain.places[i], fmt::format("a number has at most {} digits", longest_number));
+        throw ParseError(line, plain.places[i],
+                         fmt::format("a number has at most {} digits", longest_number));
       }
       take(Kind::number, digits);
     } else if (is_letter(rest.front())) {
@@ -159,7 +160,9 @@ std::string names_like(const std::string& name, const Names& names) {
       shown.push_back(one.second);
     }
   }
-  return shown.empty() ? "" : fmt::format("; there {} {}", shown.size() > 1 ? "are" : "is", fmt::join(shown, ", "));
+  return shown.empty()
+             ? ""
+             : fmt::format("; there {} {}", shown.size() > 1 ? "are" : "is", fmt::join(shown, ", "));
 }
 
 // Lines to trees whose sizes are not known yet.
@@ -198,7 +201,8 @@ class Parser {
   [[noreturn]] void fail(std::size_t at, const std::string& what) const { throw ParseError(line_, at, what); }
   [[noreturn]] void expected(const std::string& what) const {
     const Token& token = here();
-    const std::string found = token.kind == Kind::end ? "the line ends" : fmt::format("there is '{}'", token.text);
+    const std::string found =
+        token.kind == Kind::end ? "the line ends" : fmt::format("there is '{}'", token.text);
     fail(token.at, fmt::format("{}, where one expects {}", found, what));
   }
 
@@ -540,10 +544,9 @@ class Parser {
 };
 
 std::string sizes(const Shape& shape) {
-  return shape.is_scalar() ? "a number"
-         : shape.columns == 1
-             ? fmt::format("a column of {}", shape.rows)
-             : fmt::format("a {} x {} matrix", shape.rows, shape.columns);
+  return shape.is_scalar()    ? "a number"
+         : shape.columns == 1 ? fmt::format("a column of {}", shape.rows)
+                              : fmt::format("a {} x {} matrix", shape.rows, shape.columns);
 }
 
 // A size that may not be known: 0 rows or columns are not.
@@ -597,16 +600,16 @@ class Shaper {
       case Op::product:
         return product_made(node, wanted);
       case Op::quotient:
-        return made(node.parts[0], wanted) / scalar(node.parts[1]);
+        return sized(node.parts[0], wanted) / scalar(node.parts[1]);
       case Op::power: {
-        const Term base = made(node.parts[0], wanted);
+        const Term base = sized(node.parts[0], wanted);
         require_square(node, base);
         return power(base, static_cast<int>(node.number.get_num().get_si()));
       }
       case Op::negate:
-        return -made(node.parts[0], wanted);
+        return -sized(node.parts[0], wanted);
       case Op::derivative:
-        return derivative(made(node.parts[0], wanted));
+        return derivative(sized(node.parts[0], wanted));
       case Op::block:
         return block_made(node, wanted);
       case Op::determinant: {
@@ -620,6 +623,12 @@ class Shaper {
 
  private:
   [[noreturn]] void fail(std::size_t at, const std::string& what) const { throw ParseError(line_, at, what); }
+
+  // A part of a formula: a 0 has the size that is wanted there.
+  [[nodiscard]] Term sized(const Node& part, const Size& wanted) const {
+    const bool is_zero = part.op == Op::number && part.number == 0;
+    return is_zero && wanted.known() ? zero(wanted.rows, wanted.columns) : made(part, wanted);
+  }
 
   void require_same(const Node& node, const Term& term, const Term& other) const {
     if (term.shape() != other.shape() && !term.is_zero() && !other.is_zero()) {
@@ -781,11 +790,17 @@ class Shaper {
   }
 
   [[nodiscard]] Term sum_made(const Node& node, const Size& wanted) const {
-    Size size = size_of(node);
-    size.learn(wanted);
+    Size size = size_of(node, wanted);
+    for (const Node& part : node.parts) {  // what is known in part has made up its mind
+      const Size known = size_of(part);
+      if (!size.known() && (known.rows > 0 || known.columns > 0)) {
+        const Shape shape = made(part, size).shape();
+        size = {shape.rows, shape.columns};
+      }
+    }
     std::optional<Term> sum;
     for (const Node& part : node.parts) {
-      const Term term = made(part, size);
+      const Term term = sized(part, size);
       if (sum) {
         require_same(part, term, *sum);
       }
@@ -799,8 +814,7 @@ class Shaper {
     std::optional<Term> product;
     for (std::size_t k = 0; k < node.parts.size(); ++k) {
       const Size& size = sizes_of_factors[k];
-      const bool is_zero = node.parts[k].op == Op::number && node.parts[k].number == 0;
-      const Term factor = is_zero ? zero(size.rows, size.columns) : made(node.parts[k], size);
+      const Term factor = sized(node.parts[k], size);
       const Shape right = factor.shape(), left = product ? product->shape() : Shape{};
       if (!left.is_scalar() && !right.is_scalar() && left.columns != right.rows) {
         fail(node.parts[k].at,
@@ -818,10 +832,7 @@ class Shaper {
     std::vector<Term> blocks;
     for (std::size_t k = 0; k < node.parts.size(); ++k) {
       const Size size{grid.heights[k / grid.per_row], grid.widths[k % grid.per_row]};
-      Term one = made(node.parts[k], size);
-      if (one.is_zero()) {
-        one = zero(size.rows, size.columns);
-      }
+      Term one = sized(node.parts[k], size);
       if (one.shape() != Shape{size.rows, size.columns}) {
         fail(node.parts[k].at, fmt::format("this is {}, and its row and column of blocks ask for {}",
                                            sizes(one.shape()), sizes({size.rows, size.columns})));
@@ -841,8 +852,8 @@ namespace {
 
 // Characters before that place.
 std::size_t characters(std::string_view line, std::size_t at) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(line.substr(0, at), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      line.substr(0, at), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 // The line about that place, with a caret below it.
@@ -859,14 +870,15 @@ std::string pointing(std::string_view line, std::size_t at) {
     ++end;
   }
   const std::string cut = begin > 0 ? "…" : "";
-  return fmt::format("  {}{}{}\n  {:>{}}", cut, line.substr(begin, end - begin), end < line.size() ? "…" : "", "^",
-                     characters(line.substr(begin), at - begin) + 1 + (begin > 0 ? 1 : 0));
+  return fmt::format("  {}{}{}\n  {:>{}}", cut, line.substr(begin, end - begin), end < line.size() ? "…" : "",
+                     "^", characters(line.substr(begin), at - begin) + 1 + (begin > 0 ? 1 : 0));
 }
 
 }  // namespace
 
 ParseError::ParseError(std::string_view line, std::size_t at, const std::string& what)
-    : UsageError(fmt::format("column {}: {}", characters(line, at) + 1, what)), excerpt_(pointing(line, at)) {}
+    : UsageError(fmt::format("column {}: {}", characters(line, at) + 1, what)),
+      excerpt_(pointing(line, at)) {}
 
 Names names_of(const Symbols& table) {
   Names names;

@@ -266,6 +266,32 @@ std::string terminal_explanations(const Paper& paper, const Audit& audit, const 
   return result + printed_numbers(audit, style) + paragraph(summary_line(paper, audit), style);
 }
 
+std::string terminal_answer(const Record& record, const Style& style) {
+  const Outcome& outcome = record.outcome;
+  std::vector<Row> rows;
+  for (const proofs::symbols::Statement& statement : record.claim.printed) {
+    rows.push_back(
+        {{rows.empty() ? spaced(to_string(outcome.verdict.truth)) : "", colour_of(record.status, style)},
+         {proofs::symbols::text(statement)}});
+  }
+  Details details(style.width);
+  const bool proved = outcome.verdict.truth == Truth::proved;
+  details.add(proved ? "by" : "why", proved ? outcome.route : outcome.verdict.reason);
+  details.add("for all", joined(outcome.free));
+  details.add("where", outcome.hypotheses);
+  for (const proofs::methods::Assumption& assumption : record.claim.assumptions) {
+    if (outcome.assumed.contains(assumption.id)) {
+      details.add("if", proofs::symbols::text(assumption.statement));
+    }
+  }
+  details.add("uses", proved ? joined(outcome.uses) : "");
+  for (const proofs::methods::Repair& repair : record.repairs) {
+    details.add("true is",
+                fmt::format("{} ({})", proofs::symbols::text(repair.statement), plain(repair.what)));
+  }
+  return columns_of(rows, style.width) + details.text();
+}
+
 std::string terminal_list(const std::vector<proofs::methods::Claim>& claims) {
   std::vector<Row> rows;
   for (const proofs::methods::Claim& claim : claims) {

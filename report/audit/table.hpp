@@ -27,6 +27,9 @@ namespace stickslip::report::audit {
                                                 const proofs::methods::Audit& audit,
                                                 const tools::Style& style);
 
+// A single claim: whether it holds, what it says, and why; where, or what would be true in its place.
+[[nodiscard]] std::string terminal_answer(const proofs::methods::Record& record, const tools::Style& style);
+
 // The claims without verdicts: id, kind, origin, words; one line each.
 [[nodiscard]] std::string terminal_list(const std::vector<proofs::methods::Claim>& claims);
 

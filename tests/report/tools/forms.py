@@ -31,7 +31,7 @@ FORCES = re.sub("normal_force.*\n|friction_.*\n", "", MACHINE) + ("friction_forc
                                                                  "friction_force_at_rest = 2\nload_phase = 0.1\n")
 
 FORMS = {
-    "audit": ["check 47.c", "check 44.H 20 --jobs 1"],
+    "audit": ["check 47.c", "check 44.H 20 --jobs 1", "prove H1^2(t)-I=H2(t)*H3(t)", "prove H1^2(t)+I=H2(t)*H3(t)"],
     "orbits": [
         "orbits symmetric --example S", "orbits overshooting --example O", "orbits nonsticking --example P",
         "orbits overshooting --example O --phi 0.3", "orbits nonsticking --example P --ur 0.3 --digits 40",

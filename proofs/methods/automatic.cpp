@@ -1,0 +1,423 @@
+#include "proofs/methods/automatic.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+
+#include "core/error.hpp"
+#include "proofs/checks/premises.hpp"
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/derivation.hpp"
+#include "proofs/methods/points.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/symbols/parse.hpp"
+#include "proofs/tactics/letters.hpp"
+#include "symbolic/algebra/evaluate.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace kernel;
+using symbols::Statement;
+
+namespace {
+
+struct Method {
+  std::string route;
+  std::function<Outcome(Prover&, const Claim&)> prove;  // of a claim with one printed statement
+};
+
+Term difference(const Formula& equation) {
+  return equation.parts()[0] - equation.parts()[1];
+}
+
+bool is_equation_of_numbers(const Formula& formula) {
+  return formula.kind() == kernel::Kind::equal && formula.parts()[0].type().is_scalar();
+}
+
+// a ≠ b by the sign of a - b.
+Theorem differs(Derivation& derivation, const Formula& formula) {
+  const Formula& same = formula.parts()[0];
+  const Term gap = same.parts()[1] == Term(0) ? same.parts()[0] : difference(same);
+  for (const bool turned : {false, true}) {
+    try {
+      const Theorem positive = derivation.positive(turned ? -gap : gap);
+      const Theorem nonzero = tactics::different(
+          turned ? derivation.order(less(gap, 0), {kernel::Positive{{positive}}}) : positive);
+      const Theorem zero = Theorem::combination(equal(gap, 0), {{Theorem::assume(same)}});
+      return derivation.without_divisors(
+          Theorem::consequence({Theorem::discharge(zero, same), nonzero}, formula));
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  throw KernelError("the sign of the difference is not known");
+}
+
+// a ≤ b, where b - a is a square times what is positive.
+Theorem not_negative(Derivation& derivation, const Formula& formula) {
+  const Term gap = formula.parts()[1] - formula.parts()[0];
+  tactics::Letters letters;
+  const auto [above, below] =
+      letters.fraction(letters.expression(unfold(gap, derivation.open({gap}))).normal());
+  const tactics::Factored whole = tactics::factored((above * below).expand(), letters);
+  Rational factor =
+      symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>((above * below / whole.product).normal()));
+  Term square = 1 / letters.term(below);
+  std::vector<Theorem> inequalities;
+  for (std::size_t k = 0; k < whole.factors.size(); ++k) {
+    const Term base = letters.term(whole.factors[k]);
+    if (whole.exponents[k] > 1) {
+      square = square * power(base, whole.exponents[k] / 2);
+    }
+    if (whole.exponents[k] % 2 == 1) {
+      try {
+        inequalities.push_back(derivation.positive(base));
+      } catch (const KernelError&) {
+        inequalities.push_back(derivation.positive(-base));
+        factor = -factor;
+      }
+    }
+  }
+  return derivation.order(formula, {kernel::Positive{inequalities, factor, square}});
+}
+
+// a ≤ b or a < b, where b - a is a polynomial of degree two that is a sum of squares and of a constant.
+Theorem by_squares(Derivation& derivation, const Formula& formula) {
+  const Term gap = formula.parts()[1] - formula.parts()[0];
+  tactics::Letters letters;
+  GiNaC::ex rest = letters.expression(unfold(gap, derivation.open({gap}))).expand();
+  std::vector<kernel::Positive> squares;
+  for (std::size_t k = 0; k < letters.symbols().size(); ++k) {
+    const GiNaC::symbol& x = letters.symbols()[k];
+    if (rest.degree(x) == 0) {
+      continue;
+    }
+    const GiNaC::ex pivot = rest.coeff(x, 2);
+    if (rest.degree(x) != 2 || !GiNaC::is_a<GiNaC::numeric>(pivot) ||
+        !pivot.info(GiNaC::info_flags::positive)) {
+      throw KernelError("it is no sum of squares");
+    }
+    const GiNaC::ex base = (x + rest.coeff(x, 1) / (2 * pivot)).expand();
+    squares.push_back(
+        {{}, symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>(pivot)), letters.term(base)});
+    rest = (rest - pivot * base * base).expand();
+  }
+  if (!rest.is_zero() && !rest.info(GiNaC::info_flags::positive)) {
+    throw KernelError("it is no sum of squares");
+  }
+  if (!rest.is_zero()) {
+    squares.push_back({{}, symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>(rest)), 1});
+  }
+  return derivation.order(formula, squares);
+}
+
+// The first that works.
+Theorem first_of(const std::vector<Theorem (*)(Derivation&, const Formula&)>& ways, Derivation& derivation,
+                 const Formula& formula) {
+  for (std::size_t k = 0; k + 1 < ways.size(); ++k) {
+    try {
+      return ways[k](derivation, formula);
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  return ways.back()(derivation, formula);
+}
+
+Theorem what_follows(Derivation& derivation, const Formula& formula) {
+  return derivation.follows(formula);
+}
+
+Theorem directly(Derivation& derivation, const Formula& formula) {
+  if (formula.kind() == kernel::Kind::negation && is_equation_of_numbers(formula.parts()[0])) {
+    return differs(derivation, formula);
+  }
+  if (formula.kind() == kernel::Kind::at_most) {
+    return first_of({not_negative, by_squares, what_follows}, derivation, formula);
+  }
+  if (formula.kind() == kernel::Kind::exists) {
+    return derivation.combination(formula);  // there are derivatives with which it holds
+  }
+  return formula.kind() == kernel::Kind::less ? first_of({by_squares, what_follows}, derivation, formula)
+                                              : derivation.follows(formula);
+}
+
+// Each assumed equation solved in one of its ways, and put into what is to be shown; `choice` counts the
+// ways. Throws KernelError where there are no more of them, and sets `exhausted`.
+Theorem put_in(Derivation& derivation, const Formula& formula, std::size_t choice, bool& exhausted) {
+  bool any = false;
+  for (const std::vector<Theorem>& ways : solved_assumptions(derivation)) {
+    if (!ways.empty()) {
+      derivation.give(ways[choice % ways.size()]);
+      choice /= ways.size();
+      any = true;
+    }
+  }
+  if (!any || choice > 0) {
+    exhausted = true;
+    throw KernelError("no equation is assumed that could be put in");
+  }
+  return directly(derivation, formula);
+}
+
+// Of a claim that says it under assumptions that are not made here.
+struct AssumesMore : KernelError {
+  using KernelError::KernelError;
+};
+
+// What a known claim says in these very words, under what is assumed here. Throws AssumesMore, or
+// KernelError.
+Theorem known_to_say(Derivation& derivation, const std::vector<Claim>& known, const Formula& formula) {
+  std::string more;
+  for (const Claim& claim : known) {
+    for (std::size_t i = 0; i < claim.printed.size(); ++i) {
+      try {
+        if (!claim.prove || !(derivation.read(claim.printed[i]) == formula)) {
+          continue;
+        }
+        const Theorem theorem = derivation.premise(from(claim.id), i);
+        Outcome ignored;
+        try {
+          derivation.record(ignored, theorem);
+          return theorem;
+        } catch (const KernelError&) {
+          more = fmt::format("{} says it, and assumes what is not assumed here: stickslip check {} --explain",
+                             claim.id, claim.id);
+        }
+      } catch (const KernelError&) {
+        continue;
+      } catch (const symbols::NoValue&) {
+        continue;
+      }
+    }
+  }
+  if (!more.empty()) {
+    throw AssumesMore(more);
+  }
+  throw KernelError("no claim says it");
+}
+
+Method by(const std::string& route, const std::function<Theorem(Derivation&, const Formula&)>& derive) {
+  return {route, [=](Prover& prover, const Claim& claim) {
+            return derived(route, prover, claim, [&](Derivation& derivation, std::size_t which) {
+              return derive(derivation, derivation.read(claim.printed[which]));
+            });
+          }};
+}
+
+// With the assumed equations as rules, for matrices whose order matters.
+Outcome rewritten(Prover& prover, const Claim& claim) {
+  std::vector<Premise> premises;
+  for (const Assumption& one : claim.assumptions) {
+    if (one.statement.relation == symbols::Relation::equal && !one.statement.during &&
+        !is_substitution(one)) {
+      premises.push_back(assuming(one.id));
+    }
+  }
+  Outcome outcome;
+  outcome.verdict = Verdict::undecided("no rules are assumed");
+  try {
+    return premises.empty() ? outcome : by_rewriting(premises)(prover, claim);
+  } catch (const InternalError& error) {  // what cannot be solved for its left side is no rule
+    outcome.verdict = Verdict::undecided(error.what());
+    return outcome;
+  }
+}
+
+Outcome first_that_proves(const std::vector<Method>& methods, const std::vector<Claim>& known, Prover& prover,
+                          const Claim& claim) {
+  std::optional<Outcome> first;
+  for (const Method& method : methods) {
+    Outcome outcome = method.prove(prover, claim);
+    if (outcome.verdict.truth == Truth::proved) {
+      return outcome;
+    }
+    first = first ? first : std::move(outcome);
+  }
+  std::string assumes_more;
+  Outcome last =
+      derived("a claim of the paper says it", prover, claim, [&](Derivation& derivation, std::size_t which) {
+        try {
+          return known_to_say(derivation, known, derivation.read(claim.printed[which]));
+        } catch (const AssumesMore& error) {
+          assumes_more = error.what();
+          throw;
+        }
+      });
+  if (last.verdict.truth == Truth::proved || !assumes_more.empty()) {
+    return last;
+  }
+  return *first;
+}
+
+std::vector<Method> methods_to_try() {
+  constexpr std::size_t most_choices = 24;
+  return {
+      {"",
+       [](Prover& prover, const Claim& claim) {
+         const bool is_equation = claim.printed.front().relation == symbols::Relation::equal;
+         return by(is_equation ? "both sides have the same normal form, for all values of the symbols"
+                               : "the sign of the difference of both sides, for all values of the symbols",
+                   directly)
+             .prove(prover, claim);
+       }},
+      {"with the equations that are assumed put in",
+       [](Prover& prover, const Claim& claim) {
+         Outcome outcome;
+         bool exhausted = false;
+         for (std::size_t choice = 0; choice < most_choices && !exhausted; ++choice) {
+           outcome =
+               derived("with the equations that are assumed put in", prover, claim,
+                       [&](Derivation& derivation, std::size_t which) {
+                         return put_in(derivation, derivation.read(claim.printed[which]), choice, exhausted);
+                       });
+           if (outcome.verdict.truth == Truth::proved) {
+             return outcome;
+           }
+         }
+         return outcome;
+       }},
+      by("a combination of the equations that are assumed",
+         [](Derivation& derivation, const Formula& formula) { return derivation.combined(formula); }),
+      {"", rewritten},
+  };
+}
+
+// A point at which all that is assumed holds, perhaps with one equation more, and the statement fails.
+std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
+                                        const std::optional<Statement>& where = {}) {
+  constexpr std::size_t most_attempts = 12;
+  Claim there = claim;
+  if (where) {
+    there.assumptions.push_back({"where", *where});
+  }
+  for (const Scene& scene : scenes(prover, there, printed, most_attempts)) {
+    try {
+      Outcome outcome{.theorems = {refutation(prover, scene, assumed_statements(claim), {printed})},
+                      .by_kernel = true};
+      outcome.route = "values with which all that is assumed holds and what is printed does not, in balls";
+      outcome.verdict = Verdict::refuted(witness_of(printed, scene));
+      return outcome;
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+// The statements at points drawn at random, where they are not proved; and where a hypothesis of the proof
+// fails.
+void look_for_point(Outcome& outcome, Prover& prover, const Claim& claim) {
+  const bool proved = outcome.verdict.truth == Truth::proved;
+  std::vector<std::optional<Statement>> places;
+  if (!proved) {
+    places.emplace_back();
+  }
+  Derivation derivation(prover, claim);
+  for (const Hypothesis& one : outcome.hypotheses) {
+    if (proved) {
+      places.emplace_back(symbols::equation(printed_term(derivation.read(one.nonzero)), 0));
+    }
+  }
+  for (const std::optional<Statement>& place : places) {
+    for (const Statement& printed : claim.printed) {
+      if (const auto refuted = refuted_at_point(prover, claim, printed, place)) {
+        outcome = *refuted;
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+namespace {
+
+void add(Outcome& whole, const Outcome& part) {
+  whole.hypotheses = joined(whole.hypotheses, part.hypotheses);
+  whole.uses.insert(part.uses.begin(), part.uses.end());
+  whole.assumed.insert(part.assumed.begin(), part.assumed.end());
+  whole.theorems.insert(whole.theorems.end(), part.theorems.begin(), part.theorems.end());
+  std::set<std::string> free(whole.free.begin(), whole.free.end());
+  free.insert(part.free.begin(), part.free.end());
+  whole.free.assign(free.begin(), free.end());
+}
+
+}  // namespace
+
+Proof automatically(std::vector<Claim> known) {
+  return [known = std::move(known), methods = methods_to_try()](Prover& prover, const Claim& claim) {
+    Outcome outcome;
+    std::vector<std::string> routes;
+    std::vector<Verdict> verdicts;
+    for (const Statement& printed : claim.printed) {
+      Claim one = claim;
+      one.printed = {printed};
+      Outcome found = first_that_proves(methods, known, prover, one);
+      verdicts.push_back(found.verdict);
+      if (std::ranges::find(routes, found.route) == routes.end()) {
+        routes.push_back(found.route);
+      }
+      add(outcome, found);
+      if (printed.relation == symbols::Relation::equal && !printed.during && is_in_field(printed.left) &&
+          is_in_field(printed.right)) {
+        outcome.doubted.push_back(printed);
+      }
+    }
+    outcome.verdict = all_of(verdicts);
+    outcome.by_kernel = outcome.verdict.truth == Truth::proved;
+    outcome.route = fmt::format("{}", fmt::join(routes, "; "));
+    if (outcome.verdict.truth != Truth::proved) {
+      outcome.theorems.clear();
+    }
+    look_for_point(outcome, prover, claim);
+    return outcome;
+  };
+}
+
+namespace {
+
+symbols::Names names_with(const std::vector<std::string>& further) {
+  symbols::Names names = symbols::names_of(symbols::symbol_table());
+  for (const std::string& name : further) {
+    const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+                         std::ranges::all_of(name, [](char c) {
+                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+                         });
+    if (!is_name || name == "I" || name == "det" || name == "for" || name == "but") {
+      throw UsageError(
+          fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
+    }
+    const bool is_open = checks::stands_for_itself(symbols::scalar(name)) &&
+                         std::ranges::none_of(parameters(), [&](const Theorem& one) {
+                           return one.conclusion().variables().contains(Variable{name});
+                         });
+    if (names.functions.contains(name) || !is_open ||
+        names.quantities.emplace(name, symbols::Shape{}).first->second != symbols::Shape{}) {
+      throw UsageError(
+          fmt::format("'{}' has a meaning already: take another name for a symbol of your own", name));
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+Claim own_claim(const OwnStatement& own, const std::vector<Claim>& known) {
+  const symbols::Names names = names_with(own.symbols);
+  Claim claim{.id = own_id, .place = "own", .kind = Kind::step, .origin = Origin::auxiliary};
+  claim.words = "a statement of your own";
+  claim.printed = symbols::parse_statements(own.statement, names);
+  for (const std::string& line : own.assumptions) {
+    for (const Statement& one : symbols::parse_statements(line, names)) {
+      claim.assumptions.push_back({fmt::format("assumption {}", claim.assumptions.size() + 1), one});
+    }
+  }
+  claim.prove = automatically(known);
+  return claim;
+}
+
+}  // namespace stickslip::proofs::methods

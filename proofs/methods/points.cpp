@@ -1,0 +1,297 @@
+#include "proofs/methods/points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/letters.hpp"
+
+namespace stickslip::proofs::methods {
+
+using namespace kernel;
+using symbols::Statement;
+
+symbols::Term printed_term(const Term& term) {
+  const auto part = [&](std::size_t k) { return printed_term(term.parts()[k]); };
+  switch (term.kind()) {
+    case kernel::Kind::variable:
+      return symbols::scalar(term.name());
+    case kernel::Kind::number:
+      return symbols::Term(term.value());
+    case kernel::Kind::pi:
+      return symbols::pi();
+    case kernel::Kind::sum: {
+      symbols::Term sum = part(0);
+      for (std::size_t k = 1; k < term.parts().size(); ++k) {
+        sum = sum + part(k);
+      }
+      return sum;
+    }
+    case kernel::Kind::product:
+      return part(0) * part(1);
+    case kernel::Kind::power:
+      return symbols::power(part(0), static_cast<int>(term.value().get_num().get_si()));
+    case kernel::Kind::inverse:
+      return 1 / part(0);
+    case kernel::Kind::cosine:
+      return symbols::cos(part(0));
+    case kernel::Kind::sine:
+      return symbols::sin(part(0));
+    case kernel::Kind::defined:
+      if (term.type().is_scalar()) {
+        return symbols::scalar(term.definition().name());
+      }
+      [[fallthrough]];
+    default:
+      throw symbols::NoValue("no print: " + to_string(term));
+  }
+}
+
+namespace {
+
+bool is_equation_of_numbers(const Formula& formula) {
+  return formula.kind() == kernel::Kind::equal && formula.parts()[0].type().is_scalar();
+}
+
+std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
+  const Term gap = equation.conclusion().parts()[0] - equation.conclusion().parts()[1];
+  tactics::Letters letters;
+  const auto [above, below] = letters.fraction(letters.expression(gap).normal());
+  const GiNaC::ex polynomial = above.expand();
+  std::vector<Theorem> result;
+  for (std::size_t k = 0; k < letters.terms().size(); ++k) {
+    const Term& letter = letters.terms()[k];
+    const GiNaC::symbol& symbol = letters.symbols()[k];
+    if (letter.kind() == kernel::Kind::pi || polynomial.degree(symbol) != 1) {
+      continue;
+    }
+    const Term slope = letters.term(polynomial.coeff(symbol, 1)),
+               rest = letters.term(-polynomial.coeff(symbol, 0));
+    if (occurs(letter, slope) || occurs(letter, rest)) {
+      continue;  // x in an equation with cos(x)
+    }
+    try {
+      result.push_back(
+          derivation.combination(equal(letter, rest / slope), {{equation, letters.term(below) / slope, 1}}));
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  return result;
+}
+
+// Rational values for symbols, in the parameters' domain.
+class Draw {
+ public:
+  [[nodiscard]] Rational value(const std::string& name) {
+    // Small ones, among which equations of low degree have solutions.
+    static const std::array<Rational, 14> small{
+        Rational(0),     Rational(1),    Rational(-1),    Rational(1, 2),  Rational(2),
+        Rational(3, 5),  Rational(4, 5), Rational(-3, 5), Rational(5, 13), Rational(12, 13),
+        Rational(-1, 2), Rational(3),    Rational(-2),    Rational(1, 3)};
+    if (name == "omega1") {
+      return ratio(below(19) + 1, 20);
+    }
+    if (name == "omega2") {
+      return 1 + ratio(below(40) + 1, 20);
+    }
+    const bool positive = name == "omega" || name == "us" || name == "ur";
+    if (!positive && below(2) == 0) {
+      return small[static_cast<std::size_t>(below(static_cast<int>(small.size())))];
+    }
+    const Rational size = ratio(below(60) + 1, 1 + below(12));
+    return positive || below(2) == 0 ? size : Rational(-size);
+  }
+
+ private:
+  [[nodiscard]] static Rational ratio(int above, int below) {
+    Rational result(above, below);
+    result.canonicalize();
+    return result;
+  }
+  [[nodiscard]] int below(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
+  std::mt19937 random_{1};
+};
+
+using Values = std::map<Variable, Rational, Before>;
+
+// Whether it holds nearly there; nothing where that cannot be said.
+std::optional<bool> holds_nearly(const Formula& formula, const Values& values) {
+  constexpr double fault = 1e-9;
+  const auto gap = [&] { return tactics::estimated(formula.parts()[1] - formula.parts()[0], values); };
+  switch (formula.kind()) {
+    case kernel::Kind::equal:
+      return is_equation_of_numbers(formula) ? std::optional(std::abs(gap()) < fault) : std::nullopt;
+    case kernel::Kind::less:
+      return gap() > fault;
+    case kernel::Kind::at_most:
+      return gap() > -fault;
+    case kernel::Kind::negation: {
+      const auto inside = holds_nearly(formula.parts()[0], values);
+      return inside ? std::optional(!*inside) : std::nullopt;
+    }
+    case kernel::Kind::conjunction: {
+      const auto one = holds_nearly(formula.parts()[0], values),
+                 other = holds_nearly(formula.parts()[1], values);
+      return one && other ? std::optional(*one && *other) : std::nullopt;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+// What is drawn and what follows from that.
+struct Unknowns {
+  Variables drawn;
+  std::vector<Statement> values;    // "symbol = value"
+  std::vector<Formula> conditions;  // with the values put in
+  std::optional<Formula> failing;   // likewise
+};
+
+// With each assumed equation solved in one of its ways, which `choice` counts; nothing where there are no
+// more ways.
+std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Statement>& failing,
+                                 std::size_t choice) {
+  Unknowns result;
+  Substitution given;
+  for (const Assumption& one : derivation.claim().assumptions) {
+    if (is_substitution(one)) {
+      result.values.push_back(one.statement);
+      const Term symbol = derivation.read(one.statement.left);
+      if (symbol.kind() == kernel::Kind::variable) {
+        given.emplace(Variable{symbol.name()}, derivation.read(one.statement.right));
+      }
+    }
+  }
+  for (const std::vector<Theorem>& ways : solved_assumptions(derivation)) {
+    std::vector<Theorem> of_variables;
+    for (const Theorem& one : ways) {
+      const Term& letter = one.conclusion().parts()[0];
+      if (letter.kind() == kernel::Kind::variable && !given.contains(Variable{letter.name()})) {
+        of_variables.push_back(one);
+      }
+    }
+    if (of_variables.empty()) {
+      continue;
+    }
+    const Formula& chosen = of_variables[choice % of_variables.size()].conclusion();
+    choice /= of_variables.size();
+    given.emplace(Variable{chosen.parts()[0].name()}, chosen.parts()[1]);
+    result.values.push_back(
+        symbols::equation(printed_term(chosen.parts()[0]), printed_term(chosen.parts()[1])));
+  }
+  if (choice > 0) {
+    return std::nullopt;
+  }
+  const auto put_in = [&](Term formula) {
+    for (std::size_t k = 0; k < given.size(); ++k) {  // each value may speak of others
+      formula = substitute(formula, given);
+    }
+    return formula;
+  };
+  for (const Formula& one : derivation.assumed()) {
+    result.conditions.push_back(put_in(one));
+  }
+  const auto draw_all_of = [&](const Formula& formula) {
+    result.drawn.insert(formula.variables().begin(), formula.variables().end());
+  };
+  if (failing) {
+    result.failing = put_in(derivation.read(*failing));
+    draw_all_of(*result.failing);
+  }
+  std::ranges::for_each(result.conditions, draw_all_of);
+  for (const auto& value : given) {
+    draw_all_of(put_in(value.second));
+  }
+  for (const Theorem& one : parameters()) {
+    const Formula condition = put_in(one.conclusion());
+    if (std::ranges::includes(result.drawn, condition.variables(), Before{})) {
+      result.conditions.push_back(condition);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<Theorem>> solved_assumptions(Derivation& derivation) {
+  std::vector<std::vector<Theorem>> result;
+  for (const Formula& one : derivation.assumed()) {
+    if (is_equation_of_numbers(one)) {
+      result.push_back(solved(derivation, Theorem::assume(one)));
+    }
+  }
+  return result;
+}
+
+std::vector<Statement> assumed_statements(const Claim& claim) {
+  std::vector<Statement> result;
+  for (const Assumption& one : claim.assumptions) {
+    result.push_back(one.statement);
+  }
+  return result;
+}
+
+Claim with_hypotheses(Prover& prover, const Claim& claim, const std::vector<Hypothesis>& hypotheses) {
+  Claim result = claim;
+  Derivation derivation(prover, claim);
+  for (const Hypothesis& one : hypotheses) {
+    result.assumptions.push_back(
+        {"hypothesis", {printed_term(derivation.read(one.nonzero)), 0, symbols::Relation::not_equal}});
+  }
+  return result;
+}
+
+std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optional<Statement>& failing,
+                          std::size_t most) {
+  constexpr std::size_t most_choices = 8;
+  constexpr int draws = 1000;
+  Derivation derivation(prover, claim);
+  std::vector<Scene> result;
+  Draw draw;
+  for (std::size_t choice = 0; choice < most_choices; ++choice) {
+    const std::optional<Unknowns> open = unknowns(derivation, failing, choice);
+    if (!open ||
+        std::ranges::any_of(open->drawn, [](const Variable& one) { return one.type != real_number; })) {
+      break;
+    }
+    for (int k = 0; k < draws && result.size() < most; ++k) {
+      Values values;
+      Scene scene{.values = open->values};
+      for (const Variable& name : open->drawn) {
+        scene.point.push_back({name.name, values.emplace(name, draw.value(name.name)).first->second});
+      }
+      if ((!open->failing || holds_nearly(*open->failing, values) == std::optional(false)) &&
+          std::ranges::all_of(open->conditions, [&](const Formula& one) {
+            return holds_nearly(one, values) == std::optional(true);
+          })) {
+        result.push_back(std::move(scene));
+      }
+    }
+  }
+  return result;
+}
+
+std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,
+                                     const std::vector<Hypothesis>& hypotheses) {
+  constexpr std::size_t most_attempts = 8;
+  try {
+    const Claim all = with_hypotheses(prover, claim, hypotheses);
+    for (const Scene& scene : scenes(prover, all, std::nullopt, most_attempts)) {
+      try {
+        return refutation(prover, scene, assumed_statements(all), {});
+      } catch (const KernelError&) {
+        continue;
+      }
+    }
+  } catch (const symbols::NoValue&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip::proofs::methods

@@ -1,0 +1,32 @@
+// Where to look for witnesses: points in the parameters' domain at which statements hold, or fail, nearly.
+// Floats propose; refutation.hpp decides.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "proofs/methods/derivation.hpp"
+#include "proofs/methods/refutation.hpp"
+
+namespace stickslip::proofs::methods {
+
+// Up to `most` scenes, drawn at random, the same on every run, at which all that the claim assumes holds
+// nearly and `failing`, if it is given, does not. Assumed equations between numbers are solved for one of
+// their symbols each where they are linear in one. None for statements that speak of motions.
+[[nodiscard]] std::vector<Scene> scenes(Prover& prover, const Claim& claim,
+                                        const std::optional<symbols::Statement>& failing, std::size_t most);
+
+// What a claim assumes; and the claim that assumes the hypotheses, too. Throws symbols::NoValue for a
+// hypothesis that has no print.
+[[nodiscard]] std::vector<symbols::Statement> assumed_statements(const Claim& claim);
+[[nodiscard]] Claim with_hypotheses(Prover& prover, const Claim& claim,
+                                    const std::vector<Hypothesis>& hypotheses);
+
+// A number in variables, as it is printed. Throws symbols::NoValue for what has no print.
+[[nodiscard]] symbols::Term printed_term(const kernel::Term& number);
+
+// The assumed equations between numbers as theorems, and each solved for every letter (a variable, a cosine,
+// …) in which it is linear: letter = value.
+[[nodiscard]] std::vector<std::vector<kernel::Theorem>> solved_assumptions(Derivation& derivation);
+
+}  // namespace stickslip::proofs::methods

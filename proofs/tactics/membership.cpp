@@ -1,0 +1,199 @@
+#include "proofs/tactics/membership.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <utility>
+
+#include "core/fmpq.hpp"
+#include "core/polynomial.hpp"
+#include "proofs/tactics/letters.hpp"
+#include "symbolic/algebra/evaluate.hpp"
+
+namespace stickslip::proofs::tactics {
+
+using GiNaC::ex;
+using kernel::Term;
+
+namespace {
+
+constexpr std::size_t most_pairs = 200, longest = 400;
+
+using Monomial = Letters::Monomial;
+
+// The terms of a polynomial, the leading one first.
+std::vector<Monomial> monomials(const Polynomial& polynomial) {
+  const PolynomialRing& ring = polynomial.ring();
+  std::vector<Monomial> result;
+  std::vector<ulong> exponents(ring.generators());
+  for (slong k = 0; k < fmpq_mpoly_length(polynomial.raw(), ring.context()); ++k) {
+    Fmpq coefficient;
+    fmpq_mpoly_get_term_coeff_fmpq(coefficient.raw(), polynomial.raw(), k, ring.context());
+    fmpq_mpoly_get_term_exp_ui(exponents.data(), polynomial.raw(), k, ring.context());
+    result.push_back({{exponents.begin(), exponents.end()}, coefficient.value()});
+  }
+  return result;
+}
+
+Polynomial polynomial(const PolynomialRing& ring, const std::vector<Monomial>& monomials) {
+  Polynomial sum(ring);
+  for (const Monomial& monomial : monomials) {
+    Polynomial product = ring.constant(monomial.coefficient);
+    for (std::size_t i = 0; i < monomial.degrees.size(); ++i) {
+      for (int k = 0; k < monomial.degrees[i]; ++k) {
+        product *= ring.generator(i);
+      }
+    }
+    sum += product;
+  }
+  return sum;
+}
+
+// A polynomial, and the multiples of the given ones whose sum it is.
+struct Member {
+  Polynomial value;
+  std::vector<Polynomial> of;
+
+  void add(const Polynomial& factor, const Member& other) {
+    const auto add_to = [&](Polynomial& sum, Polynomial summand) {
+      summand *= factor;
+      sum += summand;
+    };
+    add_to(value, other.value);
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      add_to(of[k], other.of[k]);
+    }
+  }
+};
+
+// The member less multiples of others such that none of their leading terms divides one of its own.
+Member reduced(Member member, const std::vector<Member>& others) {
+  const PolynomialRing& ring = member.value.ring();
+  std::vector<Polynomial> quotients(others.size(), Polynomial(ring));
+  std::vector<fmpq_mpoly_struct *> into, by;
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    into.push_back(quotients[k].raw());
+    by.push_back(const_cast<fmpq_mpoly_struct *>(others[k].value.raw()));  // FLINT reads it only
+  }
+  Polynomial rest(ring);
+  fmpq_mpoly_divrem_ideal(into.data(), rest.raw(), member.value.raw(), by.data(),
+                          static_cast<slong>(by.size()), ring.context());
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    quotients[k] *= ring.constant(-1);
+    member.add(quotients[k], others[k]);
+  }
+  return member;
+}
+
+// The combination of two in which their leading terms are gone.
+Member without_leading_terms(const Member& a, const Member& b) {
+  const PolynomialRing& ring = a.value.ring();
+  const Monomial lead_a = monomials(a.value).front(), lead_b = monomials(b.value).front();
+  Monomial to_a{{}, 1 / lead_a.coefficient}, to_b{{}, -1 / lead_b.coefficient};
+  for (std::size_t i = 0; i < lead_a.degrees.size(); ++i) {
+    const int both = std::max(lead_a.degrees[i], lead_b.degrees[i]);
+    to_a.degrees.push_back(both - lead_a.degrees[i]);
+    to_b.degrees.push_back(both - lead_b.degrees[i]);
+  }
+  Member result{Polynomial(ring), std::vector<Polynomial>(a.of.size(), Polynomial(ring))};
+  result.add(polynomial(ring, {to_a}), a);
+  result.add(polynomial(ring, {to_b}), b);
+  return result;
+}
+
+// A combination of the basis that is the goal, or nothing; the basis is made complete (Buchberger) as far as
+// the work goes.
+std::optional<Member> expressed(const Member& goal, std::vector<Member> basis) {
+  std::deque<std::pair<std::size_t, std::size_t>> pairs;
+  const auto pair_with_others = [&](std::size_t k) {
+    for (std::size_t other = 0; other < k; ++other) {
+      pairs.emplace_back(other, k);
+    }
+  };
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    pair_with_others(k);
+  }
+  for (std::size_t work = 0; work < most_pairs; ++work) {
+    const Member rest = reduced(goal, basis);
+    if (rest.value.is_zero()) {
+      return rest;
+    }
+    Member more = rest;
+    do {
+      if (pairs.empty()) {
+        return std::nullopt;
+      }
+      const auto [first, second] = pairs.front();
+      pairs.pop_front();
+      more = reduced(without_leading_terms(basis[first], basis[second]), basis);
+      ++work;
+    } while (more.value.is_zero() && work < most_pairs);
+    if (more.value.is_zero() ||
+        fmpq_mpoly_length(more.value.raw(), more.value.ring().context()) > static_cast<slong>(longest)) {
+      return std::nullopt;
+    }
+    basis.push_back(more);
+    pair_with_others(basis.size() - 1);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<Term>> multipliers(const Term& goal, const std::vector<Term>& given) {
+  Letters letters;
+  std::vector<std::pair<ex, ex>> fractions;  // of the goal, then of what is given
+  std::vector<ex> all{letters.expression(goal)};
+  for (const Term& one : given) {
+    all.push_back(letters.expression(one));
+  }
+  std::vector<ex> circles;
+  for (const Term& letter : std::vector<Term>(letters.terms())) {
+    if (letter.kind() == kernel::Kind::cosine) {
+      circles.push_back(pow(letters.expression(letter), 2) +
+                        pow(letters.expression(kernel::sin(letter.parts()[0])), 2) - 1);
+    }
+  }
+  letters.sort();
+  for (const ex& one : all) {
+    fractions.push_back(letters.fraction(one.normal()));
+  }
+  const PolynomialRing ring(letters.terms().size());
+  const auto read = [&](const ex& numerator) { return polynomial(ring, letters.monomials(numerator)); };
+  std::vector<Member> basis;
+  const Member nothing{Polynomial(ring), std::vector<Polynomial>(given.size(), Polynomial(ring))};
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    Member one = nothing;
+    one.value = read(fractions[k + 1].first);
+    one.of[k] = ring.constant(1);
+    if (!one.value.is_zero()) {
+      basis.push_back(one);
+    }
+  }
+  for (const ex& circle : circles) {
+    basis.push_back(nothing);
+    basis.back().value = read(circle);
+  }
+  Member wanted = nothing;
+  wanted.value = read(fractions[0].first);
+  const std::optional<Member> zero = expressed(wanted, basis);
+  if (!zero) {
+    return std::nullopt;
+  }
+  std::vector<Term> result;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    ex sum = 0;
+    for (const Monomial& monomial : monomials(zero->of[k])) {
+      ex product = symbolic::algebra::to_ex(-monomial.coefficient);
+      for (std::size_t i = 0; i < monomial.degrees.size(); ++i) {
+        product *= pow(letters.symbols()[i], monomial.degrees[i]);
+      }
+      sum += product;
+    }
+    result.push_back(letters.term(sum.expand()) * letters.term(fractions[k + 1].second) /
+                     letters.term(fractions[0].second));
+  }
+  return result;
+}
+
+}  // namespace stickslip::proofs::tactics

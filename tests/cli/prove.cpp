@@ -1,0 +1,68 @@
+// stickslip prove: a line that a user types.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace stickslip;
+
+TEST_CASE("a statement is proved, refuted or left open, and the exit code says so") {
+  const Run proved = stickslip_program({"prove", "ω₁² < ω₂²"});
+  CHECK(proved.code == exit_decided);
+  CHECK(proved.out.starts_with("proved  omega1^2 < omega2^2\n"));
+  const Run refuted = stickslip_program({"prove", "H1(t)^2 + I = H2(t) H3(t)"});
+  CHECK(refuted.code == exit_refuted);
+  CHECK(refuted.out.find("true is     H1^2(t) - I = H2(t)*H3(t) (sign of I)") != std::string::npos);
+  const Run open = stickslip_program({"prove", "sin(t) < 2"});
+  CHECK(open.code == exit_undecided);
+  CHECK(open.out.starts_with("undecided  sin(t) < 2\n    why         "));
+  // From assumptions, of which those used are named.
+  const Run given = stickslip_program({"prove", "cos(omega Theta) = 1", "omega Theta = 2 pi", "T < tau"});
+  CHECK(given.code == exit_decided);
+  CHECK(given.out.find("if          omega*Theta = 2*pi\n") != std::string::npos);
+  CHECK(given.out.find("T < tau") == std::string::npos);
+  // Of one's own symbols; a minus sign in front is no option.
+  CHECK(stickslip_program({"prove", "-a^2 <= 2 a b + b^2", "--symbols", "a,b"}).code == exit_decided);
+  CHECK(stickslip_program({"prove", "--symbols", "a,b", "--", "-a^2 < b"}).code == exit_refuted);
+}
+
+TEST_CASE("what is known of a statement of one's own is said as for claims") {
+  const Run explained = stickslip_program({"prove", "Q = [q1; q2]", "--explain"});
+  CHECK(explained.code == exit_decided);
+  CHECK(explained.out.find("    theorem     ") != std::string::npos);
+  const Run json = stickslip_program({"prove", "a + b = b + a", "--symbols", "a,b", "--json"});
+  CHECK(json.code == exit_decided);
+  const auto claims = nlohmann::json::parse(json.out).at("places").at(0).at("claims");
+  REQUIRE(claims.size() == 1);
+  CHECK(claims[0].at("id") == "own");
+  CHECK(claims[0].at("status") == "proved");
+}
+
+TEST_CASE("a proof of a statement of one's own is written for Coq") {
+  const std::filesystem::path directory = std::filesystem::temp_directory_path() / "stickslip-own-proof";
+  std::filesystem::remove_all(directory);
+  const Run run = stickslip_program({"prove", "H(2 t) = H(t)^2", "--certificate", directory.string()});
+  CHECK(run.code == exit_decided);
+  CHECK(content(directory / "Claim_own.v").find("Theorem claim_own_1") != std::string::npos);
+  std::filesystem::remove_all(directory);
+  CHECK(stickslip_program({"prove", "H(2 t) = H(t)", "--certificate", directory.string()}).code ==
+        exit_refuted);
+  CHECK(!std::filesystem::exists(directory));
+}
+
+TEST_CASE("a line that cannot be read is pointed into") {
+  const Run run = stickslip_program({"prove", "H1(t)^2 - I = H9(t)"});
+  CHECK(run.code == exit_usage);
+  CHECK(run.err ==
+        "stickslip: column 15: no symbol 'H9'; there are H, H1, H2, H3, H11, H12.\n"
+        "  H1(t)^2 - I = H9(t)\n"
+        "                ^\n");
+  CHECK(run.out.empty());
+  check_refused({{{"prove"}, exit_usage, "STATEMENT"},
+                 {{"prove", "a = 1", "--symbols", "a b"}, exit_usage, "'a b' is no name for a symbol"},
+                 {{"prove", "omega = 1", "--symbols", "omega"}, exit_usage, "'omega' has a meaning already"},
+                 {{"prove", "chi = 1", "--json", "--explain"}, exit_usage, "--explain"}});
+}

@@ -1,0 +1,151 @@
+#include "proofs/methods/automatic.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "proofs/checks/edits.hpp"
+#include "proofs/methods/gate.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/parse.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+using namespace stickslip::proofs::methods;
+
+namespace {
+
+Record record_of(const OwnStatement& own) {
+  std::vector<Claim> claims = pascal2012::paper().claims;
+  claims.push_back(own_claim(own, claims));
+  return Prover(claims).prove(own_id);
+}
+
+Truth truth_of(const std::string& statement, const std::vector<std::string>& assumptions = {},
+               const std::vector<std::string>& symbols = {}) {
+  CAPTURE(statement);
+  return record_of({statement, assumptions, symbols}).outcome.verdict.truth;
+}
+
+std::string reason_of(const OwnStatement& own) {
+  return record_of(own).outcome.verdict.reason;
+}
+
+}  // namespace
+
+TEST_CASE("a line of one's own is proved") {
+  CHECK(truth_of("H1(t)^2 - I = H2(t) H3(t)") == Truth::proved);
+  CHECK(truth_of("H(2 t) = H(t)^2") == Truth::proved);
+  CHECK(truth_of("H1'(t) = H3(t)") == Truth::proved);
+  CHECK(truth_of("d/dt[t cos(omega t)] = cos(omega t) - omega t sin(omega t)") == Truth::proved);
+  CHECK(truth_of("0 < chi < 1") == Truth::proved);
+  CHECK(truth_of("omega2 != omega1") == Truth::proved);
+  CHECK(truth_of("-chi < 0") == Truth::proved);
+  // From what is assumed: put in, combined, added, multiplied.
+  CHECK(truth_of("cos(omega Theta) = 1", {"omega Theta = 2 pi"}) == Truth::proved);
+  CHECK(truth_of("(a + b)^2 = 1 + 2 a b", {"a^2 + b^2 = 1"}, {"a", "b"}) == Truth::proved);
+  CHECK(truth_of("a^4 = 1 - 2 b^2 + b^4", {"a^2 + b^2 = 1"}, {"a", "b"}) == Truth::proved);
+  CHECK(truth_of("x^3 + y^3 + z^3 = 3 x y z", {"x + y + z = 0"}, {"x", "y", "z"}) == Truth::proved);
+  CHECK(truth_of("a b = 0", {"a + b = 1", "a^2 + b^2 = 1"}, {"a", "b"}) == Truth::proved);
+  CHECK(truth_of("a < c", {"a < b", "b < c"}, {"a", "b", "c"}) == Truth::proved);
+  CHECK(truth_of("u v > 0", {"u > 0", "v > 1"}, {"u", "v"}) == Truth::proved);
+  CHECK(truth_of("a^2 + b^2 >= 2 a b", {}, {"a", "b"}) == Truth::proved);
+  CHECK(truth_of("x^2 + y^2 + z^2 >= x y + y z + z x", {}, {"x", "y", "z"}) == Truth::proved);
+  CHECK(truth_of("x^2 - x + 1 > 0", {}, {"x"}) == Truth::proved);
+}
+
+TEST_CASE("what is divided by is a hypothesis") {
+  const Record record = record_of({"q2 = q1 (1 - omega^2)/chi"});
+  CHECK(record.outcome.verdict.truth == Truth::proved);
+  REQUIRE(record.outcome.hypotheses.size() == 2);
+  CHECK(record.outcome.hypotheses[0].text == "omega - omega1 != 0");
+  const Record own = record_of({"a/a = 1", {}, {"a"}});
+  REQUIRE(own.outcome.hypotheses.size() == 1);
+  CHECK(own.outcome.hypotheses[0].text == "a != 0");
+}
+
+TEST_CASE("a line that is false is refuted by values, and what would be true is said") {
+  const Record record = record_of({"H1(t)^2 + I = H2(t) H3(t)"});
+  CHECK(record.outcome.verdict.truth == Truth::refuted);
+  REQUIRE(record.repairs.size() == 1);
+  CHECK(text(record.repairs[0].statement) == "H1^2(t) - I = H2(t)*H3(t)");
+  CHECK(record_of({"H3(t) = H2(t)"}).repairs.empty());  // and not H3(t) = H3(t)
+  CHECK(truth_of("omega1 > omega2") == Truth::refuted);
+  CHECK(truth_of("chi < 0.9") == Truth::refuted);
+  CHECK(truth_of("x = 1", {"x^2 = 1"}, {"x"}) == Truth::refuted);
+  CHECK(truth_of("1 = 2") == Truth::refuted);
+  CHECK(truth_of("E E = -I") == Truth::refuted);
+  CHECK(truth_of("x^2 - 2 x + 1 > 0", {}, {"x"}) == Truth::refuted);  // 0 at x = 1
+  CHECK(truth_of("a < b", {"a < c", "b < c"}, {"a", "b", "c"}) == Truth::refuted);
+  CHECK(truth_of("x^2 >= x", {"x > 0"}, {"x"}) == Truth::refuted);
+  CHECK(truth_of("a != b", {"a^2 + b^2 = 1"}, {"a", "b"}) != Truth::proved);
+}
+
+TEST_CASE("nothing follows from what nothing obeys") {
+  CHECK(reason_of({"x = 1", {"x = 2", "x = 3"}, {"x"}}).starts_with("vacuous"));
+  CHECK(truth_of("x = 5", {"x^2 + 1 = 0"}, {"x"}) == Truth::undecided);
+  CHECK(truth_of("x^2 = -1", {"x^2 + 1 = 0"}, {"x"}) == Truth::undecided);
+  CHECK(reason_of({"tau = tau + 1", {"z10 z20 = 1", "z10 z20 = 2"}}).starts_with("vacuous"));
+  CHECK(reason_of({"omega = 1", {"omega1 > omega2"}}).find("proved") == std::string::npos);
+  CHECK(truth_of("x = 1", {"0 < 0"}, {"x"}) != Truth::proved);
+  CHECK(truth_of("1/x = 2", {"x = 0"}, {"x"}) != Truth::proved);
+}
+
+TEST_CASE("what is not decided says why") {
+  CHECK(truth_of("sin(t) < 2") == Truth::undecided);
+  CHECK(reason_of({"1/(chi - chi) = 1"}) == "a term divides by what is zero for all values of its variables");
+  CHECK(reason_of({"Z(t) = H(t) (Z0 - F0) + F(t)"}) ==
+        "5 says it, and assumes what is not assumed here: stickslip check 5 --explain");
+}
+
+TEST_CASE("symbols of one's own are new names") {
+  CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"chi"}}, {}),
+                       "'chi' has a meaning already: take another name for a symbol of your own", UsageError);
+  CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"2a"}}, {}),
+                       "'2a' is no name for a symbol: a name is a letter, then letters and digits",
+                       UsageError);
+  CHECK_THROWS_AS((void)own_claim({"a = 1", {}, {"H"}}, {}), UsageError);
+  CHECK_THROWS_AS((void)own_claim({"a = 1"}, {}), symbols::ParseError);
+}
+
+TEST_CASE(
+    "typed anew, no statement of the paper that stands is refuted, and of edits those that are true are "
+    "proved") {
+  const std::vector<Claim>& claims = pascal2012::paper().claims;
+  Prover prover(claims);
+  const std::set<std::string> true_edits{
+      "Gamma(0) = I",
+      "Gamma1(0) = I",
+      "H(0) = I",
+      "H2(0) = 0",
+      "det(Gamma(t)) = 1",
+      "det(H(t)) = 1",
+      "[0, 0, 0, 1]*(H(tau)*(Z0 - F0) - 2*L(0)*d0 + F(tau)) = [0, 0, 0, 1]*(H(tau)*(Z0 - F0) + F(tau))",
+      "xi2 - xi2 = 0"};
+  int typed = 0, proved = 0;
+  for (const Claim& claim : claims) {
+    if (claim.kind != Kind::identity || !claim.assumptions.empty() || claim.printed.empty()) {
+      continue;
+    }
+    for (const symbols::Statement& one : claim.printed) {
+      CAPTURE(text(one));
+      std::vector<Claim> with_own;  // alone: no known claim says it
+      with_own.push_back(own_claim({text(one)}, {}));
+      for (const Claim& known : claims) {
+        with_own.push_back(known);
+      }
+      const Record record = Prover(with_own).prove(own_id);
+      CHECK(record.outcome.verdict.truth != Truth::refuted);
+      ++typed;
+      proved += record.outcome.verdict.truth == Truth::proved ? 1 : 0;
+      const auto edits = checks::edits(one);
+      const auto& edit = edits[static_cast<std::size_t>(typed) % edits.size()];
+      with_own.front() = own_claim({text(edit.statement)}, {});
+      const Record wrong = Prover(with_own).prove(own_id);
+      CAPTURE(text(edit.statement));
+      CHECK((wrong.outcome.verdict.truth == Truth::proved) == true_edits.contains(text(edit.statement)));
+    }
+  }
+  CHECK(typed > 20);
+  CHECK(proved == typed);
+}
