@@ -21,6 +21,16 @@ bool is_omega(const std::string& word) {
   return word == "omega";
 }
 
+// A file of claims among words that name claims: the first that ends so.
+void take_file(std::vector<std::string>& words, std::string& file) {
+  const auto found =
+      std::ranges::find_if(words, [](const std::string& word) { return word.ends_with(".claims"); });
+  if (found != words.end()) {
+    file = *found;
+    words.erase(found);
+  }
+}
+
 void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
   CLI::App * command = program.add_subcommand("audit", "Examine every statement of the paper and report");
   command->footer(
@@ -30,6 +40,10 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
       "1 with --mutants: a wrong statement is proved;\n"
       "2 something is undecided;\n"
       "130 after Ctrl-C, which ends it: what is done is printed, and no report written.");
+  command
+      ->add_option("FILE", options.claims,
+                   "A paper of your own: a file of claims, NAME.claims; the paper\nif none is given")
+      ->type_name("");
   CLI::Option * out = add_text(*command, "--out", options.out, "DIR",
                                "Also write the report into DIR: pages for a browser that begin\n"
                                "with index.html, audit.pdf where there is TeX, audit.tex and\n"
@@ -46,6 +60,10 @@ void add_audit(CLI::App& program, AuditOptions& options, Request& request) {
            "The directory in which script/certify had Coq check the\nproofs: say of each claim whether it is "
            "certified");
   command->callback([&options, &request, out] {
+    if (!options.claims.empty() && !options.claims.ends_with(".claims")) {
+      throw UsageError("stickslip audit does not know what to do with '" + options.claims +
+                       "': a file of claims is called NAME.claims");
+    }
     options.with_out = out->count() > 0;
     request = options;
   });
@@ -64,7 +82,7 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request, const
           fmt::format("What to check: a statement ({}), an equation with all its\nparts ({}), a "
                       "place in the paper\n({}),\na kind (theorem, condition, ...), an origin "
                       "(paper, new,\n...), a status (refuted, digits_off, ...); everything if none is "
-                      "given",
+                      "given.\nA file NAME.claims among them: its claims in the place of the paper's",
                       paper.part, paper.equation(), paper.places))
       ->type_name("");
   CLI::Option * list =
@@ -75,7 +93,10 @@ void add_check(CLI::App& program, CheckOptions& options, Request& request, const
   add_jobs(*command, options.jobs);
   CLI::Option * json = command->add_flag("--json", options.json, "Print the results as JSON");
   list->excludes(json);
-  command->callback([&options, &request] { request = options; });
+  command->callback([&options, &request] {
+    take_file(options.words, options.claims);
+    request = options;
+  });
 }
 
 void add_prove(CLI::App& program, ProveOptions& options, Request& request) {
@@ -133,6 +154,7 @@ void add_certify(CLI::App& program, CertifyOptions& options, Request& request, c
       ->excludes(out)
       ->excludes(ids);
   command->callback([&options, &request] {
+    take_file(options.words, options.claims);
     if (options.out.empty() && options.record.empty()) {
       throw UsageError("stickslip certify needs --out DIR, or --record DIR");
     }

@@ -11,6 +11,7 @@
 namespace stickslip::cli {
 
 struct AuditOptions {
+  std::string claims;  // a file of claims; empty for the paper
   std::string out;
   std::string jobs;
   bool with_out = false;
@@ -22,6 +23,7 @@ struct AuditOptions {
 };
 
 struct CheckOptions {
+  std::string claims;  // likewise
   std::vector<std::string> words;
   std::string jobs;
   bool list = false;
@@ -39,6 +41,7 @@ struct ProveOptions {
 };
 
 struct CertifyOptions {
+  std::string claims;
   std::vector<std::string> words;  // as those of check
   std::string out;
   std::string record;  // a directory whose certificates were checked; then the others are empty

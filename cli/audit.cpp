@@ -152,10 +152,7 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
   if (options.with_out) {
     tell(report_line(options.out, "audit", made));
   }
-  if (any_survived(gate)) {
-    return exit_refuted;
-  }
-  return report::audit::all_decided(audit) ? exit_decided : exit_undecided;
+  return exit_of(audit, any_survived(gate));
 }
 
 }  // namespace stickslip::cli

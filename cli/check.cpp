@@ -82,10 +82,7 @@ ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper) {
   } else {
     print(report::audit::terminal_lines(paper, audit, terminal_style()));
   }
-  if (report::audit::any_refuted(audit)) {
-    return exit_refuted;
-  }
-  return report::audit::all_decided(audit) ? exit_decided : exit_undecided;
+  return exit_of(audit, report::audit::any_refuted(audit));
 }
 
 }  // namespace stickslip::cli

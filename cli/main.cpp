@@ -20,6 +20,7 @@
 #include "numeric/orbits.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/parse.hpp"
+#include "proofs/text/claims_file.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
@@ -130,8 +131,20 @@ ExitCode run(const ManualWanted& manual, const Paper& /*paper*/) {
   return exit_decided;
 }
 
+// Of a paper as text, what its names mean counts while it is asked about.
+ExitCode answer_about_file(const auto& asked) {
+  const Paper own = proofs::text::read_claims(report::tools::read_file(asked.claims), asked.claims, paper());
+  const proofs::symbols::InVocabulary scope(own.vocabulary);
+  return run(asked, own);
+}
+
 ExitCode answer(const Request& request) {
   const auto answer_to = [](const auto& asked) {
+    if constexpr (requires { asked.claims; }) {
+      if (!asked.claims.empty()) {
+        return answer_about_file(asked);
+      }
+    }
     if constexpr (requires { asked.file; }) {
       try {
         return run(asked, paper());

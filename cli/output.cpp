@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "proofs/methods/progress.hpp"
+#include "report/audit/summary.hpp"
 #include "report/orbits/pictures.hpp"
 
 namespace stickslip::cli {
@@ -89,6 +90,17 @@ proofs::methods::Audit prove(const std::vector<proofs::methods::Claim>& claims,
                                 [&progress](const std::string& id, std::size_t done, std::size_t all) {
                                   progress.show(fmt::format("proving {} of {}: {}", done + 1, all, id));
                                 });
+}
+
+ExitCode exit_of(const proofs::methods::Audit& audit, bool refuted) {
+  const std::vector<std::string> unexpected = report::audit::unexpected(audit);
+  for (const std::string& sentence : unexpected) {
+    tell("stickslip: " + sentence + ".");
+  }
+  if (refuted || !unexpected.empty()) {
+    return exit_refuted;
+  }
+  return report::audit::all_decided(audit) ? exit_decided : exit_undecided;
 }
 
 std::string report_line(const std::string& directory, const std::string& name,

@@ -51,6 +51,10 @@ class Progress {
 [[nodiscard]] proofs::methods::Audit prove(const std::vector<proofs::methods::Claim>& claims,
                                            const std::set<std::string>& ids);
 
+// How a command about claims ends: 1 where a status is not the expected one, which is said on standard error;
+// else 1 if `refuted`, 2 if something is undecided, 0.
+[[nodiscard]] ExitCode exit_of(const proofs::methods::Audit& audit, bool refuted);
+
 // "The report is in DIR: index.html, NAME.tex, ..." and what could not be made.
 [[nodiscard]] std::string report_line(const std::string& directory, const std::string& name,
                                       const report::audit::Report& report);

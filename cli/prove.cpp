@@ -28,18 +28,13 @@ std::string answer(const ProveOptions& options, const methods::Paper& paper, con
 
 ExitCode run(const ProveOptions& options, const methods::Paper& paper) {
   methods::Paper with_own = paper;
-  with_own.claims.push_back(
-      methods::own_claim({options.statement, options.assumptions, options.symbols}, paper.claims));
+  with_own.claims.push_back(methods::own_claim({options.statement, options.assumptions, options.symbols}));
   const methods::Audit audit = prove(with_own.claims, {methods::own_id});
   print(answer(options, with_own, audit));
-  if (audit.records.front().outcome.verdict.truth == Truth::refuted) {
-    return exit_refuted;  // whatever is true in its place
-  }
-  if (!report::audit::all_decided(audit)) {
-    return exit_undecided;
-  }
-  if (options.certificate.empty()) {
-    return exit_decided;
+  // Refuted, whatever is true in its place.
+  const ExitCode code = exit_of(audit, audit.records.front().outcome.verdict.truth == Truth::refuted);
+  if (code != exit_decided || options.certificate.empty()) {
+    return code;
   }
   CertifyOptions certify;
   certify.words = {methods::own_id};

@@ -220,8 +220,8 @@ std::vector<Decided> of_closed_form(const Claim& claim) {
   std::vector<Decided> result;
   const Term t = scalar("t");
   for (const Statement& printed : claim.printed) {
-    if (printed.left.name() != "Z" || !equal(printed.left.arguments().front(), t) ||
-        !is_in_field(printed.right)) {
+    if (!vocabulary_here().is_of_model() || printed.left.name() != "Z" ||
+        !equal(printed.left.arguments().front(), t) || !is_in_field(printed.right)) {
       continue;
     }
     Premises motion;

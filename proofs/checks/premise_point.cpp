@@ -35,7 +35,8 @@ const std::vector<Replacements>& ways_to_close() {
         {{"k1", unit}},
         {{"omega1", 2 * pi() / tau}, {"omega", 4 * pi() / tau}, {"omega2", 6 * pi() / tau}}};
   }();
-  return all;
+  static const std::vector<Replacements> none{{}};
+  return vocabulary_here().is_of_model() ? all : none;
 }
 
 using Column = std::vector<Ball>;
@@ -106,7 +107,8 @@ struct PremisePoint::Point {
   Point& operator=(const Point&) = delete;
 
   [[nodiscard]] Ball free(const std::string& name) const {
-    if ((name == "omega1" || name == "omega2") && premises.values.contains("chi")) {  // chi and eta are given
+    if (vocabulary_here().is_of_model() && (name == "omega1" || name == "omega2") &&
+        premises.values.contains("chi")) {  // chi and eta are given
       const auto modes = model::modes<Ball>(lookup()("chi"), lookup()("eta"));
       return name == "omega1" ? modes.omega1 : modes.omega2;
     }
@@ -214,12 +216,9 @@ struct PremisePoint::Point {
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
     return evaluate(hypothesis.nonzero, lookup()).is_nonzero();
   }
-  // The parameters' domain.
   [[nodiscard]] bool is_in_domain() const {
-    const Lookup<Ball> at = lookup();
-    const Ball one(1), omega1 = at("omega1");
-    return omega1.is_positive() && (one - omega1).is_positive() && (at("omega2") - one).is_positive() &&
-           at("omega").is_positive() && at("us").is_positive() && at("ur").is_positive();
+    return std::ranges::all_of(vocabulary_here().domain(),
+                               [this](const Statement& one) { return holds(one); });
   }
   // Whether the inequalities hold, and no hypothesis vanishes.
   [[nodiscard]] bool is_admissible() const {

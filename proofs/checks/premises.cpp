@@ -15,7 +15,7 @@ using namespace symbols;
 namespace {
 
 bool is_frequency(const std::string& name) {
-  return name == "omega1" || name == "omega2";
+  return vocabulary_here().is_of_model() && (name == "omega1" || name == "omega2");
 }
 
 bool is_solved_for(const std::string& name) {
@@ -25,13 +25,15 @@ bool is_solved_for(const std::string& name) {
 // A name whose value may be put in: no unknown, nothing that the model's formulas are made of or give.
 bool is_name(const Term& term) {
   static const std::vector<std::string> parameters{"omega", "omega1", "omega2", "p"};
-  return stands_for_itself(term) && !is_solved_for(term.name()) &&
-         std::find(parameters.begin(), parameters.end(), term.name()) == parameters.end();
+  const bool is_given =
+      vocabulary_here().is_of_model() && std::ranges::find(parameters, term.name()) != parameters.end();
+  return stands_for_itself(term) && !is_solved_for(term.name()) && !is_given;
 }
 
 // Whether it is made of what has a value and of the motion Z.
 bool in_terms_of_Z(const Term& term) {
-  return (term.op() == Op::function && term.name() == "Z") || is_in_field(term) ||
+  return (vocabulary_here().is_of_model() && term.op() == Op::function && term.name() == "Z") ||
+         is_in_field(term) ||
          (!term.arguments().empty() && term.op() != Op::function &&
           std::all_of(term.arguments().begin(), term.arguments().end(), in_terms_of_Z));
 }
@@ -62,7 +64,7 @@ void add_value(Premises& premises, const Statement& statement) {
 }
 
 bool is_ratio(const std::string& name) {
-  return name == "chi" || name == "eta";
+  return vocabulary_here().is_of_model() && (name == "chi" || name == "eta");
 }
 
 // Whether the claim gives both of chi and eta in terms of what stands for itself, and no frequency: these
@@ -88,9 +90,11 @@ bool gives_ratios(const Claim& claim) {
 void add(Premises& premises, const Statement& statement) {
   const Term& left = statement.left;
   const bool equation = statement.relation == Relation::equal;
-  const bool of_time = left.op() == Op::function && left.arguments().front().op() == Op::symbol &&
-                       left.arguments().front().name() == "t" && !is_in_field(left) &&
-                       (left.name() == "Z" ? is_in_field(statement.right) : in_terms_of_Z(statement.right));
+  const bool of_time =
+      left.op() == Op::function && left.arguments().front().op() == Op::symbol &&
+      left.arguments().front().name() == "t" && !is_in_field(left) &&
+      (left.name() == "Z" && vocabulary_here().is_of_model() ? is_in_field(statement.right)
+                                                             : in_terms_of_Z(statement.right));
   if (equation && of_time) {
     const auto [known, fresh] = premises.motions.emplace(left.name(), statement.right);
     premises.consistent = premises.consistent && (fresh || equal(known->second, statement.right));

@@ -11,9 +11,11 @@
 #include "proofs/checks/premises.hpp"
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/derivation.hpp"
+#include "proofs/methods/not_negative.hpp"
 #include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/parse.hpp"
+#include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 
@@ -57,31 +59,8 @@ Theorem differs(Derivation& derivation, const Formula& formula) {
 }
 
 // a ≤ b, where b - a is a square times what is positive.
-Theorem not_negative(Derivation& derivation, const Formula& formula) {
-  const Term gap = formula.parts()[1] - formula.parts()[0];
-  tactics::Letters letters;
-  const auto [above, below] =
-      letters.fraction(letters.expression(unfold(gap, derivation.open({gap}))).normal());
-  const tactics::Factored whole = tactics::factored((above * below).expand(), letters);
-  Rational factor =
-      symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>((above * below / whole.product).normal()));
-  Term square = 1 / letters.term(below);
-  std::vector<Theorem> inequalities;
-  for (std::size_t k = 0; k < whole.factors.size(); ++k) {
-    const Term base = letters.term(whole.factors[k]);
-    if (whole.exponents[k] > 1) {
-      square = square * power(base, whole.exponents[k] / 2);
-    }
-    if (whole.exponents[k] % 2 == 1) {
-      try {
-        inequalities.push_back(derivation.positive(base));
-      } catch (const KernelError&) {
-        inequalities.push_back(derivation.positive(-base));
-        factor = -factor;
-      }
-    }
-  }
-  return derivation.order(formula, {kernel::Positive{inequalities, factor, square}});
+Theorem by_product(Derivation& derivation, const Formula& formula) {
+  return derivation.order(formula, {not_negative(derivation, formula.parts()[1] - formula.parts()[0])});
 }
 
 // a ≤ b or a < b, where b - a is a polynomial of degree two that is a sum of squares and of a constant.
@@ -127,38 +106,51 @@ Theorem first_of(const std::vector<Theorem (*)(Derivation&, const Formula&)>& wa
   return ways.back()(derivation, formula);
 }
 
+// With the values that are given put in no variable is left: in balls, or by normal form.
+Theorem at_values(Derivation& derivation, const Formula& formula) {
+  for (const Assumption& one : derivation.claim().assumptions) {
+    const Term symbol = is_substitution(one) ? derivation.read(one.statement.left) : Term(0);
+    if (symbol.kind() != kernel::Kind::variable || !occurs(symbol, formula)) {
+      continue;
+    }
+    const Variable x{symbol.name()};
+    const Theorem value = Theorem::assume(derivation.read(one.statement));
+    const Theorem there = at_values(derivation, substitute(formula, {{x, value.conclusion().parts()[1]}}));
+    const Variable place = fresh(real_number, {formula, value.conclusion()});
+    return Theorem::replace(tactics::symmetric(value), place, substitute(formula, {{x, place}}), there);
+  }
+  return tactics::certainly(formula);
+}
+
 Theorem what_follows(Derivation& derivation, const Formula& formula) {
   return derivation.follows(formula);
 }
 
 Theorem directly(Derivation& derivation, const Formula& formula) {
   if (formula.kind() == kernel::Kind::negation && is_equation_of_numbers(formula.parts()[0])) {
-    return differs(derivation, formula);
+    return first_of({at_values, differs}, derivation, formula);
   }
   if (formula.kind() == kernel::Kind::at_most) {
-    return first_of({not_negative, by_squares, what_follows}, derivation, formula);
+    return first_of({by_product, by_squares, at_values, what_follows}, derivation, formula);
   }
   if (formula.kind() == kernel::Kind::exists) {
     return derivation.combination(formula);  // there are derivatives with which it holds
   }
-  return formula.kind() == kernel::Kind::less ? first_of({by_squares, what_follows}, derivation, formula)
-                                              : derivation.follows(formula);
+  return formula.kind() == kernel::Kind::less
+             ? first_of({by_squares, at_values, what_follows}, derivation, formula)
+             : derivation.follows(formula);
 }
 
 // Each assumed equation solved in one of its ways, and put into what is to be shown; `choice` counts the
 // ways. Throws KernelError where there are no more of them, and sets `exhausted`.
 Theorem put_in(Derivation& derivation, const Formula& formula, std::size_t choice, bool& exhausted) {
-  bool any = false;
-  for (const std::vector<Theorem>& ways : solved_assumptions(derivation)) {
-    if (!ways.empty()) {
-      derivation.give(ways[choice % ways.size()]);
-      choice /= ways.size();
-      any = true;
-    }
-  }
-  if (!any || choice > 0) {
+  const auto solutions = solved_in_turn(derivation, choice, true);
+  if (!solutions || solutions->empty()) {
     exhausted = true;
     throw KernelError("no equation is assumed that could be put in");
+  }
+  for (const Theorem& one : *solutions) {
+    derivation.give(one);
   }
   return directly(derivation, formula);
 }
@@ -170,9 +162,10 @@ struct AssumesMore : KernelError {
 
 // What a known claim says in these very words, under what is assumed here. Throws AssumesMore, or
 // KernelError.
-Theorem known_to_say(Derivation& derivation, const std::vector<Claim>& known, const Formula& formula) {
+Theorem known_to_say(Derivation& derivation, const Formula& formula) {
   std::string more;
-  for (const Claim& claim : known) {
+  for (const Claim * one : derivation.prover().before(derivation.claim().id)) {
+    const Claim& claim = *one;
     for (std::size_t i = 0; i < claim.printed.size(); ++i) {
       try {
         if (!claim.prove || !(derivation.read(claim.printed[i]) == formula)) {
@@ -227,8 +220,7 @@ Outcome rewritten(Prover& prover, const Claim& claim) {
   }
 }
 
-Outcome first_that_proves(const std::vector<Method>& methods, const std::vector<Claim>& known, Prover& prover,
-                          const Claim& claim) {
+Outcome first_that_proves(const std::vector<Method>& methods, Prover& prover, const Claim& claim) {
   std::optional<Outcome> first;
   for (const Method& method : methods) {
     Outcome outcome = method.prove(prover, claim);
@@ -241,7 +233,7 @@ Outcome first_that_proves(const std::vector<Method>& methods, const std::vector<
   Outcome last =
       derived("a claim of the paper says it", prover, claim, [&](Derivation& derivation, std::size_t which) {
         try {
-          return known_to_say(derivation, known, derivation.read(claim.printed[which]));
+          return known_to_say(derivation, derivation.read(claim.printed[which]));
         } catch (const AssumesMore& error) {
           assumes_more = error.what();
           throw;
@@ -266,46 +258,29 @@ std::vector<Method> methods_to_try() {
        }},
       {"with the equations that are assumed put in",
        [](Prover& prover, const Claim& claim) {
-         Outcome outcome;
+         Outcome best;
          bool exhausted = false;
          for (std::size_t choice = 0; choice < most_choices && !exhausted; ++choice) {
-           outcome =
+           Outcome outcome =
                derived("with the equations that are assumed put in", prover, claim,
                        [&](Derivation& derivation, std::size_t which) {
                          return put_in(derivation, derivation.read(claim.printed[which]), choice, exhausted);
                        });
-           if (outcome.verdict.truth == Truth::proved) {
-             return outcome;
+           const bool proved = outcome.verdict.truth == Truth::proved;
+           if (best.verdict.truth != Truth::proved ||
+               (proved && outcome.hypotheses.size() < best.hypotheses.size())) {
+             best = std::move(outcome);
+           }
+           if (best.verdict.truth == Truth::proved && best.hypotheses.empty()) {
+             break;
            }
          }
-         return outcome;
+         return best;
        }},
       by("a combination of the equations that are assumed",
          [](Derivation& derivation, const Formula& formula) { return derivation.combined(formula); }),
       {"", rewritten},
   };
-}
-
-// A point at which all that is assumed holds, perhaps with one equation more, and the statement fails.
-std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
-                                        const std::optional<Statement>& where = {}) {
-  constexpr std::size_t most_attempts = 12;
-  Claim there = claim;
-  if (where) {
-    there.assumptions.push_back({"where", *where});
-  }
-  for (const Scene& scene : scenes(prover, there, printed, most_attempts)) {
-    try {
-      Outcome outcome{.theorems = {refutation(prover, scene, assumed_statements(claim), {printed})},
-                      .by_kernel = true};
-      outcome.route = "values with which all that is assumed holds and what is printed does not, in balls";
-      outcome.verdict = Verdict::refuted(witness_of(printed, scene));
-      return outcome;
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return std::nullopt;
 }
 
 // The statements at points drawn at random, where they are not proved; and where a hypothesis of the proof
@@ -348,15 +323,15 @@ void add(Outcome& whole, const Outcome& part) {
 
 }  // namespace
 
-Proof automatically(std::vector<Claim> known) {
-  return [known = std::move(known), methods = methods_to_try()](Prover& prover, const Claim& claim) {
+Proof automatically() {
+  return [methods = methods_to_try()](Prover& prover, const Claim& claim) {
     Outcome outcome;
     std::vector<std::string> routes;
     std::vector<Verdict> verdicts;
     for (const Statement& printed : claim.printed) {
       Claim one = claim;
       one.printed = {printed};
-      Outcome found = first_that_proves(methods, known, prover, one);
+      Outcome found = first_that_proves(methods, prover, one);
       verdicts.push_back(found.verdict);
       if (std::ranges::find(routes, found.route) == routes.end()) {
         routes.push_back(found.route);
@@ -406,7 +381,7 @@ symbols::Names names_with(const std::vector<std::string>& further) {
 
 }  // namespace
 
-Claim own_claim(const OwnStatement& own, const std::vector<Claim>& known) {
+Claim own_claim(const OwnStatement& own) {
   const symbols::Names names = names_with(own.symbols);
   Claim claim{.id = own_id, .place = "own", .kind = Kind::step, .origin = Origin::auxiliary};
   claim.words = "a statement of your own";
@@ -416,7 +391,7 @@ Claim own_claim(const OwnStatement& own, const std::vector<Claim>& known) {
       claim.assumptions.push_back({fmt::format("assumption {}", claim.assumptions.size() + 1), one});
     }
   }
-  claim.prove = automatically(known);
+  claim.prove = automatically();
   return claim;
 }
 

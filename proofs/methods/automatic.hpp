@@ -18,16 +18,16 @@ struct OwnStatement {
 
 inline constexpr const char * own_id = "own";
 
-// As a claim with the id `own`, proved automatically from its assumptions and what the known claims say.
+// As a claim with the id `own`, proved automatically from its assumptions.
 // Throws symbols::ParseError for what cannot be read, UsageError for a further symbol that is one of the
 // paper's, or no name.
-[[nodiscard]] Claim own_claim(const OwnStatement& own, const std::vector<Claim>& known);
+[[nodiscard]] Claim own_claim(const OwnStatement& own);
 
 // Each printed statement by the first of these that derives it: the normal form of both sides; from what is
 // assumed, the equations solved for one of their symbols each and put in; combined as polynomials; for
-// matrices, equals put for equals; inequalities added, and multiplied by what is positive; what one of
-// `known` says. Where none does, points drawn at random are looked at: where all that is assumed holds, and a
-// statement fails, it is refuted. Undecided otherwise: the methods are not complete.
-[[nodiscard]] Proof automatically(std::vector<Claim> known = {});
+// matrices, equals put for equals; inequalities added, and multiplied by what is positive; what a
+// claim before it says. Where none does, points drawn at random are looked at: where all that is assumed
+// holds, and a statement fails, it is refuted. Undecided otherwise: the methods are not complete.
+[[nodiscard]] Proof automatically();
 
 }  // namespace stickslip::proofs::methods

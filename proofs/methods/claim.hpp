@@ -154,6 +154,8 @@ struct Claim {
   // What each of its theorems says, where the words are not those of each: in the order as printed,
   // corrected, converse. Empty, or one sentence for each theorem.
   std::vector<std::string> parts = {};
+  // The name of the status that it is to have; empty where nobody says.
+  std::string expected = {};
   // Ids of claims of which its theorem says that there is something which obeys all that they assume.
   std::vector<std::string> meets = {};
 };

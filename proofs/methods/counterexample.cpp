@@ -6,9 +6,11 @@
 #include "core/error.hpp"
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/implications.hpp"
+#include "proofs/methods/points.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/point.hpp"
+#include "proofs/symbols/table.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -93,6 +95,15 @@ Proof by_counterexample(Counterexample example) {
 
 void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim) {
   if (outcome.verdict.truth != Truth::undecided) {
+    return;
+  }
+  if (!vocabulary_here().is_of_model()) {  // symbolic/ knows the oscillator's symbols alone
+    for (const Statement& printed : claim.printed) {
+      if (const auto refuted = refuted_at_point(prover, claim, printed)) {
+        outcome = *refuted;
+        return;
+      }
+    }
     return;
   }
   const WorkingPrecision precision(256);

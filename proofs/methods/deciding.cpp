@@ -22,6 +22,10 @@ using GiNaC::ex;
 // The definitions that stay closed unless an identity needs to look inside: (6) for d0, (7) for Q, those of
 // (34) and (35), (70) for rho.
 const std::vector<symbolic::algebra::Definition>& definitions() {
+  static const std::vector<symbolic::algebra::Definition> none;
+  if (!vocabulary_here().is_of_model()) {
+    return none;
+  }
   static const std::vector<symbolic::algebra::Definition> known = [] {
     std::vector<symbolic::algebra::Definition> result;
     for (const Symbol& symbol : symbol_table()) {
@@ -32,7 +36,7 @@ const std::vector<symbolic::algebra::Definition>& definitions() {
         result.push_back({symbol.formula_in, {}});
       }
       result.back().replacement[symbolically()(symbol.name)] =
-          derived<ex>(symbol.name, symbolically()).value();
+          symbols::derived<ex>(symbol.name, symbolically()).value();
     }
     return result;
   }();
@@ -99,7 +103,8 @@ std::set<std::string> names_in(const Term& term) {
   if (row != nullptr && !row->of_time && (row->value || row->means)) {
     result.merge(names_in(row->value ? *row->value : *row->means));
   }
-  if (term.name() == "F" || term.name() == "F0" || term.name() == "R") {
+  const bool has_load = vocabulary_here().is_of_model();
+  if (has_load && (term.name() == "F" || term.name() == "F0" || term.name() == "R")) {
     result.insert({"phi", "omega"});
   }
   for (const Term& argument : term.arguments()) {

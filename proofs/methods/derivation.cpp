@@ -6,6 +6,7 @@
 
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/symbols/table.hpp"
 #include "proofs/tactics/estimate.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
@@ -40,18 +41,6 @@ std::size_t opened_size(const Term& term, const Definitions& definitions) {
   return opened ? result + opened_size(term.definition().body(), definitions) : result;
 }
 constexpr std::size_t longest_looked_into = 30000, longest_of_inequalities = 400;
-
-// What the theorems of the domain suppose.
-const Formulas& domain_formulas() {
-  static const Formulas all = [] {
-    Formulas result;
-    for (const Theorem& one : parameters()) {
-      result.insert(one.hypotheses().begin(), one.hypotheses().end());
-    }
-    return result;
-  }();
-  return all;
-}
 
 }  // namespace
 
@@ -238,6 +227,14 @@ Theorem Derivation::settled(Theorem theorem) {
 
 namespace {
 
+// With the oscillator's domain taken into account, which symbolic/ knows; of other papers all of it.
+std::vector<GiNaC::ex> factors_that_may_vanish(const GiNaC::ex& divisor) {
+  if (symbols::vocabulary_here().is_of_model()) {
+    return symbolic::algebra::vanishing_factors(divisor);
+  }
+  return GiNaC::is_a<GiNaC::numeric>(divisor) ? std::vector<GiNaC::ex>{} : std::vector<GiNaC::ex>{divisor};
+}
+
 // The hypothesis that the factor does not vanish, as it reads with the values that the claim gives. Throws
 // KernelError where it is zero with these: then the theorem is of nothing.
 void record_under_given(Outcome& outcome, const Claim& claim, const GiNaC::ex& factor) {
@@ -254,7 +251,7 @@ void record_under_given(Outcome& outcome, const Claim& claim, const GiNaC::ex& f
   if (here.normal().is_zero()) {
     throw ZeroDivisor("what is divided by is zero where the claim's assumptions hold");
   }
-  for (const GiNaC::ex& part : symbolic::algebra::vanishing_factors(here)) {
+  for (const GiNaC::ex& part : factors_that_may_vanish(here)) {
     record_nonzero(outcome, claim, part);
   }
 }
@@ -280,7 +277,7 @@ void Derivation::record(Outcome& outcome, const Theorem& theorem, const Formulas
     if (divisor.normal().is_zero()) {
       throw ZeroDivisor("what is divided by is zero: " + to_string(one.parts()[0].parts()[0]));
     }
-    const auto factors = symbolic::algebra::vanishing_factors(divisor);
+    const auto factors = factors_that_may_vanish(divisor);
     if (factors.empty()) {
       throw KernelError("not discharged: " + to_string(one));
     }

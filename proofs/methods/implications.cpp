@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/derivation.hpp"
+#include "proofs/methods/not_negative.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/letters.hpp"
@@ -90,14 +91,20 @@ Proof by_combination(std::vector<std::vector<Multiple>> combinations) {
 
 namespace {
 
-// ⊢ 0 < coefficients, and the premises, as factors of one product.
-kernel::Positive positive_of(Derivation& derivation, const Positive& product) {
+// ⊢ 0 < coefficients, or 0 ≤ if that is enough, and the premises, as factors of one product.
+kernel::Positive positive_of(Derivation& derivation, const Positive& product, bool strictly = true) {
   kernel::Positive result{{}};
   const kernel::Term coefficient = derivation.read(product.coefficient);
   if (coefficient.kind() == kernel::Kind::number && coefficient.value() > 0) {
     result.factor = coefficient.value();
   } else {
-    result.inequalities.push_back(derivation.positive(coefficient));
+    const kernel::Theorem positive = derivation.positive(coefficient);
+    const bool is_everywhere = std::ranges::none_of(positive.hypotheses(), tactics::is_divisor);
+    if (strictly || is_everywhere) {
+      result.inequalities.push_back(positive);
+    } else {
+      result = not_negative(derivation, coefficient);
+    }
   }
   for (const Multiple& factor : product.factors) {
     result.inequalities.push_back(derivation.premise(factor.premise, factor.statement));
@@ -109,7 +116,7 @@ kernel::Theorem by_certificate(Derivation& derivation, const kernel::Formula& go
                                const Certificate& certificate) {
   std::vector<kernel::Positive> positives;
   for (const Positive& product : certificate.positive) {
-    positives.push_back(positive_of(derivation, product));
+    positives.push_back(positive_of(derivation, product, goal.kind() == kernel::Kind::less));
   }
   std::vector<kernel::Multiple> equations = multiples_of(derivation, certificate.equations);
   if (!certificate.divisors.empty()) {

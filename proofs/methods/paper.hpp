@@ -2,6 +2,7 @@
 // line are handed one and know no other.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -11,6 +12,10 @@
 #include "numeric/families/orbit.hpp"
 #include "numeric/motion/domain.hpp"
 #include "proofs/methods/claim.hpp"
+
+namespace stickslip::proofs::symbols {
+class Vocabulary;
+}
 
 namespace stickslip::proofs::methods {
 
@@ -104,6 +109,8 @@ struct Paper {
   std::vector<Result> results = {};               // the strongest first
   // For certificates: names of what is long in many statements, each after those that it uses.
   std::vector<kernel::Definition> abbreviations = {};
+  // What its symbols mean; null for the oscillator's.
+  std::shared_ptr<const symbols::Vocabulary> vocabulary = {};
 };
 
 // Whether every claim of the paper is in the audit.

@@ -87,24 +87,27 @@ std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
 // Rational values for symbols, in the parameters' domain.
 class Draw {
  public:
-  [[nodiscard]] Rational value(const std::string& name) {
+  // Of draw `k`: the first have the same small value for all that is not bounded.
+  [[nodiscard]] Rational value(const std::string& name, std::size_t k) {
     // Small ones, among which equations of low degree have solutions.
     static const std::array<Rational, 14> small{
         Rational(0),     Rational(1),    Rational(-1),    Rational(1, 2),  Rational(2),
         Rational(3, 5),  Rational(4, 5), Rational(-3, 5), Rational(5, 13), Rational(12, 13),
         Rational(-1, 2), Rational(3),    Rational(-2),    Rational(1, 3)};
-    if (name == "omega1") {
-      return ratio(below(19) + 1, 20);
-    }
-    if (name == "omega2") {
-      return 1 + ratio(below(40) + 1, 20);
-    }
-    const bool positive = name == "omega" || name == "us" || name == "ur";
-    if (!positive && below(2) == 0) {
-      return small[static_cast<std::size_t>(below(static_cast<int>(small.size())))];
+    const Bounds bounds = bounds_of(name);
+    if (bounds.lower && bounds.upper) {
+      return *bounds.lower + ratio(below(19) + 1, 20) * (*bounds.upper - *bounds.lower);
     }
     const Rational size = ratio(below(60) + 1, 1 + below(12));
-    return positive || below(2) == 0 ? size : Rational(-size);
+    if (bounds.lower || bounds.upper) {
+      return bounds.lower ? Rational(*bounds.lower + size) : Rational(*bounds.upper - size);
+    }
+    if (k < small.size()) {
+      return small[k];
+    }
+    return below(2) == 0   ? small[static_cast<std::size_t>(below(static_cast<int>(small.size())))]
+           : below(2) == 0 ? size
+                           : Rational(-size);
   }
 
  private:
@@ -158,34 +161,19 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
                                  std::size_t choice) {
   Unknowns result;
   Substitution given;
-  for (const Assumption& one : derivation.claim().assumptions) {
-    if (is_substitution(one)) {
-      result.values.push_back(one.statement);
-      const Term symbol = derivation.read(one.statement.left);
-      if (symbol.kind() == kernel::Kind::variable) {
-        given.emplace(Variable{symbol.name()}, derivation.read(one.statement.right));
-      }
-    }
-  }
-  for (const std::vector<Theorem>& ways : solved_assumptions(derivation)) {
-    std::vector<Theorem> of_variables;
-    for (const Theorem& one : ways) {
-      const Term& letter = one.conclusion().parts()[0];
-      if (letter.kind() == kernel::Kind::variable && !given.contains(Variable{letter.name()})) {
-        of_variables.push_back(one);
-      }
-    }
-    if (of_variables.empty()) {
-      continue;
-    }
-    const Formula& chosen = of_variables[choice % of_variables.size()].conclusion();
-    choice /= of_variables.size();
-    given.emplace(Variable{chosen.parts()[0].name()}, chosen.parts()[1]);
-    result.values.push_back(
-        symbols::equation(printed_term(chosen.parts()[0]), printed_term(chosen.parts()[1])));
-  }
-  if (choice > 0) {
+  const auto solutions = solved_in_turn(derivation, choice, false);
+  if (!solutions) {
     return std::nullopt;
+  }
+  for (const Theorem& one : *solutions) {
+    const Term &letter = one.conclusion().parts()[0], &value = one.conclusion().parts()[1];
+    given.emplace(Variable{letter.name()}, value);
+    result.values.push_back(symbols::equation(printed_term(letter), printed_term(value)));
+  }
+  for (const Assumption& one : derivation.claim().assumptions) {  // of what has a formula: chi = 1/2
+    if (is_substitution(one) && derivation.read(one.statement.left).kind() != kernel::Kind::variable) {
+      result.values.push_back(one.statement);
+    }
   }
   const auto put_in = [&](Term formula) {
     for (std::size_t k = 0; k < given.size(); ++k) {  // each value may speak of others
@@ -218,14 +206,29 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
 
 }  // namespace
 
-std::vector<std::vector<Theorem>> solved_assumptions(Derivation& derivation) {
-  std::vector<std::vector<Theorem>> result;
+std::optional<std::vector<Theorem>> solved_in_turn(Derivation& derivation, std::size_t choice,
+                                                   bool any_letter) {
+  std::vector<Theorem> result;
   for (const Formula& one : derivation.assumed()) {
-    if (is_equation_of_numbers(one)) {
-      result.push_back(solved(derivation, Theorem::assume(one)));
+    if (!is_equation_of_numbers(one)) {
+      continue;
+    }
+    Theorem equation = Theorem::assume(one);
+    for (const Theorem& before : result) {
+      equation = tactics::by_rewriting(equation, before);
+    }
+    std::vector<Theorem> ways = solved(derivation, equation);
+    if (!any_letter) {
+      std::erase_if(ways, [](const Theorem& way) {
+        return way.conclusion().parts()[0].kind() != kernel::Kind::variable;
+      });
+    }
+    if (!ways.empty()) {
+      result.push_back(ways[choice % ways.size()]);
+      choice /= ways.size();
     }
   }
-  return result;
+  return choice > 0 ? std::nullopt : std::optional(result);
 }
 
 std::vector<Statement> assumed_statements(const Claim& claim) {
@@ -249,7 +252,7 @@ Claim with_hypotheses(Prover& prover, const Claim& claim, const std::vector<Hypo
 std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optional<Statement>& failing,
                           std::size_t most) {
   constexpr std::size_t most_choices = 8;
-  constexpr int draws = 1000;
+  constexpr std::size_t draws = 1000;
   Derivation derivation(prover, claim);
   std::vector<Scene> result;
   Draw draw;
@@ -259,11 +262,11 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
         std::ranges::any_of(open->drawn, [](const Variable& one) { return one.type != real_number; })) {
       break;
     }
-    for (int k = 0; k < draws && result.size() < most; ++k) {
+    for (std::size_t k = 0; k < draws && result.size() < most; ++k) {
       Values values;
       Scene scene{.values = open->values};
       for (const Variable& name : open->drawn) {
-        scene.point.push_back({name.name, values.emplace(name, draw.value(name.name)).first->second});
+        scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
       }
       if ((!open->failing || holds_nearly(*open->failing, values) == std::optional(false)) &&
           std::ranges::all_of(open->conditions, [&](const Formula& one) {
@@ -274,6 +277,27 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
     }
   }
   return result;
+}
+
+std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
+                                        const std::optional<Statement>& where) {
+  constexpr std::size_t most_attempts = 12;
+  Claim there = claim;
+  if (where) {
+    there.assumptions.push_back({"where", *where});
+  }
+  for (const Scene& scene : scenes(prover, there, printed, most_attempts)) {
+    try {
+      Outcome outcome{.theorems = {refutation(prover, scene, assumed_statements(claim), {printed})},
+                      .by_kernel = true};
+      outcome.route = "values with which all that is assumed holds and what is printed does not, in balls";
+      outcome.verdict = Verdict::refuted(witness_of(printed, scene));
+      return outcome;
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,

@@ -25,8 +25,16 @@ namespace stickslip::proofs::methods {
 // A number in variables, as it is printed. Throws symbols::NoValue for what has no print.
 [[nodiscard]] symbols::Term printed_term(const kernel::Term& number);
 
-// The assumed equations between numbers as theorems, and each solved for every letter (a variable, a cosine,
-// …) in which it is linear: letter = value.
-[[nodiscard]] std::vector<std::vector<kernel::Theorem>> solved_assumptions(Derivation& derivation);
+// The statement refuted at such a point, perhaps one where an equation more holds.
+[[nodiscard]] std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim,
+                                                      const symbols::Statement& printed,
+                                                      const std::optional<symbols::Statement>& where = {});
+
+// The assumed equations between numbers, one after the other solved for a letter in which it is linear:
+// letter = value, the letters before put in. A letter is a variable, or a cosine and the like if
+// `any_letter`. `choice` counts the ways to choose the letters; nothing where there are no more. Those that
+// can't be solved are left out.
+[[nodiscard]] std::optional<std::vector<kernel::Theorem>> solved_in_turn(Derivation& derivation,
+                                                                         std::size_t choice, bool any_letter);
 
 }  // namespace stickslip::proofs::methods

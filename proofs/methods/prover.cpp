@@ -149,6 +149,7 @@ bool says_contradiction(const std::vector<Statement>& form) {
 
 Prover::Prover(const std::vector<Claim>& claims) {
   for (const Claim& claim : claims) {
+    in_order_.push_back(&claim);
     if (!claims_.emplace(claim.id, &claim).second) {
       throw InternalError("two claims have the id " + claim.id);
     }
@@ -164,6 +165,10 @@ const Claim& Prover::claim(const std::string& id) const {
     throw InternalError("there is no claim " + id);
   }
   return *found->second;
+}
+
+std::vector<const Claim *> Prover::before(const std::string& id) const {
+  return {in_order_.begin(), std::ranges::find(in_order_, id, &Claim::id)};
 }
 
 const Record& Prover::prove(const std::string& id) {

@@ -23,6 +23,8 @@ class Prover {
   const kernel::Theorem& theorem(const std::string& id);
 
   [[nodiscard]] const Claim& claim(const std::string& id) const;
+  // The claims that stand before it.
+  [[nodiscard]] std::vector<const Claim *> before(const std::string& id) const;
 
   // Begins with what these claims compute without others, in a thread of its own where there may be several.
   void begin(const std::vector<std::string>& ids);
@@ -46,6 +48,7 @@ class Prover {
   void confirm(Outcome& outcome, const Claim& claim, const std::vector<symbols::Statement>& form,
                const std::vector<kernel::Theorem>& refutation);
 
+  std::vector<const Claim *> in_order_;
   std::map<std::string, const Claim *> claims_;
   std::map<std::string, std::string> met_by_;  // the claim whose theorem says so
   std::map<std::string, Record> records_;

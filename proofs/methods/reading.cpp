@@ -103,9 +103,9 @@ Term defined(const std::string& name, const std::vector<Variable>& first, const 
 // What a name stands for is the same in every statement: it is made once.
 Term once(const std::string& name, const symbols::Shape& shape, bool of_time,
           const std::function<Term()>& make) {
-  using Key = std::tuple<std::string, int, int, bool>;
+  using Key = std::tuple<std::size_t, std::string, int, int, bool>;
   static thread_local std::map<Key, Term> made;
-  const Key key{name, shape.rows, shape.columns, of_time};
+  const Key key{symbols::vocabulary_here().number(), name, shape.rows, shape.columns, of_time};
   const auto known = made.find(key);
   return known != made.end() ? known->second : made.emplace(key, make()).first->second;
 }
@@ -143,7 +143,7 @@ Term Reader::symbol(const symbols::Term& printed) {
   const symbols::Symbol * row = symbols::symbol_table().find(printed);
   const symbols::Lookup<Symbolic> lookup = [this](const std::string& name) { return Symbolic(scalar(name)); };
   const auto& known = symbols::detail::matrices<Symbolic>();
-  const auto formula = known.find(printed.name());
+  const auto formula = symbols::detail::formula_of<Symbolic>(known, printed.name());
   if (!(row != nullptr && row->value) && formula == known.end()) {
     throw NoValue("the symbol " + printed.name() + " has no meaning in the model");
   }
@@ -168,7 +168,7 @@ Term Reader::function(const symbols::Term& printed) {
     return (*this)(substitute(*row->means, {{"t", printed.arguments().front()}}));
   }
   const auto& known = symbols::detail::functions<Symbolic>();
-  const auto formula = known.find(name);
+  const auto formula = symbols::detail::formula_of<Symbolic>(known, name);
   if (formula == known.end()) {
     throw NoValue("the function " + name + " has no meaning in the model");
   }
@@ -365,14 +365,52 @@ Formula Reader::operator()(const symbols::Statement& statement) {
   return formula;
 }
 
+namespace {
+
+// "l < x" or "x < u", as theorems that suppose it.
+struct Supposed {
+  Domain theorems;
+  Formulas formulas;
+};
+
+const Supposed& supposed() {
+  static thread_local std::map<std::size_t, Supposed> known;  // by vocabulary
+  const symbols::Vocabulary& vocabulary = symbols::vocabulary_here();
+  const auto found = known.find(vocabulary.number());
+  if (found != known.end()) {
+    return found->second;
+  }
+  Supposed result;
+  Reader read;
+  for (const symbols::Statement& one : vocabulary.domain()) {
+    result.formulas.insert(read(one));
+    result.theorems.push_back(Theorem::assume(read(one)));
+  }
+  return known.emplace(vocabulary.number(), std::move(result)).first->second;
+}
+
+}  // namespace
+
 const Domain& parameters() {
-  static const Domain domain = [] {
-    const Variable omega1{"omega1"}, omega2{"omega2"};
-    return Domain{above(0, omega1),         below(omega1, 1),
-                  above(1, omega2),         above(0, Variable{"omega"}),
-                  above(0, Variable{"us"}), above(0, Variable{"ur"})};
-  }();
-  return domain;
+  return supposed().theorems;
+}
+
+const Formulas& domain_formulas() {
+  return supposed().formulas;
+}
+
+Bounds bounds_of(const std::string& parameter) {
+  const Term x = Variable{parameter};
+  Bounds result;
+  for (const Formula& one : domain_formulas()) {
+    const Term &lower = one.parts()[0], &upper = one.parts()[1];
+    if (upper == x && lower.kind() == kernel::Kind::number) {
+      result.lower = lower.value();
+    } else if (lower == x && upper.kind() == kernel::Kind::number) {
+      result.upper = upper.value();
+    }
+  }
+  return result;
 }
 
 }  // namespace stickslip::proofs::methods

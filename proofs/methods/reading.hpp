@@ -1,6 +1,7 @@
 // What a printed statement says, in the kernel's language.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +43,15 @@ class Reader {
   std::vector<std::pair<kernel::Variable, kernel::Term>> rates_;
 };
 
-// The parameters' domain, which every statement supposes: 0 < omega1 < 1 < omega2, positive omega, us, ur.
+// The parameters' domain, which every statement supposes, as the vocabulary in force has it: theorems "x < u"
+// that rest on themselves, and what these say. Of the oscillator: 0 < omega1 < 1 < omega2, positive omega,
+// us, ur.
 [[nodiscard]] const std::vector<kernel::Theorem>& parameters();
+[[nodiscard]] const kernel::Formulas& domain_formulas();
+// The numbers between which it has the parameter.
+struct Bounds {
+  std::optional<Rational> lower, upper;
+};
+[[nodiscard]] Bounds bounds_of(const std::string& parameter);
 
 }  // namespace stickslip::proofs::methods

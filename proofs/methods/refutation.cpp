@@ -7,6 +7,7 @@
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/symbols/table.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
 
@@ -35,7 +36,7 @@ Claim claim_of(const Scene& scene) {
 }
 
 bool is_of_a_phase(const symbols::Statement& statement) {
-  return statement.during && !statement.during->almost &&
+  return symbols::vocabulary_here().is_of_model() && statement.during && !statement.during->almost &&
          equal(statement.left, derivative(paper::X(paper::t)));
 }
 
@@ -82,11 +83,17 @@ Theorem obeys(Derivation& derivation, const Formula& formula) {
   return both({continuous, for_every(t, inside, moves)});
 }
 
-// Where nothing is said: in the domain, with the friction at rest above the other.
+// Where nothing is said: in the domain, of the oscillator with the friction at rest above the other.
 Rational any_value(const std::string& name, const Rational& state) {
-  return name.starts_with("z") ? state
-         : name == "omega1"    ? Rational(1, 2)
-                               : Rational(name == "omega2" || name == "ur" ? 2 : 1);
+  if (symbols::vocabulary_here().is_of_model()) {
+    return name.starts_with("z") ? state
+           : name == "omega1"    ? Rational(1, 2)
+                                 : Rational(name == "omega2" || name == "ur" ? 2 : 1);
+  }
+  const Bounds bounds = bounds_of(name);
+  return bounds.lower && bounds.upper ? Rational((*bounds.lower + *bounds.upper) / 2)
+         : bounds.upper               ? Rational(*bounds.upper - 1)
+                                      : Rational(bounds.lower.value_or(0) + 1);
 }
 
 // What holds at the scene, for its variables' values.

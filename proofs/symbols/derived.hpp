@@ -8,6 +8,7 @@
 #include "model/nonsticking.hpp"
 #include "model/nonsticking_closed_form.hpp"
 #include "proofs/symbols/meaning.hpp"
+#include "proofs/symbols/table.hpp"
 
 namespace stickslip::proofs::symbols {
 
@@ -15,6 +16,9 @@ namespace stickslip::proofs::symbols {
 // (70); nothing for a scalar that stands for itself.
 template <class S>
 [[nodiscard]] std::optional<S> derived(const std::string& name, const Lookup<S>& scalar) {
+  if (!vocabulary_here().is_of_model()) {
+    return std::nullopt;
+  }
   using HalfPeriod = model::HalfPeriod<S>;
   static const std::map<std::string, S HalfPeriod::*> members{
       {"phi1", &HalfPeriod::phi1}, {"phi2", &HalfPeriod::phi2}, {"d", &HalfPeriod::d},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 
 #include "core/error.hpp"
 #include "model/flows.hpp"
@@ -104,6 +105,14 @@ const Functions<S>& functions() {
   return known;
 }
 
+// The formula that a name has: what is elementary has its own everywhere, everything else in the model's
+// vocabulary.
+template <class S, class Formulas>
+auto formula_of(const Formulas& known, const std::string& name) {
+  static const std::set<std::string> elementary{"cos", "sin", "tan", "abs"};
+  return vocabulary_here().is_of_model() || elementary.contains(name) ? known.find(name) : known.end();
+}
+
 template <class S>
 Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
   if (term.name() == "I") {
@@ -116,7 +125,7 @@ Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
   if (term.shape().is_scalar()) {
     return scalar_value<S>(scalar(term.name()));
   }
-  const auto found = matrices<S>().find(term.name());
+  const auto found = formula_of<S>(matrices<S>(), term.name());
   if (found == matrices<S>().end()) {
     throw NoValue(fmt::format("the symbol {} has no meaning in the model", term.name()));
   }
@@ -125,7 +134,7 @@ Value<S> evaluate_symbol(const Term& term, const Lookup<S>& scalar) {
 
 template <class S>
 Value<S> evaluate_function(const Term& term, const Lookup<S>& scalar) {
-  const auto found = functions<S>().find(term.name());
+  const auto found = formula_of<S>(functions<S>(), term.name());
   if (found == functions<S>().end()) {
     throw NoValue(fmt::format("the function {} has no meaning in the model", term.name()));
   }

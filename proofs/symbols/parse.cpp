@@ -7,6 +7,7 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "core/decimal.hpp"
 
@@ -124,6 +125,7 @@ struct Node {
   std::string name = {};
   Rational number = 0;  // as that of a Term
   std::vector<Node> parts = {};
+  const Abbreviation * abbreviation = nullptr;  // of a symbol or function
 };
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -142,22 +144,25 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 // "; there are H1, H2 and H3": the names most like this one.
 std::string names_like(const std::string& name, const Names& names) {
-  std::vector<std::pair<std::size_t, std::string>> near;
-  for (const auto * map : {&names.quantities, &names.functions}) {
-    for (const auto& entry : *map) {
+  std::vector<std::tuple<std::size_t, bool, std::string>> near;  // of the same first letter first
+  const auto add_near = [&](const auto& map) {
+    for (const auto& entry : map) {
       const std::size_t distance = edit_distance(name, entry.first);
-      if (distance < std::max(name.size(), entry.first.size()) && distance <= 2) {
-        near.emplace_back(distance, entry.first);
+      if (distance <= (name.size() > 1 ? 2U : 1U)) {
+        near.emplace_back(distance, entry.first.front() != name.front(), entry.first);
       }
     }
-  }
+  };
+  add_near(names.quantities);
+  add_near(names.functions);
+  add_near(names.abbreviations);
   std::ranges::sort(near);
   near.erase(std::unique(near.begin(), near.end()), near.end());
   constexpr std::size_t most = 6;
   std::vector<std::string> shown;
   for (const auto& one : near) {
     if (shown.size() < most) {
-      shown.push_back(one.second);
+      shown.push_back(std::get<2>(one));
     }
   }
   return shown.empty()
@@ -497,6 +502,9 @@ class Parser {
       close(")");
       return {Op::determinant, token.at, {}, 0, {std::move(inside)}};
     }
+    if (const auto abbreviation = known(names_.abbreviations, token.text)) {
+      return abbreviated(*abbreviation);
+    }
     const auto quantity = known(names_.quantities, token.text);
     const auto function = known(names_.functions, token.text);
     if (function && is_applied(quantity.has_value())) {
@@ -513,6 +521,28 @@ class Parser {
       fail(token.at, fmt::format("{0} is a function: write {0}(t)", token.text));
     }
     fail(token.at, fmt::format("no symbol '{}'{}", token.text, names_like(token.text, names_)));
+  }
+
+  [[nodiscard]] Node abbreviated(const std::string& name) {
+    const std::size_t at = here().at;
+    const Abbreviation& abbreviation = names_.abbreviations.find(name)->second;
+    const std::size_t count = abbreviation.parameters.size();
+    ++next_;
+    Node result{count == 0 ? Op::symbol : Op::function, at, name, 0, {}, &abbreviation};
+    if (count == 0) {
+      return result;
+    }
+    if (!take("(")) {
+      fail(at, fmt::format("{} takes {} in brackets", name, count == 1 ? "an argument" : "arguments"));
+    }
+    do {
+      result.parts.push_back(expression());
+    } while (take(","));
+    close(")");
+    if (result.parts.size() != count) {
+      fail(at, fmt::format("{} takes {} arguments, and here are {}", name, count, result.parts.size()));
+    }
+    return result;
   }
 
   [[nodiscard]] Node application(const std::string& name) {
@@ -586,6 +616,13 @@ class Shaper {
 
   // Of that size, where it leaves that open.
   [[nodiscard]] Term made(const Node& node, const Size& wanted) const {
+    if (node.abbreviation != nullptr) {
+      Replacements arguments;
+      for (std::size_t k = 0; k < node.parts.size(); ++k) {
+        arguments.emplace(node.abbreviation->parameters[k], scalar(node.parts[k]));
+      }
+      return substitute(node.abbreviation->means, arguments);
+    }
     switch (node.op) {
       case Op::number:
         return Term(node.number);
@@ -645,6 +682,10 @@ class Shaper {
 
   // As far as it is known: of it alone, or with what is known of its place.
   [[nodiscard]] Size size_of(const Node& node, Size wanted = {}) const {
+    if (node.abbreviation != nullptr) {
+      const Shape shape = node.abbreviation->means.shape();
+      return {shape.rows, shape.columns};
+    }
     switch (node.op) {
       case Op::number:
         return node.number == 0 ? wanted : scalar_size;
@@ -879,6 +920,14 @@ std::string pointing(std::string_view line, std::size_t at) {
 ParseError::ParseError(std::string_view line, std::size_t at, const std::string& what)
     : UsageError(fmt::format("column {}: {}", characters(line, at) + 1, what)),
       excerpt_(pointing(line, at)) {}
+
+ParseError ParseError::in(const std::string& place) const {
+  return {fmt::format("{}: {}", place, what()), excerpt_};
+}
+
+bool Names::has(const std::string& name) const {
+  return quantities.contains(name) || functions.contains(name) || abbreviations.contains(name);
+}
 
 Names names_of(const Symbols& table) {
   Names names;

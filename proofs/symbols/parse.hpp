@@ -19,6 +19,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -26,10 +27,19 @@
 
 namespace stickslip::proofs::symbols {
 
+// What is put in for a name where it is read, with the arguments for the parameters, which are numbers.
+struct Abbreviation {
+  std::vector<std::string> parameters;
+  Term means;
+};
+
 // The names that a line may use, with the shapes of what they stand for.
 struct Names {
   std::map<std::string, Shape, std::less<>> quantities;
   std::map<std::string, Shape, std::less<>> functions;  // their values', of one scalar
+  std::map<std::string, Abbreviation, std::less<>> abbreviations;
+
+  [[nodiscard]] bool has(const std::string& name) const;
 };
 
 [[nodiscard]] Names names_of(const Symbols& table);
@@ -39,10 +49,14 @@ class ParseError : public UsageError {
  public:
   // `at`: where in the line, in bytes from 0.
   ParseError(std::string_view line, std::size_t at, const std::string& what);
+  // The same, of a line that stands in a file.
+  [[nodiscard]] ParseError in(const std::string& place) const;
   // The line, and below it a caret at that place.
   [[nodiscard]] const std::string& excerpt() const { return excerpt_; }
 
  private:
+  ParseError(const std::string& message, std::string excerpt)
+      : UsageError(message), excerpt_(std::move(excerpt)) {}
   std::string excerpt_;
 };
 

@@ -17,7 +17,8 @@ Ball value_of(const Values& given, const std::string& name) {
     return Ball::pi();
   }
   const Lookup<Ball> lookup = [&given](const std::string& other) { return value_of(given, other); };
-  const bool has_frequencies = given.contains("omega1") && given.contains("omega2");
+  const bool has_frequencies =
+      !vocabulary_here().is_of_model() || (given.contains("omega1") && given.contains("omega2"));
   if (!has_frequencies && (name == "omega1" || name == "omega2")) {
     const model::Modes<Ball> m = model::modes<Ball>(lookup("chi"), lookup("eta"));
     return name == "omega1" ? m.omega1 : m.omega2;

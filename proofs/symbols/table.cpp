@@ -1,5 +1,7 @@
 #include "proofs/symbols/table.hpp"
 
+#include <atomic>
+
 #include "core/error.hpp"
 #include "proofs/symbols/closing.hpp"
 
@@ -242,30 +244,66 @@ const Symbol * Symbols::find(const Term& term) const {
   return nullptr;
 }
 
+namespace {
+
+Symbols symbols_of_oscillator() {
+  std::vector<Symbol> symbols;
+  for (const Row& row : rows()) {
+    add(symbols, row);
+  }
+  for (const char letter : {'a', 'b', 'c', 'd'}) {
+    Row row{.names = {}};
+    for (int i = 1; i <= 5; ++i) {
+      row.names.push_back(coefficient(letter, i));
+      row.means.push_back(closing::coefficient_of_gap(letter, i));
+    }
+    add(symbols, row);
+  }
+  add_entries(symbols, "H", H(tau));
+  add_entries(symbols, "h", H(tau1));
+  add_entries(symbols, "Htilde", H(tau + tau1));
+  add_entries(symbols, "Gamma", Gamma(T));
+  for (const Name& name : plain_names()) {
+    add(symbols, {.names = {name}});
+  }
+  return Symbols(std::move(symbols));
+}
+
+const Vocabulary& oscillator() {
+  static const auto at_least = [](const Term& lower, const Term& upper) {
+    return Statement{lower, upper, Relation::less};
+  };
+  static const Vocabulary vocabulary(symbols_of_oscillator(),
+                                     {at_least(0, omega1), at_least(omega1, 1), at_least(1, omega2),
+                                      at_least(0, omega), at_least(0, us), at_least(0, ur)},
+                                     true);
+  return vocabulary;
+}
+
+thread_local const Vocabulary * in_force = nullptr;
+
+}  // namespace
+
+Vocabulary::Vocabulary(Symbols table, std::vector<Statement> domain, bool of_model)
+    : table_(std::move(table)), domain_(std::move(domain)), of_model_(of_model) {
+  static std::atomic<std::size_t> count = 0;
+  number_ = count++;
+}
+
+const Vocabulary& vocabulary_here() {
+  return in_force != nullptr ? *in_force : oscillator();
+}
+
+InVocabulary::InVocabulary(std::shared_ptr<const Vocabulary> vocabulary)
+    : vocabulary_(std::move(vocabulary)), before_(in_force) {
+  in_force = vocabulary_ ? vocabulary_.get() : before_;
+}
+InVocabulary::~InVocabulary() {
+  in_force = before_;
+}
+
 const Symbols& symbol_table() {
-  static const Symbols table = [] {
-    std::vector<Symbol> symbols;
-    for (const Row& row : rows()) {
-      add(symbols, row);
-    }
-    for (const char letter : {'a', 'b', 'c', 'd'}) {
-      Row row{.names = {}};
-      for (int i = 1; i <= 5; ++i) {
-        row.names.push_back(coefficient(letter, i));
-        row.means.push_back(closing::coefficient_of_gap(letter, i));
-      }
-      add(symbols, row);
-    }
-    add_entries(symbols, "H", H(tau));
-    add_entries(symbols, "h", H(tau1));
-    add_entries(symbols, "Htilde", H(tau + tau1));
-    add_entries(symbols, "Gamma", Gamma(T));
-    for (const Name& name : plain_names()) {
-      add(symbols, {.names = {name}});
-    }
-    return Symbols(std::move(symbols));
-  }();
-  return table;
+  return vocabulary_here().table();
 }
 
 std::optional<Term> abbreviated(const Term& term) {

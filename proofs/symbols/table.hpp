@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -46,7 +47,44 @@ class Symbols {
   std::unordered_map<std::string, std::vector<std::size_t>> places_;  // of the rows of a name
 };
 
-// The paper's.
+// What names mean in a paper.
+class Vocabulary {
+ public:
+  // Its symbols; the domain of its parameters, "0 < omega1" or "omega1 < 1", which every statement that
+  // speaks of them supposes; whether what model/ has a formula for by name (chi, K, H(t), …) means that.
+  Vocabulary(Symbols table, std::vector<Statement> domain, bool of_model);
+
+  [[nodiscard]] const Symbols& table() const { return table_; }
+  [[nodiscard]] const std::vector<Statement>& domain() const { return domain_; }
+  [[nodiscard]] bool is_of_model() const { return of_model_; }
+  // No two have the same: what is kept of one is kept by it.
+  [[nodiscard]] std::size_t number() const { return number_; }
+
+ private:
+  Symbols table_;
+  std::vector<Statement> domain_;
+  bool of_model_;
+  std::size_t number_;
+};
+
+// The vocabulary in which terms are read and evaluated in this thread: the oscillator's, unless an
+// InVocabulary says otherwise.
+[[nodiscard]] const Vocabulary& vocabulary_here();
+
+// While it lives, and in its thread, names mean what the vocabulary says; with none, what they mean anyway.
+class InVocabulary {
+ public:
+  explicit InVocabulary(std::shared_ptr<const Vocabulary> vocabulary);
+  ~InVocabulary();
+  InVocabulary(const InVocabulary&) = delete;
+  InVocabulary& operator=(const InVocabulary&) = delete;
+
+ private:
+  std::shared_ptr<const Vocabulary> vocabulary_;
+  const Vocabulary * before_;
+};
+
+// Its table.
 [[nodiscard]] const Symbols& symbol_table();
 
 // What a scalar is written for, as phi_B is for omega tau + phi; nothing for any other term.

@@ -138,6 +138,18 @@ bool all_decided(const Audit& audit) {
                              [](const Record& record) { return facts(record.status).decided; });
 }
 
+std::vector<std::string> unexpected(const proofs::methods::Audit& audit) {
+  std::vector<std::string> result;
+  for (const proofs::methods::Record& record : audit.records) {
+    const std::string status = to_string(record.status);
+    if (!record.claim.expected.empty() && record.claim.expected != status) {
+      result.push_back(
+          fmt::format("{} is {}, and not {} as expected", record.claim.id, status, record.claim.expected));
+    }
+  }
+  return result;
+}
+
 bool any_refuted(const Audit& audit) {
   return std::ranges::any_of(audit.records, [](const Record& record) { return facts(record.status).fails; });
 }

@@ -51,6 +51,9 @@ struct OriginCount {
 // Whether every question is answered, one way or the other.
 [[nodiscard]] bool all_decided(const proofs::methods::Audit& audit);
 
+// A sentence for each claim that has another status than it is expected to have.
+[[nodiscard]] std::vector<std::string> unexpected(const proofs::methods::Audit& audit);
+
 // Whether some statement is refuted (printed digits included) without a corrected form that is proved.
 [[nodiscard]] bool any_refuted(const proofs::methods::Audit& audit);
 

@@ -17,7 +17,7 @@ namespace {
 
 Record record_of(const OwnStatement& own) {
   std::vector<Claim> claims = pascal2012::paper().claims;
-  claims.push_back(own_claim(own, claims));
+  claims.push_back(own_claim(own));
   return Prover(claims).prove(own_id);
 }
 
@@ -99,13 +99,13 @@ TEST_CASE("what is not decided says why") {
 }
 
 TEST_CASE("symbols of one's own are new names") {
-  CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"chi"}}, {}),
+  CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"chi"}}),
                        "'chi' has a meaning already: take another name for a symbol of your own", UsageError);
-  CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"2a"}}, {}),
+  CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"2a"}}),
                        "'2a' is no name for a symbol: a name is a letter, then letters and digits",
                        UsageError);
-  CHECK_THROWS_AS((void)own_claim({"a = 1", {}, {"H"}}, {}), UsageError);
-  CHECK_THROWS_AS((void)own_claim({"a = 1"}, {}), symbols::ParseError);
+  CHECK_THROWS_AS((void)own_claim({"a = 1", {}, {"H"}}), UsageError);
+  CHECK_THROWS_AS((void)own_claim({"a = 1"}), symbols::ParseError);
 }
 
 TEST_CASE(
@@ -130,7 +130,7 @@ TEST_CASE(
     for (const symbols::Statement& one : claim.printed) {
       CAPTURE(text(one));
       std::vector<Claim> with_own;  // alone: no known claim says it
-      with_own.push_back(own_claim({text(one)}, {}));
+      with_own.push_back(own_claim({text(one)}));
       for (const Claim& known : claims) {
         with_own.push_back(known);
       }
@@ -140,7 +140,7 @@ TEST_CASE(
       proved += record.outcome.verdict.truth == Truth::proved ? 1 : 0;
       const auto edits = checks::edits(one);
       const auto& edit = edits[static_cast<std::size_t>(typed) % edits.size()];
-      with_own.front() = own_claim({text(edit.statement)}, {});
+      with_own.front() = own_claim({text(edit.statement)});
       const Record wrong = Prover(with_own).prove(own_id);
       CAPTURE(text(edit.statement));
       CHECK((wrong.outcome.verdict.truth == Truth::proved) == true_edits.contains(text(edit.statement)));

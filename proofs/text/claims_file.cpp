@@ -1,0 +1,489 @@
+#include "proofs/text/claims_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "proofs/methods/reading.hpp"
+#include "proofs/symbols/parse.hpp"
+#include "proofs/symbols/table.hpp"
+#include "proofs/text/proof_lines.hpp"
+
+namespace stickslip::proofs::text {
+
+using namespace methods;
+using symbols::Names;
+using symbols::Statement;
+using symbols::Term;
+
+namespace {
+
+constexpr std::size_t longest_file = 4000000;
+
+// An entry, which begins in the first column, and the lines that are indented below it.
+struct Line {
+  std::size_t number = 0;  // in the file, from 1
+  std::string text;
+};
+struct Entry {
+  Line head;
+  std::vector<Line> body;
+};
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+// The word in front, and the rest.
+std::pair<std::string, std::string> first_word(const std::string& text) {
+  const auto end = text.find_first_of(" \t");
+  return end == std::string::npos ? std::pair(text, std::string())
+                                  : std::pair(text.substr(0, end), trimmed(text.substr(end)));
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::string part;
+  std::istringstream stream(text);
+  while (std::getline(stream, part, separator)) {
+    parts.push_back(trimmed(part));
+  }
+  return parts;
+}
+
+bool is_name(const std::string& name) {
+  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+         std::ranges::all_of(
+             name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+}
+
+// Of claims, assumptions and sections: they become names of files.
+bool is_id(const std::string& id) {
+  return !id.empty() && id.size() <= 60 && std::isalnum(static_cast<unsigned char>(id.front())) != 0 &&
+         id.find("..") == std::string::npos && id.back() != '.' && std::ranges::all_of(id, [](char c) {
+           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+         });
+}
+
+class Reading {
+ public:
+  Reading(std::string name, const Paper& known) : name_(std::move(name)) {
+    paper_ = known;
+    names_ = symbols::names_of(symbols::symbol_table());
+  }
+
+  [[nodiscard]] Paper read(const std::string& content) {
+    for (const Entry& entry : entries(content)) {
+      line_ = entry.head.number;
+      const auto [word, rest] = first_word(entry.head.text);
+      static const std::map<std::string, void (Reading::*)(const std::string&, const Entry&)> kinds{
+          {"paper", &Reading::begin_paper}, {"symbols", &Reading::symbols_line}, {"let", &Reading::let},
+          {"section", &Reading::section},   {"assume", &Reading::assume},        {"claim", &Reading::claim}};
+      const auto kind = kinds.find(word);
+      if (kind == kinds.end()) {
+        fail(
+            fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, claim", word));
+      }
+      (this->*kind->second)(rest, entry);
+    }
+    finish();
+    return std::move(paper_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw UsageError(fmt::format("{}:{}: {}", name_, line_, what));
+  }
+  // What the work throws about a line, with the place of that line.
+  template <class Work>
+  auto here(const Work& work) const {
+    try {
+      return work();
+    } catch (const symbols::ParseError& error) {
+      throw error.in(fmt::format("{}:{}", name_, line_));
+    } catch (const UsageError& error) {
+      fail(error.what());
+    }
+  }
+
+  [[nodiscard]] std::vector<Entry> entries(const std::string& content) {
+    if (content.size() > longest_file) {
+      throw UsageError(fmt::format("{}: a file of claims has at most {} characters", name_, longest_file));
+    }
+    std::vector<Entry> found;
+    std::istringstream stream(content);
+    std::string text;
+    std::size_t continued = 0;  // the column from which on a line goes on with the one before
+    for (line_ = 1; std::getline(stream, text); ++line_) {
+      if (const auto comment = text.find("# ");
+          comment != std::string::npos && trimmed(text.substr(0, comment)).empty()) {
+        continue;
+      }
+      const std::string plain = trimmed(text);
+      if (plain.empty() || plain == "#") {
+        continue;
+      }
+      const std::size_t indent = text.find_first_not_of(" \t");
+      if (indent == 0) {
+        found.push_back({{line_, plain}, {}});
+        continued = 0;
+      } else if (found.empty()) {
+        fail("an indented line belongs to an entry, and there is none before it");
+      } else if (continued > 0 && indent > continued) {
+        std::string& before = found.back().body.back().text;
+        before += " " + plain;
+      } else {
+        found.back().body.push_back({line_, plain});
+        continued = indent;
+      }
+    }
+    return found;
+  }
+
+  void begin_paper(const std::string& rest, const Entry& entry) {
+    if (begun_) {
+      fail("'paper' stands before all other entries");
+    }
+    begun_ = alone_ = true;
+    paper_ = {};
+    Bibliography& source = paper_.bibliography;
+    source.title = rest;
+    const std::map<std::string, std::string *> fields{{"author", &source.author},
+                                                      {"title", &source.title},
+                                                      {"journal", &source.journal},
+                                                      {"doi", &source.doi}};
+    for (const Line& line : entry.body) {
+      line_ = line.number;
+      const auto [word, text] = first_word(line.text);
+      const auto field = fields.find(word);
+      if (field == fields.end()) {
+        fail(fmt::format("'{}': a paper has author, title, journal and doi", word));
+      }
+      *field->second = checked_words(text);
+    }
+    names_ = {};
+    for (const char * function : {"cos", "sin", "tan", "sign"}) {
+      names_.functions.emplace(function, symbols::Shape{});
+    }
+    names_.quantities = {{"pi", {}}, {"t", {}}};
+    make_vocabulary();
+  }
+
+  void symbols_line(const std::string& rest, const Entry& entry) {
+    no_body(entry);
+    require_alone("symbols");
+    const auto in = rest.find(" in ");
+    for (const std::string& name : split(rest.substr(0, in), ',')) {
+      new_name(name);
+      names_.quantities.emplace(name, symbols::Shape{});
+      rows_.push_back({name});
+    }
+    if (in != std::string::npos) {
+      for (const std::string& relation : split(rest.substr(in + 4), ',')) {
+        for (const Statement& one : here([&] { return symbols::parse_statements(relation, names_); })) {
+          add_to_domain(one);
+        }
+      }
+    }
+    make_vocabulary();
+  }
+
+  // "number < symbol" or "symbol < number", however it is turned.
+  void add_to_domain(const Statement& one) {
+    const bool turned = one.relation == symbols::Relation::greater;
+    const Term &lower = turned ? one.right : one.left, &upper = turned ? one.left : one.right;
+    const bool strict = turned || one.relation == symbols::Relation::less;
+    const bool bounds = (lower.op() == symbols::Op::number && upper.op() == symbols::Op::symbol) ||
+                        (upper.op() == symbols::Op::number && lower.op() == symbols::Op::symbol);
+    if (!strict || !bounds || one.during) {
+      fail(fmt::format("'{}': a domain says that a symbol is less or greater than a number",
+                       symbols::text(one)));
+    }
+    domain_.push_back({lower, upper, symbols::Relation::less});
+    const Bounds known = [&] {
+      make_vocabulary();
+      const symbols::InVocabulary scope(paper_.vocabulary);
+      return bounds_of(lower.op() == symbols::Op::symbol ? lower.name() : upper.name());
+    }();
+    if (known.lower && known.upper && *known.lower >= *known.upper) {
+      fail(fmt::format("'{}': with what is said before no value is left", symbols::text(one)));
+    }
+  }
+
+  void let(const std::string& rest, const Entry& entry) {
+    no_body(entry);
+    begun_ = true;
+    const auto equals = rest.find('=');
+    if (equals == std::string::npos) {
+      fail("a name, '=' and what it stands for belong to 'let'");
+    }
+    std::string name = trimmed(rest.substr(0, equals));
+    symbols::Abbreviation abbreviation{{}, Term(0)};
+    Names inside = names_;
+    if (const auto open = name.find('('); open != std::string::npos) {
+      if (name.back() != ')') {
+        fail(fmt::format("'{}': the parameters of a name stand in brackets, with commas", name));
+      }
+      abbreviation.parameters = split(name.substr(open + 1, name.size() - open - 2), ',');
+      name = trimmed(name.substr(0, open));
+      for (const std::string& parameter : abbreviation.parameters) {
+        if (!is_name(parameter)) {
+          fail(fmt::format("'{}' is no name of a parameter", parameter));
+        }
+        inside.functions.erase(parameter);
+        inside.abbreviations.erase(parameter);
+        inside.quantities.insert_or_assign(parameter, symbols::Shape{});
+      }
+    }
+    new_name(name);
+    abbreviation.means = here([&] { return symbols::parse_term(rest.substr(equals + 1), inside); });
+    if (size_of(abbreviation.means) > longest_abbreviation) {
+      fail(fmt::format("'{}' stands for a formula of more than {} parts", name, longest_abbreviation));
+    }
+    names_.abbreviations.emplace(name, abbreviation);
+  }
+
+  static constexpr std::size_t longest_abbreviation = 20000;
+  [[nodiscard]] static std::size_t size_of(const Term& term) {
+    std::size_t size = 1;
+    for (const Term& part : term.arguments()) {
+      size += size_of(part);
+    }
+    return size;
+  }
+
+  void section(const std::string& rest, const Entry& entry) {
+    no_body(entry);
+    begun_ = true;
+    const auto [id, title] = first_word(rest);
+    if (!is_id(id)) {
+      fail(fmt::format("'{}' is no id of a section", id));
+    }
+    if (std::ranges::any_of(paper_.sections, [&id = id](const Section& one) { return one.id == id; })) {
+      fail(fmt::format("there are two sections {}", id));
+    }
+    section_ = {id, title.empty() ? id : checked_words(title), id};
+    paper_.sections.push_back(section_);
+  }
+
+  void assume(const std::string& rest, const Entry& entry) {
+    no_body(entry);
+    begun_ = true;
+    const auto colon = rest.find(':');
+    const std::string id = trimmed(rest.substr(0, colon));
+    if (colon == std::string::npos || !is_id(id)) {
+      fail("an assumption has an id, ':' and a statement");
+    }
+    if (!assumptions_
+             .emplace(id, here([&] { return symbols::parse_statements(rest.substr(colon + 1), names_); }))
+             .second) {
+      fail(fmt::format("there are two assumptions {}", id));
+    }
+  }
+
+  void claim(const std::string& rest, const Entry& entry) {
+    begun_ = true;
+    Claim claim = claim_of(rest);
+    std::vector<std::pair<std::size_t, std::string>> proofs;  // with the numbers of their lines
+    for (const Line& line : entry.body) {
+      line_ = line.number;
+      const auto [word, text] = first_word(line.text);
+      if (word == "if") {
+        add_assumptions(claim, text);
+      } else if (word == "by") {
+        proofs.emplace_back(line_, text);
+      } else if (word == "expect") {
+        if (!is_status(text)) {
+          fail(fmt::format("'{}' is no status of a claim", text));
+        }
+        claim.expected = text;
+      } else if (word == "corrected") {
+        const auto more = here([&, &text = text] { return symbols::parse_statements(text, names_); });
+        claim.corrected.insert(claim.corrected.end(), more.begin(), more.end());
+      } else {
+        const auto more = here([&] { return symbols::parse_statements(line.text, names_); });
+        claim.printed.insert(claim.printed.end(), more.begin(), more.end());
+      }
+    }
+    line_ = entry.head.number;
+    if (claim.printed.empty() && claim.kind != Kind::words && claim.kind != Kind::figure) {
+      fail(fmt::format("the claim {} states nothing", claim.id));
+    }
+    if (proofs.size() > 1) {
+      fail(fmt::format("the claim {} has {} proofs", claim.id, proofs.size()));
+    }
+    claim.prove = here([&] {
+      line_ = proofs.empty() ? line_ : proofs.front().first;
+      return proof_of({claim, names_, paper_.claims}, proofs.empty() ? "" : proofs.front().second);
+    });
+    if (claim.kind == Kind::model) {
+      claim.prove = {};
+    }
+    if (!claim.corrected.empty()) {
+      claim.prove_corrected = claim.prove;
+    }
+    state(claim);
+    paper_.claims.push_back(std::move(claim));
+  }
+
+  // "id kind origin: words".
+  [[nodiscard]] Claim claim_of(const std::string& rest) const {
+    const auto colon = rest.find(':');
+    std::istringstream head(rest.substr(0, colon));
+    std::string id, kind, origin, more;
+    head >> id >> kind >> origin >> more;
+    if (colon == std::string::npos || kind.empty() || !more.empty()) {
+      fail("a claim has an id, a kind, perhaps an origin, then ':' and words");
+    }
+    if (!is_id(id)) {
+      fail(fmt::format("'{}' is no id of a claim: letters, digits, '_' and '.'", id));
+    }
+    if (std::ranges::any_of(paper_.claims, [&](const Claim& one) { return one.id == id; })) {
+      fail(fmt::format("there are two claims {}", id));
+    }
+    Claim claim{.id = id, .place = section_.id};
+    claim.kind = kind_of(kind);
+    claim.origin = origin.empty() ? Origin::paper : origin_of(origin);
+    claim.words = checked_words(trimmed(rest.substr(colon + 1)));
+    return claim;
+  }
+
+  [[nodiscard]] Kind kind_of(const std::string& word) const {
+    std::vector<std::string> names;
+    for (const Kind kind : {Kind::definition, Kind::model, Kind::identity, Kind::step, Kind::theorem,
+                            Kind::condition, Kind::numbers}) {
+      if (to_string(kind) == word) {
+        return kind;
+      }
+      names.push_back(to_string(kind));
+    }
+    fail(fmt::format("'{}' is no kind of claim: there are {}", word, fmt::join(names, ", ")));
+  }
+  [[nodiscard]] Origin origin_of(const std::string& word) const {
+    std::vector<std::string> names;
+    for (const OriginFacts& one : origins()) {
+      if (one.name == word) {
+        return one.origin;
+      }
+      names.emplace_back(one.name);
+    }
+    fail(fmt::format("'{}' is no origin: there are {}", word, fmt::join(names, ", ")));
+  }
+
+  // Ids of assumptions, or "id: statement".
+  void add_assumptions(Claim& claim, const std::string& text) {
+    const auto add = [&](const std::string& id, const std::vector<Statement>& statements) {
+      for (const Statement& one : statements) {
+        claim.assumptions.push_back({id, one});
+      }
+    };
+    if (const auto colon = text.find(':'); colon != std::string::npos) {
+      const std::string id = trimmed(text.substr(0, colon));
+      if (!is_id(id)) {
+        fail(fmt::format("'{}' is no id of an assumption", id));
+      }
+      add(id, here([&] { return symbols::parse_statements(text.substr(colon + 1), names_); }));
+      return;
+    }
+    for (const std::string& id : split(text, ',')) {
+      const auto found = assumptions_.find(id);
+      if (found == assumptions_.end()) {
+        fail(fmt::format("nothing is assumed as '{}'", id));
+      }
+      add(id, found->second);
+    }
+  }
+
+  // Of a paper of its own, what it or text books say is one of its statements.
+  void state(const Claim& claim) {
+    if (alone_ && facts(claim.origin).source != nullptr) {
+      paper_.statements.push_back({.id = fmt::format("S{:03}", paper_.statements.size() + 1),
+                                   .place = claim.id,
+                                   .kind = claim.kind,
+                                   .words = claim.words,
+                                   .claims = {claim.id},
+                                   .section = section_.title});
+    }
+  }
+
+  // Words go into pages and LaTeX: no commands, and formulas between dollars that belong together.
+  [[nodiscard]] std::string checked_words(const std::string& words) const {
+    if (words.find_first_of("\\<>{}&") != std::string::npos) {
+      fail(fmt::format("'{}': words have no \\, <, >, {{, }} or &", words));
+    }
+    if (std::ranges::count(words, '$') % 2 != 0) {
+      fail(fmt::format("'{}': a formula in words stands between two dollars", words));
+    }
+    return words;
+  }
+
+  void no_body(const Entry& entry) {
+    if (!entry.body.empty()) {
+      line_ = entry.body.front().number;
+      fail("only papers and claims have lines that belong to them");
+    }
+  }
+  void require_alone(const char * what) {
+    begun_ = true;
+    if (!alone_) {
+      fail(fmt::format("'{}' belongs to a paper of its own: begin the file with an entry 'paper'", what));
+    }
+  }
+  void new_name(const std::string& name) const {
+    if (!is_name(name) || name == "I" || name == "det" || name == "for" || name == "but" || name == "pi" ||
+        name == "t") {
+      fail(fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
+    }
+    if (names_.has(name)) {
+      fail(fmt::format("'{}' has a meaning already", name));
+    }
+  }
+
+  void make_vocabulary() {
+    std::vector<symbols::Symbol> rows = rows_;
+    for (const auto& function : names_.functions) {
+      rows.push_back({.name = function.first, .shape = function.second, .of_time = true});
+    }
+    rows.push_back({.name = "pi"});
+    rows.push_back({.name = "t"});
+    paper_.vocabulary = std::make_shared<const symbols::Vocabulary>(symbols::Symbols(rows), domain_, false);
+  }
+
+  void finish() {
+    if (paper_.claims.empty()) {
+      throw UsageError(fmt::format("{}: there is no claim in it", name_));
+    }
+    if (alone_ && paper_.sections.empty()) {
+      paper_.sections.push_back(section_);
+    }
+    if (!alone_) {
+      paper_.sections.push_back({"own", "Claims of your own", "own"});
+    }
+  }
+
+  std::string name_;
+  std::size_t line_ = 0;
+  Paper paper_;
+  Names names_;
+  std::vector<symbols::Symbol> rows_;
+  std::vector<Statement> domain_;
+  std::map<std::string, std::vector<Statement>> assumptions_;
+  Section section_{"own", "Claims", "own"};
+  bool begun_ = false, alone_ = false;
+};
+
+}  // namespace
+
+Paper read_claims(const std::string& content, const std::string& name, const Paper& known) {
+  return Reading(name, known).read(content);
+}
+
+}  // namespace stickslip::proofs::text

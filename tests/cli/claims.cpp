@@ -1,0 +1,73 @@
+// Papers as text, as their users meet them.
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace stickslip;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file of claims, gone at the end.
+class ClaimsFile {
+ public:
+  explicit ClaimsFile(const std::string& entries)
+      : path_(fs::temp_directory_path() / ("stickslip-" + std::to_string(::getpid()) + ".claims")) {
+    std::ofstream(path_) << "paper A note\n  author A. Reader\nsymbols a, b, us\n" << entries;
+  }
+  ~ClaimsFile() { fs::remove(path_); }
+  ClaimsFile(const ClaimsFile&) = delete;
+  ClaimsFile& operator=(const ClaimsFile&) = delete;
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("a paper of one's own is audited, with pages") {
+  const ClaimsFile file("claim square identity: the square\n  (a + b)^2 = a^2 + 2 a b + b^2\n");
+  const Run checked = stickslip_program({"check", file.path()});
+  CHECK(checked.code == exit_decided);
+  CHECK(checked.out == "square  as printed  the square\n1 statement of the paper: 1 as printed.\n");
+  CHECK(stickslip_program({"check", file.path(), "square", "--explain"}).out.find("a, b") !=
+        std::string::npos);
+  check_refused({{{"check", file.path(), "40"}, exit_usage, "there is no claim '40'"}});
+  const fs::path pages = fs::temp_directory_path() / ("stickslip-" + std::to_string(::getpid()));
+  const Run audited = stickslip_program({"audit", file.path(), "--out", pages.string()});
+  CHECK(audited.code == exit_decided);
+  const std::string index = content(pages / "index.html");
+  CHECK(index.find("A note") != std::string::npos);
+  CHECK(index.find("Pascal") == std::string::npos);
+  fs::remove_all(pages);
+}
+
+TEST_CASE("a name of the oscillator's is but a letter in another paper") {
+  const ClaimsFile file("claim positive step: positive\n  us > 0\n");
+  CHECK(stickslip_program({"check", file.path()}).code == exit_refuted);
+}
+
+TEST_CASE("a status that is not as expected is said, and is the exit code") {
+  const ClaimsFile file(
+      "claim square identity: the square\n  (a + b)^2 = a^2 + 2 a b + b^2\n  expect refuted\n");
+  const Run run = stickslip_program({"check", file.path()});
+  CHECK(run.code == exit_refuted);
+  CHECK(run.err == "stickslip: square is as_printed, and not refuted as expected.\n");
+}
+
+TEST_CASE("what is wrong in a file is pointed at") {
+  const ClaimsFile file("claim square identity: the square\n  (a + c)^2 = 1\n");
+  const Run run = stickslip_program({"audit", file.path()});
+  CHECK(run.code == exit_usage);
+  CHECK(run.err.find(".claims:5: column 6: no symbol 'c'; there are a, b, t.\n  (a + c)^2 = 1\n       ^\n") !=
+        std::string::npos);
+  check_refused({{{"audit", "/nowhere/x.claims"}, exit_io, "/nowhere/x.claims"},
+                 {{"audit", "x.toml"}, exit_usage, "x.toml"}});
+}

@@ -1,0 +1,205 @@
+#include "proofs/text/claims_file.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/parse.hpp"
+#include "proofs/symbols/table.hpp"
+
+using namespace stickslip;
+using namespace stickslip::proofs;
+using namespace stickslip::proofs::methods;
+
+namespace {
+
+Paper read(const std::string& content) {
+  return text::read_claims(content, "F", pascal2012::paper());
+}
+
+std::map<std::string, std::string> statuses(const Paper& paper) {
+  const symbols::InVocabulary scope(paper.vocabulary);
+  std::map<std::string, std::string> result;
+  for (const Record& record : audit(paper.claims).records) {
+    result[record.claim.id] = to_string(record.status);
+  }
+  return result;
+}
+
+std::string status_of(const std::string& entries, const std::string& claim = "c") {
+  return statuses(read("paper P\nsymbols a, b, c1, x\n" + entries)).at(claim);
+}
+
+std::string refusal(const std::string& content) {
+  try {
+    (void)read(content);
+    return "";
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+std::string refusal_of(const std::string& entries) {
+  return refusal("paper P\nsymbols a, b, x\n" + entries);
+}
+
+}  // namespace
+
+TEST_CASE("the paper on Den Hartog's motion comes out as it says it does") {
+  std::ifstream file(std::string(STICKSLIP_SOURCE_DIR) + "/examples/claims/den_hartog.claims");
+  std::stringstream content;
+  content << file.rdbuf();
+  const Paper paper = read(content.str());
+  CHECK(paper.bibliography.author == "J. P. Den Hartog");
+  CHECK(paper.sections.size() == 3);
+  CHECK(paper.statements.size() == 6);
+  const auto found = statuses(paper);
+  CHECK(found.size() == paper.claims.size());
+  for (const Claim& claim : paper.claims) {
+    CAPTURE(claim.id);
+    CHECK(!claim.expected.empty());
+    CHECK(found.at(claim.id) == claim.expected);
+  }
+}
+
+TEST_CASE("two papers in one process do not meet") {
+  // Names of the oscillator's that are but letters here: no domain, no formula.
+  const Paper other = read(
+      "paper P\nsymbols us, chi, eta, omega1, omega2, omega, d, K, Z, X\n"
+      "claim positive step: .\n  us > 0\n"
+      "claim low step: .\n  omega1 < 1\n"
+      "claim ratio step: .\n  chi eta = omega1^2 + omega2^2 - 1\n"
+      "claim square step: .\n  (chi + K)^2 = chi^2 + 2 chi K + K^2\n"
+      "claim given step: .\n  Z = 2 X\n  if half: X = Z/2\n"
+      "claim load step: .\n  omega/omega = 1\n"
+      "claim sum step: .\n  (us + omega) d/((us + omega) d) = 1\n");
+  const auto check_other = [&] {
+    const auto found = statuses(other);
+    CHECK(found.at("positive") == "refuted");
+    CHECK(found.at("low") == "refuted");
+    CHECK(found.at("ratio") == "refuted");
+    CHECK(found.at("square") == "as_printed");
+    CHECK(found.at("given") == "as_printed");
+    CHECK(found.at("load") == "where_defined");
+    CHECK(found.at("sum") == "where_defined");
+  };
+  const auto check_paper = [] {
+    Prover prover(pascal2012::paper().claims);
+    CHECK(to_string(prover.prove("39.range").status) == "proved");
+    CHECK(to_string(prover.prove("40").status) == "as_printed");
+  };
+  check_paper();
+  check_other();
+  check_paper();
+  check_other();
+  CHECK(symbols::vocabulary_here().is_of_model());
+}
+
+TEST_CASE("a file may stand on the paper") {
+  const Paper paper = read(
+      "let square(s) = H(s)^2\n"
+      "claim twice step new: the flow of twice the time\n  square(t) = H(2 t)\n"
+      "claim period step new: from (40)\n  H1(tau)^2 = I + H2(tau) H3(tau)\n  by rewriting 40 at t = tau for "
+      "H1(tau)^2\n");
+  CHECK(paper.claims.size() == pascal2012::paper().claims.size() + 2);
+  Prover prover(paper.claims);
+  CHECK(to_string(prover.prove("twice").status) == "proved");
+  CHECK(to_string(prover.prove("period").status) == "proved");
+  CHECK(prover.prove("period").outcome.uses.contains("40"));
+}
+
+TEST_CASE("proofs have names") {
+  CHECK(status_of("claim c identity: .\n  (a + b)^2 = a^2 + 2 a b + b^2\n  by normal form\n") ==
+        "as_printed");
+  CHECK(status_of("claim c identity: .\n  (a + b)^2 = a^2 + a b + b^2\n  by normal form\n") == "refuted");
+  CHECK(status_of("claim c step: .\n  a^2 = b^2\n  if e: a + b = 0\n  by combination (a - b) @e\n") ==
+        "as_printed");
+  CHECK(status_of("claim c step: .\n  a^2 = b^2\n  if e: a + b = 0\n  by combination (a + b) @e\n") ==
+        "undecided");
+  CHECK(status_of("claim c step: .\n  0 < a b\n  if p: 0 < a\n  if q: 0 < b\n  by order @p @q\n") ==
+        "as_printed");
+  CHECK(status_of("claim c step: .\n  a < x\n  if p: a < b < x\n  by order @p#1 + @p#2\n") == "as_printed");
+  CHECK(status_of("claim one step: .\n  a = 2 b\n  if e: a/2 = b\nclaim c step: .\n  a + b = 3 b\n"
+                  "  if e: a/2 = b\n  by putting in one\n") == "as_printed");
+  CHECK(status_of("claim c step: .\n  a < b\n  by counterexample at a = 1, b = 0\n") == "refuted");
+  CHECK(status_of("claim c step: .\n  a <= a + b^2\n  by counterexample at a = 0, b = 1\n") == "undecided");
+  // Of a wrong formula the corrected form is proved.
+  CHECK(status_of("claim c identity: .\n  (a - b)^2 = a^2 + 2 a b + b^2\n  corrected (a + b)^2 = a^2 + 2 a b "
+                  "+ b^2\n") == "misprint_corrected");
+  // Abbreviations with arguments; a line that goes on.
+  CHECK(status_of("let f(s, u) = s^2 - u\nclaim c identity: .\n  f(a + b, 2 a b) =\n    a^2 + b^2\n") ==
+        "as_printed");
+}
+
+TEST_CASE("what a file may not say is refused with its place") {
+  CHECK(refusal("nonsense\n") ==
+        "F:1: 'nonsense' begins no entry: there are paper, symbols, let, section, assume, claim");
+  CHECK(refusal("  indented\n") == "F:1: an indented line belongs to an entry, and there is none before it");
+  CHECK(refusal("paper P\n") == "F: there is no claim in it");
+  CHECK(refusal("symbols a\n") ==
+        "F:1: 'symbols' belongs to a paper of its own: begin the file with an entry 'paper'");
+  CHECK(refusal("section s\npaper P\n") == "F:2: 'paper' stands before all other entries");
+  CHECK(refusal_of("symbols a\n") == "F:3: 'a' has a meaning already");
+  CHECK(refusal_of("symbols 2a\n") ==
+        "F:3: '2a' is no name for a symbol: a name is a letter, then letters and digits");
+  CHECK(refusal_of("symbols y in y != 0\n") ==
+        "F:3: 'y != 0': a domain says that a symbol is less or greater than a number");
+  CHECK(refusal_of("symbols y in 1 < y, y < 0\n") ==
+        "F:3: 'y < 0': with what is said before no value is left");
+  CHECK(refusal_of("let y = y + 1\n") == "F:3: column 2: no symbol 'y'; there are a, b, t, x");
+  CHECK(refusal_of("let y(s) = s\nclaim c step: .\n  y(a, b) = 1\n") ==
+        "F:5: column 1: y takes 1 arguments, and here are 2");
+  CHECK(refusal_of("claim c step: .\n  a = z\n") == "F:4: column 5: no symbol 'z'; there are a, b, t, x");
+  CHECK(refusal_of("claim c step: .\n  H1(t) = 1\n").starts_with("F:4: column 1: no symbol 'H1'"));
+  CHECK(refusal_of("claim c step: .\n") == "F:3: the claim c states nothing");
+  CHECK(refusal_of("claim ../c step: .\n  a = a\n") ==
+        "F:3: '../c' is no id of a claim: letters, digits, '_' and '.'");
+  CHECK(refusal_of("claim c step: .\n  a = a\nclaim c step: .\n  a = a\n") == "F:5: there are two claims c");
+  CHECK(refusal_of("claim c stop: .\n  a = a\n")
+            .starts_with("F:3: 'stop' is no kind of claim: there are definition"));
+  CHECK(
+      refusal_of("claim c step mine: .\n  a = a\n").starts_with("F:3: 'mine' is no origin: there are paper"));
+  CHECK(refusal_of("claim c step: <script>\n  a = a\n") ==
+        "F:3: '<script>': words have no \\, <, >, {, } or &");
+  CHECK(refusal_of("claim c step: \\input{x}\n  a = a\n") ==
+        "F:3: '\\input{x}': words have no \\, <, >, {, } or &");
+  CHECK(refusal_of("claim c step: half $a\n  a = a\n") ==
+        "F:3: 'half $a': a formula in words stands between two dollars");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  if e\n") == "F:5: nothing is assumed as 'e'");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  by magic\n")
+            .starts_with("F:5: 'magic' is no method of proof: there are normal form"));
+  CHECK(refusal_of("claim c step: .\n  a = b\n  by rewriting d\n") ==
+        "F:5: 'd' is neither assumed by c nor a claim before it");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  if e: a = b\n  by combination @e#2\n") ==
+        "F:6: '@e#2': e says 1 things");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  if e: a = b\n  by combination a\n") ==
+        "F:6: each product of a combination has one @id, and 'a' has 0");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  if e: a = b\n  by combination @e; @e\n") ==
+        "F:6: c states 1 things, and its proof is of 2");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  expect wonder\n") == "F:5: 'wonder' is no status of a claim");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  by normal form\n  by normal form\n") ==
+        "F:3: the claim c has 2 proofs");
+  CHECK(refusal_of("let big = (a + b)^2\nlet big2 = " + std::string(150, '(') + "big" +
+                   std::string(150, ')') + "\nclaim c step: .\n  big2 = 1\n") == "");
+  CHECK(refusal(std::string(5000000, 'x')) == "F: a file of claims has at most 4000000 characters");
+}
+
+TEST_CASE("abbreviations of abbreviations do not grow without end") {
+  std::string entries = "let n0 = a + b\n";
+  for (int k = 1; k < 30; ++k) {
+    entries +=
+        "let n" + std::to_string(k) + " = n" + std::to_string(k - 1) + " * n" + std::to_string(k - 1) + "\n";
+  }
+  CHECK(refusal_of(entries + "claim c step: .\n  n29 = 1\n")
+            .find("stands for a formula of more than 20000 parts") != std::string::npos);
+}
+
+TEST_CASE("what contradicts itself in a file proves nothing") {
+  CHECK(status_of("claim c step: .\n  a = b\n  if e: x = 1\n  if f: x = 2\n") == "undecided");
+  CHECK(statuses(read("paper P\nsymbols y in 0 < y\nclaim c step: .\n  y = 7\n  if e: y = -1\n")).at("c") ==
+        "undecided");
+}
