@@ -11,7 +11,7 @@
 
 #include "cli/cluster.hpp"
 #include "cli/commands.hpp"
-#include "cli/machine_box.hpp"
+#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
@@ -34,13 +34,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What is asked, and of which machines.
-struct AtlasAsked {
-  Question question;
-  report::atlas::Machine machine;
-};
+// A machine in the middle of the ranges that values in SI units may be.
+TypedParameters in_the_middle(TypedParameters machine) {
+  for (auto& [name, text] : machine) {
+    const auto [lower, upper] = interval(name, text);
+    if (name == "load_phase" && lower != upper) {
+      throw UsageError("load_phase: no orbit depends on it, for it is where simulations begin");
+    }
+    text = to_string(Rational((lower + upper) / 2));
+  }
+  return machine;
+}
 
-AtlasAsked asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
+Question asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
   if (o.family.empty()) {
     throw UsageError("a family of orbits is missing: " + numeric::families::names_of_families());
   }
@@ -50,8 +56,7 @@ AtlasAsked asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) 
   for (const auto& [name, range] : o.along) {
     typed = with_along(std::move(typed), {name, range});
   }
-  MachineBox box = read_machine_box(o.file, typed, o.example);
-  ParameterFile& file = box.file;
+  ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::optional, in_the_middle);
   (void)units_of(o.units, file, false);
   leave_results_out(file, *q.family, typed);
   TypedParameters given = given_parameters(paper, typed, file.parameters, o.example);
@@ -67,10 +72,17 @@ AtlasAsked asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) 
   if (takes_phi(*q.family) && typed.contains("ur")) {
     throw UsageError(fmt::format("ur: an atlas of {} orbits takes phi, and u_r is a result", q.family->name));
   }
-  std::vector<std::string> needed(numeric::atlas::parameter_names(*q.family).begin(),
-                                  numeric::atlas::parameter_names(*q.family).begin() + place_of_datum);
-  require_given(given, needed);
-  for (const std::string& name : numeric::atlas::parameter_names(*q.family)) {
+  if (file.machine) {
+    q.values = file.in_SI.contains("normal_force") ? Values::coefficients : Values::forces;
+    given.insert(file.in_SI.begin(), file.in_SI.end());
+    if (!file.machine->machine.friction_at_rest) {
+      given.erase("friction_at_rest");
+      given.erase("friction_force_at_rest");
+    }
+  }
+  const std::vector<std::string>& names = names_of(q);
+  require_given(given, {names.begin(), names.end() - 1});
+  for (const std::string& name : names) {
     if (given.contains(name)) {
       const auto [lower, upper] = interval(name, given.at(name));
       q.region.push_back({lower, upper});
@@ -83,7 +95,7 @@ AtlasAsked asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) 
                               AtlasOptions::default_resolution);
   require_understood(q);
   tell_left_out(file);
-  return {q, box.said};
+  return q;
 }
 
 // Whether --plot asks for a mesh that ParaView opens.
@@ -92,23 +104,21 @@ bool is_mesh(const fs::path& plot) {
 }
 
 // What was asked for beside the atlas.
-void write_pictures(const AtlasOptions& o, const AtlasAsked& asked, const std::vector<Leaf>& leaves) {
-  const auto& [q, machine] = asked;
+void write_pictures(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
   if (!o.csv.empty()) {
-    report::tools::write_file(o.csv, report::atlas::to_csv(q, leaves, machine));
+    report::tools::write_file(o.csv, report::atlas::to_csv(q, leaves));
   }
   if (is_mesh(o.plot)) {
-    report::tools::write_file(o.plot, report::atlas::to_vtk(q, leaves, machine));
+    report::tools::write_file(o.plot, report::atlas::to_vtk(q, leaves));
   } else if (!o.plot.empty()) {
-    report::tools::write_plot(
-        o.plot, report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot), machine));
+    report::tools::write_plot(o.plot,
+                              report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot)));
   }
 }
 
-void print_summary(const AtlasOptions& o, const AtlasAsked& asked, const std::vector<Leaf>& leaves) {
-  const auto& [q, machine] = asked;
-  print(o.json ? report::tools::to_text(report::atlas::to_json(q, leaves, machine))
-               : report::atlas::terminal_report(q, leaves, terminal_style(), machine));
+void print_summary(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
+  print(o.json ? report::tools::to_text(report::atlas::to_json(q, leaves))
+               : report::atlas::terminal_report(q, leaves, terminal_style()));
 }
 
 // Before long work.
@@ -285,24 +295,21 @@ void work(const AtlasOptions& o, Cluster& cluster, const Question& q, const fs::
 }
 
 // The atlas in its place and the log gone; without HDF5 a table.
-void keep(const AtlasOptions& o, const AtlasAsked& asked, const std::vector<Leaf>& leaves,
-          const fs::path& log) {
-  const auto& [q, machine] = asked;
+void keep(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves, const fs::path& log) {
   if (report::atlas::has_hdf5()) {
     report::atlas::write_archive(o.out, q, leaves);
     fs::remove_all(log);
     return;
   }
   const std::string table = o.out + ".csv";
-  report::tools::write_file(table, report::atlas::to_csv(q, leaves, machine));
+  report::tools::write_file(table, report::atlas::to_csv(q, leaves));
   tell(fmt::format(
       "stickslip: this program was built without HDF5, which script/bootstrap cluster installs: the "
       "boxes are in {} and {}.",
       table, log.string()));
 }
 
-ExitCode make(const AtlasOptions& o, const AtlasAsked& asked, Cluster& cluster) {
-  const Question& q = asked.question;
+ExitCode make(const AtlasOptions& o, const Question& q, Cluster& cluster) {
   if (o.out.empty()) {
     throw UsageError("--out FILE is missing: where the atlas is to be written");
   }
@@ -330,15 +337,15 @@ ExitCode make(const AtlasOptions& o, const AtlasAsked& asked, Cluster& cluster) 
     put_in_order(q, leaves);
     complete = gaps(leaves).empty();
     if (complete && fs::exists(log)) {
-      keep(o, asked, leaves, log);
+      keep(o, q, leaves, log);
     }
     begun.leaves = std::move(leaves);
     ended = !complete && interrupted();
   }
   if (complete) {
-    write_pictures(o, asked, begun.leaves);
+    write_pictures(o, q, begun.leaves);
   }
-  print_summary(o, asked, begun.leaves);
+  print_summary(o, q, begun.leaves);
   return ended ? exit_interrupted : code_of(q, begun.leaves);
 }
 
@@ -351,7 +358,7 @@ ExitCode run(const AtlasOptions& o, const proofs::methods::Paper& paper) {
   if (!o.sample.empty()) {
     throw UsageError("--sample is for --verify");
   }
-  const AtlasAsked here = asked_of(o, paper);
+  const Question here = asked_of(o, paper);
   Cluster cluster;
   const Jobs limit = jobs(o.jobs);
   try {

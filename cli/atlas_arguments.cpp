@@ -13,8 +13,8 @@ constexpr const char * details =
     "each side at most --resolution times, and say why they are left open. Decided and open\n"
     "volume add up exactly.\n\n"
     "In the file of a machine in SI units each value may be a range, such as \"7..8\",\n"
-    "\"7.5+-0.01\" or \"4+-5%\"; --along replaces it. The box of the data encloses those of all\n"
-    "these machines: where a mass or a stiffness varies it holds more, and that is said.\n\n"
+    "\"7.5+-0.01\" or \"4+-5%\"; --along replaces it. Boxes are then of these values, and what\n"
+    "is proved holds for every machine in them; tables and maps are in SI units.\n\n"
     "What is found is written into OUT.log while the work goes on; whatever happens to the\n"
     "program, --resume goes on from there. The atlas, an HDF5 file, is written when all is\n"
     "done, and the log removed. It is the same whoever made it, in however many parts. Where\n"
@@ -45,8 +45,7 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
       ->allow_extra_args(false)
       ->type_name("NAME A..B");
   add("--units", options.units, "UNITS",
-      "si: tables and maps are in SI units; of a machine in SI units whose masses\nand stiffnesses are "
-      "numbers they always are");
+      "si: tables and maps are in SI units; those of a machine in SI units always\nare");
   add("--resolution", options.resolution, "K",
       fmt::format("Boxes are at least 2^-K of each range: {} by default", AtlasOptions::default_resolution));
   add("--out", options.out, "FILE", "Write the atlas there, and while it grows FILE.log");

@@ -274,7 +274,7 @@ std::vector<std::tuple<std::string, std::string, std::string>> box(const Archive
   const numeric::atlas::Box exact = numeric::atlas::box_of(a.question, a.leaves.at(number).tile);
   std::vector<std::tuple<std::string, std::string, std::string>> result;
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    result.emplace_back(numeric::atlas::parameter_names(*a.question.family)[i], to_string(exact[i].lower),
+    result.emplace_back(numeric::atlas::names_of(a.question)[i], to_string(exact[i].lower),
                         to_string(exact[i].upper));
   }
   return result;

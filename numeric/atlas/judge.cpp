@@ -37,15 +37,18 @@ Where place(const Question& q, const Box& box) {
   const auto above = [&](const Interval& x, const Rational& bound) {
     see(x.lower > bound, x.upper <= bound);
   };
+  if (sticks) {
+    above(belt_of(q, box), 0);
+  }
+  if (q.is_in_SI()) {
+    return where;  // require_understood has seen to the rest
+  }
   above(box[place_of_chi], 0);
   see(box[place_of_chi].upper < 1, box[place_of_chi].lower >= 1);
   above(box[place_of_eta], 0);
   above(box[place_of_us], 0);
   above(box[place_of_omega], 0);
   see(box[place_of_p].lower >= 0, box[place_of_p].upper < 0);
-  if (sticks) {
-    above(box[place_of_V], 0);
-  }
   if (box.size() > place_of_datum && !takes_phi(*q.family)) {
     const Interval& ur = box[place_of_datum];
     see(ur.lower > box[place_of_us].upper, ur.upper <= box[place_of_us].lower);
@@ -77,10 +80,10 @@ class Judge {
 
  public:
   Judge(const Question& q, const Box& box, bool last)
-      : family_(*q.family),
+      : q_(q),
         box_(box),
         last_(last),
-        data_(forms_of<T, S>(box)),
+        data_(forms_of<T, S>(q, box)),
         setting_(setting_of<T>(data_.parameters, T(scalars::pi<S>()))),
         lifted_(setting_.template lifted<Jet>()) {}
 
@@ -88,7 +91,8 @@ class Judge {
     if (!sticks && may_be_resonant(setting_.o)) {
       return open(Reason::resonance);
     }
-    const Sheets found = sticks ? symmetric_sheets(box_) : nonsticking_sheets<T>(setting_, box_);
+    const Sheets found =
+        sticks ? symmetric_sheets(load_of(q_, box_)) : nonsticking_sheets<T>(setting_, belt_of(q_, box_));
     if (const auto * reason = std::get_if<Reason>(&found)) {
       return open(*reason);
     }
@@ -172,9 +176,9 @@ class Judge {
         orbits.emplace_back(*here, &orbit);
       }
     }
-    const bool without_load = box_[place_of_p].is_point() && box_[place_of_p].lower == 0;
+    const bool without_load = load_of(q_, box_).upper == 0;
     for (const auto& [orbit, of_orbit] : orbits) {
-      judge_orbit(family_, orbit, data_.least, without_load, *of_orbit);
+      judge_orbit(*q_.family, orbit, data_.least, without_load, *of_orbit);
       if (last_ && of_orbit->admissible == Truth::undecided && !of_orbit->hope().is_promising) {
         break;
       }
@@ -189,16 +193,18 @@ class Judge {
       return setting_of<T>(data.parameters, T(scalars::pi<S>()));
     };
     const auto steep = steep_zero<S, N>(
-        [&](const T& u, const T& q) { return equation<T>(sheet, setting_at(forms_of<T, S>(box_, k, q)), u); },
+        [&](const T& u, const T& q) {
+          return equation<T>(sheet, setting_at(forms_of<T, S>(q_, box_, k, q)), u);
+        },
         zero, k, data_.axes[static_cast<std::size_t>(k - 1)]);
     if (!steep) {
       return std::nullopt;
     }
-    const Data<T, S> data = forms_of<T, S>(box_, k, steep->q);
+    const Data<T, S> data = forms_of<T, S>(q_, box_, k, steep->q);
     return Orbit::at(sheet, setting_at(data), steep->u, data.datum);
   }
 
-  const families::Family& family_;
+  const Question& q_;
   const Box& box_;
   bool last_;
   Data<T, S> data_;

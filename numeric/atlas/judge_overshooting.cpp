@@ -25,7 +25,7 @@ class Judge {
   Judge(const Question& q, const Box& box, bool last)
       : family_(*q.family),
         last_(last),
-        data_(forms_of<T, S>(box)),
+        data_(forms_of<T, S>(q, box)),
         setting_(Orbit::setting(data_.parameters, *data_.datum)) {}
 
   Finding operator()(Knowledge& known) const {

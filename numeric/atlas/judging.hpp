@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/machine.hpp"
 #include "numeric/atlas/along.hpp"
 #include "numeric/atlas/question.hpp"
 
@@ -31,9 +32,37 @@ struct Data {
   std::vector<T> axes;     // those that vary
 };
 
+// Of machines in SI units, whose values these are, the data by (3), with us as the unit of length.
+template <class T, class S>
+void take_machines(const Question& q, const std::vector<T>& values, Data<T, S>& data) {
+  const auto value = [&](const char * name) -> const T& { return values[place_of(q, name)]; };
+  const bool by_force = q.values == Values::forces;
+  const T sliding =
+      by_force ? value("friction_force_sliding") : T(value("normal_force") * value("friction_sliding"));
+  const T turn = T(S(2) * scalars::pi<S>());
+  const model::Machine<T> machine{value("m1"),
+                                  value("m2"),
+                                  value("k1"),
+                                  value("k2"),
+                                  sliding,
+                                  value("belt_velocity"),
+                                  value("load_amplitude"),
+                                  T(turn * value("load_frequency"))};
+  model::Parameters<T>& a = data.parameters;
+  a = model::dimensionless<T>(machine, T(sqrt(model::Omega_squared<T>(machine))));
+  a.V = a.V / a.us;
+  a.p = a.eta * machine.load_amplitude / sliding;
+  a.us = T(1);
+  if (values.size() == names_of(q).size()) {
+    data.datum = takes_phi(*q.family)
+                     ? values.back()
+                     : T(values.back() / value(by_force ? "friction_force_sliding" : "friction_sliding"));
+  }
+}
+
 // The axes are the variables 1, 2, …, of which the k-th, if k > 0, is `instead`; the others are left free.
 template <class T, class S>
-[[nodiscard]] Data<T, S> forms_of(const Box& box, int k = 0, const T& instead = T()) {
+[[nodiscard]] Data<T, S> forms_of(const Question& q, const Box& box, int k = 0, const T& instead = T()) {
   Data<T, S> data;
   std::vector<T> all;
   double width = 0;  // the largest share of a parameter that a radius is
@@ -53,6 +82,10 @@ template <class T, class S>
     width = std::max(width, middle == 0 ? 1 : radius / std::abs(middle));
   }
   data.least = std::clamp(width / 16, 0x1p-30, 0x1p-5);
+  if (q.is_in_SI()) {
+    take_machines<T, S>(q, all, data);
+    return data;
+  }
   data.parameters = {all[0], all[1], all[2], all[3], all[4], all[5]};
   if (all.size() > place_of_datum) {
     data.datum = all[place_of_datum];

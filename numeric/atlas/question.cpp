@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 
@@ -11,17 +14,82 @@ bool takes_phi(const families::Family& family) {
   return family.why_no_phi.empty();
 }
 
-const std::vector<std::string>& parameter_names(const families::Family& family) {
-  static const std::vector<std::string> with_phi{"chi", "eta", "us", "V", "omega", "p", "phi"};
-  static const std::vector<std::string> with_ur{"chi", "eta", "us", "V", "omega", "p", "ur"};
-  return takes_phi(family) ? with_phi : with_ur;
+const std::vector<std::string>& names_of(const families::Family& family, Values values) {
+  using Names = std::vector<std::string>;
+  static const auto lists = [] {
+    const Names bodies{"m1", "m2", "k1", "k2"};
+    const Names motion{"belt_velocity", "load_amplitude", "load_frequency"};
+    const auto machine = [&](const Names& friction) {
+      Names all = bodies;
+      all.insert(all.end(), friction.begin(), friction.end());
+      all.insert(all.end(), motion.begin(), motion.end());
+      return all;
+    };
+    std::array<std::array<Names, 2>, 3> all;
+    const std::array<const char *, 3> at_rest{"ur", "friction_at_rest", "friction_force_at_rest"};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      all[k].fill(k == 0   ? Names{"chi", "eta", "us", "V", "omega", "p"}
+                  : k == 1 ? machine({"normal_force", "friction_sliding"})
+                           : machine({"friction_force_sliding"}));
+      all[k][0].emplace_back(at_rest[k]);
+      all[k][1].emplace_back("phi");
+    }
+    return all;
+  }();
+  return lists[static_cast<std::size_t>(values)][takes_phi(family) ? 1 : 0];
 }
+
+std::vector<std::string> axis_names(const Question& q) {
+  std::vector<std::string> names;
+  for (const std::size_t axis : q.axes) {
+    names.push_back(names_of(q)[axis]);
+  }
+  return names;
+}
+
+std::size_t place_of(const Question& q, std::string_view name) {
+  const std::vector<std::string>& names = names_of(q);
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+const Interval& belt_of(const Question& q, const Box& box) {
+  return box[q.is_in_SI() ? place_of(q, "belt_velocity") : place_of_V];
+}
+
+const Interval& load_of(const Question& q, const Box& box) {
+  return box[q.is_in_SI() ? place_of(q, "load_amplitude") : place_of_p];
+}
+
+namespace {
+
+void require_machines(const Question& q) {
+  const std::vector<std::string>& names = names_of(q);
+  for (std::size_t i = 0; i < q.region.size(); ++i) {
+    const Rational& least = q.region[i].lower;
+    const bool may_vanish = names[i] == "belt_velocity" || names[i] == "load_amplitude";
+    if (names[i] != "phi" && (least < 0 || (least == 0 && !may_vanish))) {
+      throw DomainError(names[i], to_string(least), names[i] + (may_vanish ? " >= 0" : " > 0"));
+    }
+  }
+  if (takes_phi(*q.family) || q.region.size() < names.size()) {
+    return;
+  }
+  const std::size_t sliding =
+      place_of(q, q.values == Values::forces ? "friction_force_sliding" : "friction_sliding");
+  if (q.region.back().lower <= q.region[sliding].upper) {
+    throw DomainError(
+        names.back(), to_string(q.region.back().lower),
+        fmt::format("greater than {} = {}", names[sliding], to_string(q.region[sliding].upper)));
+  }
+}
+
+}  // namespace
 
 void require_understood(const Question& q) {
   if (q.family->judges == nullptr) {
     throw UsageError(fmt::format("no atlas is made of {} orbits", q.family->name));
   }
-  if (takes_phi(*q.family) && q.region.size() <= place_of_datum) {
+  if (takes_phi(*q.family) && q.region.size() < names_of(q).size()) {
     throw UsageError(fmt::format("an atlas of {} orbits needs phi; u_r is a result", q.family->name));
   }
   if (q.axes.empty() || q.axes.size() > 4) {
@@ -35,6 +103,9 @@ void require_understood(const Question& q) {
         fmt::format("resolution: {} is not from 1 to {}, the most halvings of each of {} "
                     "parameters",
                     q.resolution, most, q.axes.size()));
+  }
+  if (q.is_in_SI()) {
+    require_machines(q);
   }
 }
 
@@ -51,16 +122,24 @@ Box box_of(const Question& q, Tile tile) {
   return box;
 }
 
+std::string Interval::text() const {
+  return is_point() ? to_string(lower) : to_string(lower) + ".." + to_string(upper);
+}
+
 std::string text_of(const Question& q) {
-  std::string text = q.family->name;
+  std::string options, file;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
-    const Interval& range = q.region[i];
-    text += fmt::format(" --{} {}", parameter_names(*q.family)[i], to_string(range.lower));
-    if (!range.is_point()) {
-      text += ".." + to_string(range.upper);
+    const std::string& name = names_of(q)[i];
+    if (q.is_in_SI() && name != "phi") {
+      file += fmt::format(" '{} = \"{}\"'", name, q.region[i].text());
+    } else {
+      options += fmt::format(" --{} {}", name, q.region[i].text());
     }
   }
-  return text + fmt::format(" --resolution {}", q.resolution);
+  if (q.is_in_SI()) {
+    file = fmt::format(" --params <(printf '%s\\n'{})", file);
+  }
+  return fmt::format("{}{}{} --resolution {}", q.family->name, file, options, q.resolution);
 }
 
 std::string sentence_of(const families::Family& family, std::uint8_t reason) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/rational.hpp"
@@ -16,9 +17,15 @@ namespace stickslip::numeric::atlas {
 struct Interval {
   Rational lower, upper;
   [[nodiscard]] bool is_point() const { return lower == upper; }
+  [[nodiscard]] std::string text() const;  // "A..B", or the number
 };
 
-// chi, eta, us, V, omega, p and, if it is given, one datum more: phi for a family that takes it, else ur.
+// What a rectangle is of: the data of (2), or the values of a machine in SI units, whose friction is two
+// coefficients of a normal force, or two forces.
+enum class Values { data, coefficients, forces };
+
+// One interval for each of names_of, but for the last, which may be missing. Of the data these are chi, eta,
+// us, V, omega, p and, if it is given, one datum more: phi for a family that takes it, else ur.
 using Box = std::vector<Interval>;
 inline constexpr std::size_t place_of_chi = 0, place_of_eta = 1, place_of_us = 2, place_of_V = 3,
                              place_of_omega = 4, place_of_p = 5, place_of_datum = 6;
@@ -28,23 +35,36 @@ struct Question {
   Box region;
   std::vector<std::size_t> axes;  // the places in `region` of what varies, one to four
   int resolution = 12;            // each axis is halved so many times at most
+  Values values = Values::data;
 
+  [[nodiscard]] bool is_in_SI() const { return values != Values::data; }
   [[nodiscard]] int finest() const { return resolution * static_cast<int>(axes.size()); }
 };
 
 [[nodiscard]] bool takes_phi(const families::Family& family);
 
-// In the order of a Box, all seven.
-[[nodiscard]] const std::vector<std::string>& parameter_names(const families::Family& family);
+// In the order of a Box, all of them; those of a machine in SI units as its file has them.
+[[nodiscard]] const std::vector<std::string>& names_of(const families::Family& family, Values values);
+[[nodiscard]] inline const std::vector<std::string>& names_of(const Question& question) {
+  return names_of(*question.family, question.values);
+}
+[[nodiscard]] std::vector<std::string> axis_names(const Question& question);
+// Where in a Box the name, one of these, stands.
+[[nodiscard]] std::size_t place_of(const Question& question, std::string_view name);
+// The velocity of the belt and the load's amplitude: V and p, or what is a positive multiple of them for a
+// machine.
+[[nodiscard]] const Interval& belt_of(const Question& question, const Box& box);
+[[nodiscard]] const Interval& load_of(const Question& question, const Box& box);
 
 // Throws UsageError unless a family that atlases can be made of is asked about, one to four parameters vary,
-// and the finest tiles have at most most_depth halvings.
+// and the finest tiles have at most most_depth halvings; DomainError unless all values of machines in SI
+// units are those of one: > 0, of the belt and the load >= 0, and friction at rest exceeds sliding friction.
 void require_understood(const Question& question);
 
-// The parameters of a tile, exactly.
+// The parameters of a tile, or the values of machines, exactly.
 [[nodiscard]] Box box_of(const Question& question, Tile tile);
 
-// The question in one line that says all of it, for files.
+// The question in one line that says all of it, for files; what follows `stickslip atlas` in bash.
 [[nodiscard]] std::string text_of(const Question& question);
 
 // Why a box is left open.

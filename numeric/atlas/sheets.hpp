@@ -139,10 +139,9 @@ template <class T>
 // All sheets, the same for every member, or why that is not known.
 using Sheets = std::variant<std::vector<Sheet>, Reason>;
 
-// Of symmetric orbits: with p = 0 both load phases have the same orbits.
-[[nodiscard]] inline Sheets symmetric_sheets(const Box& box) {
+// Of symmetric orbits: with p = 0 both load phases have the same orbits. p: of the load, as load_of tells.
+[[nodiscard]] inline Sheets symmetric_sheets(const Interval& p) {
   using Kind = Sheet::Kind;
-  const Interval& p = box[place_of_p];
   if (p.lower == 0 && p.upper > 0) {
     return Reason::no_load;
   }
@@ -150,11 +149,10 @@ using Sheets = std::variant<std::vector<Sheet>, Reason>;
                       : std::vector<Sheet>{{Kind::symmetric, 1}, {Kind::symmetric, -1}};
 }
 
-// Of orbits that never stick.
+// Of orbits that never stick. V: of the belt, as belt_of tells.
 template <class T>
-[[nodiscard]] Sheets nonsticking_sheets(const Setting<T>& s, const Box& box) {
+[[nodiscard]] Sheets nonsticking_sheets(const Setting<T>& s, const Interval& V) {
   using Kind = Sheet::Kind;
-  const Interval& V = box[place_of_V];
   if (V.lower > 0 || V.upper < 0) {
     return std::vector<Sheet>{{Kind::moving}};
   }

@@ -177,15 +177,11 @@ void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leav
   for (const tools::Component& library : tools::libraries()) {
     libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", library.name, library.version);
   }
-  std::vector<std::string> axes;
-  for (const std::size_t axis : q.axes) {
-    axes.push_back(parameter_names(*q.family)[axis]);
-  }
   std::vector<std::string> names;
   std::vector<std::string> lower;
   std::vector<std::string> upper;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
-    names.push_back(parameter_names(*q.family)[i]);
+    names.push_back(names_of(q)[i]);
     lower.push_back(to_string(q.region[i].lower));
     upper.push_back(to_string(q.region[i].upper));
   }
@@ -194,7 +190,7 @@ void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leav
   put(file, "libraries", libraries);
   put(file, "command", "stickslip atlas " + text_of(q));
   put(file, "family", q.family->name);
-  put(file, "axes", axes);
+  put(file, "axes", axis_names(q));
   put(file, "parameters", names);
   put(file, "lower", lower);
   put(file, "upper", upper);
@@ -269,20 +265,25 @@ Question question_of(hid_t file) {
   const std::vector<std::string> names = texts(file, "parameters");
   const std::vector<std::string> lower = texts(file, "lower");
   const std::vector<std::string> upper = texts(file, "upper");
-  const auto& known = parameter_names(*q.family);
-  if (names.size() < place_of_datum || names.size() > known.size() || lower.size() != names.size() ||
-      upper.size() != names.size() || !std::equal(names.begin(), names.end(), known.begin())) {
+  const auto are_values = [&](Values values) {
+    const std::vector<std::string>& known = names_of(*q.family, values);
+    return names.size() + 1 >= known.size() && names.size() <= known.size() &&
+           std::equal(names.begin(), names.end(), known.begin());
+  };
+  constexpr std::array kinds{Values::data, Values::coefficients, Values::forces};
+  const auto * const kind = std::find_if(kinds.begin(), kinds.end(), are_values);
+  if (kind == kinds.end() || lower.size() != names.size() || upper.size() != names.size()) {
     throw InputOutputError("its parameters are not those of an atlas");
   }
+  q.values = *kind;
   for (std::size_t i = 0; i < names.size(); ++i) {
     q.region.push_back({parse_rational(lower[i]), parse_rational(upper[i])});
-  }
-  for (const std::string& axis : texts(file, "axes")) {
-    const auto found = std::find(names.begin(), names.end(), axis);
-    if (found == names.end()) {
-      throw InputOutputError("its axes are none of its parameters");
+    if (!q.region.back().is_point()) {
+      q.axes.push_back(i);
     }
-    q.axes.push_back(static_cast<std::size_t>(found - names.begin()));
+  }
+  if (texts(file, "axes") != axis_names(q)) {
+    throw InputOutputError("its axes are not those of its parameters that vary");
   }
   q.resolution = number(file, "resolution");
   require_understood(q);

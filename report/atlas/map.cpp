@@ -88,10 +88,31 @@ std::vector<std::size_t> painted(const std::vector<Leaf>& leaves, const Legend& 
   return shown;
 }
 
+// What does not vary, for the title: lines that fit.
+std::string fixed(const Question& q) {
+  constexpr std::size_t longest = 90;
+  std::string text;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < q.region.size(); ++i) {
+    if (!q.region[i].is_point()) {
+      continue;
+    }
+    const std::string& name = names_of(q)[i];
+    const std::string value = to_string(q.region[i].lower);
+    const std::string one = q.is_in_SI() ? orbits::with_unit(name, value) : name + "=" + value;
+    text += text.empty() ? "" : ", ";
+    if (q.is_in_SI() && (begin == 0 || text.size() - begin + one.size() > longest)) {
+      text += "\\n";
+      begin = text.size();
+    }
+    text += one;
+  }
+  return q.is_in_SI() ? text : tools::in_greek(text);
+}
+
 }  // namespace
 
-std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tools::PlotFormat format,
-                        const Machine& machine) {
+std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tools::PlotFormat format) {
   if (q.axes.size() != 2) {
     throw UsageError("plot: a map needs two parameters that vary");
   }
@@ -104,9 +125,9 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval& range = q.region[q.axes[k]];
     const std::size_t axis = q.axes[k];
-    ends[k] = {machine.value_of(q, axis, range.lower), machine.value_of(q, axis, range.upper)};
+    ends[k] = {range.lower.get_d(), range.upper.get_d()};
     const std::string name = k == 0 ? "x" : "y";
-    const std::string said = machine.name_of(q, axis);
+    const std::string said = names_of(q)[axis];
     data[name] = said + orbits::in_unit_of(said);
     data[name + "_from"] = fmt::format("{:.9g}", ends[k].first);
     data[name + "_to"] = fmt::format("{:.9g}", ends[k].second);
@@ -133,14 +154,7 @@ std::string plot_script(const Question& q, const std::vector<Leaf>& leaves, tool
   data["palette"] = colours;
   data["count"] = legend.kinds.size();
   data["last"] = fmt::format("{}.5", legend.kinds.size() - 1);
-  std::string fixed;
-  for (std::size_t i = 0; i < q.region.size(); ++i) {
-    if (q.region[i].is_point()) {
-      fixed += fmt::format("{}{}={}", fixed.empty() ? "" : ", ", parameter_names(*q.family)[i],
-                           to_string(q.region[i].lower));
-    }
-  }
-  data["title"] = fmt::format("How many {} orbits there are, at {}", q.family->name, tools::in_greek(fixed));
+  data["title"] = fmt::format("How many {} orbits there are, at {}", q.family->name, fixed(q));
   return tools::render_file("map.gp", data, tools::plain_format);
 }
 

@@ -19,10 +19,6 @@ using tools::Json;
 
 namespace {
 
-std::string text_of(const Interval& range) {
-  return range.is_point() ? to_string(range.lower) : to_string(range.lower) + ".." + to_string(range.upper);
-}
-
 std::string percent(std::uint64_t volume) {
   return fmt::format("{:.4f} %", 100 * share(volume).get_d());
 }
@@ -41,15 +37,12 @@ std::vector<std::pair<Key, std::uint64_t>> by_volume(const std::map<Key, std::ui
   return rows;
 }
 
-std::string parameters_of(const Question& q, bool fixed_only) {
+std::string parameters_of(const Question& q) {
   std::string text;
   for (std::size_t i = 0; i < q.region.size(); ++i) {
-    if (!fixed_only || q.region[i].is_point()) {
-      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter_names(*q.family)[i],
-                          text_of(q.region[i]));
-    }
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", names_of(q)[i], q.region[i].text());
   }
-  return text;
+  return text + (q.is_in_SI() ? " in SI units" : "");
 }
 
 }  // namespace
@@ -63,24 +56,7 @@ std::vector<std::string> all_reasons(const numeric::families::Family& family) {
   return sentences;
 }
 
-std::string Machine::name_of(const Question& q, std::size_t place) const {
-  const std::string& datum = parameter_names(*q.family)[place];
-  const auto found = axes.find(datum);
-  return found == axes.end() ? datum : found->second.name;
-}
-
-double Machine::value_of(const Question& q, std::size_t place, const Rational& value) const {
-  const auto found = axes.find(parameter_names(*q.family)[place]);
-  return found == axes.end() ? value.get_d() : (Ball(value) * found->second.factor).approximate();
-}
-
-std::string Machine::text_of(const Question& q, std::size_t place, const Rational& value) const {
-  return axes.contains(parameter_names(*q.family)[place]) ? fmt::format("{:.15g}", value_of(q, place, value))
-                                                          : to_string(value);
-}
-
-std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, const tools::Style& style,
-                            const Machine& machine) {
+std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, const tools::Style& style) {
   const Tally all = tally(q, leaves);
   const std::uint64_t missing = volume(whole) - all.covered();
   std::string decided = fmt::format("{} of the volume", percent(all.decided));
@@ -93,22 +69,10 @@ std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, 
           : fmt::format("{}; known there in part: orbits in {} of the volume, admissible ones in {}",
                         percent(all.open), percent(all.orbits_known), percent(all.admissible_known));
   std::vector<tools::Row> head{
-      {{"parameters"}, {parameters_of(q, false)}},
+      {{q.is_in_SI() ? "machines" : "parameters"}, {parameters_of(q)}},
       {{"boxes"}, {fmt::format("{}, each side halved {} times at most", all.leaves, q.resolution)}},
       {{"decided"}, {decided}},
       {{"open"}, {open}}};
-  if (!machine.values.empty()) {
-    std::string text;
-    for (const auto& [name, value] : machine.values) {
-      text += fmt::format("{}={}, ", name, value);
-    }
-    head.insert(
-        head.begin(),
-        {{"machines"},
-         {text + (machine.holds_more ? "in SI units: the box of the parameters encloses their data, and "
-                                       "holds those of more machines"
-                                     : "in SI units: the box of the parameters is that of their data")}});
-  }
   if (missing > 0) {
     head.push_back(
         {{"missing"}, {fmt::format("{} was not looked at; go on with --resume", percent(missing))}});
@@ -132,28 +96,17 @@ std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, 
   return text;
 }
 
-Json to_json(const Question& q, const std::vector<Leaf>& leaves, const Machine& machine) {
+Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
   const Tally all = tally(q, leaves);
   const auto exact = [](std::uint64_t v) { return share(v).get_str(); };
   Json json = tools::provenance("stickslip atlas " + numeric::atlas::text_of(q));
   json["family"] = q.family->name;
-  json["axes"] = tools::list_of(q.axes, [&](std::size_t axis) { return parameter_names(*q.family)[axis]; });
+  json["axes"] = axis_names(q);
   for (std::size_t i = 0; i < q.region.size(); ++i) {
-    json["parameters"][parameter_names(*q.family)[i]] = text_of(q.region[i]);
+    json["parameters"][names_of(q)[i]] = q.region[i].text();
   }
-  if (!machine.values.empty()) {
-    json["machine"] = {
-        {"values", Json::object()}, {"holds_more", machine.holds_more}, {"si", Json::object()}};
-    for (const auto& [name, value] : machine.values) {
-      json["machine"]["values"][name] = value;
-    }
-    for (const std::size_t axis : q.axes) {
-      const std::string& datum = parameter_names(*q.family)[axis];
-      if (const auto found = machine.axes.find(datum); found != machine.axes.end()) {
-        json["machine"]["si"][datum] = {{"name", found->second.name},
-                                        {"factor", orbits::to_json(found->second.factor, 20)}};
-      }
-    }
+  if (q.is_in_SI()) {
+    json["units"] = "si";
   }
   json["resolution"] = q.resolution;
   json["boxes"] = all.leaves;
@@ -174,18 +127,17 @@ Json to_json(const Question& q, const std::vector<Leaf>& leaves, const Machine& 
   return json;
 }
 
-std::string to_csv(const Question& q, const std::vector<Leaf>& leaves, const Machine& machine) {
+std::string to_csv(const Question& q, const std::vector<Leaf>& leaves) {
   std::string text;
-  for (const std::size_t axis : q.axes) {
-    text += fmt::format("{0}_from,{0}_to,", machine.name_of(q, axis));
+  for (const std::string& axis : axis_names(q)) {
+    text += fmt::format("{0}_from,{0}_to,", axis);
   }
   text += "orbits,admissible,stable,reason\n";
   const auto count = [](std::int8_t n) { return n < 0 ? std::string() : std::to_string(n); };
   for (const Leaf& leaf : leaves) {
     const Box box = box_of(q, leaf.tile);
     for (const std::size_t axis : q.axes) {
-      text +=
-          machine.text_of(q, axis, box[axis].lower) + "," + machine.text_of(q, axis, box[axis].upper) + ",";
+      text += to_string(box[axis].lower) + "," + to_string(box[axis].upper) + ",";
     }
     const Finding& f = leaf.finding;
     text += fmt::format("{},{},{},{}\n", count(f.orbits), count(f.admissible), count(f.stable),
@@ -194,7 +146,7 @@ std::string to_csv(const Question& q, const std::vector<Leaf>& leaves, const Mac
   return text;
 }
 
-std::string to_vtk(const Question& q, const std::vector<Leaf>& leaves, const Machine& machine) {
+std::string to_vtk(const Question& q, const std::vector<Leaf>& leaves) {
   constexpr std::array types{3, 8, 11};  // a line, a rectangle and a cuboid along the axes
   const std::size_t axes = q.axes.size();
   if (axes > types.size()) {
@@ -210,7 +162,7 @@ std::string to_vtk(const Question& q, const std::vector<Leaf>& leaves, const Mac
       std::array<double, 3> x{};
       for (std::size_t k = 0; k < axes; ++k) {
         const Interval& side = box[q.axes[k]];
-        x[k] = machine.value_of(q, q.axes[k], ((corner >> k) & 1) == 0 ? side.lower : side.upper);
+        x[k] = (((corner >> k) & 1) == 0 ? side.lower : side.upper).get_d();
       }
       text += fmt::format("{:.17g} {:.17g} {:.17g}\n", x[0], x[1], x[2]);
     }

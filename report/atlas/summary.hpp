@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "numeric/atlas/cover.hpp"
-#include "report/atlas/machine.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
@@ -18,31 +17,27 @@ namespace stickslip::report::atlas {
 // How much is decided, and what is found where; for leaves that need not cover the whole.
 [[nodiscard]] std::string terminal_report(const numeric::atlas::Question& question,
                                           const std::vector<numeric::atlas::Leaf>& leaves,
-                                          const tools::Style& style, const Machine& machine = {});
+                                          const tools::Style& style);
 
-// {"family", "axes", "parameters", "resolution", "boxes", "volume": {"decided", "outside", "open",
-// "not_examined"}, "counts": [{"orbits", "admissible", "stable", "volume"}], "reasons": [{"reason",
-// "volume"}]} with volumes as exact fractions of the whole; of a machine "machine": {"values", "holds_more",
-// "si": {datum: {"name", "factor"}}}.
+// {"family", "axes", "parameters", "units"?: "si", "resolution", "boxes", "volume": {"decided", "outside",
+// "open", "not_examined"}, "counts": [{"orbits", "admissible", "stable", "volume"}], "reasons": [{"reason",
+// "volume"}]} with volumes as exact fractions of the whole.
 [[nodiscard]] tools::Json to_json(const numeric::atlas::Question& question,
-                                  const std::vector<numeric::atlas::Leaf>& leaves,
-                                  const Machine& machine = {});
+                                  const std::vector<numeric::atlas::Leaf>& leaves);
 
-// A row for each leaf: the ends of its axes, exactly but where they are in SI units, and what is found.
+// A row for each leaf: the exact ends of its axes, and what is found.
 [[nodiscard]] std::string to_csv(const numeric::atlas::Question& question,
-                                 const std::vector<numeric::atlas::Leaf>& leaves,
-                                 const Machine& machine = {});
+                                 const std::vector<numeric::atlas::Leaf>& leaves);
 
 // For gnuplot, of an atlas with two axes. Throws UsageError for another.
 [[nodiscard]] std::string plot_script(const numeric::atlas::Question& question,
                                       const std::vector<numeric::atlas::Leaf>& leaves,
-                                      tools::PlotFormat format, const Machine& machine = {});
+                                      tools::PlotFormat format);
 
 // The boxes as a mesh for ParaView and other readers of VTK's legacy format: lines, rectangles or cuboids in
 // the space of the axes (of which x is the first), with orbits, admissible, stable (-1: not known) and the
 // number of the reason (0: decided). Throws UsageError for more than three axes.
 [[nodiscard]] std::string to_vtk(const numeric::atlas::Question& question,
-                                 const std::vector<numeric::atlas::Leaf>& leaves,
-                                 const Machine& machine = {});
+                                 const std::vector<numeric::atlas::Leaf>& leaves);
 
 }  // namespace stickslip::report::atlas

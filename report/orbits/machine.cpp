@@ -133,6 +133,11 @@ std::string in_unit_of(const std::string& name) {
   return found == units.end() ? "" : std::string(" in ") + found->second;
 }
 
+std::string with_unit(const std::string& name, const std::string& value) {
+  const std::string in_unit = in_unit_of(name);
+  return name + " = " + value + (in_unit.empty() ? "" : in_unit.substr(std::string(" in").size()));
+}
+
 std::vector<Row> machine_rows(const DataTaken& taken, int digits) {
   return {{{"machine"}, {fmt::format("{}", fmt::join(in_SI(taken.machine), ", "))}},
           {{"natural"}, {natural_frequencies(taken, digits)}},

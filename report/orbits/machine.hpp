@@ -32,6 +32,8 @@ inline constexpr int digits_of_machine = 8;
 
 // " in kg", "" for a coefficient: of a value of a machine in SI units, by its name in the machine's file.
 [[nodiscard]] std::string in_unit_of(const std::string& name);
+// "m1 = 4 kg", of the same.
+[[nodiscard]] std::string with_unit(const std::string& name, const std::string& value);
 
 // What the terminal's report is made of: a label and a sentence each.
 [[nodiscard]] std::vector<tools::Row> machine_rows(const numeric::DataTaken& taken,

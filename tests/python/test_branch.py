@@ -99,6 +99,21 @@ def test_an_atlas_is_read_as_the_program_wrote_it(atlas_file):
     assert "<svg" in atlas._repr_svg_()
 
 
+def test_an_atlas_of_machines_has_the_values_of_their_file(tmp_path):
+    (tmp_path / "machine.toml").write_text("""
+        m1 = 4\nm2 = 1\nk1 = "320+-1%"\nk2 = 80\nfriction_force_sliding = 0.02
+        belt_velocity = 0.01\nload_amplitude = "0.1+-1%"\nload_frequency = 1.1""")
+    program("atlas", "nonsticking", f"--params={tmp_path / 'machine.toml'}", "--resolution=2",
+            f"--out={tmp_path / 'a.h5'}")
+    if not (tmp_path / "a.h5").exists():
+        pytest.skip("the program was built without HDF5")
+    atlas = stickslip.atlas(tmp_path / "a.h5")
+    assert atlas.axes == ("k1", "load_amplitude") and atlas.json["units"] == "si"
+    boxes = [atlas.box(i) for i in range(len(atlas))]
+    assert min(box["k1"][0] for box in boxes) == Fraction("316.8") and boxes[0]["m1"] == (4, 4)
+    assert "load_amplitude in N" in atlas.svg()
+
+
 def test_what_is_no_atlas_is_refused(tmp_path):
     with pytest.raises(stickslip.InputOutputError, match="none.h5"):
         stickslip.atlas(tmp_path / "none.h5")

@@ -14,6 +14,7 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
+#include "numeric/machine.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/scalars/form.hpp"
 
@@ -31,8 +32,9 @@ Interval interval(const std::string& text) {
   return {parse_rational(text.substr(0, dots)), parse_rational(text.substr(dots + 2))};
 }
 
-Question question(const families::Family& family, const std::vector<std::string>& data, int resolution) {
-  Question q{&family, {}, {}, resolution};
+Question question(const families::Family& family, const std::vector<std::string>& data, int resolution,
+                  Values values = Values::data) {
+  Question q{&family, {}, {}, resolution, values};
   for (const std::string& text : data) {
     q.region.push_back(interval(text));
     if (!q.region.back().is_point()) {
@@ -42,12 +44,43 @@ Question question(const families::Family& family, const std::vector<std::string>
   return q;
 }
 
-// The list at the corner of a box, or at a point within it.
+// The machine in SI units that has these values.
+MachineInSI machine_of(const Question& q, const std::vector<Rational>& at) {
+  const auto value = [&](const char * name) { return at.at(place_of(q, name)); };
+  const Rational normal = q.values == Values::forces ? Rational(1) : value("normal_force");
+  MachineInSI machine{
+      value("m1"),
+      value("m2"),
+      value("k1"),
+      value("k2"),
+      normal * value(q.values == Values::forces ? "friction_force_sliding" : "friction_sliding"),
+      {},
+      value("belt_velocity"),
+      value("load_amplitude"),
+      value("load_frequency")};
+  if (at.size() == names_of(q).size() && !takes_phi(*q.family)) {
+    machine.friction_at_rest = normal * at.back();
+  }
+  return machine;
+}
+
+// The list at the corner of a box, or at a point within it; of machines, whose data are rounded, within it.
 OrbitList list_at(const Question& q, const Box& box, std::mt19937_64& random) {
   std::vector<Rational> at;
   for (const Interval& side : box) {
-    at.push_back(side.lower +
-                 (side.upper - side.lower) * Rational(static_cast<unsigned long>(random() % 9), 8));
+    const auto eighths = static_cast<unsigned long>(q.is_in_SI() ? 1 + random() % 7 : random() % 9);
+    at.push_back(side.lower + (side.upper - side.lower) * Rational(eighths, 8));
+  }
+  if (q.is_in_SI()) {
+    const DataTaken taken = data_taken(machine_of(q, at));
+    const motion::ExactParameters& a = taken.data;
+    OrbitQuestion asked{q.family, {{a.chi}, {a.eta}, {a.us}, {a.V}, {a.omega}, {a.p}}, {}, {}, 20};
+    if (takes_phi(*q.family)) {
+      asked.phi = Range{at.back()};
+    } else if (taken.ur) {
+      asked.ur = Range{*taken.ur};
+    }
+    return list_orbits(asked);
   }
   OrbitQuestion asked{q.family, {{at[0]}, {at[1]}, {at[2]}, {at[3]}, {at[4]}, {at[5]}}, {}, {}, 20};
   if (at.size() > place_of_datum) {
@@ -127,6 +160,63 @@ TEST_CASE("Leaves say what the lists of orbits say at points in them") {
                      30) > 0);
 }
 
+TEST_CASE("Leaves of machines in SI units say what the lists of orbits of machines in them say") {
+  const auto machines = [](const families::Family& family, const std::vector<std::string>& values,
+                           int resolution, Values kind) {
+    Question q = question(family, values, resolution, kind);
+    require_understood(q);
+    return q;
+  };
+  const families::Family& S = families::symmetric();
+  const families::Family& P = families::nonsticking();
+  const families::Family& O = families::overshooting();
+  // Masses and stiffnesses, with a moving belt and at rest; friction by coefficients and by forces.
+  CHECK(
+      check_leaves(machines(S, {"3.5..4.1", "1", "180..216", "200", "0.1", "0.08", "0.01", "0.0105", "0.93"},
+                            6, Values::coefficients),
+                   60) > 0);
+  CHECK(check_leaves(
+            machines(P, {"3.8..4.2", "1", "304..336", "80", "0.02", "0.01", "0.1", "1.1"}, 5, Values::forces),
+            40) > 0);
+  CHECK(check_leaves(
+            machines(P,
+                     {"4", "0.9..1.1", "280", "110..130", "0.1", "0.4..0.41", "0", "0.1", "0.95", "0.5..0.8"},
+                     4, Values::coefficients),
+            60) > 0);
+  CHECK(check_leaves(
+            machines(O, {"4", "1", "320", "80..80.2", "0.1", "0.2", "0.01", "0.005", "1.0009..1.0012", "0"},
+                     4, Values::coefficients),
+            20) > 0);
+}
+
+TEST_CASE("The forms of a box of machines contain the data of those in it, however these vary together") {
+  using T = Form<HardwareBall, 5>;
+  const Question q =
+      question(families::nonsticking(),
+               {"4", "0.5..2", "100..400", "50..90", "0.1", "0.3", "0.01", "0.02..0.05", "1.1", "0.4"}, 1,
+               Values::coefficients);
+  CHECK(axis_names(q) == std::vector<std::string>{"m2", "k1", "k2", "load_amplitude"});
+  const Data<T, HardwareBall> forms = forms_of<T, HardwareBall>(q, q.region);
+  std::mt19937_64 random(19);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Rational> at;
+    for (const Interval& side : q.region) {
+      at.push_back(side.lower +
+                   (side.upper - side.lower) * Rational(static_cast<unsigned long>(random() % 9), 8));
+    }
+    const DataTaken taken = data_taken(machine_of(q, at));
+    const motion::ExactParameters& a = taken.data;  // omega and V to 20 digits, more than doubles have
+    const auto contains = [](const T& form, const Rational& x) { return form.over.ball().contains(x); };
+    CHECK(contains(forms.parameters.chi, a.chi));
+    CHECK(contains(forms.parameters.eta, a.eta));
+    CHECK(contains(forms.parameters.us, Rational(1)));
+    CHECK(contains(forms.parameters.V, Rational(a.V / a.us)));
+    CHECK(contains(forms.parameters.omega, a.omega));
+    CHECK(contains(forms.parameters.p, Rational(a.p / a.us)));
+    CHECK(contains(*forms.datum, Rational(*taken.ur / a.us)));
+  }
+}
+
 // Nothing is known beforehand.
 Finding judge_alone(const Question& q, Tile tile, Balls balls) {
   Knowledge nothing;
@@ -178,6 +268,16 @@ TEST_CASE("What no verdict may be given on is left open, with its reason") {
   CHECK(reason(P, {"0.3", "4", "0.1", "0", "0.7..0.71", "1", "0.2"}) == Reason::resonance);
   CHECK(reason(S, {"0.5", "3.8", "0.02", "1", "0.7", "0..0.0001"}) == Reason::no_load);
   CHECK(reason(P, {"0.3", "4", "0.1", "-0.001..0.001", "0.6", "1"}) == Reason::belt_at_rest);
+  // Of machines: what the belt and the load do.
+  const auto of_machine = [](const families::Family& family, const char * belt, const char * load,
+                             const char * m1) {
+    const Question q = question(family, {m1, "1", "320", "80", "0.02", belt, load, "1.1"}, 1, Values::forces);
+    return static_cast<Reason>(judge_alone(q, whole, Balls::both).reason);
+  };
+  CHECK(of_machine(S, "0", "0.1", "4..4.1") == Reason::outside);
+  CHECK(of_machine(S, "0..0.1", "0.1", "4") == Reason::reaches_out);
+  CHECK(of_machine(P, "0..0.0001", "0.1", "4") == Reason::belt_at_rest);
+  CHECK(of_machine(S, "0.01", "0..0.0001", "4") == Reason::no_load);
 }
 
 TEST_CASE(
@@ -365,10 +465,10 @@ TEST_CASE("The forms of a box contain its ends") {
        {Interval{third, third + tiny}, Interval{Rational(0), tiny}, Interval{-third, third},
         Interval{Rational(-2) / 7, Rational(-2) / 7 + Rational(1, 1000)}}) {
     const Box box{interval("0.5"), interval("3.8"), interval("0.02"), interval("1"), side, interval("0.1")};
-    const Ball omega = forms_of<T, HardwareBall>(box).parameters.omega.over.ball();
+    const Ball omega = forms_of<T, HardwareBall>(Question(), box).parameters.omega.over.ball();
     CHECK(omega.contains(side.lower));
     CHECK(omega.contains(side.upper));
-    CHECK(forms_of<T, HardwareBall>(box).parameters.p.at.ball().contains(box[place_of_p].lower));
+    CHECK(forms_of<T, HardwareBall>(Question(), box).parameters.p.at.ball().contains(box[place_of_p].lower));
   }
 }
 

@@ -177,6 +177,20 @@ TEST_CASE("Questions that no atlas answers are refused") {
   q = near_S(12);
   q.family = &families::overshooting();
   CHECK_THROWS_AS(require_understood(q), UsageError);
+  // Machines are ones all over the ranges.
+  const auto machines = [](Interval m1, Interval belt, Interval at_rest) {
+    const auto one = [](const Rational& x) { return Interval{x, x}; };
+    return Question{&families::nonsticking(),
+                    {m1, one(1), one(320), one(80), one(1), one(2), belt, one(1), one(1), at_rest},
+                    {0},
+                    12,
+                    Values::coefficients};
+  };
+  require_understood(machines({3, 4}, {0, 1}, {3, 4}));
+  CHECK_THROWS_AS(require_understood(machines({0, 4}, {0, 1}, {3, 4})), DomainError);
+  CHECK_THROWS_AS(require_understood(machines({3, 4}, {-1, 1}, {3, 4})), DomainError);
+  CHECK_THROWS_WITH_AS(require_understood(machines({3, 4}, {0, 1}, {2, 4})),
+                       doctest::Contains("greater than friction_sliding = 2"), DomainError);
   // A family with a stick that no atlas knows is not judged by the equations of another.
   families::Family fourth;
   fourth.name = "fourth";

@@ -74,7 +74,8 @@ FORMS = {
         "atlas overshooting --example O --phi 0 --omega 0.5..0.51 --p 0.05..0.051 --resolution 3 --out ATLAS2",
         "atlas symmetric --example S --omega 0.55..0.57 --resolution 6 --time-limit 0.001 --out ATLAS3",
         "atlas symmetric --example S --omega 0.55..0.57 --resolution 6 --resume --out ATLAS3",
-        "atlas nonsticking --params RANGES --resolution 1 --out ATLAS4"
+        "atlas nonsticking --params RANGES --resolution 1 --out ATLAS4",
+        "atlas nonsticking --params RANGES --along k1 1..1.1 --resolution 1 --out ATLAS5"
     ],
 }
 
@@ -106,7 +107,8 @@ def main():
     said = []
     with tempfile.TemporaryDirectory() as directory:
         places = {name: str(pathlib.Path(directory, name))
-                  for name in ("MACHINE", "FORCES", "SAMPLES", "ATLAS", "ATLAS1", "ATLAS2", "ATLAS3", "ATLAS4", "RANGES")}
+                  for name in ("MACHINE", "FORCES", "SAMPLES", "ATLAS", "ATLAS1", "ATLAS2", "ATLAS3", "ATLAS4", "ATLAS5",
+                               "RANGES")}
         pathlib.Path(places["MACHINE"]).write_text(MACHINE)
         pathlib.Path(places["FORCES"]).write_text(FORCES)
         pathlib.Path(places["RANGES"]).write_text(MACHINE.replace("load_frequency = 0.5", 'load_frequency = "0.5+-0.001"'))
