@@ -214,22 +214,24 @@ ExitCode verify(const AtlasOptions& o) {
   const std::vector<Second> results = parallel_map(sample.size(), [&](std::size_t i) {
     return interrupted() ? Second::silent : look_again(archive, sample[i]);
   });
-  std::string text;
-  std::array<std::size_t, 3> counts{};
+  report::atlas::Verification found;
+  found.boxes = archive.leaves.size();
   for (std::size_t i = 0; i < sample.size(); ++i) {
-    ++counts[static_cast<std::size_t>(results[i])];
     if (results[i] == Second::contradicted) {
-      text += report::atlas::to_csv(q, {sample[i]});
+      found.contradicted.push_back(sample[i]);
+    } else {
+      ++(results[i] == Second::confirmed ? found.confirmed : found.not_decided_again);
     }
   }
-  print(
-      fmt::format("{} boxes, of which {} were proved again: {} confirmed, {} contradicted, {} not decided "
-                  "again\n{}",
-                  archive.leaves.size(), sample.size(), counts[0], counts[1], counts[2], text));
+  const std::string command = fmt::format("stickslip atlas --verify {} --sample {}", o.verify, wanted);
+  print(o.json ? report::tools::to_text(report::atlas::to_json(q, found, command))
+               : report::atlas::terminal_report(q, found));
   if (interrupted()) {
     return exit_interrupted;
   }
-  return counts[1] > 0 ? exit_refuted : counts[2] > 0 ? exit_undecided : exit_decided;
+  return !found.contradicted.empty()   ? exit_refuted
+         : found.not_decided_again > 0 ? exit_undecided
+                                       : exit_decided;
 }
 
 // ---- the work

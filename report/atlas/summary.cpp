@@ -96,10 +96,10 @@ std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, 
   return text;
 }
 
-Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
-  const Tally all = tally(q, leaves);
-  const auto exact = [](std::uint64_t v) { return share(v).get_str(); };
-  Json json = tools::provenance("stickslip atlas " + numeric::atlas::text_of(q));
+namespace {
+
+Json question_json(const Question& q, const std::string& command) {
+  Json json = tools::provenance(command);
   json["family"] = q.family->name;
   json["axes"] = axis_names(q);
   for (std::size_t i = 0; i < q.region.size(); ++i) {
@@ -108,6 +108,15 @@ Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
   if (q.is_in_SI()) {
     json["units"] = "si";
   }
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
+  const Tally all = tally(q, leaves);
+  const auto exact = [](std::uint64_t v) { return share(v).get_str(); };
+  Json json = question_json(q, "stickslip atlas " + text_of(q));
   json["resolution"] = q.resolution;
   json["boxes"] = all.leaves;
   json["volume"] = {{"decided", exact(all.decided)},
@@ -123,6 +132,40 @@ Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
   json["reasons"] = tools::list_of(by_volume(all.reasons), [&](const auto& row) {
     return Json{{"reason", plain(sentence_of(*q.family, static_cast<std::uint8_t>(row.first)))},
                 {"volume", exact(row.second)}};
+  });
+  return json;
+}
+
+std::string terminal_report(const Question& q, const Verification& found) {
+  return fmt::format(
+      "{} boxes, of which {} were proved again: {} confirmed, {} contradicted, {} not decided again\n{}",
+      found.boxes, found.proved_again(), found.confirmed, found.contradicted.size(), found.not_decided_again,
+      found.contradicted.empty() ? "" : to_csv(q, found.contradicted));
+}
+
+Json to_json(const Question& q, const Verification& found, const std::string& command) {
+  Json json = question_json(q, command);
+  json["boxes"] = found.boxes;
+  json["proved_again"] = found.proved_again();
+  json["confirmed"] = found.confirmed;
+  json["not_decided_again"] = found.not_decided_again;
+  json["contradicted"] = tools::list_of(found.contradicted, [&](const Leaf& leaf) {
+    Json one{{"box", Json::object()}};
+    const Box box = box_of(q, leaf.tile);
+    for (const std::size_t axis : q.axes) {
+      one["box"][names_of(q)[axis]] = {to_string(box[axis].lower), to_string(box[axis].upper)};
+    }
+    const Finding& f = leaf.finding;
+    for (const auto& [name, count] :
+         {std::pair("orbits", f.orbits), {"admissible", f.admissible}, {"stable", f.stable}}) {
+      if (count >= 0) {
+        one[name] = count;
+      }
+    }
+    if (!f.is_decided()) {
+      one["reason"] = sentence_of(*q.family, f.reason);
+    }
+    return one;
   });
   return json;
 }

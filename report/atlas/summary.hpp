@@ -25,6 +25,22 @@ namespace stickslip::report::atlas {
 [[nodiscard]] tools::Json to_json(const numeric::atlas::Question& question,
                                   const std::vector<numeric::atlas::Leaf>& leaves);
 
+// What came of proving boxes of an atlas again.
+struct Verification {
+  std::size_t boxes = 0;  // that the atlas has
+  std::size_t confirmed = 0, not_decided_again = 0;
+  std::vector<numeric::atlas::Leaf> contradicted;
+
+  [[nodiscard]] std::size_t proved_again() const {
+    return confirmed + not_decided_again + contradicted.size();
+  }
+};
+[[nodiscard]] std::string terminal_report(const numeric::atlas::Question& question,
+                                          const Verification& found);
+// As report/schema/verification.schema.json says, with what stands in a contradicted box.
+[[nodiscard]] tools::Json to_json(const numeric::atlas::Question& question, const Verification& found,
+                                  const std::string& command);
+
 // A row for each leaf: the exact ends of its axes, and what is found.
 [[nodiscard]] std::string to_csv(const numeric::atlas::Question& question,
                                  const std::vector<numeric::atlas::Leaf>& leaves);

@@ -8,9 +8,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
+#include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "report/atlas/archive.hpp"
 #include "tests/cli/program.hpp"
@@ -76,6 +78,16 @@ TEST_CASE("An atlas that says what is false is found out") {
     const Run found = stickslip_program({"atlas", "--verify", wrong, "--sample", "1000000"});
     CHECK(found.code == 1);
     CHECK(found.out.find(" 1 contradicted") != std::string::npos);
+    const Run in_json = stickslip_program({"atlas", "--verify", wrong, "--sample", "1000000", "--json"});
+    CHECK(in_json.code == 1);
+    const nlohmann::json json = nlohmann::json::parse(in_json.out);
+    CHECK(json["boxes"] == archive.leaves.size());
+    CHECK(json["proved_again"] == archive.leaves.size());
+    REQUIRE(json["contradicted"].size() == 1);
+    const nlohmann::json& box = json["contradicted"][0];
+    CHECK(box["reason"] == numeric::atlas::sentence_of(*archive.question.family, open->finding.reason));
+    const numeric::atlas::Box exact = numeric::atlas::box_of(archive.question, open->tile);
+    CHECK(box["box"]["omega"][0] == to_string(exact[numeric::atlas::place_of_omega].lower));
   }
   // Bounds that are not those of the box, whether it is in the sample or not.
   for (const char * column : {"lower", "upper"}) {
