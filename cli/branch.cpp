@@ -22,11 +22,37 @@ struct Asked {
   BranchQuestion question;
 };
 
-// The file, of a machine in SI units as it is at the value that `at` says or in the middle.
-ParameterFile file_of(const BranchOptions& o, TypedParameters typed, FrictionAtRest at_rest) {
-  const Along along = along_interval(typed);
-  typed[along.parameter] = to_string(value_at(along, o.at));
-  ParameterFile file = read_parameters(o.file, typed, o.example, at_rest);
+Along along_of(TypedParameters typed) {
+  return along_interval(typed);
+}
+
+// The file, of a machine in SI units as it is at the value that `at` says or in the middle. Ranges in it are
+// as if they were typed.
+ParameterFile file_of(const BranchOptions& o, TypedParameters& typed, FrictionAtRest at_rest) {
+  ParameterFile file = read_parameters(o.file, typed, o.example, at_rest, [&](TypedParameters machine) {
+    for (const auto& [name, text] : machine) {
+      if (typed.contains(name)) {
+        continue;
+      }
+      const auto [from, to] = interval(name, text);
+      if (from != to) {
+        typed[name] = to_string(from) + ".." + to_string(to);
+      }
+    }
+    const Along along = along_of(typed);
+    if (is_in_SI(along.parameter)) {
+      machine[along.parameter] = to_string(value_at(along, o.at));
+    }
+    return machine;
+  });
+  std::erase_if(file.parameters, [&](const auto& one) {
+    const bool is_range = one.second.find("..") != std::string::npos;
+    if (is_range) {
+      typed.insert(one);
+    }
+    return is_range;
+  });
+  const Along along = along_of(typed);
   (void)units_of(o.units, file, false);
   if (!o.units.empty() && !is_in_SI(along.parameter)) {
     throw UsageError(
@@ -61,7 +87,7 @@ Asked asked_of_family(const BranchOptions& o, const proofs::methods::Paper& pape
                     "followed",
                     o.family));
   }
-  const TypedParameters typed = with_along(o.parameters, o.along);
+  TypedParameters typed = with_along(o.parameters, o.along);
   Asked asked{file_of(o, typed, FrictionAtRest::optional), {}};
   leave_results_out(asked.file, family, typed);
   asked.question = branch_question(paper, family, typed, asked.file.parameters, o.example, o.at);
@@ -71,7 +97,7 @@ Asked asked_of_family(const BranchOptions& o, const proofs::methods::Paper& pape
 Asked asked_of_word(const BranchOptions& o, const proofs::methods::Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
   const int periods = whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1);
-  const TypedParameters typed = with_along(o.parameters, o.along);
+  TypedParameters typed = with_along(o.parameters, o.along);
   Asked asked{file_of(o, typed, FrictionAtRest::needed), {}};
   leave_out(asked.file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   Followed followed{o.all, o.orbit, {}};

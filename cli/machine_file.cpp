@@ -148,7 +148,8 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
           "--{} does not go with the machine of {}, which is in SI units: change it there", name, file));
     }
   }
-  const DataTaken taken = numeric::data_taken(machine_in_SI(one_of(parameters), file, at_rest));
+  const TypedParameters one = one_of(parameters);
+  const DataTaken taken = numeric::data_taken(machine_in_SI(one, file, at_rest));
   const numeric::motion::ExactParameters& a = taken.data;
   TypedParameters dimensionless{{"chi", to_string(a.chi)},     {"eta", to_string(a.eta)},
                                 {"us", to_string(a.us)},       {"V", to_string(a.V)},
@@ -156,7 +157,7 @@ ParameterFile read_parameters(const std::string& file, const TypedParameters& op
   if (taken.ur) {
     dimensionless["ur"] = to_string(*taken.ur);
   }
-  return {file, dimensionless, taken, parameters, deserved_digits(parameters), {}};
+  return {file, dimensionless, taken, parameters, deserved_digits(one), {}};
 }
 
 int digits_of(const std::string& text, ParameterFile& file) {

@@ -251,3 +251,40 @@ TEST_CASE("branch: what may be along a value of a machine") {
   }
   check_refused({{along_machine("load_frequency", "1..2"), exit_usage, "--params"}});
 }
+
+TEST_CASE("branch: a range in the file is what it is along") {
+  const Words asked{"branch", "overshooting", "--json"};
+  const auto json = [](const Run& run) {
+    INFO(run.err);
+    REQUIRE(run.code == exit_decided);
+    Json data = Json::parse(run.out);
+    data.erase("command");  // names the file
+    return data;
+  };
+  const Json typed = json(run_with(machine_O, along_machine("m1", "3.98..4.02", {"--json"})));
+  for (const char * range : {"\"3.98..4.02\"", "\"4+-0.02\"", "\"4+-0.5%\""}) {
+    CHECK(json(run_with(with(machine_O, "m1", range), asked)) == typed);
+  }
+  // What is typed replaces it; two are refused; so is what is no range.
+  CHECK(json(run_with(with(machine_O, "m1", "\"1..2\""), along_machine("m1", "3.98..4.02", {"--json"}))) ==
+        typed);
+  const auto refused = [&](const Machine& machine, const Words& words, const char * text) {
+    const Run run = run_with(machine, words);
+    CHECK(run.code == exit_usage);
+    INFO(run.err);
+    CHECK(is_one_sentence(run.err, text));
+  };
+  refused(with(with(machine_O, "m1", "\"3..4\""), "k1", "\"320+-1\""), asked,
+          "k1 and m1 are both intervals: a branch is along one");
+  refused(with(machine_O, "k1", "\"320+-1\""), along_machine("m1", "3.98..4.02"), "both intervals");
+  refused(with(machine_O, "m1", "\"4..3\""), asked, "m1");
+  refused(machine_O, asked, "a branch needs one parameter as an interval");
+  // Dimensionless data likewise.
+  const Machine data{
+      {"chi", "0.5"}, {"eta", "3.8"}, {"us", "0.02"}, {"V", "1"}, {"omega", "\"0.586..0.588\""},
+      {"p", "0.05"}};
+  const Words symmetric{"branch", "symmetric", "--json"};
+  CHECK((json(run_with(data, symmetric)) ==
+         json(stickslip_program(with(symmetric, {"--example", "S", "--omega", "0.586..0.588"})))));
+  refused(with(data, "p", "\"0.1..0.2\""), symmetric, "omega and p are both intervals");
+}
