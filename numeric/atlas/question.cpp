@@ -106,6 +106,10 @@ void require_understood(const Question& q) {
   }
   if (q.is_in_SI()) {
     require_machines(q);
+  } else if (!takes_phi(*q.family) && q.region.size() > place_of_datum &&
+             q.region[place_of_datum].upper <= q.region[place_of_us].lower) {
+    throw DomainError("ur", to_string(q.region[place_of_datum].upper),
+                      "ur > us = " + to_string(q.region[place_of_us].lower));
   }
 }
 

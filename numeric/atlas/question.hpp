@@ -58,7 +58,8 @@ struct Question {
 
 // Throws UsageError unless a family that atlases can be made of is asked about, one to four parameters vary,
 // and the finest tiles have at most most_depth halvings; DomainError unless all values of machines in SI
-// units are those of one: > 0, of the belt and the load >= 0, and friction at rest exceeds sliding friction.
+// units are those of one: > 0, of the belt and the load >= 0, and friction at rest exceeds sliding friction;
+// and unless ur > us somewhere.
 void require_understood(const Question& question);
 
 // The parameters of a tile, or the values of machines, exactly.

@@ -77,6 +77,9 @@ void require_plan(const RecordPlan& plan) {
 
 Record record_motion(const Start& start, const RecordPlan& plan, const std::function<bool(double)>& go_on,
                      const std::function<void(const Sample&)>& take) {
+  if (start.ur <= start.data.us) {
+    throw DomainError("ur", fmt::format("{}", start.ur), fmt::format("ur > us = {}", start.data.us));
+  }
   Simulation simulation(start.data, start.ur, start.phi, start.X);
   require_plan(plan);
   Record record;

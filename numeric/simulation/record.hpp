@@ -44,8 +44,8 @@ struct Record {
 
 // Simulates until the duration is over or `go_on`, asked with the share that is done after each
 // sample and after some ten thousand steps without one, says no. Each sample is handed to `take`, if there is
-// one, and not kept: at 0, every, 2 every, … and at the end. Throws DomainError as Simulation does, and for a
-// plan that is not positive or has more than 10⁹ samples.
+// one, and not kept: at 0, every, 2 every, … and at the end. Throws DomainError as Simulation does, unless ur
+// > us, as all that proves orbits asks for, and for a plan that is not positive or has more than 10⁹ samples.
 [[nodiscard]] Record record_motion(const Start& start, const RecordPlan& plan,
                                    const std::function<bool(double)>& go_on,
                                    const std::function<void(const Sample&)>& take = {});

@@ -69,7 +69,7 @@ TEST_CASE("data whose squares overflow are refused by name, with the range") {
       {"--state", "-1e101,0.5,0,1", "the state = -1e+101", "from -1e100 to 1e100"},
       {"--perturb", "0,0,0,1e200", "the state = 1e+200", "from -1e100 to 1e100"},
       {"--p", "1e155", "p = 1e+155", "0 <= p <= 1e100"},
-      {"--us", "1e155", "us = 1e+155", "0 < us <= 1e100"},
+      {"--us", "1e155", "ur = 0.45899", "ur > us = 1e+155"},
       {"--ur", "1e155", "ur = 1e+155", "us <= ur <= 1e100"},
       {"--V", "-1e155", "V = -1e+155", "-1e100 <= V <= 1e100"},
       {"--omega", "1e11", "omega = 100000000000", "1e-100 <= omega <= 1e10"},
@@ -92,7 +92,7 @@ TEST_CASE("the largest data are simulated, and an interruption is noticed whatev
                             {"--p", "1e100"},
                             {"--V", "1e100"},
                             {"--perturb", "1e-300,0,0,1e99"},
-                            {"--us", "1e100", "--ur", "1e100"},
+                            {"--us", "1e99", "--ur", "1e100"},
                             {"--phi", "1e300"}}) {
     Words arguments{"--example", "O", "--periods", "3"};
     arguments.insert(arguments.end(), data.begin(), data.end());
@@ -101,9 +101,9 @@ TEST_CASE("the largest data are simulated, and an interruption is noticed whatev
   }
   const int output = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   for (const Words& data : {Words{"--omega", "1e-100"},
-                            {"--eta", "1e18", "--us", "1e-3", "--ur", "1e-3", "--V", "0", "--p", "1e19"},
+                            {"--eta", "1e18", "--us", "1e-3", "--ur", "2e-3", "--V", "0", "--p", "1e19"},
                             {"--omega", "1e-12", "--p", "1e100"},
-                            {"--V", "-1e100", "--us", "1e-300", "--ur", "1e-300", "--periods", "1e8"}}) {
+                            {"--V", "-1e100", "--us", "1e-300", "--ur", "2e-300", "--periods", "1e8"}}) {
     Words arguments{"simulate", "--example", "O"};
     arguments.insert(arguments.end(), data.begin(), data.end());
     CAPTURE(data[1]);

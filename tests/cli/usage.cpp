@@ -8,6 +8,27 @@
 
 using namespace stickslip;
 
+TEST_CASE("friction at rest that does not exceed sliding friction is refused alike by every command") {
+  const Words data{"--chi", "0.3", "--eta", "4", "--us", "0.1", "--V", "0.1", "--omega", "0.6"};
+  const TemporaryDirectory directory;
+  for (const std::string ur : {"0.1", "0.05"}) {
+    const std::string sentence = "ur = " + ur + " is outside the allowed range: ur > us = 0.1";
+    std::vector<Refusal> refusals;
+    for (const Words& command : {Words{"simulate", "--p", "1", "--phi", "0", "--state", "0,0,0,0"},
+                                 {"attractors", "--p", "1"},
+                                 {"attractors", "--p", "1", "--plane", "x1,x2"},
+                                 {"orbits", "nonsticking", "--p", "1"},
+                                 {"orbits", "OTS", "--p", "1"},
+                                 {"orbits", "S", "--p", "1"},
+                                 {"branch", "nonsticking", "--p", "0.9..1"},
+                                 {"branch", "OTS", "--p", "0.9..1"},
+                                 {"atlas", "nonsticking", "--p", "0.9..1", "--out", directory / "a.h5"}}) {
+      refusals.push_back({with(with(command, data), {"--ur", ur}), exit_domain, sentence});
+    }
+    check_refused(refusals);
+  }
+}
+
 TEST_CASE("what is not understood is named in one sentence") {
   check_refused({
       {{}, exit_usage, "orbits, branch, attractors, atlas and simulate"},
