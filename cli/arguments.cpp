@@ -212,7 +212,7 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
     bare->excludes(command->get_option(name));
   }
   add_parameters(*command, options.parameters);
-  add_sources(*command, options.example, options.file, paper);
+  add_sources(*command, options.example, options.file.name, paper);
   add_text(*command, "--digits", options.digits, "N",
            fmt::format("Significant digits of numbers: {} by default", LatexOptions::default_digits));
   command->callback([&options, &request] { request = options; });

@@ -56,7 +56,8 @@ struct LatexOptions {
   std::string theorem;  // the id of a result; empty if none is asked for
   std::string orbit;    // FAMILY:K; empty if none is asked for, and then all that follows
   TypedParameters parameters;
-  std::string file, example, digits;
+  GivenFile file;
+  std::string example, digits;
 
   static constexpr int default_digits = 10;
 };
@@ -67,7 +68,7 @@ struct OrbitsOptions {
   std::string near;
   bool with_near = false;
   TypedParameters parameters;
-  std::string file;
+  GivenFile file;
   std::string units;
   std::string example;
   std::string digits;
@@ -91,7 +92,8 @@ struct BranchOptions {
   std::string family;
   TypedParameters parameters;      // one of them an interval A..B, or
   std::vector<std::string> along;  // a parameter, or a value of the machine in the file, and A..B
-  std::string file, units, example, at, csv, plot, out, jobs;
+  GivenFile file;
+  std::string units, example, at, csv, plot, out, jobs;
   std::string period, orbit, near;  // of a word
   bool all = false;                 // likewise
   bool with_out = false;
@@ -100,7 +102,8 @@ struct BranchOptions {
 
 struct AttractorsOptions {
   TypedParameters parameters;
-  std::string file, units, example, starts, seed, most_periods, digits, jobs;
+  GivenFile file;
+  std::string units, example, starts, seed, most_periods, digits, jobs;
   std::vector<std::string> along;  // a parameter and A..B, or nothing
   std::string values, plane, pixels, through, csv, plot, out;
   bool with_out = false;
@@ -132,7 +135,8 @@ struct AtlasOptions {
 
 struct SimulateOptions {
   TypedParameters parameters;
-  std::string file, units, example, orbit, state, perturb, periods, every, csv, plot;
+  GivenFile file;
+  std::string units, example, orbit, state, perturb, periods, every, csv, plot;
   bool with_csv = false, with_plot = false, json = false;
 
   static constexpr double default_periods = 100;

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "cli/answer.hpp"
+#include "cli/asked.hpp"
 #include "cli/commands.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/interruption.hpp"
-#include "numeric/attractors/settle.hpp"
 
 namespace stickslip::cli {
 
@@ -28,36 +28,12 @@ bool is_decided(const WordOrbit& o) {
            o.orbit.stability->kind != motion::StabilityKind::undecided));
 }
 
-// The machine that is asked about, and how its motions are told.
-struct AskedMachine {
-  ParameterFile file;
-  report::orbits::Units units;
-  words::WordQuestion machine;
-  Jobs limit;
-  bool json;
-};
-
-template <class Options>
-AskedMachine asked(const Options& options, const TypedParameters& typed,
-                   const proofs::methods::Paper& paper) {
-  ParameterFile file = read_parameters(options.file, typed, options.example, FrictionAtRest::needed);
-  leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  const int digits = digits_of(options.digits, file);
-  return {file, units_of(options.units, file, options.json),
-          machine(paper, typed, file.parameters, options.example, digits), jobs(options.jobs), options.json};
-}
-
 // Whether motions of one phase are possible, which has no events that a search could go through.
 ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const proofs::methods::Paper& paper) {
-  if (!options.period.empty() || options.with_near || options.parameters.contains("phi")) {
-    throw UsageError(fmt::format(
-        "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
-        options.family));
-  }
-  const AskedMachine given = asked(options, options.parameters, paper);
-  words::require_machine_domain(given.machine);
-  const report::orbits::PureWord word{given.machine, kind};
-  print_result(word, given.file, given.json, given.units);
+  const auto [file, units, machine] = asked_pure_word(options, paper);
+  const Jobs limit = jobs(options.jobs);
+  const report::orbits::PureWord word{machine, kind};
+  print_result(word, file, options.json, units);
   return report::orbits::exists(word).truth == Truth::undecided ? exit_undecided : exit_decided;
 }
 
@@ -67,27 +43,12 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   if (!options.along.empty() || !options.plane.empty()) {
     return run_diagram(options, paper);
   }
-  for (const auto& [name, text] :
-       {std::pair("--values", &options.values), std::pair("--pixels", &options.pixels),
-        std::pair("--through", &options.through), std::pair("--csv", &options.csv),
-        std::pair("--plot", &options.plot)}) {
-    if (!text->empty()) {
-      throw UsageError(fmt::format("{} is for --along and --plane", name));
-    }
-  }
-  const auto whole = [](const char * name, const std::string& text, int otherwise) {
-    return whole_number(name, text, AttractorsOptions::greatest_number, otherwise);
-  };
+  const auto asked = asked_attractors(options, paper);
+  const AttractorQuestion& question = asked.question;
+  const Jobs limit = jobs(options.jobs);
   if (options.with_out) {
     require_page(options.out);
   }
-  const AskedMachine given = asked(options, options.parameters, paper);
-  const AttractorQuestion question{
-      given.machine,
-      whole_number("starts", options.starts, AttractorsOptions::most_starts,
-                   AttractorsOptions::default_starts),
-      static_cast<std::uint64_t>(whole("seed", options.seed, 1)),
-      whole("most-periods", options.most_periods, AttractorsOptions::default_most_periods)};
   const AttractorList list = [&] {
     const Interruptible scope;
     const Progress progress("following the starts ...");
@@ -103,9 +64,9 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   if (options.with_out) {
     const Progress progress("making the page ...");
     report::tools::write_files(
-        options.out, report::orbits::pages(list, basins, {given.file.name, given.file.machine, given.units}));
+        options.out, report::orbits::pages(list, basins, {asked.file.name, asked.file.machine, asked.units}));
   }
-  print_result(list, given.file, given.json, given.units);
+  print_result(list, asked.file, options.json, asked.units);
   if (options.with_out) {
     tell(fmt::format("The report is in {}: index.html.", options.out));
   }
@@ -125,31 +86,15 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   if (const auto kind = words::kind_of(options.family)) {
     return run_pure(*kind, options, paper);
   }
-  const words::Word word = words::Word::parse(options.family);
-  TypedParameters typed = options.parameters;
-  const auto phase = typed.extract("phi");
-  if (phase && !options.with_near) {
-    throw UsageError(
-        "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
-  }
-  const AskedMachine given = asked(options, typed, paper);
-  WordSearch search{given.machine,
-                    word,
-                    whole_number("period", options.period, OrbitsOptions::most_periods_of_word, 1),
-                    {}};
-  if (options.with_near) {
-    search.near = at_phase_0({motion::parameters_as<double>(given.machine.data),
-                              numeric::scalars::scalar<double>(given.machine.ur),
-                              phase ? number("phi", phase.mapped()) : 0,
-                              given.units.of_state(four_numbers("near", options.near))});
-  }
+  const auto asked = asked_word(options, paper);
+  const Jobs limit = jobs(options.jobs);
   const zeros::Effort patience = effort(options);
   const WordOrbits list = [&] {
     const Interruptible scope;
     const Progress progress("searching for orbits ...");
-    return find_word_orbits(search);
+    return find_word_orbits(asked.question);
   }();
-  print_result(list, given.file, given.json, given.units,
+  print_result(list, asked.file, options.json, asked.units,
                options.all ? report::orbits::InFull::all : report::orbits::InFull::admissible);
   if (list.interrupted) {
     return exit_interrupted;

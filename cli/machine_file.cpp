@@ -9,7 +9,6 @@
 
 #include "cli/arguments.hpp"
 #include "cli/numbers.hpp"
-#include "cli/output.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
@@ -81,6 +80,13 @@ int deserved_digits(const TypedParameters& parameters) {
 
 }  // namespace
 
+TypedParameters contents_of(const GivenFile& file) {
+  if (file.values || file.empty()) {
+    return file.values.value_or(TypedParameters());
+  }
+  return parse_parameters(report::tools::read_file(file.name), file.name);
+}
+
 MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& file,
                           FrictionAtRest at_rest) {
   require_one_kind_of_friction(parameters, file);
@@ -121,14 +127,12 @@ MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& 
   return machine;
 }
 
-ParameterFile read_parameters(const std::string& file, const TypedParameters& options,
+ParameterFile read_parameters(const GivenFile& given, const TypedParameters& options,
                               const std::string& example, FrictionAtRest at_rest,
                               const std::function<TypedParameters(const TypedParameters&)>& one_of) {
-  TypedParameters parameters;
-  if (!file.empty()) {
-    parameters = parse_parameters(report::tools::read_file(file), file);
-  }
-  if (!are_in_SI(parameters)) {
+  const std::string& file = given.name;
+  TypedParameters parameters = contents_of(given);
+  if (!given.values && !are_in_SI(parameters)) {
     for (const auto& [name, text] : options) {
       if (is_in_SI(name)) {
         throw UsageError(
@@ -168,16 +172,15 @@ int digits_of(const std::string& text, ParameterFile& file) {
   return digits;
 }
 
-Error in_keys_of(const std::string& file, const DomainError& error) {
+Error in_keys_of(const GivenFile& file, const DomainError& error) {
   constexpr std::pair<const char *, const char *> keys[] = {
       {"p", "load_amplitude"}, {"V", "belt_velocity"}, {"omega", "load_frequency"}};
   const std::string_view message = error.what();  // begins with the name of the datum
-  const TypedParameters parameters =
-      file.empty() ? TypedParameters() : parse_parameters(report::tools::read_file(file), file);
+  const TypedParameters parameters = contents_of(file);
   for (const auto& [datum, key] : keys) {
     const auto typed = parameters.find(key);
     if (typed != parameters.end() && message.starts_with(fmt::format("{} = ", datum))) {
-      return {error.code(), fmt::format("{} = {} in {}: {}", key, typed->second, file, message)};
+      return {error.code(), fmt::format("{} = {} in {}: {}", key, typed->second, file.name, message)};
     }
   }
   return error;
@@ -232,18 +235,6 @@ void leave_results_out(ParameterFile& file, const numeric::Family& family, const
   if (!by_phi && (typed.contains("ur") || file.parameters.contains("ur"))) {
     leave_out(file, "phi", "with ur it is a result");
   }
-}
-
-void tell_left_out(const ParameterFile& file) {
-  for (const std::string& sentence : file.left_out) {
-    tell(sentence);
-  }
-}
-
-std::string machine_report(const ParameterFile& file) {
-  return file.machine ? report::orbits::terminal_report(*file.machine, terminal_style(),
-                                                        std::min(file.digits, DataTaken::digits))
-                      : "";
 }
 
 report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file) {

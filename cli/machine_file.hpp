@@ -23,6 +23,10 @@ struct ParameterFile {
   std::vector<std::string> left_out;          // a sentence for each
 };
 
+// What is in the file, or given in place of one; nothing if its name is empty. Throws InputOutputError when
+// the file cannot be read, and as parse_parameters does.
+[[nodiscard]] TypedParameters contents_of(const GivenFile& file);
+
 enum class FrictionAtRest { needed, optional };
 
 // The machine of which these are the parameters. Throws UsageError naming all that is missing and what does
@@ -30,13 +34,11 @@ enum class FrictionAtRest { needed, optional };
 [[nodiscard]] numeric::MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& file,
                                                  FrictionAtRest at_rest);
 
-// What is in the file; nothing if its name is empty. Options replace values of a machine in SI units under
-// the names that these have in the file; no other option but phi goes with one, and no example. Throws
-// InputOutputError when the file cannot be read, and as parse_parameters and machine_in_SI do.
+// The same with options: these replace values of a machine in SI units under the names that they have in the
+// file; no other option but phi goes with one, and no example. Throws as contents_of and machine_in_SI do.
 // `one_of`: a machine among those that the values of one in SI units stand for; by default these are numbers.
 [[nodiscard]] ParameterFile read_parameters(
-    const std::string& file, const TypedParameters& options, const std::string& example,
-    FrictionAtRest at_rest,
+    const GivenFile& file, const TypedParameters& options, const std::string& example, FrictionAtRest at_rest,
     const std::function<TypedParameters(const TypedParameters&)>& one_of = std::identity());
 
 // The machine of the file, with the friction at rest if that is not left out, where one of its values varies:
@@ -47,7 +49,7 @@ enum class FrictionAtRest { needed, optional };
 
 // The error about a datum that was taken for a machine in SI units, with the key and value of its file before
 // it; the same error if there is no such file.
-[[nodiscard]] Error in_keys_of(const std::string& file, const DomainError& error);
+[[nodiscard]] Error in_keys_of(const GivenFile& file, const DomainError& error);
 
 // --digits, of each value of a result, 20 by default. For a machine in SI units texts then have as many;
 // without --digits they have as many as the file's data deserve, two more than the one with the most, at
@@ -60,11 +62,7 @@ void leave_out(ParameterFile& file, const std::string& parameter, const std::str
 // The same for phi and ur where they are results of this family; `typed` goes before the file.
 void leave_results_out(ParameterFile& file, const numeric::Family& family, const TypedParameters& typed);
 
-// Says on standard error what was left out, and why; once there is an answer.
-void tell_left_out(const ParameterFile& file);
-
-// What goes before a report, and into its JSON as "machine": nothing for dimensionless parameters.
-[[nodiscard]] std::string machine_report(const ParameterFile& file);
+// What goes into the JSON of a report as "machine": nothing for dimensionless parameters.
 [[nodiscard]] report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file);
 
 // What --units says: "si", or nothing for the units of (2); states that are typed are in them, too. Throws

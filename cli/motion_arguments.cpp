@@ -126,7 +126,7 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
   add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
   CLI::Option * near =
       add("--near", options.near, "X", "Of a word: start at x1,x2,x1',x2', at load phase --phi or 0");
-  add_sources(*command, options.example, options.file, paper);
+  add_sources(*command, options.example, options.file.name, paper);
   add("--digits", options.digits, "N",
       fmt::format("Significant digits of each value: {} by default, {} at most; of a\nmachine in SI units by "
                   "default as many as its data deserve",
@@ -165,7 +165,7 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
   };
   add("FAMILY", options.family, "", paper.family_names);
   add_parameters(*command, options.parameters);
-  add_sources(*command, options.example, options.file, paper);
+  add_sources(*command, options.example, options.file.name, paper);
   command
       ->add_option("--along", options.along,
                    "The parameter that varies and its interval, such as omega 0.5..0.6,\nor load_frequency "
@@ -207,7 +207,7 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
   const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
     return add_text(*command, name, text, type, words);
   };
-  add_sources(*command, options.example, options.file, paper);
+  add_sources(*command, options.example, options.file.name, paper);
   add("--starts", options.starts, "N",
       fmt::format("Random starts: {} by default", AttractorsOptions::default_starts));
   add("--seed", options.seed, "N", "Of the random starts: 1 by default");
@@ -256,7 +256,7 @@ void add_simulate(CLI::App& program, SimulateOptions& options, Request& request,
   };
   add("--example", options.example, "NAME",
       "Start where the orbit of the paper's example " + paper.examples + " begins");
-  add("--params", options.file, "FILE",
+  add("--params", options.file.name, "FILE",
       "Take parameters from a TOML file with lines chi = 0.5;\nor a machine in SI units, see "
       "doc/parameters.md");
   CLI::Option * orbit = add("--orbit", options.orbit, "FAMILY:K",

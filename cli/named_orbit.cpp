@@ -4,7 +4,6 @@
 
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
-#include "cli/output.hpp"
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
 
@@ -28,7 +27,6 @@ NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& pa
   if (asks_for_box(asked)) {
     throw UsageError(fmt::format("the orbit {} needs numbers, but a parameter is an interval", name));
   }
-  const Progress progress("searching for orbits ...");
   NamedOrbit found{list_orbits(asked), number - 1};
   const std::size_t count = found.list.orbits.size();
   if (number > count) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/answer.hpp"
+#include "cli/asked.hpp"
 #include "cli/certify.hpp"
 #include "cli/commands.hpp"
 #include "cli/numbers.hpp"
@@ -104,18 +105,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     }
     return run_word(options, paper);
   }
-  if (!options.period.empty() || options.with_near) {
-    throw UsageError(
-        fmt::format("--period and --near are for words of phases, not for the family '{}'", options.family));
-  }
-  const Family& family = family_named(options.family);
-  ParameterFile file =
-      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
-  leave_results_out(file, family, options.parameters);
-  const int digits = digits_of(options.digits, file);
-  const report::orbits::Units units = units_of(options.units, file, options.json);
-  const OrbitQuestion asked =
-      question(paper, family, options.parameters, file.parameters, options.example, digits);
+  const auto [file, units, asked] = asked_orbits(options, paper);
   const Jobs limit = jobs(options.jobs);
   const zeros::Effort patience = effort(options);
   if (options.with_plot) {

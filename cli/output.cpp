@@ -83,6 +83,18 @@ void Progress::show(const std::string& line) {
   line_ = line;
 }
 
+void tell_left_out(const ParameterFile& file) {
+  for (const std::string& sentence : file.left_out) {
+    tell(sentence);
+  }
+}
+
+std::string machine_report(const ParameterFile& file) {
+  return file.machine ? report::orbits::terminal_report(*file.machine, terminal_style(),
+                                                        std::min(file.digits, numeric::DataTaken::digits))
+                      : "";
+}
+
 proofs::methods::Audit prove(const std::vector<proofs::methods::Claim>& claims,
                              const std::set<std::string>& ids) {
   Progress progress("proving ...");

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <thread>
 
+#include "cli/machine_file.hpp"
 #include "core/error.hpp"
 #include "report/audit/pages.hpp"
 #include "report/audit/table.hpp"
@@ -46,6 +47,12 @@ class Progress {
   std::condition_variable_any over_;
   std::jthread writer_;
 };
+
+// Says on standard error what was left out, and why; once there is an answer.
+void tell_left_out(const ParameterFile& file);
+
+// What goes before a report; nothing for dimensionless parameters.
+[[nodiscard]] std::string machine_report(const ParameterFile& file);
 
 // The audit of these claims, with its progress.
 [[nodiscard]] proofs::methods::Audit prove(const std::vector<proofs::methods::Claim>& claims,

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "cli/answer.hpp"
+#include "cli/asked.hpp"
 #include "cli/commands.hpp"
-#include "cli/numbers.hpp"
-#include "cli/simulation_start.hpp"
 #include "core/interruption.hpp"
 #include "numeric/attractors/settle.hpp"
 #include "numeric/simulation/record.hpp"
@@ -149,21 +147,17 @@ void require_places(const SimulateOptions& options) {
 }
 
 // Without settling.
-Simulated simulate(const Start& start, const SimulateOptions& options, const Units& units) {
-  const double period = 2 * std::acos(-1.0) / start.data.omega;
+Simulated simulate(const MotionAsked& asked, const SimulateOptions& options, const Units& units) {
   Simulated simulated;
-  simulated.periods =
-      options.periods.empty() ? SimulateOptions::default_periods : positive("periods", options.periods);
-  const double every = options.every.empty() ? period / SimulateOptions::samples_in_period
-                                             : units.of_time(positive("every", options.every));
+  simulated.periods = asked.periods;
   const Interruptible scope;
-  Samples samples(options, period, units);
+  Samples samples(options, asked.period(), units);
   if (samples.wanted()) {
-    simulated.every = every;
+    simulated.every = asked.every;
   }
   Bar bar;
   simulated.record = record_motion(
-      start, {simulated.periods * period, simulated.every},
+      asked.from.start, {simulated.periods * asked.period(), simulated.every},
       [&bar](double share) {
         bar.show(share);
         return !interrupted();
@@ -205,16 +199,18 @@ std::optional<attractors::Attractor> settles_on(const Record& record, const word
 
 ExitCode run(const SimulateOptions& options, const Paper& paper) {
   require_places(options);
-  ParameterFile file =
-      read_parameters(options.file, options.parameters, options.example,
-                      options.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
-  const Units units = units_of(options.units, file, options.json);
-  const SimulationStart from = simulation_start(options, file, paper, units);
-  Simulated simulated = simulate(from.start, options, units);
+  const auto [file, units, asked] = [&] {
+    const Progress progress("searching for orbits ...");
+    return asked_motion(options, paper);
+  }();
+  if (!asked.from.leaves.empty()) {
+    tell(asked.from.leaves);
+  }
+  Simulated simulated = simulate(asked, options, units);
   if (options.csv == Samples::standard_output) {
     return simulated.record.interrupted ? exit_interrupted : exit_decided;
   }
-  simulated.settles = settles_on(simulated.record, from.machine);
+  simulated.settles = settles_on(simulated.record, asked.from.machine);
   print_result(simulated, file, options.json, units);
   return simulated.record.interrupted ? exit_interrupted : exit_decided;
 }

@@ -8,7 +8,6 @@
 #include "cli/named_orbit.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
-#include "cli/output.hpp"
 #include "numeric/families/family.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "report/orbits/orbit_words.hpp"
@@ -49,9 +48,10 @@ SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, 
         fmt::format("a simulation needs --ur: the largest that the orbit {} allows, ur_max, is {}",
                     options.orbit, report::tools::rounded(orbit.value("ur_max"), 5)));
   }
+  std::string leaves;
   if (orbit.admissible.truth == Truth::refuted) {
-    tell(fmt::format("The orbit {} is {}; the motion leaves it.", options.orbit,
-                     report::orbits::verdict_on(orbit)));
+    leaves = fmt::format("The orbit {} is {}; the motion leaves it.", options.orbit,
+                         report::orbits::verdict_on(orbit));
   }
   const model::Parameters<Range>& a = asked.parameters;
   const Rational ur =
@@ -59,7 +59,8 @@ SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, 
   return {start_of_orbit(orbit),
           {{a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle},
            ur,
-           OrbitsOptions::default_digits}};
+           OrbitsOptions::default_digits},
+          leaves};
 }
 
 void replace(double& value, const TypedParameters& typed, const char * name) {

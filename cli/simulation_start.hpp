@@ -13,6 +13,7 @@ struct SimulationStart {
   numeric::simulation::Start start;
   // The same machine for what proves orbits of it. Of an orbit whose ur is a result: ur to 17 digits.
   numeric::words::WordQuestion machine;
+  std::string leaves = {};  // why the motion leaves the orbit that it starts at, in a sentence, if it does
 };
 
 // The state that is given, in these units, or where the example's orbit or orbit K of a family begins; what

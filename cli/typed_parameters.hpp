@@ -3,7 +3,9 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace stickslip::cli {
 
@@ -26,6 +28,16 @@ inline constexpr std::array names_in_SI{"m1",
 
 // Texts under the parameters' names.
 using TypedParameters = std::map<std::string, std::string>;
+
+// A file of parameters; or, in Python, a machine in SI units that stands in none: its values, and what
+// sentences call it. Nothing if the name is empty.
+struct GivenFile {
+  std::string name;
+  std::optional<TypedParameters> values;
+
+  GivenFile(std::string file = {}) : name(std::move(file)) {}  // NOLINT: as it is typed
+  [[nodiscard]] bool empty() const { return name.empty(); }
+};
 
 // The parameters in TOML, lines such as chi = 0.5; each value is taken as text, exactly. They are either
 // dimensionless or those of a machine in SI units. Throws UsageError naming the file and what is not a

@@ -1,0 +1,313 @@
+#include "cli/asked.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <ranges>
+#include <string>
+#include <utility>
+
+#include "cli/numbers.hpp"
+#include "cli/orbit_data.hpp"
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "numeric/attractors/settle.hpp"
+#include "numeric/families/family.hpp"
+#include "numeric/scalars/scalars.hpp"
+#include "report/orbits/diagram.hpp"
+
+namespace stickslip::cli {
+
+using namespace numeric;
+using namespace numeric::attractors;
+using branches::BranchQuestion;
+using proofs::methods::Paper;
+using report::orbits::Units;
+
+// ---- orbits
+
+Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Paper& paper) {
+  if (!o.period.empty() || o.with_near) {
+    throw UsageError(
+        fmt::format("--period and --near are for words of phases, not for the family '{}'", o.family));
+  }
+  const Family& family = family_named(o.family);
+  ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional);
+  leave_results_out(file, family, o.parameters);
+  const int digits = digits_of(o.digits, file);
+  Units units = units_of(o.units, file, o.json);
+  OrbitQuestion asked = question(paper, family, o.parameters, file.parameters, o.example, digits);
+  return {std::move(file), std::move(units), std::move(asked)};
+}
+
+namespace {
+
+// The machine whose motions are asked for, its load cos(omega t).
+template <class Options>
+Asked<words::WordQuestion> asked_machine(const Options& o, const TypedParameters& typed, const Paper& paper) {
+  ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::needed);
+  leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
+  const int digits = digits_of(o.digits, file);
+  Units units = units_of(o.units, file, o.json);
+  words::WordQuestion asked = machine(paper, typed, file.parameters, o.example, digits);
+  return {std::move(file), std::move(units), std::move(asked)};
+}
+
+}  // namespace
+
+Asked<words::WordQuestion> asked_pure_word(const OrbitsOptions& o, const Paper& paper) {
+  if (!o.period.empty() || o.with_near || o.parameters.contains("phi")) {
+    throw UsageError(fmt::format(
+        "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
+        o.family));
+  }
+  Asked<words::WordQuestion> asked = asked_machine(o, o.parameters, paper);
+  words::require_machine_domain(asked.question);
+  return asked;
+}
+
+Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
+  const words::Word word = words::Word::parse(o.family);
+  TypedParameters typed = o.parameters;
+  const auto phase = typed.extract("phi");
+  if (phase && !o.with_near) {
+    throw UsageError(
+        "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
+  }
+  Asked<words::WordQuestion> given = asked_machine(o, typed, paper);
+  const words::WordQuestion& q = given.question;
+  WordSearch search{q, word, whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1), {}};
+  if (o.with_near) {
+    search.near = at_phase_0({motion::parameters_as<double>(q.data), scalars::scalar<double>(q.ur),
+                              phase ? number("phi", phase.mapped()) : 0,
+                              given.units.of_state(four_numbers("near", o.near))});
+  }
+  return {std::move(given.file), std::move(given.units), std::move(search)};
+}
+
+// ---- branches
+
+namespace {
+
+// The file, of a machine in SI units as it is at the value that `at` says or in the middle.
+ParameterFile file_of(const BranchOptions& o, TypedParameters typed, FrictionAtRest at_rest) {
+  const Along along = along_interval(typed);
+  typed[along.parameter] = to_string(value_at(along, o.at));
+  ParameterFile file = read_parameters(o.file, typed, o.example, at_rest);
+  (void)units_of(o.units, file, false);
+  if (!o.units.empty() && !is_in_SI(along.parameter)) {
+    throw UsageError(
+        fmt::format("--units si goes with --along a value of the machine, not with {}", along.parameter));
+  }
+  return file;
+}
+
+// Along a value of a machine in SI units: the path of its data. The list says all of the machine.
+Asked<BranchQuestion> along_machine(ParameterFile file, BranchQuestion q) {
+  if (file.machine && is_in_SI(q.parameter)) {
+    q.machine = machine_between(file, q.parameter, q.from, q.to);
+    q.machine_file = file.name;
+    if (q.orbits.phi) {
+      q.machine->phi = q.orbits.phi->middle;
+    }
+    file.machine.reset();
+  }
+  return {std::move(file), {}, std::move(q)};
+}
+
+Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper& paper) {
+  const Family& family = family_named(o.family);
+  if (!o.period.empty()) {
+    throw UsageError(fmt::format("--period is for words of phases, not for the family '{}'", o.family));
+  }
+  if (o.all || !o.orbit.empty() || !o.near.empty()) {
+    throw UsageError(
+        fmt::format("--all, --orbit and --near are for words of phases, not for the family '{}', of which "
+                    "all branches are "
+                    "followed",
+                    o.family));
+  }
+  const TypedParameters typed = with_along(o.parameters, o.along);
+  ParameterFile file = file_of(o, typed, FrictionAtRest::optional);
+  leave_results_out(file, family, typed);
+  BranchQuestion asked = branch_question(paper, family, typed, file.parameters, o.example, o.at);
+  return along_machine(std::move(file), std::move(asked));
+}
+
+Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& paper) {
+  const words::Word word = words::Word::parse(o.family);
+  const int periods = whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1);
+  const TypedParameters typed = with_along(o.parameters, o.along);
+  ParameterFile file = file_of(o, typed, FrictionAtRest::needed);
+  leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
+  Followed followed{o.all, o.orbit, {}};
+  if (!o.near.empty()) {
+    followed.near = units_of(o.units, file, false).of_state(four_numbers("near", o.near));
+  }
+  BranchQuestion asked =
+      word_branch_question(paper, word, periods, typed, file.parameters, o.example, o.at, followed);
+  return along_machine(std::move(file), std::move(asked));
+}
+
+}  // namespace
+
+Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Paper& paper) {
+  return words::looks_like_word(o.family) ? asked_branch_of_word(o, paper) : asked_branch_of_family(o, paper);
+}
+
+// ---- attractors
+
+namespace {
+
+using Attracted = AttractorsOptions;
+
+AttractorQuestion about(const words::WordQuestion& machine, const Attracted& o, int starts) {
+  return {machine, whole_number("starts", o.starts, Attracted::most_starts, starts),
+          static_cast<std::uint64_t>(whole_number("seed", o.seed, Attracted::greatest_number, 1)),
+          whole_number("most-periods", o.most_periods, Attracted::greatest_number,
+                       Attracted::default_most_periods)};
+}
+
+void require_sense(const Attracted& o) {
+  if (!o.along.empty() && !o.plane.empty()) {
+    throw UsageError("--along and --plane are two questions: give one of them");
+  }
+  const bool along = !o.along.empty();
+  for (const auto& [name, text, fits] :
+       {std::tuple("--values", &o.values, along), std::tuple("--pixels", &o.pixels, !along),
+        std::tuple("--through", &o.through, !along), std::tuple("--starts", &o.starts, along),
+        std::tuple("--seed", &o.seed, along)}) {
+    if (!text->empty() && !fits) {
+      throw UsageError(fmt::format("{} is not for {}", name, along ? "--along" : "--plane"));
+    }
+  }
+}
+
+// The machine from which those of a diagram differ in a value, and those of a picture in their starts.
+Asked<AttractorQuestion> asked_machines(const Attracted& o, const Paper& paper) {
+  require_sense(o);
+  ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed);
+  Units units = units_of(o.units, file, o.json);
+  AttractorQuestion asked = about(
+      machine(paper, o.parameters, file.parameters, o.example,
+              whole_number("digits", o.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits)),
+      o, Attracted::default_starts_at_value);
+  return {std::move(file), std::move(units), std::move(asked)};
+}
+
+// "A..B" with A < B.
+std::pair<Rational, Rational> ends(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    throw UsageError(fmt::format("along: '{}' is no interval A..B, such as 0.1..0.5", text));
+  }
+  const Rational from = exact_number("along", text.substr(0, dots));
+  const Rational to = exact_number("along", text.substr(dots + 2));
+  if (from >= to) {
+    throw UsageError(fmt::format("along: '{}' does not rise: A..B needs A < B", text));
+  }
+  return {from, to};
+}
+
+std::array<int, 2> plane(const std::string& text) {
+  const auto& names = report::orbits::coordinates;
+  const std::size_t comma = text.find(',');
+  std::array<int, 2> across{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string name = comma == std::string::npos ? text
+                             : k == 0                   ? text.substr(0, comma)
+                                                        : text.substr(comma + 1);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end() || comma == std::string::npos) {
+      throw UsageError(fmt::format("plane: '{}' is not two of x1, x2, x1', x2', such as x1,x2", text));
+    }
+    across[k] = static_cast<int>(found - names.begin());
+  }
+  if (across[0] == across[1]) {
+    throw UsageError(fmt::format("plane: '{}' names one coordinate twice", text));
+  }
+  return across;
+}
+
+// Along a value of a machine in SI units: the data taken at each.
+std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, const ParameterFile& file) {
+  const std::string& name = o.along[0];
+  if (!file.in_SI.contains(name)) {
+    if (file.machine && std::ranges::find(parameter_names, name) == parameter_names.end()) {
+      throw UsageError(fmt::format("along: '{}' is none of the parameters in {}: {}", name, file.name,
+                                   fmt::join(std::views::keys(file.in_SI), ", ")));
+    }
+    return {};
+  }
+  if (o.json) {
+    throw UsageError(fmt::format(
+        "--json does not go with --along {}: the unit of length of JSON would change along it", name));
+  }
+  return [all = file.in_SI, name, in = file.name](const Rational& value) {
+    TypedParameters there = all;
+    there[name] = to_string(value);
+    return data_taken(machine_in_SI(there, in, FrictionAtRest::needed));
+  };
+}
+
+}  // namespace
+
+Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Paper& paper) {
+  for (const auto& [name, text] :
+       {std::pair("--values", &o.values), std::pair("--pixels", &o.pixels),
+        std::pair("--through", &o.through), std::pair("--csv", &o.csv), std::pair("--plot", &o.plot)}) {
+    if (!text->empty()) {
+      throw UsageError(fmt::format("{} is for --along and --plane", name));
+    }
+  }
+  Asked<words::WordQuestion> given = asked_machine(o, o.parameters, paper);
+  return {std::move(given.file), std::move(given.units), about(given.question, o, Attracted::default_starts)};
+}
+
+Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
+  Asked<AttractorQuestion> given = asked_machines(o, paper);
+  const auto [from, to] = ends(o.along[1]);
+  const int values = whole_number("values", o.values, Attracted::most_values, Attracted::default_values);
+  if (values < 2) {
+    throw UsageError("values: a diagram needs at least 2");
+  }
+  DiagramQuestion asked{given.question, o.along[0], from, to, values, machine_along(o, given.file)};
+  return {std::move(given.file), std::move(given.units), std::move(asked)};
+}
+
+Asked<BasinsQuestion> asked_basins(const Attracted& o, const Paper& paper) {
+  Asked<AttractorQuestion> given = asked_machines(o, paper);
+  BasinsQuestion asked{given.question, plane(o.plane), {}, {}};
+  if (o.pixels == "1") {
+    throw UsageError("pixels: a picture needs at least 2");
+  }
+  const long pixels = whole_number("pixels", o.pixels, Attracted::most_pixels, Attracted::default_pixels);
+  asked.pixels = {pixels, pixels};
+  if (!o.through.empty()) {
+    asked.through = given.units.of_state(four_numbers("through", o.through));
+  }
+  return {std::move(given.file), std::move(given.units), std::move(asked)};
+}
+
+// ---- a motion
+
+double MotionAsked::period() const {
+  return 2 * std::acos(-1.0) / from.start.data.omega;
+}
+
+Asked<MotionAsked> asked_motion(const SimulateOptions& o, const Paper& paper) {
+  ParameterFile file = read_parameters(o.file, o.parameters, o.example,
+                                       o.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
+  Units units = units_of(o.units, file, o.json);
+  MotionAsked asked{simulation_start(o, file, paper, units)};
+  asked.periods = o.periods.empty() ? SimulateOptions::default_periods : positive("periods", o.periods);
+  asked.every = o.every.empty() ? asked.period() / SimulateOptions::samples_in_period
+                                : units.of_time(positive("every", o.every));
+  return {std::move(file), std::move(units), std::move(asked)};
+}
+
+}  // namespace stickslip::cli

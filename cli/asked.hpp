@@ -1,0 +1,57 @@
+// From the options of a command about a machine to what is asked: for the program and for the Python module.
+// Each throws UsageError for what is missing, malformed or does not go together, InputOutputError when the
+// file cannot be read, DomainError as numeric::data_taken does.
+#pragma once
+
+#include "cli/arguments.hpp"
+#include "cli/machine_file.hpp"
+#include "cli/simulation_start.hpp"
+#include "numeric/attractors/diagram.hpp"
+#include "numeric/attractors/word_search.hpp"
+#include "numeric/branches/branches.hpp"
+#include "numeric/orbits.hpp"
+#include "proofs/methods/paper.hpp"
+
+namespace stickslip::cli {
+
+// The file, with what does not count left out; in which units results are told, and states are given.
+template <class Question>
+struct Asked {
+  ParameterFile file;
+  report::orbits::Units units;
+  Question question;
+};
+
+// Of a family; of a word with events; of a word of one phase.
+[[nodiscard]] Asked<numeric::OrbitQuestion> asked_orbits(const OrbitsOptions& options,
+                                                         const proofs::methods::Paper& paper);
+[[nodiscard]] Asked<numeric::attractors::WordSearch> asked_word(const OrbitsOptions& options,
+                                                                const proofs::methods::Paper& paper);
+[[nodiscard]] Asked<numeric::words::WordQuestion> asked_pure_word(const OrbitsOptions& options,
+                                                                  const proofs::methods::Paper& paper);
+
+// Of a family or a word. The branches of a word begin with orbits that are searched for. Along a value of a
+// machine in SI units the question has the machine, and all is in SI units.
+[[nodiscard]] Asked<numeric::branches::BranchQuestion> asked_branch(const BranchOptions& options,
+                                                                    const proofs::methods::Paper& paper);
+
+// Without --along and --plane; with one of them.
+[[nodiscard]] Asked<numeric::attractors::AttractorQuestion> asked_attractors(
+    const AttractorsOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] Asked<numeric::attractors::DiagramQuestion> asked_diagram(const AttractorsOptions& options,
+                                                                        const proofs::methods::Paper& paper);
+[[nodiscard]] Asked<numeric::attractors::BasinsQuestion> asked_basins(const AttractorsOptions& options,
+                                                                      const proofs::methods::Paper& paper);
+
+// A motion: how many periods of the load, and the time between samples, in the units of the data.
+struct MotionAsked {
+  SimulationStart from;
+  double periods = 0, every = 0;
+
+  [[nodiscard]] double period() const;  // of the load
+};
+// Searches for the orbit where it starts at one.
+[[nodiscard]] Asked<MotionAsked> asked_motion(const SimulateOptions& options,
+                                              const proofs::methods::Paper& paper);
+
+}  // namespace stickslip::cli
