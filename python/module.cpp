@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
+#include <array>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -12,20 +12,21 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "cli/numbers.hpp"
-#include "cli/orbit_data.hpp"
+#include "cli/asked.hpp"
+#include "cli/latex_text.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
-#include "numeric/attractors/word_search.hpp"
 #include "numeric/simulation/record.hpp"
 #include "proofs/methods/progress.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "python/in_units.hpp"
 #include "report/atlas/archive.hpp"
 #include "report/atlas/summary.hpp"
 #include "report/audit/json.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/branches.hpp"
+#include "report/orbits/diagram.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/parts.hpp"
@@ -50,12 +51,20 @@ struct Conduct {
   bool in_main_thread;
 };
 
+// An error about a datum of (2) that was taken for a machine in SI units names the machine's value, too.
+[[noreturn]] void throw_domain_error(const std::string& words) {
+  const py::object type = py::module_::import("stickslip._core").attr("DomainError");
+  PyErr_SetString(type.ptr(), words.c_str());
+  throw py::error_already_set();
+}
+
 // The work without Python's lock, one at a time: a wish to end it is the whole process's, and GiNaC's objects
 // are for one thread. After Ctrl-C, KeyboardInterrupt.
 template <class Work>
-auto carried_out(const Conduct& conduct, const Work& work) {
+auto carried_out(const Conduct& conduct, const Work& work, const cli::GivenFile& file = {}) {
   static std::mutex one_at_a_time;
   bool stopped = false;
+  std::optional<std::string> outside;
   auto result = [&] {
     const py::gil_scoped_release released;
     const std::lock_guard<std::mutex> alone(one_at_a_time);
@@ -65,15 +74,23 @@ auto carried_out(const Conduct& conduct, const Work& work) {
     if (conduct.in_main_thread) {
       scope.emplace();
     }
-    auto done = work();
+    std::optional<decltype(work())> done;
+    try {
+      done.emplace(work());
+    } catch (const DomainError& error) {
+      outside = cli::in_keys_of(file, error).what();
+    }
     stopped = interrupted();
     return done;
   }();
+  if (outside) {
+    throw_domain_error(*outside);
+  }
   if (stopped) {
     PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw py::error_already_set();
   }
-  return result;
+  return std::move(*result);
 }
 
 // The paper is looked at only where its examples are asked for.
@@ -82,19 +99,95 @@ const Paper& paper_for(const std::string& example) {
   return example.empty() ? none : proofs::pascal2012::paper();
 }
 
-OrbitList orbits(const std::string& family, const TypedParameters& parameters, const std::string& example,
-                 int digits, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    return list_orbits(
-        cli::question(paper_for(example), family_named(family), parameters, {}, example, digits));
-  });
+// What every question about a machine is given: texts, as they would be typed.
+struct Given {
+  TypedParameters parameters;
+  std::string example;
+  cli::GivenFile machine;  // in SI units
+  std::string units;
+};
+
+Given given(TypedParameters parameters, std::string example, const std::string& machine,
+            std::optional<TypedParameters> values, std::string units) {
+  Given all{std::move(parameters), std::move(example), machine, std::move(units)};
+  all.machine.values = std::move(values);
+  return all;
+}
+
+template <class Options>
+Options options_of(const Given& g) {
+  Options o;
+  o.parameters = g.parameters;
+  o.file = g.machine;
+  o.example = g.example;
+  if constexpr (requires { o.units; }) {
+    o.units = g.units;
+  }
+  return o;
+}
+
+// The values of a machine in SI units, as they stand in its file.
+TypedParameters machine_values(const std::string& file) {
+  return cli::contents_of(file);
+}
+
+// A result, and how it is told.
+template <class Answer>
+struct Told {
+  Answer answer;
+  cli::ParameterFile file;
+  report::orbits::Units units;
+};
+
+template <class Question, class Find>
+auto answered(const cli::Asked<Question>& asked, const Find& find) {
+  return Told<decltype(find(asked.question))>{find(asked.question), asked.file, asked.units};
+}
+
+// As the program prints it: in the units of the data.
+template <class Answer>
+std::string json(const Told<Answer>& t) {
+  return cli::with_machine(report::orbits::to_json(t.answer), t.file).dump();
+}
+
+// The same in the units in which it is told.
+template <class Answer>
+std::string fields(const Told<Answer>& t) {
+  report::tools::Json json = report::orbits::to_json(in_units(t.answer, t.units));
+  if (t.units.are_SI()) {
+    json["units"] = "si";
+  }
+  return json.dump();
+}
+
+// Sentences for what was not taken of a machine, and for what else was noticed.
+template <class Answer>
+std::vector<std::string> left_out(const Told<Answer>& t) {
+  return t.file.left_out;
+}
+
+Told<OrbitList> orbits(const Given& g, const std::string& family, const std::string& digits,
+                       const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = options_of<cli::OrbitsOptions>(g);
+        o.family = family;
+        o.digits = digits;
+        return answered(cli::asked_orbits(o, paper_for(g.example)), list_orbits);
+      },
+      g.machine);
 }
 
 // Of a list all but its orbits.
-std::string without_orbits(const OrbitList& list) {
-  return report::orbits::to_json(
-             OrbitList{list.question, {}, list.unresolved, list.remarks, list.cells, list.open_at_middle})
-      .dump();
+std::string without_orbits(const Told<OrbitList>& t) {
+  const OrbitList& list = t.answer;
+  report::tools::Json json = report::orbits::to_json(
+      OrbitList{list.question, {}, list.unresolved, list.remarks, list.cells, list.open_at_middle});
+  if (t.units.are_SI()) {
+    json["units"] = "si";
+  }
+  return json.dump();
 }
 
 // A ball of an orbit, of which decimals are made when they are asked for: as many as are worth it.
@@ -109,8 +202,10 @@ std::pair<std::string, std::string> decimals(const Enclosure& e) {
 }
 
 // What is decided of an orbit but its conditions; its values by their names; its multipliers.
-std::tuple<py::dict, py::dict, py::list> orbit(const OrbitList& list, std::size_t number) {
+std::tuple<py::dict, py::dict, py::list> orbit(const Told<OrbitList>& t, std::size_t number) {
+  const OrbitList& list = t.answer;
   const Orbit& o = list.orbits.at(number);
+  const WorkingPrecision precision(bits_for(list.question.digits));
   const auto kept = [&](const Ball& ball) { return Enclosure{ball, list.question.digits}; };
   py::dict decided;
   py::dict values;
@@ -123,7 +218,7 @@ std::tuple<py::dict, py::dict, py::list> orbit(const OrbitList& list, std::size_
     decided["split"] = o.split;
   }
   for (const NamedBall& value : o.values) {
-    values[value.name.c_str()] = kept(value.value);
+    values[value.name.c_str()] = kept(t.units.value(value));
   }
   if (o.stability) {
     decided["stability"] = to_string(o.stability->kind);
@@ -135,100 +230,190 @@ std::tuple<py::dict, py::dict, py::list> orbit(const OrbitList& list, std::size_
   return {decided, values, multipliers};
 }
 
-std::string conditions(const OrbitList& list, std::size_t number) {
+std::string conditions(const Told<OrbitList>& t, std::size_t number) {
   report::tools::Json json = report::tools::Json::array();
-  for (const motion::Condition& condition : list.orbits.at(number).conditions) {
+  for (const motion::Condition& condition : t.answer.orbits.at(number).conditions) {
     json.push_back(report::orbits::to_json(condition));
   }
   return json.dump();
 }
 
-branches::BranchList word_branch(const std::string& word, int periods, const TypedParameters& parameters,
-                                 const std::string& example, const std::string& at, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    return list_branches(cli::word_branch_question(paper_for(example), words::Word::parse(word), periods,
-                                                   parameters, {}, example, at));
-  });
+Told<attractors::WordOrbits> word_orbits(const Given& g, const std::string& word, const std::string& period,
+                                         const std::optional<std::string>& near, const std::string& digits,
+                                         const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = options_of<cli::OrbitsOptions>(g);
+        o.family = word;
+        o.period = period;
+        o.near = near.value_or("");
+        o.with_near = near.has_value();
+        o.digits = digits;
+        return answered(cli::asked_word(o, paper_for(g.example)), attractors::find_word_orbits);
+      },
+      g.machine);
 }
 
-branches::BranchList branch(const std::string& family, const TypedParameters& parameters,
-                            const std::string& example, const std::string& at, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    return list_branches(
-        cli::branch_question(paper_for(example), family_named(family), parameters, {}, example, at));
-  });
+Told<branches::BranchList> branch(const Given& g, const std::string& family,
+                                  const std::vector<std::string>& along, const std::string& at,
+                                  const std::string& period, const std::string& orbit,
+                                  const std::string& near, bool all, const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = options_of<cli::BranchOptions>(g);
+        o.family = family;
+        o.along = along;
+        o.at = at;
+        o.period = period;
+        o.orbit = orbit;
+        o.near = near;
+        o.all = all;
+        return answered(cli::asked_branch(o, paper_for(g.example)), branches::list_branches);
+      },
+      g.machine);
 }
 
-attractors::WordOrbits word_orbits(const std::string& word, long periods,
-                                   const std::optional<std::string>& near, const TypedParameters& parameters,
-                                   const std::string& example, int digits, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    attractors::WordSearch search{cli::machine(paper_for(example), parameters, {}, example, digits),
-                                  words::Word::parse(word),
-                                  periods,
-                                  {}};
-    if (near) {
-      search.near = cli::four_numbers("near", *near);
-    }
-    return attractors::find_word_orbits(search);
-  });
+// How starts are followed; what is empty is as the program has it.
+struct Following {
+  std::string starts, seed, most_periods, digits;
+};
+
+cli::AttractorsOptions attractors_options(const Given& g, const Following& how) {
+  auto o = options_of<cli::AttractorsOptions>(g);
+  o.starts = how.starts;
+  o.seed = how.seed;
+  o.most_periods = how.most_periods;
+  o.digits = how.digits;
+  return o;
 }
 
-std::string find_attractors(const TypedParameters& parameters, const std::string& example, long starts,
-                            std::uint64_t seed, long most_periods, int digits, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    const attractors::AttractorQuestion question{
-        cli::machine(paper_for(example), parameters, {}, example, digits), starts, seed, most_periods};
-    return report::orbits::to_json(attractors::find_attractors(question)).dump();
-  });
+Told<attractors::AttractorList> find_attractors(const Given& g, const Following& how,
+                                                const std::string& values, const std::string& pixels,
+                                                const std::string& through, const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = attractors_options(g, how);
+        o.values = values;
+        o.pixels = pixels;
+        o.through = through;
+        return answered(cli::asked_attractors(o, paper_for(g.example)), attractors::find_attractors);
+      },
+      g.machine);
+}
+
+Told<attractors::Diagram> diagram(const Given& g, const Following& how, const std::vector<std::string>& along,
+                                  const std::string& plane, const std::string& values,
+                                  const std::string& pixels, const std::string& through,
+                                  const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = attractors_options(g, how);
+        o.along = along;
+        o.plane = plane;
+        o.values = values;
+        o.pixels = pixels;
+        o.through = through;
+        return answered(cli::asked_diagram(o, paper_for(g.example)), attractors::diagram_of);
+      },
+      g.machine);
+}
+
+// Of a machine whose values vary: those that stay. Else what the program's JSON says.
+std::optional<TypedParameters> staying(const Told<attractors::Diagram>& t) {
+  if (!t.answer.question.taken) {
+    return std::nullopt;
+  }
+  TypedParameters values = t.file.in_SI;
+  values.erase(t.answer.question.parameter);
+  return values;
+}
+
+Told<attractors::Basins> basins(const Given& g, const Following& how, const std::string& plane,
+                                const std::string& values, const std::string& pixels,
+                                const std::string& through, const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = attractors_options(g, how);
+        o.plane = plane;
+        o.values = values;
+        o.pixels = pixels;
+        o.through = through;
+        return answered(cli::asked_basins(o, paper_for(g.example)), attractors::basins_of);
+      },
+      g.machine);
+}
+
+// The starts, row by row from below.
+py::array_t<double> starts(const Told<attractors::Basins>& t) {
+  const auto& pixels = t.answer.question.pixels;
+  py::array_t<double> all({pixels[1], pixels[0], 4L});
+  double * next = all.mutable_data();
+  for (const model::Vector4<double>& X : t.answer.starts) {
+    const model::Vector4<double> told = t.units.state(X);
+    next = std::copy(told.begin(), told.end(), next);
+  }
+  return all;
 }
 
 using Row = std::array<double, 8>;  // t, x1, x2, x1', x2', r, u, energy
 
 struct Followed {
-  std::string json;
+  report::orbits::Simulated simulated;
   std::vector<Row> rows;
   std::vector<int> phases;
 };
 
-Followed simulate(const TypedParameters& parameters, const std::string& state, const std::string& periods,
-                  const std::string& every, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    const auto number = [&](const char * name) { return cli::number(name, parameters.at(name)); };
-    const simulation::Start start{
-        {number("chi"), number("eta"), number("us"), number("V"), number("omega"), number("p")},
-        number("ur"),
-        number("phi"),
-        cli::four_numbers("state", state)};
-    const double period = 2 * std::acos(-1.0) / start.data.omega;
-    report::orbits::Simulated simulated;
-    simulated.periods = cli::positive("periods", periods);
-    simulated.every =
-        every.empty() ? period / cli::SimulateOptions::samples_in_period : cli::positive("every", every);
-    Followed followed;
-    simulated.record = simulation::record_motion(
-        start, {simulated.periods * period, simulated.every}, [](double) { return !interrupted(); },
-        [&](const simulation::Sample& s) {
-          followed.rows.push_back({s.time, s.X(0), s.X(1), s.X(2), s.X(3), s.r, s.u, s.energy});
-          followed.phases.push_back(static_cast<int>(s.phase));
+Told<Followed> simulate(const Given& g, const std::string& orbit, const std::string& state,
+                        const std::string& perturb, const std::string& periods, const std::string& every,
+                        const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = options_of<cli::SimulateOptions>(g);
+        o.orbit = orbit;
+        o.state = state;
+        o.perturb = perturb;
+        o.periods = periods;
+        o.every = every;
+        auto asked = cli::asked_motion(o, paper_for(g.example));
+        if (!asked.question.from.leaves.empty()) {
+          asked.file.left_out.push_back(asked.question.from.leaves);
+        }
+        return answered(asked, [&](const cli::MotionAsked& motion) {
+          Followed followed;
+          followed.simulated.periods = motion.periods;
+          followed.simulated.every = motion.every;
+          followed.simulated.record = simulation::record_motion(
+              motion.from.start, {motion.periods * motion.period(), motion.every},
+              [](double) { return !interrupted(); },
+              [&](const simulation::Sample& in_data) {
+                const simulation::Sample s = asked.units.sample(in_data);
+                followed.rows.push_back({s.time, s.X(0), s.X(1), s.X(2), s.X(3), s.r, s.u, s.energy});
+                followed.phases.push_back(static_cast<int>(s.phase));
+              });
+          return followed;
         });
-    followed.json = report::orbits::to_json(simulated).dump();
-    return followed;
-  });
+      },
+      g.machine);
 }
 
-std::tuple<std::string, py::array_t<double>, py::array_t<int>> simulated(const TypedParameters& parameters,
-                                                                         const std::string& state,
-                                                                         const std::string& periods,
-                                                                         const std::string& every,
-                                                                         const Conduct& conduct) {
-  const Followed followed = simulate(parameters, state, periods, every, conduct);
+Told<report::orbits::Simulated> simulation_of(const Told<Followed>& t) {
+  return {t.answer.simulated, t.file, t.units};
+}
+
+std::tuple<py::array_t<double>, py::array_t<int>> samples(const Told<Followed>& t) {
+  const Followed& followed = t.answer;
   const auto count = static_cast<py::ssize_t>(followed.rows.size());
   py::array_t<double> rows({count, static_cast<py::ssize_t>(std::tuple_size_v<Row>)});
   for (py::ssize_t i = 0; i < count; ++i) {
     std::ranges::copy(followed.rows[static_cast<std::size_t>(i)], rows.mutable_data(i, 0));
   }
-  return {followed.json, std::move(rows), py::array_t<int>(count, followed.phases.data())};
+  return {std::move(rows), py::array_t<int>(count, followed.phases.data())};
 }
 
 std::string check(const std::vector<std::string>& words, const Conduct& conduct) {
@@ -253,6 +438,27 @@ std::string latex(const std::string& name, bool in_frequencies, const Conduct& c
     return symbolic::objects::displayed(
         *object, in_frequencies ? symbolic::objects::Unknowns::omega : symbolic::objects::Unknowns::chi);
   });
+}
+
+// A theorem, an orbit or errata, and sentences for what was left out of the parameters.
+std::pair<std::string, std::vector<std::string>> latex_text(const Given& g, const std::string& theorem,
+                                                            const std::string& orbit, bool errata,
+                                                            const std::string& digits,
+                                                            const Conduct& conduct) {
+  const cli::LatexText made = carried_out(
+      conduct,
+      [&] {
+        auto o = options_of<cli::LatexOptions>(g);
+        o.theorem = theorem;
+        o.orbit = orbit;
+        o.errata = errata;
+        o.digits = digits;
+        return cli::latex_text(o, proofs::pascal2012::paper(), [](const auto& claims, const auto& ids) {
+          return proofs::methods::audit(claims, ids, [](const std::string&, std::size_t, std::size_t) {});
+        });
+      },
+      g.machine);
+  return {made.text, made.left_out};
 }
 
 std::vector<std::tuple<std::string, std::string, std::string>> expressions() {
@@ -304,9 +510,16 @@ py::dict columns(const Archive& a) {
 }
 
 // For gnuplot; empty where there is nothing to draw.
-template <class List>
-std::string script(const List& list) {
-  return report::orbits::plot_script(list, report::tools::PlotFormat::svg);
+template <class Answer>
+std::string script(const Told<Answer>& t) {
+  return report::orbits::plot_script(t.answer, report::tools::PlotFormat::svg, t.units);
+}
+std::string script_of_orbits(const Told<OrbitList>& t) {
+  using namespace report;
+  return orbits::plot_script(t.answer, tools::PlotFormat::svg, tools::PlotShape::wide, std::nullopt, t.units);
+}
+std::string script_of_branches(const Told<branches::BranchList>& t) {
+  return report::orbits::plot_script(t.answer, report::tools::PlotFormat::svg);
 }
 std::string script_of(const Archive& a) {
   return report::atlas::plot_script(a.question, a.leaves, report::tools::PlotFormat::svg);
@@ -334,40 +547,75 @@ PYBIND11_MODULE(_core, m) {
   py::class_<Conduct>(m, "Conduct")
       .def(py::init<std::optional<std::size_t>, bool>(), py::arg("jobs"), py::arg("in_main_thread"));
   py::class_<Enclosure>(m, "Ball").def("decimals", &decimals);
-  py::class_<numeric::OrbitList>(m, "OrbitList")
-      .def("json", [](const numeric::OrbitList& list) { return report::orbits::to_json(list).dump(); })
+  py::class_<Given>(m, "Given")
+      .def(py::init(&given), py::arg("parameters"), py::arg("example"), py::arg("machine"), py::arg("values"),
+           py::arg("units"));
+  py::class_<Following>(m, "Following")
+      .def(py::init<std::string, std::string, std::string, std::string>(), py::arg("starts"), py::arg("seed"),
+           py::arg("most_periods"), py::arg("digits"));
+  using Orbits = Told<numeric::OrbitList>;
+  py::class_<Orbits>(m, "OrbitList")
+      .def("json", &json<numeric::OrbitList>)
+      .def("left_out", &left_out<numeric::OrbitList>)
       .def("without_orbits", &without_orbits)
-      .def("__len__", [](const numeric::OrbitList& list) { return list.orbits.size(); })
+      .def("__len__", [](const Orbits& t) { return t.answer.orbits.size(); })
       .def("orbit", &orbit, py::arg("number"))
       .def("conditions", &conditions, py::arg("number"))
-      .def("script", &script<numeric::OrbitList>);
-  py::class_<numeric::attractors::WordOrbits>(m, "WordOrbits")
-      .def("json",
-           [](const numeric::attractors::WordOrbits& list) { return report::orbits::to_json(list).dump(); });
-  py::class_<numeric::branches::BranchList>(m, "BranchList")
-      .def("json",
-           [](const numeric::branches::BranchList& list) { return report::orbits::to_json(list).dump(); })
-      .def("script", &script<numeric::branches::BranchList>);
+      .def("script", &script_of_orbits);
+  py::class_<Told<numeric::attractors::WordOrbits>>(m, "WordOrbits")
+      .def("json", &json<numeric::attractors::WordOrbits>)
+      .def("fields", &fields<numeric::attractors::WordOrbits>)
+      .def("left_out", &left_out<numeric::attractors::WordOrbits>);
+  py::class_<Told<numeric::branches::BranchList>>(m, "BranchList")
+      .def("json", &json<numeric::branches::BranchList>)
+      .def("left_out", &left_out<numeric::branches::BranchList>)
+      .def("script", &script_of_branches);
+  py::class_<Told<numeric::attractors::AttractorList>>(m, "AttractorList")
+      .def("json", &json<numeric::attractors::AttractorList>)
+      .def("fields", &fields<numeric::attractors::AttractorList>)
+      .def("left_out", &left_out<numeric::attractors::AttractorList>);
+  py::class_<Told<numeric::attractors::Diagram>>(m, "Diagram")
+      .def("json", &json<numeric::attractors::Diagram>)
+      .def("fields", &fields<numeric::attractors::Diagram>)
+      .def("left_out", &left_out<numeric::attractors::Diagram>)
+      .def("staying", &staying)
+      .def("script", &script<numeric::attractors::Diagram>);
+  py::class_<Told<numeric::attractors::Basins>>(m, "Basins")
+      .def("json", &json<numeric::attractors::Basins>)
+      .def("fields", &fields<numeric::attractors::Basins>)
+      .def("left_out", &left_out<numeric::attractors::Basins>)
+      .def("starts", &starts)
+      .def("script", &script<numeric::attractors::Basins>);
+  using Motion = Told<Followed>;
+  py::class_<Motion>(m, "Motion")
+      .def("json", [](const Motion& t) { return json(simulation_of(t)); })
+      .def("fields", [](const Motion& t) { return fields(simulation_of(t)); })
+      .def("left_out", &left_out<Followed>)
+      .def("samples", &samples);
   py::class_<Archive>(m, "Archive")
       .def("json", [](const Archive& a) { return report::atlas::to_json(a.question, a.leaves).dump(); })
       .def("script", &script_of)
       .def("columns", &columns)
       .def("box", &box, py::arg("number"));
-  m.def("orbits", &orbits, py::arg("family"), py::arg("parameters"), py::arg("example"), py::arg("digits"),
-        py::arg("conduct"));
-  m.def("branch", &branch, py::arg("family"), py::arg("parameters"), py::arg("example"), py::arg("at"),
-        py::arg("conduct"));
-  m.def("word_branch", &word_branch, py::arg("word"), py::arg("periods"), py::arg("parameters"),
-        py::arg("example"), py::arg("at"), py::arg("conduct"));
+  m.def("orbits", &orbits, py::arg("given"), py::arg("family"), py::arg("digits"), py::arg("conduct"));
+  m.def("word_orbits", &word_orbits, py::arg("given"), py::arg("word"), py::arg("period"), py::arg("near"),
+        py::arg("digits"), py::arg("conduct"));
+  m.def("branch", &branch, py::arg("given"), py::arg("family"), py::arg("along"), py::arg("at"),
+        py::arg("period"), py::arg("orbit"), py::arg("near"), py::arg("all"), py::arg("conduct"));
   m.def("atlas", &read_atlas, py::arg("file"), py::arg("conduct"));
-  m.def("word_orbits", &word_orbits, py::arg("word"), py::arg("periods"), py::arg("near"),
-        py::arg("parameters"), py::arg("example"), py::arg("digits"), py::arg("conduct"));
-  m.def("attractors", &find_attractors, py::arg("parameters"), py::arg("example"), py::arg("starts"),
-        py::arg("seed"), py::arg("most_periods"), py::arg("digits"), py::arg("conduct"));
-  m.def("simulate", &simulated, py::arg("parameters"), py::arg("state"), py::arg("periods"), py::arg("every"),
-        py::arg("conduct"));
+  m.def("attractors", &find_attractors, py::arg("given"), py::arg("following"), py::arg("values"),
+        py::arg("pixels"), py::arg("through"), py::arg("conduct"));
+  m.def("diagram", &diagram, py::arg("given"), py::arg("following"), py::arg("along"), py::arg("plane"),
+        py::arg("values"), py::arg("pixels"), py::arg("through"), py::arg("conduct"));
+  m.def("basins", &basins, py::arg("given"), py::arg("following"), py::arg("plane"), py::arg("values"),
+        py::arg("pixels"), py::arg("through"), py::arg("conduct"));
+  m.def("simulate", &simulate, py::arg("given"), py::arg("orbit"), py::arg("state"), py::arg("perturb"),
+        py::arg("periods"), py::arg("every"), py::arg("conduct"));
+  m.def("machine_values", &machine_values, py::arg("file"));
   m.def("check", &check, py::arg("words"), py::arg("conduct"));
   m.def("latex", &latex, py::arg("name"), py::arg("in_frequencies"), py::arg("conduct"));
+  m.def("latex_text", &latex_text, py::arg("given"), py::arg("theorem"), py::arg("orbit"), py::arg("errata"),
+        py::arg("digits"), py::arg("conduct"));
   m.def("gnuplot", &gnuplot, py::arg("script"));
   m.def("expressions", &expressions);
   m.def("version", [] { return report::tools::program_version(); });

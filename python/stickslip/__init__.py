@@ -11,6 +11,10 @@ friction, V the belt's velocity, omega and p frequency and amplitude of the load
 phi the load's phase. They are given exactly: as text ("0.1607", "1/3", or a box "0.5+-1e-4"), int, Fraction
 or Decimal; a float is refused. ``example="S"`` (O, P) takes the paper's data; what is given replaces them.
 
+``machine=Machine(m1="2.5", …)`` or ``machine=read_machine("machine.toml")`` is a machine in SI units: the data are
+taken for it by (3), in a unit of length that ``json["machine"]`` of the result says. With ``units="si"`` results are
+told, and states given, in s, m, m/s, N and J. Of a machine, what a question does not take is warned of.
+
 Errors: UsageError and DomainError (both are ValueErrors), InputOutputError (an OSError), InternalError (a
 RuntimeError), all of them stickslip.Error, with the program's sentences. Long work runs without Python's lock;
 Ctrl-C ends it.
@@ -20,20 +24,22 @@ from __future__ import annotations
 
 import os as _os
 import threading as _threading
+import warnings as _warnings
 from numbers import Integral as _Integral
-from typing import Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._core import DomainError, Error, InputOutputError, InternalError, UsageError
 from ._exact import Ball, ComplexBall, Exact, exact
-from ._results import (Atlas, Attractor, Attractors, Branch, Branches, BranchEnd, Change, Check, Claim, Condition,
-                       Count, Event, Orbit, Orbits, Piece, Simulation, Unresolved)
+from ._machine import Along, Machine, interval, read_machine
+from ._results import (Atlas, Attractor, Attractors, Basins, Branch, Branches, BranchEnd, Change, Check, Claim,
+                       Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, Simulation, Unresolved)
 
 __all__ = [
-    "orbits", "branch", "atlas", "attractors", "simulate", "check", "latex", "expressions", "Ball", "ComplexBall",
-    "Condition", "Unresolved", "Orbit", "Orbits", "Change", "Piece", "BranchEnd", "Branch", "Count", "Branches",
-    "Atlas", "Attractor", "Attractors", "Event", "Simulation", "Claim", "Check", "Error", "UsageError", "DomainError",
-    "InputOutputError", "InternalError", "__version__"
+    "orbits", "branch", "atlas", "attractors", "simulate", "check", "latex", "expressions", "Machine", "read_machine",
+    "Ball", "ComplexBall", "Condition", "Unresolved", "Orbit", "Orbits", "Change", "Piece", "BranchEnd", "Branch",
+    "Count", "Branches", "Atlas", "Attractor", "Attractors", "DiagramPoint", "Diagram", "Basins", "Event", "Simulation",
+    "Claim", "Check", "Error", "UsageError", "DomainError", "InputOutputError", "InternalError", "__version__"
 ]
 
 __version__ = _core.version()
@@ -44,9 +50,6 @@ DomainError.__doc__ = "A parameter lies outside its domain, which the sentence n
 InputOutputError.__doc__ = "A file or another program failed; an OSError, too."
 InternalError.__doc__ = "Engines disagree, or a rule of this program is broken; a RuntimeError, too."
 
-#: A number, or for the one parameter that varies the interval between two.
-Along = Union[Exact, Tuple[Exact, Exact]]
-
 _data = ("chi", "eta", "us", "V", "omega", "p")
 
 
@@ -55,13 +58,26 @@ def _conduct(jobs: Optional[int]) -> _core.Conduct:
     return _core.Conduct(threads, _threading.current_thread() is _threading.main_thread())
 
 
-def _parameters(example: Optional[str], needed: Sequence[str], given: Dict[str, Optional[Exact]]) -> Dict[str, str]:
-    """What is given, as text. Raises UsageError for what is missing without an example."""
-    texts = {name: exact(name, value) for name, value in given.items() if value is not None}
+def _given(parameters: Dict[str, Optional[Along]], needed: Sequence[str], example: Optional[str],
+           machine: Optional[Machine] = None, units: Optional[str] = None) -> _core.Given:
+    """What a question is given. Raises UsageError for what is missing without an example and a machine."""
+    texts = {name: interval(name, value) for name, value in parameters.items() if value is not None}
     missing = [name for name in needed if name not in texts]
-    if missing and example is None:
+    if missing and example is None and machine is None:
         raise UsageError(f"missing: {', '.join(missing)}; or take the data of the paper's example='S', 'O' or 'P'")
-    return texts
+    values = None if machine is None else machine.values()
+    return _core.Given(texts, example or "", "" if machine is None else machine.name, values, units or "")
+
+
+def _told(found: Any) -> Any:
+    """What was found, after warnings of what was not taken."""
+    _warn(found.left_out())
+    return found
+
+
+def _warn(sentences: Sequence[str], frames: int = 4) -> None:
+    for sentence in sentences:
+        _warnings.warn(sentence, stacklevel=frames)
 
 
 def _whole(name: str, value: int, least: int, most: int) -> int:
@@ -70,10 +86,30 @@ def _whole(name: str, value: int, least: int, most: int) -> int:
     return int(value)
 
 
+def _number(name: str, value: Union[Exact, float, None]) -> str:
+    """As text; of what a proof does not need exactly, a float, too; nothing if there is none."""
+    if value is None:
+        return ""
+    return repr(value) if isinstance(value, float) else exact(name, value)
+
+
+def _count(name: str, value: Optional[int], most: int) -> str:
+    return "" if value is None else str(_whole(name, value, 1, most))
+
+
 def _state(name: str, state: Sequence[Union[Exact, float]]) -> str:
     if len(state) != 4:
         raise UsageError(f"{name}: a state is four numbers x1, x2, x1', x2', not {len(state)}")
-    return ",".join(repr(x) if isinstance(x, float) else exact(name, x) for x in state)
+    return ",".join(_number(name, x) for x in state)
+
+
+def _range(along: Optional[Tuple[str, Exact, Exact]]) -> List[str]:
+    """A name and A..B, or nothing. Raises UsageError for anything else."""
+    if along is None:
+        return []
+    if not isinstance(along, tuple) or len(along) != 3 or not isinstance(along[0], str):
+        raise UsageError(f"along: {along!r} is not a name and two numbers, such as ('load_frequency', 7, 8)")
+    return [along[0], interval("along", along[1:])]
 
 
 def _is_word(family: str) -> bool:
@@ -83,14 +119,16 @@ def _is_word(family: str) -> bool:
 def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,
            V: Optional[Exact] = None, omega: Optional[Exact] = None, p: Optional[Exact] = None,
            phi: Optional[Exact] = None, ur: Optional[Exact] = None, example: Optional[str] = None,
-           digits: int = 20, period: int = 1, near: Optional[Sequence[Union[Exact, float]]] = None,
-           jobs: Optional[int] = None) -> Orbits:
+           machine: Optional[Machine] = None, units: Optional[str] = None, digits: int = 20, period: int = 1,
+           near: Optional[Sequence[Union[Exact, float]]] = None, jobs: Optional[int] = None) -> Orbits:
     """All periodic orbits of a family, each proved to exist, with every condition decided.
 
     family: "symmetric" (Section 4; phi and ur are results), "overshooting" (Section 5; exactly one of phi and
     ur is given), "nonsticking" (Section 6 and any V; ur may be given); or a word of S (slip), O (overshoot), T
     (stick) such as "OTS": its orbits over `period` periods of the load at ur, near a state (x1, x2, x1', x2')
     or where random starts end; complete for up to four phases, OSOS aside, without `near`.
+    machine: in SI units, in place of the data; phi, in rad, goes with it. units: "si": values are told, and
+    `near` is given, in s, m, m/s and N; by default in the units of the data.
     digits: significant ones of each value, at most 2000. jobs: the most threads; the result is the same.
 
     A parameter may be a box ("0.3+-1e-4", a Ball): then each orbit is proved for all its members.
@@ -98,42 +136,43 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     Raises UsageError for what is missing, malformed or not given for the family, DomainError for data outside
     the domain, TypeError for a float, KeyboardInterrupt after Ctrl-C.
     """
-    parameters = _parameters(example, _data, dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur))
+    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur), _data, example, machine, units)
     conduct = _conduct(jobs)
+    wanted = _count("digits", digits, 2000)
     if _is_word(family):
-        return Orbits._later(
-            _core.word_orbits(family, _whole("period", period, 1, 100000),
-                              None if near is None else _state("near", near), parameters, example or "",
-                              _whole("digits", digits, 1, 2000), conduct))
+        return Orbits._later(_told(
+            _core.word_orbits(given, family, _count("period", period, 100000),
+                              None if near is None else _state("near", near), wanted, conduct)))
     if near is not None or period != 1:
         raise UsageError(f"period and near are for words of phases, not for the family '{family}'")
-    return Orbits._later(_core.orbits(family, parameters, example or "", _whole("digits", digits, 1, 2000), conduct))
+    return Orbits._later(_told(_core.orbits(given, family, wanted, conduct)))
 
 
 def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = None, us: Optional[Along] = None,
            V: Optional[Along] = None, omega: Optional[Along] = None, p: Optional[Along] = None,
            phi: Optional[Along] = None, ur: Optional[Along] = None, at: Optional[Exact] = None,
-           example: Optional[str] = None, period: int = 1, jobs: Optional[int] = None) -> Branches:
+           example: Optional[str] = None, machine: Optional[Machine] = None,
+           along: Optional[Tuple[str, Exact, Exact]] = None, period: int = 1, orbit: Optional[int] = None,
+           near: Optional[Sequence[Union[Exact, float]]] = None, all: bool = False,
+           jobs: Optional[int] = None) -> Branches:
     """The orbits of a family over an interval of one parameter, and every change along them, enclosed and proved.
 
     family: as for orbits; of a word the branches of the orbits that are found at `at`, or else in the middle of
     the interval, are followed, and no others are looked for. One parameter is an interval: a pair of exact
     numbers, ("0.5", "0.6"), or text, "0.5..0.6"; the others are numbers.
+    machine: in SI units, in place of the data. along: the parameter that varies, and its interval; of a machine
+    also one of its values, ("load_frequency", 7, 8) in Hz, and then all results are in s, m, m/s and N.
     at: follow the branches of the orbits at this value of it only; otherwise all branches are looked for.
+    Of a word: period, of the load; orbit: the K-th that orbits(word) lists, from 1; near: the orbit near the state
+    (x1, x2, x1', x2') at load phase 0, in the units of the data; all: those that are not admissible, too.
 
     Raises as orbits does.
     """
-    given = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
-    texts = {name: "..".join(exact(name, end) for end in value) if isinstance(value, tuple) else value
-             for name, value in given.items()}
-    parameters = _parameters(example, _data, texts)
-    where = "" if at is None else exact("at", at)
-    if _is_word(family):
-        return Branches._from(_core.word_branch(family, _whole("period", period, 1, 100000), parameters,
-                                                example or "", where, _conduct(jobs)))
-    if period != 1:
-        raise UsageError(f"period is for words of phases, not for the family '{family}'")
-    return Branches._from(_core.branch(family, parameters, example or "", where, _conduct(jobs)))
+    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
+                   () if along else _data, example, machine)
+    which = (_range(along), _number("at", at), "" if period == 1 else _count("period", period, 100000),
+             _count("orbit", orbit, 10**6), "" if near is None else _state("near", near), bool(all))
+    return Branches._from(_told(_core.branch(given, family, *which, _conduct(jobs))))
 
 
 def atlas(file: Union[str, "_os.PathLike[str]"]) -> Atlas:
@@ -147,41 +186,73 @@ def atlas(file: Union[str, "_os.PathLike[str]"]) -> Atlas:
 
 def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,
                V: Optional[Exact] = None, omega: Optional[Exact] = None, p: Optional[Exact] = None,
-               ur: Optional[Exact] = None, example: Optional[str] = None, starts: int = 500, seed: int = 1,
-               most_periods: int = 20000, digits: int = 20, jobs: Optional[int] = None) -> Attractors:
+               ur: Optional[Exact] = None, example: Optional[str] = None, machine: Optional[Machine] = None,
+               units: Optional[str] = None, starts: Optional[int] = None, seed: Optional[int] = None,
+               along: Optional[Tuple[str, Exact, Exact]] = None, values: Optional[int] = None,
+               plane: Optional[Tuple[str, str]] = None, pixels: Optional[int] = None,
+               through: Optional[Sequence[Union[Exact, float]]] = None, most_periods: int = 20000, digits: int = 20,
+               jobs: Optional[int] = None) -> Union[Attractors, Diagram, Basins]:
     """What a machine does: the motions that random starts end on, each periodic one proved.
 
-    starts: how many; seed: of the random numbers, the same everywhere; most_periods: of the load, that a start
-    is followed for. The load is cos(omega t). What is quasi-periodic or irregular is distinguished by its Lyapunov
-    exponent, which is a check and no proof.
+    starts: how many, by default 500; seed: of the random numbers, the same everywhere, by default 1; most_periods: of
+    the load, that a start is followed for. The load is cos(omega t). What is quasi-periodic or irregular is
+    distinguished by its Lyapunov exponent, which is a check and no proof.
+    machine: in SI units, in place of the data. units: "si": states are told, and `through` is given, in m and m/s,
+    durations are in s; by default in the units of the data.
+
+    along: a parameter, or a value of the machine such as ("load_frequency", 2, 4) in Hz, and its interval: a Diagram
+    of what starts end on at so many values of it, by default 41 with 50 starts each. Along a value of a machine
+    states are in SI units in any case.
+    plane: two of "x1", "x2", "x1'", "x2'": Basins of pixels x pixels starts in that plane, by default 60 x 60,
+    through a state, by default in the middle of the random starts.
 
     Raises as orbits does.
     """
-    parameters = _parameters(example, (*_data, "ur"), dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur))
-    return Attractors._from(
-        _core.attractors(parameters, example or "", _whole("starts", starts, 1, 100000),
-                         _whole("seed", seed, 0, 10**9), _whole("most_periods", most_periods, 1, 10**9),
-                         _whole("digits", digits, 1, 2000), _conduct(jobs)))
+    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur), (*_data, "ur"), example, machine, units)
+    following = _core.Following(_count("starts", starts, 100000), _count("seed", seed, 10**9),
+                                _count("most_periods", most_periods, 10**9), _count("digits", digits, 2000))
+    how = ("" if values is None else str(_whole("values", values, 2, 10000)),
+           "" if pixels is None else str(_whole("pixels", pixels, 2, 1000)),
+           "" if through is None else _state("through", through))
+    conduct = _conduct(jobs)
+    across = "" if plane is None else ",".join(plane)
+    if along is not None:
+        return Diagram._from(_told(_core.diagram(given, following, _range(along), across, *how, conduct)))
+    if plane is not None:
+        return Basins._from(_told(_core.basins(given, following, across, *how, conduct)))
+    return Attractors._from(_told(_core.attractors(given, following, *how, conduct)))
 
 
-def simulate(state: Sequence[Union[Exact, float]], *, chi: Exact, eta: Exact, us: Exact, V: Exact, omega: Exact,
-             p: Exact, ur: Exact, phi: Exact = 0, periods: Union[Exact, float] = 100,
+def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Optional[Exact] = None,
+             eta: Optional[Exact] = None, us: Optional[Exact] = None, V: Optional[Exact] = None,
+             omega: Optional[Exact] = None, p: Optional[Exact] = None, ur: Optional[Exact] = None,
+             phi: Optional[Exact] = None, example: Optional[str] = None, machine: Optional[Machine] = None,
+             units: Optional[str] = None, orbit: Optional[str] = None,
+             perturb: Optional[Sequence[Union[Exact, float]]] = None, periods: Union[Exact, float] = 100,
              every: Union[Exact, float, None] = None) -> Simulation:
     """The motion under the friction law (2), (4) from a state x1, x2, x1', x2' at t = 0, by closed forms, in floats.
 
-    phi: the load's phase at t = 0, in rad; periods: of the load, how long; every: the time between samples, by
-    default a 200th of a period. No event is missed, up to rounding. A simulation proves nothing, so state,
-    periods and every may be floats.
+    In place of the state: example, of the paper, where its orbit begins; or orbit, such as "symmetric:1": where
+    that orbit of those that orbits("symmetric") lists begins, counted from 1. perturb is added to the start.
+    phi: the load's phase at t = 0, in rad, by default 0, of an orbit its own, of a machine its load_phase; periods:
+    of the load, how long; every: the time between samples, by default a 200th of a period. No event is missed, up
+    to rounding. A simulation proves nothing, so state, perturb, periods and every may be floats.
+    machine: in SI units, in place of the data. units: "si": state, perturb and every are given, and the motion is
+    told, in s, m, m/s, N and J; by default in the units of the data.
 
-    Raises as orbits does.
+    Raises as orbits does. Warns of an orbit that is not admissible, which the motion leaves.
     """
-    def text(name: str, value: Union[Exact, float]) -> str:
-        return repr(value) if isinstance(value, float) else exact(name, value)
-
-    parameters = _parameters(None, (), dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur, phi=phi))
-    return Simulation._from(
-        *_core.simulate(parameters, _state("state", state), text("periods", periods),
-                        "" if every is None else text("every", every), _conduct(None)))
+    from_state = state is not None and machine is None and example is None and orbit is None
+    if from_state and phi is None:
+        phi = 0
+    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur, phi=phi),
+                   (*_data, "ur") if from_state else (), example, machine, units)
+    if state is not None and orbit is not None:
+        raise UsageError("state and orbit do not go together")
+    return Simulation._from(_told(
+        _core.simulate(given, orbit or "", "" if state is None else _state("state", state),
+                       "" if perturb is None else _state("perturb", perturb), _number("periods", periods),
+                       _number("every", every), _conduct(None))))
 
 
 def check(*ids: str, jobs: Optional[int] = None) -> Check:
@@ -195,17 +266,38 @@ def check(*ids: str, jobs: Optional[int] = None) -> Check:
     return Check._from(_core.check(list(ids), _conduct(jobs)))
 
 
-def latex(name: str, *, unknowns: str = "chi") -> str:
-    r"""A derived expression as a displayed equation for a document with amsmath.
+def latex(name: Optional[str] = None, *, unknowns: str = "chi", theorem: Optional[str] = None,
+          orbit: Optional[str] = None, errata: bool = False, chi: Optional[Exact] = None,
+          eta: Optional[Exact] = None, us: Optional[Exact] = None, V: Optional[Exact] = None,
+          omega: Optional[Exact] = None, p: Optional[Exact] = None, phi: Optional[Exact] = None,
+          ur: Optional[Exact] = None, example: Optional[str] = None, machine: Optional[Machine] = None,
+          digits: Optional[int] = None) -> str:
+    r"""A text in LaTeX, as the program prints it: exactly one of name, theorem, orbit and errata says which.
 
-    name: one of expressions(); unknowns: "chi" (chi, eta and the abbreviations omega_j, lambda_j) or "omega"
-    (the natural frequencies alone).
+    name: one of expressions(), as a displayed equation for a document with amsmath; unknowns: "chi" (chi, eta and the abbreviations omega_j,
+    lambda_j) or "omega" (the natural frequencies alone).
+    theorem: the id of a result of the audit, after the proofs of its claims. errata: those of the paper, after all
+    proofs, which take some seconds.
+    orbit: "symmetric:1" is the first that orbits("symmetric") lists at the data, the example's or the machine's:
+    its values to so many digits, by default 10, times dimensionless and lengths in the unit of us.
 
-    Raises UsageError for an unknown name.
+    Raises UsageError for an unknown name and for what is missing, DomainError for data outside the domain,
+    KeyboardInterrupt after Ctrl-C.
     """
+    if [name is not None, theorem is not None, orbit is not None, errata].count(True) != 1:
+        raise UsageError("latex takes exactly one of a name, theorem, orbit and errata")
     if unknowns not in ("chi", "omega"):
         raise UsageError(f"unknowns: '{unknowns}' is neither chi nor omega")
-    return _core.latex(name, unknowns == "omega", _conduct(None))
+    data = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
+    given = _given(data, () if orbit is None else _data, example, machine)
+    if name is not None:
+        if any(value is not None for value in (*data.values(), example, machine, digits)):
+            raise UsageError("parameters and digits are for an orbit: an expression is for all parameters")
+        return _core.latex(name, unknowns == "omega", _conduct(None))
+    text, left_out = _core.latex_text(given, theorem or "", orbit or "", errata, _count("digits", digits, 2000),
+                                      _conduct(None))
+    _warn(left_out, 3)
+    return text
 
 
 def expressions() -> List[Tuple[str, str, str]]:

@@ -76,12 +76,17 @@ def _listed(parameters: Dict[str, str]) -> str:
     return " ".join(f"{name}={value}" for name, value in parameters.items())
 
 
+def _in(units: Optional[str]) -> str:
+    return "; values in SI units" if units else ""
+
+
 @dataclass(frozen=True, repr=False)
 class Orbit(Later, Row):
     """A periodic orbit that is proved to exist, with everything decided about it.
 
-    Times and angles are dimensionless; lengths are in the unit of us, V and p. What the family does not have
-    is None.
+    Times and angles are dimensionless; lengths are in the unit of us, V and p; or, with units="si", times are in
+    s, lengths in m, velocities in m/s and ur in N. Conditions always are in the units of the data. What the family
+    does not have is None.
     """
 
     admissible: Optional[bool]  #: whether all conditions hold; None: undecided
@@ -167,6 +172,7 @@ class Orbits(Drawn, Later, Listed[Orbit]):
     period: Optional[int]  #: of a word, in periods of the load
     remarks: Tuple[str, ...]
     seen: str  #: of a word: what was met in place of an orbit
+    units: Optional[str]  #: "si": times in s, lengths in m, velocities in m/s, ur in N; None: those of the data
     json: Dict[str, Any] = field(repr=False, compare=False)  #: as orbits --json prints it
 
     def _made(self, name: str) -> Dict[str, Any]:
@@ -177,11 +183,12 @@ class Orbits(Drawn, Later, Listed[Orbit]):
             data = _json.loads(found.without_orbits())
             orbits = tuple(Orbit._of(found, number) for number in range(len(found)))
         else:
-            data = self.json
+            data = _json.loads(found.fields())
             orbits = tuple(Orbit._from(o) for o in data["orbits"])
         return dict(parameters=data["parameters"], complete=data["complete"], orbits=orbits,
                     unresolved=_unresolved(data), family=data.get("family"), word=data.get("word"),
-                    period=data.get("period"), remarks=tuple(data.get("remarks", [])), seen=data.get("seen", ""))
+                    period=data.get("period"), remarks=tuple(data.get("remarks", [])), seen=data.get("seen", ""),
+                    units=data.get("units"))
 
     def _items(self) -> Tuple[Orbit, ...]:
         return self.orbits
@@ -189,7 +196,7 @@ class Orbits(Drawn, Later, Listed[Orbit]):
     def _title(self) -> str:
         parts = f", {len(self.unresolved)} parts unresolved" if self.unresolved else ""
         found = "complete" if self.complete else "not complete" + parts
-        return f"{self.family or self.word}, {_listed(self.parameters)}; {found}"
+        return f"{self.family or self.word}, {_listed(self.parameters)}; {found}{_in(self.units)}"
 
     @property
     def admissible(self) -> Tuple[Orbit, ...]:
@@ -323,6 +330,7 @@ class Branches(Drawn, Listed[Branch]):
     counts: Tuple[Count, ...]
     unresolved: Tuple[Unresolved, ...]  #: where more may be; "value" is the parameter's
     at: Optional[str] = None  #: only the branches of the orbits at this value were asked for
+    units: Optional[str] = None  #: "si" along a value of a machine: all is in SI units
     json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as branch --json prints it
 
     @classmethod
@@ -339,7 +347,7 @@ class Branches(Drawn, Listed[Branch]):
     def _title(self) -> str:
         found = "complete" if self.complete else "not complete"
         return (f"{self.family}, {self.parameter} from {self.interval[0]} to {self.interval[1]}, "
-                f"{_listed(self.parameters)}; {found}")
+                f"{_listed(self.parameters)}; {found}{_in(self.units)}")
 
     def to_frame(self) -> "pandas.DataFrame":
         """The samples of all branches, a row each; "branch" counts from 0. Needs pandas."""
@@ -460,18 +468,125 @@ class Attractors(Listed[Attractor]):
     seed: int
     simulated: int  #: periods of the load in all
     attractors: Tuple[Attractor, ...]
+    units: Optional[str] = None  #: "si": states in m and m/s, durations in s; None: the units of the data
     json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as attractors --json prints it
 
     @classmethod
-    def _from(cls, text: str) -> "Attractors":
-        data = _json.loads(text)
-        return _given(cls, data, attractors=tuple(Attractor._from(a) for a in data["attractors"]), json=data)
+    def _from(cls, found: _core.AttractorList) -> "Attractors":
+        data = _json.loads(found.fields())
+        return _given(cls, data, attractors=tuple(Attractor._from(a) for a in data["attractors"]),
+                      json=_json.loads(found.json()))
 
     def _items(self) -> Tuple[Attractor, ...]:
         return self.attractors
 
     def _title(self) -> str:
-        return f"{_listed(self.parameters)}; {self.starts} starts, seed {self.seed}"
+        return f"{_listed(self.parameters)}; {self.starts} starts, seed {self.seed}{_in(self.units)}"
+
+
+_coordinates = ("x1", "x2", "x1'", "x2'")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class DiagramPoint(Row):
+    """What a machine does at one value of the parameter that varies."""
+
+    value: str  #: exact
+    attractors: Tuple[Attractor, ...]  #: the most frequent first
+    #: Of each attractor its states x1, x2, x1', x2' at load phase 0, one period apart, of shape (n, 4).
+    once: Tuple["numpy.ndarray", ...]
+    outside: str = ""  #: why the value is outside the domain, if it is; nothing else is known then
+
+    @classmethod
+    def _from(cls, data: Dict[str, Any]) -> "DiagramPoint":
+        import numpy
+
+        return _given(cls, data, attractors=tuple(Attractor._from(a) for a in data["attractors"]),
+                      once=tuple(numpy.array(a["once"]).reshape(-1, 4) for a in data["attractors"]))
+
+    def _row(self) -> Dict[str, Any]:
+        ends = ", ".join(f"{100 * a.share:.0f} % {_short(a.word) if a.word else a.kind}" +
+                         (f" ({a.period})" if a.period else "") for a in self.attractors)
+        return dict(value=f"{float(Fraction(self.value)):.6g}", ends=_short(ends), outside=_short(self.outside))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Diagram(Drawn, Listed[DiagramPoint]):
+    """What a machine does at many values of one parameter; a sequence of points, by rising value."""
+
+    along: str  #: the parameter, or the value of a machine in SI units, that varies
+    parameters: Dict[str, str]  #: what stays: of a machine whose values vary those of its file
+    starts: int  #: at each value
+    seed: int
+    most_periods: int  #: of the load, that a start is followed for
+    points: Tuple[DiagramPoint, ...]
+    units: Optional[str] = None  #: "si": states in m and m/s, durations in s; None: the units of the data
+    #: As attractors --along --json prints it; None along a value of a machine, where the data's unit of length changes.
+    json: Optional[Dict[str, Any]] = field(default=None, repr=False)
+
+    @classmethod
+    def _from(cls, found: _core.Diagram) -> "Diagram":
+        data, staying = _json.loads(found.fields()), found.staying()
+        parameters = data["parameters"] if staying is None else staying
+        diagram = _given(cls, data, points=tuple(DiagramPoint._from(p) for p in data["points"]),
+                         parameters={name: value for name, value in parameters.items() if name != data["along"]},
+                         units=data.get("units") if staying is None else "si",
+                         json=_json.loads(found.json()) if staying is None else None)
+        return _with(diagram, found)
+
+    def _items(self) -> Tuple[DiagramPoint, ...]:
+        return self.points
+
+    def _title(self) -> str:
+        ends = f" from {self.points[0].value} to {self.points[-1].value}" if self.points else ""
+        return (f"along {self.along}{ends}, {_listed(self.parameters)}; {self.starts} starts at each value, "
+                f"seed {self.seed}{_in(self.units)}")
+
+    def to_frame(self) -> "pandas.DataFrame":
+        """A row for each state once a period of each attractor, which count from 0 at each value. Needs pandas."""
+        names = (self.along, "attractor", "share", "kind", "period", "word", "stability", *_coordinates)
+        rows = [(float(Fraction(point.value)), k, a.share, a.kind, a.period, a.word, a.stability, *map(float, state))
+                for point in self.points for k, (a, once) in enumerate(zip(point.attractors, point.once))
+                for state in once]
+        return _frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Basins(Drawn, Listed[Attractor]):
+    """What the starts in a plane end on; a sequence of attractors, of which ``at`` says where each is met."""
+
+    parameters: Dict[str, str]
+    plane: Tuple[str, str]  #: the coordinates that vary: along rows, along columns
+    most_periods: int  #: of the load, that a start is followed for
+    attractors: Tuple[Attractor, ...]
+    at: "numpy.ndarray"  #: shape (rows, columns), from below: the place in ``attractors`` of what the start ends on
+    starts: "numpy.ndarray"  #: shape (rows, columns, 4): x1, x2, x1', x2'
+    units: Optional[str] = None  #: "si": states in m and m/s, durations in s; None: the units of the data
+    json: Dict[str, Any] = field(default_factory=dict, repr=False)  #: as attractors --plane --json prints it
+
+    @classmethod
+    def _from(cls, found: _core.Basins) -> "Basins":
+        import numpy
+
+        data = _json.loads(found.fields())
+        basins = _given(cls, data, plane=tuple(data["plane"]), at=numpy.array(data["at"]) - 1, starts=found.starts(),
+                        attractors=tuple(Attractor._from(a) for a in data["attractors"]),
+                        json=_json.loads(found.json()))
+        return _with(basins, found)
+
+    def _items(self) -> Tuple[Attractor, ...]:
+        return self.attractors
+
+    def _title(self) -> str:
+        return (f"the plane of {self.plane[0]} and {self.plane[1]}, {self.at.size} starts, "
+                f"{_listed(self.parameters)}{_in(self.units)}")
+
+    def to_frame(self) -> "pandas.DataFrame":
+        """A row for each start: its state, the place of its attractor and what that is. Needs pandas."""
+        ends = self.at.ravel()
+        states = self.starts.reshape(-1, 4)
+        return _frame({**{name: states[:, k] for k, name in enumerate(_coordinates)}, "attractor": ends,
+                       **{name: [getattr(self.attractors[k], name) for k in ends] for name in ("kind", "period", "word")}})
 
 
 @dataclass(frozen=True, eq=False)
@@ -499,13 +614,15 @@ class Simulation:
     events: int  #: how many changes of phase there were
     first_events: Tuple[Event, ...] = field(repr=False)
     last_events: Tuple[Event, ...] = field(repr=False)
+    units: Optional[str] = None  #: "si": s, m, m/s, N and J; None: those of the data
     json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as simulate --json prints it
 
     @classmethod
-    def _from(cls, text: str, rows: "numpy.ndarray", phases: "numpy.ndarray") -> "Simulation":
+    def _from(cls, found: _core.Motion) -> "Simulation":
         import numpy
 
-        data = _json.loads(text)
+        data = _json.loads(found.fields())
+        rows, phases = found.samples()
         events = data["events"]
 
         def made(listed: List[Dict[str, Any]]) -> Tuple[Event, ...]:
@@ -513,11 +630,12 @@ class Simulation:
 
         return cls(t=rows[:, 0], state=rows[:, 1:5], phase=numpy.array(["slip", "overshoot", "stick"])[phases],
                    r=rows[:, 5], u=rows[:, 6], energy=rows[:, 7], shares=data["shares"], events=events["count"],
-                   first_events=made(events["first"]), last_events=made(events.get("last", [])), json=data)
+                   first_events=made(events["first"]), last_events=made(events.get("last", [])), units=data.get("units"),
+                   json=_json.loads(found.json()))
 
     def to_frame(self) -> "pandas.DataFrame":
         """The samples, a row each. Needs pandas."""
-        states = {name: self.state[:, k] for k, name in enumerate(("x1", "x2", "x1'", "x2'"))}
+        states = {name: self.state[:, k] for k, name in enumerate(_coordinates)}
         return _frame({"t": self.t, **states, "phase": self.phase, "r": self.r, "u": self.u, "energy": self.energy})
 
 

@@ -57,6 +57,8 @@ class Units {
   // For a title of gnuplot: the machine in two lines, without the value that varies, by its name in the
   // machine's file; or these data, if it is none in SI units.
   [[nodiscard]] std::string machine_or(const std::string& data, const std::string& but_for = "") const;
+  // A value of an orbit by its name, at the working precision.
+  [[nodiscard]] Ball value(const numeric::families::NamedBall& value) const { return measured(value).value; }
   // A value of an orbit by its name, z10, tau, ur, ..., to at most so many digits, with its unit:
   // rad, and those of SI.
   [[nodiscard]] std::string text(const numeric::families::NamedBall& value, int digits) const;

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 from pathlib import Path
 
 import numpy
@@ -49,6 +50,42 @@ def test_simulation_is_that_of_the_program():
     assert motion.first_events[0].before == "slip" and abs(sum(motion.shares.values()) - 1) < 1e-12
 
 
+@pytest.mark.parametrize("given, words", [
+    (dict(example="S"), ["--example=S"]),
+    (dict(example="S", orbit="symmetric:2"), ["--example=S", "--orbit=symmetric:2"]),
+    (dict(example="O", perturb=("0.5", 0, 0, 0.25)), ["--example=O", "--perturb=0.5,0,0,0.25"]),
+    (dict(orbit="overshooting:1", **MACHINE, ur="0.2"),
+     ["--orbit=overshooting:1", *[f"--{k}={v}" for k, v in MACHINE.items()], "--ur=0.2"]),
+])
+def test_a_simulation_starts_where_an_orbit_begins(given, words, tmp_path):
+    report = subprocess.run([os.environ["STICKSLIP_PROGRAM"], "simulate", *words, "--periods=2", "--json",
+                             f"--csv={tmp_path / 't.csv'}"], capture_output=True, text=True)
+    if report.returncode:
+        with pytest.raises(stickslip.UsageError) as raised:
+            stickslip.simulate(periods=2, **given)
+        assert report.stderr == f"stickslip: {raised.value}.\n"
+        return
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        motion = stickslip.simulate(periods=2, **given)
+    theirs = json.loads(report.stdout)
+    theirs.pop("settles", None)
+    assert motion.json == theirs and "".join(f"{w.message}\n" for w in warned) == report.stderr
+    last = (tmp_path / "t.csv").read_text().splitlines()[-1].split(",")
+    assert [float(x) for x in last[2:6]] == motion.state[-1].tolist()
+
+
+def test_a_simulation_without_a_start_is_refused():
+    with pytest.raises(stickslip.UsageError, match="a start is missing"):
+        stickslip.simulate(**MACHINE, ur="0.2")
+    with pytest.raises(stickslip.UsageError, match="missing: ur"):
+        stickslip.simulate((0, 0, 0, 0), **MACHINE)
+    with pytest.raises(stickslip.UsageError, match="state and orbit"):
+        stickslip.simulate((0, 0, 0, 0), example="S", orbit="symmetric:1")
+    with pytest.raises(stickslip.UsageError, match="there is no orbit symmetric:9"):
+        stickslip.simulate(example="S", orbit="symmetric:9")
+
+
 def test_a_simulation_refuses_what_the_machine_is_not_given_exactly():
     with pytest.raises(TypeError, match="ur: the float"):
         stickslip.simulate((0, 0, 0, 0), **MACHINE, ur=0.2)
@@ -76,6 +113,23 @@ def test_latex():
         assert stickslip.latex("H2", unknowns=unknowns) in program("latex", "H2", "--in", unknowns)
     with pytest.raises(stickslip.UsageError, match="'H9'"):
         stickslip.latex("H9")
+
+
+def test_latex_of_theorems_orbits_and_errata():
+    assert stickslip.latex(theorem="moving-belt") == program("latex", "--theorem", "moving-belt")
+    assert stickslip.latex(orbit="symmetric:1", example="S") == program("latex", "--orbit=symmetric:1", "--example=S")
+    given = [f"--{k}={v}" for k, v in MACHINE.items()]
+    assert (stickslip.latex(orbit="nonsticking:2", **MACHINE, digits=30) ==
+            program("latex", "--orbit=nonsticking:2", *given, "--digits=30") != "")
+    assert stickslip.latex(errata=True) == program("latex", "--errata")
+    with pytest.raises(stickslip.UsageError, match="there is no result 'x'"):
+        stickslip.latex(theorem="x")
+    with pytest.raises(stickslip.UsageError, match="exactly one"):
+        stickslip.latex("H2", errata=True)
+    with pytest.raises(stickslip.UsageError, match="theorems and errata have none"):
+        stickslip.latex(theorem="moving-belt", example="S")
+    with pytest.raises(stickslip.UsageError, match="for all parameters"):
+        stickslip.latex("H2", example="S")
 
 
 def test_other_threads_run_meanwhile():
