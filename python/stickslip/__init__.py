@@ -211,8 +211,7 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
     given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur), (*_data, "ur"), example, machine, units)
     following = _core.Following(_count("starts", starts, 100000), _count("seed", seed, 10**9),
                                 _count("most_periods", most_periods, 10**9), _count("digits", digits, 2000))
-    how = ("" if values is None else str(_whole("values", values, 2, 10000)),
-           "" if pixels is None else str(_whole("pixels", pixels, 2, 1000)),
+    how = (_count("values", values, 10000), _count("pixels", pixels, 1000),
            "" if through is None else _state("through", through))
     conduct = _conduct(jobs)
     across = "" if plane is None else ",".join(plane)
@@ -274,8 +273,8 @@ def latex(name: Optional[str] = None, *, unknowns: str = "chi", theorem: Optiona
           digits: Optional[int] = None) -> str:
     r"""A text in LaTeX, as the program prints it: exactly one of name, theorem, orbit and errata says which.
 
-    name: one of expressions(), as a displayed equation for a document with amsmath; unknowns: "chi" (chi, eta and the abbreviations omega_j,
-    lambda_j) or "omega" (the natural frequencies alone).
+    name: one of expressions(), as a displayed equation for a document with amsmath; unknowns: "chi" (chi, eta and
+    the abbreviations omega_j, lambda_j) or "omega" (the natural frequencies alone).
     theorem: the id of a result of the audit, after the proofs of its claims. errata: those of the paper, after all
     proofs, which take some seconds.
     orbit: "symmetric:1" is the first that orbits("symmetric") lists at the data, the example's or the machine's:

@@ -585,8 +585,8 @@ class Basins(Drawn, Listed[Attractor]):
         """A row for each start: its state, the place of its attractor and what that is. Needs pandas."""
         ends = self.at.ravel()
         states = self.starts.reshape(-1, 4)
-        return _frame({**{name: states[:, k] for k, name in enumerate(_coordinates)}, "attractor": ends,
-                       **{name: [getattr(self.attractors[k], name) for k in ends] for name in ("kind", "period", "word")}})
+        told = {name: [getattr(self.attractors[k], name) for k in ends] for name in ("kind", "period", "word")}
+        return _frame({**{name: states[:, k] for k, name in enumerate(_coordinates)}, "attractor": ends, **told})
 
 
 @dataclass(frozen=True, eq=False)
@@ -630,8 +630,8 @@ class Simulation:
 
         return cls(t=rows[:, 0], state=rows[:, 1:5], phase=numpy.array(["slip", "overshoot", "stick"])[phases],
                    r=rows[:, 5], u=rows[:, 6], energy=rows[:, 7], shares=data["shares"], events=events["count"],
-                   first_events=made(events["first"]), last_events=made(events.get("last", [])), units=data.get("units"),
-                   json=_json.loads(found.json()))
+                   first_events=made(events["first"]), last_events=made(events.get("last", [])),
+                   units=data.get("units"), json=_json.loads(found.json()))
 
     def to_frame(self) -> "pandas.DataFrame":
         """The samples, a row each. Needs pandas."""

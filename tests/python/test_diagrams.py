@@ -123,6 +123,8 @@ def test_in_a_plane(file, tmp_path, frames, units):
     (dict(plane=("x1", "x3")), ["--plane", "x1,x3"]),
     (dict(plane=("x1", "x1")), ["--plane", "x1,x1"]),
     (dict(plane=("x1", "x2"), starts=5), ["--plane", "x1,x2", "--starts=5"]),
+    (dict(plane=("x1", "x2"), pixels=1), ["--plane", "x1,x2", "--pixels=1"]),
+    (dict(along=("ur", "0.3", "0.5"), values=1), ["--along", "ur", "0.3..0.5", "--values=1"]),
     (dict(plane=("x1", "x2"), pixels=1001), ["--plane", "x1,x2", "--pixels=1001"]),
     (dict(values=5), ["--values=5"]),
 ])
@@ -130,5 +132,5 @@ def test_questions_that_are_none_are_refused_as_the_program_does(given, words):
     report = program("attractors", "--example=O", *words)
     with pytest.raises(stickslip.UsageError) as raised:
         stickslip.attractors(example="O", **given)
-    theirs = report.stderr.rstrip(".\n").replace("'1001' is not a whole number from 1", "1001 is not a whole number from 2")
+    theirs = report.stderr.rstrip(".\n").replace("'1001'", "1001")
     assert report.returncode == 64 and theirs == f"stickslip: {raised.value}"

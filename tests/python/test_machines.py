@@ -109,30 +109,29 @@ def test_orbits_of_a_word_and_attractors_of_a_machine(file, machine):
 @pytest.mark.parametrize("units", [None, "si"])
 def test_a_motion_of_a_machine_is_that_of_the_program(file, machine, tmp_path, units):
     given = [] if units is None else ["--units", units]
+    words = ("--state=0.001,0.002,0,0.01", "--periods=3", "--every=0.01")
     state = (1e-3, 2e-3, 0, "0.01")
     motion = stickslip.simulate(state, machine=machine, units=units, periods=3, every="0.01")
-    report = program("simulate", "--params", file, "--state", "0.001,0.002,0,0.01", "--periods=3", "--every=0.01", "--csv",
-                     tmp_path / "t.csv", *given)
+    report = program("simulate", "--params", file, *words, "--csv", tmp_path / "t.csv", *given)
     assert report.returncode == 0, report.stderr
     rows = rows_of(tmp_path / "t.csv")
     ours = numpy.column_stack([motion.t, motion.state, motion.r, motion.u, motion.energy])
     assert numpy.array_equal(ours, [[float(x) for x in (row[0], *row[2:])] for row in rows])
     assert motion.phase.tolist() == [row[1] for row in rows] and motion.units == units
     # The JSON is in the units of the data in any case.
-    again = program("simulate", "--params", file, "--state", "0.001,0.002,0,0.01", "--periods=3", "--every=0.01", "--csv",
-                    tmp_path / "u.csv", "--json")
     if units is None:
-        theirs = json.loads(again.stdout)
+        theirs = said("simulate", "--params", file, *words, "--csv", tmp_path / "u.csv")
         del theirs["settles"]
         assert motion.json == theirs
     assert abs(motion.t[-1] - (3 / 3.2 if units else 3 / 3.2 / 0.0389249)) < 1e-4 and "machine" in motion.json
 
 
 def test_the_load_of_a_motion_begins_at_the_machine_s_phase(machine):
-    def start(**more):
-        return stickslip.simulate((0, 0, 0, 0), periods=1, machine=dataclasses.replace(machine, **more)).json["parameters"]
+    def phi(**more):
+        changed = dataclasses.replace(machine, **more)
+        return stickslip.simulate((0, 0, 0, 0), periods=1, machine=changed).json["parameters"]["phi"]
 
-    assert start()["phi"] == 0 and start(load_phase="0.5")["phi"] == 0.5
+    assert phi() == 0 and phi(load_phase="0.5") == 0.5
 
 
 def test_branches_along_a_value_of_a_machine(file, machine):
@@ -142,7 +141,8 @@ def test_branches_along_a_value_of_a_machine(file, machine):
     (file.parent / "O.toml").write_text("".join(f"{name} = {value}\n" for name, value in LIKE_O.items()))
     word = stickslip.branch("OTS", machine=stickslip.read_machine(file.parent / "O.toml"),
                             along=("load_frequency", "1", "1.002"))
-    assert word.json == said("branch", "OTS", "--params", file.parent / "O.toml", "--along", "load_frequency", "1..1.002")
+    assert word.json == said("branch", "OTS", "--params", file.parent / "O.toml", "--along", "load_frequency",
+                             "1..1.002")
     given = dict(example="O", ur="0.439..0.441")
     followed = stickslip.branch("OTS", **given, orbit=1)
     assert followed.json == said("branch", "OTS", "--example=O", "--ur=0.439..0.441", "--orbit=1")
