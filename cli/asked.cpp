@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "cli/machine_box.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/decimal.hpp"
@@ -291,6 +292,48 @@ Asked<BasinsQuestion> asked_basins(const Attracted& o, const Paper& paper) {
     asked.through = given.units.of_state(four_numbers("through", o.through));
   }
   return {std::move(given.file), std::move(given.units), std::move(asked)};
+}
+
+// ---- an atlas
+
+AskedAtlas asked_atlas(const AtlasOptions& o, const Paper& paper) {
+  atlas::Question q;
+  q.family = &family_named(o.family);
+  TypedParameters typed = o.parameters;
+  for (const auto& [name, range] : o.along) {
+    typed = with_along(std::move(typed), {name, range});
+  }
+  MachineBox box = read_machine_box(o.file, typed, o.example);
+  (void)units_of(o.units, box.file, false);
+  leave_results_out(box.file, *q.family, typed);
+  TypedParameters given = given_parameters(paper, typed, box.file.parameters, o.example);
+  for (const auto& [name, why] :
+       {std::pair("phi", q.family->why_no_phi), std::pair("ur", q.family->why_no_ur)}) {
+    if (typed.contains(name) && !why.empty()) {
+      throw UsageError(why);
+    }
+    if (!why.empty()) {
+      given.erase(name);  // the example's
+    }
+  }
+  if (atlas::takes_phi(*q.family) && typed.contains("ur")) {
+    throw UsageError(fmt::format("ur: an atlas of {} orbits takes phi, and u_r is a result", q.family->name));
+  }
+  const std::vector<std::string>& names = atlas::parameter_names(*q.family);
+  require_given(given, {names.begin(), names.begin() + atlas::place_of_datum});
+  for (const std::string& name : names) {
+    if (given.contains(name)) {
+      const auto [lower, upper] = interval(name, given.at(name));
+      q.region.push_back({lower, upper});
+      if (!q.region.back().is_point()) {
+        q.axes.push_back(q.region.size() - 1);
+      }
+    }
+  }
+  q.resolution = whole_number("resolution", o.resolution, AtlasOptions::most_resolution,
+                              AtlasOptions::default_resolution);
+  atlas::require_understood(q);
+  return {std::move(box.file), std::move(q), std::move(box.said)};
 }
 
 // ---- a motion

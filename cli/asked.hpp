@@ -6,11 +6,13 @@
 #include "cli/arguments.hpp"
 #include "cli/machine_file.hpp"
 #include "cli/simulation_start.hpp"
+#include "numeric/atlas/question.hpp"
 #include "numeric/attractors/diagram.hpp"
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/branches/branches.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/methods/paper.hpp"
+#include "report/atlas/machine.hpp"
 
 namespace stickslip::cli {
 
@@ -42,6 +44,14 @@ struct Asked {
                                                                         const proofs::methods::Paper& paper);
 [[nodiscard]] Asked<numeric::attractors::BasinsQuestion> asked_basins(const AttractorsOptions& options,
                                                                       const proofs::methods::Paper& paper);
+
+// An atlas, and the machines that it is of, if these are in SI units.
+struct AskedAtlas {
+  ParameterFile file;
+  numeric::atlas::Question question;
+  report::atlas::Machine machine;
+};
+[[nodiscard]] AskedAtlas asked_atlas(const AtlasOptions& options, const proofs::methods::Paper& paper);
 
 // A motion: how many periods of the load, and the time between samples, in the units of the data.
 struct MotionAsked {

@@ -17,6 +17,8 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
+#include "numeric/atlas/cover.hpp"
+#include "numeric/atlas/work.hpp"
 #include "numeric/simulation/record.hpp"
 #include "proofs/methods/progress.hpp"
 #include "proofs/pascal2012/paper.hpp"
@@ -471,12 +473,47 @@ std::vector<std::tuple<std::string, std::string, std::string>> expressions() {
 
 using report::atlas::Archive;
 
-Archive read_atlas(const std::string& file, const Conduct& conduct) {
-  return carried_out(conduct, [&] { return report::atlas::read_archive(file); });
+// Read, or made, and the machines that it is of, if these are in SI units.
+struct Atlas {
+  Archive archive;
+  report::atlas::Machine machine;
+  std::vector<std::string> left_out;
+};
+
+Atlas make_atlas(const Given& g, const std::string& family,
+                 const std::vector<std::pair<std::string, std::string>>& along, const std::string& resolution,
+                 const Conduct& conduct) {
+  using namespace numeric::atlas;
+  return carried_out(
+      conduct,
+      [&] {
+        cli::AtlasOptions o;
+        o.family = family;
+        o.parameters = g.parameters;
+        o.file = g.machine.name;
+        o.example = g.example;
+        o.along = along;
+        o.resolution = resolution;
+        const cli::AskedAtlas asked = cli::asked_atlas(o, paper_for(g.example));
+        Archive archive{asked.question, report::tools::program_version(), {}};
+        work_on_all(
+            asked.question, gaps({}), [] { return interrupted(); },
+            [&archive](const std::vector<Leaf>& leaves) {
+              archive.leaves.insert(archive.leaves.end(), leaves.begin(), leaves.end());
+            });
+        put_in_order(archive.question, archive.leaves);
+        return Atlas{std::move(archive), asked.machine, asked.file.left_out};
+      },
+      g.machine);
+}
+
+Atlas read_atlas(const std::string& file, const Conduct& conduct) {
+  return carried_out(conduct, [&] { return Atlas{report::atlas::read_archive(file), {}, {}}; });
 }
 
 // The exact parameters of a box of the atlas: name, least and greatest value.
-std::vector<std::tuple<std::string, std::string, std::string>> box(const Archive& a, std::size_t number) {
+std::vector<std::tuple<std::string, std::string, std::string>> box(const Atlas& made, std::size_t number) {
+  const Archive& a = made.archive;
   const numeric::atlas::Box exact = numeric::atlas::box_of(a.question, a.leaves.at(number).tile);
   std::vector<std::tuple<std::string, std::string, std::string>> result;
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -488,7 +525,8 @@ std::vector<std::tuple<std::string, std::string, std::string>> box(const Archive
 
 // A row for each box: least and greatest values of the axes, in doubles; then orbits, admissible, stable, -1
 // where unknown, and the reason's place in `reasons`.
-py::dict columns(const Archive& a) {
+py::dict columns(const Atlas& made) {
+  const Archive& a = made.archive;
   const auto count = static_cast<py::ssize_t>(a.leaves.size());
   const auto& axes = a.question.axes;
   py::array_t<double> lower({count, static_cast<py::ssize_t>(axes.size())});
@@ -521,8 +559,9 @@ std::string script_of_orbits(const Told<OrbitList>& t) {
 std::string script_of_branches(const Told<branches::BranchList>& t) {
   return report::orbits::plot_script(t.answer, report::tools::PlotFormat::svg);
 }
-std::string script_of(const Archive& a) {
-  return report::atlas::plot_script(a.question, a.leaves, report::tools::PlotFormat::svg);
+std::string script_of(const Atlas& a) {
+  return report::atlas::plot_script(a.archive.question, a.archive.leaves, report::tools::PlotFormat::svg,
+                                    a.machine);
 }
 
 std::string gnuplot(const std::string& script) {
@@ -592,8 +631,12 @@ PYBIND11_MODULE(_core, m) {
       .def("fields", [](const Motion& t) { return fields(simulation_of(t)); })
       .def("left_out", &left_out<Followed>)
       .def("samples", &samples);
-  py::class_<Archive>(m, "Archive")
-      .def("json", [](const Archive& a) { return report::atlas::to_json(a.question, a.leaves).dump(); })
+  py::class_<Atlas>(m, "Archive")
+      .def("json",
+           [](const Atlas& a) {
+             return report::atlas::to_json(a.archive.question, a.archive.leaves, a.machine).dump();
+           })
+      .def("left_out", [](const Atlas& a) { return a.left_out; })
       .def("script", &script_of)
       .def("columns", &columns)
       .def("box", &box, py::arg("number"));
@@ -603,6 +646,8 @@ PYBIND11_MODULE(_core, m) {
   m.def("branch", &branch, py::arg("given"), py::arg("family"), py::arg("along"), py::arg("at"),
         py::arg("period"), py::arg("orbit"), py::arg("near"), py::arg("all"), py::arg("conduct"));
   m.def("atlas", &read_atlas, py::arg("file"), py::arg("conduct"));
+  m.def("make_atlas", &make_atlas, py::arg("given"), py::arg("family"), py::arg("along"),
+        py::arg("resolution"), py::arg("conduct"));
   m.def("attractors", &find_attractors, py::arg("given"), py::arg("following"), py::arg("values"),
         py::arg("pixels"), py::arg("through"), py::arg("conduct"));
   m.def("diagram", &diagram, py::arg("given"), py::arg("following"), py::arg("along"), py::arg("plane"),

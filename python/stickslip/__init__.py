@@ -32,6 +32,7 @@ from . import _core
 from ._core import DomainError, Error, InputOutputError, InternalError, UsageError
 from ._exact import Ball, ComplexBall, Exact, exact
 from ._machine import Along, Machine, interval, read_machine
+from ._machine import in_a_file as _in_a_file
 from ._results import (Atlas, Attractor, Attractors, Basins, Branch, Branches, BranchEnd, Change, Check, Claim,
                        Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, Simulation, Unresolved)
 
@@ -175,13 +176,35 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
     return Branches._from(_told(_core.branch(given, family, *which, _conduct(jobs))))
 
 
-def atlas(file: Union[str, "_os.PathLike[str]"]) -> Atlas:
-    """What an atlas says, from the HDF5 file that the program's atlas command wrote.
+def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None, eta: Optional[Along] = None,
+          us: Optional[Along] = None, V: Optional[Along] = None, omega: Optional[Along] = None,
+          p: Optional[Along] = None, phi: Optional[Along] = None, ur: Optional[Along] = None,
+          example: Optional[str] = None, machine: Optional[Machine] = None,
+          along: Union[Tuple[str, Exact, Exact], Sequence[Tuple[str, Exact, Exact]]] = (),
+          resolution: int = 8, jobs: Optional[int] = None) -> Atlas:
+    """How many orbits of a family there are over ranges of parameters, how many admissible and stable, box by box.
 
-    Raises InputOutputError for what is no atlas or does not cover its rectangle, or when the module was built
-    without HDF5.
+    what: "symmetric", "nonsticking" or "overshooting", with phi: the atlas is made. Or the HDF5 file that the
+    program's atlas command wrote: it is read, and nothing else is given; that command can be interrupted and goes on.
+    One to four parameters vary, each an interval, ("0.5", "0.6") or "0.5..0.6". Boxes that cannot be decided are halved,
+    each side at most so many times as resolution says, at most 60.
+    machine: in SI units, in place of the data; its values may be intervals. along: a parameter, or a value of the
+    machine, such as ("load_frequency", 7, 8) in Hz, and its interval, or several of these. The box of the data encloses
+    those of all these machines; json["machine"] says what its axes are of the machine, and whether it holds more.
+
+    Raises as orbits does; InputOutputError for what is no atlas or does not cover its rectangle, or when the module
+    was built without HDF5.
     """
-    return Atlas._from(_core.atlas(_os.fspath(file), _conduct(None)))
+    data = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
+    ranges = [_range(one) for one in ((along,) if along and isinstance(along[0], str) else along)]
+    if _os.fspath(what) not in ("symmetric", "nonsticking", "overshooting"):
+        if ranges or example or machine or any(value is not None for value in data.values()):
+            raise UsageError(f"parameters are for an atlas that is made, of a family: '{_os.fspath(what)}' is read")
+        return Atlas._from(_core.atlas(_os.fspath(what), _conduct(jobs)))
+    with _in_a_file(machine) as file:
+        given = _given(data, () if ranges else _data, example, file)
+        return Atlas._from(_told(_core.make_atlas(given, _os.fspath(what), [(name, ends) for name, ends in ranges],
+                                                  _count("resolution", resolution, 60), _conduct(jobs))))
 
 
 def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,

@@ -120,3 +120,40 @@ def test_what_is_no_atlas_is_refused(tmp_path):
     (tmp_path / "text.h5").write_text("no atlas")
     with pytest.raises(stickslip.InputOutputError, match="no atlas|without HDF5"):
         stickslip.atlas(str(tmp_path / "text.h5"))
+
+
+def as_made(said, made):
+    """Whether an atlas is the one that the program's JSON tells of."""
+    return made.json == said and len(made) == said["boxes"]
+
+
+def test_an_atlas_is_made_as_the_program_makes_it(atlas_file):
+    file, said = atlas_file
+    made = stickslip.atlas("nonsticking", example="P", omega=("0.55", "0.65"), p="0.9..1.1", resolution=3)
+    assert as_made(said, made)
+    along = [("omega", "0.55", "0.65"), ("p", "0.9", "1.1")]
+    assert as_made(said, stickslip.atlas("nonsticking", example="P", along=along, resolution=3))
+    read = stickslip.atlas(file)
+    assert numpy.array_equal(made.lower, read.lower) and numpy.array_equal(made.stable, read.stable)
+    assert made.svg() == read.svg() and made.box(2) == read.box(2)
+
+
+@pytest.mark.parametrize("given, words", [
+    (dict(example="P"), ["--example=P"]),
+    (dict(example="P", omega="0.6..0.5"), ["--example=P", "--omega=0.6..0.5"]),
+    (dict(example="P", eta="3..4", us="0.1..0.2", V="0..1", omega="0.5..0.6", p="1..2"),
+     ["--example=P", "--eta=3..4", "--us=0.1..0.2", "--V=0..1", "--omega=0.5..0.6", "--p=1..2"]),
+    (dict(example="P", phi="0..1"), ["--example=P", "--phi=0..1"]),
+    (dict(example="P", along=("kappa", 1, 2)), ["--example=P", "--along", "kappa", "1..2"]),
+])
+def test_atlases_that_are_none_are_refused_as_the_program_does(given, words, tmp_path):
+    report = program("atlas", "nonsticking", *words, f"--out={tmp_path / 'a.h5'}")
+    assert report.returncode == 64
+    with pytest.raises(stickslip.UsageError) as raised:
+        stickslip.atlas("nonsticking", **given)
+    assert report.stderr.rstrip(".\n") == f"stickslip: {raised.value}".rstrip(".")
+
+
+def test_what_is_read_takes_no_parameters(atlas_file):
+    with pytest.raises(stickslip.UsageError, match="is read"):
+        stickslip.atlas(atlas_file[0], example="P")

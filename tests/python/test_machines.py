@@ -211,3 +211,19 @@ def test_what_a_family_does_not_take_of_a_machine_is_warned_of(file, machine):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         stickslip.orbits("symmetric", machine=dataclasses.replace(machine, friction_at_rest=None))
+
+
+def test_atlases_of_machines_are_those_of_the_program(file, machine, tmp_path):
+    report = program("atlas", "nonsticking", "--params", file, "--along", "load_frequency", "7..7.5", "--along",
+                     "load_amplitude", "11..12", "--resolution=2", f"--out={tmp_path / 'a.h5'}", "--json")
+    if not (tmp_path / "a.h5").exists():
+        pytest.skip("the program was built without HDF5")
+    theirs = json.loads(report.stdout)
+    made = stickslip.atlas("nonsticking", machine=machine, resolution=2,
+                           along=[("load_frequency", 7, "7.5"), ("load_amplitude", 11, 12)])
+    assert made.json == theirs and len(made) == theirs["boxes"] and "load_frequency in Hz" in made.svg()
+    ranges = dataclasses.replace(machine, load_frequency=(7, "7.5"), load_amplitude="11..12")
+    assert stickslip.atlas("nonsticking", machine=ranges, resolution=2).json == theirs
+    with pytest.raises(stickslip.UsageError) as raised:
+        stickslip.atlas("nonsticking", machine=stickslip.Machine(m1=1))
+    assert str(raised.value).startswith("machine: missing for a machine in SI units: m2, k1")
