@@ -1,6 +1,10 @@
 // What the commands about a machine share: where their results go.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <string>
+
 #include "cli/machine_file.hpp"
 #include "cli/output.hpp"
 #include "report/orbits/attractors.hpp"

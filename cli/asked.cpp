@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <ranges>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/machine_box.hpp"
 #include "cli/numbers.hpp"
@@ -239,8 +239,12 @@ std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, cons
   const std::string& name = o.along[0];
   if (!file.in_SI.contains(name)) {
     if (file.machine && std::ranges::find(parameter_names, name) == parameter_names.end()) {
+      std::vector<std::string> known;
+      for (const auto& [key, text] : file.in_SI) {
+        known.push_back(key);
+      }
       throw UsageError(fmt::format("along: '{}' is none of the parameters in {}: {}", name, file.name,
-                                   fmt::join(std::views::keys(file.in_SI), ", ")));
+                                   fmt::join(known, ", ")));
     }
     return {};
   }

@@ -152,7 +152,7 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
 def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = None, us: Optional[Along] = None,
            V: Optional[Along] = None, omega: Optional[Along] = None, p: Optional[Along] = None,
            phi: Optional[Along] = None, ur: Optional[Along] = None, at: Optional[Exact] = None,
-           example: Optional[str] = None, machine: Optional[Machine] = None,
+           example: Optional[str] = None, machine: Optional[Machine] = None, units: Optional[str] = None,
            along: Optional[Tuple[str, Exact, Exact]] = None, period: int = 1, orbit: Optional[int] = None,
            near: Optional[Sequence[Union[Exact, float]]] = None, all: bool = False,
            jobs: Optional[int] = None) -> Branches:
@@ -162,15 +162,16 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
     the interval, are followed, and no others are looked for. One parameter is an interval: a pair of exact
     numbers, ("0.5", "0.6"), or text, "0.5..0.6"; the others are numbers.
     machine: in SI units, in place of the data. along: the parameter that varies, and its interval; of a machine
-    also one of its values, ("load_frequency", 7, 8) in Hz, and then all results are in s, m, m/s and N.
+    also one of its values, ("load_frequency", 7, 8) in Hz, and then all results are in s, m, m/s and N; with
+    units="si", which goes with such a value only, `near` is given in m and m/s, too.
     at: follow the branches of the orbits at this value of it only; otherwise all branches are looked for.
     Of a word: period, of the load; orbit: the K-th that orbits(word) lists, from 1; near: the orbit near the state
-    (x1, x2, x1', x2') at load phase 0, in the units of the data; all: those that are not admissible, too.
+    (x1, x2, x1', x2') at load phase 0; all: those that are not admissible, too.
 
     Raises as orbits does.
     """
     given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
-                   () if along else _data, example, machine)
+                   () if along else _data, example, machine, units)
     which = (_range(along), _number("at", at), "" if period == 1 else _count("period", period, 100000),
              _count("orbit", orbit, 10**6), "" if near is None else _state("near", near), bool(all))
     return Branches._from(_told(_core.branch(given, family, *which, _conduct(jobs))))

@@ -143,6 +143,14 @@ def test_branches_along_a_value_of_a_machine(file, machine):
                             along=("load_frequency", "1", "1.002"))
     assert word.json == said("branch", "OTS", "--params", file.parent / "O.toml", "--along", "load_frequency",
                              "1..1.002")
+    # Near a state of that orbit, in m and m/s.
+    near = [float(x) for x in stickslip.attractors(machine=stickslip.read_machine(file.parent / "O.toml"), starts=20,
+                                                   units="si")[0].state]
+    followed = stickslip.branch("OTS", machine=stickslip.read_machine(file.parent / "O.toml"), units="si", near=near,
+                                along=("load_frequency", "1", "1.002"))
+    assert len(followed) == 1 and followed[0].pieces == word[0].pieces
+    with pytest.raises(stickslip.UsageError, match="--units si goes with --along a value of the machine"):
+        stickslip.branch("nonsticking", machine=machine, units="si", phi=("0.1", "0.2"))
     given = dict(example="O", ur="0.439..0.441")
     followed = stickslip.branch("OTS", **given, orbit=1)
     assert followed.json == said("branch", "OTS", "--example=O", "--ur=0.439..0.441", "--orbit=1")
