@@ -187,8 +187,8 @@ def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None,
 
     what: "symmetric", "nonsticking" or "overshooting", with phi: the atlas is made. Or the HDF5 file that the
     program's atlas command wrote: it is read, and nothing else is given; that command can be interrupted and goes on.
-    One to four parameters vary, each an interval, ("0.5", "0.6") or "0.5..0.6". Boxes that cannot be decided are halved,
-    each side at most so many times as resolution says, at most 60.
+    One to four parameters vary, each an interval, ("0.5", "0.6") or "0.5..0.6". Boxes that cannot be decided are
+    halved, each side at most so many times as resolution says, at most 60.
     machine: in SI units, in place of the data; its values may be intervals. along: a parameter, or a value of the
     machine, such as ("load_frequency", 7, 8) in Hz, and its interval, or several of these. The box of the data encloses
     those of all these machines; json["machine"] says what its axes are of the machine, and whether it holds more.
