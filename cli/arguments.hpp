@@ -125,7 +125,8 @@ struct AtlasOptions {
   std::string family;
   TypedParameters parameters;
   std::vector<std::pair<std::string, std::string>> along;  // parameters, or values of the machine, and A..B
-  std::string file, units, example, resolution, out, csv, plot, jobs, time_limit, verify, sample;
+  GivenFile file;
+  std::string units, example, resolution, out, csv, plot, jobs, time_limit, verify, sample;
   bool resume = false, json = false;
 
   static constexpr int default_resolution = 8;

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/machine_box.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/decimal.hpp"
@@ -94,11 +93,37 @@ Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
 
 namespace {
 
-// The file, of a machine in SI units as it is at the value that `at` says or in the middle.
-ParameterFile file_of(const BranchOptions& o, TypedParameters typed, FrictionAtRest at_rest) {
-  const Along along = along_interval(typed);
-  typed[along.parameter] = to_string(value_at(along, o.at));
-  ParameterFile file = read_parameters(o.file, typed, o.example, at_rest);
+Along along_of(TypedParameters typed) {
+  return along_interval(typed);
+}
+
+// The file, of a machine in SI units as it is at the value that `at` says or in the middle. Ranges in it are
+// as if they were typed.
+ParameterFile file_of(const BranchOptions& o, TypedParameters& typed, FrictionAtRest at_rest) {
+  ParameterFile file = read_parameters(o.file, typed, o.example, at_rest, [&](TypedParameters machine) {
+    for (const auto& [name, text] : machine) {
+      if (typed.contains(name)) {
+        continue;
+      }
+      const auto [from, to] = interval(name, text);
+      if (from != to) {
+        typed[name] = to_string(from) + ".." + to_string(to);
+      }
+    }
+    const Along along = along_of(typed);
+    if (is_in_SI(along.parameter)) {
+      machine[along.parameter] = to_string(value_at(along, o.at));
+    }
+    return machine;
+  });
+  std::erase_if(file.parameters, [&](const auto& one) {
+    const bool is_range = one.second.find("..") != std::string::npos;
+    if (is_range) {
+      typed.insert(one);
+    }
+    return is_range;
+  });
+  const Along along = along_of(typed);
   (void)units_of(o.units, file, false);
   if (!o.units.empty() && !is_in_SI(along.parameter)) {
     throw UsageError(
@@ -132,7 +157,7 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper
                     "followed",
                     o.family));
   }
-  const TypedParameters typed = with_along(o.parameters, o.along);
+  TypedParameters typed = with_along(o.parameters, o.along);
   ParameterFile file = file_of(o, typed, FrictionAtRest::optional);
   leave_results_out(file, family, typed);
   BranchQuestion asked = branch_question(paper, family, typed, file.parameters, o.example, o.at);
@@ -142,7 +167,7 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper
 Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
   const int periods = whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1);
-  const TypedParameters typed = with_along(o.parameters, o.along);
+  TypedParameters typed = with_along(o.parameters, o.along);
   ParameterFile file = file_of(o, typed, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   Followed followed{o.all, o.orbit, {}};
@@ -300,17 +325,36 @@ Asked<BasinsQuestion> asked_basins(const Attracted& o, const Paper& paper) {
 
 // ---- an atlas
 
-AskedAtlas asked_atlas(const AtlasOptions& o, const Paper& paper) {
+namespace {
+
+// A machine in the middle of the ranges that values in SI units may be.
+TypedParameters in_the_middle(TypedParameters machine) {
+  for (auto& [name, text] : machine) {
+    const auto [lower, upper] = interval(name, text);
+    if (name == "load_phase" && lower != upper) {
+      throw UsageError("load_phase: no orbit depends on it, for it is where simulations begin");
+    }
+    text = to_string(Rational((lower + upper) / 2));
+  }
+  return machine;
+}
+
+}  // namespace
+
+Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
+  if (o.family.empty()) {
+    throw UsageError("a family of orbits is missing: " + numeric::families::names_of_families());
+  }
   atlas::Question q;
   q.family = &family_named(o.family);
   TypedParameters typed = o.parameters;
   for (const auto& [name, range] : o.along) {
     typed = with_along(std::move(typed), {name, range});
   }
-  MachineBox box = read_machine_box(o.file, typed, o.example);
-  (void)units_of(o.units, box.file, false);
-  leave_results_out(box.file, *q.family, typed);
-  TypedParameters given = given_parameters(paper, typed, box.file.parameters, o.example);
+  ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::optional, in_the_middle);
+  (void)units_of(o.units, file, false);
+  leave_results_out(file, *q.family, typed);
+  TypedParameters given = given_parameters(paper, typed, file.parameters, o.example);
   for (const auto& [name, why] :
        {std::pair("phi", q.family->why_no_phi), std::pair("ur", q.family->why_no_ur)}) {
     if (typed.contains(name) && !why.empty()) {
@@ -323,8 +367,16 @@ AskedAtlas asked_atlas(const AtlasOptions& o, const Paper& paper) {
   if (atlas::takes_phi(*q.family) && typed.contains("ur")) {
     throw UsageError(fmt::format("ur: an atlas of {} orbits takes phi, and u_r is a result", q.family->name));
   }
-  const std::vector<std::string>& names = atlas::parameter_names(*q.family);
-  require_given(given, {names.begin(), names.begin() + atlas::place_of_datum});
+  if (file.machine) {
+    q.values = file.in_SI.contains("normal_force") ? atlas::Values::coefficients : atlas::Values::forces;
+    given.insert(file.in_SI.begin(), file.in_SI.end());
+    if (!file.machine->machine.friction_at_rest) {
+      given.erase("friction_at_rest");
+      given.erase("friction_force_at_rest");
+    }
+  }
+  const std::vector<std::string>& names = names_of(q);
+  require_given(given, {names.begin(), names.end() - 1});
   for (const std::string& name : names) {
     if (given.contains(name)) {
       const auto [lower, upper] = interval(name, given.at(name));
@@ -337,7 +389,7 @@ AskedAtlas asked_atlas(const AtlasOptions& o, const Paper& paper) {
   q.resolution = whole_number("resolution", o.resolution, AtlasOptions::most_resolution,
                               AtlasOptions::default_resolution);
   atlas::require_understood(q);
-  return {std::move(box.file), std::move(q), std::move(box.said)};
+  return {std::move(file), {}, std::move(q)};
 }
 
 // ---- a motion

@@ -12,7 +12,6 @@
 #include "numeric/branches/branches.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/methods/paper.hpp"
-#include "report/atlas/machine.hpp"
 
 namespace stickslip::cli {
 
@@ -45,13 +44,9 @@ struct Asked {
 [[nodiscard]] Asked<numeric::attractors::BasinsQuestion> asked_basins(const AttractorsOptions& options,
                                                                       const proofs::methods::Paper& paper);
 
-// An atlas, and the machines that it is of, if these are in SI units.
-struct AskedAtlas {
-  ParameterFile file;
-  numeric::atlas::Question question;
-  report::atlas::Machine machine;
-};
-[[nodiscard]] AskedAtlas asked_atlas(const AtlasOptions& options, const proofs::methods::Paper& paper);
+// Of a machine in SI units, whose values may be ranges, the question is in these.
+[[nodiscard]] Asked<numeric::atlas::Question> asked_atlas(const AtlasOptions& options,
+                                                          const proofs::methods::Paper& paper);
 
 // A motion: how many periods of the load, and the time between samples, in the units of the data.
 struct MotionAsked {

@@ -9,9 +9,9 @@
 #include <memory>
 #include <random>
 
+#include "cli/asked.hpp"
 #include "cli/cluster.hpp"
 #include "cli/commands.hpp"
-#include "cli/machine_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
@@ -34,68 +34,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A machine in the middle of the ranges that values in SI units may be.
-TypedParameters in_the_middle(TypedParameters machine) {
-  for (auto& [name, text] : machine) {
-    const auto [lower, upper] = interval(name, text);
-    if (name == "load_phase" && lower != upper) {
-      throw UsageError("load_phase: no orbit depends on it, for it is where simulations begin");
-    }
-    text = to_string(Rational((lower + upper) / 2));
-  }
-  return machine;
-}
-
 Question asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
-  if (o.family.empty()) {
-    throw UsageError("a family of orbits is missing: " + numeric::families::names_of_families());
-  }
-  Question q;
-  q.family = &numeric::families::family_named(o.family);
-  TypedParameters typed = o.parameters;
-  for (const auto& [name, range] : o.along) {
-    typed = with_along(std::move(typed), {name, range});
-  }
-  ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::optional, in_the_middle);
-  (void)units_of(o.units, file, false);
-  leave_results_out(file, *q.family, typed);
-  TypedParameters given = given_parameters(paper, typed, file.parameters, o.example);
-  for (const auto& [name, why] :
-       {std::pair("phi", q.family->why_no_phi), std::pair("ur", q.family->why_no_ur)}) {
-    if (typed.contains(name) && !why.empty()) {
-      throw UsageError(why);
-    }
-    if (!why.empty()) {
-      given.erase(name);  // the example's
-    }
-  }
-  if (takes_phi(*q.family) && typed.contains("ur")) {
-    throw UsageError(fmt::format("ur: an atlas of {} orbits takes phi, and u_r is a result", q.family->name));
-  }
-  if (file.machine) {
-    q.values = file.in_SI.contains("normal_force") ? Values::coefficients : Values::forces;
-    given.insert(file.in_SI.begin(), file.in_SI.end());
-    if (!file.machine->machine.friction_at_rest) {
-      given.erase("friction_at_rest");
-      given.erase("friction_force_at_rest");
-    }
-  }
-  const std::vector<std::string>& names = names_of(q);
-  require_given(given, {names.begin(), names.end() - 1});
-  for (const std::string& name : names) {
-    if (given.contains(name)) {
-      const auto [lower, upper] = interval(name, given.at(name));
-      q.region.push_back({lower, upper});
-      if (!q.region.back().is_point()) {
-        q.axes.push_back(q.region.size() - 1);
-      }
-    }
-  }
-  q.resolution = whole_number("resolution", o.resolution, AtlasOptions::most_resolution,
-                              AtlasOptions::default_resolution);
-  require_understood(q);
-  tell_left_out(file);
-  return q;
+  Asked<Question> asked = asked_atlas(o, paper);
+  tell_left_out(asked.file);
+  return std::move(asked.question);
 }
 
 // Whether --plot asks for a mesh that ParaView opens.

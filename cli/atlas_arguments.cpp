@@ -33,7 +33,7 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
   command->footer(details);
   command->add_option("FAMILY", options.family, "symmetric, overshooting or nonsticking")->type_name("");
   add_parameters(*command, options.parameters);
-  add_sources(*command, options.example, options.file, paper);
+  add_sources(*command, options.example, options.file.name, paper);
   const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
     return add_text(*command, name, text, type, words);
   };

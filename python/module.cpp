@@ -473,10 +473,9 @@ std::vector<std::tuple<std::string, std::string, std::string>> expressions() {
 
 using report::atlas::Archive;
 
-// Read, or made, and the machines that it is of, if these are in SI units.
+// Read, or made, and what did not count for it.
 struct Atlas {
   Archive archive;
-  report::atlas::Machine machine;
   std::vector<std::string> left_out;
 };
 
@@ -490,11 +489,11 @@ Atlas make_atlas(const Given& g, const std::string& family,
         cli::AtlasOptions o;
         o.family = family;
         o.parameters = g.parameters;
-        o.file = g.machine.name;
+        o.file = g.machine;
         o.example = g.example;
         o.along = along;
         o.resolution = resolution;
-        const cli::AskedAtlas asked = cli::asked_atlas(o, paper_for(g.example));
+        const auto asked = cli::asked_atlas(o, paper_for(g.example));
         Archive archive{asked.question, report::tools::program_version(), {}};
         work_on_all(
             asked.question, gaps({}), [] { return interrupted(); },
@@ -502,13 +501,13 @@ Atlas make_atlas(const Given& g, const std::string& family,
               archive.leaves.insert(archive.leaves.end(), leaves.begin(), leaves.end());
             });
         put_in_order(archive.question, archive.leaves);
-        return Atlas{std::move(archive), asked.machine, asked.file.left_out};
+        return Atlas{std::move(archive), asked.file.left_out};
       },
       g.machine);
 }
 
 Atlas read_atlas(const std::string& file, const Conduct& conduct) {
-  return carried_out(conduct, [&] { return Atlas{report::atlas::read_archive(file), {}, {}}; });
+  return carried_out(conduct, [&] { return Atlas{report::atlas::read_archive(file), {}}; });
 }
 
 // The exact parameters of a box of the atlas: name, least and greatest value.
@@ -560,8 +559,7 @@ std::string script_of_branches(const Told<branches::BranchList>& t) {
   return report::orbits::plot_script(t.answer, report::tools::PlotFormat::svg);
 }
 std::string script_of(const Atlas& a) {
-  return report::atlas::plot_script(a.archive.question, a.archive.leaves, report::tools::PlotFormat::svg,
-                                    a.machine);
+  return report::atlas::plot_script(a.archive.question, a.archive.leaves, report::tools::PlotFormat::svg);
 }
 
 std::string gnuplot(const std::string& script) {
@@ -633,9 +631,7 @@ PYBIND11_MODULE(_core, m) {
       .def("samples", &samples);
   py::class_<Atlas>(m, "Archive")
       .def("json",
-           [](const Atlas& a) {
-             return report::atlas::to_json(a.archive.question, a.archive.leaves, a.machine).dump();
-           })
+           [](const Atlas& a) { return report::atlas::to_json(a.archive.question, a.archive.leaves).dump(); })
       .def("left_out", [](const Atlas& a) { return a.left_out; })
       .def("script", &script_of)
       .def("columns", &columns)

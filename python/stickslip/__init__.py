@@ -32,7 +32,6 @@ from . import _core
 from ._core import DomainError, Error, InputOutputError, InternalError, UsageError
 from ._exact import Ball, ComplexBall, Exact, exact
 from ._machine import Along, Machine, interval, read_machine
-from ._machine import in_a_file as _in_a_file
 from ._results import (Atlas, Attractor, Attractors, Basins, Branch, Branches, BranchEnd, Change, Check, Claim,
                        Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, Simulation, Unresolved)
 
@@ -190,8 +189,8 @@ def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None,
     One to four parameters vary, each an interval, ("0.5", "0.6") or "0.5..0.6". Boxes that cannot be decided are
     halved, each side at most so many times as resolution says, at most 60.
     machine: in SI units, in place of the data; its values may be intervals. along: a parameter, or a value of the
-    machine, such as ("load_frequency", 7, 8) in Hz, and its interval, or several of these. The box of the data encloses
-    those of all these machines; json["machine"] says what its axes are of the machine, and whether it holds more.
+    machine, such as ("load_frequency", 7, 8) in Hz, and its interval, or several of these: the axes are values of the
+    machine, and what is said of a box holds for every machine in it.
 
     Raises as orbits does; InputOutputError for what is no atlas or does not cover its rectangle, or when the module
     was built without HDF5.
@@ -202,10 +201,9 @@ def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None,
         if ranges or example or machine or any(value is not None for value in data.values()):
             raise UsageError(f"parameters are for an atlas that is made, of a family: '{_os.fspath(what)}' is read")
         return Atlas._from(_core.atlas(_os.fspath(what), _conduct(jobs)))
-    with _in_a_file(machine) as file:
-        given = _given(data, () if ranges else _data, example, file)
-        return Atlas._from(_told(_core.make_atlas(given, _os.fspath(what), [(name, ends) for name, ends in ranges],
-                                                  _count("resolution", resolution, 60), _conduct(jobs))))
+    given = _given(data, () if ranges else _data, example, machine)
+    return Atlas._from(_told(_core.make_atlas(given, _os.fspath(what), [(name, ends) for name, ends in ranges],
+                                              _count("resolution", resolution, 60), _conduct(jobs))))
 
 
 def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,

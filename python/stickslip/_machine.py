@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os as _os
-from contextlib import contextmanager
-from dataclasses import dataclass, field, fields, replace
-from tempfile import TemporaryDirectory
-from typing import Dict, Iterator, Optional, Tuple, Union
+from dataclasses import dataclass, field, fields
+from typing import Dict, Optional, Tuple, Union
 
 from . import _core
-from ._core import Error, UsageError
+from ._core import UsageError
 from ._exact import Exact, exact
 
 #: A number, or for what varies the interval between two.
@@ -63,19 +61,3 @@ def read_machine(file: Union[str, "_os.PathLike[str]"]) -> Machine:
         if key not in keys:
             raise UsageError(f"{name}: {key} is not a value of a machine in SI units")
     return Machine(**values, name=name)
-
-
-@contextmanager
-def in_a_file(machine: Optional[Machine]) -> Iterator[Optional[Machine]]:
-    """The machine under the name of a file that has it for that long; errors call it by its own name."""
-    if machine is None:
-        yield None
-        return
-    with TemporaryDirectory() as folder:
-        file = _os.path.join(folder, "machine.toml")
-        with open(file, "w", encoding="utf-8") as stream:
-            stream.writelines(f'{name} = "{value}"\n' for name, value in machine.values().items())
-        try:
-            yield replace(machine, name=file)
-        except Error as error:
-            raise type(error)(str(error).replace(file, machine.name)) from None
