@@ -20,8 +20,11 @@
 #include "numeric/atlas/cover.hpp"
 #include "numeric/atlas/work.hpp"
 #include "numeric/simulation/record.hpp"
+#include "proofs/methods/automatic.hpp"
 #include "proofs/methods/progress.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/table.hpp"
+#include "proofs/text/claims_file.hpp"
 #include "python/in_units.hpp"
 #include "report/atlas/archive.hpp"
 #include "report/atlas/summary.hpp"
@@ -33,6 +36,7 @@
 #include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/simulation.hpp"
+#include "report/tools/files.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/versions.hpp"
 #include "symbolic/objects/objects.hpp"
@@ -418,16 +422,32 @@ std::tuple<py::array_t<double>, py::array_t<int>> samples(const Told<Followed>& 
   return {std::move(rows), py::array_t<int>(count, followed.phases.data())};
 }
 
-std::string check(const std::vector<std::string>& words, const Conduct& conduct) {
+// The claims of a paper that the words name, as JSON.
+std::string checked(const Paper& paper, const std::vector<std::string>& words, const char * command) {
+  const proofs::symbols::InVocabulary scope(paper.vocabulary);
+  std::set<std::string> ids;
+  for (const std::string& word : words) {
+    ids.merge(proofs::methods::ids_named(paper.claims, word));
+  }
+  const proofs::methods::Audit audit =
+      proofs::methods::audit(paper.claims, ids, [](const std::string&, std::size_t, std::size_t) {});
+  return report::audit::to_json(paper, audit, command).dump();
+}
+
+std::string check(const std::vector<std::string>& words, const std::string& file, const Conduct& conduct) {
   return carried_out(conduct, [&] {
     const Paper& paper = proofs::pascal2012::paper();
-    std::set<std::string> ids;
-    for (const std::string& word : words) {
-      ids.merge(proofs::methods::ids_named(paper.claims, word));
-    }
-    const proofs::methods::Audit audit =
-        proofs::methods::audit(paper.claims, ids, [](const std::string&, std::size_t, std::size_t) {});
-    return report::audit::to_json(paper, audit, "stickslip.check").dump();
+    return file.empty() ? checked(paper, words, "stickslip.check")
+                        : checked(proofs::text::read_claims(report::tools::read_file(file), file, paper), words,
+                                  "stickslip.check");
+  });
+}
+
+std::string prove(const proofs::methods::OwnStatement& own, const Conduct& conduct) {
+  return carried_out(conduct, [&] {
+    Paper with_own = proofs::pascal2012::paper();
+    with_own.claims.push_back(proofs::methods::own_claim(own));
+    return checked(with_own, {proofs::methods::own_id}, "stickslip.prove");
   });
 }
 
@@ -653,7 +673,14 @@ PYBIND11_MODULE(_core, m) {
   m.def("simulate", &simulate, py::arg("given"), py::arg("orbit"), py::arg("state"), py::arg("perturb"),
         py::arg("periods"), py::arg("every"), py::arg("conduct"));
   m.def("machine_values", &machine_values, py::arg("file"));
-  m.def("check", &check, py::arg("words"), py::arg("conduct"));
+  m.def("check", &check, py::arg("words"), py::arg("file"), py::arg("conduct"));
+  m.def(
+      "prove",
+      [](const std::string& statement, const std::vector<std::string>& assumptions,
+         const std::vector<std::string>& symbols, const Conduct& conduct) {
+        return prove({statement, assumptions, symbols}, conduct);
+      },
+      py::arg("statement"), py::arg("assumptions"), py::arg("symbols"), py::arg("conduct"));
   m.def("latex", &latex, py::arg("name"), py::arg("in_frequencies"), py::arg("conduct"));
   m.def("latex_text", &latex_text, py::arg("given"), py::arg("theorem"), py::arg("orbit"), py::arg("errata"),
         py::arg("digits"), py::arg("conduct"));

@@ -36,7 +36,7 @@ from ._results import (Atlas, Attractor, Attractors, Basins, Branch, Branches, B
                        Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, Simulation, Unresolved)
 
 __all__ = [
-    "orbits", "branch", "atlas", "attractors", "simulate", "check", "latex", "expressions", "Machine", "read_machine",
+    "orbits", "branch", "atlas", "attractors", "simulate", "check", "prove", "latex", "expressions", "Machine", "read_machine",
     "Ball", "ComplexBall", "Condition", "Unresolved", "Orbit", "Orbits", "Change", "Piece", "BranchEnd", "Branch",
     "Count", "Branches", "Atlas", "Attractor", "Attractors", "DiagramPoint", "Diagram", "Basins", "Event", "Simulation",
     "Claim", "Check", "Error", "UsageError", "DomainError", "InputOutputError", "InternalError", "__version__"
@@ -276,15 +276,29 @@ def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Opti
                        _number("every", every), _conduct(None))))
 
 
-def check(*ids: str, jobs: Optional[int] = None) -> Check:
+def check(*ids: str, file: Union[str, "_os.PathLike[str]", None] = None, jobs: Optional[int] = None) -> Check:
     """Proves statements of the paper, or all of them, and says what became of each.
 
     ids: a statement ("44.H"), an equation with its parts ("47"), a place ("sec4", "A3"), a kind ("theorem"), an
-    origin ("new"); nothing for all, which takes some seconds.
+    origin ("new"); nothing for all, which takes some seconds. file: of claims, whose paper takes the place of this one
+    (doc/claims.md).
 
-    Raises UsageError for what names nothing, KeyboardInterrupt after Ctrl-C.
+    Raises UsageError for what names nothing and for a file that cannot be understood, InputOutputError for one that
+    cannot be read, KeyboardInterrupt after Ctrl-C.
     """
-    return Check._from(_core.check(list(ids), _conduct(jobs)))
+    return Check._from(_core.check(list(ids), "" if file is None else _os.fspath(file), _conduct(jobs)))
+
+
+def prove(statement: str, *assumptions: str, symbols: Sequence[str] = ()) -> Claim:
+    """Proves or refutes a statement of one's own in the paper's symbols, such as "H(2 t) = H(t)^2".
+
+    assumptions: statements that it may use. symbols: names of further numbers. The notation is that of the program's
+    prove command (doc/prove.md). verdict of the answer is "proved", under its hypotheses; "refuted", with values in
+    reason and, where one change makes it true, the corrected form; or "undecided".
+
+    Raises UsageError for what cannot be read, with the column; KeyboardInterrupt after Ctrl-C.
+    """
+    return Check._from(_core.prove(statement, list(assumptions), list(symbols), _conduct(None))).claims[0]
 
 
 def latex(name: Optional[str] = None, *, unknowns: str = "chi", theorem: Optional[str] = None,

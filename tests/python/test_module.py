@@ -107,6 +107,33 @@ def test_claims():
         stickslip.check("99.x")
 
 
+def test_statements_of_ones_own():
+    proved = stickslip.prove("H(2 t) = H(t)^2")
+    assert proved.verdict == "proved" and proved.theorems and not proved.hypotheses
+    given = stickslip.prove("(a + b)^2 = 1 + 2 a b", "a^2 + b^2 = 1", symbols=["a", "b"])
+    assert given.verdict == "proved" and given.obeyed == "theorem"
+    refuted = stickslip.prove("H1(t)^2 + I = H2(t) H3(t)")
+    assert refuted.verdict == "refuted" and "omega1 = " in refuted.reason and len(refuted.corrected) == 1
+    assert stickslip.prove("sin(t) < 2").verdict == "undecided"
+    with pytest.raises(stickslip.UsageError, match="column 1: no symbol 'nonsense'"):
+        stickslip.prove("nonsense = 1")
+    with pytest.raises(stickslip.UsageError, match="'chi' has a meaning already"):
+        stickslip.prove("chi = 1", symbols=["chi"])
+
+
+def test_claims_of_a_file(tmp_path):
+    file = tmp_path / "note.claims"
+    file.write_text("paper A note\nsymbols us, a\nclaim one step: .\n  us > 0\nclaim two identity: .\n  a - a = 0\n")
+    assert [claim.status for claim in stickslip.check(file=file)] == ["refuted", "as_printed"]
+    assert [claim.id for claim in stickslip.check("two", file=file)] == ["two"]
+    assert stickslip.check("40")[0].status == "as_printed"  # the paper's names mean what they did
+    file.write_text("paper A note\nclaim one step: .\n  us > 0\n")
+    with pytest.raises(stickslip.UsageError, match="note.claims:3: column 1: no symbol 'us'"):
+        stickslip.check(file=file)
+    with pytest.raises(stickslip.InputOutputError, match="nowhere.claims"):
+        stickslip.check(file=tmp_path / "nowhere.claims")
+
+
 def test_latex():
     assert {name for name, _, _ in stickslip.expressions()} >= {"H", "Gamma2"}
     for unknowns in ("chi", "omega"):
