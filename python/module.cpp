@@ -438,8 +438,8 @@ std::string check(const std::vector<std::string>& words, const std::string& file
   return carried_out(conduct, [&] {
     const Paper& paper = proofs::pascal2012::paper();
     return file.empty() ? checked(paper, words, "stickslip.check")
-                        : checked(proofs::text::read_claims(report::tools::read_file(file), file, paper), words,
-                                  "stickslip.check");
+                        : checked(proofs::text::read_claims(report::tools::read_file(file), file, paper),
+                                  words, "stickslip.check");
   });
 }
 

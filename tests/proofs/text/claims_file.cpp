@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -19,6 +20,13 @@ namespace {
 
 Paper read(const std::string& content) {
   return text::read_claims(content, "F", pascal2012::paper());
+}
+
+std::string example(const std::string& name) {
+  std::ifstream file(std::string(STICKSLIP_SOURCE_DIR) + "/examples/claims/" + name + ".claims");
+  std::stringstream content;
+  content << file.rdbuf();
+  return content.str();
 }
 
 std::map<std::string, std::string> statuses(const Paper& paper) {
@@ -49,21 +57,40 @@ std::string refusal_of(const std::string& entries) {
 
 }  // namespace
 
-TEST_CASE("the paper on Den Hartog's motion comes out as it says it does") {
-  std::ifstream file(std::string(STICKSLIP_SOURCE_DIR) + "/examples/claims/den_hartog.claims");
-  std::stringstream content;
-  content << file.rdbuf();
-  const Paper paper = read(content.str());
-  CHECK(paper.bibliography.author == "J. P. Den Hartog");
-  CHECK(paper.sections.size() == 3);
-  CHECK(paper.statements.size() == 6);
-  const auto found = statuses(paper);
-  CHECK(found.size() == paper.claims.size());
-  for (const Claim& claim : paper.claims) {
-    CAPTURE(claim.id);
-    CHECK(!claim.expected.empty());
-    CHECK(found.at(claim.id) == claim.expected);
+TEST_CASE("the papers among the examples come out as they say they do") {
+  for (const auto& [name, statements] : {std::pair("den_hartog", 6), std::pair("belt", 8)}) {
+    CAPTURE(name);
+    const Paper paper = read(example(name));
+    CHECK(paper.sections.size() == 3);
+    CHECK(paper.statements.size() == statements);
+    const auto found = statuses(paper);
+    CHECK(found.size() == paper.claims.size());
+    for (const Claim& claim : paper.claims) {
+      CAPTURE(claim.id);
+      CHECK(!claim.expected.empty());
+      CHECK(found.at(claim.id) == claim.expected);
+    }
   }
+}
+
+TEST_CASE("a file with characters changed is refused in a sentence, or another file") {
+  const std::string whole = example("den_hartog");
+  const std::string signs = "+-*/^()[]|,;:=<>'@#$ \n\tabt12.";
+  std::mt19937 random(33);
+  int refused = 0;
+  for (int i = 0; i < 1500; ++i) {
+    std::string changed = whole;
+    for (int k = 0; k < 1 + i % 3; ++k) {
+      changed[random() % changed.size()] = signs[random() % signs.size()];
+    }
+    try {
+      (void)read(changed);
+    } catch (const UsageError& error) {
+      CHECK(std::string(error.what()).starts_with("F:"));
+      ++refused;
+    }
+  }
+  CHECK(refused > 300);
 }
 
 TEST_CASE("two papers in one process do not meet") {
