@@ -337,10 +337,6 @@ Proof automatically() {
         routes.push_back(found.route);
       }
       add(outcome, found);
-      if (printed.relation == symbols::Relation::equal && !printed.during && is_in_field(printed.left) &&
-          is_in_field(printed.right)) {
-        outcome.doubted.push_back(printed);
-      }
     }
     outcome.verdict = all_of(verdicts);
     outcome.by_kernel = outcome.verdict.truth == Truth::proved;

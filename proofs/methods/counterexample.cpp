@@ -55,7 +55,11 @@ Witness witness_of(const Statement& statement, const Scene& scene) {
   for (const Statement& value : scene.values) {
     here.values.emplace(value.left.name(), value.right);
   }
-  const Value<Ball> left = here(statement.left), right = here(statement.right);
+  const auto side = [&here](const Term& one, const Term& other) {  // a plain 0 has the size of the other
+    return one.is_zero() ? here(zero(other.shape().rows, other.shape().columns)) : here(one);
+  };
+  const Value<Ball> left = side(statement.left, statement.right),
+                    right = side(statement.right, statement.left);
   Eigen::Index shown = 0;
   for (Eigen::Index i = left.size() - 1; i >= 0; --i) {
     shown = left(i).overlaps(right(i)) ? shown : i;

@@ -127,8 +127,18 @@ std::optional<bool> holds_nearly(const Formula& formula, const Values& values) {
   constexpr double fault = 1e-9;
   const auto gap = [&] { return tactics::estimated(formula.parts()[1] - formula.parts()[0], values); };
   switch (formula.kind()) {
-    case kernel::Kind::equal:
-      return is_equation_of_numbers(formula) ? std::optional(std::abs(gap()) < fault) : std::nullopt;
+    case kernel::Kind::equal: {
+      const Term difference = formula.parts()[1] - formula.parts()[0];
+      const Type& type = difference.type();
+      for (int k = 0; k < type.rows * type.columns; ++k) {
+        const Term one =
+            type.is_scalar() ? difference : entry(difference, k / type.columns, k % type.columns);
+        if (!(std::abs(tactics::estimated(one, values)) < fault)) {
+          return false;
+        }
+      }
+      return true;
+    }
     case kernel::Kind::less:
       return gap() > fault;
     case kernel::Kind::at_most:

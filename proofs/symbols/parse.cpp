@@ -16,7 +16,7 @@ namespace {
 
 // What nobody writes, and what would end in no time or no stack.
 constexpr std::size_t longest_line = 20000, longest_number = 1000;
-constexpr int deepest = 200, greatest_exponent = 200;
+constexpr int deepest = 200, greatest_exponent = 200, greatest_exponent_of_matrix = 50;
 
 // What may be typed for plain names and signs.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 46> typed{{
@@ -641,6 +641,9 @@ class Shaper {
       case Op::power: {
         const Term base = sized(node.parts[0], wanted);
         require_square(node, base);
+        if (!base.shape().is_scalar() && abs(node.number) > greatest_exponent_of_matrix) {
+          fail(node.at, fmt::format("the exponent of a matrix is at most {}", greatest_exponent_of_matrix));
+        }
         return power(base, static_cast<int>(node.number.get_num().get_si()));
       }
       case Op::negate:

@@ -67,14 +67,17 @@ Theorem difference(const Formula& formula) {
     entries[static_cast<std::size_t>(which)] = 1;
     return matrix(rows, columns, entries);
   };
+  const Variable A{"A", type}, B{"B", type};  // of any two: what a and b are made of need not be looked into
   for (int i = 0; i < type.rows; ++i) {
     for (int j = 0; j < type.columns; ++j) {
-      const Formula same = equal(entry(a, i, j), entry(b, i, j));
       const auto found = where_it_works([&] {
-        const Theorem differs = Theorem::sign(negation(same), {}, bits);
-        const Theorem row = Theorem::combination(
-            same, {{Theorem::assume(formula), unit(1, type.rows, i), unit(type.columns, 1, j)}});
-        return Theorem::consequence({Theorem::discharge(row, formula), differs}, negation(formula));
+        const Theorem differs = Theorem::sign(negation(equal(entry(a, i, j), entry(b, i, j))), {}, bits);
+        const Formula all = equal(A, B);
+        const Theorem row =
+            Theorem::combination(equal(entry(A, i, j), entry(B, i, j)),
+                                 {{Theorem::assume(all), unit(1, type.rows, i), unit(type.columns, 1, j)}});
+        const Theorem here = Theorem::instantiate(Theorem::discharge(row, all), {{A, a}, {B, b}});
+        return Theorem::consequence({here, differs}, negation(formula));
       });
       if (found) {
         return without_hypotheses(*found);

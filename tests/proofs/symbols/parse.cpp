@@ -102,6 +102,7 @@ TEST_CASE("what cannot be read is refused where it goes wrong") {
   CHECK(refusal("H = 1") == "column 1: H is a function: write H(t)");
   CHECK(refusal("chi^-x = 1") == "column 6: there is 'x', where one expects a whole number as exponent");
   CHECK(refusal("chi^100000 = 1") == "column 5: an exponent is at most 200");
+  CHECK(refusal("H(t)^51 = I") == "column 1: the exponent of a matrix is at most 50");
   CHECK(refusal("Z0^2 = 0") ==
         "column 1: this is a column of 4, and only square matrices have powers and determinants");
   CHECK(refusal("[1, 2; 3] = 0") == "column 9: a row of 1, and the first row has 2");
