@@ -174,7 +174,7 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
               "NAME", options.names,
               fmt::format("What to print: a derived expression (H, Gamma, Q, ...), with its\nvalues where "
                           "parameters are given; or a statement as it is proved\n({}, {}, ...); all "
-                          "derived expressions if none is given",
+                          "derived expressions if none is given.\nAfter NAME.claims: statements of that file",
                           paper.equation(), paper.part))
           ->type_name("");
   CLI::Option * list = command->add_flag("--list", options.list, "List the names, with equation numbers");
@@ -215,7 +215,10 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
   add_sources(*command, options.example, options.file.name, paper);
   add_text(*command, "--digits", options.digits, "N",
            fmt::format("Significant digits of numbers: {} by default", LatexOptions::default_digits));
-  command->callback([&options, &request] { request = options; });
+  command->callback([&options, &request] {
+    take_file(options.names, options.claims);
+    request = options;
+  });
 }
 
 }  // namespace

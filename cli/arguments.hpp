@@ -48,6 +48,7 @@ struct CertifyOptions {
 };
 
 struct LatexOptions {
+  std::string claims;  // a file of claims; empty for the paper
   std::vector<std::string> names;
   bool in_frequencies = false;  // else with chi, eta and abbreviations
   bool bare = false;            // formulas alone

@@ -49,6 +49,13 @@ TEST_CASE("a paper of one's own is audited, with pages") {
   fs::remove_all(pages);
 }
 
+TEST_CASE("statements of a file are printed as LaTeX") {
+  const ClaimsFile file("claim square identity: the square\n  (a + b)^2 = a^2 + 2 a b + us^2*b^2/us^2\n");
+  const Run run = stickslip_program({"latex", file.path(), "square", "--bare"});
+  CHECK(run.code == exit_decided);
+  CHECK(run.out == "\\left(a + b\\right)^{2} = a^{2} + 2 a b + \\frac{u_s^{2} b^{2}}{u_s^{2}}\n");
+}
+
 TEST_CASE("a name of the oscillator's is but a letter in another paper") {
   const ClaimsFile file("claim positive step: positive\n  us > 0\n");
   CHECK(stickslip_program({"check", file.path()}).code == exit_refuted);
