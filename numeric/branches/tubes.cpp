@@ -16,7 +16,7 @@ namespace {
 // As shares of a cell's length, tried in this order, and of the radii of the box in which its motions are the
 // only ones.
 constexpr std::array overlaps{0.25, 0x1p-8, 0.0};
-constexpr double wider = 3;
+constexpr std::array wider{3, 1};
 // As shares of the sizes of the unknowns: tubes around arcs that are short, or do not depend on the
 // parameter, could be too narrow for doubles.
 constexpr std::array least_radii{0x1p-12, 0x1p-20, 0x1p-30};
@@ -85,15 +85,17 @@ std::optional<Longer> longer(const Curve& curve, const Cell& cell, const Cell * 
       (after != nullptr && last != cell.last && !goes_on_with(f, proof, last, *after))) {
     return std::nullopt;
   }
-  for (const double least : least_radii) {
-    Vector wide = proof.unique;
-    for (Ball& side : wide) {
-      const double size = std::max(1.0, std::abs(side.approximate()));
-      const Ball radius = side.radius() * Ball(wider) + Ball(least * size);
-      side = side.midpoint() + Ball::hull(-radius, radius);
-    }
-    if (holds_one_zero(f, proof, wide)) {
-      return Longer{between(first, last), wide};
+  for (const int times : wider) {
+    for (const double least : least_radii) {
+      Vector wide = proof.unique;
+      for (Ball& side : wide) {
+        const double size = std::max(1.0, std::abs(side.approximate()));
+        const Ball radius = side.radius() * Ball(times) + Ball(least * size);
+        side = side.midpoint() + Ball::hull(-radius, radius);
+      }
+      if (holds_one_zero(f, proof, wide)) {
+        return Longer{between(first, last), wide};
+      }
     }
   }
   return Longer{between(first, last), proof.unique};
