@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "numeric/branches/multiples.hpp"
 #include "numeric/branches/pieces.hpp"
 #include "numeric/branches/search.hpp"
 #include "numeric/branches/setting.hpp"
@@ -44,6 +45,36 @@ void trace(const BranchQuestion& question, const Law& law, const Sheet& sheet, c
   }
   if (!branch.pieces.empty()) {
     list.branches.push_back(std::move(branch));
+  }
+}
+
+// Of a part of the interval, with all that is in it.
+BranchList list_between(const BranchQuestion& question) {
+  BranchList list;
+  const Law law = law_of(question);
+  const AllFollowed all = follow_all(question);
+  list.unresolved = all.unresolved;
+  for (const Sheet& sheet : all.sheets) {
+    for (const Followed& branch : sheet.branches) {
+      trace(question, law, sheet, branch, list);
+    }
+  }
+  if (!question.at || !list.branches.empty()) {
+    list.counts =
+        counts_of(question, list.branches, question.at ? std::vector<UnresolvedPart>{} : all.unresolved);
+  }
+  list.complete = all.complete;
+  return list;
+}
+
+// The branches that end at that value, where the part ends, are followed no further.
+void stop_at(const Multiple& multiple, const Rational& value, BranchList& part) {
+  for (Branch& branch : part.branches) {
+    for (BranchEnd * end : {&branch.first, &branch.last}) {
+      if (end->kind == End::interval && end->at.contains(Ball(value))) {
+        *end = {end->at, "followed no further: next to the resonance " + multiple.name, End::stopped, true};
+      }
+    }
   }
 }
 
@@ -112,20 +143,37 @@ BranchList list_branches(const BranchQuestion& question) {
   require_question(question);
   BranchList list;
   list.question = question;
-  const Law law = law_of(question);
-  const AllFollowed all = follow_all(question);
-  list.unresolved = all.unresolved;
-  for (const Sheet& sheet : all.sheets) {
-    for (const Followed& branch : sheet.branches) {
-      trace(question, law, sheet, branch, list);
+  list.complete = true;
+  const std::vector<Multiple> multiples = multiples_in(question);
+  // Between the one and the next.
+  for (std::size_t k = 0; k <= multiples.size(); ++k) {
+    const Multiple * before = k > 0 ? &multiples[k - 1] : nullptr;
+    const Multiple * after = k < multiples.size() ? &multiples[k] : nullptr;
+    BranchQuestion between = question;
+    between.from = before != nullptr ? before->to : question.from;
+    between.to = after != nullptr ? after->from : question.to;
+    const auto is_asked = [&](const Rational& from, const Rational& to) {
+      return !question.at || (from <= *question.at && *question.at <= to);
+    };
+    if (between.from < between.to && is_asked(between.from, between.to)) {
+      BranchList part = list_between(between);
+      for (const auto& [multiple, value] : {std::pair(before, between.from), std::pair(after, between.to)}) {
+        if (multiple != nullptr) {
+          stop_at(*multiple, value, part);
+        }
+      }
+      std::ranges::move(part.branches, std::back_inserter(list.branches));
+      std::ranges::move(part.unresolved, std::back_inserter(list.unresolved));
+      std::ranges::move(part.counts, std::back_inserter(list.counts));
+      list.complete = list.complete && part.complete;
+    }
+    if (after != nullptr &&
+        is_asked(between.from, k + 1 < multiples.size() ? multiples[k + 1].from : question.to)) {
+      list.unresolved.push_back(left_out(*after, question.parameter));
     }
   }
-  if (!question.at || !list.branches.empty()) {
-    list.counts =
-        counts_of(question, list.branches, question.at ? std::vector<UnresolvedPart>{} : all.unresolved);
-  }
   list.interrupted = interrupted();
-  list.complete = all.complete && !list.interrupted;
+  list.complete = list.complete && multiples.empty() && !list.interrupted;
   return list;
 }
 

@@ -93,6 +93,26 @@ TEST_CASE("branch: the table, the JSON, the CSV and the page of a short interval
   CHECK(text.out.find("stability real -1") != std::string::npos);
 }
 
+TEST_CASE("branch: across a resonance that nothing comes through") {
+  const Words words{
+      "branch", "nonsticking", "--eta", "4",     "--us",           "0.1",     "--V",
+      "0.1",    "--p",         "1",     "--chi", "0.2785..0.2787", "--omega", "0.4239250651584028",
+      "--at",   "0.2785"};
+  const Run json = stickslip_program([&] {
+    Words with = words;
+    with.push_back("--json");
+    return with;
+  }());
+  CHECK(json.code == exit_decided);
+  const Json list = Json::parse(json.out);
+  REQUIRE(list["unresolved"].size() == 1);
+  CHECK(list["unresolved"][0]["resonance"] == true);
+  CHECK(list["unresolved"][0]["chi"].is_object());
+  CHECK(list["branches"][0]["ends"][1]["kind"] == "stopped");
+  CHECK(list["branches"][0]["ends"][1]["resolved"] == false);
+  CHECK(stickslip_program(words).out.find("resonance 3 omega = omega2") != std::string::npos);
+}
+
 TEST_CASE("branch: of a word the admissible orbits, one of the list, or one near a state") {
   const Words word{"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438"};
   const auto with = [&](const Words& more) {

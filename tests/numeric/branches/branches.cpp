@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "numeric/branches/changes.hpp"
+#include "numeric/branches/multiples.hpp"
 #include "tests/numeric/branches/questions.hpp"
 
 using namespace stickslip;
@@ -154,6 +155,87 @@ TEST_CASE("symmetric orbits go on through a natural frequency, and what changes 
     REQUIRE(said);
     CHECK(*said == numbers(at(list.question, value)));
   }
+}
+
+TEST_CASE(
+    "next to a multiple of omega that is a natural frequency nothing is looked into, and that is said") {
+  for (const char * V : {"0.1", "0"}) {
+    const OrbitQuestion data =
+        examples::data("nonsticking", {"0.3", "4", "0.1", V, "0.4239250651584028", "1"});
+    const BranchQuestion question = along(data, "chi", "0.2785", "0.2787");
+    const BranchList list = list_branches(question);
+    CHECK(list.resolved());
+    CHECK(!list.complete);
+    REQUIRE(list.unresolved.size() == 1);
+    const UnresolvedPart& part = list.unresolved.front();
+    CHECK(part.resonance);
+    CHECK(part.reason == "the resonance 3 omega = omega2: not looked into next to it");
+    CHECK((part.value.radius() - Ball(1e-5)).is_negative());
+    REQUIRE(part.where.size() == 1);
+    const Ball& at = part.where.front().value;
+    CHECK(part.value.contains(at));
+    CHECK((at.radius() - Ball(1e-11)).is_negative());
+    const auto is_resonant_between = [&](const Ball& low, const Ball& high) {
+      const auto over = [&](const Ball& chi) {
+        return model::modes<Ball>(chi, Ball(4)).omega2 - Ball(3) * Ball(data.parameters.omega.middle);
+      };
+      return over(low).is_negative() && over(high).is_positive();
+    };
+    CHECK(is_resonant_between(at.lower(), at.upper()));
+    // Four orbits below and eight above, each on a branch that stops here and goes to the interval's end.
+    REQUIRE(list.counts.size() == 2);
+    CHECK(list.counts[0].orbits == 4);
+    CHECK(list.counts[1].orbits == 8);
+    CHECK(list.branches.size() == 12);
+    for (const Branch& branch : list.branches) {
+      const bool below = branch.first.kind == End::interval;
+      const BranchEnd& stop = below ? branch.last : branch.first;
+      CHECK((below ? branch.first : branch.last).kind == End::interval);
+      CHECK(stop.kind == End::stopped);
+      CHECK(stop.resonance);
+      CHECK(stop.words == "followed no further: next to the resonance 3 omega = omega2");
+      CHECK(part.value.overlaps(stop.at));
+    }
+    for (const char * chi : {"0.2786", "0.27863"}) {
+      OrbitQuestion there = data;
+      there.parameters.chi = Range{parse_rational(chi)};
+      CHECK(numbers(list, parse_rational(chi)) == numbers(list_orbits(there)));
+    }
+    // Of the orbits at one value, those on its side.
+    BranchQuestion one = question;
+    one.at = parse_rational("0.2787");
+    const BranchList above = list_branches(one);
+    CHECK(above.branches.size() == 8);
+    CHECK(above.unresolved.size() == 1);
+    one.at = parse_rational("0.27862");
+    const BranchList none = list_branches(one);
+    CHECK(none.branches.empty());
+    CHECK(none.unresolved.size() == 1);
+  }
+}
+
+TEST_CASE("multiples of omega that are natural frequencies, in order; none where nothing moves them") {
+  const std::vector<Multiple> all = multiples_in(along(P(), "omega", "0.3", "0.66"));
+  std::vector<std::string> names;
+  for (const Multiple& one : all) {
+    names.push_back(one.name);
+    CHECK(one.from < one.to);
+    REQUIRE(one.at);
+    CHECK(between(one.from, one.to).contains(*one.at));
+  }
+  // omega1 = 0.7012, omega2 = 1.3070.
+  CHECK(names == std::vector<std::string>{"4 omega = omega2", "2 omega = omega1", "3 omega = omega2",
+                                          "2 omega = omega2"});
+  CHECK(multiples_in(along(P(), "omega", "0.66", "0.8")).empty());
+  CHECK(multiples_in(along(P(), "p", "0.4", "1")).empty());
+  CHECK(multiples_in(along(S(), "omega", "0.3", "0.66")).empty());
+  // Where the interval begins at the resonance.
+  const std::vector<Multiple> cut =
+      multiples_in(along(data("nonsticking", {"0.3", "4", "0.1", "0", "0.4239250651584028", "1"}), "chi",
+                         "0.27862001", "0.2787"));
+  REQUIRE(cut.size() == 1);
+  CHECK(!cut.front().at);
+  CHECK(cut.front().from == parse_rational("0.27862001"));
 }
 
 TEST_CASE("all of S beside each of its changes is as the lists say") {
