@@ -13,6 +13,7 @@
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/simulation/agreement.hpp"
+#include "numeric/words/growth.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -309,6 +310,21 @@ AttractorList Survey::result() const {
   return list;
 }
 
+// Every motion grows beyond all bounds: none is simulated. The state is where the first one starts.
+AttractorList all_grow(const AttractorQuestion& question, const std::vector<Vector4<double>>& starts) {
+  AttractorList list{question, {Attractor{}}, 0, false, static_cast<long>(starts.size())};
+  list.question.starts = list.followed;
+  Attractor& all = list.attractors.front();
+  all.kind = Kind::grows;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    all.members.push_back(i);
+  }
+  all.count = list.followed;
+  all.share = all.least = all.most = 1;
+  all.state = starts.front();
+  return list;
+}
+
 // Z(tau) = E Z(0), (13), as far as the balls tell.
 bool may_be_symmetric(const Motion& m) {
   const model::Vector4<Ball>& Z = m.phases[0].Z;
@@ -330,6 +346,8 @@ std::string to_string(Kind kind) {
       return "slides";
     case Kind::stuck:
       return "stuck";
+    case Kind::grows:
+      return "grows without bound";
     case Kind::unsettled:
       return "unsettled";
   }
@@ -362,6 +380,10 @@ std::string family_of(const WordOrbit& orbit) {
 
 AttractorList find_attractors_from(const AttractorQuestion& question,
                                    const std::vector<Vector4<double>>& starts) {
+  motion::require_model_domain(question.machine.data);
+  if (words::growth(question.machine.data, question.machine.ur).truth == Truth::proved) {
+    return all_grow(question, starts);
+  }
   words::require_word_domain(question.machine);
   Survey survey(question, starts);
   survey.run();
@@ -375,7 +397,11 @@ AttractorList find_attractors(const AttractorQuestion& question) {
 }
 
 Attractor find_attractor(const words::WordQuestion& machine, const Vector4<double>& X, long most_periods) {
-  Survey survey({machine, 1, 0, most_periods}, {X});
+  const AttractorQuestion question{machine, 1, 0, most_periods};
+  if (words::growth(machine.data, machine.ur).truth == Truth::proved) {
+    return all_grow(question, {X}).attractors.front();
+  }
+  Survey survey(question, {X});
   survey.run();
   return survey.result().attractors.front();
 }

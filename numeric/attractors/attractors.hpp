@@ -44,7 +44,8 @@ struct AttractorList {
   long followed = 0;  // starts, until they had settled or for all periods; the shares are of these
 };
 
-// Throws as words::require_word_domain and simulation::Simulation do.
+// Where all motions are proved to grow beyond all bounds (words/growth.hpp) that is the answer, without a
+// simulation. Throws as words::require_word_domain and simulation::Simulation do.
 [[nodiscard]] AttractorList find_attractors(const AttractorQuestion& question);
 
 // What the motions from these starts at load phase 0 settle on; the question's number of starts and seed say

@@ -50,7 +50,7 @@ std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, c
   }
   simulation::Simulation simulation(motion::parameters_as<double>(machine.data),
                                     scalars::scalar<double>(machine.ur), 0, a.state);
-  const bool moves = a.kind != Kind::stuck && a.kind != Kind::unsettled;
+  const bool moves = a.kind != Kind::stuck && a.kind != Kind::grows && a.kind != Kind::unsettled;
   const long count = a.kind == Kind::periodic ? std::min(a.periods, most) : moves ? most : 1;
   while (static_cast<long>(states.size()) < count && !interrupted()) {
     simulation.advance(simulation.period());

@@ -11,10 +11,12 @@ enum class Kind {
   irregular,       // neighbours leave it exponentially
   slides,          // never touches the belt's speed again
   stuck,           // stays on a belt that does not move
+  grows,           // beyond all bounds, proved
   unsettled,       // within the periods that were allowed
 };
 
-// "periodic", "quasi-periodic", "irregular", "slides", "stuck", "unsettled".
+// "periodic", "quasi-periodic", "irregular", "slides", "stuck", "grows without bound",
+// "unsettled".
 [[nodiscard]] std::string to_string(Kind kind);
 
 }  // namespace stickslip::numeric::attractors

@@ -11,7 +11,8 @@ namespace stickslip::numeric::attractors {
 StartBox start_box(const model::Parameters<double>& a) {
   const model::Vector2<double> Q = model::Q<double>(a, model::modes<double>(a.chi, a.eta));
   const double d = a.us / (a.chi * (1 - a.chi));
-  const double s = std::max({a.V, 1.2 * std::abs(Q(1)) * a.omega, 3 * a.us, 0.1});
+  const double forced = std::abs(Q(1)) * a.omega;  // infinite at resonance
+  const double s = std::max({a.V, std::isfinite(forced) ? 1.2 * forced : 0, 3 * a.us, 0.1});
   return {{a.chi * d, d, 0, a.V - s}, {2 * s, 3 * s, 1.5 * s, 1.5 * s}};
 }
 

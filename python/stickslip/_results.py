@@ -429,7 +429,7 @@ class Atlas(Drawn):
 class Attractor(Row):
     """A motion that starts end on. A periodic one is proved."""
 
-    kind: str  #: "periodic", "quasi-periodic", "irregular", "slides", "stuck" or "unsettled"
+    kind: str  #: "periodic", "quasi-periodic", "irregular", "slides", "stuck", "grows without bound" or "unsettled"
     count: int  #: how many starts end on it
     share: float
     share_interval: Tuple[float, float]  #: Wilson's, of 95 %

@@ -193,6 +193,8 @@ std::string remark(const Attractor& a) {
       return "no contact with the belt any more";
     case Kind::stuck:
       return "does not leave the belt any more";
+    case Kind::grows:
+      return "proved: omega is a natural frequency, and pi p > 4 eta ur";
     case Kind::unsettled:
       return a.is_too_slow
                  ? "a period of the load takes more than two million steps of simulation: too slow to be "
@@ -276,8 +278,8 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
   return text + "\n" + columns_of(rows, style.width) + "\n" +
          labelled(
              0, "share",
-             "of the starts, with Wilson's interval of 95 %; periodic motions are proved, everything else "
-             "is a check in floating point",
+             "of the starts, with Wilson's interval of 95 %; periodic motions are proved, and what is said "
+             "to be; everything else is a check in floating point",
              style.width);
 }
 

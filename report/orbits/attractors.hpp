@@ -14,11 +14,11 @@ namespace stickslip::report::orbits {
 // What provenance() says, and {"parameters": {"chi", …, "p", "ur"}, "starts", "seed", "most_periods",
 // "simulated": periods, "interrupted", "followed": starts, "pure_slip": {"forced": BALL, "verdict"} of
 // numeric/words/pure_slip.hpp, "attractors": [{"kind": "periodic", "quasi-periodic", "irregular", "slides",
-// "stuck" or "unsettled", "share", "share_interval": [least, most], "count", "state": [x1, x2, x1', x2'],
-// "lyapunov", and of a periodic one "period", "word", "verdict", "reason", "durations": [BALL], "admissible",
-// "family", "multipliers", "stability", "stability_reason"}]}. Keys that do not apply are absent. `verdict`
-// is on "there is exactly one orbit there"; the state is the motion's at a time when the load's phase is 0,
-// in double.
+// "stuck", "grows without bound" or "unsettled", "share", "share_interval": [least, most], "count", "state":
+// [x1, x2, x1', x2'], "lyapunov", and of a periodic one "period", "word", "verdict", "reason", "durations":
+// [BALL], "admissible", "family", "multipliers", "stability", "stability_reason"}]}. Keys that do not apply
+// are absent. `verdict` is on "there is exactly one orbit there"; the state is the motion's at a time when
+// the load's phase is 0, in double.
 [[nodiscard]] tools::Json to_json(const numeric::attractors::AttractorList& list);
 
 // What provenance() says, and {"word", "period", "parameters", "complete", "unresolved":

@@ -92,8 +92,10 @@ Json to_json(const AttractorList& list) {
   json["interrupted"] = list.interrupted;
   json["followed"] = list.followed;
   const words::PureSlip slip = words::pure_slip(q.machine.data);
-  json["pure_slip"] = {{"forced", to_json(slip.forced, q.machine.digits)},
-                       {"verdict", to_string(slip.exists.truth)}};
+  if (slip.forced.is_finite()) {  // not at resonance
+    json["pure_slip"] = {{"forced", to_json(slip.forced, q.machine.digits)},
+                         {"verdict", to_string(slip.exists.truth)}};
+  }
   json["attractors"] =
       list_of(list.attractors, [&](const Attractor& a) { return to_json(a, q.machine.digits); });
   return json;

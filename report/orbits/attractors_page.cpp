@@ -90,13 +90,17 @@ std::vector<Row> rows_of(const Attractor& a, const Units& units) {
 
 std::string tone(const Attractor& a) {
   const bool known = a.orbit && a.orbit->existence.truth == Truth::proved;
-  return a.kind != Kind::periodic ? "checked"
-         : known                  ? to_string(a.orbit->orbit.admissible.truth)
-                                  : "undecided";
+  return a.kind == Kind::grows      ? "proved"
+         : a.kind != Kind::periodic ? "checked"
+         : known                    ? to_string(a.orbit->orbit.admissible.truth)
+                                    : "undecided";
 }
 
 // "proved, stable", or what kind of motion it seems to be.
 std::string tell(const Attractor& a) {
+  if (a.kind == Kind::grows) {
+    return "proved";
+  }
   if (a.kind != Kind::periodic) {
     return "seen in a simulation";
   }

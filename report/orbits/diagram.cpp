@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::array colours{"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd",
                              "#8c564b", "#e377c2", "#17becf", "#bcbd22", "#7f7f7f"};
-constexpr std::array kinds{Kind::periodic, Kind::quasi_periodic, Kind::irregular,
-                           Kind::slides,   Kind::stuck,          Kind::unsettled};
+constexpr std::array kinds{Kind::periodic, Kind::quasi_periodic, Kind::irregular, Kind::slides,
+                           Kind::stuck,    Kind::grows,          Kind::unsettled};
 
 const char * colour(std::size_t k) {
   return colours[k % colours.size()];

@@ -110,6 +110,53 @@ TEST_CASE("the number of threads changes nothing") {
   }
 }
 
+TEST_CASE(
+    "a load at a natural frequency that the friction cannot hold drives all motions beyond all bounds") {
+  // omega1 = 1/2, omega2 = 2; the bound is p > 4 eta ur/pi = 0.1793 at ur = 0.03.
+  const auto machine = [](const char * omega, const char * V, const char * p) {
+    return words::WordQuestion{motion::parse_parameters("9/13", "169/36", "0.02", V, omega, p),
+                               parse_rational("0.03"), 20};
+  };
+  for (const char * omega : {"1/2", "2"}) {
+    for (const char * V : {"100", "0.1", "0"}) {
+      for (const char * p : {"1", "0.18"}) {
+        const words::WordQuestion q = machine(omega, V, p);
+        const AttractorList list = find_attractors({q, 20, 1, 20000});
+        REQUIRE(list.attractors.size() == 1);
+        CHECK(list.attractors.front().kind == Kind::grows);
+        CHECK(list.attractors.front().count == 20);
+        CHECK(list.attractors.front().state.allFinite());
+        CHECK(list.simulated == 0);
+        CHECK(find_attractor(q, {0, 0, 0, 0}).kind == Kind::grows);
+        // The simulated motion's amplitude in that mode grows as fast as the proof says, or faster.
+        const auto a = motion::parameters_as<double>(q.data);
+        const model::Modes<double> m = model::modes<double>(a.chi, a.eta);
+        const double det = m.lambda2 - m.lambda1;
+        const double other = a.omega < 1 ? m.lambda2 : m.lambda1;
+        simulation::Simulation s(a, 0.03, 0, {0, 0, 0, 0});
+        const auto amplitude = [&] {
+          const model::Vector4<double> X = s.state();
+          return std::hypot(a.omega * (other * X(0) - X(1)), other * X(2) - X(3)) / std::abs(det);
+        };
+        const double begin = amplitude();
+        const double rate = (a.p / 2 - 2 * a.eta * 0.03 / std::acos(-1.0)) / std::abs(det);
+        for (int k = 0; k < 400; ++k) {
+          s.advance(s.period());
+        }
+        CHECK(amplitude() - begin > rate * s.time());
+      }
+    }
+  }
+  CHECK_THROWS_AS((void)find_attractors({machine("1/2", "100", "0.179"), 20, 1, 20000}), DomainError);
+  words::WordQuestion wrong = machine("1/2", "100", "1");
+  wrong.ur = wrong.data.us;
+  CHECK_THROWS_AS((void)find_attractors({wrong, 20, 1, 20000}), DomainError);
+  wrong = machine("1/2", "100", "1");
+  wrong.data.eta = -wrong.data.eta;
+  CHECK_THROWS_AS((void)find_attractors({wrong, 20, 1, 20000}), DomainError);
+  CHECK(find_attractors({machine("0.50001", "100", "1"), 2, 1, 20}).attractors.front().kind != Kind::grows);
+}
+
 TEST_CASE("Wilson's interval") {
   CHECK(wilson(0, 500).least == 0);
   CHECK(wilson(0, 500).most == doctest::Approx(0.007624).epsilon(1e-3));
