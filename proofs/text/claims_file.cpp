@@ -248,7 +248,21 @@ class Reading {
     if (size_of(abbreviation.means) > longest_abbreviation) {
       fail(fmt::format("'{}' stands for a formula of more than {} parts", name, longest_abbreviation));
     }
+    // Put into a rate, a parameter t, or an argument with t in it, would be differentiated, too.
+    if (has_rate_of(abbreviation.means, abbreviation.parameters)) {
+      fail(fmt::format("'{}' is a rate of something with a parameter in it: write d/dt[…] where it is needed",
+                       name));
+    }
     names_.abbreviations.emplace(name, abbreviation);
+  }
+
+  [[nodiscard]] static bool mentions(const Term& term, const std::vector<std::string>& names) {
+    return (term.op() == symbols::Op::symbol && std::ranges::find(names, term.name()) != names.end()) ||
+           std::ranges::any_of(term.arguments(), [&](const Term& part) { return mentions(part, names); });
+  }
+  [[nodiscard]] static bool has_rate_of(const Term& term, const std::vector<std::string>& names) {
+    return (term.op() == symbols::Op::derivative && mentions(term, names)) ||
+           std::ranges::any_of(term.arguments(), [&](const Term& part) { return has_rate_of(part, names); });
   }
 
   static constexpr std::size_t longest_abbreviation = 20000;

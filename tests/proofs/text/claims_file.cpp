@@ -180,6 +180,11 @@ TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal_of("let y = y + 1\n") == "F:3: column 2: no symbol 'y'; there are a, b, t, x");
   CHECK(refusal_of("let y(s) = s\nclaim c step: .\n  y(a, b) = 1\n") ==
         "F:5: column 1: y takes 1 arguments, and here are 2");
+  // v(a) would be d/dt[a^2] = 0, and w(t) would be d/dt[t^2].
+  for (const char * rate : {"let v(t) = d/dt[t^2]\n", "let w(s) = d/dt[s t]\n"}) {
+    CHECK(refusal_of(rate).ends_with(
+        "is a rate of something with a parameter in it: write d/dt[…] where it is needed"));
+  }
   CHECK(refusal_of("claim c step: .\n  a = z\n") == "F:4: column 5: no symbol 'z'; there are a, b, t, x");
   CHECK(refusal_of("claim c step: .\n  H1(t) = 1\n").starts_with("F:4: column 1: no symbol 'H1'"));
   CHECK(refusal_of("claim c step: .\n") == "F:3: the claim c states nothing");
