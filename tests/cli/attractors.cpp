@@ -45,10 +45,18 @@ TEST_CASE("words that are none, and options that do not go with them, are named"
       {{"attractors", "--example", "O", "--chi", "1"}, exit_domain, "chi = 1"},
       {{"attractors", "--example", "O", "--us", "0"}, exit_domain, "us = 0"},
       {{"attractors", "--chi", "0.375", "--eta", "4/3", "--us", "0.1", "--V", "1", "--omega", "0.5", "--p",
-        "1", "--ur", "0.2"},
+        "0.1", "--ur", "0.2"},
        exit_domain,
        "omega = 0.5"},
   });
+}
+
+TEST_CASE(
+    "a load at a natural frequency that the friction cannot hold drives all motions beyond all bounds") {
+  const Run run = stickslip_program({"attractors", "--chi", "0.375", "--eta", "4/3", "--us", "0.1", "--V",
+                                     "1", "--omega", "0.5", "--p", "1", "--ur", "0.2"});
+  CHECK(run.code == exit_decided);
+  CHECK(run.out.find("grows without bound") != std::string::npos);
 }
 
 TEST_CASE("attractors in JSON: all starts are placed, and what is periodic is proved") {

@@ -214,7 +214,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("multiples of omega that are natural frequencies, in order; none where nothing moves them") {
+TEST_CASE(
+    "multiples of omega that are natural frequencies are found in order, and none where nothing moves them") {
   const std::vector<Multiple> all = multiples_in(along(P(), "omega", "0.3", "0.66"));
   std::vector<std::string> names;
   for (const Multiple& one : all) {
