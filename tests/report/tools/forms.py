@@ -55,6 +55,7 @@ FORMS = {
         "attractors --example O --starts 20", "attractors --example P --starts 20 --seed 3 --digits 30",
         "attractors --example P --starts 5 --most-periods 20", "attractors --example S --p 1e-3 --starts 5",
         "attractors --params MACHINE --starts 5",
+        "attractors --chi 0.375 --eta 4/3 --us 0.1 --V 1 --omega 0.5 --p 1 --ur 0.2",
         "attractors --example P --along ur 0.25..0.3 --values 3 --starts 5",
         "attractors --example P --along us 0.1..2 --values 3 --starts 3",
         "attractors --params MACHINE --along omega 0.5..0.6 --values 2 --starts 3 --seed 2",
@@ -82,7 +83,7 @@ FORMS = {
 
 # Keys that are there only where they apply.
 OPTIONAL = {
-    "at", "energy", "forced", "machine", "reason", "remarks", "room", "seen", "settles", "stability",
+    "at", "energy", "forced", "machine", "pure_slip", "reason", "remarks", "room", "seen", "settles", "stability",
     "units"
 }
 
