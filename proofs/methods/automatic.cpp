@@ -293,8 +293,11 @@ void look_for_point(Outcome& outcome, Prover& prover, const Claim& claim) {
   }
   Derivation derivation(prover, claim);
   for (const Hypothesis& one : outcome.hypotheses) {
-    if (proved) {
-      places.emplace_back(symbols::equation(printed_term(derivation.read(one.nonzero)), 0));
+    try {
+      if (proved) {
+        places.emplace_back(symbols::equation(printed_term(derivation.read(one.nonzero)), 0));
+      }
+    } catch (const symbols::NoValue&) {  // a place that can't be written down
     }
   }
   for (const std::optional<Statement>& place : places) {

@@ -10,6 +10,7 @@
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/point.hpp"
+#include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
 
 namespace stickslip::proofs::methods {
@@ -17,19 +18,6 @@ namespace stickslip::proofs::methods {
 using namespace symbols;
 
 namespace {
-
-// The scalars at the point, with the values given in terms of them.
-struct Place {
-  Lookup<Ball> point;
-  Replacements values;
-
-  [[nodiscard]] Value<Ball> operator()(const Term& term) const {
-    return evaluate<Ball>(term, [this](const std::string& name) {
-      const auto found = values.find(name);
-      return found == values.end() ? point(name) : (*this)(found->second)(0, 0);
-    });
-  }
-};
 
 // The verdict refuted, with its theorem; undecided where the kernel does not say so.
 void refute(Outcome& outcome, Prover& prover, const Scene& scene, const std::vector<Statement>& holding,
@@ -51,15 +39,13 @@ void refute(Outcome& outcome, Prover& prover, const Scene& scene, const std::vec
 }  // namespace
 
 Witness witness_of(const Statement& statement, const Scene& scene) {
-  Place here{at_point(scene.point), {}};
+  Replacements values;
   for (const Statement& value : scene.values) {
-    here.values.emplace(value.left.name(), value.right);
+    values.emplace(value.left.name(), value.right);
   }
-  const auto side = [&here](const Term& one, const Term& other) {  // a plain 0 has the size of the other
-    return one.is_zero() ? here(zero(other.shape().rows, other.shape().columns)) : here(one);
-  };
-  const Value<Ball> left = side(statement.left, statement.right),
-                    right = side(statement.right, statement.left);
+  Sample<Ball> here(values, at_point(scene.point));
+  const Value<Ball> left = evaluate_beside<Ball>(statement.left, statement.right, here.lookup()),
+                    right = evaluate_beside<Ball>(statement.right, statement.left, here.lookup());
   Eigen::Index shown = 0;
   for (Eigen::Index i = left.size() - 1; i >= 0; --i) {
     shown = left(i).overlaps(right(i)) ? shown : i;

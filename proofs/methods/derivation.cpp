@@ -10,6 +10,7 @@
 #include "proofs/tactics/estimate.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/hypotheses.hpp"
+#include "symbolic/algebra/normal_form.hpp"
 #include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::proofs::methods {
@@ -328,6 +329,10 @@ std::optional<Theorem> contradiction(Prover& prover, const Claim& claim) {
 
 Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {
   Outcome outcome;
+  const auto open = [&](const std::exception& error) {
+    outcome = {};
+    outcome.verdict = Verdict::undecided(error.what());
+  };
   try {
     if (claim.printed.empty()) {
       throw KernelError("it prints nothing that could be proved");
@@ -339,11 +344,13 @@ Outcome derived(const std::string& route, Prover& prover, const Claim& claim, co
     }
     derivation.conclude(outcome, theorems);
   } catch (const KernelError& error) {
-    outcome = {};
-    outcome.verdict = Verdict::undecided(error.what());
+    open(error);
   } catch (const NoValue& error) {
-    outcome = {};
-    outcome.verdict = Verdict::undecided(error.what());
+    open(error);
+  } catch (const symbolic::algebra::OutsideField& error) {
+    open(error);
+  } catch (const GiNaC::pole_error& error) {
+    open(error);
   }
   outcome.route = route;
   return outcome;

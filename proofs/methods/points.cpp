@@ -227,7 +227,11 @@ std::optional<std::vector<Theorem>> solved_in_turn(Derivation& derivation, std::
     for (const Theorem& before : result) {
       equation = tactics::by_rewriting(equation, before);
     }
-    std::vector<Theorem> ways = solved(derivation, equation);
+    std::vector<Theorem> ways;
+    try {
+      ways = solved(derivation, equation);
+    } catch (const KernelError&) {  // it divides by what is zero
+    }
     if (!any_letter) {
       std::erase_if(ways, [](const Theorem& way) {
         return way.conclusion().parts()[0].kind() != kernel::Kind::variable;
@@ -289,43 +293,55 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
   return result;
 }
 
-std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
-                                        const std::optional<Statement>& where) {
-  constexpr std::size_t most_attempts = 12;
-  Claim there = claim;
-  if (where) {
-    there.assumptions.push_back({"where", *where});
-  }
-  for (const Scene& scene : scenes(prover, there, printed, most_attempts)) {
-    try {
-      Outcome outcome{.theorems = {refutation(prover, scene, assumed_statements(claim), {printed})},
-                      .by_kernel = true};
-      outcome.route = "values with which all that is assumed holds and what is printed does not, in balls";
-      outcome.verdict = Verdict::refuted(witness_of(printed, scene));
-      return outcome;
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return std::nullopt;
-}
+namespace {
 
-std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,
-                                     const std::vector<Hypothesis>& hypotheses) {
-  constexpr std::size_t most_attempts = 8;
+// The first scene at which the kernel says so, with its theorem: all of `holding`, and not `failing`.
+std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Claim& claim,
+                                                       const std::vector<Statement>& holding,
+                                                       const std::optional<Statement>& failing) {
+  constexpr std::size_t most_attempts = 12;
+  const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
   try {
-    const Claim all = with_hypotheses(prover, claim, hypotheses);
-    for (const Scene& scene : scenes(prover, all, std::nullopt, most_attempts)) {
+    for (const Scene& scene : scenes(prover, claim, failing, most_attempts)) {
       try {
-        return refutation(prover, scene, assumed_statements(all), {});
+        return std::pair(scene, refutation(prover, scene, holding, failed));
       } catch (const KernelError&) {
         continue;
       }
     }
+  } catch (const KernelError&) {  // no floating point says where to look
+  } catch (const symbols::NoValue&) {
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
+                                        const std::optional<Statement>& where) {
+  Claim there = claim;
+  if (where) {
+    there.assumptions.push_back({"where", *where});
+  }
+  const auto said = said_at_point(prover, there, assumed_statements(claim), printed);
+  if (!said) {
+    return std::nullopt;
+  }
+  Outcome outcome{.theorems = {said->second}, .by_kernel = true};
+  outcome.route = "values with which all that is assumed holds and what is printed does not, in balls";
+  outcome.verdict = Verdict::refuted(witness_of(printed, said->first));
+  return outcome;
+}
+
+std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,
+                                     const std::vector<Hypothesis>& hypotheses) {
+  try {
+    const Claim all = with_hypotheses(prover, claim, hypotheses);
+    const auto said = said_at_point(prover, all, assumed_statements(all), std::nullopt);
+    return said ? std::optional(said->second) : std::nullopt;
   } catch (const symbols::NoValue&) {
     return std::nullopt;
   }
-  return std::nullopt;
 }
 
 }  // namespace stickslip::proofs::methods

@@ -405,9 +405,9 @@ Bounds bounds_of(const std::string& parameter) {
   for (const Formula& one : domain_formulas()) {
     const Term &lower = one.parts()[0], &upper = one.parts()[1];
     if (upper == x && lower.kind() == kernel::Kind::number) {
-      result.lower = lower.value();
+      result.lower = std::max(result.lower.value_or(lower.value()), lower.value());
     } else if (lower == x && upper.kind() == kernel::Kind::number) {
-      result.upper = upper.value();
+      result.upper = std::min(result.upper.value_or(upper.value()), upper.value());
     }
   }
   return result;

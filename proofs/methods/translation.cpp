@@ -36,7 +36,8 @@ symbolic::algebra::Matrix expression(const Term& term) {
                                  : Matrix(left * right);
     }
     case kernel::Kind::power:
-      return scalar(pow(part(0)(0, 0), symbolic::algebra::to_ex(term.value())));
+      return scalar(term.value() == 0 ? GiNaC::ex(1)
+                                      : pow(part(0)(0, 0), symbolic::algebra::to_ex(term.value())));
     case kernel::Kind::inverse: {
       const Matrix a = part(0);
       if (a.size() == 1) {

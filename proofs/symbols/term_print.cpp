@@ -101,7 +101,8 @@ Piece print_power(const Term& power, Style style) {
   const Term& base = power.arguments().front();
   const std::string exponent = style == Style::latex ? fmt::format("^{{{}}}", power.number().get_str())
                                                      : "^" + power.number().get_str();
-  if (base.op() == Op::function) {
+  const bool like_arccos = is_trigonometric(base) && power.number() < 0;
+  if (base.op() == Op::function && !like_arccos) {
     return {application(base, exponent, style), atom_binding};
   }
   const bool simple = base.op() == Op::symbol || (base.op() == Op::number && !has_minus(base));

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
+#include "proofs/tactics/polynomials.hpp"
+#include "proofs/tactics/text.hpp"
 #include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::tactics {
@@ -26,9 +29,14 @@ ex Letters::expression(const Term& term) {
     case Kind::product:
       return expression(parts[0]) * expression(parts[1]);
     case Kind::power:
-      return pow(expression(parts[0]), symbolic::algebra::to_ex(term.value()));
-    case Kind::inverse:
-      return 1 / expression(parts[0]);
+      return term.value() == 0 ? ex(1) : pow(expression(parts[0]), symbolic::algebra::to_ex(term.value()));
+    case Kind::inverse: {
+      const ex below = expression(parts[0]);
+      if (below.expand().normal().is_zero()) {
+        throw ZeroDivisor("a term divides by what is zero for all values of its variables");
+      }
+      return 1 / below;
+    }
     case Kind::entry:
       if (parts[0].kind() == Kind::matrix) {
         return expression(
@@ -115,15 +123,22 @@ ex Letters::letter(const Term& term) {
 
 Factored factored(const ex& numerator, const Letters& letters, std::size_t longest) {
   const ex expanded = numerator.expand();
-  const ex whole = expanded.nops() > longest ? expanded : GiNaC::factor(expanded);
   std::vector<std::pair<ex, int>> found;
-  for (const ex& part : GiNaC::is_a<GiNaC::mul>(whole) ? whole : ex(GiNaC::lst{whole})) {
-    const bool is_power = GiNaC::is_a<GiNaC::power>(part);
-    const ex base = is_power ? part.op(0) : part;
-    if (!GiNaC::is_a<GiNaC::numeric>(base)) {
-      const bool negative = letters.monomials(base).front().coefficient < 0;
-      found.emplace_back(negative ? ex(-base).expand() : base.expand(),
-                         is_power ? GiNaC::ex_to<GiNaC::numeric>(part.op(1)).to_int() : 1);
+  const auto add = [&](const ex& base, int exponent) {
+    const bool negative = letters.monomials(base).front().coefficient < 0;
+    found.emplace_back(negative ? ex(-base).expand() : base.expand(), exponent);
+  };
+  if (expanded.nops() > longest) {
+    add(expanded, 1);
+  } else {
+    const PolynomialRing ring(letters.terms().size());
+    try {
+      for (const auto& [base, exponent] :
+           irreducible_factors(polynomial(ring, letters.monomials(expanded)))) {
+        add(tactics::expression(monomials(base), letters), exponent);
+      }
+    } catch (const std::overflow_error&) {
+      add(expanded, 1);
     }
   }
   std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {

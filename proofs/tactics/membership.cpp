@@ -5,10 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/fmpq.hpp"
-#include "core/polynomial.hpp"
-#include "proofs/tactics/letters.hpp"
-#include "symbolic/algebra/evaluate.hpp"
+#include "proofs/tactics/polynomials.hpp"
 
 namespace stickslip::proofs::tactics {
 
@@ -20,34 +17,6 @@ namespace {
 constexpr std::size_t most_pairs = 200, longest = 400;
 
 using Monomial = Letters::Monomial;
-
-// The terms of a polynomial, the leading one first.
-std::vector<Monomial> monomials(const Polynomial& polynomial) {
-  const PolynomialRing& ring = polynomial.ring();
-  std::vector<Monomial> result;
-  std::vector<ulong> exponents(ring.generators());
-  for (slong k = 0; k < fmpq_mpoly_length(polynomial.raw(), ring.context()); ++k) {
-    Fmpq coefficient;
-    fmpq_mpoly_get_term_coeff_fmpq(coefficient.raw(), polynomial.raw(), k, ring.context());
-    fmpq_mpoly_get_term_exp_ui(exponents.data(), polynomial.raw(), k, ring.context());
-    result.push_back({{exponents.begin(), exponents.end()}, coefficient.value()});
-  }
-  return result;
-}
-
-Polynomial polynomial(const PolynomialRing& ring, const std::vector<Monomial>& monomials) {
-  Polynomial sum(ring);
-  for (const Monomial& monomial : monomials) {
-    Polynomial product = ring.constant(monomial.coefficient);
-    for (std::size_t i = 0; i < monomial.degrees.size(); ++i) {
-      for (int k = 0; k < monomial.degrees[i]; ++k) {
-        product *= ring.generator(i);
-      }
-    }
-    sum += product;
-  }
-  return sum;
-}
 
 // A polynomial, and the multiples of the given ones whose sum it is.
 struct Member {
@@ -182,15 +151,8 @@ std::optional<std::vector<Term>> multipliers(const Term& goal, const std::vector
   }
   std::vector<Term> result;
   for (std::size_t k = 0; k < given.size(); ++k) {
-    ex sum = 0;
-    for (const Monomial& monomial : monomials(zero->of[k])) {
-      ex product = symbolic::algebra::to_ex(-monomial.coefficient);
-      for (std::size_t i = 0; i < monomial.degrees.size(); ++i) {
-        product *= pow(letters.symbols()[i], monomial.degrees[i]);
-      }
-      sum += product;
-    }
-    result.push_back(letters.term(sum.expand()) * letters.term(fractions[k + 1].second) /
+    const ex factor = -expression(monomials(zero->of[k]), letters);
+    result.push_back(letters.term(factor.expand()) * letters.term(fractions[k + 1].second) /
                      letters.term(fractions[0].second));
   }
   return result;

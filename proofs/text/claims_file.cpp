@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -71,6 +72,27 @@ bool is_id(const std::string& id) {
          id.find("..") == std::string::npos && id.back() != '.' && std::ranges::all_of(id, [](char c) {
            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
          });
+}
+
+// Words of the notation.
+bool is_reserved(const std::string& name) {
+  return name == "I" || name == "det" || name == "for" || name == "but";
+}
+
+// The number that a term made of numbers is.
+std::optional<Rational> constant(const Term& term) {
+  if (term.op() == symbols::Op::number) {
+    return term.number();
+  }
+  if (term.op() == symbols::Op::negate) {
+    const auto inside = constant(term.arguments()[0]);
+    return inside ? std::optional<Rational>(-*inside) : std::nullopt;
+  }
+  if (term.op() == symbols::Op::quotient) {
+    const auto above = constant(term.arguments()[0]), below = constant(term.arguments()[1]);
+    return above && below && *below != 0 ? std::optional<Rational>(*above / *below) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 class Reading {
@@ -200,19 +222,20 @@ class Reading {
   void add_to_domain(const Statement& one) {
     const bool turned = one.relation == symbols::Relation::greater;
     const Term &lower = turned ? one.right : one.left, &upper = turned ? one.left : one.right;
-    const bool strict = turned || one.relation == symbols::Relation::less;
-    const bool bounds = (lower.op() == symbols::Op::number && upper.op() == symbols::Op::symbol) ||
-                        (upper.op() == symbols::Op::number && lower.op() == symbols::Op::symbol);
-    if (!strict || !bounds || one.during) {
-      fail(fmt::format("'{}': a domain says that a symbol is less or greater than a number",
+    const std::optional<Rational> least = constant(lower), greatest = constant(upper);
+    const Term& symbol = least ? upper : lower;
+    const bool is_own = symbol.op() == symbols::Op::symbol &&
+                        std::ranges::find(rows_, symbol.name(), &symbols::Symbol::name) != rows_.end();
+    if (!(turned || one.relation == symbols::Relation::less) || !(least || greatest) || !is_own ||
+        one.during) {
+      fail(fmt::format("'{}': a domain says that a symbol of the file is less or greater than a number",
                        symbols::text(one)));
     }
-    domain_.push_back({lower, upper, symbols::Relation::less});
-    const Bounds known = [&] {
-      make_vocabulary();
-      const symbols::InVocabulary scope(paper_.vocabulary);
-      return bounds_of(lower.op() == symbols::Op::symbol ? lower.name() : upper.name());
-    }();
+    domain_.push_back(
+        {least ? Term(*least) : lower, greatest ? Term(*greatest) : upper, symbols::Relation::less});
+    make_vocabulary();
+    const symbols::InVocabulary scope(paper_.vocabulary);
+    const Bounds known = bounds_of(symbol.name());
     if (known.lower && known.upper && *known.lower >= *known.upper) {
       fail(fmt::format("'{}': with what is said before no value is left", symbols::text(one)));
     }
@@ -235,13 +258,18 @@ class Reading {
       abbreviation.parameters = split(name.substr(open + 1, name.size() - open - 2), ',');
       name = trimmed(name.substr(0, open));
       for (const std::string& parameter : abbreviation.parameters) {
-        if (!is_name(parameter)) {
-          fail(fmt::format("'{}' is no name of a parameter", parameter));
+        if (!is_name(parameter) || is_reserved(parameter) ||
+            std::ranges::count(abbreviation.parameters, parameter) > 1) {
+          fail(fmt::format("'{}' is no name of a parameter, or that of two", parameter));
         }
-        inside.functions.erase(parameter);
-        inside.abbreviations.erase(parameter);
-        inside.quantities.insert_or_assign(parameter, symbols::Shape{});
       }
+    }
+    // A parameter is read as a symbol that nobody can type: other abbreviations in the formula may speak of a
+    // symbol of its name, which is not put in.
+    for (std::string& parameter : abbreviation.parameters) {
+      const std::string apart = parameter + " of " + name;
+      inside.abbreviations.insert_or_assign(parameter, symbols::Abbreviation{{}, symbols::scalar(apart)});
+      parameter = apart;
     }
     new_name(name);
     abbreviation.means = here([&] { return symbols::parse_term(rest.substr(equals + 1), inside); });
@@ -452,8 +480,7 @@ class Reading {
     }
   }
   void new_name(const std::string& name) const {
-    if (!is_name(name) || name == "I" || name == "det" || name == "for" || name == "but" || name == "pi" ||
-        name == "t") {
+    if (!is_name(name) || is_reserved(name) || name == "pi" || name == "t") {
       fail(fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
     }
     if (names_.has(name)) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/reading.hpp"
+#include "proofs/symbols/table.hpp"
 #include "proofs/tactics/text.hpp"
 #include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
@@ -105,6 +107,21 @@ class Details {
   std::size_t width_;
   std::string text_;
 };
+
+// What the theorems suppose of the parameters.
+std::string domain_of(const Outcome& outcome) {
+  std::vector<std::string> supposed;
+  proofs::methods::Reader read;
+  for (const proofs::symbols::Statement& one : proofs::symbols::vocabulary_here().domain()) {
+    const proofs::kernel::Formula formula = read(one);
+    if (std::ranges::any_of(outcome.theorems, [&](const proofs::kernel::Theorem& theorem) {
+          return theorem.hypotheses().contains(formula);
+        })) {
+      supposed.push_back(proofs::symbols::text(one));
+    }
+  }
+  return joined(supposed);
+}
 
 std::string head(const Record& record, const Style& style) {
   const std::string colour = colour_of(record.status, style);
@@ -278,6 +295,7 @@ std::string terminal_answer(const Record& record, const Style& style) {
   const bool proved = outcome.verdict.truth == Truth::proved;
   details.add(proved ? "by" : "why", proved ? outcome.route : outcome.verdict.reason);
   details.add("for all", joined(outcome.free));
+  details.add("with", domain_of(outcome));
   details.add("where", outcome.hypotheses);
   for (const proofs::methods::Assumption& assumption : record.claim.assumptions) {
     if (outcome.assumed.contains(assumption.id)) {

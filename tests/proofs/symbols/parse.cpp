@@ -102,6 +102,12 @@ TEST_CASE("what cannot be read is refused where it goes wrong") {
   CHECK(refusal("H = 1") == "column 1: H is a function: write H(t)");
   CHECK(refusal("chi^-x = 1") == "column 6: there is 'x', where one expects a whole number as exponent");
   CHECK(refusal("chi^100000 = 1") == "column 5: an exponent is at most 200");
+  CHECK(refusal("cos^-1(t) = 1") == "column 1: cos^-1 may mean two things: write 1/cos(t)");
+  CHECK(refusal("x1(t) < V, 0 < t < tau, continuous on [0, 5]")
+            .starts_with("column 40: what is differentiated is"));
+  CHECK(refusal("X'(t) = Y(t), 0 < t < tau, continuous on [0, 5]")
+            .starts_with("column 43: what is differentiated is"));
+  CHECK(refusal("chi^0.5 = 1") == "column 5: there is '0.5', where one expects a whole number as exponent");
   CHECK(refusal("H(t)^51 = I") == "column 1: the exponent of a matrix is at most 50");
   CHECK(refusal("Z0^2 = 0") ==
         "column 1: this is a column of 4, and only square matrices have powers and determinants");

@@ -174,9 +174,20 @@ TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal_of("symbols 2a\n") ==
         "F:3: '2a' is no name for a symbol: a name is a letter, then letters and digits");
   CHECK(refusal_of("symbols y in y != 0\n") ==
-        "F:3: 'y != 0': a domain says that a symbol is less or greater than a number");
+        "F:3: 'y != 0': a domain says that a symbol of the file is less or greater than a number");
   CHECK(refusal_of("symbols y in 1 < y, y < 0\n") ==
         "F:3: 'y < 0': with what is said before no value is left");
+  // Whatever is said first: in an empty domain everything would hold.
+  for (const char * domain :
+       {"7 < y, 0 < y, y < 5", "0 < y, 7 < y, y < 5", "y < 5, y < 9, 7 < y", "0 < y < -1/2"}) {
+    CHECK(refusal_of(std::string("symbols y in ") + domain + "\n")
+              .ends_with("with what is said before no value is left"));
+  }
+  for (const char * domain : {"pi < 3", "t < 0", "1 < 0"}) {
+    CHECK(refusal_of(std::string("symbols y in ") + domain + "\n")
+              .ends_with("is less or greater than a number"));
+  }
+  CHECK(refusal_of("let f(y, y) = y\n") == "F:3: 'y' is no name of a parameter, or that of two");
   CHECK(refusal_of("let y = y + 1\n") == "F:3: column 2: no symbol 'y'; there are a, b, t, x");
   CHECK(refusal_of("let y(s) = s\nclaim c step: .\n  y(a, b) = 1\n") ==
         "F:5: column 1: y takes 1 arguments, and here are 2");
@@ -218,6 +229,16 @@ TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal_of("let big = (a + b)^2\nlet big2 = " + std::string(150, '(') + "big" +
                    std::string(150, ')') + "\nclaim c step: .\n  big2 = 1\n") == "");
   CHECK(refusal(std::string(5000000, 'x')) == "F: a file of claims has at most 4000000 characters");
+}
+
+TEST_CASE("a parameter does not take the place of a symbol of its name") {
+  // q speaks of the symbol x, and f puts its argument in for its parameter alone.
+  const std::string lets = "let q = x^2\nlet f(x) = q + x\nlet g(t) = t^2 + a\n";
+  CHECK(status_of(lets + "claim c step: .\n  f(3) = 12\n") == "refuted");
+  CHECK(status_of(lets + "claim c step: .\n  f(3) = x^2 + 3\n") == "as_printed");
+  CHECK(status_of(lets + "claim c step: .\n  f(q) = 2 x^2\n") == "as_printed");
+  CHECK(status_of(lets + "claim c step: .\n  g(t + 1) = t^2 + 2 t + 1 + a\n") == "as_printed");
+  CHECK(status_of("symbols y in -1 < y, y < 1/2\nclaim c step: .\n  y < 1\n") == "as_printed");
 }
 
 TEST_CASE("abbreviations of abbreviations do not grow without end") {
