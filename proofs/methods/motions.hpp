@@ -17,8 +17,7 @@ namespace stickslip::proofs::methods {
 // y_a is y(a).
 struct ClosedForm {
   std::string phase, initial;
-  symbols::Function flow;
-  symbols::Term forced;
+  symbols::Term flow, forced;  // at t
 };
 [[nodiscard]] Proof by_differential_equation(ClosedForm solution);
 

@@ -4,7 +4,8 @@
 #include <string>
 
 #include "proofs/methods/reading.hpp"
-#include "proofs/pascal2012/appendix5.hpp"
+#include "proofs/symbols/parse.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -24,11 +25,12 @@ Definition named(const std::string& name, const Term& term, const std::vector<Va
   return {name, parameters, term};
 }
 
-// What is assumed of X between tau and Theta, of any times a and b.
-Definition of_motion(const std::string& name, const methods::Assumption& assumed) {
+// What is said of X between tau and Theta, of any times a and b.
+Definition of_motion(const std::string& name, const std::string& says) {
   const Variable X{"X", kernel::function_of_time(4, 1)}, a{"a"}, b{"b"};
-  return named(name, substitute(methods::Reader()(assumed.statement), {{{"tau"}, a}, {{"Theta"}, b}}),
-               {X, a, b});
+  const symbols::Statement said =
+      symbols::parse_statements(says, symbols::names_of(symbols::symbol_table())).front();
+  return named(name, substitute(methods::Reader()(said), {{{"tau"}, a}, {{"Theta"}, b}}), {X, a, b});
 }
 
 Definition determinant_of(int rows) {
@@ -55,7 +57,6 @@ Definition blocks() {
 std::vector<Definition> abbreviations() {
   using namespace symbols::vocabulary;
   methods::Reader read;
-  const symbols::Term speed = symbols::Function{"xdot2", {}}(t);
   return {named("I2", kernel::identity(2)),
           named("I4", kernel::identity(4)),
           named("E", read(E)),
@@ -65,10 +66,14 @@ std::vector<Definition> abbreviations() {
           determinant_of(4),
           determinant_of(3),
           determinant_of(2),
-          of_motion("obeys_slip", half_period::slips_below_belt(tau, Theta)),
-          of_motion("obeys_overshoot", half_period::slips_above_belt(tau, Theta)),
-          of_motion("obeys_stick", half_period::sticks(tau, Theta)),
-          of_motion("obeys_friction_until", two_slips::slips_with_friction("", X(t), speed, Theta))};
+          of_motion("obeys_slip",
+                    "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; eta us + p cos(omega t + phi)], tau < t < Theta"),
+          of_motion("obeys_overshoot",
+                    "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; -(eta us) + p cos(omega t + phi)], tau < t < Theta"),
+          of_motion("obeys_stick", "X'(t) = [0, I; -[1, -chi; 0, 0], 0] X(t), tau < t < Theta"),
+          of_motion("obeys_friction_until",
+                    "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; eta us sign(V - xdot2(t)) + p cos(omega t + phi)] "
+                    "for almost all 0 < t < Theta")};
 }
 
 }  // namespace stickslip::proofs::pascal2012

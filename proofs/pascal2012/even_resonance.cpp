@@ -11,11 +11,11 @@
 #include "proofs/orbits/names.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/orbits/orbit_with.hpp"
-#include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/closed.hpp"
 
-namespace stickslip::proofs::pascal2012::half_period {
+namespace stickslip::proofs::pascal2012 {
 
 using namespace methods;
 using namespace numeric::motion;
@@ -153,7 +153,9 @@ kernel::Theorem not_symmetric(const kernel::Theorem& orbits) {
   });
 }
 
-Claim family_of_orbits() {
+}  // namespace
+
+Claim even_resonance() {
   return {.id = "33.even.orbits",
           .kind = Kind::theorem,
           .origin = Origin::new_result,
@@ -170,67 +172,6 @@ Claim family_of_orbits() {
             prove(outcome, all_obey);
             return outcome;
           }};
-}
-
-// What with_mode starts from, (34), is what 33.even starts from: with the phase of (35) the belt is at rest.
-Claim start_of_the_motion() {
-  return {.id = "33.even.start",
-          .kind = Kind::step,
-          .origin = Origin::auxiliary,
-          .printed = {equation(first_row * speed_continued, -q1 * omega * sin(phi) - a1 * d01 - a2 * d02),
-                      equation(second_row * speed_continued, 0)},
-          .words =
-              "the load's phase of (35) lets these motions leave a belt at rest, $z2'(0) = 0$, and then "
-              "$z1'(0)$ is that of (34); that the phase must be so is deduced where $det H_3$ is not "
-              "zero, and here it is zero",
-          .assumptions = {{"35", equation(q2 * omega * sin(phi), -(b1 * d01 + b2 * d02))}},
-          .prove = by_combination({{}, {{assuming("35"), 0, -1}}})};
-}
-
-std::vector<Claim> motions_that_close() {
-  const Term mode = scalar("epsilon") * column({1, lambda1});
-  const std::vector<Assumption> started{{"31.even", equation(omega, omega1 / 2)},
-                                        half,
-                                        {"33.odd", {cos(omega2 * pi() / omega1), 0, Relation::not_equal}},
-                                        continued(z10, first_row * (Q * cos(phi) - d0 + mode)),
-                                        continued(z20, second_row * (Q * cos(phi) - d0 + mode)),
-                                        continued(zdot10, first_row * speed_continued),
-                                        continued(zdot20, second_row * speed_continued)};
-  const Term slipped = H(tau) * (Z0 - F0) + F(tau);
-  return {
-      {.id = "33.even",
-       .kind = Kind::theorem,
-       .origin = Origin::auxiliary,
-       .printed = {equation(Z0, H(tau) * (slipped - F(tau)) + 2 * L(tau) * d0 + F0)},
-       .words = "where $omega_1 = 2 omega$, the motion of (33) plus any multiple $epsilon cos(omega_1 t)$ of "
-                "the first mode closes, too",
-       .assumptions = started,
-       .prove = by_normal_form()},
-      {.id = "33.even.speed",
-       .kind = Kind::theorem,
-       .origin = Origin::auxiliary,
-       .printed = {equation(second_row * block(1, {zero(2, 2), I2}) * slipped, -zdot20)},
-       .words = "it meets a belt at rest at $tau$ if it leaves it at 0",
-       .assumptions = started,
-       .prove = by_normal_form()},
-      {.id = "33.even.places",
-       .kind = Kind::theorem,
-       .origin = Origin::auxiliary,
-       .printed = {equation(slipped + delta0 + Z0 + delta0, 2 * column({mode, zero(2, 1)}))},
-       .words = "it is symmetric in space for $epsilon = 0$ only: $x(tau) = -x(0)$ fails by $2 epsilon (1, "
-                "lambda_1)$",
-       .assumptions = started,
-       .prove = by_normal_form()},
-  };
-}
-
-}  // namespace
-
-std::vector<Claim> even_resonance() {
-  std::vector<Claim> claims = motions_that_close();
-  claims.push_back(start_of_the_motion());
-  claims.push_back(family_of_orbits());
-  return claims;
 }
 
 Claim not_always_symmetric() {
@@ -253,4 +194,4 @@ Claim not_always_symmetric() {
           }};
 }
 
-}  // namespace stickslip::proofs::pascal2012::half_period
+}  // namespace stickslip::proofs::pascal2012

@@ -11,8 +11,10 @@
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/mean_value.hpp"
-#include "proofs/pascal2012/overshooting.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
+#include "proofs/symbols/closing.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 

@@ -10,7 +10,7 @@
 #include "numeric/families/nonsticking.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/nonsticking_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -140,7 +140,7 @@ Claim more_than_36() {
 
 }  // namespace
 
-std::vector<Claim> half_period::example_P() {
+std::vector<Claim> example_P() {
   const Claim existence = existence_claim(
       where(),
       "an orbit with the data of Fig. 4 exists: a slip and an overshoot that close, (28), and "

@@ -10,7 +10,7 @@
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
-#include "proofs/pascal2012/symmetric.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {

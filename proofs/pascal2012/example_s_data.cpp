@@ -12,7 +12,7 @@
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/pascal2012/symmetric.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -31,11 +31,9 @@ const Example& printed() {
 // Where 13.slip leaves the load's phase free (4.lag.needed) the balance of both modes is zero. Of the mode
 // j it is a wave in tau.
 kernel::Term balance_of(const kernel::Variable& frequency) {
-  Reader read;
-  const std::map<std::string, symbols::Term> letters{{"omega1", symmetric::omega1},
-                                                     {"omega2", symmetric::omega2}};
-  return substitute(read(symmetric::balance(letters.at(frequency.name))),
-                    {{kernel::Variable{"omega"}, printed().data.omega}});
+  const kernel::Term omega = printed().data.omega, half = kernel::Term(kernel::Variable{"tau"}) / 2;
+  return frequency * sin(frequency * half) * cos(omega * half) -
+         omega * cos(frequency * half) * sin(omega * half);
 }
 model::Wave<tactics::Symbolic> wave_of(const kernel::Variable& frequency) {
   const tactics::Symbolic omega = kernel::Term(printed().data.omega), omega_j = frequency;

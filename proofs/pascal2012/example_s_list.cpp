@@ -6,7 +6,7 @@
 
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/pascal2012/symmetric.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {

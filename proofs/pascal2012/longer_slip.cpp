@@ -4,9 +4,10 @@
 // cos(q).
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/implications.hpp"
-#include "proofs/pascal2012/appendix5.hpp"
+#include "proofs/pascal2012/claims.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 
-namespace stickslip::proofs::pascal2012::two_slips {
+namespace stickslip::proofs::pascal2012 {
 
 using namespace methods;
 using namespace symbols;
@@ -15,6 +16,8 @@ using kernel::Positive;
 using kernel::Theorem;
 
 namespace {
+
+using namespace symbols::vocabulary;
 
 const Term quarter = omega * tau / 2;
 
@@ -92,32 +95,9 @@ Theorem longer_than_half(Derivation& derivation, std::size_t which) {
 }  // namespace
 
 std::vector<Claim> longer_slip() {
-  // Without F(Theta) = F_0, which follows from Theta = 2 pi/omega.
-  const std::vector<Assumption> moving{rest_of_period,   period,
-                                       begins,           slips_below,
-                                       overshoots,       named_B,
-                                       slip_takes_time,  overshoot_takes_time,
-                                       closes,           off_resonance,
-                                       starts_with_belt, meets_belt,
-                                       goes_down,        {"A5.V.sign", {V, 0, Relation::greater}}};
-  return {
-      {.id = "A5.tan",
-       .kind = Kind::step,
-       .origin = Origin::auxiliary,
-       .printed = {{s * cos(s), sin(s), Relation::less}},
-       .words = "$tan(s) > s$ for $0 < s < pi/2$, in a form that holds up to $pi$",
-       .assumptions = {{"s.positive", {s, 0, Relation::greater}}, {"s.pi", {s, pi(), Relation::less}}},
-       .prove = by_kernel("mean value theorem", slope_of_chord)},
-      {.id = "A5.longer",
-       .kind = Kind::theorem,
-       .origin = Origin::new_result,
-       .printed = {{Theta / 2, tau, Relation::less}},
-       .words =
-           "on a moving belt, $V > 0$, off resonance: of two slips per period the one with $x2' < V$ lasts "
-           "longer than half a period; so no such motion is symmetric in time as for $V = 0$",
-       .assumptions = moving,
-       .prove = by_kernel("each other case contradicts A5.turn, A5.falls and A5.tan", longer_than_half)},
-  };
+  return {{.id = "A5.tan", .prove = by_kernel("mean value theorem", slope_of_chord)},
+          {.id = "A5.longer",
+           .prove = by_kernel("each other case contradicts A5.turn, A5.falls and A5.tan", longer_than_half)}};
 }
 
-}  // namespace stickslip::proofs::pascal2012::two_slips
+}  // namespace stickslip::proofs::pascal2012

@@ -9,10 +9,10 @@
 #include "numeric/branches/branches.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/half_period.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 
-namespace stickslip::proofs::pascal2012::half_period {
+namespace stickslip::proofs::pascal2012 {
 
 using namespace methods;
 using namespace numeric::motion;
@@ -131,4 +131,4 @@ Claim orbits_over_the_belts_speed() {
       }};
 }
 
-}  // namespace stickslip::proofs::pascal2012::half_period
+}  // namespace stickslip::proofs::pascal2012

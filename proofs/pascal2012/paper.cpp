@@ -2,10 +2,15 @@
 
 #include "proofs/pascal2012/abbreviations.hpp"
 #include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/judgement.hpp"
+#include "proofs/pascal2012/met_by_orbits.hpp"
 #include "proofs/pascal2012/remarks.hpp"
 #include "proofs/pascal2012/source.hpp"
 #include "proofs/pascal2012/statements.hpp"
+#include "proofs/pascal2012/claims.hpp"
+#include "proofs/pascal2012/units.hpp"
+#include "proofs/text/claims_file.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -13,26 +18,26 @@ using namespace methods;
 
 namespace {
 
-struct Part {
-  Section section;
-  std::vector<Claim> (*claims)();
-};
-
-std::vector<Part> parts() {
-  return {
-      {{"sec2", "Section 2: the model", "section2"}, section2},
-      {{"sec3", "Section 3: closed-form phases", "section3"}, section3},
-      {{"sec4", "Section 4: symmetric orbits", "section4"}, section4},
-      {{"sec5", "Section 5: orbits with an overshooting part", "section5"}, section5},
-      {{"sec6", "Section 6: orbits that never stick", "section6"}, section6},
-      {{"sec7", "Abstract and conclusion", "section7"}, section7},
-      {{"A1", "Appendix 1: modes, H and Gamma", "appendix1"}, appendix1},
-      {{"A2", "Appendix 2: the symmetry of the orbits of Section 4", "appendix2"}, appendix2},
-      {{"A3", "Appendix 3: the coefficients of (21)", "appendix3"}, appendix3},
-      {{"A4", "Appendix 4: the symmetry of the orbits of Section 6", "appendix4"}, appendix4},
-      {{"A5", "Appendix 5: two transitions per period", "appendix5"}, appendix5},
-      {{"red", "The equations that the proofs of orbits solve", "reduced"}, reduced},
-  };
+// What the entries `program` of the text stand for.
+text::Programs programs() {
+  text::Programs result{{"3.Omega", unit_of_time()},
+                        {"39.frequencies", {frequencies_exist(), said_of_data()}},
+                        {"cycles", cycles()},
+                        {"met by orbits", met_by_orbits()},
+                        {"example S", example_S()},
+                        {"example O", example_O()},
+                        {"example P", example_P()},
+                        {"reduced", reduced()}};
+  for (const std::vector<Claim>& more :
+       {derived_forms(), longer_slip(),
+        std::vector<Claim>{quantities_of_3(), zeros_of_16_at_S(), odd_resonance(),
+                           even_resonance(), not_always_symmetric(),
+                           motion_on_moving_belt(), computed_coefficients()}}) {
+    for (const Claim& one : more) {
+      result.insert_or_assign(one.id, std::vector<Claim>{one});
+    }
+  }
+  return result;
 }
 
 Paper assembled() {
@@ -46,14 +51,18 @@ Paper assembled() {
               remarks(),
               results(),
               abbreviations()};
-  for (const Part& part : parts()) {
-    paper.sections.push_back(part.section);
-    for (Claim& claim : part.claims()) {
-      claim.place = part.section.id;
-      if (const std::string lost = lost_in_source(claim.id); !lost.empty()) {
-        claim.illegible = claim.illegible.empty() ? lost : lost + ", " + claim.illegible;
-      }
-      paper.claims.push_back(std::move(claim));
+  std::string all;
+  for (const auto& [file, claims] : claims_text()) {
+    all += claims;
+  }
+  paper = text::read_claims(all, "pascal2012", paper, programs());
+  for (std::size_t i = 0; i < paper.sections.size(); ++i) {
+    const std::string& file = claims_text().at(i).first;
+    paper.sections[i].program = file.substr(0, file.find('.'));
+  }
+  for (Claim& claim : paper.claims) {
+    if (const std::string lost = lost_in_source(claim.id); !lost.empty()) {
+      claim.illegible = claim.illegible.empty() ? lost : lost + ", " + claim.illegible;
     }
   }
   return paper;

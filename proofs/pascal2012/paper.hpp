@@ -2,25 +2,17 @@
 // Nonlinear Dynamics 70 (2012) 1435-1443.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
-[[nodiscard]] std::vector<methods::Claim> section2();   // (1)-(4)
-[[nodiscard]] std::vector<methods::Claim> section3();   // (5)-(11)
-[[nodiscard]] std::vector<methods::Claim> section4();   // (12)-(16), example S
-[[nodiscard]] std::vector<methods::Claim> section5();   // (18)-(24), example O
-[[nodiscard]] std::vector<methods::Claim> section6();   // (25)-(37), example P
-[[nodiscard]] std::vector<methods::Claim> section7();   // abstract and conclusion
-[[nodiscard]] std::vector<methods::Claim> appendix1();  // (38)-(42)
-[[nodiscard]] std::vector<methods::Claim> appendix2();  // (43)-(46), (17)
-[[nodiscard]] std::vector<methods::Claim> appendix3();  // (47)-(51)
-[[nodiscard]] std::vector<methods::Claim> appendix4();  // (52)-(54)
-[[nodiscard]] std::vector<methods::Claim> appendix5();  // (55)-(70)
-
-[[nodiscard]] std::vector<methods::Claim> reduced();  // what the proofs of orbits solve in place of (13)-(28)
+// The claims as text (text/claims_file.hpp), section by section, which is a part of the program: the names of
+// the files and what stands in them.
+[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& claims_text();
 
 // The paper, made once.
 [[nodiscard]] const methods::Paper& paper();

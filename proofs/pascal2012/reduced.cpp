@@ -2,7 +2,7 @@
 // "residual of the paper's closing condition = M · residual of the reduced equation" and back. Where a
 // difference quotient such as sin(x)/x stands in a formula, x ≠ 0 appears among the hypotheses; both sides
 // being continuous, the identity holds at x = 0 too.
-#include "proofs/pascal2012/paper.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/reduction.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -8,10 +8,12 @@
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/by_parts.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/pascal2012/overshooting.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/estimate.hpp"
+#include "proofs/symbols/closing.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -22,6 +24,25 @@ using methods::Outcome;
 using methods::Prover;
 
 namespace {
+
+namespace even {
+
+using namespace symbols::vocabulary;
+
+// A state without z2' that is even about the middle of the stick, from the even rows of
+// model/overshooting_closing.hpp: a = lambda_2 P'_1, D = omega_2^2 omega_1 sin(alpha_1), C = V = 0 solve
+// even_1, and leave -omega_1 omega_2 times this determinant of even_2; alpha_j = omega_j (tau + tau_1)/2.
+const symbols::Term alpha1 = omega1 * (tau + tau1) / 2, alpha2 = omega2 * (tau + tau1) / 2;
+const symbols::Term determinant = (lambda2 - lambda1) * cos(T / 2) * sin(alpha1) * sin(alpha2) +
+                                              sin(T / 2) * (lambda2 * omega1 * cos(alpha1) * sin(alpha2) -
+                                                            lambda1 * omega2 * cos(alpha2) * sin(alpha1));
+const symbols::Term place =
+    lambda2 * (omega1 * sin(alpha1) * cos(T / 2) + cos(alpha1) * sin(T / 2));
+const symbols::Term swing = symbols::power(omega2, 2) * omega1 * sin(alpha1);
+const symbols::Term state =
+    symbols::column({chi * place + swing * cos(T / 2), place, -swing * sin(T / 2), 0});
+
+}  // namespace even
 
 using Coefficients = model::ClosingCoefficients<Symbolic>;
 using Column = std::array<Symbolic, 5>;
@@ -144,7 +165,7 @@ Coefficients coefficients(const Term& slip, const Term& overshoot, const Term& s
 class Halved {
  public:
   explicit Halved(const orbits::Ranges& ranges) : ranges_(ranges) {
-    const Term state = Reader()(overshooting::even_state);
+    const Term state = Reader()(even::state);
     for (int i = 0; i < 3; ++i) {
       state_.push_back(entry(state, i));
     }
@@ -194,7 +215,7 @@ class Halved {
   // det = 0 ⊢ row i + 1 of the state is zero: it is a multiple of det.
   [[nodiscard]] Theorem solves(std::size_t i, const Term& h, const Theorem& vanishes) const {
     namespace v = symbols::vocabulary;
-    const symbols::Term angle = overshooting::alpha2, gap = 2 * v::omega1 / (v::lambda1 - v::lambda2);
+    const symbols::Term angle = even::alpha2, gap = 2 * v::omega1 / (v::lambda1 - v::lambda2);
     const std::array<symbols::Term, 5> factors{gap * sin(angle), gap * v::lambda2 * sin(angle),
                                                gap * v::omega2 * cos(angle),
                                                v::lambda2 * v::omega1 * v::omega2 / (v::lambda1 - v::lambda2),
@@ -268,7 +289,7 @@ class Halved {
 
   orbits::Ranges ranges_;
   std::vector<Term> state_;  // in tau, tau1 and T, as the determinant
-  Term determinant_ = Reader()(overshooting::even_determinant);
+  Term determinant_ = Reader()(even::determinant);
 };
 
 }  // namespace

@@ -92,8 +92,8 @@ std::vector<Statement> parse_statements(std::string_view line, const Names& name
   return statements;
 }
 
-Term parse_term(std::string_view line, const Names& names) {
-  return parsing::term_of(parsing::expression_in(line, names), line, names);
+Term parse_term(std::string_view line, const Names& names, const std::optional<Shape>& shape) {
+  return parsing::term_of(parsing::expression_in(line, names), line, names, shape);
 }
 
 }  // namespace stickslip::proofs::symbols

@@ -4,7 +4,7 @@
 //   omega2 relation   = "=" | "!=" | "<" | "<=" | ">" | ">="                                  or ≠, ≤, ≥
 //   times      = ( "," | "for" [ "almost all" ] ) expression "<" "t" "<" expression
 //                [ "but for finitely many t" ] [ ", continuous on [" expression "," expression "]" ]
-//   expression = [ "-" ] product { ( "+" | "-" ) product }                             -a b is -(a b)
+//   expression = [ "-" ] product { ( "+" | "-" ) product }                             -a b is (-a) b
 //   product    = factor { "*" factor | "/" factor | factor }                           no bare factor after
 //   "/" factor     = primary [ "^" [ "-" ] digits ]                                        or ², ³; A^-1 is
 //   the inverse primary    = number | symbol | function { "'" } [ power ] "(" expression ")" | "(" expression
@@ -63,7 +63,8 @@ class ParseError : public UsageError {
 // What the line says; more than one statement for a chain of relations. Throws ParseError.
 [[nodiscard]] std::vector<Statement> parse_statements(std::string_view line, const Names& names);
 
-// A single term. Throws ParseError.
-[[nodiscard]] Term parse_term(std::string_view line, const Names& names);
+// A single term, of that shape where the line leaves it open. Throws ParseError.
+[[nodiscard]] Term parse_term(std::string_view line, const Names& names,
+                              const std::optional<Shape>& shape = {});
 
 }  // namespace stickslip::proofs::symbols

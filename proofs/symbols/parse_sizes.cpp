@@ -40,7 +40,7 @@ class Shaper {
     Size size = size_of(left);
     size.learn(size_of(right, size));
     size.learn(size_of(left, size));
-    const Term a = made(left, size), b = made(right, size);
+    const Term a = sized(left, size), b = sized(right, size);
     require_same(right, b, a);
     return {a, b};
   }
@@ -86,7 +86,8 @@ class Shaper {
         return power(base, static_cast<int>(node.number.get_num().get_si()));
       }
       case Op::negate:
-        return -sized(node.parts[0], wanted);
+        return node.parts[0].op == Op::number ? Term(Rational(-node.parts[0].number))
+                                              : -sized(node.parts[0], wanted);
       case Op::derivative:
         return derivative(sized(node.parts[0], wanted));
       case Op::block:
@@ -340,8 +341,8 @@ Term number_of(const Node& node, std::string_view line, const Names& names) {
   return Shaper(line, names).scalar(node);
 }
 
-Term term_of(const Node& node, std::string_view line, const Names& names) {
-  return Shaper(line, names).made(node, {});
+Term term_of(const Node& node, std::string_view line, const Names& names, const std::optional<Shape>& shape) {
+  return Shaper(line, names).made(node, shape ? Size{shape->rows, shape->columns} : Size{});
 }
 
 }  // namespace stickslip::proofs::symbols::parsing

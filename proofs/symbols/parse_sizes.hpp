@@ -12,6 +12,7 @@ namespace stickslip::proofs::symbols::parsing {
 [[nodiscard]] std::pair<Term, Term> sides_of(const Node& left, const Node& right, std::string_view line,
                                              const Names& names);
 [[nodiscard]] Term number_of(const Node& node, std::string_view line, const Names& names);
-[[nodiscard]] Term term_of(const Node& node, std::string_view line, const Names& names);
+[[nodiscard]] Term term_of(const Node& node, std::string_view line, const Names& names,
+                           const std::optional<Shape>& shape = {});
 
 }  // namespace stickslip::proofs::symbols::parsing

@@ -192,10 +192,24 @@ class Parser {
     if (!take("-")) {
       return product();
     }
+    const std::size_t closing = closing_bracket();
     Node result = product();
-    Node& negative = result.op == Op::product ? result.parts.front() : result;
+    const bool is_bracketed = closing != 0 && next_ == closing + 1;  // -(a b), the negative of a product
+    Node& negative = result.op == Op::product && !is_bracketed ? result.parts.front() : result;
     negative = {Op::negate, at, {}, 0, {std::move(negative)}};
     return result;
+  }
+
+  // Where the bracket that opens here closes, among the tokens; 0 if none does.
+  [[nodiscard]] std::size_t closing_bracket() const {
+    int depth = 0;
+    for (std::size_t k = next_; k < tokens_.size() && (depth > 0 || k == next_); ++k) {
+      depth += tokens_[k].text == "(" ? 1 : tokens_[k].text == ")" ? -1 : 0;
+      if (depth == 0) {
+        return k == next_ ? 0 : k;
+      }
+    }
+    return 0;
   }
 
   [[nodiscard]] bool begins_factor() const {

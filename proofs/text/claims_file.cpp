@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "core/decimal.hpp"
@@ -79,6 +80,12 @@ bool is_reserved(const std::string& name) {
   return name == "I" || name == "det" || name == "for" || name == "but";
 }
 
+// Of proofs that are not made yet: the claim by its place among all, and the lines that name them.
+struct ProofLines {
+  std::size_t claim = 0;
+  std::map<std::string, Line> lines;  // by "by", "conversely by", "corrected by"
+};
+
 // The number that a term made of numbers is.
 std::optional<Rational> constant(const Term& term) {
   if (term.op() == symbols::Op::number) {
@@ -97,7 +104,8 @@ std::optional<Rational> constant(const Term& term) {
 
 class Reading {
  public:
-  Reading(std::string name, const Paper& known) : name_(std::move(name)) {
+  Reading(std::string name, const Paper& known, const Programs& programs)
+      : name_(std::move(name)), programs_(programs) {
     paper_ = known;
     names_ = symbols::names_of(symbols::symbol_table());
   }
@@ -108,11 +116,13 @@ class Reading {
       const auto [word, rest] = first_word(entry.head.text);
       static const std::map<std::string, void (Reading::*)(const std::string&, const Entry&)> kinds{
           {"paper", &Reading::begin_paper}, {"symbols", &Reading::symbols_line}, {"let", &Reading::let},
-          {"section", &Reading::section},   {"assume", &Reading::assume},        {"claim", &Reading::claim}};
+          {"section", &Reading::section},   {"assume", &Reading::assume},        {"all", &Reading::all},
+          {"claim", &Reading::claim},       {"program", &Reading::program}};
       const auto kind = kinds.find(word);
       if (kind == kinds.end()) {
         fail(
-            fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, claim", word));
+            fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, all, claim",
+                        word));
       }
       (this->*kind->second)(rest, entry);
     }
@@ -141,9 +151,27 @@ class Reading {
       throw UsageError(fmt::format("{}: a file of claims has at most {} characters", name_, longest_file));
     }
     std::vector<Entry> found;
+    std::vector<std::pair<std::size_t, Line>> indented;  // below the last head, with their columns
+    const auto close = [&] {
+      if (found.empty()) {
+        return;
+      }
+      std::size_t first = std::string::npos;
+      for (const auto& [indent, line] : indented) {
+        first = std::min(first, indent);
+      }
+      Entry& entry = found.back();
+      for (const auto& [indent, line] : indented) {
+        if (indent == first) {
+          entry.body.push_back(line);
+        } else {
+          (entry.body.empty() ? entry.head : entry.body.back()).text += " " + line.text;
+        }
+      }
+      indented.clear();
+    };
     std::istringstream stream(content);
     std::string text;
-    std::size_t continued = 0;  // the column from which on a line goes on with the one before
     for (line_ = 1; std::getline(stream, text); ++line_) {
       if (const auto comment = text.find("# ");
           comment != std::string::npos && trimmed(text.substr(0, comment)).empty()) {
@@ -155,18 +183,15 @@ class Reading {
       }
       const std::size_t indent = text.find_first_not_of(" \t");
       if (indent == 0) {
+        close();
         found.push_back({{line_, plain}, {}});
-        continued = 0;
       } else if (found.empty()) {
         fail("an indented line belongs to an entry, and there is none before it");
-      } else if (continued > 0 && indent > continued) {
-        std::string& before = found.back().body.back().text;
-        before += " " + plain;
       } else {
-        found.back().body.push_back({line_, plain});
-        continued = indent;
+        indented.emplace_back(indent, Line{line_, plain});
       }
     }
+    close();
     return found;
   }
 
@@ -316,64 +341,160 @@ class Reading {
     paper_.sections.push_back(section_);
   }
 
+  // "NAME: statement", "NAME ID: statement", with more statements on lines of their own.
   void assume(const std::string& rest, const Entry& entry) {
-    no_body(entry);
     begun_ = true;
     const auto colon = rest.find(':');
-    const std::string id = trimmed(rest.substr(0, colon));
-    if (colon == std::string::npos || !is_id(id)) {
+    auto [name, id] = first_word(trimmed(rest.substr(0, colon)));
+    id = id.empty() ? name : id;
+    if (colon == std::string::npos || !is_id(name) || !is_id(id)) {
       fail("an assumption has an id, ':' and a statement");
     }
-    if (!assumptions_
-             .emplace(id, here([&] { return symbols::parse_statements(rest.substr(colon + 1), names_); }))
-             .second) {
-      fail(fmt::format("there are two assumptions {}", id));
+    std::vector<Assumption> assumed = assumptions_of(id, rest.substr(colon + 1));
+    for (const Line& line : entry.body) {
+      line_ = line.number;
+      for (const Assumption& one : assumptions_of(id, line.text)) {
+        assumed.push_back(one);
+      }
     }
+    name_assumptions(name, assumed);
+  }
+
+  // "NAME = ID, ID, …".
+  void all(const std::string& rest, const Entry& entry) {
+    no_body(entry);
+    begun_ = true;
+    const auto equals = rest.find('=');
+    const std::string name = trimmed(rest.substr(0, equals));
+    if (equals == std::string::npos || !is_id(name)) {
+      fail("a name, '=' and ids of assumptions belong to 'all'");
+    }
+    name_assumptions(name, assumptions_named(rest.substr(equals + 1)));
+  }
+
+  void name_assumptions(const std::string& name, const std::vector<Assumption>& assumed) {
+    if (!assumptions_.emplace(name, assumed).second) {
+      fail(fmt::format("there are two assumptions {}", name));
+    }
+  }
+
+  [[nodiscard]] std::vector<Assumption> assumptions_of(const std::string& id, const std::string& text) const {
+    std::vector<Assumption> result;
+    for (const Statement& one : here([&] { return symbols::parse_statements(text, names_); })) {
+      result.push_back({id, one});
+    }
+    return result;
+  }
+
+  // Of "id, id".
+  [[nodiscard]] std::vector<Assumption> assumptions_named(const std::string& ids) const {
+    std::vector<Assumption> result;
+    for (const std::string& id : split(ids, ',')) {
+      const auto found = assumptions_.find(id);
+      if (found == assumptions_.end()) {
+        fail(fmt::format("nothing is assumed as '{}'", id));
+      }
+      result.insert(result.end(), found->second.begin(), found->second.end());
+    }
+    return result;
+  }
+
+  // Claims that the program makes itself, in this place.
+  void program(const std::string& rest, const Entry& entry) {
+    no_body(entry);
+    if (!programs_.contains(rest)) {
+      fail(fmt::format("there is no program '{}'", rest));
+    }
+    for (Claim one : programs_.at(rest)) {
+      one.place = section_.id;
+      paper_.claims.push_back(std::move(one));
+    }
+  }
+  [[nodiscard]] const Claim& programmed(const std::string& id) const {
+    const auto made = programs_.find(id);
+    if (made == programs_.end() || made->second.size() != 1) {
+      fail(fmt::format("there is no program that proves '{}'", id));
+    }
+    return made->second.front();
   }
 
   void claim(const std::string& rest, const Entry& entry) {
     begun_ = true;
     Claim claim = claim_of(rest);
-    std::vector<std::pair<std::size_t, std::string>> proofs;  // with the numbers of their lines
+    ProofLines proofs{paper_.claims.size(), {}};
     for (const Line& line : entry.body) {
       line_ = line.number;
-      const auto [word, text] = first_word(line.text);
+      auto [word, text] = first_word(line.text);
+      if ((word == "conversely" || word == "corrected") && text.starts_with("by ")) {
+        word += " by";
+        text = trimmed(text.substr(3));
+      }
+      const auto statements = [&](const std::string& of) {
+        return here([&] { return symbols::parse_statements(of, names_); });
+      };
+      const auto add = [](std::vector<Statement>& to, const std::vector<Statement>& more) {
+        to.insert(to.end(), more.begin(), more.end());
+      };
       if (word == "if") {
         add_assumptions(claim, text);
-      } else if (word == "by") {
-        proofs.emplace_back(line_, text);
+      } else if (word == "by" || word == "conversely by" || word == "corrected by") {
+        if (!proofs.lines.emplace(word, Line{line_, text}).second) {
+          fail(fmt::format("the claim {} has two proofs", claim.id));
+        }
       } else if (word == "expect") {
         if (!is_status(text)) {
           fail(fmt::format("'{}' is no status of a claim", text));
         }
         claim.expected = text;
+      } else if (word == "part") {
+        claim.parts.push_back(checked_words(text));
+      } else if (word == "illegible") {
+        claim.illegible = checked_words(text);
       } else if (word == "corrected") {
-        const auto more = here([&, &text = text] { return symbols::parse_statements(text, names_); });
-        claim.corrected.insert(claim.corrected.end(), more.begin(), more.end());
+        add(claim.corrected, statements(text));
       } else {
-        const auto more = here([&] { return symbols::parse_statements(line.text, names_); });
-        claim.printed.insert(claim.printed.end(), more.begin(), more.end());
+        add(claim.printed, statements(line.text));
       }
     }
     line_ = entry.head.number;
-    if (claim.printed.empty() && claim.kind != Kind::words && claim.kind != Kind::figure) {
+    if (claim.printed.empty() && claim.kind != Kind::model && programs_.empty()) {
       fail(fmt::format("the claim {} states nothing", claim.id));
     }
-    if (proofs.size() > 1) {
-      fail(fmt::format("the claim {} has {} proofs", claim.id, proofs.size()));
-    }
-    claim.prove = here([&] {
-      line_ = proofs.empty() ? line_ : proofs.front().first;
-      return proof_of({claim, names_, paper_.claims}, proofs.empty() ? "" : proofs.front().second);
-    });
-    if (claim.kind == Kind::model) {
-      claim.prove = {};
-    }
-    if (!claim.corrected.empty()) {
-      claim.prove_corrected = claim.prove;
+    const std::size_t stated = claim.printed.size() + claim.corrected.size();
+    if (!claim.parts.empty() && claim.parts.size() != stated) {
+      fail(fmt::format("the claim {} has words for {} parts, and states {} things", claim.id,
+                       claim.parts.size(), stated));
     }
     state(claim);
     paper_.claims.push_back(std::move(claim));
+    if (programs_.empty()) {
+      prove(proofs);
+    } else {
+      unproved_.push_back(proofs);  // by claims that follow, perhaps
+    }
+  }
+
+  // Makes the proofs that the lines name.
+  void prove(const ProofLines& proofs) {
+    Claim& claim = paper_.claims[proofs.claim];
+    const std::span<const Claim> all(paper_.claims);
+    const ProofPlace place{claim, names_, programs_.empty() ? all.first(proofs.claim) : all};
+    const auto proof = [&](const Line& line) {
+      line_ = line.number;
+      return line.text == "program" ? programmed(claim.id).prove
+                                    : here([&] { return proof_of(place, line.text); });
+    };
+    for (const auto& [word, line] : proofs.lines) {
+      (word == "by" ? claim.prove : word == "conversely by" ? claim.prove_converse : claim.prove_corrected) =
+          proof(line);
+    }
+    const bool is_given = claim.kind == Kind::model || (claim.kind == Kind::definition && !programs_.empty());
+    if (!claim.prove && !is_given) {
+      claim.prove = proof_of(place, "");
+    }
+    if (!claim.corrected.empty() && !claim.prove_corrected) {
+      claim.prove_corrected = claim.prove;
+    }
   }
 
   // "id kind origin: words".
@@ -422,26 +543,17 @@ class Reading {
 
   // Ids of assumptions, or "id: statement".
   void add_assumptions(Claim& claim, const std::string& text) {
-    const auto add = [&](const std::string& id, const std::vector<Statement>& statements) {
-      for (const Statement& one : statements) {
-        claim.assumptions.push_back({id, one});
-      }
-    };
+    std::vector<Assumption> more;
     if (const auto colon = text.find(':'); colon != std::string::npos) {
       const std::string id = trimmed(text.substr(0, colon));
       if (!is_id(id)) {
         fail(fmt::format("'{}' is no id of an assumption", id));
       }
-      add(id, here([&] { return symbols::parse_statements(text.substr(colon + 1), names_); }));
-      return;
+      more = assumptions_of(id, text.substr(colon + 1));
+    } else {
+      more = assumptions_named(text);
     }
-    for (const std::string& id : split(text, ',')) {
-      const auto found = assumptions_.find(id);
-      if (found == assumptions_.end()) {
-        fail(fmt::format("nothing is assumed as '{}'", id));
-      }
-      add(id, found->second);
-    }
+    claim.assumptions.insert(claim.assumptions.end(), more.begin(), more.end());
   }
 
   // Of a paper of its own, what it or text books say is one of its statements.
@@ -458,7 +570,7 @@ class Reading {
 
   // Words go into pages and LaTeX: no commands, and formulas between dollars that belong together.
   [[nodiscard]] std::string checked_words(const std::string& words) const {
-    if (words.find_first_of("\\<>{}&") != std::string::npos) {
+    if (programs_.empty() && words.find_first_of("\\<>{}&") != std::string::npos) {
       fail(fmt::format("'{}': words have no \\, <, >, {{, }} or &", words));
     }
     if (std::ranges::count(words, '$') % 2 != 0) {
@@ -505,8 +617,11 @@ class Reading {
     if (alone_ && paper_.sections.empty()) {
       paper_.sections.push_back(section_);
     }
-    if (!alone_) {
+    if (!alone_ && std::ranges::find(paper_.claims, "own", &Claim::place) != paper_.claims.end()) {
       paper_.sections.push_back({"own", "Claims of your own", "own"});
+    }
+    for (const ProofLines& proofs : unproved_) {
+      prove(proofs);
     }
   }
 
@@ -516,15 +631,18 @@ class Reading {
   Names names_;
   std::vector<symbols::Symbol> rows_;
   std::vector<Statement> domain_;
-  std::map<std::string, std::vector<Statement>> assumptions_;
+  std::map<std::string, std::vector<Assumption>> assumptions_;
+  const Programs& programs_;
+  std::vector<ProofLines> unproved_;
   Section section_{"own", "Claims", "own"};
   bool begun_ = false, alone_ = false;
 };
 
 }  // namespace
 
-Paper read_claims(const std::string& content, const std::string& name, const Paper& known) {
-  return Reading(name, known).read(content);
+Paper read_claims(const std::string& content, const std::string& name, const Paper& known,
+                  const Programs& programs) {
+  return Reading(name, known, programs).read(content);
 }
 
 }  // namespace stickslip::proofs::text

@@ -13,6 +13,7 @@
 #include "proofs/methods/automatic.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/methods.hpp"
+#include "proofs/methods/motions.hpp"
 
 namespace stickslip::proofs::text {
 
@@ -59,7 +60,7 @@ class Lines {
       }
     }
     if (result.empty()) {
-      const auto found = std::ranges::find(place_.before, id, &Claim::id);
+      const auto found = std::ranges::find(place_.before, without_claim(id), &Claim::id);
       if (found == place_.before.end()) {
         throw UsageError(
             fmt::format("'{}' is neither assumed by {} nor a claim before it", id, place_.claim.id));
@@ -71,9 +72,15 @@ class Lines {
 
   [[nodiscard]] Premise premise_named(const std::string& id) const {
     (void)statements_of(id);
-    const bool assumed =
-        std::ranges::any_of(place_.claim.assumptions, [&](const Assumption& one) { return one.id == id; });
-    return assumed ? assuming(id) : from(id);
+    return is_assumed(id) ? assuming(id) : from(without_claim(id));
+  }
+
+  // Of what the claim assumes.
+  [[nodiscard]] std::string assumed(const std::string& id) const {
+    if (!is_assumed(id)) {
+      throw UsageError(fmt::format("{} assumes nothing as '{}'", place_.claim.id, id));
+    }
+    return id;
   }
 
   [[nodiscard]] Term term(const std::string& text) const { return symbols::parse_term(text, place_.names); }
@@ -112,6 +119,16 @@ class Lines {
     return result;
   }
 
+  [[nodiscard]] std::vector<Statement> statements(const std::string& text) const {
+    std::vector<Statement> result;
+    for (const std::string& part : parts_of(text, ';')) {
+      for (const Statement& one : symbols::parse_statements(part, place_.names)) {
+        result.push_back(one);
+      }
+    }
+    return result;
+  }
+
   // A sum of products with cites, the cites in them as letters of their own.
   struct Cite {
     Premise premise;
@@ -123,7 +140,7 @@ class Lines {
     std::map<std::string, Cite> cites;  // by letter
   };
 
-  [[nodiscard]] Sum sum(const std::string& text) const {
+  [[nodiscard]] Sum sum(const std::string& text, const symbols::Shape& shape = {}) const {
     Sum result;
     symbols::Names names = place_.names;
     std::string plain;
@@ -133,13 +150,25 @@ class Lines {
         continue;
       }
       std::size_t end = i + 1;
-      const auto belongs = [&](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '#';
+      const auto pass = [&](const std::string& more) {
+        const std::size_t from = end;
+        while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 ||
+                                     more.find(text[end]) != std::string::npos)) {
+          ++end;
+        }
+        return text.substr(from, end - from);
       };
-      while (end < text.size() && belongs(text[end])) {
-        ++end;
+      const std::string id = pass("_.");
+      std::string values;  // "t = tau"
+      if (end < text.size() && text[end] == '[') {
+        const std::size_t closing = text.find(']', end);
+        if (closing == std::string::npos) {
+          throw UsageError(fmt::format("'@{}[': the bracket is not closed", id));
+        }
+        values = text.substr(end + 1, closing - end - 1);
+        end = closing + 1;
       }
-      const std::string cite = text.substr(i + 1, end - i - 1), id = cite.substr(0, cite.find('#'));
+      const std::string cite = id + (end < text.size() && text[end] == '#' ? pass("#") : "");
       const std::string letter = fmt::format("cited_statement_{}", result.cites.size() + 1);
       const std::vector<Statement> said = statements_of(id);
       const std::size_t which = id.size() == cite.size() ? 1 : number(cite.substr(id.size() + 1));
@@ -153,12 +182,16 @@ class Lines {
       const Statement& statement = said[which - 1];
       names.quantities.insert_or_assign(
           letter, statement.left.is_zero() ? statement.right.shape() : statement.left.shape());
-      result.cites.emplace(
-          letter, Cite{premise_named(id), which - 1, statement.relation == symbols::Relation::equal});
+      Premise premise = premise_named(id);
+      for (const std::string& value : values.empty() ? std::vector<std::string>{} : parts_of(values, ',')) {
+        premise = at(premise, value);
+      }
+      result.cites.emplace(letter,
+                           Cite{premise, which - 1, statement.relation == symbols::Relation::equal});
       plain += " " + letter + " ";
       i = end - 1;
     }
-    const Term whole = symbols::parse_term(plain, names);
+    const Term whole = symbols::parse_term(plain, names, shape);
     collect(whole, 1, result.products);
     return result;
   }
@@ -192,8 +225,13 @@ class Lines {
     return result;
   }
 
-  [[nodiscard]] std::vector<methods::Multiple> multiples(const std::string& text) const {
-    const Sum read = sum(text);
+  // Of "0" none: the sides have the same normal form.
+  [[nodiscard]] std::vector<methods::Multiple> multiples(const std::string& text,
+                                                         const Statement& printed) const {
+    if (text == "0") {
+      return {};
+    }
+    const Sum read = sum(text, printed.left.is_zero() ? printed.right.shape() : printed.left.shape());
     std::vector<methods::Multiple> result;
     for (const Term& one : read.products) {
       const Product factors = product(one, read.cites);
@@ -208,6 +246,81 @@ class Lines {
   }
 
   [[nodiscard]] Certificate certificate(const std::string& text) const {
+    const auto times = text.find(" times ");
+    Certificate result = products(text.substr(0, times));
+    if (times != std::string::npos) {
+      const Certificate divisors = products(text.substr(times + 7));
+      if (!divisors.equations.empty()) {
+        throw UsageError(fmt::format("'{}': after 'times' stands what is positive", text));
+      }
+      result.divisors = divisors.positive;
+    }
+    return result;
+  }
+
+  [[nodiscard]] Counterexample counterexample(const std::string& text) const {
+    if (!text.starts_with("at ")) {
+      throw UsageError("a counterexample is 'at NAME = NUMBER, …'");
+    }
+    const std::vector<std::string> parts = parts_of(text, ';');
+    Counterexample result;
+    for (const std::string& part : parts_of(parts.front().substr(3), ',')) {
+      const auto equals = part.find('=');
+      const std::string name = trimmed(part.substr(0, equals));
+      if (equals == std::string::npos || !place_.names.quantities.contains(name)) {
+        throw UsageError(fmt::format("'{}': a symbol of a number, '=' and its value", part));
+      }
+      result.point.push_back({name, parse_rational(trimmed(part.substr(equals + 1)))});
+    }
+    std::map<std::string, std::vector<Statement>> clauses;
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const std::string word = parts[i].substr(0, parts[i].find(' '));
+      if (word != "where" && word != "with" && word != "not") {
+        throw UsageError(
+            fmt::format("'{}': a counterexample goes on with 'where', 'with' or 'not'", parts[i]));
+      }
+      std::vector<Statement>& clause = clauses[word];
+      for (const std::string& part : parts_of(trimmed(parts[i].substr(word.size())), ',')) {
+        const std::vector<Statement> more = statements(part);
+        clause.insert(clause.end(), more.begin(), more.end());
+      }
+    }
+    for (const Assumption& one : place_.claim.assumptions) {
+      result.true_there.push_back(one.statement);
+    }
+    result.values = clauses["where"];
+    result.true_there = clauses.contains("with") ? clauses["with"] : result.true_there;
+    result.false_there = clauses.contains("not") ? clauses["not"] : place_.claim.printed;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] static std::size_t number(const std::string& text) {
+    const bool is_number = !text.empty() && text.size() < 4 && std::ranges::all_of(text, [](char c) {
+      return std::isdigit(static_cast<unsigned char>(c)) != 0;
+    });
+    return is_number ? std::stoul(text) : 0;
+  }
+
+  [[nodiscard]] static std::string shown(const Term& term, const Sum& sum) {
+    std::string text = symbols::text(term);
+    for (const auto& [letter, cite] : sum.cites) {
+      if (const auto place = text.find(letter); place != std::string::npos) {
+        text.replace(place, letter.size(), "@" + cite.premise.id);
+      }
+    }
+    return text;
+  }
+
+  [[nodiscard]] static std::string without_claim(const std::string& id) {
+    return id.starts_with("claim ") ? trimmed(id.substr(6)) : id;
+  }
+  [[nodiscard]] bool is_assumed(const std::string& id) const {
+    return std::ranges::find(place_.claim.assumptions, id, &Assumption::id) != place_.claim.assumptions.end();
+  }
+
+  // What is positive, and equations.
+  [[nodiscard]] Certificate products(const std::string& text) const {
     const Sum read = sum(text);
     Certificate result;
     for (const Term& one : read.products) {
@@ -229,44 +342,6 @@ class Lines {
       result.positive.push_back(positive);
     }
     return result;
-  }
-
-  [[nodiscard]] Counterexample counterexample(const std::string& text) const {
-    if (!text.starts_with("at ")) {
-      throw UsageError("a counterexample is 'at NAME = NUMBER, …'");
-    }
-    Counterexample result;
-    for (const std::string& part : parts_of(text.substr(3), ',')) {
-      const auto equals = part.find('=');
-      const std::string name = trimmed(part.substr(0, equals));
-      if (equals == std::string::npos || !place_.names.quantities.contains(name)) {
-        throw UsageError(fmt::format("'{}': a symbol of a number, '=' and its value", part));
-      }
-      result.point.push_back({name, parse_rational(trimmed(part.substr(equals + 1)))});
-    }
-    for (const Assumption& one : place_.claim.assumptions) {
-      result.true_there.push_back(one.statement);
-    }
-    result.false_there = place_.claim.printed;
-    return result;
-  }
-
- private:
-  [[nodiscard]] static std::size_t number(const std::string& text) {
-    const bool is_number = !text.empty() && text.size() < 4 && std::ranges::all_of(text, [](char c) {
-      return std::isdigit(static_cast<unsigned char>(c)) != 0;
-    });
-    return is_number ? std::stoul(text) : 0;
-  }
-
-  [[nodiscard]] static std::string shown(const Term& term, const Sum& sum) {
-    std::string text = symbols::text(term);
-    for (const auto& [letter, cite] : sum.cites) {
-      if (const auto place = text.find(letter); place != std::string::npos) {
-        text.replace(place, letter.size(), "@" + cite.premise.id);
-      }
-    }
-    return text;
   }
 
   static void collect(const Term& term, const Term& factor, std::vector<Term>& products) {
@@ -304,15 +379,127 @@ class Lines {
 // One for each statement.
 template <class Part, class Make>
 std::vector<Part> for_each_statement(const ProofPlace& place, const std::string& text, const Make& make) {
-  std::vector<Part> result;
-  for (const std::string& part : parts_of(text, ';')) {
-    result.push_back(make(part));
-  }
-  if (result.size() != place.claim.printed.size()) {
+  const std::vector<std::string> parts = parts_of(text, ';');
+  const std::vector<Statement>& printed = place.claim.printed;
+  if (parts.size() != printed.size()) {
     throw UsageError(fmt::format("{} states {} things, and its proof is of {}", place.claim.id,
-                                 place.claim.printed.size(), result.size()));
+                                 printed.size(), parts.size()));
+  }
+  std::vector<Part> result;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    result.push_back(make(parts[i], printed[i]));
   }
   return result;
+}
+
+}  // namespace
+
+namespace {
+
+// Exactly so many parts, between semicolons.
+std::vector<std::string> parts_of(const std::string& text, std::size_t count, const char * what) {
+  const std::vector<std::string> parts = parts_of(text, ';');
+  if (parts.size() != count) {
+    throw UsageError(fmt::format("'{}': there stand {}", text, what));
+  }
+  return parts;
+}
+
+// The text before the last such word between blanks, and what follows it, if it is there.
+std::pair<std::string, std::optional<std::string>> with_clause(const std::string& text,
+                                                               const std::string& word) {
+  const auto place = text.rfind(fmt::format(" {} ", word));
+  return place == std::string::npos
+             ? std::pair(text, std::optional<std::string>())
+             : std::pair(trimmed(text.substr(0, place)),
+                         std::optional(trimmed(text.substr(place + word.size() + 2))));
+}
+
+Proof order(const ProofPlace& place, const Lines& lines, const std::string& text) {
+  const auto [sums, positive] = with_clause(text, "positive");
+  return by_positive_combination(
+      for_each_statement<Certificate>(place, sums,
+                                      [&](const std::string& part, const Statement&) { return lines.certificate(part); }),
+      positive ? std::optional(lines.premise(*positive)) : std::nullopt);
+}
+
+Proof flow(const Lines& lines, const std::string& text) {
+  const auto [rest, initial] = with_clause(text, "from");
+  const std::vector<std::string> parts =
+      parts_of(rest, 3, "the flow, the forced motion, and what is assumed of the phase");
+  return by_differential_equation({lines.assumed(parts[2]), initial ? lines.assumed(*initial) : "",
+                                   lines.term(parts[0]), lines.term(parts[1])});
+}
+
+Proof mean_value(const Lines& lines, const std::string& text) {
+  const std::vector<std::string> parts =
+      parts_of(text, 6, "a row, and what is assumed of phase, slope, beginning, end and duration");
+  return by_mean_value({lines.assumed(parts[1]), lines.assumed(parts[2]), lines.assumed(parts[3]),
+                        lines.assumed(parts[4]), lines.assumed(parts[5]), lines.term(parts[0])});
+}
+
+Proof zero_of_cosine(const Lines& lines, const std::string& text) {
+  const std::vector<std::string> parts =
+      parts_of(text, 4, "an angle, a premise, and two numbers between which angle/pi lies");
+  return by_zero_of_cosine({lines.term(parts[0]), lines.premise(parts[1]), parse_rational(parts[2]),
+                            parse_rational(parts[3])});
+}
+
+Proof nonzero(const Lines& lines, const std::string& text) {
+  const auto [id, multiplier] = with_clause(text, "times");
+  if (!multiplier) {
+    throw UsageError(fmt::format("'{}': after the assumption stand 'times' and a multiplier", text));
+  }
+  return by_nonzero_multiple(lines.assumed(id), lines.term(*multiplier));
+}
+
+Proof chain_rule(const Lines& lines, const std::string& text) {
+  const auto [premises, later] = with_clause(text, "later");
+  return by_chain_rule(lines.premises(premises), later ? std::optional(lines.term(*later)) : std::nullopt);
+}
+
+Proof decrease(const Lines& lines, const std::string& text) {
+  const std::vector<std::string> parts = parts_of(text, 2, "a premise and a weight");
+  return by_decrease(lines.premise(parts[0]), lines.term(parts[1]));
+}
+
+Proof periodic_decrease(const Lines& lines, const std::string& text) {
+  const std::vector<std::string> parts = parts_of(text, ';');
+  if (parts.size() < 3) {
+    throw UsageError(fmt::format("'{}': there stand a premise, a weight and what returns", text));
+  }
+  PeriodicDecrease step{lines.premise(parts[0]), {}, lines.term(parts[1])};
+  for (std::size_t i = 2; i < parts.size(); ++i) {
+    step.returns.push_back(lines.assumed(parts[i]));
+  }
+  return by_periodic_decrease(step);
+}
+
+// PREMISE [times EXPRESSION] [with NAME = EXPRESSION, …] [supplied PREMISE, …]; …
+Proof instances(const Lines& lines, const std::string& text) {
+  std::vector<Instance> all;
+  for (const std::string& part : parts_of(text, ';')) {
+    const auto [rest, supplied] = with_clause(part, "supplied");
+    const auto [product, functions] = with_clause(rest, "with");
+    const auto [premise, left] = with_clause(product, "times");
+    Instance one{lines.premise(premise), {}, {}, left ? lines.term(*left) : Term(1)};
+    for (const std::string& function : parts_of(functions.value_or(""), ',')) {
+      const auto equals = function.find('=');
+      if (functions && equals == std::string::npos) {
+        throw UsageError(fmt::format("'{}': after 'with' stand a function, '=' and its value at t", function));
+      }
+      if (functions) {
+        one.functions.emplace(trimmed(function.substr(0, equals)), lines.term(function.substr(equals + 1)));
+      }
+    }
+    if (supplied) {
+      for (const std::string& more : parts_of(*supplied, ',')) {
+        one.supplied.push_back(lines.premise(more));
+      }
+    }
+    all.push_back(one);
+  }
+  return by_instances(all);
 }
 
 }  // namespace
@@ -321,6 +508,7 @@ Proof proof_of(const ProofPlace& place, const std::string& line) {
   const Lines lines(place);
   using Make = std::function<Proof(const std::string&)>;
   const std::vector<std::pair<std::string, Make>> known{
+      {"normal form of", [&](const std::string& rest) { return by_normal_form(lines.statements(rest)); }},
       {"normal form", [&](const std::string&) { return by_normal_form(); }},
       {"definition", [&](const std::string&) { return by_definition(); }},
       {"rewriting", [&](const std::string& rest) { return by_rewriting(lines.premises(rest)); }},
@@ -330,13 +518,17 @@ Proof proof_of(const ProofPlace& place, const std::string& line) {
       {"combination",
        [&](const std::string& rest) {
          return by_combination(for_each_statement<std::vector<methods::Multiple>>(
-             place, rest, [&](const std::string& part) { return lines.multiples(part); }));
+             place, rest, [&](const std::string& part, const Statement& printed) { return lines.multiples(part, printed); }));
        }},
-      {"order",
-       [&](const std::string& rest) {
-         return by_positive_combination(for_each_statement<Certificate>(
-             place, rest, [&](const std::string& part) { return lines.certificate(part); }));
-       }},
+      {"order", [&](const std::string& rest) { return order(place, lines, rest); }},
+      {"nonzero", [&](const std::string& rest) { return nonzero(lines, rest); }},
+      {"zero of cosine", [&](const std::string& rest) { return zero_of_cosine(lines, rest); }},
+      {"flow", [&](const std::string& rest) { return flow(lines, rest); }},
+      {"mean value", [&](const std::string& rest) { return mean_value(lines, rest); }},
+      {"chain rule", [&](const std::string& rest) { return chain_rule(lines, rest); }},
+      {"decrease", [&](const std::string& rest) { return decrease(lines, rest); }},
+      {"instances", [&](const std::string& rest) { return instances(lines, rest); }},
+      {"periodic decrease", [&](const std::string& rest) { return periodic_decrease(lines, rest); }},
       {"counterexample",
        [&](const std::string& rest) { return by_counterexample(lines.counterexample(rest)); }},
   };

@@ -1,8 +1,8 @@
 // Proofs named in a file of claims.
 #pragma once
 
+#include <span>
 #include <string>
-#include <vector>
 
 #include "proofs/methods/claim.hpp"
 #include "proofs/symbols/parse.hpp"
@@ -14,19 +14,27 @@ namespace stickslip::proofs::text {
 struct ProofPlace {
   const methods::Claim& claim;
   const symbols::Names& names;
-  const std::vector<methods::Claim>& before;
+  std::span<const methods::Claim> before;
 };
 
 // The proof that the line names:
-//   normal form | definition | rewriting PREMISES | premises PREMISES | putting in PREMISES | inverse PREMISE
-//   combination SUM; …   one for each printed equation: each product of the sum with one @id or @id#k
-//   order SUM; …         one for each printed inequality: products of what is positive and any number of @id,
-//   or one
-//                        @id of an equation
-//   counterexample at NAME = NUMBER, …
-// with PREMISES: id [at NAME = EXPRESSION, …] [for EXPRESSION] [over EXPRESSION] [given id by id, …]; …
-// @id#k is the difference of the sides of statement k, from 1, of an assumption of the claim, or else of a
-// claim before it. Nothing: whatever method works (methods/automatic.hpp). Throws UsageError, or ParseError.
+//   normal form [of STATEMENT; …] | definition | rewriting PREMISES | premises PREMISES | putting in PREMISES
+//   inverse PREMISE | combination SUM; … | order CERTIFICATE; … [positive PREMISE]
+//   nonzero ID times EXPRESSION | zero of cosine EXPRESSION; PREMISE; NUMBER; NUMBER
+//   flow EXPRESSION; EXPRESSION; ID [from ID] | mean value EXPRESSION; ID; ID; ID; ID; ID
+//   chain rule PREMISES [later EXPRESSION] | decrease PREMISE; EXPRESSION
+//   periodic decrease PREMISE; EXPRESSION; ID; …
+//   instances PREMISE [times EXPRESSION] [with FUNCTION = EXPRESSION, …] [supplied PREMISE, …]; …
+//   counterexample at NAME = NUMBER, … [; where STATEMENTS] [; with STATEMENTS] [; not STATEMENTS]
+// with
+//   PREMISES: [claim] ID [at NAME = EXPRESSION, …] [for EXPRESSION] [over EXPRESSION] [given ID by ID, …]; …
+//   SUM, one for each printed equation: each product of it with one @ID or @ID#K, of a claim perhaps at other
+//   values, @ID[t = tau]#K: the difference of the sides of statement K, from 1
+//   CERTIFICATE, one for each printed inequality: SUM [times SUM], whose products are of what is positive and
+//   of any number of @ID of inequalities, or of one @ID of an equation
+// in the order in which methods/methods.hpp, implications.hpp and motions.hpp have them. An ID is that of an
+// assumption of the claim, or else of a claim before it; `claim ID` is the claim. Nothing: whatever method
+// works (methods/automatic.hpp). Throws UsageError, or ParseError.
 [[nodiscard]] methods::Proof proof_of(const ProofPlace& place, const std::string& line);
 
 }  // namespace stickslip::proofs::text

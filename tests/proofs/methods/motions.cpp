@@ -84,7 +84,7 @@ TEST_CASE("a closed form is that of a motion which obeys the equation, on its in
   CHECK(status(paper_with("5",
                           [](Claim& claim) {
                             claim.printed = {equation(Z(t), Gamma(t) * (Z0 - F0) + F(t))};
-                            claim.prove = by_differential_equation({"2.slip", "6.Z0", Gamma, F(t)});
+                            claim.prove = by_differential_equation({"2.slip", "6.Z0", Gamma(t), F(t)});
                           }),
                "5") == Status::undecided);
   CHECK(status(paper_with("5",

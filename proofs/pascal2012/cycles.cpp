@@ -1,4 +1,5 @@
-// What the abstract, Section 6 and the conclusion assert about the three families.
+// What the abstract, Section 6 and the conclusion assert about the three families: those of it that orbits
+// and attractors decide.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/pascal2012/appendix5.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"
 #include "proofs/pascal2012/paper.hpp"
@@ -76,30 +77,6 @@ Outcome only_at_rest() {
         shown(orbit.tau()), shown(orbit.Theta()), shown(orbit.phi()));
   }
   return outcome;
-}
-
-// What Appendix 5 assumes but for resonance. The period stands first: hypotheses are told in its terms.
-std::vector<Assumption> at_resonance_too() {
-  std::vector<Assumption> all = two_slips::in_first_half();
-  std::erase_if(all, [](const Assumption& one) { return one.id == two_slips::off_resonance.id; });
-  std::ranges::stable_partition(all, [](const Assumption& one) { return one.id == two_slips::period.id; });
-  return all;
-}
-
-Claim motion_on_moving_belt() {
-  return {.id = "V.motion",
-          .kind = Kind::numbers,
-          .origin = Origin::auxiliary,
-          .words =
-              "the orbit of 7.only as one motion $X$, $X(t + Theta) = X(t)$ for all $t$, that obeys (2) and "
-              "(4) during each phase, ends included",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(on_a_moving_belt(),
-                                          "the motions of its phases, joined at their ends and continued");
-            outcome.verdict = Verdict::proved();
-            prove(outcome, [] { return of_moving_belt(orbits::one_motion); });
-            return outcome;
-          }};
 }
 
 // The title: limit cycles.
@@ -206,50 +183,39 @@ Claim steady() {
 
 }  // namespace
 
-std::vector<Claim> section7() {
-  return joined(
-      {{
-           isolated(),
-           isolated_among_all(),
-           steady(),
-           attractors_claim(example_named("S"), 40, false),
-           attractors_claim(example_named("O"), 10, true),
-           attractors_claim(example_named("P"), 500, false),
-           exists("7.overshoot", "O",
-                  "abstract: periodic orbits exist on which the mass overtakes the belt for a time"),
-           exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest"),
-           {.id = "7.only",
-            .kind = Kind::theorem,
-            .origin = Origin::reading,
-            .words = "Section 6: orbits that never stick exist only for $V = 0$, whatever their slips last",
-            .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
-           half_period::only_at_rest_by_halves(),
-           half_period::orbits_over_the_belts_speed(),
-           {.id = "7.symmetric",
-            .kind = Kind::theorem,
-            .printed = {equation(vocabulary::X(vocabulary::t),
-                                 -vocabulary::X(vocabulary::t + vocabulary::tau)),
-                        two_slips::half.statement},
-            .words = "abstract and conclusion: this kind of solution, with two transitions per period, is "
-                     "symmetric in "
-                     "space and time for almost all $omega$; the exceptions are $omega_j = k omega$, a "
-                     "countable set",
-            .assumptions = two_slips::in_first_half(),
-            .prove = by_premises({from("A5.theorem")})},
-           {.id = "7.always",
-            .kind = Kind::theorem,
-            .printed = {equation(vocabulary::X(vocabulary::t),
-                                 -vocabulary::X(vocabulary::t + vocabulary::tau)),
-                        two_slips::half.statement},
-            .words =
-                "abstract and conclusion, said without exception: with the belt at rest every orbit that "
-                "never sticks is symmetric in space and time",
-            .assumptions = at_resonance_too(),
-            .prove = by_premises({from("A5.theorem")})},
-           half_period::not_always_symmetric(),
-           motion_on_moving_belt(),
-       },
-       met_by_orbits()});
+Claim motion_on_moving_belt() {
+  return {.id = "V.motion",
+          .kind = Kind::numbers,
+          .origin = Origin::auxiliary,
+          .words =
+              "the orbit of 7.only as one motion $X$, $X(t + Theta) = X(t)$ for all $t$, that obeys (2) and "
+              "(4) during each phase, ends included",
+          .prove = [](Prover&, const Claim&) {
+            Outcome outcome = at_the_data(on_a_moving_belt(),
+                                          "the motions of its phases, joined at their ends and continued");
+            outcome.verdict = Verdict::proved();
+            prove(outcome, [] { return of_moving_belt(orbits::one_motion); });
+            return outcome;
+          }};
+}
+
+std::vector<Claim> cycles() {
+  return {isolated(),
+          isolated_among_all(),
+          steady(),
+          attractors_claim(example_named("S"), 40, false),
+          attractors_claim(example_named("O"), 10, true),
+          attractors_claim(example_named("P"), 500, false),
+          exists("7.overshoot", "O",
+                 "abstract: periodic orbits exist on which the mass overtakes the belt for a time"),
+          exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest"),
+          {.id = "7.only",
+           .kind = Kind::theorem,
+           .origin = Origin::reading,
+           .words = "Section 6: orbits that never stick exist only for $V = 0$, whatever their slips last",
+           .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
+          only_at_rest_by_halves(),
+          orbits_over_the_belts_speed()};
 }
 
 }  // namespace stickslip::proofs::pascal2012
