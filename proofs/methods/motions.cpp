@@ -120,8 +120,8 @@ Proof by_differential_equation(ClosedForm solution) {
     };
     const Theorem phase = derivation.premise(assuming(solution.phase));
     const Motion motion{part(phase, 0), part(phase, 1)};
-    const kernel::Term from = motion.continuity.conclusion().parts()[1],
-                       flow = at_time(solution.flow), forced = at_time(solution.forced);
+    const kernel::Term from = motion.continuity.conclusion().parts()[1], flow = at_time(solution.flow),
+                       forced = at_time(solution.forced);
     const Formula printed = derivation.read(derivation.claim().printed[which]);
     const kernel::Term z = kernel::lambda(time, printed.parts()[0]);
     const Theorem general = tactics::by_differential_equation(

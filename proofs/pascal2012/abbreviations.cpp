@@ -57,23 +57,24 @@ Definition blocks() {
 std::vector<Definition> abbreviations() {
   using namespace symbols::vocabulary;
   methods::Reader read;
-  return {named("I2", kernel::identity(2)),
-          named("I4", kernel::identity(4)),
-          named("E", read(E)),
-          named("A_slip", read(first_order(K))),
-          named("A_stick", read(first_order(stick_matrix))),
-          blocks(),
-          determinant_of(4),
-          determinant_of(3),
-          determinant_of(2),
-          of_motion("obeys_slip",
-                    "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; eta us + p cos(omega t + phi)], tau < t < Theta"),
-          of_motion("obeys_overshoot",
-                    "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; -(eta us) + p cos(omega t + phi)], tau < t < Theta"),
-          of_motion("obeys_stick", "X'(t) = [0, I; -[1, -chi; 0, 0], 0] X(t), tau < t < Theta"),
-          of_motion("obeys_friction_until",
-                    "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; eta us sign(V - xdot2(t)) + p cos(omega t + phi)] "
-                    "for almost all 0 < t < Theta")};
+  return {
+      named("I2", kernel::identity(2)),
+      named("I4", kernel::identity(4)),
+      named("E", read(E)),
+      named("A_slip", read(first_order(K))),
+      named("A_stick", read(first_order(stick_matrix))),
+      blocks(),
+      determinant_of(4),
+      determinant_of(3),
+      determinant_of(2),
+      of_motion("obeys_slip",
+                "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; eta us + p cos(omega t + phi)], tau < t < Theta"),
+      of_motion("obeys_overshoot",
+                "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; -(eta us) + p cos(omega t + phi)], tau < t < Theta"),
+      of_motion("obeys_stick", "X'(t) = [0, I; -[1, -chi; 0, 0], 0] X(t), tau < t < Theta"),
+      of_motion("obeys_friction_until",
+                "X'(t) = [0, I; -K, 0] X(t) + [0; 0; 0; eta us sign(V - xdot2(t)) + p cos(omega t + phi)] "
+                "for almost all 0 < t < Theta")};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -1,6 +1,6 @@
-// Claims of the paper, and proofs of some, that C++ makes: those that orbits, lists and attractors decide, and
-// those that take more than the methods of proof that a text can name. The text (the files .claims) says where
-// they stand.
+// Claims of the paper, and proofs of some, that C++ makes: those that orbits, lists and attractors decide,
+// and those that take more than the methods of proof that a text can name. The text (the files .claims) says
+// where they stand.
 #pragma once
 
 #include <vector>

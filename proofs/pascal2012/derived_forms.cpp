@@ -22,7 +22,8 @@ std::vector<Claim> derived_forms() {
                 return std::vector<Derived>{{eigenvector_slopes(), symbols::column({lambda1, lambda2})},
                                             {vieta_solution(), symbols::column({chi, eta})}};
               }),
-      derived("6.H", "$H(t)$ equals the matrix exponential, found from the resolvent of the first-order system",
+      derived("6.H",
+              "$H(t)$ equals the matrix exponential, found from the resolvent of the first-order system",
               [] {
                 return std::vector<Derived>{{slip_exponential(), H(t)}};
               }),

@@ -9,8 +9,8 @@
 #include "numeric/families/least_load.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/claims.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/nonsticking_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -7,10 +7,10 @@
 #include "model/symmetric.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/by_parts.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
-#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {

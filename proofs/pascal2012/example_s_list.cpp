@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/claims.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -1,6 +1,7 @@
 #include "proofs/pascal2012/paper.hpp"
 
 #include "proofs/pascal2012/abbreviations.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/judgement.hpp"
@@ -8,7 +9,6 @@
 #include "proofs/pascal2012/remarks.hpp"
 #include "proofs/pascal2012/source.hpp"
 #include "proofs/pascal2012/statements.hpp"
-#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/units.hpp"
 #include "proofs/text/claims_file.hpp"
 
@@ -20,19 +20,15 @@ namespace {
 
 // What the entries `program` of the text stand for.
 text::Programs programs() {
-  text::Programs result{{"3.Omega", unit_of_time()},
-                        {"39.frequencies", {frequencies_exist(), said_of_data()}},
-                        {"cycles", cycles()},
-                        {"met by orbits", met_by_orbits()},
-                        {"example S", example_S()},
-                        {"example O", example_O()},
-                        {"example P", example_P()},
-                        {"reduced", reduced()}};
+  text::Programs result{
+      {"3.Omega", unit_of_time()}, {"39.frequencies", {frequencies_exist(), said_of_data()}},
+      {"cycles", cycles()},        {"met by orbits", met_by_orbits()},
+      {"example S", example_S()},  {"example O", example_O()},
+      {"example P", example_P()},  {"reduced", reduced()}};
   for (const std::vector<Claim>& more :
        {derived_forms(), longer_slip(),
-        std::vector<Claim>{quantities_of_3(), zeros_of_16_at_S(), odd_resonance(),
-                           even_resonance(), not_always_symmetric(),
-                           motion_on_moving_belt(), computed_coefficients()}}) {
+        std::vector<Claim>{quantities_of_3(), zeros_of_16_at_S(), odd_resonance(), even_resonance(),
+                           not_always_symmetric(), motion_on_moving_belt(), computed_coefficients()}}) {
     for (const Claim& one : more) {
       result.insert_or_assign(one.id, std::vector<Claim>{one});
     }

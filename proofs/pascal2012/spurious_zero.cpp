@@ -7,13 +7,13 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/by_parts.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/claims.hpp"
+#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
-#include "proofs/tactics/closed.hpp"
-#include "proofs/tactics/estimate.hpp"
 #include "proofs/symbols/closing.hpp"
 #include "proofs/symbols/vocabulary.hpp"
+#include "proofs/tactics/closed.hpp"
+#include "proofs/tactics/estimate.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -34,10 +34,9 @@ using namespace symbols::vocabulary;
 // even_1, and leave -omega_1 omega_2 times this determinant of even_2; alpha_j = omega_j (tau + tau_1)/2.
 const symbols::Term alpha1 = omega1 * (tau + tau1) / 2, alpha2 = omega2 * (tau + tau1) / 2;
 const symbols::Term determinant = (lambda2 - lambda1) * cos(T / 2) * sin(alpha1) * sin(alpha2) +
-                                              sin(T / 2) * (lambda2 * omega1 * cos(alpha1) * sin(alpha2) -
-                                                            lambda1 * omega2 * cos(alpha2) * sin(alpha1));
-const symbols::Term place =
-    lambda2 * (omega1 * sin(alpha1) * cos(T / 2) + cos(alpha1) * sin(T / 2));
+                                  sin(T / 2) * (lambda2 * omega1 * cos(alpha1) * sin(alpha2) -
+                                                lambda1 * omega2 * cos(alpha2) * sin(alpha1));
+const symbols::Term place = lambda2 * (omega1 * sin(alpha1) * cos(T / 2) + cos(alpha1) * sin(T / 2));
 const symbols::Term swing = symbols::power(omega2, 2) * omega1 * sin(alpha1);
 const symbols::Term state =
     symbols::column({chi * place + swing * cos(T / 2), place, -swing * sin(T / 2), 0});

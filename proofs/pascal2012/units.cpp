@@ -93,41 +93,40 @@ Theorem quantities_exist(const Theorem& frequencies) {
   const auto positive = [](const Term& a, const std::vector<Positive>& because) {
     return Theorem::order(less(0, a), because);
   };
-  const Theorem stiff1 = above(0, k1), stiff2 = above(0, k2),
-                heavy1 = above(0, m1), heavy2 = above(0, m2),
+  const Theorem stiff1 = above(0, k1), stiff2 = above(0, k2), heavy1 = above(0, m1), heavy2 = above(0, m2),
                 stiff = positive(k, {{{stiff1}}, {{stiff2}}}), by_k = inverse_is_positive(stiff),
                 by_m1 = inverse_is_positive(heavy1), by_m2 = inverse_is_positive(heavy2);
   const Term ratio = k2 / k, masses = Term(m1) / m2, rate = k / m1;
   Theorem exist = Theorem::instantiate(frequencies, {{{"chi"}, ratio}, {{"eta"}, masses}});
-  for (const Theorem& known : {positive(ratio, {{{stiff2, by_k}}}),
-                               Theorem::order(less(ratio, 1), {Positive{{stiff1, by_k}}}),
-                               positive(masses, {{{heavy1, by_m2}}})}) {
+  for (const Theorem& known :
+       {positive(ratio, {{{stiff2, by_k}}}), Theorem::order(less(ratio, 1), {Positive{{stiff1, by_k}}}),
+        positive(masses, {{{heavy1, by_m2}}})}) {
     exist = Theorem::cut(known, exist);
   }
-  const Theorem scale = detach(Theorem::square_root(rate),
-                                        Theorem::order(at_most(0, rate), {Positive{{stiff, by_m1}}}));
-  return Theorem::cut(different(stiff),
-                      nonzero(both({exist, scale}), {heavy1, heavy2}));
+  const Theorem scale =
+      detach(Theorem::square_root(rate), Theorem::order(at_most(0, rate), {Positive{{stiff, by_m1}}}));
+  return Theorem::cut(different(stiff), nonzero(both({exist, scale}), {heavy1, heavy2}));
 }
 
 }  // namespace
 
 Claim quantities_of_3() {
-  return {.id = "3.exist",
-          .kind = methods::Kind::theorem,
-          .origin = Origin::auxiliary,
-          .words =
-              "for all positive masses and stiffnesses there are frequencies $0 < omega_1 < 1 < omega_2$ that "
-              "give $chi = k_2/(k_1 + k_2)$ and $eta = m_1/m_2$, and there is $Omega$ with $Omega^2 = (k_1 + "
-              "k_2)/m_1$: (3) names what exists",
-          .prove = [](methods::Prover& prover, const Claim&) {
-            methods::Outcome outcome;
-            outcome.route = "39.frequencies at these ratios, and a square root";
-            outcome.uses = {"39.frequencies"};
-            outcome.verdict = Verdict::proved();
-            prove(outcome, [&] { return quantities_exist(prover.theorem("39.frequencies")); });
-            return outcome;
-          }};
+  return {
+      .id = "3.exist",
+      .kind = methods::Kind::theorem,
+      .origin = Origin::auxiliary,
+      .words =
+          "for all positive masses and stiffnesses there are frequencies $0 < omega_1 < 1 < omega_2$ that "
+          "give $chi = k_2/(k_1 + k_2)$ and $eta = m_1/m_2$, and there is $Omega$ with $Omega^2 = (k_1 + "
+          "k_2)/m_1$: (3) names what exists",
+      .prove = [](methods::Prover& prover, const Claim&) {
+        methods::Outcome outcome;
+        outcome.route = "39.frequencies at these ratios, and a square root";
+        outcome.uses = {"39.frequencies"};
+        outcome.verdict = Verdict::proved();
+        prove(outcome, [&] { return quantities_exist(prover.theorem("39.frequencies")); });
+        return outcome;
+      }};
 }
 
 std::vector<Claim> unit_of_time() {

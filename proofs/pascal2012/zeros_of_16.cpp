@@ -28,13 +28,12 @@ Term diagonal(const Term& a, const Term& b) {
 const Term alpha1 = omega1 * tau / 2, alpha2 = omega2 * tau / 2, half_T = T / 2;
 const Term first = column({1, 0}), belt = column({0, V});
 // What stands beside the unknowns and alone: each equation is (a row) (z1(0), z2(0), z1'(0), 1) = 0.
-Term rows(const Term& of_place, const Term& of_speed, const Term& load_place,
-                               const Term& load_speed) {
+Term rows(const Term& of_place, const Term& of_speed, const Term& load_place, const Term& load_speed) {
   return block(1, {of_place, of_speed * first, of_speed * (belt + load_speed) - of_place * load_place});
 }
 const Term slip_load = Q * sin(omega * tau / 2), slip_load_speed = Q * omega * cos(omega * tau / 2);
 const Term of_16 = block(2, {rows(H1(tau) + I2, H2(tau), slip_load, slip_load_speed),
-                                    rows(Gamma1(T) + I2, -Gamma2(T), zero(2, 1), zero(2, 1))});
+                             rows(Gamma1(T) + I2, -Gamma2(T), zero(2, 1), zero(2, 1))});
 
 // The halves that are left when the cosines are divided out.
 const Term of_halves =

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -86,8 +88,9 @@ class Shaper {
         return power(base, static_cast<int>(node.number.get_num().get_si()));
       }
       case Op::negate:
-        return node.parts[0].op == Op::number ? Term(Rational(-node.parts[0].number))
-                                              : -sized(node.parts[0], wanted);
+        return node.parts[0].op == Op::number && node.parts[0].number != 0
+                   ? Term(Rational(-node.parts[0].number))
+                   : -sized(node.parts[0], wanted);
       case Op::derivative:
         return derivative(sized(node.parts[0], wanted));
       case Op::block:
@@ -125,6 +128,13 @@ class Shaper {
 
   // As far as it is known: of it alone, or with what is known of its place.
   [[nodiscard]] Size size_of(const Node& node, Size wanted = {}) const {
+    const std::array<int, 2> place{wanted.rows, wanted.columns};
+    const auto found = known_.find({&node, place});
+    return found != known_.end()
+               ? found->second
+               : known_.emplace(std::pair(&node, place), look_at(node, wanted)).first->second;
+  }
+  [[nodiscard]] Size look_at(const Node& node, const Size& wanted) const {
     if (node.abbreviation != nullptr) {
       const Shape shape = node.abbreviation->means.shape();
       return {shape.rows, shape.columns};
@@ -328,6 +338,7 @@ class Shaper {
 
   std::string_view line_;
   const Names& names_;
+  mutable std::map<std::pair<const Node *, std::array<int, 2>>, Size> known_;  // what size_of() found
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <functional>
 #include <optional>
 #include <set>
-#include <span>
 #include <sstream>
 
 #include "core/decimal.hpp"
@@ -80,12 +79,6 @@ bool is_reserved(const std::string& name) {
   return name == "I" || name == "det" || name == "for" || name == "but";
 }
 
-// Of proofs that are not made yet: the claim by its place among all, and the lines that name them.
-struct ProofLines {
-  std::size_t claim = 0;
-  std::map<std::string, Line> lines;  // by "by", "conversely by", "corrected by"
-};
-
 // The number that a term made of numbers is.
 std::optional<Rational> constant(const Term& term) {
   if (term.op() == symbols::Op::number) {
@@ -102,12 +95,20 @@ std::optional<Rational> constant(const Term& term) {
   return std::nullopt;
 }
 
+// What is proved of it.
+const std::vector<Statement>& form_of(const Claim& claim) {
+  return claim.corrected.empty() ? claim.printed : claim.corrected;
+}
+
 class Reading {
  public:
   Reading(std::string name, const Paper& known, const Programs& programs)
       : name_(std::move(name)), programs_(programs) {
     paper_ = known;
     names_ = symbols::names_of(symbols::symbol_table());
+    for (const Claim& claim : known.claims) {
+      context_->said.emplace(claim.id, form_of(claim));
+    }
   }
 
   [[nodiscard]] Paper read(const std::string& content) {
@@ -120,9 +121,8 @@ class Reading {
           {"claim", &Reading::claim},       {"program", &Reading::program}};
       const auto kind = kinds.find(word);
       if (kind == kinds.end()) {
-        fail(
-            fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, all, claim",
-                        word));
+        fail(fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, all, claim",
+                         word));
       }
       (this->*kind->second)(rest, entry);
     }
@@ -201,6 +201,7 @@ class Reading {
     }
     begun_ = alone_ = true;
     paper_ = {};
+    context_->said.clear();
     Bibliography& source = paper_.bibliography;
     source.title = rest;
     const std::map<std::string, std::string *> fields{{"author", &source.author},
@@ -407,6 +408,7 @@ class Reading {
     }
     for (Claim one : programs_.at(rest)) {
       one.place = section_.id;
+      context_->said.emplace(one.id, form_of(one));
       paper_.claims.push_back(std::move(one));
     }
   }
@@ -421,7 +423,7 @@ class Reading {
   void claim(const std::string& rest, const Entry& entry) {
     begun_ = true;
     Claim claim = claim_of(rest);
-    ProofLines proofs{paper_.claims.size(), {}};
+    std::map<std::string, Line> proofs;  // by "by", "conversely by", "corrected by"
     for (const Line& line : entry.body) {
       line_ = line.number;
       auto [word, text] = first_word(line.text);
@@ -438,7 +440,7 @@ class Reading {
       if (word == "if") {
         add_assumptions(claim, text);
       } else if (word == "by" || word == "conversely by" || word == "corrected by") {
-        if (!proofs.lines.emplace(word, Line{line_, text}).second) {
+        if (!proofs.emplace(word, Line{line_, text}).second) {
           fail(fmt::format("the claim {} has two proofs", claim.id));
         }
       } else if (word == "expect") {
@@ -465,36 +467,44 @@ class Reading {
       fail(fmt::format("the claim {} has words for {} parts, and states {} things", claim.id,
                        claim.parts.size(), stated));
     }
+    prove(claim, proofs);
     state(claim);
+    context_->said.emplace(claim.id, form_of(claim));
     paper_.claims.push_back(std::move(claim));
-    if (programs_.empty()) {
-      prove(proofs);
-    } else {
-      unproved_.push_back(proofs);  // by claims that follow, perhaps
-    }
   }
 
-  // Makes the proofs that the lines name.
-  void prove(const ProofLines& proofs) {
-    Claim& claim = paper_.claims[proofs.claim];
-    const std::span<const Claim> all(paper_.claims);
-    const ProofPlace place{claim, names_, programs_.empty() ? all.first(proofs.claim) : all};
-    const auto proof = [&](const Line& line) {
+  // Gives it the proofs that the lines name.
+  void prove(Claim& claim, const std::map<std::string, Line>& proofs) {
+    for (const auto& [word, line] : proofs) {
       line_ = line.number;
-      return line.text == "program" ? programmed(claim.id).prove
-                                    : here([&] { return proof_of(place, line.text); });
-    };
-    for (const auto& [word, line] : proofs.lines) {
-      (word == "by" ? claim.prove : word == "conversely by" ? claim.prove_converse : claim.prove_corrected) =
-          proof(line);
+      (word == "by"              ? claim.prove
+       : word == "conversely by" ? claim.prove_converse
+                                 : claim.prove_corrected) = proof(claim, line.text);
     }
     const bool is_given = claim.kind == Kind::model || (claim.kind == Kind::definition && !programs_.empty());
     if (!claim.prove && !is_given) {
-      claim.prove = proof_of(place, "");
+      claim.prove = proof_of({claim, *context_}, "");
     }
     if (!claim.corrected.empty() && !claim.prove_corrected) {
       claim.prove_corrected = claim.prove;
     }
+  }
+  [[nodiscard]] Proof proof(const Claim& claim, const std::string& line) const {
+    if (programs_.empty()) {
+      return here([&] { return proof_of({claim, *context_}, line); });
+    }
+    if (line == "program") {
+      return programmed(claim.id).prove;
+    }
+    // Read when it is needed, for there are many; then all claims are known. A line that is of another claim
+    // than this, or cannot be read, proves nothing.
+    return [context = std::shared_ptr<const ProofContext>(context_), line](Prover& prover, const Claim& of) {
+      try {
+        return proof_of({of, *context}, line)(prover, of);
+      } catch (const UsageError& error) {
+        return Outcome{.verdict = Verdict::undecided(error.what())};
+      }
+    };
   }
 
   // "id kind origin: words".
@@ -620,20 +630,18 @@ class Reading {
     if (!alone_ && std::ranges::find(paper_.claims, "own", &Claim::place) != paper_.claims.end()) {
       paper_.sections.push_back({"own", "Claims of your own", "own"});
     }
-    for (const ProofLines& proofs : unproved_) {
-      prove(proofs);
-    }
   }
 
   std::string name_;
   std::size_t line_ = 0;
   Paper paper_;
-  Names names_;
+  std::shared_ptr<ProofContext> context_ = std::make_shared<ProofContext>();
+  Names& names_ = context_->names;
   std::vector<symbols::Symbol> rows_;
   std::vector<Statement> domain_;
   std::map<std::string, std::vector<Assumption>> assumptions_;
   const Programs& programs_;
-  std::vector<ProofLines> unproved_;
+
   Section section_{"own", "Claims", "own"};
   bool begun_ = false, alone_ = false;
 };

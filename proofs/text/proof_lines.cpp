@@ -60,12 +60,12 @@ class Lines {
       }
     }
     if (result.empty()) {
-      const auto found = std::ranges::find(place_.before, without_claim(id), &Claim::id);
-      if (found == place_.before.end()) {
+      const auto found = place_.context.said.find(without_claim(id));
+      if (found == place_.context.said.end()) {
         throw UsageError(
             fmt::format("'{}' is neither assumed by {} nor a claim before it", id, place_.claim.id));
       }
-      result = found->corrected.empty() ? found->printed : found->corrected;
+      result = found->second;
     }
     return result;
   }
@@ -83,7 +83,9 @@ class Lines {
     return id;
   }
 
-  [[nodiscard]] Term term(const std::string& text) const { return symbols::parse_term(text, place_.names); }
+  [[nodiscard]] Term term(const std::string& text) const {
+    return symbols::parse_term(text, place_.context.names);
+  }
 
   // "id at t = tau1, s = 0 for H(t) over H2(t) given step by 13".
   [[nodiscard]] Premise premise(const std::string& text) const {
@@ -122,7 +124,7 @@ class Lines {
   [[nodiscard]] std::vector<Statement> statements(const std::string& text) const {
     std::vector<Statement> result;
     for (const std::string& part : parts_of(text, ';')) {
-      for (const Statement& one : symbols::parse_statements(part, place_.names)) {
+      for (const Statement& one : symbols::parse_statements(part, place_.context.names)) {
         result.push_back(one);
       }
     }
@@ -142,7 +144,7 @@ class Lines {
 
   [[nodiscard]] Sum sum(const std::string& text, const symbols::Shape& shape = {}) const {
     Sum result;
-    symbols::Names names = place_.names;
+    symbols::Names names = place_.context.names;
     std::string plain;
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] != '@') {
@@ -186,8 +188,7 @@ class Lines {
       for (const std::string& value : values.empty() ? std::vector<std::string>{} : parts_of(values, ',')) {
         premise = at(premise, value);
       }
-      result.cites.emplace(letter,
-                           Cite{premise, which - 1, statement.relation == symbols::Relation::equal});
+      result.cites.emplace(letter, Cite{premise, which - 1, statement.relation == symbols::Relation::equal});
       plain += " " + letter + " ";
       i = end - 1;
     }
@@ -267,7 +268,7 @@ class Lines {
     for (const std::string& part : parts_of(parts.front().substr(3), ',')) {
       const auto equals = part.find('=');
       const std::string name = trimmed(part.substr(0, equals));
-      if (equals == std::string::npos || !place_.names.quantities.contains(name)) {
+      if (equals == std::string::npos || !place_.context.names.quantities.contains(name)) {
         throw UsageError(fmt::format("'{}': a symbol of a number, '=' and its value", part));
       }
       result.point.push_back({name, parse_rational(trimmed(part.substr(equals + 1)))});
@@ -409,17 +410,16 @@ std::vector<std::string> parts_of(const std::string& text, std::size_t count, co
 std::pair<std::string, std::optional<std::string>> with_clause(const std::string& text,
                                                                const std::string& word) {
   const auto place = text.rfind(fmt::format(" {} ", word));
-  return place == std::string::npos
-             ? std::pair(text, std::optional<std::string>())
-             : std::pair(trimmed(text.substr(0, place)),
-                         std::optional(trimmed(text.substr(place + word.size() + 2))));
+  return place == std::string::npos ? std::pair(text, std::optional<std::string>())
+                                    : std::pair(trimmed(text.substr(0, place)),
+                                                std::optional(trimmed(text.substr(place + word.size() + 2))));
 }
 
 Proof order(const ProofPlace& place, const Lines& lines, const std::string& text) {
   const auto [sums, positive] = with_clause(text, "positive");
   return by_positive_combination(
-      for_each_statement<Certificate>(place, sums,
-                                      [&](const std::string& part, const Statement&) { return lines.certificate(part); }),
+      for_each_statement<Certificate>(
+          place, sums, [&](const std::string& part, const Statement&) { return lines.certificate(part); }),
       positive ? std::optional(lines.premise(*positive)) : std::nullopt);
 }
 
@@ -441,8 +441,8 @@ Proof mean_value(const Lines& lines, const std::string& text) {
 Proof zero_of_cosine(const Lines& lines, const std::string& text) {
   const std::vector<std::string> parts =
       parts_of(text, 4, "an angle, a premise, and two numbers between which angle/pi lies");
-  return by_zero_of_cosine({lines.term(parts[0]), lines.premise(parts[1]), parse_rational(parts[2]),
-                            parse_rational(parts[3])});
+  return by_zero_of_cosine(
+      {lines.term(parts[0]), lines.premise(parts[1]), parse_rational(parts[2]), parse_rational(parts[3])});
 }
 
 Proof nonzero(const Lines& lines, const std::string& text) {
@@ -486,7 +486,8 @@ Proof instances(const Lines& lines, const std::string& text) {
     for (const std::string& function : parts_of(functions.value_or(""), ',')) {
       const auto equals = function.find('=');
       if (functions && equals == std::string::npos) {
-        throw UsageError(fmt::format("'{}': after 'with' stand a function, '=' and its value at t", function));
+        throw UsageError(
+            fmt::format("'{}': after 'with' stand a function, '=' and its value at t", function));
       }
       if (functions) {
         one.functions.emplace(trimmed(function.substr(0, equals)), lines.term(function.substr(equals + 1)));
@@ -518,7 +519,9 @@ Proof proof_of(const ProofPlace& place, const std::string& line) {
       {"combination",
        [&](const std::string& rest) {
          return by_combination(for_each_statement<std::vector<methods::Multiple>>(
-             place, rest, [&](const std::string& part, const Statement& printed) { return lines.multiples(part, printed); }));
+             place, rest, [&](const std::string& part, const Statement& printed) {
+               return lines.multiples(part, printed);
+             }));
        }},
       {"order", [&](const std::string& rest) { return order(place, lines, rest); }},
       {"nonzero", [&](const std::string& rest) { return nonzero(lines, rest); }},

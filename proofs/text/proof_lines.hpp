@@ -1,20 +1,26 @@
 // Proofs named in a file of claims.
 #pragma once
 
-#include <span>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "proofs/methods/claim.hpp"
 #include "proofs/symbols/parse.hpp"
 
 namespace stickslip::proofs::text {
 
-// What stands about a proof: its claim with all that it states and assumes, the names of the file, the claims
-// before.
+// What proofs may speak of: the names of the file, and what claims state, by their ids, in the form that is
+// proved.
+struct ProofContext {
+  symbols::Names names;
+  std::map<std::string, std::vector<symbols::Statement>> said;
+};
+
+// What stands about a proof: its claim with all that it states and assumes.
 struct ProofPlace {
   const methods::Claim& claim;
-  const symbols::Names& names;
-  std::span<const methods::Claim> before;
+  const ProofContext& context;
 };
 
 // The proof that the line names:
@@ -33,8 +39,8 @@ struct ProofPlace {
 //   CERTIFICATE, one for each printed inequality: SUM [times SUM], whose products are of what is positive and
 //   of any number of @ID of inequalities, or of one @ID of an equation
 // in the order in which methods/methods.hpp, implications.hpp and motions.hpp have them. An ID is that of an
-// assumption of the claim, or else of a claim before it; `claim ID` is the claim. Nothing: whatever method
-// works (methods/automatic.hpp). Throws UsageError, or ParseError.
+// assumption of the claim, or else of a claim of the context; `claim ID` is the claim. Nothing: whatever
+// method works (methods/automatic.hpp). Throws UsageError, or ParseError.
 [[nodiscard]] methods::Proof proof_of(const ProofPlace& place, const std::string& line);
 
 }  // namespace stickslip::proofs::text

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "proofs/methods/implications.hpp"
-#include "proofs/pascal2012/half_period.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 #include "tests/proofs/methods/status.hpp"
 
 using namespace stickslip;
@@ -38,6 +38,18 @@ std::function<void(Claim&)> without(const std::string& assumption) {
   };
 }
 
+// What the paper assumes under that id.
+Assumption assumed(const std::string& id) {
+  for (const Claim& claim : paper().claims) {
+    for (const Assumption& one : claim.assumptions) {
+      if (one.id == id) {
+        return one;
+      }
+    }
+  }
+  throw InternalError("nothing is assumed as " + id);
+}
+
 const Term speed = block(1, {0, 0, 0, 1});
 
 // z2(tau) - z2(0) < bound tau from x2' < bound.
@@ -45,10 +57,10 @@ Claim mean_value(const Term& bound, const Statement& printed) {
   return {.id = "mean",
           .place = "test",
           .printed = {printed},
-          .assumptions = {half_period::slips_below,
-                          half_period::begins,
-                          half_period::slip_takes_time,
-                          half_period::named_B,
+          .assumptions = {assumed("2.slip"),
+                          assumed("6.Z0"),
+                          assumed("tau.positive"),
+                          assumed("28.ZB"),
                           {"slope", during(0, tau, {speed * X(t), bound, Relation::less})}},
           .prove = by_mean_value({.phase = "2.slip",
                                   .slope = "slope",
@@ -78,7 +90,11 @@ TEST_CASE("a closed form is that of a motion which obeys the equation, on its in
   // Under another friction, of another flow, with another start.
   CHECK(status(paper_with("5",
                           [](Claim& claim) {
-                            claim.assumptions[0] = half_period::slips("2.slip", -(eta * us), 0, tau);
+                            const Statement slips = assumed("2.slip").statement;
+                            claim.assumptions[0] = {
+                                "2.slip",
+                                during(0, tau,
+                                       equation(slips.left, slips.right - column({0, 0, 0, 2 * eta * us})))};
                           }),
                "5") == Status::undecided);
   CHECK(status(paper_with("5",
@@ -99,7 +115,7 @@ TEST_CASE("two closed forms are of two motions: no letter ties a slip to an over
   const Claim both{.id = "both",
                    .place = "test",
                    .printed = {equation(L(t) * d0, zero(4, 1))},
-                   .assumptions = {half_period::begins},
+                   .assumptions = {assumed("6.Z0")},
                    .prove = by_rewriting({from("8").solved_for(L(t) * d0), from("5")})};
   CHECK(verdict(both) == Truth::undecided);
 }

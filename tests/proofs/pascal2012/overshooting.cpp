@@ -4,9 +4,10 @@
 #include "proofs/checks/edits.hpp"
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/pascal2012/overshooting.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/pascal2012/statements.hpp"
+#include "proofs/symbols/closing.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 #include "tests/proofs/checks/decided.hpp"
 #include "tests/proofs/checks/wrong.hpp"
 
@@ -16,7 +17,8 @@ using namespace stickslip::proofs::checks;
 using namespace stickslip::proofs::methods;
 using namespace stickslip::proofs::pascal2012;
 using namespace stickslip::proofs::symbols;
-using namespace stickslip::proofs::pascal2012::overshooting;
+using namespace stickslip::proofs::symbols::closing;
+using namespace stickslip::proofs::symbols::vocabulary;
 
 namespace {
 

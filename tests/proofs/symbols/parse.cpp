@@ -71,7 +71,7 @@ TEST_CASE("a line is read as it is meant") {
   CHECK(equal(read("-chi eta = 0.25"), equation(-chi * eta, Term(Rational(1, 4)))));
   CHECK(equal(read("d/dt[t B2(t)] = B2(t) + t B2'(t)"),
               equation(derivative(t * B2(t)), B2(t) + t * derivative(B2(t)))));
-  CHECK(equal(read("[0, I; -K, 0] Z0 = 0"), equation(first_order(K) * Z0, 0)));
+  CHECK(equal(read("[0, I; -K, 0] Z0 = 0"), equation(first_order(K) * Z0, zero(4, 1))));
   CHECK(text(read("Z0 - 0 + (0)/2 = [1; 0; 0; 0]")) == "Z0 - 0 + 0/2 = [1; 0; 0; 0]");
   CHECK(text(read("K ([0; V] - 0) = d0")) == "K*([0; V] - 0) = d0");
   CHECK(equal(read("det(H3(t)) > 0"), Statement{determinant(H3(t)), 0, Relation::greater}));

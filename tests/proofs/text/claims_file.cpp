@@ -157,6 +157,27 @@ TEST_CASE("proofs have names") {
   // Of a wrong formula the corrected form is proved.
   CHECK(status_of("claim c identity: .\n  (a - b)^2 = a^2 + 2 a b + b^2\n  corrected (a + b)^2 = a^2 + 2 a b "
                   "+ b^2\n") == "misprint_corrected");
+  // A premise at other values; the sum of blocks takes the size of what is stated; nothing is needed.
+  CHECK(status_of("claim one step: .\n  (x + 1)^2 = x^2 + 2 x + 1\nclaim c step: .\n"
+                  "  (b + 1)^2 = b^2 + 2 b + 1\n  by combination @one[x = b]\n") == "as_printed");
+  CHECK(status_of("claim c step: .\n  [a; b] = 0\n  if e: a = 0\n  if z: b = 0\n"
+                  "  by combination [1; 0] @e + [0; 1] @z\n") == "as_printed");
+  CHECK(status_of("claim c step: .\n  a - a = 0\n  by combination 0\n") == "as_printed");
+  // More than one divisor; a square that is positive where something is.
+  CHECK(status_of("claim c step: .\n  0 < x\n  if e: a x = b\n  if p: 0 < a\n  if q: 0 < b\n"
+                  "  by order @q + @e times @p\n") == "as_printed");
+  CHECK(status_of("claim c step: .\n  |x| < a\n  if p: 0 < a\n  if q: x^2 < a^2\n"
+                  "  by order @q positive p\n") == "as_printed");
+  CHECK(status_of("claim c step: .\n  |x| < a\n  if q: x^2 < a^2\n  by order @q\n") == "refuted");
+  CHECK(status_of("claim c step: .\n  a != 0\n  if e: a b != 0\n  by nonzero e times a b^2\n") ==
+        "as_printed");
+  CHECK(status_of("claim c step: .\n  a != 0\n  if e: b != 0\n  by nonzero e times b\n") == "refuted");
+  CHECK(status_of("claim c step: .\n  x = pi/2\n  if e: cos(x) = 0\n  if p: 0 < x\n  if q: x < pi\n"
+                  "  by zero of cosine x; e; 0; 1\n") == "as_printed");
+  CHECK(status_of("claim c step: .\n  x = pi/2\n  if e: cos(x) = 0\n  if p: 0 < x\n  if q: x < 2 pi\n"
+                  "  by zero of cosine x; e; 0; 2\n") == "undecided");
+  CHECK(status_of("assume e e.id: a = b\n  b = x\nall both = e\nclaim c step: .\n  a = x\n  if both\n"
+                  "  by combination @e.id#1 + @e.id#2\n") == "as_printed");
   // Abbreviations with arguments; a line that goes on.
   CHECK(status_of("let f(s, u) = s^2 - u\nclaim c identity: .\n  f(a + b, 2 a b) =\n    a^2 + b^2\n") ==
         "as_printed");
@@ -164,7 +185,7 @@ TEST_CASE("proofs have names") {
 
 TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal("nonsense\n") ==
-        "F:1: 'nonsense' begins no entry: there are paper, symbols, let, section, assume, claim");
+        "F:1: 'nonsense' begins no entry: there are paper, symbols, let, section, assume, all, claim");
   CHECK(refusal("  indented\n") == "F:1: an indented line belongs to an entry, and there is none before it");
   CHECK(refusal("paper P\n") == "F: there is no claim in it");
   CHECK(refusal("symbols a\n") ==
@@ -225,7 +246,37 @@ TEST_CASE("what a file may not say is refused with its place") {
         "F:6: c states 1 things, and its proof is of 2");
   CHECK(refusal_of("claim c step: .\n  a = b\n  expect wonder\n") == "F:5: 'wonder' is no status of a claim");
   CHECK(refusal_of("claim c step: .\n  a = b\n  by normal form\n  by normal form\n") ==
-        "F:3: the claim c has 2 proofs");
+        "F:6: the claim c has two proofs");
+  // What only this program's own text may say.
+  CHECK(refusal_of("program example S\n") == "F:3: there is no program 'example S'");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  by program\n").starts_with("F:5: 'program' is no method"));
+  CHECK(refusal_of("claim c step: .\n  a = b\n  part one\n  part two\n") ==
+        "F:3: the claim c has words for 2 parts, and states 1 things");
+  CHECK(refusal_of("all e = f\n") == "F:3: nothing is assumed as 'f'");
+  CHECK(refusal_of("assume e: a = b\nall e = e\n") == "F:4: there are two assumptions e");
+  const auto refused_proof = [](const std::string& line) {
+    return refusal_of("claim c step: .\n  a < b\n  if e: a < b\n  if z: a = 0\n  by " + line + "\n");
+  };
+  CHECK(refused_proof("combination @z[x = 1") == "F:7: '@z[': the bracket is not closed");
+  CHECK(refused_proof("order @e times @z") == "F:7: '@e times @z': after 'times' stands what is positive");
+  CHECK(refused_proof("order @e positive w") == "F:7: 'w' is neither assumed by c nor a claim before it");
+  CHECK(refused_proof("nonzero e") == "F:7: 'e': after the assumption stand 'times' and a multiplier");
+  CHECK(refused_proof("nonzero w times a") == "F:7: c assumes nothing as 'w'");
+  CHECK(refused_proof("flow a; b") ==
+        "F:7: 'a; b': there stand the flow, the forced motion, and what is assumed of the phase");
+  CHECK(
+      refused_proof("mean value 1; e; e; e")
+          .ends_with("there stand a row, and what is assumed of phase, slope, beginning, end and duration"));
+  CHECK(refused_proof("zero of cosine a; z; 0")
+            .ends_with("there stand an angle, a premise, and two numbers between which angle/pi lies"));
+  CHECK(refused_proof("zero of cosine a; z; 0; x").starts_with("F:7: "));
+  CHECK(refused_proof("decrease e").ends_with("there stand a premise and a weight"));
+  CHECK(
+      refused_proof("periodic decrease e; 1").ends_with("there stand a premise, a weight and what returns"));
+  CHECK(refused_proof("instances e with x") ==
+        "F:7: 'x': after 'with' stand a function, '=' and its value at t");
+  CHECK(refused_proof("counterexample at a = 1; because b = 2")
+            .ends_with("a counterexample goes on with 'where', 'with' or 'not'"));
   CHECK(refusal_of("let big = (a + b)^2\nlet big2 = " + std::string(150, '(') + "big" +
                    std::string(150, ')') + "\nclaim c step: .\n  big2 = 1\n") == "");
   CHECK(refusal(std::string(5000000, 'x')) == "F: a file of claims has at most 4000000 characters");
