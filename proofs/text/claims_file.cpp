@@ -161,8 +161,10 @@ class Reading {
         first = std::min(first, indent);
       }
       Entry& entry = found.back();
+      const std::string word = first_word(entry.head.text).first;
+      const bool has_lines = word == "paper" || word == "assume" || word == "claim";
       for (const auto& [indent, line] : indented) {
-        if (indent == first) {
+        if (indent == first && has_lines) {
           entry.body.push_back(line);
         } else {
           (entry.body.empty() ? entry.head : entry.body.back()).text += " " + line.text;
@@ -225,8 +227,7 @@ class Reading {
     make_vocabulary();
   }
 
-  void symbols_line(const std::string& rest, const Entry& entry) {
-    no_body(entry);
+  void symbols_line(const std::string& rest, const Entry&) {
     require_alone("symbols");
     const auto in = rest.find(" in ");
     for (const std::string& name : split(rest.substr(0, in), ',')) {
@@ -267,8 +268,7 @@ class Reading {
     }
   }
 
-  void let(const std::string& rest, const Entry& entry) {
-    no_body(entry);
+  void let(const std::string& rest, const Entry&) {
     begun_ = true;
     const auto equals = rest.find('=');
     if (equals == std::string::npos) {
@@ -328,8 +328,7 @@ class Reading {
     return size;
   }
 
-  void section(const std::string& rest, const Entry& entry) {
-    no_body(entry);
+  void section(const std::string& rest, const Entry&) {
     begun_ = true;
     const auto [id, title] = first_word(rest);
     if (!is_id(id)) {
@@ -362,8 +361,7 @@ class Reading {
   }
 
   // "NAME = ID, ID, …".
-  void all(const std::string& rest, const Entry& entry) {
-    no_body(entry);
+  void all(const std::string& rest, const Entry&) {
     begun_ = true;
     const auto equals = rest.find('=');
     const std::string name = trimmed(rest.substr(0, equals));
@@ -401,8 +399,7 @@ class Reading {
   }
 
   // Claims that the program makes itself, in this place.
-  void program(const std::string& rest, const Entry& entry) {
-    no_body(entry);
+  void program(const std::string& rest, const Entry&) {
     if (!programs_.contains(rest)) {
       fail(fmt::format("there is no program '{}'", rest));
     }
@@ -589,12 +586,6 @@ class Reading {
     return words;
   }
 
-  void no_body(const Entry& entry) {
-    if (!entry.body.empty()) {
-      line_ = entry.body.front().number;
-      fail("only papers and claims have lines that belong to them");
-    }
-  }
   void require_alone(const char * what) {
     begun_ = true;
     if (!alone_) {
