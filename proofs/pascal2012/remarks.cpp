@@ -87,8 +87,8 @@ std::vector<Remark> on_orbits() {
        .place = "Section 6, after (25)",
        .says = "once (25) holds the second mass slips below the belt's velocity until $tau$",
        .fact = "it may exceed the belt's velocity within the slip, though (25), (26), (36) and (37) hold and "
-               "the motion closes: by 0.82 at $omega_1 = 0.56$, $omega_2 = 2.4$, $omega = 0.49$, $u_s = "
-               "0.1$, $u_r = 0.15$, $V = 0$ and the load that makes $phi = -0.2$",
+               "the motion closes: by 0.57 at $omega_1 = 2/3$, $omega_2 = 2.4$, $omega = 0.5$, $u_s = "
+               "0.1$, $u_r = 0.15$, $V = 0$ and the load that makes $phi = -0.25$",
        .because = "(25) and (26) look at the ends of the slip alone; that $x2' < V$ between them is a "
                   "condition of its own, on the load, too (37.speed)",
        .see = "stickslip check 25.enough --explain",
