@@ -1,7 +1,10 @@
 #include "proofs/methods/refutation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "proofs/methods/deciding.hpp"
 #include "proofs/methods/derivation.hpp"
@@ -96,6 +99,94 @@ Rational any_value(const std::string& name, const Rational& state) {
                                       : Rational(bounds.lower.value_or(0) + 1);
 }
 
+// X is one function before the time c, and another from then on: terms without variables, as a, c and e are.
+class Joined {
+ public:
+  // a < c, c < e, before(c) = after(c).
+  Joined(const Term& before, const Term& after, const Term& a, const Term& c, const Term& e,
+         const Theorem& meet)
+      : X_{"X", before.type()},
+        pieces_{Piece{before, a, c}, Piece{after, c, e}},
+        exists_(Theorem::piecewise(before, after, c)),
+        said_(Theorem::assume(opened(exists_.conclusion(), X_))),
+        agrees_{before_agrees(meet), after_agrees()} {}
+
+  // The theorem, which rests on what X is, without that: X is bound in it.
+  [[nodiscard]] Theorem closed(const Theorem& theorem) const { return Theorem::choose(exists_, X_, theorem); }
+
+  // function(time) = X(time), at a time from a to e.
+  [[nodiscard]] Theorem at_time(const Term& time, std::size_t k) const {
+    return at(agrees_[k], time, certainly(within(pieces_[k].from, time, pieces_[k].to)));
+  }
+  [[nodiscard]] std::size_t piece_at(const Term& time) const {
+    try {
+      (void)certainly(less(time, pieces_[0].to));
+      return 0;
+    } catch (const KernelError&) {
+      return 1;
+    }
+  }
+  // "X is continuous on [from, to], and X' = v at each time between", from the same of the function.
+  [[nodiscard]] Theorem moves(std::size_t k, const Formula& phase, const Theorem& of_function) const {
+    const Piece& piece = pieces_[k];
+    const Variable t = fresh(real_number, {phase});
+    const auto same = [&](const Term& time, const Theorem& during) {
+      return at(agrees_[k], time,
+                both({Theorem::order(at_most(piece.from, time), {Positive{{part(during, 0)}}}),
+                      Theorem::order(at_most(time, piece.to), {Positive{{part(during, 1)}}})}));
+    };
+    const Formula during = between(piece.from, t, piece.to);
+    const Theorem here = Theorem::assume(during), equal_here = same(t, here);
+    const Theorem slope = Theorem::same_derivative(
+        at(part(of_function, 1), t, here), for_every(t, during, equal_here), part(here, 0), part(here, 1));
+    const Formula goal = opened(phase.parts()[1], t).parts()[1];
+    return both({Theorem::same_continuity(part(of_function, 0), agrees_[k]),
+                 for_every(t, during, with_X(equal_here, t, goal, slope))});
+  }
+  // The formula, in which X(time) stands, from the same with the function's value there.
+  [[nodiscard]] Theorem with_X(const Theorem& equation, const Term& time, const Formula& goal,
+                               const Theorem& theorem) const {
+    const Variable place{"place", real_matrix(X_.type.rows, X_.type.columns)};
+    return Theorem::replace(equation, place, replaced(goal, apply(X_, time), place), theorem);
+  }
+
+ private:
+  struct Piece {
+    Term function, from, to;
+  };
+  // For all t: a <= t <= c ⇒ before(t) = X(t).
+  [[nodiscard]] Theorem before_agrees(const Theorem& meet) const {
+    const auto& [before, a, c] = pieces_[0];
+    const Variable t = fresh(real_number, {exists_.conclusion()}), place{"place"};
+    const Formula during = within(a, t, c), goal = equal(apply(before, t), apply(X_, t));
+    const Theorem here = Theorem::assume(during);
+    const auto from_now = detach(part(Theorem::specialize(said_, c), 1), certainly(at_most(c, c)));
+    const Theorem there =
+        Theorem::combination(equal(apply(before, c), apply(X_, c)), {{meet}, {from_now, -1}});
+    const Theorem strictly = Theorem::discharge(
+        symmetric(detach(part(Theorem::specialize(said_, t), 0), Theorem::assume(less(t, c)))), less(t, c));
+    const Theorem last =
+        Theorem::discharge(Theorem::replace(symmetric(Theorem::assume(equal(t, c))), place,
+                                            equal(apply(before, place), apply(X_, place)), there),
+                           equal(t, c));
+    return for_every(t, during,
+                     Theorem::consequence({part(here, 1), strictly, last, Theorem::trichotomy(t, c)}, goal));
+  }
+  // For all t: c <= t <= e ⇒ after(t) = X(t).
+  [[nodiscard]] Theorem after_agrees() const {
+    const Variable t = fresh(real_number, {exists_.conclusion()});
+    const Formula during = within(pieces_[1].from, t, pieces_[1].to);
+    return for_every(
+        t, during,
+        symmetric(detach(part(Theorem::specialize(said_, t), 1), part(Theorem::assume(during), 0))));
+  }
+
+  Variable X_;
+  std::array<Piece, 2> pieces_;
+  Theorem exists_, said_;
+  std::array<Theorem, 2> agrees_;
+};
+
 // What holds at the scene, for its variables' values.
 class Place {
  public:
@@ -133,6 +224,9 @@ class Place {
 
   // The formula with the motion put in, and its theorem at the place.
   [[nodiscard]] Theorem holds(const Formula& formula) {
+    if (joined_) {
+      return of_pieces(formula, [this](const Formula& open) { return holds(open); });
+    }
     const Formula open = substitute(formula, motion_);
     if (open.kind() == kernel::Kind::equal) {
       try {
@@ -143,30 +237,64 @@ class Place {
     }
     return certainly(substitute(open, values_));
   }
-  [[nodiscard]] Theorem fails(const Formula& formula) const {
+  [[nodiscard]] Theorem fails(const Formula& formula) {
+    if (joined_) {
+      return of_pieces(negation(formula), [this](const Formula& open) { return fails(open.parts()[0]); });
+    }
     return certainly_not(substitute(substitute(formula, motion_), values_));
   }
 
   // The first of the functions, for X, that obeys the phase, with the theorem. Throws KernelError if none
   // does.
-  Theorem move(const Formula& phase, const std::vector<Term>& functions) {
+  [[nodiscard]] std::pair<Term, Theorem> moving(const Formula& phase, const std::vector<Term>& functions) {
     const Variable X{"X", functions.front().type()};
     for (const Term& one : functions) {
       try {
         const Theorem open = obeys(derivation_, substitute(phase, {{X, one}}));
-        const Theorem here = without_hypotheses(Theorem::instantiate(open, values_));
-        motion_.insert_or_assign(X, one);
-        return here;
+        return {one, without_hypotheses(Theorem::instantiate(open, values_))};
       } catch (const KernelError&) {
         continue;
       }
     }
     throw KernelError("no motion is known that obeys " + to_string(phase));
   }
+  Theorem move(const Formula& phase, const std::vector<Term>& functions) {
+    const auto [function, theorem] = moving(phase, functions);
+    motion_.insert_or_assign(Variable{"X", function.type()}, function);
+    return theorem;
+  }
+  // Two phases, one after the other: X is a function of each. Of both phases.
+  std::vector<Theorem> join(const std::array<Formula, 2>& phases,
+                            const std::array<std::vector<Term>, 2>& functions) {
+    std::vector<Theorem> moves;
+    for (std::size_t k : {0U, 1U}) {
+      const auto [function, theorem] = moving(phases[k], functions[k]);
+      functions_.push_back(function);
+      moves.push_back(theorem);
+    }
+    motion_.clear();
+    const auto time = [&](std::size_t k, std::size_t end) { return phases[k].parts()[0].parts()[end]; };
+    const Term &a = time(0, 1), &c = time(0, 2), &e = time(1, 2);
+    const Theorem meet = holds(equal(apply(functions_[0], c), apply(functions_[1], c)));
+    const auto here = [&](const Term& term) { return substitute(term, values_); };
+    joined_.emplace(here(functions_[0]), here(functions_[1]), here(a), here(c), here(e), meet);
+    for (std::size_t k : {0U, 1U}) {
+      moves[k] = joined_->moves(k, here(phases[k]), moves[k]);
+    }
+    return moves;
+  }
+
+  // Of a further phase: that the motion obeys it, too, with these values.
+  [[nodiscard]] Theorem moves_on(const Formula& phase) {
+    return without_hypotheses(obeys(derivation_, substitute(substitute(phase, motion_), values_)));
+  }
 
   // ⊢ there are values of all its variables with the formula, which holds here.
   [[nodiscard]] Theorem exists(const Formula& formula, Theorem theorem) const {
     Substitution all = values_;
+    if (joined_) {
+      all.emplace(Variable{"X", functions_[0].type()}, Variable{"X", functions_[0].type()});
+    }
     for (const auto& [X, function] : motion_) {
       all.insert_or_assign(X, substitute(function, values_));
     }
@@ -184,15 +312,46 @@ class Place {
       const Variable& name = names[names.size() - bound];
       theorem = Theorem::witness(theorem, substitute(steps[bound], all), all.at(name));
     }
-    return theorem;
+    return joined_ ? joined_->closed(theorem) : theorem;
   }
 
  private:
+  // Where X is joined of two: its values are those of one of these, of which `prove` makes the theorem.
+  template <class Prove>
+  [[nodiscard]] Theorem of_pieces(const Formula& formula, const Prove& prove) {
+    const Variable X{"X", functions_[0].type()};
+    std::set<Term> times;
+    const auto visit = [&](const auto& self, const Term& term) -> void {
+      if (term.kind() == kernel::Kind::apply && term.parts()[0] == Term(X)) {
+        times.insert(term.parts()[1]);
+      }
+      std::ranges::for_each(term.parts(), [&](const Term& one) { self(self, one); });
+    };
+    visit(visit, formula);
+    const auto joined = std::exchange(joined_, std::nullopt);
+    Formula open = formula;
+    std::vector<std::pair<Term, std::size_t>> pieces;
+    for (const Term& time : times) {
+      pieces.emplace_back(time, joined->piece_at(substitute(time, values_)));
+      open = replaced(open, apply(X, time), apply(functions_[pieces.back().second], time));
+    }
+    Theorem theorem = prove(open);
+    joined_ = joined;
+    for (const auto& [time, piece] : pieces) {
+      open = replaced(open, apply(functions_[piece], time), apply(X, time));
+      const Term here = substitute(time, values_);
+      theorem = joined->with_X(joined->at_time(here, piece), here, substitute(open, values_), theorem);
+    }
+    return theorem;
+  }
+
   Claim claim_;
   Derivation derivation_;
   Rational state_;
-  Substitution values_;  // terms without variables
-  Substitution motion_;  // X in terms of the variables
+  Substitution values_;          // terms without variables
+  Substitution motion_;          // X in terms of the variables
+  std::vector<Term> functions_;  // or those of which it is joined
+  std::optional<Joined> joined_;
 };
 
 // The domain of the variables among these.
@@ -238,8 +397,20 @@ Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols
     }
   }
   if (phase != holding.end()) {
-    const Formula& moves = held[static_cast<std::size_t>(phase - holding.begin())];
-    known.emplace(moves, place.move(moves, candidates(derivation, *phase, start_of(*phase, holding))));
+    const auto next = std::find_if(phase + 1, holding.end(), is_of_a_phase);
+    const auto formula = [&](auto one) { return held[static_cast<std::size_t>(one - holding.begin())]; };
+    const auto functions = [&](auto one) { return candidates(derivation, *one, start_of(*one, holding)); };
+    known.emplace(formula(phase), place.move(formula(phase), functions(phase)));
+    if (next != holding.end()) {
+      try {
+        known.emplace(formula(next), place.moves_on(formula(next)));
+      } catch (const KernelError&) {
+        const std::vector<Theorem> moves =
+            place.join({formula(phase), formula(next)}, {functions(phase), functions(next)});
+        known.insert_or_assign(formula(phase), moves[0]);
+        known.insert_or_assign(formula(next), moves[1]);
+      }
+    }
   }
   std::vector<Theorem> theorems;
   for (const Formula& one : held) {

@@ -15,7 +15,8 @@ class Prover;
 
 // Values of symbols: rational ones, and those that are given in terms of others, "symbol = value". A motion X
 // that is assumed to obey a linear differential equation is found: the flow from the state Z(a) in which it
-// is said to begin, or from rest.
+// is said to begin, or from rest. Where it is assumed of a second phase it obeys this as it is, or is joined
+// of a flow for each.
 struct Scene {
   std::vector<Coordinate> point = {};
   std::vector<symbols::Statement> values = {};

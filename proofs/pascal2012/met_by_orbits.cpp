@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -35,6 +36,53 @@ Claim claim_of(const std::string& id, const Met& met) {
                 return outcome;
               },
           .meets = met.ids};
+}
+
+// The motion (34) of two slips of half a period each, under a load of any size and phase.
+std::vector<symbols::Statement> half_periods() {
+  using namespace symbols::vocabulary;
+  using symbols::equation;
+  const symbols::Term speed1 = -q1 * omega * sin(phi) - a1 * d01 - a2 * d02,
+                      speed2 = -q2 * omega * sin(phi) - b1 * d01 - b2 * d02;
+  return {equation(tau, symbols::pi() / omega),
+          equation(tau1, symbols::pi() / omega),
+          equation(Theta, 2 * symbols::pi() / omega),
+          equation(phi, -symbols::pi() / 2),
+          equation(z10, q1 * cos(phi) - d01),
+          equation(z20, q2 * cos(phi) - d02),
+          equation(zdot10, speed1),
+          equation(zdot20, speed2),
+          equation(z1B, -q1 * cos(phi) - d01),
+          equation(z2B, -q2 * cos(phi) - d02),
+          equation(zdot1B, -speed1),
+          equation(zdot2B, -speed2)};
+}
+
+// Where the motion has a closed form, no orbit is needed: values are given.
+Claim claim_of(const std::string& id, const std::string& words, const std::vector<std::string>& ids,
+               const Scene& scene) {
+  return {.id = id,
+          .kind = methods::Kind::numbers,
+          .origin = Origin::auxiliary,
+          .words = words + " obeys all at once that these claims assume, which are of something: " +
+                   fmt::format("{}", fmt::join(ids, ", ")),
+          .prove =
+              [ids, scene](Prover& prover, const Claim&) {
+                Outcome outcome;
+                outcome.route = "values, and the motion in closed form";
+                outcome.verdict = Verdict::proved();
+                prove(outcome, [&] {
+                  std::vector<symbols::Statement> holding;
+                  for (const std::string& one : ids) {
+                    for (const Assumption& assumption : prover.claim(one).assumptions) {
+                      holding.push_back(assumption.statement);
+                    }
+                  }
+                  return refutation(prover, scene, holding, {});
+                });
+                return outcome;
+              },
+          .meets = ids};
 }
 
 }  // namespace
@@ -107,6 +155,16 @@ std::vector<Claim> met_by_orbits() {
       claim_of("P.meets.35", {.example = "P", .ids = ids("33.even.start"), .premises = {"A5.half", "35"}}),
       claim_of("V.meets", {.example = "V", .ids = {"A5.longer"}}),
       claim_of("P.meets.63", {.example = "P", .ids = ids("64.back"), .premises = {"63", "64"}}),
+      claim_of("17.meets", "rest at $delta_0$, under the friction $u_s$, without a load,", ids("17.free"),
+               {.point = {{"tau", 1}, {"Theta", 2}, {"t", 1}, {"t1", 1}},
+                .values = {symbols::equation(p, 0), symbols::equation(T, Theta - tau)},
+                .state = 0}),
+      // The first case of (67) is impossible where x2' < V within the slip (67.impossible): here it is not.
+      claim_of("67.meets",
+               "a motion (34) with $phi = -pi/2$, which passes the belt's velocity within its phases,",
+               ids("67.first 67.opposite"),
+               {.point = {{"omega1", Rational(2, 3)}, {"omega2", Rational(12, 5)}, {"omega", Rational(1, 2)}},
+                .values = half_periods()}),
   };
 }
 

@@ -142,3 +142,22 @@ TEST_CASE("formulas without variables are decided as far as balls and normal for
   const kernel::Variable x{"x"};
   CHECK(decides(kernel::exists(x, kernel::equal(x, 0))) == open);
 }
+
+TEST_CASE("a motion of two phases is joined of two flows that meet, or is one where nothing changes") {
+  // Without a load the masses are at rest at delta0, and move from there when the friction turns round.
+  const auto slips = [](const Term& friction) {
+    return equation(derivative(X(t)),
+                    first_order(K) * X(t) + column({0, 0, 0, friction + p * cos(omega * t + phi)}));
+  };
+  const Statement below = during(0, tau, slips(eta * us)), above = during(tau, Theta, slips(-eta * us)),
+                  again = during(tau, Theta, slips(eta * us));
+  const Term rest = symbols::zero(4, 1);
+  const Scene scene{.point = {{"tau", 1}, {"Theta", 2}, {"p", 0}}, .values = {}, .state = 0};
+  const Statement begins = equation(Z(0), rest), there = equation(Z(tau), rest);
+  CHECK(refuted({below, again, begins, there}, {}, scene).hypotheses().empty());
+  CHECK(refuted({below, above, begins, there}, {}, scene).hypotheses().empty());
+  CHECK(refuted({below, above, begins, there}, {equation(Z(Theta), rest)}, scene).hypotheses().empty());
+  CHECK_THROWS_AS(refuted({below, above, begins, equation(Z(tau), column({1, 0, 0, 0}))}, {}, scene),
+                  KernelError);
+  CHECK_THROWS_AS(refuted({below, above, begins, there, equation(Z(Theta), rest)}, {}, scene), KernelError);
+}

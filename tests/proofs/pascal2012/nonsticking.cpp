@@ -213,7 +213,7 @@ TEST_CASE("no motion closes at an odd resonance: by 31.modes, and as the frictio
   CHECK(even.prove(prover, even).verdict.truth != Truth::proved);
 }
 
-TEST_CASE("but for two claims, a theorem says that there is something which obeys all that is assumed") {
+TEST_CASE("of every claim a theorem says that there is something which obeys all that is assumed") {
   std::size_t met = 0;
   std::set<std::string> others;
   for (const Claim& claim : paper().claims) {
@@ -225,8 +225,8 @@ TEST_CASE("but for two claims, a theorem says that there is something which obey
     }
   }
   CAPTURE(fmt::format("{}", fmt::join(others, ", ")));
-  CHECK(met >= 153);
-  CHECK(others == std::set<std::string>{"17.free", "67.first", "67.opposite"});
+  CHECK(met >= 156);
+  CHECK(others.empty());
 }
 
 TEST_CASE("an orbit obeys what is assumed of it, and not what is assumed with another sign") {
