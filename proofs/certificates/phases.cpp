@@ -323,6 +323,7 @@ Phases phases_of(const std::vector<Term>& terms, const Numbers& numbers) {
     // Last, so that they go first.
     repeat(parts, "(2 * PI)", sum.turns);
     const std::string shown = coq(argument);
+    result.of_zero = result.of_zero || shown == "0";
     const bool is_phase = parts.size() == 1 && parts[0] == shown && !is_quarters(sum.parts[0]);
     if (shown == "0" || is_phase || !done.insert(shown).second) {
       continue;

@@ -17,6 +17,7 @@ struct Expansion {
 struct Phases {
   std::vector<Expansion> arguments;  // those that are not a phase themselves
   std::vector<std::string> phases;
+  bool of_zero = false;  // whether cos or sin of 0 is among them
 };
 
 // Numbers in arguments, as 3 in cos(3 + t), without signs: those together that have a phase in common.

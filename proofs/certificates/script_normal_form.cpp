@@ -310,11 +310,24 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
     }
   }
   const Phases phases = phases_of(terms, numbers_apart(terms));
-  std::string expansions;
+  // All at once, for each time the whole goal is typed anew.
+  std::string expansions, circles, letters;
+  std::vector<std::string> equations;
   for (std::size_t i = 0; i < phases.arguments.size(); ++i) {
     const auto& [argument, sum] = phases.arguments[i];
     text += fmt::format("  assert (E'{} : {} = {}) by angle.\n", i, argument, sum);
-    expansions += fmt::format("  expand_circle E'{}.\n", i);
+    expansions += fmt::format("  expand_circle E'{0} C'{0} S'{0}.\n", i);
+    circles += fmt::format(" (cos {0}) (sin {0})", argument);
+    letters += fmt::format(" x'{0} y'{0}", i);
+    equations.insert(equations.end(), {fmt::format("C'{}", i), fmt::format("S'{}", i)});
+  }
+  if (!expansions.empty()) {
+    const std::string all = fmt::format("{}", fmt::join(equations, " "));
+    expansions += fmt::format(
+        "  revert {0}.\n  generalize{1}; intros{2} {0}.\n  cbv beta iota delta [cos_of sin_of] in {3}; "
+        "revert "
+        "{0}.\n",
+        all, circles, letters, fmt::join(equations, ", "));
   }
   std::vector<Term> atoms;
   std::set<Term> seen;
@@ -352,7 +365,8 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
   if (!divisors.empty()) {
     text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
   }
-  return text + "  rewrite ?cos_0, ?sin_0; reduce_matrices; by_fractions.\n";
+  return fmt::format("{}  {}reduce_matrices; by_fractions.\n", text,
+                     phases.of_zero ? "rewrite ?cos_0, ?sin_0; " : "");
 }
 
 }  // namespace stickslip::proofs::certificates

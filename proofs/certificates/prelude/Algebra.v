@@ -132,19 +132,11 @@ Ltac angle_of x :=
   | _ => constr:(Phase x)
   end.
 
-(* By `E : argument = sum of phases`, cos and sin of the argument become letters, of which the goal says what they
-   are. *)
-Ltac expand_circle E :=
+(* By `E : argument = sum of phases`, what cos and sin of the argument are: not computed before the argument's
+   own are letters, for it may be a phase. *)
+Ltac expand_circle E C S :=
   match type of E with
-  | ?x = ?y =>
-      let C := fresh "C" in
-      let S := fresh "S" in
-      let a := angle_of y in
-      generalize (cos_is a x E) (sin_is a x E);
-      generalize (cos x) (sin x);
-      intros ? ? C S;
-      cbv beta iota delta [cos_of sin_of] in C, S;
-      revert C S
+  | ?x = ?y => let a := angle_of y in pose proof (cos_is a x E) as C; pose proof (sin_is a x E) as S
   end.
 Ltac intro_letters := repeat match goal with |- ?c = _ -> _ => is_var c; intros ? end.
 
@@ -202,12 +194,19 @@ Ltac split_factors :=
 
 (* ---- an equation of numbers as one of expressions *)
 
+(* Many at once: the result is typed anew each time. *)
 Ltac abstracted xs t :=
   lazymatch xs with
   | nil => t
-  | cons ?x ?rest =>
-      let u := eval pattern x in t in
-      lazymatch u with ?f _ => abstracted rest f end
+  | cons ?a (cons ?b (cons ?c (cons ?d (cons ?e (cons ?f (cons ?g (cons ?h (cons ?i (cons ?j (cons ?k (cons ?l ?rest))))))))))) =>
+      let u := eval pattern l, k, j, i, h, g, f, e, d, c, b, a in t in
+      lazymatch u with ?v _ _ _ _ _ _ _ _ _ _ _ _ => abstracted rest v end
+  | cons ?a (cons ?b (cons ?c (cons ?d ?rest))) =>
+      let u := eval pattern d, c, b, a in t in
+      lazymatch u with ?v _ _ _ _ => abstracted rest v end
+  | cons ?a ?rest =>
+      let u := eval pattern a in t in
+      lazymatch u with ?v _ => abstracted rest v end
   end.
 Ltac applied_to_letters xs k t :=
   lazymatch xs with
