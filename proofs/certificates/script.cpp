@@ -177,9 +177,12 @@ std::string Script::said(const Formula& formula) {
 
 std::string Script::term(const Theorem& theorem, const Scope& scope) {
   const std::string& rule = theorem.derivation().rule;
-  const bool once = uses_[&theorem.derivation()] <= 1 && is_a_term(rule) && rule != "replace";
-  return is_a_word(rule) || (once && known(theorem) == nullptr) ? inlined(theorem, scope)
-                                                                : applied(lemma(theorem), scope);
+  const bool once = is_a_term(rule) && rule != "replace" && is_used_here_only(theorem);
+  return is_a_word(rule) || once ? inlined(theorem, scope) : applied(lemma(theorem), scope);
+}
+
+bool Script::is_used_here_only(const Theorem& theorem) {
+  return uses_[&theorem.derivation()] <= 1 && known(theorem) == nullptr;
 }
 
 std::string Script::inlined(const Theorem& theorem, const Scope& scope) {
@@ -242,6 +245,22 @@ std::string Script::inlined(const Theorem& theorem, const Scope& scope) {
   return applied(lemma(theorem), scope);
 }
 
+// There is x, and y, …: all values at once, so that what is said of them is not read once for each.
+std::string Script::witness(const Theorem& theorem, const Scope& scope) {
+  std::string values, ends;
+  Theorem rest = theorem;
+  do {
+    const Step& step = rest.derivation();
+    values += fmt::format("(ex_intro _ {} ", coq(within_scope(step.data[1], scope.variables)));
+    ends += ")";
+    rest = Theorem(step.premises[0]);
+  } while (rest.derivation().rule == "witness" && is_used_here_only(rest));
+  const bool follows = is_used_here_only(rest) && !is_a_term(rest.derivation().rule) &&
+                       std::ranges::includes(scope.variables, rest.conclusion().variables());
+  return follows ? fmt::format("refine {}_{}.\n{}", values, ends, tactics(rest, scope))
+                 : fmt::format("exact {}{}{}.", values, term(rest, scope), ends);
+}
+
 std::string Script::tactics(const Theorem& theorem, const Scope& scope) {
   const Step& step = theorem.derivation();
   if (step.rule == "combination") {
@@ -273,7 +292,7 @@ std::string Script::tactics(const Theorem& theorem, const Scope& scope) {
     return fmt::format("exact {}.", term(step.premises[0], scope));
   }
   if (step.rule == "witness") {
-    return fmt::format("exists {}. exact {}.", coq(step.data[1]), term(step.premises[0], scope));
+    return witness(theorem, scope);
   }
   if (step.rule == "choose") {
     const Variable variable{step.data[0].name(), step.data[0].type()};

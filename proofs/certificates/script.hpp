@@ -68,12 +68,16 @@ class Script {
   // What the formula says: a long conjunction under a name of its own, so that Coq reads it once, however
   // many steps assume it.
   [[nodiscard]] std::string said(const kernel::Formula& formula);
+  // Whether no other step, here or in another file, is proved by it.
+  [[nodiscard]] bool is_used_here_only(const kernel::Theorem& theorem);
   // A proof as tactics, of the last step.
   [[nodiscard]] std::string tactics(const kernel::Theorem& theorem, const Scope& scope);
+  [[nodiscard]] std::string witness(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string combination(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string solved(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string order(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string sign(const kernel::Theorem& theorem);
+  [[nodiscard]] std::string lettered(kernel::Formula& said) const;
   [[nodiscard]] std::string jury(const kernel::Theorem& theorem);
   [[nodiscard]] std::string one_zero(const kernel::Theorem& theorem);
   [[nodiscard]] std::string consequence(const kernel::Theorem& theorem, const Scope& scope);

@@ -128,8 +128,10 @@ std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
     order.push_back(letter);
   }
   std::string call = imported(known->second).name;
+  constexpr std::size_t is_long = 100;  // what is said there Coq finds in the premises and in the goal
   for (const std::string& letter : order) {
-    call += " " + coq(atoms.at(letter));
+    const std::string atom = coq(atoms.at(letter));
+    call += " " + (atom.size() < is_long ? atom : "_");
   }
   for (const Theorem& premise : step.premises) {
     call += " " + term(premise, scope);

@@ -5,9 +5,11 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "proofs/certificates/identities.hpp"
 #include "proofs/certificates/script.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/tactics/model_terms.hpp"
 #include "proofs/tactics/text.hpp"
 
@@ -120,6 +122,73 @@ std::string in_units(const Matrix& matrix) {
 
 }  // namespace
 
+namespace {
+
+// "  cbv beta delta [H z0].", or nothing.
+std::string opened_in(const Term& term) {
+  std::vector<Definition> opened;
+  collect_definitions(term, opened);
+  return opened.empty()
+             ? ""
+             : fmt::format("  cbv beta delta [{}].\n", names_of(Definitions(opened.begin(), opened.end())));
+}
+
+// The shortest of the long numbers that a term, once it is opened, would hold more than once: those that
+// stand in it so, or are given to a definition.
+std::optional<Term> often_in(const Term& whole) {
+  constexpr double is_long = 40;
+  std::map<Term, double> sizes;
+  std::map<Term, int> places;
+  const auto visit = [&](const auto& self, const Term& term, int here) -> double {
+    const bool binds = term.kind() == Kind::lambda || term.kind() == Kind::for_all ||
+                       term.kind() == Kind::exists || term.kind() == Kind::finite;
+    const auto [known, is_new] = sizes.emplace(term, 1);
+    places[term] += here;
+    if (is_new && !binds) {
+      double size = 1;
+      for (const Term& part : term.parts()) {
+        size += self(self, part, term.kind() == Kind::defined ? 2 : 1);
+      }
+      sizes[term] = size;
+    }
+    return sizes[term];
+  };
+  visit(visit, whole, 1);
+  std::optional<Term> found;
+  for (const auto& [term, count] : places) {
+    if (term.type().is_scalar() && count > 1 && sizes[term] >= is_long &&
+        (!found || sizes[term] < sizes[*found])) {
+      found = term;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+// Of a formula without variables: letters for long numbers that it would hold again and again, with bounds.
+std::string Script::lettered(Formula& said) const {
+  std::string text;
+  if (!said.variables().empty()) {
+    return text;
+  }
+  orbits::Ranges ranges;
+  while (const std::optional<Term> number = often_in(said)) {
+    const Variable letter{fmt::format("letter {}", ranges.size())};
+    const kernel::Interval range = orbits::bounded(*number, ranges, 40).range;
+    const std::string shown = coq(*number), name = identifier(letter.name),
+                      centre = coq(Term(Rational((range.first + range.second) / 2))),
+                      reach = coq(Term(Rational((range.second - range.first) / 2)));
+    text += fmt::format(
+        "  assert (b' : {0} + -1 * {1} <= {2} <= {0} + {1}).\n  {{\n  apply by_distance.\n{3}"
+        "  reduce_matrices; by_enclosure.\n  }}\n  revert b'; generalize {2}; intros {4} b'{5}.\n",
+        centre, reach, shown, opened_in(*number), name, ranges.size());
+    ranges.emplace(letter, range);
+    said = replaced(said, *number, letter);
+  }
+  return text;
+}
+
 std::string Script::sign(const Theorem& theorem) {
   // Interval arithmetic takes Coq half a second to load, here and wherever this file is used.
   const bool denied = theorem.conclusion().kind() == Kind::negation;
@@ -131,12 +200,9 @@ std::string Script::sign(const Theorem& theorem) {
     return "  exact PI_RGT_0.";
   }
   needs_.insert("Numbers");
-  std::vector<Definition> opened;
-  collect_definitions(theorem.conclusion(), opened);
-  std::string text;
-  if (!opened.empty()) {
-    text = fmt::format("  cbv beta delta [{}].\n", names_of(Definitions(opened.begin(), opened.end())));
-  }
+  Formula said = theorem.conclusion();
+  std::string text = lettered(said);
+  text += opened_in(said);
   // The widest range is halved where it has to be: Coq's sine knows less of wide intervals than Arb's.
   std::string along;
   Rational widest(1, 1000000);

@@ -222,6 +222,9 @@ Ltac by_test prec depth halved xs hs a b :=
   end.
 End Enclosures.
 
+Lemma by_distance : forall c w x : R, Rabs (x + -1 * c) <= w -> c + -1 * w <= x <= c + w.
+Proof. intros c w x L. unfold Rabs in L. destruct (Rcase_abs _); lra. Qed.
+
 Ltac by_enclosure :=
   Enclosures.with_expressions ltac:(fun xs hs a b =>
     first [Enclosures.by_test 60%Z O (@nil nat) xs hs a b | Enclosures.by_test 128%Z O (@nil nat) xs hs a b]).

@@ -52,6 +52,40 @@ TEST_CASE("a file imports what another one has proved, and does not prove it aga
   CHECK(second.text().find("known 3") != std::string::npos);
 }
 
+TEST_CASE("values of several variables are given at once, without a lemma for each") {
+  const Variable x{"x"}, y{"y"};
+  const Formula inside = less(x, y);
+  const Theorem one = Theorem::sign(less(1, 2));
+  const Theorem both =
+      Theorem::witness(Theorem::witness(one, exists(y, less(1, y)), 2), exists(x, exists(y, inside)), 1);
+  certificates::Library library;
+  Script script("file", library);
+  script.add("name", both);
+  CHECK(script.text().find("refine (ex_intro _ 1 (ex_intro _ 2 _)).") != std::string::npos);
+  CHECK(script.text().find("Lemma") == std::string::npos);
+}
+
+TEST_CASE("a long number that stands in a sign again and again is a letter between bounds") {
+  Term number = pi();
+  for (int k = 0; k < 20; ++k) {
+    number = cos(number) + 2;
+  }
+  certificates::Library library;
+  Script script("file", library);
+  script.add("long", Theorem::sign(less(0, number * number + number)));
+  const std::string text = script.text();
+  CHECK(text.find("apply by_distance.") != std::string::npos);
+  std::size_t letters = 0;
+  for (std::size_t at = text.find("generalize "); at != std::string::npos;
+       at = text.find("generalize ", at + 1)) {
+    ++letters;
+  }
+  CHECK(letters == 1);
+  Script other("other", library);
+  other.add("short", Theorem::sign(less(0, cos(pi()) + 2)));
+  CHECK(other.text().find("generalize") == std::string::npos);
+}
+
 TEST_CASE("a file that loads interval arithmetic is not loaded for a few steps") {
   const Variable x{"x"};
   const Theorem lemma = Theorem::combination(equal(Term(x) + x, Term(2) * x));
