@@ -66,7 +66,7 @@ void write_certificates(const fs::path& directory, const Certificates& certifica
   report::tools::write_files(directory, changed);
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     const fs::path& path = entry.path();
-    if (path.filename().string().starts_with("Claim_") && path.extension() == ".v" &&
+    if (path.filename().string().starts_with("Claim") && path.extension() == ".v" &&
         !names.contains(path.filename().string())) {
       for (const char * extension : {".v", ".vo", ".vok", ".vos", ".glob", ".log"}) {
         fs::remove(fs::path(path).replace_extension(extension), ignored);

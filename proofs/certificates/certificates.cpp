@@ -24,6 +24,9 @@ using methods::Record;
 
 // Of a file: Coq has taken up to 1.5 GB for 2.8 million.
 constexpr std::size_t most_characters = 4'000'000;
+// From so many claims on, short ones share files of about so many characters, for Coq takes longer to load
+// its libraries than to check them.
+constexpr std::size_t many_claims = 100, shared_characters = 150'000;
 
 class Writer {
  public:
@@ -54,6 +57,9 @@ class Writer {
   [[nodiscard]] Certificates finished(const std::vector<methods::Claim>& claims,
                                       const std::set<std::string>& asked,
                                       const std::vector<kernel::Definition>& abbreviations) {
+    if (result_.certificates.size() >= many_claims) {
+      share_files();
+    }
     mark_asked(asked);
     for (const auto& [name, text] : prelude()) {
       result_.files.push_back({name, text});
@@ -62,6 +68,7 @@ class Writer {
     result_.files.push_back({definitions_name, definitions_file(said)});
     result_.files.push_back({auxiliary_name, auxiliary_file(definitions_of(said))});
     result_.files.push_back({statements_name, statements_file(said, abbreviations)});
+    const std::map<std::string, std::size_t> sizes = add_texts();
     std::vector<Proved> proved;
     for (const Certificate& one : result_.certificates) {
       if (one.asked) {
@@ -69,11 +76,79 @@ class Writer {
       }
     }
     result_.files.push_back({final_name, final_file(proved)});
-    result_.files.push_back({"Makefile", makefile(result_.certificates, sizes_)});
+    result_.files.push_back({"Makefile", makefile(result_.certificates, sizes)});
     return std::move(result_);
   }
 
  private:
+  // Claims that stand equally high above those that import nothing do not rest on each other: such of them
+  // go together of which all, or none, load interval arithmetic; those that need it are checked alone.
+  void share_files() {
+    std::map<std::string, std::size_t> heights;
+    std::map<std::pair<std::size_t, bool>, std::vector<std::pair<std::string, std::size_t>>> groups;
+    std::map<std::string, std::string> files;  // by claims' own names
+    for (const Certificate& one : result_.certificates) {
+      std::size_t height = 0;
+      for (const std::string& import : one.imports) {
+        height = std::max(height, heights.at(import) + 1);
+      }
+      heights.emplace(one.name, height);
+      const std::size_t size = scripts_.at(one.name).text.size();
+      files.emplace(one.name, one.name);
+      if (!one.has_intervals && size < shared_characters) {
+        groups[{height, library_.slow.contains(one.name)}].emplace_back(one.name, size);
+      }
+    }
+    for (const auto& [of, members] : groups) {
+      std::size_t number = 0, characters = 0;
+      for (const auto& [name, size] : members) {
+        if (number == 0 || characters + size > shared_characters) {
+          ++number;
+          characters = 0;
+        }
+        characters += size;
+        files.at(name) = fmt::format("Claims_{}{}_{}", of.first, of.second ? "_slow" : "", number);
+      }
+    }
+    std::ranges::stable_sort(result_.certificates, {},
+                             [&](const Certificate& one) { return heights.at(one.name); });
+    std::map<std::string, std::set<std::string>> imports;
+    for (const Certificate& one : result_.certificates) {
+      for (const std::string& import : one.imports) {
+        imports[files.at(one.name)].insert(files.at(import));
+      }
+    }
+    for (Certificate& one : result_.certificates) {
+      one.name = files.at(one.name);
+      one.imports = imports[one.name];
+    }
+  }
+
+  // The claims' files, and how long they are.
+  std::map<std::string, std::size_t> add_texts() {
+    std::map<std::string, std::set<std::string>> needs;
+    std::map<std::string, std::string> texts;
+    for (const Certificate& one : result_.certificates) {
+      const Written& script = scripts_.at(file_name(one.claim));
+      needs[one.name].insert(script.needs.begin(), script.needs.end());
+      texts[one.name] += "\n" + script.text;
+    }
+    std::map<std::string, std::size_t> sizes;
+    for (const Certificate& one : result_.certificates) {
+      if (sizes.contains(one.name)) {
+        continue;
+      }
+      // Calculus last: its names are those of Coq's own library.
+      std::vector<std::string> needed{"Algebra"};
+      needed.insert(needed.end(), needs[one.name].begin(), needs[one.name].end());
+      needed.insert(needed.end(), {"Calculus", "Definitions", "Auxiliary"});
+      needed.insert(needed.end(), one.imports.begin(), one.imports.end());
+      result_.files.push_back({one.name + ".v", requires_(needed) + texts[one.name]});
+      sizes.emplace(one.name, texts[one.name].size());
+    }
+    return sizes;
+  }
+
   // And what these rest on: a file comes after those that it imports.
   void mark_asked(const std::set<std::string>& asked) {
     std::set<std::string> names;
@@ -144,20 +219,13 @@ class Writer {
         definitions_.push_back(definition);
       }
     }
-    // Calculus last: its names are those of Coq's own library.
-    std::vector<std::string> needed{"Algebra"};
-    needed.insert(needed.end(), script.needs().begin(), script.needs().end());
-    needed.insert(needed.end(), {"Calculus", "Definitions", "Auxiliary"});
-    needed.insert(needed.end(), certificate.imports.begin(), certificate.imports.end());
-    std::string text = fmt::format("{}\n{}", requires_(needed), script.text());
     certificate.has_intervals = script.needs().contains("Numbers");
     if (certificate.has_intervals || std::ranges::any_of(certificate.imports, [&](const std::string& name) {
           return library_.slow.contains(name);
         })) {
       library_.slow.insert(certificate.name);
     }
-    sizes_.emplace(certificate.name, text.size());
-    result_.files.push_back({certificate.name + ".v", text});
+    scripts_.emplace(certificate.name, Written{script.text(), script.needs()});
     result_.certificates.push_back(certificate);
   }
 
@@ -165,7 +233,11 @@ class Writer {
   Library library_;
   Certificates result_;
   std::vector<kernel::Definition> definitions_;
-  std::map<std::string, std::size_t> sizes_;  // of the files, in characters
+  struct Written {
+    std::string text;
+    std::set<std::string> needs;
+  };
+  std::map<std::string, Written> scripts_;  // by file_name
   std::set<std::string> seen_;
 };
 

@@ -20,14 +20,14 @@ struct File {
 
 struct Certificate {
   std::string claim;                  // its id
-  std::string name;                   // of the file, without ".v"
+  std::string name;                   // of the file, without ".v": several may have one
   std::vector<std::string> theorems;  // their names in Coq, in the order of what the claim prints; then of
                                       // the corrected form, then of the converse
-  std::set<std::string> imports;      // names of other certificates
+  std::set<std::string> imports;      // names of other files
   std::string says;                   // the fingerprint of what its theorems say
   bool asked = true;                  // for it, or for one that rests on it
   std::size_t immediate = 0;   // how many of its theorems say no more than a definition, or an assumption
-  bool has_intervals = false;  // whether it is proved by interval arithmetic, in its own file
+  bool has_intervals = false;  // whether it is proved by interval arithmetic: then its file is its own
 };
 
 // A claim that has none, or none any more than in part.

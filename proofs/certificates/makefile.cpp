@@ -38,8 +38,9 @@ std::string makefile(const std::vector<Certificate>& certificates,
                      const std::map<std::string, std::size_t>& sizes) {
   // The longest first, so that in the end no process waits for another.
   std::vector<std::pair<std::size_t, std::string>> asked;
+  std::set<std::string> names;
   for (const Certificate& certificate : certificates) {
-    if (certificate.asked) {
+    if (certificate.asked && names.insert(certificate.name).second) {
       asked.emplace_back(sizes.at(certificate.name), certificate.name);
     }
   }
@@ -49,7 +50,11 @@ std::string makefile(const std::vector<Certificate>& certificates,
     text += " " + name;
   }
   text += std::string("\n") + rules;
+  names.clear();
   for (const Certificate& certificate : certificates) {
+    if (!names.insert(certificate.name).second) {
+      continue;
+    }
     text +=
         fmt::format("{}.vo: Inverses.vo Numbers.vo Krawczyk.vo Stability.vo Auxiliary.vo", certificate.name);
     for (const std::string& import : certificate.imports) {

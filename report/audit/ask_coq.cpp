@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <set>
@@ -54,6 +55,9 @@ class Questions {
       foundations_.emplace(fs::path(one.at("file").get<std::string>()).stem(), one.at("text"));
     }
     Json& claims = record_.at("claims");
+    for (const Json& claim : claims) {
+      ++claims_in_[name_of(claim)];
+    }
     for (Json& claim : claims) {
       look_at(claim);
     }
@@ -68,13 +72,34 @@ class Questions {
     if (any_accepted()) {
       compile(needed);
     }
-    std::map<std::string, std::string> axioms;
-    while (any_accepted() && !asked_of_all(axioms)) {
-    }
     for (Json& claim : claims) {
       claim["compiled"] = claim.at("accepted") == true ? fingerprint_of(compiled_of(claim)) : "";
     }
-    ask_again(known_before());
+    const std::vector<std::vector<std::string>> groups = for_coqchk(known_before());
+    std::map<std::string, std::string> axioms;
+    std::map<std::string, Answer> answers;
+    std::mutex one_at_a_time;
+    std::vector<std::function<void()>> tasks{[&] {
+      while (any_accepted() && !asked_of_all(axioms)) {
+      }
+    }};
+    for (const std::vector<std::string>& group : groups) {
+      tasks.emplace_back([&] {
+        const Answer all = answer_of(group);
+        for (const std::string& name : group) {
+          const Answer one = all == Answer::accepted || group.size() == 1 ? all : answer_of({name});
+          const std::lock_guard lock(one_at_a_time);
+          answers.emplace(name, one);
+        }
+      });
+    }
+    side_by_side(tasks);
+    take(answers);
+    for (Json& claim : claims) {
+      if (claim.at("accepted") != true) {
+        claim["compiled"] = claim["again"] = "";
+      }
+    }
     for (Json& one : record_["foundations"]) {
       const auto made = compiled_.find(fs::path(one.at("file").get<std::string>()).stem());
       one["compiled"] = made == compiled_.end() ? "" : made->second;
@@ -119,9 +144,11 @@ class Questions {
     } else if (!rests_on_refused(claim)) {
       std::error_code error;
       if (fs::exists(compiled_of(claim), error)) {
-        claim["seconds"] = seconds_in(log);
+        claim["seconds"] = share_of(claim, seconds_in(log));
         judge(claim, true, "");
-        fs::create_symlink(fs::absolute(compiled_of(claim)), workshop_.path() / (name_of(claim) + ".vo"));
+        if (const fs::path link = workshop_.path() / (name_of(claim) + ".vo"); !fs::is_symlink(link)) {
+          fs::create_symlink(fs::absolute(compiled_of(claim)), link);
+        }
       } else if (is_newer(log, file)) {
         const bool in_time = tools::read_file(log).find("no end within") == std::string::npos;
         judge(claim, false,
@@ -135,6 +162,13 @@ class Questions {
     if (claim.at("accepted") != true) {
       roots_.emplace(name_of(claim), std::pair{claim.at("accepted"), name_of(claim)});
     }
+  }
+  // Of what all claims of a file took, one's.
+  [[nodiscard]] std::string share_of(const Json& claim, const std::string& seconds) const {
+    const int together = claims_in_.at(name_of(claim));
+    return together == 1 || seconds.empty()
+               ? seconds
+               : fmt::format("{:.3f}", std::strtod(seconds.c_str(), nullptr) / together);
   }
   // Then it is as little accepted as what it rests on.
   [[nodiscard]] bool rests_on_refused(Json& claim) {
@@ -162,13 +196,15 @@ class Questions {
     }
   }
 
-  // The files that all stand on, from the texts that were recorded, as far as they are needed. In the
-  // workshop: what stands compiled beside their texts may come from others.
+  // The files that all stand on, from the texts that were recorded, as far as they are needed, each once
+  // those are done that it requires. In the workshop: what stands compiled beside their texts may come from
+  // others.
   void compile(const std::set<std::string>& needed) {
-    for (const std::string& name : needed) {
+    std::map<std::string, std::vector<std::string>> left;  // what each requires
+    const auto add = [&](const auto& self, const std::string& name) -> void {
       const auto text = foundations_.find(name);
-      if (text == foundations_.end() || compiled_.contains(name) || !any_accepted()) {
-        continue;
+      if (text == foundations_.end() || left.contains(name) || !any_accepted()) {
+        return;
       }
       const std::string file = name + ".v";
       if (fingerprint_of(directory_ / file) != text->second) {
@@ -176,19 +212,34 @@ class Questions {
         return;
       }
       const std::string content = tools::read_file(directory_ / file);
-      const std::vector<std::string> below = required_by(content);
-      compiled_.emplace(name, "");
-      compile({below.begin(), below.end()});
-      if (!any_accepted()) {
-        return;
-      }
       tools::write_file(workshop_.path() / file, content);
-      const tools::Ran ran = compiled_in_workshop(file);
-      if (!ran.succeeded) {
-        refuse_all(fmt::format("Coq does not accept {}: {}", file, error_in(ran.complaints)));
+      const std::vector<std::string> below = required_by(content);
+      left.emplace(name, below);
+      std::ranges::for_each(below, [&](const std::string& other) { self(self, other); });
+    };
+    std::ranges::for_each(needed, [&](const std::string& name) { add(add, name); });
+    while (!left.empty() && any_accepted()) {
+      std::map<std::string, tools::Ran> ran;
+      std::vector<std::function<void()>> tasks;
+      for (const auto& [name, below] : left) {
+        if (std::ranges::none_of(below, [&](const std::string& other) { return left.contains(other); })) {
+          tasks.emplace_back(
+              [this, &answer = ran[name], file = name + ".v"] { answer = compiled_in_workshop(file); });
+        }
+      }
+      if (tasks.empty()) {
+        refuse_all("the files that all stand on require each other");
         return;
       }
-      compiled_[name] = fingerprint_of(workshop_.path() / (name + ".vo"));
+      side_by_side(tasks);
+      for (const auto& [name, answer] : ran) {
+        left.erase(name);
+        if (!answer.succeeded) {
+          refuse_all(fmt::format("Coq does not accept {}.v: {}", name, error_in(answer.complaints)));
+          return;
+        }
+        compiled_.emplace(name, fingerprint_of(workshop_.path() / (name + ".vo")));
+      }
     }
   }
   [[nodiscard]] tools::Ran compiled_in_workshop(const std::string& file) const {
@@ -257,11 +308,12 @@ class Questions {
     return known;
   }
 
-  // "accepted", or why coqchk was not asked, or came to no end: it has no virtual machine, and interval
-  // arithmetic that took coqc long takes it hours.
-  void ask_again(const std::set<std::string>& known) {
+  // What coqchk is to be asked about, some files at a time, for loading the libraries takes as long for one
+  // as for many; of the other claims, what it said before, or why it is not asked: it has no virtual machine,
+  // and interval arithmetic that took coqc long takes it hours.
+  [[nodiscard]] std::vector<std::vector<std::string>> for_coqchk(const std::set<std::string>& known) {
     constexpr double light = 3;  // seconds of coqc
-    std::vector<std::string> files, with_intervals;
+    std::set<std::string> files, with_intervals;
     for (std::size_t i = 0; i < before_.size(); ++i) {
       Json& claim = record_.at("claims").at(i);
       if (claim.at("accepted") != true) {
@@ -269,73 +321,59 @@ class Questions {
       } else if (known.contains(name_of(claim))) {
         claim["again"] = before_[i].second;
       } else if (claim.at("intervals") != true) {
-        files.push_back(name_of(claim));
+        files.insert(name_of(claim));
       } else if (std::strtod(claim.at("seconds").get<std::string>().c_str(), nullptr) < light) {
-        with_intervals.push_back(name_of(claim));
+        with_intervals.insert(name_of(claim));
       } else {
         claim["again"] = "not asked: interval arithmetic";
       }
     }
     if (files.empty() && with_intervals.empty()) {
-      return;
+      return {};
     }
     for (const auto& [name, made] : compiled_) {
       if (name != "Numbers") {  // interval arithmetic, made for whole numbers: it takes coqchk many minutes
-        files.push_back(name);
+        files.insert(name);
       }
     }
-    // Some at a time, for loading the libraries takes as long for one file as for many.
-    constexpr std::size_t at_once = 40;
     std::vector<std::vector<std::string>> groups;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      if (i % at_once == 0) {
-        groups.emplace_back();
-      }
-      groups.back().push_back(files[i]);
-    }
-    for (const std::string& name : with_intervals) {
-      groups.push_back({name});
-    }
-    std::map<std::string, Answer> answers;
-    std::mutex one_at_a_time;
-    std::atomic<std::size_t> next = 0;
-    const auto ask_some = [&] {
-      for (std::size_t group = next++; group < groups.size(); group = next++) {
-        const Answer all = answer_of(groups[group]);
-        for (const std::string& name : groups[group]) {
-          const Answer one = all == Answer::accepted || groups[group].size() == 1 ? all : answer_of({name});
-          const std::lock_guard lock(one_at_a_time);
-          answers.emplace(name, one);
+    const auto add = [&](const std::set<std::string>& names, std::size_t at_once) {
+      std::size_t count = 0;
+      for (const std::string& name : names) {
+        if (count++ % at_once == 0) {
+          groups.emplace_back();
         }
+        groups.back().push_back(name);
       }
     };
+    add(with_intervals, 8);
+    add(files, 12);
+    return groups;
+  }
+
+  // All of these, as many at a time as there are processors.
+  static void side_by_side(const std::vector<std::function<void()>>& tasks) {
+    std::atomic<std::size_t> next = 0;
     std::vector<std::future<void>> lanes;
     for (unsigned lane = 0; lane < std::max(1U, std::thread::hardware_concurrency()); ++lane) {
-      lanes.push_back(std::async(std::launch::async, ask_some));
+      lanes.push_back(std::async(std::launch::async, [&] {
+        for (std::size_t task = next++; task < tasks.size(); task = next++) {
+          tasks[task]();
+        }
+      }));
     }
     std::ranges::for_each(lanes, [](std::future<void>& lane) { lane.get(); });
-    for (const auto& [name, answer] : answers) {
-      if (answer == Answer::refused && foundations_.contains(name)) {
-        refuse_all(fmt::format("coqchk does not accept {}.v", name));
-      } else if (answer == Answer::refused) {
-        refuse(name, "coqchk does not accept it");
-      }
-    }
-    for (Json& claim : record_.at("claims")) {
-      const auto answer = answers.find(name_of(claim));
-      if (claim.at("accepted") != true) {
-        claim["again"] = "";
-      } else if (answer != answers.end()) {
-        claim["again"] = answer->second == Answer::accepted ? "accepted" : "came to no end in a minute";
-      }
-    }
   }
 
   enum class Answer { accepted, refused, no_end };
-  // A minute for one file: what is refused says why.
+  // A minute for each claim, or file of none: what is refused says why.
   [[nodiscard]] Answer answer_of(const std::vector<std::string>& names) const {
+    int minutes = 0;
+    for (const std::string& name : names) {
+      minutes += claims_in_.contains(name) ? claims_in_.at(name) : 1;
+    }
     std::vector<std::string> arguments{
-        std::to_string(60 * names.size()), "coqchk", "-silent", "-Q", ".", "Stickslip"};
+        std::to_string(60 * minutes), "coqchk", "-silent", "-Q", ".", "Stickslip"};
     for (const std::string& name : names) {
       arguments.insert(arguments.end(), {"-norec", "Stickslip." + name});
     }
@@ -345,12 +383,34 @@ class Questions {
                                                           : Answer::refused;
   }
 
+  [[nodiscard]] bool is_accepted(const std::string& name) const {
+    return std::ranges::any_of(record_.at("claims"), [&](const Json& claim) {
+      return name_of(claim) == name && claim.at("accepted") == true;
+    });
+  }
+  // What coqchk said; what Coq refuses is refused for what that says.
+  void take(const std::map<std::string, Answer>& answers) {
+    for (const auto& [name, answer] : answers) {
+      if (answer == Answer::refused && foundations_.contains(name)) {
+        refuse_all(fmt::format("coqchk does not accept {}.v", name));
+      } else if (answer == Answer::refused && is_accepted(name)) {
+        refuse(name, "coqchk does not accept it");
+      }
+    }
+    for (Json& claim : record_.at("claims")) {
+      if (const auto answer = answers.find(name_of(claim)); answer != answers.end()) {
+        claim["again"] = answer->second == Answer::accepted ? "accepted" : "came to no end in a minute";
+      }
+    }
+  }
+
   fs::path directory_;
   Json record_;
   bool sealed_before_;  // as it was read
   tools::Workshop workshop_;
   std::map<std::string, std::string> foundations_,
       compiled_;                               // by names: the texts' fingerprints, those of .vo
+  std::map<std::string, int> claims_in_;       // how many each file holds
   std::vector<std::pair<Json, Json>> before_;  // of each claim: "compiled" and "again"
   // Of what is not accepted: whether it is refused, and the first that is of what it rests on.
   std::map<std::string, std::pair<Json, std::string>> roots_;

@@ -139,6 +139,25 @@ TEST_CASE("manipulated certificates are not accepted") {
     CHECK(claim_in(record, "1").at("accepted") == true);
     CHECK(claim_in(record, "3").at("accepted") == false);
   }
+  SUBCASE("claims of one file are accepted together, or none of them, nor what imports it") {
+    const TemporaryDirectory many;
+    write_certificates(many.path(), true, 120);
+    sh(many.path(), "make --silent --jobs=2");
+    Json record = checked(many.path());
+    CHECK(text_of(record).find("\n123 of 123 theorems certified, ") != std::string::npos);
+    const std::string file = claim_in(record, "2").at("file"), before = text_in(many.path() / file);
+    const std::string word = "f 0 + 5 = 6.";
+    REQUIRE(before.find(word) != std::string::npos);
+    write(many.path() / file,
+          std::string(before).replace(before.find(word), word.size(), "f 0 + 5 = 1 * 6."));
+    compile(many.path(), file.substr(0, file.size() - 2));
+    write(many.path() / file, before);
+    record = checked(many.path());
+    for (const Json& claim : record.at("claims")) {
+      const bool rests_on_it = claim.at("file") == file || claim.at("claim") == "3";
+      CHECK(claim.at("accepted") == Json(!rests_on_it));
+    }
+  }
   SUBCASE("what coqchk said is not taken from a record that is not as it was made") {
     const auto again = [](bool with_seal) {
       const Copy copy;

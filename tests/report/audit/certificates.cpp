@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <map>
+#include <set>
+
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
 #include "report/audit/coq_output.hpp"
@@ -139,6 +142,31 @@ TEST_CASE("what stands beside the record must be what Coq was asked about") {
       });
     });
   }
+}
+
+TEST_CASE("many short claims share files, and stand or fall with these") {
+  const TemporaryDirectory temporary;
+  write_certificates(temporary.path(), true, 120);
+  const Json record = read_record(temporary.path() / certificate_record);
+  std::map<std::string, std::set<std::string>> files;  // of the claims, by file
+  for (const Json& claim : record.at("claims")) {
+    files[claim.at("file")].insert(claim.at("claim"));
+  }
+  CHECK(files.size() < 10);
+  const std::string first = claim_in(record, "2").at("file"), second = claim_in(record, "3").at("file");
+  CHECK(first != second);
+  CHECK(claim_in(record, "3").at("imports") == Json{first.substr(0, first.size() - 2)});
+  CHECK(claim_in(record, "1").at("imports").empty());
+  const std::string text = text_in(temporary.path() / first);
+  for (const std::string& claim : files.at(first)) {
+    CHECK(text.find("\nTheorem claim_" + claim + "_1 :") != std::string::npos);
+  }
+  const std::string makefile = text_in(temporary.path() / "Makefile");
+  CHECK(makefile.find(" " + first.substr(0, first.size() - 2) + " ") != std::string::npos);
+  // Each file once.
+  const std::string rule = "\n" + first + "o:";
+  CHECK(makefile.find(rule) != std::string::npos);
+  CHECK(makefile.find(rule) == makefile.rfind(rule));
 }
 
 TEST_CASE("a record that was changed, is of another version or rests on something else says nothing") {
