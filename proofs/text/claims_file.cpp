@@ -74,9 +74,11 @@ bool is_id(const std::string& id) {
          });
 }
 
-// Words of the notation.
+// Words of the notation, and those with which lines of a claim begin.
 bool is_reserved(const std::string& name) {
-  return name == "I" || name == "det" || name == "for" || name == "but";
+  static const std::set<std::string> words{"I",      "det",       "for",        "but",  "if",       "by",
+                                           "expect", "corrected", "conversely", "part", "illegible"};
+  return words.contains(name);
 }
 
 // The number that a term made of numbers is.
@@ -437,6 +439,10 @@ class Reading {
       if (word == "if") {
         add_assumptions(claim, text);
       } else if (word == "by" || word == "conversely by" || word == "corrected by") {
+        if (word == "conversely by" && !text.starts_with("counterexample ")) {
+          fail(fmt::format("'{}': what is assumed need not follow from what is stated, says a counterexample",
+                           text));
+        }
         if (!proofs.emplace(word, Line{line_, text}).second) {
           fail(fmt::format("the claim {} has two proofs", claim.id));
         }
@@ -593,7 +599,10 @@ class Reading {
     }
   }
   void new_name(const std::string& name) const {
-    if (!is_name(name) || is_reserved(name) || name == "pi" || name == "t") {
+    if (is_reserved(name)) {
+      fail(fmt::format("'{}' is a word of the format: a symbol needs another name", name));
+    }
+    if (!is_name(name) || name == "pi" || name == "t") {
       fail(fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
     }
     if (names_.has(name)) {

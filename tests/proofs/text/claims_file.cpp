@@ -252,6 +252,9 @@ TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal_of("claim c step: .\n  a = b\n  by program\n").starts_with("F:5: 'program' is no method"));
   CHECK(refusal_of("claim c step: .\n  a = b\n  part one\n  part two\n") ==
         "F:3: the claim c has words for 2 parts, and states 1 things");
+  CHECK(refusal_of("symbols part\n") == "F:3: 'part' is a word of the format: a symbol needs another name");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  conversely by normal form\n") ==
+        "F:5: 'normal form': what is assumed need not follow from what is stated, says a counterexample");
   CHECK(refusal_of("all e = f\n") == "F:3: nothing is assumed as 'f'");
   CHECK(refusal_of("assume e: a = b\nall e = e\n") == "F:4: there are two assumptions e");
   const auto refused_proof = [](const std::string& line) {
