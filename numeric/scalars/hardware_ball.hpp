@@ -118,6 +118,30 @@ inline void add_product(HardwareBall& sum, const HardwareBall& a, const Hardware
   sum += a * b;
 }
 
+// A ball and at most twelve products added to it, narrower and in half the time: each product and each sum
+// may cost 2^-53 of what comes out, all of which is added up and put above the exact sum once.
+class ProductSum {
+ public:
+  ProductSum() = default;
+  explicit ProductSum(const HardwareBall& first) : mid_(first.approximate()), spread_(first.radius()) {}
+
+  // Nothing is added, not even an error, where b is exactly zero.
+  void add(const HardwareBall& a, const HardwareBall& b) {
+    if (is_zero(b)) {
+      return;
+    }
+    const double size = std::abs(b.approximate());
+    const double product = a.approximate() * b.approximate();
+    mid_ += product;
+    spread_ += std::abs(a.approximate()) * b.radius() + a.radius() * (size + b.radius());
+    rounded_ += std::abs(product) + std::abs(mid_) + 0x1p-940;
+  }
+  [[nodiscard]] HardwareBall sum() const { return {mid_, (spread_ + rounded_ * 0x1p-53) * (1 + 0x1p-48)}; }
+
+ private:
+  double mid_ = 0, spread_ = 0, rounded_ = 0;
+};
+
 // (sin x, cos x), sin(x)/x and the derivative of that, for all members of x.
 [[nodiscard]] std::pair<HardwareBall, HardwareBall> sin_cos(const HardwareBall& x);
 [[nodiscard]] std::pair<HardwareBall, HardwareBall> sinc_and_slope(const HardwareBall& x);

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <type_traits>
 
+#include "numeric/scalars/hardware_ball.hpp"
 #include "numeric/scalars/jet.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 
@@ -27,18 +29,78 @@ template <int R, int C, class S>
   return Eigen::Matrix<S, R, R>(found->template cast<S>());
 }
 
+namespace detail {
+
+// Sums of constants times balls, or times jets over them.
+template <class T>
+struct Combination {
+  T total;
+
+  template <class S>
+  void add(const S& factor, const T& x) {
+    add_product(total, factor, x);
+  }
+  [[nodiscard]] const T& sum() const { return total; }
+};
+template <>
+struct Combination<scalars::HardwareBall> : scalars::ProductSum {};
+template <int N>
+struct Combination<scalars::Jet<scalars::HardwareBall, N>> {
+  scalars::ProductSum value;
+  std::array<scalars::ProductSum, static_cast<std::size_t>(N)> partials;
+
+  void add(const scalars::HardwareBall& factor, const scalars::Jet<scalars::HardwareBall, N>& x) {
+    value.add(factor, x.value);
+    for (std::size_t i = 0; i < partials.size(); ++i) {
+      partials[i].add(factor, x.partials[i]);
+    }
+  }
+  [[nodiscard]] scalars::Jet<scalars::HardwareBall, N> sum() const {
+    scalars::Jet<scalars::HardwareBall, N> total;
+    total.value = value.sum();
+    for (std::size_t i = 0; i < partials.size(); ++i) {
+      total.partials[i] = partials[i].sum();
+    }
+    return total;
+  }
+};
+
+template <class T>
+void subtract_product(T& sum, const T& a, const T& b) {
+  sum -= a * b;
+}
+template <int N>
+void subtract_product(scalars::Jet<scalars::HardwareBall, N>& sum,
+                      const scalars::Jet<scalars::HardwareBall, N>& a,
+                      const scalars::Jet<scalars::HardwareBall, N>& b) {
+  for (std::size_t i = 0; i < sum.partials.size(); ++i) {
+    scalars::ProductSum slope(sum.partials[i]);
+    slope.add(-a.value, b.partials[i]);
+    slope.add(-a.partials[i], b.value);
+    sum.partials[i] = slope.sum();
+  }
+  sum.value -= a.value * b.value;
+}
+
+}  // namespace detail
+
 // combinations · rows, over balls or jets over balls.
 template <class T, int R, int C, class S>
 [[nodiscard]] Eigen::Matrix<T, R, C> combined_rows(const Eigen::Matrix<S, R, R>& combinations,
                                                    const Eigen::Matrix<T, R, C>& rows) {
+  static_assert(R <= 12);  // see ProductSum
   Eigen::Matrix<T, R, C> result;
-  for (int i = 0; i < R; ++i) {
-    for (int j = 0; j < C; ++j) {
-      for (int k = 0; k < R; ++k) {
-        if (!is_zero(rows(k, j))) {
-          add_product(result(i, j), combinations(i, k), rows(k, j));
+  for (int j = 0; j < C; ++j) {
+    std::array<detail::Combination<T>, R> column{};
+    for (int k = 0; k < R; ++k) {
+      if (!is_zero(rows(k, j))) {
+        for (int i = 0; i < R; ++i) {
+          column[static_cast<std::size_t>(i)].add(combinations(i, k), rows(k, j));
         }
       }
+    }
+    for (int i = 0; i < R; ++i) {
+      result(i, j) = column[static_cast<std::size_t>(i)].sum();
     }
   }
   return result;
@@ -59,7 +121,7 @@ template <class T, int R, int C>
       }
       const T factor = m(i, k) * reciprocal;
       for (int j = k + 1; j < C; ++j) {
-        m(i, j) -= factor * m(k, j);
+        detail::subtract_product(m(i, j), factor, m(k, j));
       }
     }
   }

@@ -60,6 +60,18 @@ TEST_CASE("every operation contains the exact result for every member") {
     CHECK(holds(a.ball * b.ball, a.member * b.member));
     CHECK(holds(-a.ball, -a.member));
     CHECK(holds(sum_of_products(a.ball, b.ball, c.ball, a.ball), a.member * b.member + c.member * a.member));
+    ProductSum products(c.ball);
+    Ball exact = c.member;
+    for (int k = 0; k < 4; ++k) {
+      for (const auto& [x, y] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
+        products.add(x->ball, y->ball);
+        exact += x->member * y->member;
+      }
+    }
+    CHECK(holds(products.sum(), exact));
+    products = {};
+    products.add(a.ball, 0);
+    CHECK(is_zero(products.sum()));
     if (!b.member.contains_zero()) {
       CHECK(holds(a.ball / b.ball, a.member / b.member));
     }
