@@ -84,7 +84,7 @@ auto combinations_for_load(const LoadRows<P, S>& at_m) {
   if constexpr (K > 2 && P::loads == 3) {
     return zeros::proposed_combinations<K, 3>(at_m);
   } else {
-    using Combinations = Eigen::Matrix<S, K, K>;
+    using Combinations = Eigen::Matrix<double, K, K>;
     return std::optional<Combinations>(Combinations::Identity());
   }
 }
@@ -183,20 +183,22 @@ template <class P>
 std::optional<LinearEliminant<P>> eliminant_near(const P& problem, const Unknowns<P, Ball>& X) {
   constexpr int R = P::rows, C = P::columns, K = P::left;
   const AllRows<P, Ball> at_m = rows_at<P, Ball>(problem, zeros::midpoint<P::times>(X));
-  auto combinations = detail::combinations_for<P, Ball>(at_m);
-  const auto left =
-      combinations ? detail::left_for_load<P, Ball>(zeros::combined_rows<Ball, R, C>(*combinations, at_m))
-                   : std::nullopt;
+  const auto proposed = detail::combinations_for<P, Ball>(at_m);
+  if (!proposed) {
+    return std::nullopt;
+  }
+  Eigen::Matrix<Ball, R, R> combinations = proposed->template cast<Ball>();
+  const auto left = detail::left_for_load<P, Ball>(zeros::combined_rows<Ball, R, C>(combinations, at_m));
   const auto further = left ? detail::combinations_for_load<P, Ball>(*left) : std::nullopt;
   if (!further) {
     return std::nullopt;
   }
-  combinations->template bottomRows<K>() =
-      zeros::product(*further, combinations->template bottomRows<K>()).eval();
-  if (!zeros::is_invertible(*combinations)) {
+  combinations.template bottomRows<K>() =
+      zeros::product(further->template cast<Ball>(), combinations.template bottomRows<K>()).eval();
+  if (!zeros::is_invertible(combinations)) {
     return std::nullopt;
   }
-  return LinearEliminant<P>{problem, *combinations};
+  return LinearEliminant<P>{problem, combinations};
 }
 
 // Rows that hold still do when they are combined.

@@ -35,7 +35,8 @@ template <Datum G, class T, class S>
   if (!combinations) {
     return std::nullopt;
   }
-  Eigen::Matrix<T, R, C> m = zeros::combined_rows<T, R, C>(*combinations, rows);
+  Eigen::Matrix<T, R, C> m =
+      zeros::combined_rows<T, R, C>(Eigen::Matrix<S, R, R>(combinations->template cast<S>()), rows);
   if (!zeros::eliminate<T, R, C>(m, 0, C - 1)) {
     return std::nullopt;
   }

@@ -246,6 +246,7 @@ struct Form {
   friend bool is_zero(const Form& a) { return is_zero(a.over); }
   friend bool is_nonzero(const Form& a) { return a.over.is_nonzero(); }
   friend void add_product(Form& sum, const S& factor, const Form& b) { sum += Form(factor) * b; }
+  friend void add_product(Form& sum, const Form& a, const Form& b) { sum += a * b; }
   friend Form sqrt(const Form& a) {
     const S root = sqrt(a.over);
     return a.chain(sqrt(a.at), root, S(1) / (S(2) * root));

@@ -164,11 +164,6 @@ std::optional<HardwareBall> intersection(const HardwareBall& a, const HardwareBa
   if (!a.is_finite() || !b.is_finite()) {
     return a.is_finite() ? a : b;
   }
-  const HardwareBall distance = HardwareBall(a.approximate()) - HardwareBall(b.approximate());
-  const HardwareBall reach = HardwareBall(a.radius()) + HardwareBall(b.radius());
-  if ((distance - reach).is_positive() || (distance + reach).is_negative()) {
-    return std::nullopt;
-  }
   // The ends, rounded outwards, and the ball around both.
   const auto outwards = [](double end, double sign) {
     return end + sign * (std::abs(end) * 0x1p-52 + 0x1p-1000);
@@ -177,9 +172,11 @@ std::optional<HardwareBall> intersection(const HardwareBall& a, const HardwareBa
       std::max(outwards(a.approximate() - a.radius(), -1), outwards(b.approximate() - b.radius(), -1));
   const double high =
       std::min(outwards(a.approximate() + a.radius(), 1), outwards(b.approximate() + b.radius(), 1));
+  if (low > high) {
+    return std::nullopt;
+  }
   const double mid = low + (high - low) / 2;
-  const double rad = std::max({high - mid, mid - low, 0.0});
-  return HardwareBall(mid, rad + std::abs(mid) * 0x1p-52 + 0x1p-1000) + HardwareBall(0, rad * 0x1p-50);
+  return HardwareBall(mid, std::max(high - mid, mid - low) * (1 + 0x1p-50));
 }
 
 }  // namespace stickslip::numeric::scalars

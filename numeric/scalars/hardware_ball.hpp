@@ -94,18 +94,6 @@ class HardwareBall {
 [[nodiscard]] inline bool is_nonzero(const HardwareBall& x) {
   return x.is_nonzero();
 }
-// a x + b y, a little narrower and in half the time.
-[[nodiscard]] inline HardwareBall sum_of_products(const HardwareBall& a, const HardwareBall& x,
-                                                  const HardwareBall& b, const HardwareBall& y) {
-  const double ax = a.approximate() * x.approximate();
-  const double by = b.approximate() * y.approximate();
-  const double mid = ax + by;
-  const double spread =
-      std::abs(a.approximate()) * x.radius() + a.radius() * (std::abs(x.approximate()) + x.radius()) +
-      std::abs(b.approximate()) * y.radius() + b.radius() * (std::abs(y.approximate()) + y.radius());
-  const double rounding = (std::abs(ax) + std::abs(by) + std::abs(mid)) * 0x1p-53 + 0x1p-998;
-  return {mid, (spread + rounding) * (1 + 0x1p-48)};
-}
 // 1/x; exact for a power of two.
 [[nodiscard]] inline HardwareBall inverse(const HardwareBall& x) {
   constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1;
@@ -114,33 +102,30 @@ class HardwareBall {
                         (std::bit_cast<std::uint64_t>(size) & fraction) == 0;
   return is_exact ? HardwareBall(1 / x.approximate()) : HardwareBall(1) / x;
 }
-inline void add_product(HardwareBall& sum, const HardwareBall& a, const HardwareBall& b) {
-  sum += a * b;
+// sum += a x and sum += a x + b y, narrower and faster than one by one: each product and each sum may cost
+// 2^-53 of what comes out, and all of it is added up and put above the exact sum once.
+inline void add_product(HardwareBall& sum, const HardwareBall& a, const HardwareBall& x) {
+  const double product = a.approximate() * x.approximate();
+  const double mid = sum.approximate() + product;
+  const double spread = sum.radius() + std::abs(a.approximate()) * x.radius() +
+                        a.radius() * (std::abs(x.approximate()) + x.radius());
+  const double rounded = (std::abs(product) + std::abs(mid)) * 0x1p-53 + 0x1p-1000;
+  sum = {mid, (spread + rounded) * (1 + 0x1p-48)};
 }
-
-// A ball and at most twelve products added to it, narrower and in half the time: each product and each sum
-// may cost 2^-53 of what comes out, all of which is added up and put above the exact sum once.
-class ProductSum {
- public:
-  ProductSum() = default;
-  explicit ProductSum(const HardwareBall& first) : mid_(first.approximate()), spread_(first.radius()) {}
-
-  // Nothing is added, not even an error, where b is exactly zero.
-  void add(const HardwareBall& a, const HardwareBall& b) {
-    if (is_zero(b)) {
-      return;
-    }
-    const double size = std::abs(b.approximate());
-    const double product = a.approximate() * b.approximate();
-    mid_ += product;
-    spread_ += std::abs(a.approximate()) * b.radius() + a.radius() * (size + b.radius());
-    rounded_ += std::abs(product) + std::abs(mid_) + 0x1p-940;
-  }
-  [[nodiscard]] HardwareBall sum() const { return {mid_, (spread_ + rounded_ * 0x1p-53) * (1 + 0x1p-48)}; }
-
- private:
-  double mid_ = 0, spread_ = 0, rounded_ = 0;
-};
+inline void add_products(HardwareBall& sum, const HardwareBall& a, const HardwareBall& x,
+                         const HardwareBall& b, const HardwareBall& y) {
+  const double ax = a.approximate() * x.approximate();
+  const double by = b.approximate() * y.approximate();
+  const double both = ax + by;
+  const double mid = sum.approximate() + both;
+  const double spread =
+      sum.radius() +
+      (std::abs(a.approximate()) * x.radius() + a.radius() * (std::abs(x.approximate()) + x.radius())) +
+      (std::abs(b.approximate()) * y.radius() + b.radius() * (std::abs(y.approximate()) + y.radius()));
+  const double rounded =
+      ((std::abs(ax) + std::abs(by)) + (std::abs(both) + std::abs(mid))) * 0x1p-53 + 0x1p-1000;
+  sum = {mid, (spread + rounded) * (1 + 0x1p-48)};
+}
 
 // (sin x, cos x), sin(x)/x and the derivative of that, for all members of x.
 [[nodiscard]] std::pair<HardwareBall, HardwareBall> sin_cos(const HardwareBall& x);

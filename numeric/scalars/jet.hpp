@@ -89,15 +89,15 @@ struct Jet {
     if (this == &b) {
       return *this *= Jet(b);
     }
+    reach(b.partials.size());
     for (S& slope : partials) {
       if (!is_zero(slope)) {
         slope *= b.value;
       }
     }
-    reach(b.partials.size());
     for (std::size_t i = 0; i < b.partials.size(); ++i) {
       if (!is_zero(b.partials[i])) {
-        partials[i] += value * b.partials[i];
+        add_product(partials[i], value, b.partials[i]);
       }
     }
     value *= b.value;

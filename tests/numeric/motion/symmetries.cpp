@@ -7,6 +7,13 @@
 #include "numeric/scalars/jet.hpp"
 #include "tests/numeric/families/random_data.hpp"
 
+// For jets over jets.
+namespace stickslip::numeric::scalars {
+inline void add_product(Jet<Ball, 1>& sum, const Jet<Ball, 1>& a, const Jet<Ball, 1>& b) {
+  sum += a * b;
+}
+}  // namespace stickslip::numeric::scalars
+
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::scalars;

@@ -6,11 +6,13 @@
 #include <doctest/doctest.h>
 
 #include "core/sinc.hpp"
+#include "numeric/zeros/elimination.hpp"
 #include "tests/numeric/families/random_data.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::scalars;
 using namespace stickslip::examples;
+namespace zeros = stickslip::numeric::zeros;
 
 namespace {
 
@@ -59,19 +61,11 @@ TEST_CASE("every operation contains the exact result for every member") {
     CHECK(holds(a.ball - b.ball, a.member - b.member));
     CHECK(holds(a.ball * b.ball, a.member * b.member));
     CHECK(holds(-a.ball, -a.member));
-    CHECK(holds(sum_of_products(a.ball, b.ball, c.ball, a.ball), a.member * b.member + c.member * a.member));
-    ProductSum products(c.ball);
-    Ball exact = c.member;
-    for (int k = 0; k < 4; ++k) {
-      for (const auto& [x, y] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
-        products.add(x->ball, y->ball);
-        exact += x->member * y->member;
-      }
-    }
-    CHECK(holds(products.sum(), exact));
-    products = {};
-    products.add(a.ball, 0);
-    CHECK(is_zero(products.sum()));
+    HardwareBall sum = c.ball;
+    add_product(sum, a.ball, b.ball);
+    CHECK(holds(sum, c.member + a.member * b.member));
+    add_products(sum, b.ball, c.ball, c.ball, a.ball);
+    CHECK(holds(sum, c.member + a.member * b.member + b.member * c.member + c.member * a.member));
     if (!b.member.contains_zero()) {
       CHECK(holds(a.ball / b.ball, a.member / b.member));
     }
@@ -88,6 +82,51 @@ TEST_CASE("every operation contains the exact result for every member") {
       CHECK(holds(*common, a.member));
     }
     CHECK((a.member.is_nonzero() || !a.ball.is_nonzero()));
+  }
+}
+
+TEST_CASE("combined rows contain the exact ones of every member, and what is zero stays so") {
+  constexpr int R = 5, C = 3;
+  using Jets = Jet<HardwareBall, 2>;
+  const RandomData random;
+  INFO("STICKSLIP_SEED=", random.seed());
+  Draw draw(random.seed());
+  for (int round = 0; round < 300; ++round) {
+    const int most_exponent = round % 4 == 0 ? 300 : round % 4 == 1 ? 1000 : 12;
+    Eigen::Matrix<double, R, R> combinations;
+    Eigen::Matrix<Jets, R, C> rows;
+    Eigen::Matrix<HardwareBall, R, C> values;
+    std::array<Eigen::Matrix<Ball, R, C>, 3> members;  // values and partials
+    for (double& factor : combinations.reshaped()) {
+      factor = draw(most_exponent).ball.approximate();
+    }
+    for (int i = 0; i < R; ++i) {
+      for (int j = 0; j < C; ++j) {
+        for (int part = 0; part < 3; ++part) {
+          const Drawn drawn = part == j ? Drawn{0, Ball(0)} : draw(most_exponent);
+          zeros::detail::BallsOf<Jets>::at(rows(i, j), part) = drawn.ball;
+          members.at(static_cast<std::size_t>(part))(i, j) = drawn.member;
+        }
+        values(i, j) = rows(i, j).value;
+      }
+    }
+    Eigen::Matrix<Jets, R, C> combined = zeros::combined_rows<Jets, R, C>(combinations, rows);
+    const auto combined_values = zeros::combined_rows<HardwareBall, R, C>(combinations, values);
+    const WorkingPrecision scope(6000);
+    for (int i = 0; i < R; ++i) {
+      for (int j = 0; j < C; ++j) {
+        for (int part = 0; part < 3; ++part) {
+          Ball exact(0);
+          for (int k = 0; k < R; ++k) {
+            exact += Ball(combinations(i, k)) * members.at(static_cast<std::size_t>(part))(k, j);
+          }
+          const HardwareBall& ball = zeros::detail::BallsOf<Jets>::at(combined(i, j), part);
+          CHECK(holds(ball, exact));
+          CHECK((part != j || is_zero(ball)));
+          CHECK((part != 0 || holds(combined_values(i, j), exact)));
+        }
+      }
+    }
   }
 }
 

@@ -12,6 +12,13 @@
 #include "numeric/zeros/elimination.hpp"
 #include "tests/numeric/families/nest.hpp"
 
+// For jets over it.
+namespace stickslip::numeric::scalars {
+inline void add_product(Exact& sum, const Exact& a, const Exact& b) {
+  sum += a * b;
+}
+}  // namespace stickslip::numeric::scalars
+
 using namespace stickslip;
 using namespace stickslip::numeric::motion;
 using namespace stickslip::numeric::scalars;
@@ -130,7 +137,8 @@ TEST_CASE("elimination over balls keeps the exact rational solution") {
     if (!combinations) {
       continue;
     }
-    Eigen::Matrix<Ball, 5, 4> reduced = combined_rows<Ball, 5, 4>(*combinations, rows);
+    Eigen::Matrix<Ball, 5, 4> reduced =
+        combined_rows<Ball, 5, 4>(Eigen::Matrix<Ball, 5, 5>(combinations->cast<Ball>()), rows);
     if (!eliminate<Ball, 5, 4>(reduced, 0, 3)) {
       continue;
     }
