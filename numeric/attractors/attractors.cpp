@@ -84,6 +84,35 @@ bool attracts(const Group& group) {
   return group.orbit && is_stable(*group.orbit) && is_there(*group.orbit, group.seen);
 }
 
+// A motion that comes back after fewer periods, too, through a part of its word: as a proof would have it.
+Return shortest(Return seen) {
+  const auto n = static_cast<std::size_t>(seen.guess.periods);
+  for (std::size_t d = 1; d < n; ++d) {
+    const std::string part = seen.word.substr(0, seen.word.size() * d / n);
+    std::string repeated;
+    for (std::size_t k = 0; k < n / d; ++k) {
+      repeated += part;
+    }
+    if (n % d == 0 && repeated == seen.word && distance(seen.once[0], seen.once[d]) < same_orbit) {
+      seen.once.resize(d);
+      seen.word = part;
+      seen.guess.periods = static_cast<long>(d);
+      seen.guess.events.resize(part.size());
+      return seen;
+    }
+  }
+  return seen;
+}
+
+// The proofs of words make use of (7), the response to the load.
+WordOrbit unproved_at_resonance(const Return& seen) {
+  return {words::Word::parse(seen.word),
+          seen.guess.periods,
+          Verdict::undecided("$omega$ is a natural frequency, where (7) has a pole"),
+          {},
+          {}};
+}
+
 class Survey {
  public:
   Survey(const AttractorQuestion& question, const std::vector<Vector4<double>>& starts)
@@ -162,8 +191,11 @@ std::vector<std::size_t> Survey::left_after_sending_on(const Group& group) {
 }
 
 void Survey::prove() {
-  const std::vector<std::optional<Return>> seen =
-      parallel_map(open_.size(), [&](std::size_t i) { return followers_[open_[i]].returned(); });
+  const bool resonant = is_resonant(question_.machine.data);
+  const auto seen = parallel_map(open_.size(), [&](std::size_t i) {
+    const std::optional<Return> one = followers_[open_[i]].returned();
+    return one && resonant ? std::optional(shortest(*one)) : one;
+  });
   std::vector<Group> fresh;
   for (std::size_t i = 0; i < open_.size(); ++i) {
     if (!seen[i]) {
@@ -182,7 +214,9 @@ void Survey::prove() {
   }
   const bool provable = words::in_word_domain(question_.machine) && !interrupted();
   const auto orbits = parallel_map(fresh.size(), [&](std::size_t i) {
-    return provable ? std::optional(prove_word_orbit(question_.machine, fresh[i].seen.guess)) : std::nullopt;
+    return provable   ? std::optional(prove_word_orbit(question_.machine, fresh[i].seen.guess))
+           : resonant ? std::optional(unproved_at_resonance(fresh[i].seen))
+                      : std::nullopt;
   });
   open_.clear();
   for (std::size_t i = 0; i < fresh.size(); ++i) {
@@ -283,8 +317,11 @@ AttractorList Survey::result() const {
     if (placed[i]) {
       continue;
     }
-    // A return that no proof was tried for: interrupted, or no word.
-    const Kind kind = follower.kind() == Kind::periodic ? Kind::unsettled : follower.kind();
+    // A return that no proof was tried for: interrupted, or no word. At resonance what slips goes on to grow
+    // until it meets the belt.
+    const bool goes_on = follower.kind() == Kind::periodic ||
+                         (follower.kind() == Kind::slides && is_resonant(question_.machine.data));
+    const Kind kind = goes_on ? Kind::unsettled : follower.kind();
     Attractor& a = others[kind];
     a.kind = kind;
     a.state = a.count == 0 ? follower.simulation().state() : a.state;
@@ -384,7 +421,7 @@ AttractorList find_attractors_from(const AttractorQuestion& question,
   if (words::growth(question.machine.data, question.machine.ur).truth == Truth::proved) {
     return all_grow(question, starts);
   }
-  words::require_word_domain(question.machine);
+  words::require_simulated_domain(question.machine);
   Survey survey(question, starts);
   survey.run();
   return survey.result();

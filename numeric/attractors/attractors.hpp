@@ -45,7 +45,8 @@ struct AttractorList {
 };
 
 // Where all motions are proved to grow beyond all bounds (words/growth.hpp) that is the answer, without a
-// simulation. Throws as words::require_word_domain and simulation::Simulation do.
+// simulation. At a natural frequency no periodic motion is proved. Throws as words::require_simulated_domain
+// and simulation::Simulation do.
 [[nodiscard]] AttractorList find_attractors(const AttractorQuestion& question);
 
 // What the motions from these starts at load phase 0 settle on; the question's number of starts and seed say

@@ -208,16 +208,30 @@ Requirements requirements_of(const std::vector<PhaseKind>& phases) {
   return list;
 }
 
-void require_machine_domain(const WordQuestion& question) {
-  const ExactParameters& a = question.data;
-  require_response(a);
-  if (question.ur <= a.us) {
-    throw DomainError("ur", stickslip::to_string(question.ur), "ur > us = " + stickslip::to_string(a.us));
+namespace {
+
+void require_friction(const WordQuestion& question) {
+  const Rational& us = question.data.us;
+  if (question.ur <= us) {
+    throw DomainError("ur", stickslip::to_string(question.ur), "ur > us = " + stickslip::to_string(us));
   }
 }
 
+}  // namespace
+
+void require_machine_domain(const WordQuestion& question) {
+  require_response(question.data);
+  require_friction(question);
+}
+
 void require_word_domain(const WordQuestion& question) {
-  require_machine_domain(question);
+  require_response(question.data);
+  require_simulated_domain(question);
+}
+
+void require_simulated_domain(const WordQuestion& question) {
+  require_model_domain(question.data);
+  require_friction(question);
   if (question.data.p == 0) {
     throw DomainError("p", "0",
                       "p > 0: without load each shift in time of an orbit is an orbit, so none is alone");

@@ -44,6 +44,8 @@ struct WordOrbit {
 void require_machine_domain(const WordQuestion& question);
 // Likewise, and unless p > 0: there a closed motion is isolated, except for chance.
 void require_word_domain(const WordQuestion& question);
+// Likewise, but omega may be a natural frequency: there motions are simulated, and none is proved.
+void require_simulated_domain(const WordQuestion& question);
 [[nodiscard]] bool in_word_domain(const WordQuestion& question);
 
 // Proves the orbit that Newton's method reaches from the guess. When that is a shorter orbit taken several

@@ -276,11 +276,11 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
     rows.push_back({{std::to_string(i + 1)}, {state_of(units.state(list.attractors[i].state))}});
   }
   return text + "\n" + columns_of(rows, style.width) + "\n" +
-         labelled(
-             0, "share",
-             "of the starts, with Wilson's interval of 95 %; periodic motions are proved, and what is said "
-             "to be; everything else is a check in floating point",
-             style.width);
+         labelled(0, "share",
+                  "of the starts, with Wilson's interval of 95 %; what is said to be proved is; everything "
+                  "else is "
+                  "a check in floating point",
+                  style.width);
 }
 
 std::string terminal_report(const WordOrbits& list, const Style& style, const Units& units, InFull in_full) {

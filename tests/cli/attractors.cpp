@@ -44,7 +44,7 @@ TEST_CASE("words that are none, and options that do not go with them, are named"
       {{"attractors", "--example", "O", "--most-periods", "1e3"}, exit_usage, "most-periods: '1e3'"},
       {{"attractors", "--example", "O", "--chi", "1"}, exit_domain, "chi = 1"},
       {{"attractors", "--example", "O", "--us", "0"}, exit_domain, "us = 0"},
-      {{"attractors", "--chi", "0.375", "--eta", "4/3", "--us", "0.1", "--V", "1", "--omega", "0.5", "--p",
+      {{"orbits", "ST", "--chi", "0.375", "--eta", "4/3", "--us", "0.1", "--V", "1", "--omega", "0.5", "--p",
         "0.1", "--ur", "0.2"},
        exit_domain,
        "omega = 0.5"},
