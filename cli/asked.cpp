@@ -225,20 +225,6 @@ Asked<AttractorQuestion> asked_machines(const Attracted& o, const Paper& paper) 
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
-// "A..B" with A < B.
-std::pair<Rational, Rational> ends(const std::string& text) {
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos) {
-    throw UsageError(fmt::format("along: '{}' is no interval A..B, such as 0.1..0.5", text));
-  }
-  const Rational from = exact_number("along", text.substr(0, dots));
-  const Rational to = exact_number("along", text.substr(dots + 2));
-  if (from >= to) {
-    throw UsageError(fmt::format("along: '{}' does not rise: A..B needs A < B", text));
-  }
-  return {from, to};
-}
-
 std::array<int, 2> plane(const std::string& text) {
   const auto& names = report::orbits::coordinates;
   const std::size_t comma = text.find(',');
@@ -263,13 +249,17 @@ std::array<int, 2> plane(const std::string& text) {
 std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, const ParameterFile& file) {
   const std::string& name = o.along[0];
   if (!file.in_SI.contains(name)) {
-    if (file.machine && std::ranges::find(parameter_names, name) == parameter_names.end()) {
+    if (file.machine && !is_parameter(name)) {
       std::vector<std::string> known;
       for (const auto& [key, text] : file.in_SI) {
         known.push_back(key);
       }
       throw UsageError(fmt::format("along: '{}' is none of the parameters in {}: {}", name, file.name,
                                    fmt::join(known, ", ")));
+    }
+    if (is_in_SI(name)) {
+      throw UsageError(
+          fmt::format("{} is a value of a machine in SI units: give its file by --params", name));
     }
     return {};
   }
@@ -300,12 +290,13 @@ Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Paper& paper
 
 Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
   Asked<AttractorQuestion> given = asked_machines(o, paper);
-  const auto [from, to] = ends(o.along[1]);
+  auto taken = machine_along(o, given.file);
+  const auto [from, to] = interval(o.along[0], with_along({}, o.along).begin()->second);
   const int values = whole_number("values", o.values, Attracted::most_values, Attracted::default_values);
   if (values < 2) {
     throw UsageError("values: a diagram needs at least 2");
   }
-  DiagramQuestion asked{given.question, o.along[0], from, to, values, machine_along(o, given.file)};
+  DiagramQuestion asked{given.question, o.along[0], from, to, values, std::move(taken)};
   return {std::move(given.file), std::move(given.units), std::move(asked)};
 }
 

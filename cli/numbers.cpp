@@ -39,6 +39,9 @@ Rational exact_number(const std::string& name, const std::string& text) {
 std::pair<Rational, Rational> interval(const std::string& name, const std::string& text) {
   const std::size_t dots = text.find("..");
   if (dots != std::string::npos) {
+    if (dots == 0 || dots + 2 == text.size()) {
+      throw UsageError(fmt::format("{}: '{}' is not an interval A..B, such as 0.1..0.5", name, text));
+    }
     const std::pair ends{exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
     if (ends.first >= ends.second) {
       throw UsageError(fmt::format("{}: '{}' does not rise: A..B needs A < B", name, text));

@@ -121,15 +121,15 @@ OrbitQuestion question(const Paper& paper, const Family& family, const TypedPara
 Along along_interval(TypedParameters& typed) {
   Along found;
   for (auto& [name, text] : typed) {
-    const std::size_t dots = text.find("..");
-    if (dots == std::string::npos) {
+    if (text.find("..") == std::string::npos) {
       continue;
     }
     if (!found.parameter.empty()) {
       throw UsageError(
           fmt::format("{} and {} are both intervals: a branch is along one", found.parameter, name));
     }
-    found = {name, exact_number(name, text.substr(0, dots)), exact_number(name, text.substr(dots + 2))};
+    const auto [from, to] = interval(name, text);
+    found = {name, from, to};
     text = to_string(found.from);
   }
   if (found.parameter.empty()) {
@@ -150,7 +150,7 @@ TypedParameters with_along(TypedParameters typed, const std::vector<std::string>
                                  fmt::join(parameter_names, ", "), fmt::join(names_in_SI, ", ")));
   }
   if (along[1].find("..") == std::string::npos) {
-    throw UsageError(fmt::format("along: '{}' is no interval A..B, such as 0.1..0.5", along[1]));
+    throw UsageError(fmt::format("along: '{}' is not an interval A..B, such as 0.1..0.5", along[1]));
   }
   typed[name] = along[1];
   return typed;

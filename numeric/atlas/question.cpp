@@ -93,9 +93,8 @@ void require_understood(const Question& q) {
     throw UsageError(fmt::format("an atlas of {} orbits needs phi; u_r is a result", q.family->name));
   }
   if (q.axes.empty() || q.axes.size() > 4) {
-    throw UsageError(
-        fmt::format("an atlas needs one to four parameters that vary, such as --omega 0.5..0.8; here are {}",
-                    q.axes.size()));
+    throw UsageError(fmt::format(
+        "an atlas needs one to four parameters that vary, such as --omega 0.5..0.8, not {}", q.axes.size()));
   }
   const int most = most_depth / static_cast<int>(q.axes.size());
   if (q.resolution < 1 || q.resolution > most) {

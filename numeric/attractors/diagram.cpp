@@ -21,8 +21,7 @@ words::WordQuestion with(words::WordQuestion machine, const std::string& name, c
                                               {"ur", &machine.ur}};
   const auto found = all.find(name);
   if (found == all.end()) {
-    throw UsageError("'" + name +
-                     "' is none of chi, eta, us, V, omega, p and ur, which a diagram can be along");
+    throw UsageError("along: '" + name + "' is none of chi, eta, us, V, omega, p and ur");
   }
   *found->second = value;
   return machine;

@@ -91,8 +91,8 @@ void require_question(const BranchQuestion& question) {
   }
   if (!question.machine &&
       std::find(parameters.begin(), parameters.end(), question.parameter) == parameters.end()) {
-    throw UsageError(fmt::format("'{}' is none of {}, which a branch can be along", question.parameter,
-                                 "chi, eta, us, V, omega, p, phi and ur"));
+    throw UsageError(
+        fmt::format("along: '{}' is none of chi, eta, us, V, omega, p, phi and ur", question.parameter));
   }
   if (question.from >= question.to) {
     throw UsageError(fmt::format("{}: {}..{} does not rise: A..B needs A < B", question.parameter,

@@ -264,7 +264,10 @@ TEST_CASE("what makes no sense with --along and --plane is named") {
   check_refused({
       {at_P({"--along", "ur", "3"}), exit_usage, "A..B"},
       {at_P({"--along", "ur", "0.5..0.1"}), exit_usage, "does not rise"},
-      {at_P({"--along", "tau", "1..2"}), exit_usage, "tau"},
+      {at_P({"--along", "ur", "0.5.."}), exit_usage, "'0.5..' is not an interval A..B"},
+      {at_P({"--along", "tau", "1..2"}), exit_usage, "'tau' is none of chi, eta, us, V, omega, p, phi, ur"},
+      {at_P({"--along", "phi", "1..2"}), exit_usage, "'phi' is none of chi, eta, us, V, omega, p and ur"},
+      {at_P({"--along", "load_frequency", "1..2"}), exit_usage, "give its file by --params"},
       {at_P({"--along", "ur", "0.2..0.3", "--values", "1"}), exit_usage, "values"},
       {at_P({"--along", "ur", "0.2..0.3", "--pixels", "9"}), exit_usage, "--pixels"},
       {at_P({"--along", "ur", "0.2..0.3", "--plane", "x1,x2"}), exit_usage, "--plane"},
