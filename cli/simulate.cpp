@@ -13,7 +13,6 @@
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
 #include "core/interruption.hpp"
-#include "numeric/attractors/settle.hpp"
 #include "numeric/simulation/record.hpp"
 #include "numeric/simulation/simulation.hpp"
 
@@ -167,34 +166,6 @@ Simulated simulate(const MotionAsked& asked, const SimulateOptions& options, con
   return simulated;
 }
 
-// So many steps of a simulation, roughly, take a second.
-constexpr double enough_steps = 1e6;
-constexpr double fewest_periods = 100;
-// Beyond this a motion of the largest data could leave what a simulation can begin with.
-constexpr double greatest_state = 1e90;
-
-// What the motion settles on, if that can be seen within a second or so, when it goes on from its end.
-std::optional<attractors::Attractor> settles_on(const Record& record, const words::WordQuestion& machine) {
-  if (record.interrupted || !(record.end.X.lpNorm<Eigen::Infinity>() < greatest_state)) {
-    return std::nullopt;
-  }
-  const double fastest =
-      std::max({1.0, model::modes<double>(record.start.data.chi, record.start.data.eta).omega2,
-                record.start.data.omega});
-  const double periods = std::min(enough_steps / (record.period * fastest),
-                                  static_cast<double>(AttractorsOptions::default_most_periods));
-  if (!(periods >= fewest_periods)) {
-    return std::nullopt;
-  }
-  Start end = record.start;
-  end.phi += end.data.omega * record.done;
-  end.X = record.end.X;
-  const Interruptible scope;
-  attractors::Attractor found =
-      attractors::find_attractor(machine, attractors::at_phase_0(end), static_cast<long>(periods));
-  return interrupted() ? std::nullopt : std::optional(std::move(found));
-}
-
 }  // namespace
 
 ExitCode run(const SimulateOptions& options, const Paper& paper) {
@@ -210,7 +181,10 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
   if (options.csv == Samples::standard_output) {
     return simulated.record.interrupted ? exit_interrupted : exit_decided;
   }
-  simulated.settles = settles_on(simulated.record, asked.from.machine);
+  {
+    const Interruptible scope;
+    simulated.settles = settles_on(simulated.record, asked.from.machine);
+  }
   print_result(simulated, file, options.json, units);
   return simulated.record.interrupted ? exit_interrupted : exit_decided;
 }

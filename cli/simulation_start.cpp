@@ -8,6 +8,8 @@
 #include "cli/named_orbit.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
+#include "core/interruption.hpp"
+#include "numeric/attractors/settle.hpp"
 #include "numeric/families/family.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "report/orbits/orbit_words.hpp"
@@ -23,6 +25,12 @@ using proofs::methods::Paper;
 namespace {
 
 constexpr int digits_of_ur = 17;
+
+// So many steps of a simulation, roughly, take a second.
+constexpr double enough_steps = 1e6;
+constexpr double fewest_periods = 100;
+// Beyond this a motion of the largest data could leave what a simulation can begin with.
+constexpr double greatest_state = 1e90;
 
 // The beginning of the orbit.
 Start start_of_orbit(const Orbit& orbit) {
@@ -114,6 +122,26 @@ SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& 
     from.start.X += units.of_state(four_numbers("perturb", options.perturb));
   }
   return from;
+}
+
+std::optional<attractors::Attractor> settles_on(const Record& record, const words::WordQuestion& machine) {
+  if (record.interrupted || !(record.end.X.lpNorm<Eigen::Infinity>() < greatest_state)) {
+    return std::nullopt;
+  }
+  const double fastest =
+      std::max({1.0, model::modes<double>(record.start.data.chi, record.start.data.eta).omega2,
+                record.start.data.omega});
+  const double periods = std::min(enough_steps / (record.period * fastest),
+                                  static_cast<double>(AttractorsOptions::default_most_periods));
+  if (!(periods >= fewest_periods)) {
+    return std::nullopt;
+  }
+  Start end = record.start;
+  end.phi += end.data.omega * record.done;
+  end.X = record.end.X;
+  attractors::Attractor found =
+      attractors::find_attractor(machine, attractors::at_phase_0(end), static_cast<long>(periods));
+  return interrupted() ? std::nullopt : std::optional(std::move(found));
 }
 
 }  // namespace stickslip::cli

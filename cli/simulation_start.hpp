@@ -3,7 +3,8 @@
 
 #include "cli/arguments.hpp"
 #include "cli/machine_file.hpp"
-#include "numeric/simulation/run.hpp"
+#include "numeric/attractors/attractors.hpp"
+#include "numeric/simulation/record.hpp"
 #include "numeric/words/word_orbit.hpp"
 #include "proofs/methods/paper.hpp"
 
@@ -23,5 +24,10 @@ struct SimulationStart {
 [[nodiscard]] SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file,
                                                const proofs::methods::Paper& paper,
                                                const report::orbits::Units& units);
+
+// What the motion settles on when it goes on from the end of the record, if that can be seen within a second
+// or so; nothing after an interruption.
+[[nodiscard]] std::optional<numeric::attractors::Attractor> settles_on(
+    const numeric::simulation::Record& record, const numeric::words::WordQuestion& machine);
 
 }  // namespace stickslip::cli

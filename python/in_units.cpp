@@ -16,12 +16,16 @@ void tell_in(const Units& units, WordOrbit& o) {
   }
 }
 
+void tell_in(const Units& units, Attractor& a) {
+  a.state = units.state(a.state);
+  if (a.orbit) {
+    tell_in(units, *a.orbit);
+  }
+}
+
 void tell_in(const Units& units, std::vector<Attractor>& attractors) {
   for (Attractor& a : attractors) {
-    a.state = units.state(a.state);
-    if (a.orbit) {
-      tell_in(units, *a.orbit);
-    }
+    tell_in(units, a);
   }
 }
 
@@ -73,6 +77,10 @@ Basins in_units(Basins basins, const Units& units) {
 
 report::orbits::Simulated in_units(report::orbits::Simulated simulated, const Units& units) {
   simulated.record = units.record(simulated.record);
+  if (simulated.settles) {
+    const WorkingPrecision precision(bits_for(20));
+    tell_in(units, *simulated.settles);
+  }
   return simulated;
 }
 

@@ -15,7 +15,7 @@ using report::orbits::Units;
 [[nodiscard]] long bits_for(int digits);
 
 // Values and durations; those of motions and states; states once a period, along a value of a machine in SI
-// units always in SI; starts; record. Balls are rounded outwards.
+// units always in SI; starts; record and what it settles on. Balls are rounded outwards.
 [[nodiscard]] numeric::attractors::WordOrbits in_units(numeric::attractors::WordOrbits list,
                                                        const Units& units);
 [[nodiscard]] numeric::attractors::AttractorList in_units(numeric::attractors::AttractorList list,

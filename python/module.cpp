@@ -35,6 +35,7 @@
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/parts.hpp"
+#include "report/orbits/pure_word.hpp"
 #include "report/orbits/simulation.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/numbers.hpp"
@@ -261,6 +262,36 @@ Told<attractors::WordOrbits> word_orbits(const Given& g, const std::string& word
       g.machine);
 }
 
+using report::orbits::PureWord;
+
+Told<PureWord> pure_word(const Given& g, const std::string& word, const std::string& period,
+                         const std::optional<std::string>& near, const std::string& digits,
+                         const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = options_of<cli::OrbitsOptions>(g);
+        o.family = word;
+        o.period = period;
+        o.with_near = near.has_value();
+        o.digits = digits;
+        return answered(cli::asked_pure_word(o, paper_for(g.example)),
+                        [&](const words::WordQuestion& machine) {
+                          return PureWord{machine, words::kind_of(word).value()};
+                        });
+      },
+      g.machine);
+}
+
+std::string fields_of_pure_word(const Told<PureWord>& t) {
+  const WorkingPrecision precision(bits_for(t.answer.machine.digits));
+  report::tools::Json json = report::orbits::to_json(t.answer, t.units);
+  if (t.units.are_SI()) {
+    json["units"] = "si";
+  }
+  return json.dump();
+}
+
 Told<branches::BranchList> branch(const Given& g, const std::string& family,
                                   const std::vector<std::string>& along, const std::string& at,
                                   const std::string& period, const std::string& orbit,
@@ -281,51 +312,45 @@ Told<branches::BranchList> branch(const Given& g, const std::string& family,
       g.machine);
 }
 
-// How starts are followed; what is empty is as the program has it.
+// How starts are followed, and which, and the values of a diagram; what is empty is as the program has it.
 struct Following {
-  std::string starts, seed, most_periods, digits;
+  std::string starts, seed, most_periods, digits, values, pixels, through;
 };
 
-cli::AttractorsOptions attractors_options(const Given& g, const Following& how) {
-  auto o = options_of<cli::AttractorsOptions>(g);
-  o.starts = how.starts;
-  o.seed = how.seed;
-  o.most_periods = how.most_periods;
-  o.digits = how.digits;
-  return o;
+template <class Ask, class Find>
+auto where_starts_end(const Given& g, const Following& how, const std::vector<std::string>& along,
+                      const std::string& plane, const Ask& ask, const Find& find, const Conduct& conduct) {
+  return carried_out(
+      conduct,
+      [&] {
+        auto o = options_of<cli::AttractorsOptions>(g);
+        o.starts = how.starts;
+        o.seed = how.seed;
+        o.most_periods = how.most_periods;
+        o.digits = how.digits;
+        o.values = how.values;
+        o.pixels = how.pixels;
+        o.through = how.through;
+        o.along = along;
+        o.plane = plane;
+        return answered(ask(o, paper_for(g.example)), find);
+      },
+      g.machine);
 }
 
 Told<attractors::AttractorList> find_attractors(const Given& g, const Following& how,
-                                                const std::string& values, const std::string& pixels,
-                                                const std::string& through, const Conduct& conduct) {
-  return carried_out(
-      conduct,
-      [&] {
-        auto o = attractors_options(g, how);
-        o.values = values;
-        o.pixels = pixels;
-        o.through = through;
-        return answered(cli::asked_attractors(o, paper_for(g.example)), attractors::find_attractors);
-      },
-      g.machine);
+                                                const Conduct& conduct) {
+  return where_starts_end(g, how, {}, "", cli::asked_attractors, attractors::find_attractors, conduct);
 }
 
 Told<attractors::Diagram> diagram(const Given& g, const Following& how, const std::vector<std::string>& along,
-                                  const std::string& plane, const std::string& values,
-                                  const std::string& pixels, const std::string& through,
-                                  const Conduct& conduct) {
-  return carried_out(
-      conduct,
-      [&] {
-        auto o = attractors_options(g, how);
-        o.along = along;
-        o.plane = plane;
-        o.values = values;
-        o.pixels = pixels;
-        o.through = through;
-        return answered(cli::asked_diagram(o, paper_for(g.example)), attractors::diagram_of);
-      },
-      g.machine);
+                                  const std::string& plane, const Conduct& conduct) {
+  return where_starts_end(g, how, along, plane, cli::asked_diagram, attractors::diagram_of, conduct);
+}
+
+Told<attractors::Basins> basins(const Given& g, const Following& how, const std::string& plane,
+                                const Conduct& conduct) {
+  return where_starts_end(g, how, {}, plane, cli::asked_basins, attractors::basins_of, conduct);
 }
 
 // Of a machine whose values vary: those that stay. Else what the program's JSON says.
@@ -336,22 +361,6 @@ std::optional<TypedParameters> staying(const Told<attractors::Diagram>& t) {
   TypedParameters values = t.file.in_SI;
   values.erase(t.answer.question.parameter);
   return values;
-}
-
-Told<attractors::Basins> basins(const Given& g, const Following& how, const std::string& plane,
-                                const std::string& values, const std::string& pixels,
-                                const std::string& through, const Conduct& conduct) {
-  return carried_out(
-      conduct,
-      [&] {
-        auto o = attractors_options(g, how);
-        o.plane = plane;
-        o.values = values;
-        o.pixels = pixels;
-        o.through = through;
-        return answered(cli::asked_basins(o, paper_for(g.example)), attractors::basins_of);
-      },
-      g.machine);
 }
 
 // The starts, row by row from below.
@@ -376,7 +385,7 @@ struct Followed {
 
 Told<Followed> simulate(const Given& g, const std::string& orbit, const std::string& state,
                         const std::string& perturb, const std::string& periods, const std::string& every,
-                        const Conduct& conduct) {
+                        bool settle, const Conduct& conduct) {
   return carried_out(
       conduct,
       [&] {
@@ -402,6 +411,9 @@ Told<Followed> simulate(const Given& g, const std::string& orbit, const std::str
                 followed.rows.push_back({s.time, s.X(0), s.X(1), s.X(2), s.X(3), s.r, s.u, s.energy});
                 followed.phases.push_back(static_cast<int>(s.phase));
               });
+          if (settle) {
+            followed.simulated.settles = cli::settles_on(followed.simulated.record, motion.from.machine);
+          }
           return followed;
         });
       },
@@ -608,8 +620,10 @@ PYBIND11_MODULE(_core, m) {
       .def(py::init(&given), py::arg("parameters"), py::arg("example"), py::arg("machine"), py::arg("values"),
            py::arg("units"));
   py::class_<Following>(m, "Following")
-      .def(py::init<std::string, std::string, std::string, std::string>(), py::arg("starts"), py::arg("seed"),
-           py::arg("most_periods"), py::arg("digits"));
+      .def(py::init<std::string, std::string, std::string, std::string, std::string, std::string,
+                    std::string>(),
+           py::arg("starts"), py::arg("seed"), py::arg("most_periods"), py::arg("digits"), py::arg("values"),
+           py::arg("pixels"), py::arg("through"));
   using Orbits = Told<numeric::OrbitList>;
   py::class_<Orbits>(m, "OrbitList")
       .def("json", &json<numeric::OrbitList>)
@@ -623,6 +637,10 @@ PYBIND11_MODULE(_core, m) {
       .def("json", &json<numeric::attractors::WordOrbits>)
       .def("fields", &fields<numeric::attractors::WordOrbits>)
       .def("left_out", &left_out<numeric::attractors::WordOrbits>);
+  py::class_<Told<PureWord>>(m, "PureWord")
+      .def("json", &json<PureWord>)
+      .def("fields", &fields_of_pure_word)
+      .def("left_out", &left_out<PureWord>);
   py::class_<Told<numeric::branches::BranchList>>(m, "BranchList")
       .def("json", &json<numeric::branches::BranchList>)
       .def("left_out", &left_out<numeric::branches::BranchList>)
@@ -659,19 +677,19 @@ PYBIND11_MODULE(_core, m) {
   m.def("orbits", &orbits, py::arg("given"), py::arg("family"), py::arg("digits"), py::arg("conduct"));
   m.def("word_orbits", &word_orbits, py::arg("given"), py::arg("word"), py::arg("period"), py::arg("near"),
         py::arg("digits"), py::arg("conduct"));
+  m.def("pure_word", &pure_word, py::arg("given"), py::arg("word"), py::arg("period"), py::arg("near"),
+        py::arg("digits"), py::arg("conduct"));
   m.def("branch", &branch, py::arg("given"), py::arg("family"), py::arg("along"), py::arg("at"),
         py::arg("period"), py::arg("orbit"), py::arg("near"), py::arg("all"), py::arg("conduct"));
   m.def("atlas", &read_atlas, py::arg("file"), py::arg("conduct"));
   m.def("make_atlas", &make_atlas, py::arg("given"), py::arg("family"), py::arg("along"),
         py::arg("resolution"), py::arg("conduct"));
-  m.def("attractors", &find_attractors, py::arg("given"), py::arg("following"), py::arg("values"),
-        py::arg("pixels"), py::arg("through"), py::arg("conduct"));
+  m.def("attractors", &find_attractors, py::arg("given"), py::arg("following"), py::arg("conduct"));
   m.def("diagram", &diagram, py::arg("given"), py::arg("following"), py::arg("along"), py::arg("plane"),
-        py::arg("values"), py::arg("pixels"), py::arg("through"), py::arg("conduct"));
-  m.def("basins", &basins, py::arg("given"), py::arg("following"), py::arg("plane"), py::arg("values"),
-        py::arg("pixels"), py::arg("through"), py::arg("conduct"));
+        py::arg("conduct"));
+  m.def("basins", &basins, py::arg("given"), py::arg("following"), py::arg("plane"), py::arg("conduct"));
   m.def("simulate", &simulate, py::arg("given"), py::arg("orbit"), py::arg("state"), py::arg("perturb"),
-        py::arg("periods"), py::arg("every"), py::arg("conduct"));
+        py::arg("periods"), py::arg("every"), py::arg("settle"), py::arg("conduct"));
   m.def("machine_values", &machine_values, py::arg("file"));
   m.def("check", &check, py::arg("words"), py::arg("file"), py::arg("conduct"));
   m.def(

@@ -12,8 +12,8 @@ phi the load's phase. They are given exactly: as text ("0.1607", "1/3", or a box
 or Decimal; a float is refused. ``example="S"`` (O, P) takes the paper's data; what is given replaces them.
 
 ``machine=Machine(m1="2.5", …)`` or ``machine=read_machine("machine.toml")`` is a machine in SI units: the data are
-taken for it by (3), in a unit of length that ``json["machine"]`` of the result says. With ``units="si"`` results are
-told, and states given, in s, m, m/s, N and J. Of a machine, what a question does not take is warned of.
+taken for it by (3), in a unit of length that ``json["machine"]`` of the result says. With ``units="si"`` results and
+states are in s, m, m/s, N and J. A warning says what a question does not take of a machine.
 
 Errors: UsageError and DomainError (both are ValueErrors), InputOutputError (an OSError), InternalError (a
 RuntimeError), all of them stickslip.Error, with the program's sentences. Long work runs without Python's lock;
@@ -33,11 +33,12 @@ from ._core import DomainError, Error, InputOutputError, InternalError, UsageErr
 from ._exact import Ball, ComplexBall, Exact, exact
 from ._machine import Along, Machine, interval, read_machine
 from ._results import (Atlas, Attractor, Attractors, Basins, Branch, Branches, BranchEnd, Change, Check, Claim,
-                       Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, Simulation, Unresolved)
+                       Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, PureWord, Simulation,
+                       Unresolved)
 
 __all__ = [
     "orbits", "branch", "atlas", "attractors", "simulate", "check", "prove", "latex", "expressions", "Machine", "read_machine",
-    "Ball", "ComplexBall", "Condition", "Unresolved", "Orbit", "Orbits", "Change", "Piece", "BranchEnd", "Branch",
+    "Ball", "ComplexBall", "Condition", "Unresolved", "Orbit", "Orbits", "PureWord", "Change", "Piece", "BranchEnd", "Branch",
     "Count", "Branches", "Atlas", "Attractor", "Attractors", "DiagramPoint", "Diagram", "Basins", "Event", "Simulation",
     "Claim", "Check", "Error", "UsageError", "DomainError", "InputOutputError", "InternalError", "__version__"
 ]
@@ -120,15 +121,16 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
            V: Optional[Exact] = None, omega: Optional[Exact] = None, p: Optional[Exact] = None,
            phi: Optional[Exact] = None, ur: Optional[Exact] = None, example: Optional[str] = None,
            machine: Optional[Machine] = None, units: Optional[str] = None, digits: int = 20, period: int = 1,
-           near: Optional[Sequence[Union[Exact, float]]] = None, jobs: Optional[int] = None) -> Orbits:
+           near: Optional[Sequence[Union[Exact, float]]] = None, jobs: Optional[int] = None) -> Union[Orbits, PureWord]:
     """All periodic orbits of a family, each proved to exist, with every condition decided.
 
     family: "symmetric" (Section 4; phi and ur are results), "overshooting" (Section 5; exactly one of phi and
     ur is given), "nonsticking" (Section 6 and any V; ur may be given); or a word of S (slip), O (overshoot), T
     (stick) such as "OTS": its orbits over `period` periods of the load at ur, near a state (x1, x2, x1', x2')
-    or where random starts end; complete for up to four phases, OSOS aside, without `near`.
-    machine: in SI units, in place of the data; phi, in rad, goes with it. units: "si": values are told, and
-    `near` is given, in s, m, m/s and N; by default in the units of the data.
+    or where random starts end; complete for up to four phases, OSOS aside, without `near`. Of "S", "O" or "T" alone,
+    whose motions have one phase for ever, a PureWord: whether there are such motions.
+    machine: in SI units, in place of the data; phi, in rad, goes with it. units: "si": values and `near` are
+    in s, m, m/s and N; by default in the units of the data.
     digits: significant ones of each value, at most 2000. jobs: the most threads; the result is the same.
 
     A parameter may be a box ("0.3+-1e-4", a Ball): then each orbit is proved for all its members.
@@ -139,6 +141,10 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur), _data, example, machine, units)
     conduct = _conduct(jobs)
     wanted = _count("digits", digits, 2000)
+    if family in ("S", "O", "T"):
+        return PureWord._from(_told(
+            _core.pure_word(given, family, "" if period == 1 else _count("period", period, 100000),
+                            None if near is None else _state("near", near), wanted, conduct)))
     if _is_word(family):
         return Orbits._later(_told(
             _core.word_orbits(given, family, _count("period", period, 100000),
@@ -218,8 +224,8 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
 
     starts: how many, by default 500; seed: of the random numbers, the same everywhere, by default 1; most_periods: of
     the load, that a start is followed for. The load is cos(omega t). What is quasi-periodic or irregular is
-    distinguished by its Lyapunov exponent, which is a check and no proof.
-    machine: in SI units, in place of the data. units: "si": states are told, and `through` is given, in m and m/s,
+    distinguished by its Lyapunov exponent, which is a check, not a proof.
+    machine: in SI units, in place of the data. units: "si": states, and `through`, are in m and m/s,
     durations are in s; by default in the units of the data.
 
     along: a parameter, or a value of the machine such as ("load_frequency", 2, 4) in Hz, and its interval: a Diagram
@@ -232,16 +238,16 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
     """
     given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur), (*_data, "ur"), example, machine, units)
     following = _core.Following(_count("starts", starts, 100000), _count("seed", seed, 10**9),
-                                _count("most_periods", most_periods, 10**9), _count("digits", digits, 2000))
-    how = (_count("values", values, 10000), _count("pixels", pixels, 1000),
-           "" if through is None else _state("through", through))
+                                _count("most_periods", most_periods, 10**9), _count("digits", digits, 2000),
+                                _count("values", values, 10000), _count("pixels", pixels, 1000),
+                                "" if through is None else _state("through", through))
     conduct = _conduct(jobs)
     across = "" if plane is None else ",".join(plane)
     if along is not None:
-        return Diagram._from(_told(_core.diagram(given, following, _range(along), across, *how, conduct)))
+        return Diagram._from(_told(_core.diagram(given, following, _range(along), across, conduct)))
     if plane is not None:
-        return Basins._from(_told(_core.basins(given, following, across, *how, conduct)))
-    return Attractors._from(_told(_core.attractors(given, following, *how, conduct)))
+        return Basins._from(_told(_core.basins(given, following, across, conduct)))
+    return Attractors._from(_told(_core.attractors(given, following, conduct)))
 
 
 def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Optional[Exact] = None,
@@ -250,7 +256,7 @@ def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Opti
              phi: Optional[Exact] = None, example: Optional[str] = None, machine: Optional[Machine] = None,
              units: Optional[str] = None, orbit: Optional[str] = None,
              perturb: Optional[Sequence[Union[Exact, float]]] = None, periods: Union[Exact, float] = 100,
-             every: Union[Exact, float, None] = None) -> Simulation:
+             every: Union[Exact, float, None] = None, settle: bool = False) -> Simulation:
     """The motion under the friction law (2), (4) from a state x1, x2, x1', x2' at t = 0, by closed forms, in floats.
 
     In place of the state: example, of the paper, where its orbit begins; or orbit, such as "symmetric:1": where
@@ -258,8 +264,9 @@ def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Opti
     phi: the load's phase at t = 0, in rad, by default 0, of an orbit its own, of a machine its load_phase; periods:
     of the load, how long; every: the time between samples, by default a 200th of a period. No event is missed, up
     to rounding. A simulation proves nothing, so state, perturb, periods and every may be floats.
-    machine: in SI units, in place of the data. units: "si": state, perturb and every are given, and the motion is
-    told, in s, m, m/s, N and J; by default in the units of the data.
+    settle: the motion goes on from its end, and what it settles on is `settles`, if that is seen within a second or so.
+    machine: in SI units, in place of the data. units: "si": state, perturb, every and the motion are in s, m,
+    m/s, N and J; by default in the units of the data.
 
     Raises as orbits does. Warns of an orbit that is not admissible, which the motion leaves.
     """
@@ -273,7 +280,7 @@ def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Opti
     return Simulation._from(_told(
         _core.simulate(given, orbit or "", "" if state is None else _state("state", state),
                        "" if perturb is None else _state("perturb", perturb), _number("periods", periods),
-                       _number("every", every), _conduct(None))))
+                       _number("every", every), bool(settle), _conduct(None))))
 
 
 def check(*ids: str, file: Union[str, "_os.PathLike[str]", None] = None, jobs: Optional[int] = None) -> Check:

@@ -220,6 +220,28 @@ class Orbits(Drawn, Later, Listed[Orbit]):
 
 
 @dataclass(frozen=True)
+class PureWord:
+    """Whether some motions stay in one phase for ever: slip, overshoot or stick."""
+
+    word: str  #: "S", "O" or "T"
+    parameters: Dict[str, str]  #: exact decimals or fractions
+    verdict: str  #: on "some motions do": "proved", "refuted" or "undecided"
+    reason: str = ""
+    forced: Optional[Ball] = None  #: of "S" and "O": the speed |q2| omega that the load forces
+    #: Where some motions do, what the amplitudes of free oscillations have to stay below: a speed, of "T" a force.
+    room: Optional[Ball] = None
+    stability: Optional[str] = None  #: "neutral", where some motions do
+    units: Optional[str] = None  #: "si": speeds in m/s, forces in N; None: those of the data
+    json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as orbits --json prints it
+
+    @classmethod
+    def _from(cls, found: _core.PureWord) -> "PureWord":
+        data = _json.loads(found.fields())
+        return _given(cls, data, forced=_ball(data.get("forced")), room=_ball(data.get("room")),
+                      json=_json.loads(found.json()))
+
+
+@dataclass(frozen=True)
 class Change:
     """Where something changes along a branch."""
 
@@ -427,12 +449,12 @@ class Atlas(Drawn):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Attractor(Row):
-    """A motion that starts end on. A periodic one is proved."""
+    """A motion that starts end on, or that one motion settles on. A periodic one is proved."""
 
     kind: str  #: "periodic", "quasi-periodic", "irregular", "slides", "stuck", "grows without bound" or "unsettled"
-    count: int  #: how many starts end on it
-    share: float
-    share_interval: Tuple[float, float]  #: Wilson's, of 95 %
+    count: Optional[int]  #: how many starts end on it; None, as the next two, of what one motion settles on
+    share: Optional[float]
+    share_interval: Optional[Tuple[float, float]]  #: Wilson's, of 95 %
     state: "numpy.ndarray"  #: x1, x2, x1', x2' on it at load phase 0
     word: Optional[str] = None  #: periodic: its phases
     period: Optional[int] = None  #: periodic: in periods of the load
@@ -450,7 +472,9 @@ class Attractor(Row):
     def _from(cls, data: Dict[str, Any]) -> "Attractor":
         import numpy
 
-        return _given(cls, data, state=numpy.array(data["state"]), share_interval=tuple(data["share_interval"]),
+        shares = {"count": None, "share": None, "share_interval": None, **data}
+        interval = shares["share_interval"]
+        return _given(cls, shares, state=numpy.array(data["state"]), share_interval=interval and tuple(interval),
                       durations=tuple(Ball(**d) for d in data.get("durations", [])), multipliers=_multipliers(data))
 
     def _row(self) -> Dict[str, Any]:
@@ -614,6 +638,7 @@ class Simulation:
     events: int  #: how many changes of phase there were
     first_events: Tuple[Event, ...] = field(repr=False)
     last_events: Tuple[Event, ...] = field(repr=False)
+    settles: Optional[Attractor] = None  #: what it settles on, where that was asked for and seen
     units: Optional[str] = None  #: "si": s, m, m/s, N and J; None: those of the data
     json: Dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: as simulate --json prints it
 
@@ -631,7 +656,7 @@ class Simulation:
         return cls(t=rows[:, 0], state=rows[:, 1:5], phase=numpy.array(["slip", "overshoot", "stick"])[phases],
                    r=rows[:, 5], u=rows[:, 6], energy=rows[:, 7], shares=data["shares"], events=events["count"],
                    first_events=made(events["first"]), last_events=made(events.get("last", [])),
-                   units=data.get("units"), json=_json.loads(found.json()))
+                   settles=Attractor._from(data["settles"]) if "settles" in data else None, units=data.get("units"), json=_json.loads(found.json()))
 
     def to_frame(self) -> "pandas.DataFrame":
         """The samples, a row each. Needs pandas."""

@@ -109,7 +109,7 @@ std::vector<std::string> texts(hid_t file, const char * name) {
   const Handle type = text_type();
   const Handle stored(H5Aget_type(attribute), H5Tclose);
   if (H5Tis_variable_str(stored) <= 0) {
-    throw InputOutputError(fmt::format("its attribute {} is no text", name));
+    throw InputOutputError(fmt::format("its attribute {} is not text", name));
   }
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   std::vector<char *> raw(static_cast<std::size_t>(std::max<hssize_t>(count, 0)), nullptr);
@@ -347,13 +347,13 @@ Archive read_archive(const fs::path& file) {
     throw InputOutputError(fmt::format("{}: no such file", file.string()));
   }
   if (H5Fis_hdf5(file.c_str()) <= 0) {
-    throw InputOutputError(fmt::format("{} is no atlas: it is no HDF5 file", file.string()));
+    throw InputOutputError(fmt::format("{} is not an atlas: it is not an HDF5 file", file.string()));
   }
   try {
     const Handle in(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     return read_open(in);
   } catch (const Error& error) {
-    throw InputOutputError(fmt::format("{} is no atlas: {}", file.string(), error.what()));
+    throw InputOutputError(fmt::format("{} is not an atlas: {}", file.string(), error.what()));
   }
 }
 

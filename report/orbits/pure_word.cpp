@@ -92,7 +92,7 @@ std::string terminal_report(const PureWord& word, const Style& style, const Unit
          columns_of(rows, style.width);
 }
 
-Json to_json(const PureWord& word) {
+Json to_json(const PureWord& word, const Units& units) {
   const WordQuestion& q = word.machine;
   const std::string letter(1, words::letter(word.kind));
   Json json = provenance(fmt::format("stickslip orbits {}{} --digits {}", letter, options_of(q), q.digits));
@@ -104,10 +104,10 @@ Json to_json(const PureWord& word) {
     json["reason"] = plain(verdict.reason);
   }
   if (!sticks(word)) {
-    json["forced"] = to_json(pure_slip(q.data, word.kind).forced, q.digits);
+    json["forced"] = to_json(units.velocity(pure_slip(q.data, word.kind).forced), q.digits);
   }
   if (verdict.truth == Truth::proved) {
-    json["room"] = to_json(room(word), q.digits);
+    json["room"] = to_json(sticks(word) ? units.force(room(word)) : units.velocity(room(word)), q.digits);
     json["stability"] = "neutral";
   }
   return json;

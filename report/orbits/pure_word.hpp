@@ -25,7 +25,8 @@ struct PureWord {
 // As report/schema/pure.schema.json says: what provenance() says, and {"word": "S", "O" or "T", "parameters":
 // {"chi", …, "p", "ur"}, "verdict", "reason", "forced": BALL, "room": BALL, "stability": "neutral"}, of
 // numeric/words/pure_slip.hpp; of a stick "room" is ur - p/eta of pure_stick.hpp. Absent: a reason of what is
-// proved; of a stick "forced"; of what is not proved to exist "room" and "stability".
-[[nodiscard]] tools::Json to_json(const PureWord& word);
+// proved; of a stick "forced"; of what is not proved to exist "room" and "stability". "forced" and "room" are
+// in the units.
+[[nodiscard]] tools::Json to_json(const PureWord& word, const Units& units = {});
 
 }  // namespace stickslip::report::orbits

@@ -118,7 +118,7 @@ def test_what_is_no_atlas_is_refused(tmp_path):
     with pytest.raises(stickslip.InputOutputError, match="none.h5"):
         stickslip.atlas(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("no atlas")
-    with pytest.raises(stickslip.InputOutputError, match="no atlas|without HDF5"):
+    with pytest.raises(stickslip.InputOutputError, match="not an atlas|without HDF5"):
         stickslip.atlas(str(tmp_path / "text.h5"))
 
 

@@ -50,6 +50,15 @@ def test_simulation_is_that_of_the_program():
     assert motion.first_events[0].before == "slip" and abs(sum(motion.shares.values()) - 1) < 1e-12
 
 
+def test_what_a_motion_settles_on_is_that_of_the_program(tmp_path):
+    motion = stickslip.simulate((0, 0, 0, 0), **MACHINE, ur="0.2", periods=3, settle=True)
+    words = [*[f"--{k}={v}" for k, v in MACHINE.items()], "--ur=0.2", "--phi=0", "--periods=3", "--state=0,0,0,0"]
+    assert motion.json == json.loads(program("simulate", *words, "--json", f"--csv={tmp_path / 't.csv'}"))
+    assert motion.settles.kind == motion.json["settles"]["kind"] and motion.settles.count is None
+    assert motion.settles.state.tolist() == motion.json["settles"]["state"]
+    assert stickslip.simulate((0, 0, 0, 0), **MACHINE, ur="0.2", periods=3).settles is None
+
+
 @pytest.mark.parametrize("given, words", [
     (dict(example="S"), ["--example=S"]),
     (dict(example="S", orbit="symmetric:2"), ["--example=S", "--orbit=symmetric:2"]),

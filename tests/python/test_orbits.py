@@ -55,6 +55,24 @@ def test_what_is_made_when_it_is_read_is_what_is_printed(family, given):
     assert {dataclasses.replace(orbit) for orbit in stickslip.orbits(family, **given)} == set(printed)
 
 
+@pytest.mark.parametrize("word, given, verdict", [
+    ("S", dict(V="1"), "proved"),
+    ("S", dict(V="0"), "refuted"),
+    ("O", dict(V="-1"), "proved"),
+    ("T", dict(V="0", p="0.1"), "proved"),
+    ("T", dict(V="1"), "refuted"),
+])
+def test_words_of_one_phase_are_those_of_the_program(word, given, verdict):
+    data = {**dict(chi="0.3", eta="4", us="0.1", omega="0.6", p="0.05", ur="0.2"), **given}
+    found = stickslip.orbits(word, **data)
+    assert found.json == json.loads(program("orbits", word, *typed(data), "--json").stdout)
+    assert (found.word, found.verdict) == (word, verdict)
+    assert (found.room is None) == (found.stability is None) == (verdict != "proved")
+    assert (found.forced is None) == (word == "T")
+    with pytest.raises(stickslip.UsageError, match="one phase for ever"):
+        stickslip.orbits(word, **data, period=2)
+
+
 def test_every_notation_of_a_number_means_the_same():
     other = dict(chi=Fraction(3, 10), eta="4", us=Decimal("0.1"), V=Fraction(1, 10), omega="3/5", p="1")
     assert stickslip.orbits("nonsticking", **other) == stickslip.orbits("nonsticking", **MACHINE)
