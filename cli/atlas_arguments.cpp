@@ -58,7 +58,7 @@ void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const
   add_jobs(*command, options.jobs);
   add("--verify", options.verify, "FILE", "Prove boxes of this atlas again");
   add("--sample", options.sample, "N",
-      fmt::format("Of --verify: so many of them, {} by default", AtlasOptions::default_sample));
+      fmt::format("With --verify: so many of them, {} by default", AtlasOptions::default_sample));
   command->add_flag("--json", options.json, "Print the summary, or what --verify finds, as JSON");
   command->callback([&options, &request] { request = options; });
 }

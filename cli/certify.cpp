@@ -31,7 +31,7 @@ void require_certificates_only(const fs::path& directory) {
       fs::exists(directory / certificate_record, ignored)) {
     return;
   }
-  throw UsageError(fmt::format("'{}' holds files that are no certificates: name a new or an empty directory",
+  throw UsageError(fmt::format("'{}' holds files that are not certificates: name a new or an empty directory",
                                directory.string()));
 }
 

@@ -42,19 +42,20 @@ constexpr const char * branch_details =
     "simulation; --all, --orbit K and --near follow others.\n\n";
 
 constexpr const char * branch_exits =
-    "\nExit code: 0 every change is proved and nothing is unresolved but next to resonances; 2\n"
+    "\nExit code: 0 every change is proved and nothing is unresolved except next to resonances; 2\n"
     "something is; 130 after Ctrl-C.";
 
 constexpr const char * attractors_details =
     "Follows many starts until they have settled, and says on what, and how many on each:\n"
     "periodic motions with their period, in periods of the load, and their word of S (slip),\n"
     "O (overshoot), T (stick); each of these is proved, and whether it is stable. What is\n"
-    "quasi-periodic or irregular is distinguished by its largest Lyapunov exponent, which is a check\n"
-    "and no proof. A motion may also slide for ever, be stuck, or remain unsettled.\n"
-    "Where omega is a natural frequency and pi p > 4 eta ur all grow without bound, which is proved.\n\n"
+    "quasi-periodic or irregular is distinguished by its largest Lyapunov exponent, which is a check,\n"
+    "not a proof. A motion may also slide for ever, be stuck, or remain unsettled.\n"
+    "Where omega is a natural frequency and pi p > 4 eta ur all grow without bound, which is proved;\n"
+    "with a smaller load there motions are simulated, and none is proved.\n\n"
     "All parameters and --ur are given, or --example; the load is cos(omega t). At the data\n"
     "of an example whose ur is a result, ur is that result to 17 digits.\n\n"
-    "Exit code: 0 each periodic motion is proved, and stable or not; 2 for some that is\n"
+    "Exit code: 0 each periodic motion is proved, and whether it is stable; 2 for some this is\n"
     "undecided; 130 after Ctrl-C.";
 
 constexpr const char * simulate_details =
@@ -124,9 +125,9 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
   };
   add("FAMILY", options.family, "", paper.family_names + "; or a word such as OTS");
   add_parameters(*command, options.parameters);
-  add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
+  add("--period", options.period, "N", "For a word: periods of the load, 1 by default");
   CLI::Option * near =
-      add("--near", options.near, "X", "Of a word: start at x1,x2,x1',x2', at load phase --phi or 0");
+      add("--near", options.near, "X", "For a word: start at x1,x2,x1',x2', at load phase --phi or 0");
   add_sources(*command, options.example, options.file.name, paper);
   add("--digits", options.digits, "N",
       fmt::format("Significant digits of each value: {} by default, {} at most; of a\nmachine in SI units by "
@@ -137,7 +138,7 @@ void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, con
       "Let a search examine N cells before it leaves the rest open,\nin place of its own limit");
   add("--time", options.time, "T", "Let a search go on for T seconds, however many cells it takes");
   add_jobs(*command, options.jobs);
-  command->add_flag("--all", options.all, "Say all about formal solutions, which are not admissible, too");
+  command->add_flag("--all", options.all, "Also say all about formal solutions, which are not admissible");
   command->add_flag("--json", options.json, "Print the list as JSON");
   CLI::Option * plot = add("--plot", options.plot, "FILE",
                            "Draw the admissible orbits, or all if none is, into FILE.svg,\n"
@@ -177,12 +178,12 @@ void add_branch(CLI::App& program, BranchOptions& options, Request& request, con
       "si: results are in SI units; those of a machine in SI units\nalways are");
   add("--at", options.at, "NUMBER",
       "The branches of the orbits that there are at this value of the\nparameter alone");
-  add("--period", options.period, "N", "Of a word: periods of the load, 1 by default");
+  add("--period", options.period, "N", "For a word: periods of the load, 1 by default");
   CLI::Option * orbit =
-      add("--orbit", options.orbit, "K", "Of a word: orbit K of those that orbits WORD lists");
+      add("--orbit", options.orbit, "K", "For a word: orbit K of those that orbits WORD lists");
   CLI::Option * near =
-      add("--near", options.near, "X", "Of a word: the orbit near x1,x2,x1',x2' at load phase 0");
-  command->add_flag("--all", options.all, "Of a word: orbits that are not admissible, too")
+      add("--near", options.near, "X", "For a word: the orbit near x1,x2,x1',x2' at load phase 0");
+  command->add_flag("--all", options.all, "For a word: orbits that are not admissible, too")
       ->excludes(orbit)
       ->excludes(near);
   orbit->excludes(near);
@@ -229,8 +230,8 @@ void add_attractors(CLI::App& program, AttractorsOptions& options, Request& requ
   add("--pixels", options.pixels, "N",
       fmt::format("N x N of them: {} by default", AttractorsOptions::default_pixels));
   add("--through", options.through, "X", "A state x1,x2,x1',x2' in the middle of the plane");
-  add("--csv", options.csv, "FILE", "Of --along and --plane: write a table, too");
-  add("--plot", options.plot, "FILE", "Of --along and --plane: draw FILE.svg, FILE.pdf or FILE.png");
+  add("--csv", options.csv, "FILE", "With --along and --plane: also write a table");
+  add("--plot", options.plot, "FILE", "With --along and --plane: draw FILE.svg, FILE.pdf or FILE.png");
   CLI::Option * out =
       add("--out", options.out, "DIR",
           "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "

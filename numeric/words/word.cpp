@@ -28,7 +28,7 @@ std::string quoted(std::string_view text) {
 // Why a text is no word; empty when it is one.
 std::string why_no_word(std::string_view text) {
   if (!looks_like_word(text)) {
-    return fmt::format("{} is no word of phases: its letters are S (slip), O (overshoot) and T (stick)",
+    return fmt::format("{} is not a word of phases: its letters are S (slip), O (overshoot) and T (stick)",
                        quoted(text));
   }
   if (text.size() == 1) {
@@ -39,7 +39,7 @@ std::string why_no_word(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == text[(i + 1) % text.size()]) {
       return fmt::format(
-          "{} is no word of phases: {} follows {}{}, and a phase ends only where another kind "
+          "{} is not a word of phases: {} follows {}{}, and a phase ends only where another kind "
           "begins",
           quoted(text), text[i], text[i], i + 1 == text.size() ? " from its end to its start" : "");
     }

@@ -95,7 +95,7 @@ std::string remark_on_ur(const OrbitList& list) {
     }
   }
   return found.size() < 2 ? ""
-         : apart ? "Each of these orbits belongs to another $u_r$, which is a result: they are no orbits of "
+         : apart ? "Each of these orbits belongs to another $u_r$, which is a result: they are not orbits of "
                    "one machine."
                  : "$u_r$ is a result, and may be another for each of these orbits.";
 }

@@ -56,6 +56,6 @@ TEST_CASE("what is no word is refused in words") {
   }
   CHECK_THROWS_WITH(
       (void)Word::parse("SOS"),
-      "'SOS' is no word of phases: S follows S from its end to its start, and a phase ends only "
+      "'SOS' is not a word of phases: S follows S from its end to its start, and a phase ends only "
       "where another kind begins");
 }
