@@ -19,6 +19,32 @@ Polynomial PolynomialRing::constant(const Rational& value) const {
   return result;
 }
 
+Rational leading_coefficient(const Polynomial& polynomial) {
+  Fmpq leading;
+  if (!polynomial.is_zero()) {
+    fmpq_mpoly_get_term_coeff_fmpq(leading.raw(), polynomial.raw(), 0, polynomial.ring().context());
+  }
+  return leading.value();
+}
+
+bool is_constant(const Polynomial& polynomial) {
+  return fmpq_mpoly_is_fmpq(polynomial.raw(), polynomial.ring().context()) != 0;
+}
+
+int degree(const Polynomial& polynomial, std::size_t generator) {
+  return static_cast<int>(fmpq_mpoly_degree_si(polynomial.raw(), static_cast<slong>(generator),
+                                               polynomial.ring().context()));
+}
+
+Polynomial coefficient(const Polynomial& polynomial, std::size_t generator, int exponent) {
+  const auto variable = static_cast<slong>(generator);
+  const auto power = static_cast<ulong>(exponent);
+  Polynomial result(polynomial.ring());
+  fmpq_mpoly_get_coeff_vars_ui(result.raw(), polynomial.raw(), &variable, &power, 1,
+                               polynomial.ring().context());
+  return result;
+}
+
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   Polynomial result(a.ring());
   if (fmpq_mpoly_gcd(result.raw(), a.raw(), b.raw(), a.ring().context()) == 0) {

@@ -72,6 +72,13 @@ class Polynomial {
   fmpq_mpoly_t raw_;
 };
 
+// The coefficient of the leading term; 0 of 0.
+[[nodiscard]] Rational leading_coefficient(const Polynomial& polynomial);
+[[nodiscard]] bool is_constant(const Polynomial& polynomial);
+// The highest exponent of a generator, and the coefficient of its `exponent`-th power.
+[[nodiscard]] int degree(const Polynomial& polynomial, std::size_t generator);
+[[nodiscard]] Polynomial coefficient(const Polynomial& polynomial, std::size_t generator, int exponent);
+
 // All operands are of one ring. Throw std::overflow_error where FLINT gives up, or a quotient leaves a rest.
 [[nodiscard]] Polynomial gcd(const Polynomial& a, const Polynomial& b);
 [[nodiscard]] Polynomial quotient(const Polynomial& a, const Polynomial& b);

@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "core/fmpq.hpp"
-
 namespace stickslip::proofs::kernel {
 namespace {
 
@@ -12,10 +10,9 @@ constexpr flint_bitcnt_t most_bits = 1000000;
 
 // The leading coefficient, by which the polynomial is divided; it is not zero.
 Rational take_leading(Polynomial& polynomial) {
-  Fmpq leading;
-  fmpq_mpoly_get_term_coeff_fmpq(leading.raw(), polynomial.raw(), 0, polynomial.ring().context());
-  fmpq_mpoly_scalar_div_fmpq(polynomial.raw(), polynomial.raw(), leading.raw(), polynomial.ring().context());
-  return leading.value();
+  const Rational leading = leading_coefficient(polynomial);
+  polynomial *= polynomial.ring().constant(1 / leading);
+  return leading;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Quotients of polynomials with rational coefficients in generators of a ring, modulo c² + s² = 1 for some
-// pairs of them. For normal_form.cpp only.
+// pairs of them.
 #pragma once
 
 #include <memory>
@@ -18,6 +18,8 @@ class Quotient {
  public:
   // The denominator is not zero.
   Quotient(const Ring& ring, Polynomial numerator, Polynomial denominator);
+  [[nodiscard]] const Polynomial& numerator() const { return numerator_; }
+  [[nodiscard]] const Polynomial& denominator() const { return denominator_; }
   [[nodiscard]] bool is_zero() const { return numerator_.is_zero(); }
   // Whether it is a nonzero rational number times a power, of any sign, of the generator.
   [[nodiscard]] bool is_multiple_of_power(std::size_t generator) const;

@@ -17,7 +17,6 @@
 #include "proofs/symbols/parse.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -65,30 +64,39 @@ Theorem by_product(Derivation& derivation, const Formula& formula) {
 
 // a ≤ b or a < b, where b - a is a polynomial of degree two that is a sum of squares and of a constant.
 Theorem by_squares(Derivation& derivation, const Formula& formula) {
-  const Term gap = formula.parts()[1] - formula.parts()[0];
-  tactics::Letters letters;
-  GiNaC::ex rest = letters.expression(unfold(gap, derivation.open({gap}))).expand();
+  const Term gap = formula.parts()[1] - formula.parts()[0], opened = unfold(gap, derivation.open({gap}));
+  const tactics::Letters letters({opened});
+  const PolynomialRing& ring = letters.ring();
+  auto [rest, below] = letters.fraction(opened);
+  const auto fail = [] { throw KernelError("it is no sum of squares"); };
+  if (!is_constant(below)) {
+    fail();
+  }
+  rest *= ring.constant(1 / leading_coefficient(below));
   std::vector<kernel::Positive> squares;
-  for (std::size_t k = 0; k < letters.symbols().size(); ++k) {
-    const GiNaC::symbol& x = letters.symbols()[k];
-    if (rest.degree(x) == 0) {
+  for (std::size_t k = 0; k < letters.terms().size(); ++k) {
+    if (degree(rest, k) <= 0) {
       continue;
     }
-    const GiNaC::ex pivot = rest.coeff(x, 2);
-    if (rest.degree(x) != 2 || !GiNaC::is_a<GiNaC::numeric>(pivot) ||
-        !pivot.info(GiNaC::info_flags::positive)) {
-      throw KernelError("it is no sum of squares");
+    const Polynomial pivot = coefficient(rest, k, 2);
+    const Rational size = leading_coefficient(pivot);
+    if (degree(rest, k) != 2 || !is_constant(pivot) || size <= 0) {
+      fail();
     }
-    const GiNaC::ex base = (x + rest.coeff(x, 1) / (2 * pivot)).expand();
-    squares.push_back(
-        {{}, symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>(pivot)), letters.term(base)});
-    rest = (rest - pivot * base * base).expand();
+    Polynomial base = coefficient(rest, k, 1);
+    base *= ring.constant(1 / (2 * size));
+    base += ring.generator(k);
+    squares.push_back({{}, size, letters.term(base)});
+    Polynomial square = base;
+    square *= base;
+    square *= ring.constant(-size);
+    rest += square;
   }
-  if (!rest.is_zero() && !rest.info(GiNaC::info_flags::positive)) {
-    throw KernelError("it is no sum of squares");
+  if (!is_constant(rest) || leading_coefficient(rest) < 0) {
+    fail();
   }
   if (!rest.is_zero()) {
-    squares.push_back({{}, symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>(rest)), 1});
+    squares.push_back({{}, leading_coefficient(rest), 1});
   }
   return derivation.order(formula, squares);
 }

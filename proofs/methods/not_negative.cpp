@@ -1,18 +1,19 @@
 #include "proofs/methods/not_negative.hpp"
 
 #include "proofs/tactics/letters.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::methods {
 
 using namespace kernel;
 
 kernel::Positive not_negative(Derivation& derivation, const Term& a) {
-  tactics::Letters letters;
-  const auto [above, below] = letters.fraction(letters.expression(unfold(a, openings({a}).all())).normal());
-  const tactics::Factored whole = tactics::factored((above * below).expand(), letters);
-  Rational factor =
-      symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>((above * below / whole.product).normal()));
+  const Term opened = unfold(a, openings({a}).all());
+  const tactics::Letters letters({opened});
+  const auto [above, below] = letters.fraction(opened);
+  Polynomial product = above;
+  product *= below;
+  const tactics::Factored whole = tactics::factored(product, letters);
+  Rational factor = leading_coefficient(product) / leading_coefficient(whole.product);
   Term square = 1 / letters.term(below);
   std::vector<Theorem> inequalities;
   for (std::size_t k = 0; k < whole.factors.size(); ++k) {

@@ -59,18 +59,17 @@ bool is_equation_of_numbers(const Formula& formula) {
 
 std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
   const Term gap = equation.conclusion().parts()[0] - equation.conclusion().parts()[1];
-  tactics::Letters letters;
-  const auto [above, below] = letters.fraction(letters.expression(gap).normal());
-  const GiNaC::ex polynomial = above.expand();
+  const tactics::Letters letters({gap});
+  const auto [above, below] = letters.fraction(gap);
   std::vector<Theorem> result;
   for (std::size_t k = 0; k < letters.terms().size(); ++k) {
     const Term& letter = letters.terms()[k];
-    const GiNaC::symbol& symbol = letters.symbols()[k];
-    if (letter.kind() == kernel::Kind::pi || polynomial.degree(symbol) != 1) {
+    if (letter.kind() == kernel::Kind::pi || degree(above, k) != 1) {
       continue;
     }
-    const Term slope = letters.term(polynomial.coeff(symbol, 1)),
-               rest = letters.term(-polynomial.coeff(symbol, 0));
+    Polynomial without = coefficient(above, k, 0);
+    without *= letters.ring().constant(-1);
+    const Term slope = letters.term(coefficient(above, k, 1)), rest = letters.term(without);
     if (occurs(letter, slope) || occurs(letter, rest)) {
       continue;  // x in an equation with cos(x)
     }

@@ -11,7 +11,6 @@ namespace stickslip::proofs::tactics {
 namespace {
 
 using namespace kernel;
-using GiNaC::ex;
 
 bool has_sine(const Term& term) {
   return term.kind() == Kind::cosine || term.kind() == Kind::sine ||
@@ -39,16 +38,14 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
       }
     }
   }
-  Letters letters;
-  const ex whole = letters.expression(divisor);
-  letters.sort();
-  const auto [top, bottom] = letters.fraction(whole);
+  const Letters letters({divisor});
+  const auto [top, bottom] = letters.fraction(divisor);
   if (top.is_zero()) {
     return std::nullopt;
   }
   const Factored numerator = factored(top, letters);
   if (numerator.factors.empty()) {
-    return is_invertible(divisor, letters.term((bottom / top).expand()));
+    return is_invertible(divisor, letters.term(bottom) / leading_coefficient(top));
   }
   // d = 0 ⇒ Π factors = 0 ⇒ one of them is.
   Term product = letters.term(numerator.factors[0]);
@@ -67,10 +64,10 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
       product = product * factor;
     }
   }
-  const ex ratio = (numerator.product / top).normal() * bottom;
+  const Rational ratio = leading_coefficient(numerator.product) / leading_coefficient(top);
   const Formula zero = equal(divisor, 0);
   const Theorem product_zero =
-      Theorem::combination(equal(product, 0), {{Theorem::assume(zero), letters.term(ratio)}});
+      Theorem::combination(equal(product, 0), {{Theorem::assume(zero), ratio * letters.term(bottom)}});
   premises.push_back(Theorem::discharge(product_zero, zero));
   return Theorem::consequence(premises, differ(divisor, 0));
 }
@@ -160,18 +157,13 @@ class Lemmas {
 
 // ⊢ f = 0 ⇒ d = 0 for the irreducible factors f of d, as far as they are found.
 std::vector<Theorem> zeros_by_factors(const Term& d) {
-  Letters letters;
-  const ex whole = letters.expression(d);
-  letters.sort();
-  const auto [top, bottom] = letters.fraction(whole);
+  const Letters letters({d});
+  const auto [top, bottom] = letters.fraction(d);
   std::vector<Theorem> result;
-  for (const ex& factor : top.is_zero() ? std::vector<ex>{} : factored(top, letters, 64).factors) {
+  for (const Polynomial& factor :
+       top.is_zero() ? std::vector<Polynomial>{} : factored(top, letters, 64).factors) {
     const Formula zero = equal(letters.term(factor), 0);
-    ex quotient;
-    if (!GiNaC::divide(top, factor, quotient)) {
-      continue;
-    }
-    const Term multiplier = letters.term(quotient) / letters.term(bottom.expand());
+    const Term multiplier = letters.term(stickslip::quotient(top, factor)) / letters.term(bottom);
     try {
       const Theorem zero_too = Theorem::combination(equal(d, 0), {{Theorem::assume(zero), multiplier}});
       result.push_back(Theorem::discharge(zero_too, zero));

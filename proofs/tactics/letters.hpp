@@ -1,56 +1,61 @@
-// Terms as rational functions of what is not rational in them, and back.
+// Terms as quotients of polynomials in what is not rational in them, and back.
 #pragma once
 
-#include <ginac/ginac.h>
-
-#include <utility>
+#include <map>
+#include <optional>
 #include <vector>
 
-#include "proofs/kernel/term.hpp"
+#include "proofs/kernel/quotient.hpp"
 
 namespace stickslip::proofs::tactics {
 
-// Every part of a term that is no sum, product, power or inverse of others is a letter. What GiNaC does with
-// letters is a proposal: the kernel decides.
+// Without common factors and with whole coefficients; the denominator's leading one is positive.
+struct Fraction {
+  Polynomial above, below;
+};
+
+struct Monomial {
+  std::vector<int> degrees;  // of the ring's generators
+  Rational coefficient;
+};
+// The terms of a polynomial, the leading one first; and the polynomial of such terms.
+[[nodiscard]] std::vector<Monomial> monomials(const Polynomial& polynomial);
+[[nodiscard]] Polynomial polynomial(const PolynomialRing& ring, const std::vector<Monomial>& monomials);
+
+// Every part of a term that is no sum, product, power or inverse of others is a letter: a generator of the
+// ring. What is found with letters is a proposal: the kernel decides.
 class Letters {
  public:
-  [[nodiscard]] GiNaC::ex expression(const kernel::Term& term);
+  // Those of these terms, in an order that does not depend on where they stand.
+  explicit Letters(const std::vector<kernel::Term>& terms);
 
-  struct Monomial {
-    std::vector<int> degrees;  // of the letters
-    Rational coefficient;
-  };
-  // Sorted, the highest first.
-  [[nodiscard]] std::vector<Monomial> monomials(const GiNaC::ex& polynomial) const;
-  [[nodiscard]] kernel::Term term(const GiNaC::ex& polynomial) const;
+  // Of a term in these letters. Throws KernelError where that would take too long, ZeroDivisor where it
+  // divides by what is zero for all values of the letters.
+  [[nodiscard]] Fraction fraction(const kernel::Term& term) const;
+  [[nodiscard]] kernel::Term term(const Polynomial& polynomial) const;
 
-  // Numerator and denominator without common factors. The denominator's highest monomial is positive: GiNaC
-  // alone has its signs from addresses in memory.
-  [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> fraction(const GiNaC::ex& expression) const;
-
-  // Puts the letters into an order that does not depend on where they stood.
-  void sort();
   [[nodiscard]] const std::vector<kernel::Term>& terms() const { return terms_; }
-  [[nodiscard]] const std::vector<GiNaC::symbol>& symbols() const { return symbols_; }
+  [[nodiscard]] const PolynomialRing& ring() const { return ring_->polynomials(); }
 
  private:
-  [[nodiscard]] GiNaC::ex letter(const kernel::Term& term);
+  [[nodiscard]] kernel::Quotient quotient(const kernel::Term& term) const;
 
   std::vector<kernel::Term> terms_;
-  std::vector<GiNaC::symbol> symbols_;
+  std::map<kernel::Term, std::size_t> places_;
+  std::unique_ptr<kernel::Ring> ring_;
 };
 
 // A polynomial in letters as a product.
 struct Factored {
-  std::vector<GiNaC::ex> factors;  // each once, in an order and a sign of its own
-  GiNaC::ex product = 1;           // of all with their exponents, as monomials
+  std::vector<Polynomial> factors;  // each once, in an order and a sign of its own
   std::vector<int> exponents;
+  Polynomial product;  // of all with their exponents: a rational multiple of what was factored
 };
 // A sum of more terms than `longest` passes for irreducible.
-[[nodiscard]] Factored factored(const GiNaC::ex& numerator, const Letters& letters,
+[[nodiscard]] Factored factored(const Polynomial& polynomial, const Letters& letters,
                                 std::size_t longest = 100000);
 
-// a/b without common factors.
+// a/b without common factors. Throws as Letters::fraction() does.
 [[nodiscard]] kernel::Term quotient(const kernel::Term& a, const kernel::Term& b);
 
 }  // namespace stickslip::proofs::tactics

@@ -5,18 +5,15 @@
 #include <memory>
 #include <utility>
 
-#include "proofs/tactics/polynomials.hpp"
+#include "proofs/tactics/letters.hpp"
 
 namespace stickslip::proofs::tactics {
 
-using GiNaC::ex;
 using kernel::Term;
 
 namespace {
 
 constexpr std::size_t most_pairs = 200, longest = 400;
-
-using Monomial = Letters::Monomial;
 
 // A polynomial, and the multiples of the given ones whose sum it is.
 struct Member {
@@ -110,50 +107,46 @@ std::optional<Member> expressed(const Member& goal, std::vector<Member> basis) {
 }  // namespace
 
 std::optional<std::vector<Term>> multipliers(const Term& goal, const std::vector<Term>& given) {
-  Letters letters;
-  std::vector<std::pair<ex, ex>> fractions;  // of the goal, then of what is given
-  std::vector<ex> all{letters.expression(goal)};
-  for (const Term& one : given) {
-    all.push_back(letters.expression(one));
-  }
-  std::vector<ex> circles;
-  for (const Term& letter : std::vector<Term>(letters.terms())) {
+  std::vector<Term> all{goal}, circles;
+  all.insert(all.end(), given.begin(), given.end());
+  for (const Term& letter : Letters(all).terms()) {
     if (letter.kind() == kernel::Kind::cosine) {
-      circles.push_back(pow(letters.expression(letter), 2) +
-                        pow(letters.expression(kernel::sin(letter.parts()[0])), 2) - 1);
+      circles.push_back(power(letter, 2) + power(kernel::sin(letter.parts()[0]), 2) - 1);
     }
   }
-  letters.sort();
-  for (const ex& one : all) {
-    fractions.push_back(letters.fraction(one.normal()));
+  all.insert(all.end(), circles.begin(), circles.end());
+  const Letters letters(all);
+  std::vector<Fraction> fractions;  // of the goal, then of what is given
+  for (std::size_t k = 0; k <= given.size(); ++k) {
+    fractions.push_back(letters.fraction(all[k]));
   }
-  const PolynomialRing ring(letters.terms().size());
-  const auto read = [&](const ex& numerator) { return polynomial(ring, letters.monomials(numerator)); };
+  const PolynomialRing& ring = letters.ring();
   std::vector<Member> basis;
   const Member nothing{Polynomial(ring), std::vector<Polynomial>(given.size(), Polynomial(ring))};
   for (std::size_t k = 0; k < given.size(); ++k) {
     Member one = nothing;
-    one.value = read(fractions[k + 1].first);
+    one.value = fractions[k + 1].above;
     one.of[k] = ring.constant(1);
     if (!one.value.is_zero()) {
       basis.push_back(one);
     }
   }
-  for (const ex& circle : circles) {
+  for (const Term& circle : circles) {
     basis.push_back(nothing);
-    basis.back().value = read(circle);
+    basis.back().value = letters.fraction(circle).above;
   }
   Member wanted = nothing;
-  wanted.value = read(fractions[0].first);
+  wanted.value = fractions[0].above;
   const std::optional<Member> zero = expressed(wanted, basis);
   if (!zero) {
     return std::nullopt;
   }
   std::vector<Term> result;
   for (std::size_t k = 0; k < given.size(); ++k) {
-    const ex factor = -expression(monomials(zero->of[k]), letters);
-    result.push_back(letters.term(factor.expand()) * letters.term(fractions[k + 1].second) /
-                     letters.term(fractions[0].second));
+    Polynomial factor = zero->of[k];
+    factor *= ring.constant(-1);
+    result.push_back(letters.term(factor) * letters.term(fractions[k + 1].below) /
+                     letters.term(fractions[0].below));
   }
   return result;
 }

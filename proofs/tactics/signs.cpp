@@ -6,13 +6,11 @@
 #include "proofs/tactics/letters.hpp"
 #include "proofs/tactics/signs.hpp"
 #include "proofs/tactics/tactics.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::tactics {
 namespace {
 
 using namespace kernel;
-using GiNaC::ex;
 
 struct Bounds {
   std::optional<Theorem> lower, upper;  // l < x, x < u
@@ -43,35 +41,43 @@ Bounds bounds_of(const Term& x, const Domain& domain) {
 
 // The sign of a polynomial by its expansion in the distances p from the bounds: x = l + p, x = u - p, or
 // between both x = (l + u p)/(1 + p), p = (x - l)/(u - x).
-std::optional<Theorem> signed_by_bounds(const ex& factor, const Letters& letters, const Domain& domain) {
+std::optional<Theorem> signed_by_bounds(const Polynomial& factor, const Letters& letters,
+                                        const Domain& domain) {
+  const PolynomialRing& ring = letters.ring();
   std::vector<Bounds> bounds;
   std::vector<int> degrees;
-  GiNaC::exmap moved;
+  std::vector<Polynomial> moved, below;  // x as a quotient of polynomials in p
   for (std::size_t i = 0; i < letters.terms().size(); ++i) {
-    const GiNaC::symbol& x = letters.symbols()[i];
     bounds.push_back(bounds_of(letters.terms()[i], domain));
-    degrees.push_back(factor.degree(x));
-    if (degrees[i] == 0) {
-      continue;
-    }
+    degrees.push_back(degree(factor, i));
     const Bounds& ends = bounds[i];
-    if (!ends.lower && !ends.upper) {
+    if (degrees[i] > 0 && !ends.lower && !ends.upper) {
       return std::nullopt;
     }
-    const ex from = ends.lower ? symbolic::algebra::to_ex(ends.from()) : ex(0);
-    const ex to = ends.upper ? symbolic::algebra::to_ex(ends.to()) : ex(0);
-    moved[x] = ends.lower && ends.upper ? (from + to * x) / (1 + x) : ends.lower ? from + x : to - x;
-  }
-  ex opened = factor.subs(moved, GiNaC::subs_options::no_pattern);
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    if (bounds[i].lower && bounds[i].upper) {
-      opened *= pow(1 + letters.symbols()[i], degrees[i]);
+    Polynomial above = ring.generator(i), one = ring.constant(1);
+    if (degrees[i] > 0) {
+      above *= ring.constant(!ends.upper ? Rational(1) : ends.lower ? ends.to() : Rational(-1));
+      above += ring.constant(ends.lower ? ends.from() : ends.to());
+      if (ends.lower && ends.upper) {
+        one += ring.generator(i);
+      }
     }
+    moved.push_back(above);
+    below.push_back(one);
   }
-  const ex expansion = opened.normal().expand();
+  Polynomial expansion(ring);
+  for (const Monomial& monomial : monomials(factor)) {
+    Polynomial product = ring.constant(monomial.coefficient);
+    for (std::size_t i = 0; i < degrees.size(); ++i) {
+      for (int k = 0; k < degrees[i]; ++k) {
+        product *= k < monomial.degrees[i] ? moved[i] : below[i];
+      }
+    }
+    expansion += product;
+  }
   std::vector<Positive> positives;
   int sign = 0;
-  for (const Letters::Monomial& monomial : letters.monomials(expansion)) {
+  for (const Monomial& monomial : monomials(expansion)) {
     const int here = sgn(monomial.coefficient);
     if (sign != 0 && here != sign) {
       return std::nullopt;
@@ -115,18 +121,17 @@ std::optional<Theorem> vanishes_as_multiple(const Term& a, const Term& b, const 
 
 // a = 0 at the zero of f that is linear in a variable.
 std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const Theorem& f_is_zero) {
-  Letters letters;
-  const ex f = letters.expression(f_is_zero.conclusion().parts()[0]).expand();
-  const auto place = std::find(letters.terms().begin(), letters.terms().end(), Term(x));
-  if (place == letters.terms().end()) {
+  const Term& f = f_is_zero.conclusion().parts()[0];
+  const Letters letters({f, x});
+  const auto place = static_cast<std::size_t>(std::ranges::find(letters.terms(), Term(x)) - letters.terms().begin());
+  const auto [above, below] = letters.fraction(f);
+  const Polynomial slope = coefficient(above, place, 1);
+  if (degree(above, place) != 1 || !is_constant(slope) || !is_constant(below)) {
     return std::nullopt;
   }
-  const GiNaC::symbol& symbol = letters.symbols()[static_cast<std::size_t>(place - letters.terms().begin())];
-  const ex slope = f.coeff(symbol, 1);
-  if (f.degree(symbol) != 1 || !GiNaC::is_a<GiNaC::numeric>(slope)) {
-    return std::nullopt;
-  }
-  const Term root = letters.term((-f.coeff(symbol, 0) / slope).expand());
+  Polynomial rest = coefficient(above, place, 0);
+  rest *= letters.ring().constant(-1 / leading_coefficient(slope));
+  const Term root = letters.term(rest);
   if (root.variables().contains(x)) {
     return std::nullopt;
   }
@@ -134,7 +139,7 @@ std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const 
   if (!seems_zero({there}, {})) {
     return std::nullopt;
   }
-  const Theorem is_root = Theorem::combination(equal(x, root), {{f_is_zero, letters.term(ex(1 / slope))}});
+  const Theorem is_root = Theorem::combination(equal(x, root), {{f_is_zero, leading_coefficient(below) / leading_coefficient(slope)}});
   const Variable at = fresh(x.type, {a, root});
   return Theorem::replace(symmetric(is_root), at, equal(substitute(a, {{x, at}}), 0),
                           Theorem::combination(equal(there, 0)));
@@ -142,7 +147,7 @@ std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const 
 
 }  // namespace
 
-Theorem factor_differs(const ex& factor, const Letters& letters, const Domain& domain) {
+Theorem factor_differs(const Polynomial& factor, const Letters& letters, const Domain& domain) {
   if (const std::optional<Theorem> sign = signed_by_bounds(factor, letters, domain)) {
     return different(*sign);
   }
@@ -165,7 +170,7 @@ Theorem factor_differs(const ex& factor, const Letters& letters, const Domain& d
 namespace {
 
 // ⊢ 0 < s for factors s whose product is f^k up to sign.
-std::vector<Theorem> positive_factors(const ex& factor, int exponent, const Letters& letters,
+std::vector<Theorem> positive_factors(const Polynomial& factor, int exponent, const Letters& letters,
                                       const Domain& domain) {
   const Term f = letters.term(factor);
   if (const auto sign = signed_by_bounds(factor, letters, domain)) {
@@ -236,30 +241,23 @@ Theorem inverse_is_positive(const Theorem& positive) {
 }
 
 Theorem positive(const Term& a, const Domain& domain) {
-  Letters letters;
-  const ex whole = letters.expression(a);
-  letters.sort();
-  const auto [top, bottom] = letters.fraction(whole);
+  const Letters letters({a});
+  const auto [top, bottom] = letters.fraction(a);
   if (top.is_zero()) {
     throw KernelError("0 is not positive");
   }
   Positive product{{}};
-  ex built = 1;
+  Polynomial built_top = top, built_bottom = bottom;  // a over what is built
   for (const int place : {0, 1}) {
     const Factored all = factored(place == 0 ? top : bottom, letters);
     for (std::size_t i = 0; i < all.factors.size(); ++i) {
       for (const Theorem& one : positive_factors(all.factors[i], all.exponents[i], letters, domain)) {
         product.inequalities.push_back(place == 0 ? one : inverse_is_positive(one));
-        const ex s = letters.expression(one.conclusion().parts()[1]);
-        built *= place == 0 ? s : 1 / s;
+        (place == 0 ? built_bottom : built_top) *= letters.fraction(one.conclusion().parts()[1]).above;
       }
     }
   }
-  const ex ratio = (top / bottom / built).normal();
-  if (!GiNaC::is_a<GiNaC::numeric>(ratio)) {
-    throw KernelError("the factors of " + to_string(a) + " are not found");
-  }
-  product.factor = symbolic::algebra::to_rational(GiNaC::ex_to<GiNaC::numeric>(ratio));
+  product.factor = leading_coefficient(built_top) / leading_coefficient(built_bottom);
   return nonzero(Theorem::order(less(0, a), {product}), domain);
 }
 

@@ -55,7 +55,10 @@ TEST_CASE("what fails for a motion from any state is refuted, where no motion is
   // Z(0) = Z_0 = E Z_0 has z_1(0) = 0.
   CHECK(status({phase, begins, {"too", equation(Z(0), E * Z0)}}) == Status::undecided);
   CHECK(status({phase, begins, {"too", equation(Z(tau), E * Z0)}}) == Status::undecided);
-  CHECK(status({phase, begins, {"second", during(tau, Theta, law)}}) == Status::undecided);
+  // A motion may be joined of two, one after the other; not of two laws at the same time.
+  CHECK(status({phase, begins, {"second", during(tau, Theta, law)}}) == Status::refuted);
+  const Statement other = equation(derivative(X(t)), first_order(K) * X(t));
+  CHECK(status({phase, begins, {"second", during(0, Theta, other)}}) == Status::undecided);
   // A law with a sign may hold for no motion at all.
   const Statement coulomb = equation(
       derivative(X(t)), first_order(K) * X(t) + column({0, 0, 0, eta * us * sign(component(3, X(t)))}));
