@@ -109,7 +109,8 @@ std::optional<Member> expressed(const Member& goal, std::vector<Member> basis) {
 std::optional<std::vector<Term>> multipliers(const Term& goal, const std::vector<Term>& given) {
   std::vector<Term> all{goal}, circles;
   all.insert(all.end(), given.begin(), given.end());
-  for (const Term& letter : Letters(all).terms()) {
+  const Letters in_them(all);
+  for (const Term& letter : in_them.terms()) {
     if (letter.kind() == kernel::Kind::cosine) {
       circles.push_back(power(letter, 2) + power(kernel::sin(letter.parts()[0]), 2) - 1);
     }

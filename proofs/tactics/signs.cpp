@@ -139,7 +139,7 @@ std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const 
   if (!seems_zero({there}, {})) {
     return std::nullopt;
   }
-  const Theorem is_root = Theorem::combination(equal(x, root), {{f_is_zero, leading_coefficient(below) / leading_coefficient(slope)}});
+  const Theorem is_root = Theorem::combination(equal(x, root), {{f_is_zero, Term(Rational(leading_coefficient(below) / leading_coefficient(slope)))}});
   const Variable at = fresh(x.type, {a, root});
   return Theorem::replace(symmetric(is_root), at, equal(substitute(a, {{x, at}}), 0),
                           Theorem::combination(equal(there, 0)));
