@@ -56,7 +56,7 @@ class Derivation {
   void give(const kernel::Theorem& equation) { given_.push_back({"", equation}); }
   // Divisors are discharged with a theorem d ≠ 0, too.
   void know(const kernel::Theorem& nonzero);
-  // 0 < a, under hypotheses that its factors are not zero.
+  // 0 < a, under hypotheses that its factors are not zero. That sin x is positive follows from 0 < x < pi.
   [[nodiscard]] kernel::Theorem positive(const kernel::Term& a);
 
   // Theorems of what the claim prints, in its order: the verdict, and what it assumes and divides by. Throws
@@ -74,7 +74,7 @@ class Derivation {
   void leave_divisors() { divisors_stay_ = true; }
 
  private:
-  bool divisors_stay_ = false;
+  bool divisors_stay_ = false, looks_at_sines_ = false;
   struct Given {
     std::string id;
     kernel::Theorem equation;
@@ -89,6 +89,9 @@ class Derivation {
   using Rule = std::function<kernel::Theorem(const Problem&)>;
 
   void look_into_stated();
+  [[nodiscard]] std::optional<kernel::Theorem> with_rest(const kernel::Formula& formula,
+                                                         const kernel::Theorem& known);
+  [[nodiscard]] std::vector<kernel::Theorem> positive_sines(const kernel::Term& term);
   [[nodiscard]] static std::vector<kernel::Term> residual(const Problem& problem);
   [[nodiscard]] kernel::Theorem solved(const Problem& problem, bool is_order);
   [[nodiscard]] kernel::Theorem with_fewest_given(const Problem& problem, const Rule& rule);

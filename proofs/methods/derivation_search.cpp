@@ -192,7 +192,45 @@ Theorem Derivation::order(const Formula& inequality, const std::vector<Positive>
 Theorem Derivation::positive(const Term& a) {
   const Definitions definitions = openings({a}).all();
   const Term opened = unfold(a, definitions);
-  return Theorem::convert(tactics::positive(opened, domain_), less(0, a), definitions);
+  const auto in = [&](const Domain& domain) {
+    return Theorem::convert(tactics::positive(opened, domain), less(0, a), definitions);
+  };
+  try {
+    return in(domain_);
+  } catch (const KernelError&) {
+    const std::vector<Theorem> sines = positive_sines(opened);
+    if (sines.empty()) {
+      throw;
+    }
+    Domain with_sines = domain_;
+    with_sines.insert(with_sines.end(), sines.begin(), sines.end());
+    return in(with_sines);
+  }
+}
+
+// ⊢ 0 < sin x for the sines in the term of which the assumptions say that 0 < x < pi.
+std::vector<Theorem> Derivation::positive_sines(const Term& term) {
+  std::set<Term> arguments;
+  const auto visit = [&](const auto& self, const Term& part) -> void {
+    if (part.kind() == kernel::Kind::sine) {
+      arguments.insert(part.parts()[0]);
+    }
+    std::ranges::for_each(part.parts(), [&](const Term& inner) { self(self, inner); });
+  };
+  if (!looks_at_sines_ && !known_.empty()) {
+    visit(visit, term);
+  }
+  const bool before = std::exchange(looks_at_sines_, true);  // an argument may have sines, too
+  std::vector<Theorem> result;
+  for (const Term& x : arguments) {
+    try {
+      result.push_back(detach(Theorem::sine_is_positive(x), both({follows(less(0, x)), follows(less(x, pi()))})));
+    } catch (const KernelError&) {
+      continue;
+    }
+  }
+  looks_at_sines_ = before;
+  return result;
 }
 
 // From what is known: as a sum of one or two of the inequalities, as a positive multiple of one, or as a
@@ -253,7 +291,44 @@ Theorem Derivation::follows(const Formula& formula) {
   for (const Theorem& known : known_) {
     problem.positives.push_back({{known}});
   }
-  return with_fewest_given(problem, rule);
+  try {
+    return with_fewest_given(problem, rule);
+  } catch (const KernelError&) {
+    for (const Theorem& known : known_) {
+      if (const auto theorem = with_rest(formula, known)) {
+        return *theorem;
+      }
+    }
+    throw;
+  }
+}
+
+// As a multiple of an inequality that is known, and a positive rest without one of its letters.
+std::optional<Theorem> Derivation::with_rest(const Formula& formula, const Theorem& known) {
+  const auto difference = [](const Formula& inequality) {
+    return inequality.parts()[1] - inequality.parts()[0];
+  };
+  const Term goal = difference(formula), gap = difference(known.conclusion());
+  const Letters letters({goal, gap});
+  try {
+    const Fraction of_goal = letters.fraction(goal), of_gap = letters.fraction(gap);
+    for (std::size_t k = 0; k < letters.terms().size(); ++k) {
+      const Polynomial a = coefficient(of_goal.above, k, 1), b = coefficient(of_gap.above, k, 1);
+      const bool is_linear = degree(of_goal.above, k) == 1 && degree(of_gap.above, k) == 1 && is_constant(a) &&
+                             is_constant(b) && is_constant(of_goal.below) && is_constant(of_gap.below);
+      if (!is_linear) {
+        continue;
+      }
+      const Rational factor = leading_coefficient(a) * leading_coefficient(of_gap.below) /
+                              (leading_coefficient(b) * leading_coefficient(of_goal.below));
+      if (factor > 0) {
+        return order(formula, {Positive{{known}, factor}, Positive{{positive(goal - Term(factor) * gap)}}});
+      }
+    }
+  } catch (const KernelError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 Theorem Derivation::combined(const Formula& equation) {

@@ -38,9 +38,67 @@ Claim claim_of(const Scene& scene) {
   return claim;
 }
 
+bool is_motion(const symbols::Term& term) {
+  const symbols::Symbol * row = term.op() == symbols::Op::function ? symbols::symbol_table().find(term) : nullptr;
+  return row != nullptr && row->is_motion;
+}
+
+// "M' = … at all times between", of a motion M; of the oscillator, X.
 bool is_of_a_phase(const symbols::Statement& statement) {
-  return symbols::vocabulary_here().is_of_model() && statement.during && !statement.during->almost &&
-         equal(statement.left, derivative(paper::X(paper::t)));
+  if (!statement.during || statement.during->almost || statement.left.op() != symbols::Op::derivative) {
+    return false;
+  }
+  const symbols::Term& motion = statement.left.arguments().front();
+  return symbols::vocabulary_here().is_of_model() ? equal(motion, paper::X(paper::t))
+                                                  : is_motion(motion) && equal(motion.arguments().front(), paper::t);
+}
+
+// The motion of which the formula of a phase speaks.
+Variable motion_of(const Formula& phase) {
+  const Term& motion = phase.parts().at(0).parts().at(0);
+  if (motion.kind() != kernel::Kind::variable) {
+    throw KernelError("it is of no motion: " + to_string(phase));
+  }
+  return {motion.name(), motion.type()};
+}
+
+// The closed forms as functions of time, with states in them as `held` says, or 0.
+std::vector<Term> closed_forms(Derivation& derivation, const std::vector<symbols::Statement>& forms,
+                               const Variable& motion, const std::vector<Formula>& held) {
+  const auto is_state = [&](const Term& term) {
+    return term.kind() == kernel::Kind::apply && term.parts()[0] == Term(motion);
+  };
+  std::vector<Term> result;
+  for (const symbols::Statement& form : forms) {
+    if (!is_motion(form.left) || form.left.name() != motion.name) {
+      continue;
+    }
+    Term term = derivation.read(form.right);
+    for (const Formula& one : held) {
+      if (one.kind() == kernel::Kind::equal && is_state(one.parts()[0]) &&
+          !occurs(Term(motion), one.parts()[1])) {
+        term = replaced(term, one.parts()[0], one.parts()[1]);
+      }
+    }
+    std::set<Term> states;
+    const auto visit = [&](const auto& self, const Term& part) -> void {
+      if (is_state(part)) {
+        states.insert(part);
+      }
+      std::ranges::for_each(part.parts(), [&](const Term& inner) { self(self, inner); });
+    };
+    visit(visit, term);
+    for (const Term& state : states) {
+      const Type& type = state.type();
+      term = replaced(term, state,
+                      type.is_scalar() ? Term(0)
+                                       : matrix(type.rows, type.columns,
+                                                std::vector<Term>(static_cast<std::size_t>(type.rows * type.columns),
+                                                                  Term(0))));
+    }
+    result.push_back(kernel::lambda(time_variable, term));
+  }
+  return result;
 }
 
 // The state in which the phase is said to begin: Z(a) = state, the first that is said.
@@ -95,8 +153,8 @@ Rational any_value(const std::string& name, const Rational& state) {
   }
   const Bounds bounds = bounds_of(name);
   return bounds.lower && bounds.upper ? Rational((*bounds.lower + *bounds.upper) / 2)
-         : bounds.upper               ? Rational(*bounds.upper - 1)
-                                      : Rational(bounds.lower.value_or(0) + 1);
+         : bounds.upper               ? Rational(*bounds.upper - 1 - state)
+                                      : Rational(bounds.lower.value_or(0) + 1 + state);
 }
 
 // X is one function before the time c, and another from then on: terms without variables, as a, c and e are.
@@ -244,13 +302,12 @@ class Place {
     return certainly_not(substitute(substitute(formula, motion_), values_));
   }
 
-  // The first of the functions, for X, that obeys the phase, with the theorem. Throws KernelError if none
-  // does.
+  // The first of the functions, for its motion, that obeys the phase, with the theorem. Throws KernelError if
+  // none does.
   [[nodiscard]] std::pair<Term, Theorem> moving(const Formula& phase, const std::vector<Term>& functions) {
-    const Variable X{"X", functions.front().type()};
     for (const Term& one : functions) {
       try {
-        const Theorem open = obeys(derivation_, substitute(phase, {{X, one}}));
+        const Theorem open = obeys(derivation_, substitute(phase, {{motion_of(phase), one}}));
         return {one, without_hypotheses(Theorem::instantiate(open, values_))};
       } catch (const KernelError&) {
         continue;
@@ -260,7 +317,7 @@ class Place {
   }
   Theorem move(const Formula& phase, const std::vector<Term>& functions) {
     const auto [function, theorem] = moving(phase, functions);
-    motion_.insert_or_assign(Variable{"X", function.type()}, function);
+    motion_.insert_or_assign(motion_of(phase), function);
     return theorem;
   }
   // Two phases, one after the other: X is a function of each. Of both phases.
@@ -399,7 +456,11 @@ Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols
   if (phase != holding.end()) {
     const auto next = std::find_if(phase + 1, holding.end(), is_of_a_phase);
     const auto formula = [&](auto one) { return held[static_cast<std::size_t>(one - holding.begin())]; };
-    const auto functions = [&](auto one) { return candidates(derivation, *one, start_of(*one, holding)); };
+    const auto functions = [&](auto one) {
+      return symbols::vocabulary_here().is_of_model()
+                 ? candidates(derivation, *one, start_of(*one, holding))
+                 : closed_forms(derivation, scene.closed_forms, motion_of(formula(one)), held);
+    };
     known.emplace(formula(phase), place.move(formula(phase), functions(phase)));
     if (next != holding.end()) {
       try {
@@ -447,16 +508,27 @@ std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
       scene.values.push_back(one);
     }
   }
+  scene.closed_forms = claim.printed;
+  for (const Claim * before : prover.before(claim.id)) {
+    scene.closed_forms.insert(scene.closed_forms.end(), before->printed.begin(), before->printed.end());
+  }
   if (std::ranges::count_if(holding, is_of_a_phase) > 1) {
     return std::nullopt;  // that they fit is a matter of closing equations
   }
-  try {
-    return refutation(prover, scene, holding, {});
-  } catch (const KernelError&) {
-    return std::nullopt;
-  } catch (const symbols::NoValue&) {
-    return std::nullopt;
+  const std::vector<Rational> states = symbols::vocabulary_here().is_of_model()
+                                           ? std::vector<Rational>{0}
+                                           : std::vector<Rational>{0, {1, 2}, {7, 3}};
+  for (const Rational& state : states) {
+    scene.state = state;
+    try {
+      return refutation(prover, scene, holding, {});
+    } catch (const KernelError&) {
+      continue;
+    } catch (const symbols::NoValue&) {
+      continue;
+    }
   }
+  return std::nullopt;
 }
 
 }  // namespace stickslip::proofs::methods

@@ -13,14 +13,16 @@ namespace stickslip::proofs::methods {
 
 class Prover;
 
-// Values of symbols: rational ones, and those that are given in terms of others, "symbol = value". A motion X
-// that is assumed to obey a linear differential equation is found: the flow from the state Z(a) in which it
-// is said to begin, or from rest. Where it is assumed of a second phase it obeys this as it is, or is joined
-// of a flow for each.
+// Values of symbols: rational ones, and those that are given in terms of others, "symbol = value". A motion
+// that is assumed to obey a differential equation is found: of the oscillator the flow from the state Z(a) in
+// which it is said to begin, or from rest; of another paper one of the closed forms "Z(t) = expression" that
+// its claims state, with Z(a) in it as it is assumed to be, or 0. Where it is assumed of a second phase it
+// obeys this as it is, or is joined of a flow for each.
 struct Scene {
   std::vector<Coordinate> point = {};
   std::vector<symbols::Statement> values = {};
   Rational state = 1;  // of which nothing is said: z10, zdot10, …
+  std::vector<symbols::Statement> closed_forms = {};
 };
 
 // ⊢ there are omega1, omega2, …, perhaps X, in the parameters' domain, with all of `holding` and none of

@@ -41,7 +41,10 @@ bool is_letter(const Term& term) {
   }
 }
 
-void collect(const Term& term, std::set<Term>& seen, std::map<std::string, Term>& letters) {
+// By their text first.
+using ByText = std::set<std::pair<std::string, Term>>;
+
+void collect(const Term& term, std::set<Term>& seen, ByText& letters) {
   if (!seen.insert(term).second) {
     return;
   }
@@ -126,7 +129,7 @@ Polynomial polynomial(const PolynomialRing& ring, const std::vector<Monomial>& m
 
 Letters::Letters(const std::vector<Term>& terms) {
   std::set<Term> seen;
-  std::map<std::string, Term> letters;
+  ByText letters;
   for (const Term& term : terms) {
     collect(term, seen, letters);
   }

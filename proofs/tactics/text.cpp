@@ -17,6 +17,14 @@ std::string of_parts(const std::string& name, const Term& term) {
   return name + joined(term, ", ");
 }
 
+// What a power or an entry is of.
+std::string base(const Term& term) {
+  const Kind kind = term.kind();
+  const bool splits = kind == Kind::product || kind == Kind::power || kind == Kind::lambda ||
+                      (kind == Kind::number && (term.value() < 0 || term.value().get_den() != 1));
+  return splits ? "(" + to_string(term) + ")" : to_string(term);
+}
+
 // "there are a, b: …", with names that are free in nothing that is bound.
 std::string binding(const std::string& one, const std::string& many, Term term) {
   if (!term.is_closed()) {
@@ -58,7 +66,7 @@ std::string to_string(const Term& term) {
     case Kind::product:
       return to_string(parts[0]) + "*" + to_string(parts[1]);
     case Kind::power:
-      return to_string(parts[0]) + "^" + term.value().get_str();
+      return base(parts[0]) + "^" + term.value().get_str();
     case Kind::inverse:
       return of_parts("inverse", term);
     case Kind::cosine:
@@ -68,7 +76,7 @@ std::string to_string(const Term& term) {
     case Kind::matrix:
       return of_parts("matrix" + std::to_string(term.row()) + "x" + std::to_string(term.column()), term);
     case Kind::entry:
-      return to_string(parts[0]) + "[" + std::to_string(term.row()) + "," + std::to_string(term.column()) +
+      return base(parts[0]) + "[" + std::to_string(term.row()) + "," + std::to_string(term.column()) +
              "]";
     case Kind::defined:
       return of_parts(term.definition().name(), term);

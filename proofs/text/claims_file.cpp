@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <functional>
 #include <optional>
@@ -27,6 +28,9 @@ using symbols::Term;
 namespace {
 
 constexpr std::size_t longest_file = 4000000;
+
+// What the notation has for the symbols of every paper.
+constexpr std::array functions_of_all{"cos", "sin", "tan", "sign"};
 
 // An entry, which begins in the first column, and the lines that are indented below it.
 struct Line {
@@ -222,7 +226,7 @@ class Reading {
       *field->second = checked_words(text);
     }
     names_ = {};
-    for (const char * function : {"cos", "sin", "tan", "sign"}) {
+    for (const char * function : functions_of_all) {
       names_.functions.emplace(function, symbols::Shape{});
     }
     names_.quantities = {{"pi", {}}, {"t", {}}};
@@ -231,11 +235,18 @@ class Reading {
 
   void symbols_line(const std::string& rest, const Entry&) {
     require_alone("symbols");
-    const auto in = rest.find(" in ");
-    for (const std::string& name : split(rest.substr(0, in), ',')) {
+    const auto in = rest.find(" in "), colon = rest.find(':');
+    const std::optional<symbols::Shape> motion =
+        colon < in ? std::optional(shape_of_motion(trimmed(rest.substr(colon + 1, in - colon - 1)))) : std::nullopt;
+    for (const std::string& name : split(rest.substr(0, std::min(in, colon)), ',')) {
       new_name(name);
-      names_.quantities.emplace(name, symbols::Shape{});
-      rows_.push_back({name});
+      if (motion) {
+        names_.functions.emplace(name, *motion);
+        rows_.push_back({.name = name, .shape = *motion, .of_time = true, .is_motion = true});
+      } else {
+        names_.quantities.emplace(name, symbols::Shape{});
+        rows_.push_back({name});
+      }
     }
     if (in != std::string::npos) {
       for (const std::string& relation : split(rest.substr(in + 4), ',')) {
@@ -245,6 +256,15 @@ class Reading {
       }
     }
     make_vocabulary();
+  }
+
+  // "motion of 2": a function of time with so many numbers, of which no more is known.
+  [[nodiscard]] symbols::Shape shape_of_motion(const std::string& kind) const {
+    const std::string count = kind.starts_with("motion of ") ? trimmed(kind.substr(10)) : "";
+    if (count.size() != 1 || count.front() < '1' || count.front() > '8') {
+      fail(fmt::format("'{}': after ':' stands 'motion of' and how many numbers it has, from 1 to 8", kind));
+    }
+    return {count.front() - '0', 1};
   }
 
   // "number < symbol" or "symbol < number", however it is turned.
@@ -612,8 +632,8 @@ class Reading {
 
   void make_vocabulary() {
     std::vector<symbols::Symbol> rows = rows_;
-    for (const auto& function : names_.functions) {
-      rows.push_back({.name = function.first, .shape = function.second, .of_time = true});
+    for (const char * function : functions_of_all) {
+      rows.push_back({.name = function, .of_time = true});
     }
     rows.push_back({.name = "pi"});
     rows.push_back({.name = "t"});
