@@ -32,8 +32,8 @@ bool is_constant(const Polynomial& polynomial) {
 }
 
 int degree(const Polynomial& polynomial, std::size_t generator) {
-  return static_cast<int>(fmpq_mpoly_degree_si(polynomial.raw(), static_cast<slong>(generator),
-                                               polynomial.ring().context()));
+  return static_cast<int>(
+      fmpq_mpoly_degree_si(polynomial.raw(), static_cast<slong>(generator), polynomial.ring().context()));
 }
 
 Polynomial coefficient(const Polynomial& polynomial, std::size_t generator, int exponent) {

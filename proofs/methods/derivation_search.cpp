@@ -224,7 +224,8 @@ std::vector<Theorem> Derivation::positive_sines(const Term& term) {
   std::vector<Theorem> result;
   for (const Term& x : arguments) {
     try {
-      result.push_back(detach(Theorem::sine_is_positive(x), both({follows(less(0, x)), follows(less(x, pi()))})));
+      result.push_back(
+          detach(Theorem::sine_is_positive(x), both({follows(less(0, x)), follows(less(x, pi()))})));
     } catch (const KernelError&) {
       continue;
     }
@@ -310,23 +311,24 @@ std::optional<Theorem> Derivation::with_rest(const Formula& formula, const Theor
   };
   const Term goal = difference(formula), gap = difference(known.conclusion());
   const Letters letters({goal, gap});
-  try {
-    const Fraction of_goal = letters.fraction(goal), of_gap = letters.fraction(gap);
-    for (std::size_t k = 0; k < letters.terms().size(); ++k) {
-      const Polynomial a = coefficient(of_goal.above, k, 1), b = coefficient(of_gap.above, k, 1);
-      const bool is_linear = degree(of_goal.above, k) == 1 && degree(of_gap.above, k) == 1 && is_constant(a) &&
-                             is_constant(b) && is_constant(of_goal.below) && is_constant(of_gap.below);
-      if (!is_linear) {
-        continue;
-      }
-      const Rational factor = leading_coefficient(a) * leading_coefficient(of_gap.below) /
-                              (leading_coefficient(b) * leading_coefficient(of_goal.below));
-      if (factor > 0) {
+  const auto slope_of = [&](const Fraction& fraction, std::size_t letter) -> std::optional<Rational> {
+    const Polynomial slope = coefficient(fraction.above, letter, 1);
+    const bool is_linear =
+        degree(fraction.above, letter) == 1 && is_constant(slope) && is_constant(fraction.below);
+    return is_linear
+               ? std::optional<Rational>(leading_coefficient(slope) / leading_coefficient(fraction.below))
+               : std::nullopt;
+  };
+  for (std::size_t k = 0; k < letters.terms().size(); ++k) {
+    try {
+      const auto a = slope_of(letters.fraction(goal), k), b = slope_of(letters.fraction(gap), k);
+      if (a && b && *a / *b > 0) {
+        const Rational factor = *a / *b;
         return order(formula, {Positive{{known}, factor}, Positive{{positive(goal - Term(factor) * gap)}}});
       }
+    } catch (const KernelError&) {
+      continue;
     }
-  } catch (const KernelError&) {
-    return std::nullopt;
   }
   return std::nullopt;
 }

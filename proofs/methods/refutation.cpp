@@ -39,7 +39,8 @@ Claim claim_of(const Scene& scene) {
 }
 
 bool is_motion(const symbols::Term& term) {
-  const symbols::Symbol * row = term.op() == symbols::Op::function ? symbols::symbol_table().find(term) : nullptr;
+  const symbols::Symbol * row =
+      term.op() == symbols::Op::function ? symbols::symbol_table().find(term) : nullptr;
   return row != nullptr && row->is_motion;
 }
 
@@ -49,8 +50,9 @@ bool is_of_a_phase(const symbols::Statement& statement) {
     return false;
   }
   const symbols::Term& motion = statement.left.arguments().front();
-  return symbols::vocabulary_here().is_of_model() ? equal(motion, paper::X(paper::t))
-                                                  : is_motion(motion) && equal(motion.arguments().front(), paper::t);
+  return symbols::vocabulary_here().is_of_model()
+             ? equal(motion, paper::X(paper::t))
+             : is_motion(motion) && equal(motion.arguments().front(), paper::t);
 }
 
 // The motion of which the formula of a phase speaks.
@@ -90,11 +92,12 @@ std::vector<Term> closed_forms(Derivation& derivation, const std::vector<symbols
     visit(visit, term);
     for (const Term& state : states) {
       const Type& type = state.type();
-      term = replaced(term, state,
-                      type.is_scalar() ? Term(0)
-                                       : matrix(type.rows, type.columns,
-                                                std::vector<Term>(static_cast<std::size_t>(type.rows * type.columns),
-                                                                  Term(0))));
+      term = replaced(
+          term, state,
+          type.is_scalar()
+              ? Term(0)
+              : matrix(type.rows, type.columns,
+                       std::vector<Term>(static_cast<std::size_t>(type.rows * type.columns), Term(0))));
     }
     result.push_back(kernel::lambda(time_variable, term));
   }
@@ -138,7 +141,9 @@ Theorem obeys(Derivation& derivation, const Formula& formula) {
   const Formula &inside = here.parts()[0], &rate = here.parts()[1];
   const Theorem slope = Theorem::differentiate(rate.parts()[0], t);
   const Theorem value = derivation.combination(equal(slope.conclusion().parts()[2], rate.parts()[2]));
-  const Theorem moves = derivation.without_divisors(tactics::by_rewriting(slope, value));
+  const Variable place = fresh(rate.parts()[2].type(), {formula, slope.conclusion()});
+  const Theorem moves = derivation.without_divisors(
+      Theorem::replace(value, place, derivative(rate.parts()[0], t, place), slope));
   const Theorem continuous = derivation.without_divisors(
       Theorem::continuity(smooth.parts()[0], smooth.parts()[1], smooth.parts()[2]));
   return both({continuous, for_every(t, inside, moves)});

@@ -94,8 +94,7 @@ std::vector<std::pair<Polynomial, int>> irreducible_factors(const Polynomial& po
   for (slong k = 0; k < fmpq_mpoly_factor_length(found.raw(), ring.context()); ++k) {
     Polynomial base(ring);
     fmpq_mpoly_factor_get_base(base.raw(), found.raw(), k, ring.context());
-    result.emplace_back(base,
-                        static_cast<int>(fmpq_mpoly_factor_get_exp_si(found.raw(), k, ring.context())));
+    result.emplace_back(base, static_cast<int>(fmpq_mpoly_factor_get_exp_si(found.raw(), k, ring.context())));
   }
   return result;
 }

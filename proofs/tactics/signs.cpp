@@ -123,7 +123,8 @@ std::optional<Theorem> vanishes_as_multiple(const Term& a, const Term& b, const 
 std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const Theorem& f_is_zero) {
   const Term& f = f_is_zero.conclusion().parts()[0];
   const Letters letters({f, x});
-  const auto place = static_cast<std::size_t>(std::ranges::find(letters.terms(), Term(x)) - letters.terms().begin());
+  const auto place =
+      static_cast<std::size_t>(std::ranges::find(letters.terms(), Term(x)) - letters.terms().begin());
   const auto [above, below] = letters.fraction(f);
   const Polynomial slope = coefficient(above, place, 1);
   if (degree(above, place) != 1 || !is_constant(slope) || !is_constant(below)) {
@@ -139,7 +140,8 @@ std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const 
   if (!seems_zero({there}, {})) {
     return std::nullopt;
   }
-  const Theorem is_root = Theorem::combination(equal(x, root), {{f_is_zero, Term(Rational(leading_coefficient(below) / leading_coefficient(slope)))}});
+  const Theorem is_root = Theorem::combination(
+      equal(x, root), {{f_is_zero, Term(Rational(leading_coefficient(below) / leading_coefficient(slope)))}});
   const Variable at = fresh(x.type, {a, root});
   return Theorem::replace(symmetric(is_root), at, equal(substitute(a, {{x, at}}), 0),
                           Theorem::combination(equal(there, 0)));

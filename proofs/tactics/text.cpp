@@ -76,8 +76,7 @@ std::string to_string(const Term& term) {
     case Kind::matrix:
       return of_parts("matrix" + std::to_string(term.row()) + "x" + std::to_string(term.column()), term);
     case Kind::entry:
-      return base(parts[0]) + "[" + std::to_string(term.row()) + "," + std::to_string(term.column()) +
-             "]";
+      return base(parts[0]) + "[" + std::to_string(term.row()) + "," + std::to_string(term.column()) + "]";
     case Kind::defined:
       return of_parts(term.definition().name(), term);
     case Kind::apply:

@@ -237,7 +237,8 @@ class Reading {
     require_alone("symbols");
     const auto in = rest.find(" in "), colon = rest.find(':');
     const std::optional<symbols::Shape> motion =
-        colon < in ? std::optional(shape_of_motion(trimmed(rest.substr(colon + 1, in - colon - 1)))) : std::nullopt;
+        colon < in ? std::optional(shape_of_motion(trimmed(rest.substr(colon + 1, in - colon - 1))))
+                   : std::nullopt;
     for (const std::string& name : split(rest.substr(0, std::min(in, colon)), ',')) {
       new_name(name);
       if (motion) {
