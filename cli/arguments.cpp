@@ -185,12 +185,10 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
       ->add_flag(
           "--errata", options.errata,
           "A document with the errata of the paper and the hypotheses\nto be added, after proving everything")
-      ->excludes(list)
-      ->excludes(names);
+      ->excludes(list);
   add_text(*command, "--theorem", options.theorem, "ID",
            "A result of the audit as a theorem, with the idea of its proof,\nafter proving it")
       ->excludes(list)
-      ->excludes(names)
       ->excludes(command->get_option("--errata"));
   command
       ->add_option_function<std::string>(
@@ -216,7 +214,11 @@ void add_latex(CLI::App& program, LatexOptions& options, Request& request, const
   add_text(*command, "--digits", options.digits, "N",
            fmt::format("Significant digits of numbers: {} by default", LatexOptions::default_digits));
   command->callback([&options, &request] {
-    take_file(options.names, options.claims);
+    take_file(options.names, options.claims);  // a file goes with them, a name does not
+    if (!options.names.empty() && (options.errata || !options.theorem.empty())) {
+      throw UsageError(
+          fmt::format("NAME and {} do not go together", options.errata ? "--errata" : "--theorem"));
+    }
     request = options;
   });
 }

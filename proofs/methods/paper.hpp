@@ -21,6 +21,7 @@ namespace stickslip::proofs::methods {
 
 struct Bibliography {
   std::string author, title, journal, doi;
+  std::string text = {};  // which text of it was read, and what that lacks: a sentence for its errata
 };
 
 struct Section {

@@ -4,9 +4,7 @@
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/pascal2012/judgement.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"
-#include "proofs/pascal2012/remarks.hpp"
 #include "proofs/pascal2012/source.hpp"
 #include "proofs/pascal2012/statements.hpp"
 #include "proofs/pascal2012/units.hpp"
@@ -37,16 +35,19 @@ text::Programs programs() {
 }
 
 Paper assembled() {
-  Paper paper{{"M. Pascal", "New limit cycles of dry friction oscillators under harmonic load",
-               "Nonlinear Dynamics 70 (2012) 1435–1443", "10.1007/s11071-012-0545-5"},
-              {},
-              {},
-              printed_examples(),
-              judgements(),
-              printed_statements(),
-              remarks(),
-              results(),
-              abbreviations()};
+  Paper paper{
+      {"M. Pascal", "New limit cycles of dry friction oscillators under harmonic load",
+       "Nonlinear Dynamics 70 (2012) 1435–1443", "10.1007/s11071-012-0545-5",
+       "The text read is that of HAL, whose file has lost glyphs; where a formula quoted here has lost "
+       "some, these are named, and the printed page should be looked at."},
+      {},
+      {},
+      printed_examples(),
+      {},
+      printed_statements(),
+      {},
+      {},
+      abbreviations()};
   std::string all;
   for (const auto& [file, claims] : claims_text()) {
     all += claims;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstring>
 #include <functional>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <sstream>
 
@@ -122,13 +124,18 @@ class Reading {
       line_ = entry.head.number;
       const auto [word, rest] = first_word(entry.head.text);
       static const std::map<std::string, void (Reading::*)(const std::string&, const Entry&)> kinds{
-          {"paper", &Reading::begin_paper}, {"symbols", &Reading::symbols_line}, {"let", &Reading::let},
-          {"section", &Reading::section},   {"assume", &Reading::assume},        {"all", &Reading::all},
-          {"claim", &Reading::claim},       {"program", &Reading::program}};
+          {"paper", &Reading::begin_paper}, {"symbols", &Reading::symbols_line},
+          {"let", &Reading::let},           {"section", &Reading::section},
+          {"assume", &Reading::assume},     {"all", &Reading::all},
+          {"claim", &Reading::claim},       {"program", &Reading::program},
+          {"words", &Reading::words},       {"remark", &Reading::remark},
+          {"result", &Reading::result},     {"judgement", &Reading::judgement}};
       const auto kind = kinds.find(word);
       if (kind == kinds.end()) {
-        fail(fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, all, claim",
-                         word));
+        fail(
+            fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, all, claim, "
+                        "words, remark, judgement, result",
+                        word));
       }
       (this->*kind->second)(rest, entry);
     }
@@ -168,7 +175,9 @@ class Reading {
       }
       Entry& entry = found.back();
       const std::string word = first_word(entry.head.text).first;
-      const bool has_lines = word == "paper" || word == "assume" || word == "claim";
+      static const std::set<std::string> with_lines{"paper",  "assume",    "claim",
+                                                    "remark", "judgement", "result"};
+      const bool has_lines = with_lines.contains(word);
       for (const auto& [indent, line] : indented) {
         if (indent == first && has_lines) {
           entry.body.push_back(line);
@@ -212,25 +221,123 @@ class Reading {
     context_->said.clear();
     Bibliography& source = paper_.bibliography;
     source.title = rest;
-    const std::map<std::string, std::string *> fields{{"author", &source.author},
-                                                      {"title", &source.title},
-                                                      {"journal", &source.journal},
-                                                      {"doi", &source.doi}};
-    for (const Line& line : entry.body) {
-      line_ = line.number;
-      const auto [word, text] = first_word(line.text);
-      const auto field = fields.find(word);
-      if (field == fields.end()) {
-        fail(fmt::format("'{}': a paper has author, title, journal and doi", word));
-      }
-      *field->second = checked_words(text);
-    }
+    read_fields(entry, {{"author", &source.author},
+                        {"title", &source.title},
+                        {"journal", &source.journal},
+                        {"doi", &source.doi},
+                        {"text", &source.text}});
     names_ = {};
     for (const char * function : functions_of_all) {
       names_.functions.emplace(function, symbols::Shape{});
     }
     names_.quantities = {{"pi", {}}, {"t", {}}};
     make_vocabulary();
+  }
+
+  // The lines of an entry, "NAME words", each at most once, with passages that have a name put in.
+  using Fields = std::vector<std::pair<const char *, std::string *>>;
+  void read_fields(const Entry& entry, const Fields& fields) {
+    for (const Line& line : entry.body) {
+      line_ = line.number;
+      const auto field = std::ranges::find_if(
+          fields, [&](const auto& one) { return line.text.starts_with(std::string(one.first) + " "); });
+      if (field == fields.end()) {
+        const auto names = std::views::keys(fields);
+        fail(fmt::format("'{}': the lines of '{}' begin with {}", first_word(line.text).first,
+                         first_word(entry.head.text).first, fmt::join(names.begin(), names.end(), ", ")));
+      }
+      if (!field->second->empty()) {
+        fail(fmt::format("'{}' stands there twice", field->first));
+      }
+      *field->second = checked_words(with_passages(trimmed(line.text.substr(std::strlen(field->first)))));
+    }
+    line_ = entry.head.number;
+  }
+  [[nodiscard]] std::string with_passages(std::string text) const {
+    for (const auto& [name, passage] : passages_) {
+      const std::string mark = "{" + name + "}";
+      for (std::size_t at = text.find(mark); at != std::string::npos;
+           at = text.find(mark, at + passage.size())) {
+        text.replace(at, mark.size(), passage);
+      }
+    }
+    return text;
+  }
+
+  // "NAME: words", for {NAME} in the words of remarks and results.
+  void words(const std::string& rest, const Entry&) {
+    const auto colon = rest.find(':');
+    const std::string name = trimmed(rest.substr(0, colon));
+    if (colon == std::string::npos || !is_name(name) || passages_.contains(name)) {
+      fail("a name, ':' and what it stands for belong to 'words', each once");
+    }
+    passages_.emplace(name, checked_words(trimmed(rest.substr(colon + 1))));
+  }
+
+  [[nodiscard]] const std::string& known_claim(const std::string& id) const {
+    if (std::ranges::find(paper_.claims, id, &Claim::id) == paper_.claims.end()) {
+      fail(fmt::format("there is no claim '{}' before this line", id));
+    }
+    return id;
+  }
+  [[nodiscard]] std::vector<std::string> known_claims(const std::string& ids) const {
+    std::vector<std::string> result = split(ids, ',');
+    std::ranges::for_each(result, [this](const std::string& id) { (void)known_claim(id); });
+    return result;
+  }
+
+  void remark(const std::string& rest, const Entry& entry) {
+    Remark one;
+    one.claim = known_claim(rest);
+    read_fields(entry, {{"place", &one.place},
+                        {"says", &one.says},
+                        {"fact", &one.fact},
+                        {"because", &one.because},
+                        {"see", &one.see},
+                        {"quote", &one.quote},
+                        {"note", &one.note}});
+    if (one.says.empty() || one.fact.empty()) {
+      fail("a remark has 'says', what the paper says, and 'fact', what is so");
+    }
+    paper_.remarks.push_back(one);
+  }
+
+  void judgement(const std::string& rest, const Entry& entry) {
+    std::string lost, kept, shown_by;
+    Judgement one;
+    one.origin = known_claim(rest);
+    read_fields(entry, {{"lost", &lost}, {"kept", &kept}, {"shown by", &shown_by}});
+    if (lost.empty() == kept.empty()) {
+      fail("a judgement of a hypothesis has either 'lost', what is so where it fails, or 'kept'");
+    }
+    one.matters = kept.empty();
+    one.words = lost + kept;
+    const std::vector<std::string> claims = known_claims(shown_by);
+    one.shown_by = {claims.begin(), claims.end()};
+    paper_.judgements.push_back(one);
+  }
+
+  void result(const std::string& rest, const Entry& entry) {
+    const auto colon = rest.find(':');
+    if (colon == std::string::npos) {
+      fail("an id, ':' and a title belong to 'result'");
+    }
+    Result one;
+    one.id = trimmed(rest.substr(0, colon));
+    one.title = checked_words(trimmed(rest.substr(colon + 1)));
+    std::string claims, lists;
+    read_fields(entry, {{"setting", &one.setting},
+                        {"theorem", &one.theorem},
+                        {"idea", &one.idea},
+                        {"see", &one.see},
+                        {"claims", &claims},
+                        {"lists", &lists}});
+    one.claims = known_claims(claims);
+    one.lists = !lists.empty();
+    if (one.theorem.empty() || one.claims.empty()) {
+      fail("a result has 'theorem', and 'claims' that say it");
+    }
+    paper_.results.push_back(one);
   }
 
   void symbols_line(const std::string& rest, const Entry&) {
@@ -661,6 +768,7 @@ class Reading {
   std::vector<symbols::Symbol> rows_;
   std::vector<Statement> domain_;
   std::map<std::string, std::vector<Assumption>> assumptions_;
+  std::map<std::string, std::string> passages_;
   const Programs& programs_;
 
   Section section_{"own", "Claims", "own"};

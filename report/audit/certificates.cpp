@@ -183,14 +183,15 @@ Certification certification(const methods::Audit& audit, const fs::path& path,
     theorems += one.state == State::certified ? all : 0;
     result.claims.emplace(record.claim.id, one);
   }
-  const std::string with = counted(audit.records.size() - count[State::none], "claim");
+  const std::size_t provable = audit.records.size() - count[State::none];
+  const std::string with =
+      counted(provable, "claim") + (provable == 1 ? " that has theorems" : " that have theorems");
   if (path.empty()) {
-    result.line = fmt::format(
-        "Coq was not asked about the {} that have theorems of the kernel; script/certify asks it.", with);
+    result.line = fmt::format("Coq was not asked about the {} of the kernel; script/certify asks it.", with);
     return result;
   }
-  result.line = fmt::format("Certified by Coq: {} of {} that have theorems of the kernel, with {}.",
-                            count[State::certified], with, counted(theorems, "theorem"));
+  result.line = fmt::format("Certified by Coq: {} of {} of the kernel, with {}.", count[State::certified],
+                            with, counted(theorems, "theorem"));
   for (const auto& [state, words] : std::map<State, const char *>{
            {State::stale, "stale"}, {State::refused, "refused"}, {State::unknown, "not asked about"}}) {
     if (count[state] > 0) {

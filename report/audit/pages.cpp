@@ -174,6 +174,7 @@ std::string write_report(const Paper& paper, const proofs::methods::Audit& audit
 
 std::string errata(const Paper& paper, const proofs::methods::Audit& audit) {
   Json data = page_data(paper, audit, to_json(paper, audit, "stickslip latex --errata", {}));
+  data["text_read"] = paper.bibliography.text;
   return render_file("errata.tex", data, tex_format);
 }
 

@@ -225,6 +225,39 @@ TEST_CASE("motions of a paper of its own") {
         "as_printed");
 }
 
+TEST_CASE("remarks, judgements and results are a part of a paper") {
+  const std::string claims = "claim c step: .\n  a = b\nclaim d step new: .\n  a/b = a (1/b)\n";
+  const Paper paper =
+      read("paper P\nsymbols a, b\n" + claims +
+           "words all: whatever $a$ and $b$ are\n"
+           "remark c\n  place line 3\n  says $a$ is $b$,\n    {all}\n  fact it is not\n"
+           "judgement d\n  kept nothing is lost at $b = 0$\n  shown by c, d\n"
+           "result quotients: Quotients\n  theorem {all}, $a/b = a (1/b)$\n  claims d\n  lists yes\n");
+  REQUIRE(paper.remarks.size() == 1);
+  CHECK(remark_on(paper, "c")->says == "$a$ is $b$, whatever $a$ and $b$ are");
+  CHECK(remark_on(paper, "c")->place == "line 3");
+  REQUIRE(paper.judgements.size() == 1);
+  CHECK_FALSE(paper.judgements[0].matters);
+  CHECK(paper.judgements[0].shown_by == std::set<std::string>{"c", "d"});
+  REQUIRE(paper.results.size() == 1);
+  CHECK(paper.results[0].theorem == "whatever $a$ and $b$ are, $a/b = a (1/b)$");
+  CHECK(paper.results[0].lists);
+  CHECK(refusal_of("remark c\n  says x\n  fact y\n") == "F:3: there is no claim 'c' before this line");
+  CHECK(refusal_of(claims + "remark c\n  says x\n") ==
+        "F:7: a remark has 'says', what the paper says, and 'fact', what is so");
+  CHECK(refusal_of(claims + "remark c\n  says x\n  says y\n") == "F:9: 'says' stands there twice");
+  CHECK(refusal_of(claims + "remark c\n  said x\n") ==
+        "F:8: 'said': the lines of 'remark' begin with place, says, fact, because, see, quote, note");
+  CHECK(refusal_of(claims + "remark c\n  says <b>\n") == "F:8: '<b>': words have no \\, <, >, {, } or &");
+  CHECK(refusal_of(claims + "judgement c\n  lost x\n  kept y\n") ==
+        "F:7: a judgement of a hypothesis has either 'lost', what is so where it fails, or 'kept'");
+  CHECK(refusal_of(claims + "result r: R\n  theorem x\n") ==
+        "F:7: a result has 'theorem', and 'claims' that say it");
+  CHECK(refusal_of(claims + "result r: R\n  theorem x\n  claims e\n") ==
+        "F:7: there is no claim 'e' before this line");
+  CHECK(refusal_of("words x\n") == "F:3: a name, ':' and what it stands for belong to 'words', each once");
+}
+
 TEST_CASE("a sine is positive between 0 and pi, and not beyond") {
   const auto sine = [](const std::string& range) {
     return status_of("claim c step new: .\n  a sin(x) > 0\n  if e: a > 0\n  if r: " + range +
@@ -239,7 +272,8 @@ TEST_CASE("a sine is positive between 0 and pi, and not beyond") {
 
 TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal("nonsense\n") ==
-        "F:1: 'nonsense' begins no entry: there are paper, symbols, let, section, assume, all, claim");
+        "F:1: 'nonsense' begins no entry: there are paper, symbols, let, section, assume, all, claim, words, "
+        "remark, judgement, result");
   CHECK(refusal("  indented\n") == "F:1: an indented line belongs to an entry, and there is none before it");
   CHECK(refusal("paper P\n") == "F: there is no claim in it");
   CHECK(refusal("symbols a\n") ==
