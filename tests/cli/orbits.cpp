@@ -295,7 +295,9 @@ TEST_CASE("each admissible orbit has a certificate, and what can have none is sa
       {{"symmetric", "--example", "S", "--chi", "0.5+-0.001", "--certify", never},
        exit_usage,
        "exact parameters"},
-      {{"symmetric", "--example", "S", "--certify", "/usr"}, exit_usage, "no certificates"},
+      {{"symmetric", "--example", "S", "--certify", "/usr"},
+       exit_usage,
+       "'/usr' holds files that are not certificates"},
   });
   CHECK_FALSE(std::filesystem::exists(never));
 }
