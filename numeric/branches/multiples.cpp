@@ -6,19 +6,48 @@
 
 #include "numeric/branches/setting.hpp"
 #include "numeric/families/nonsticking.hpp"
+#include "numeric/families/overshooting.hpp"
 #include "numeric/scalars/form.hpp"
 
 namespace stickslip::numeric::branches {
 
 namespace {
 
-constexpr double nearness = 0x1p-17;
 constexpr int most_stretches = 1 << 14;
+
+// A frequency of the free motion, of which the multiples of omega from k = least on are left out.
+struct Frequency {
+  const char * name;
+  Ball (*of)(const model::Modes<Ball>& modes);
+  double least;
+};
+
+// Where the family's equations are singular, and how near to it, relatively, they are not looked into.
+struct Singular {
+  std::vector<Frequency> frequencies;
+  double nearness;
+};
+
+Singular singular(const OrbitQuestion& orbits) {
+  constexpr double narrow = 0x1p-17, wide = 0x1p-11;
+  const Frequency first{"omega1", [](const model::Modes<Ball>& m) { return m.omega1; }, 2};
+  const Frequency second{"omega2", [](const model::Modes<Ball>& m) { return m.omega2; }, 2};
+  const Frequency stuck{"1", [](const model::Modes<Ball>&) { return Ball(1); }, 1};
+  if (orbits.family == &families::nonsticking()) {
+    return {{first, second}, narrow};
+  }
+  if (orbits.family == &families::overshooting()) {
+    return {{first, second, stuck}, orbits.ur ? wide : narrow};
+  }
+  return {{}, narrow};
+}
 
 class Finder {
  public:
   explicit Finder(const BranchQuestion& question)
-      : question_(question), curve_(curve_of(question, families::NonstickingClosing{})) {}
+      : question_(question),
+        singular_(singular(question.orbits)),
+        curve_(curve_of(question, families::NonstickingClosing{})) {}
 
   std::vector<Multiple> run() {
     look(question_.from, question_.to);
@@ -28,7 +57,9 @@ class Finder {
     }
     std::vector<Multiple> all;
     for (const Near& one : found_) {
-      all.push_back({fmt::format("{} omega = omega{}", one.k, one.mode + 1), one.from, one.to, zero(one)});
+      const char * name = singular_.frequencies[one.place].name;
+      all.push_back({one.k == 1 ? fmt::format("omega = {}", name) : fmt::format("{} omega = {}", one.k, name),
+                     one.from, one.to, zero(one)});
     }
     return all;
   }
@@ -36,15 +67,19 @@ class Finder {
  private:
   struct Near {
     Rational from, to;
-    int mode;
+    std::size_t place;  // of the frequency
     double k;
   };
 
-  // omega_j/omega, j = 1, 2.
-  [[nodiscard]] std::array<Ball, 2> ratios(const Ball& value) const {
+  // Of the frequencies to omega.
+  [[nodiscard]] std::vector<Ball> ratios(const Ball& value) const {
     const zeros::Vector p = curve_.data_at(value);
     const model::Modes<Ball> m = model::modes<Ball>(p(0), p(1));
-    return {m.omega1 / p(4), m.omega2 / p(4)};
+    std::vector<Ball> all;
+    for (const Frequency& frequency : singular_.frequencies) {
+      all.push_back(frequency.of(m) / p(4));
+    }
+    return all;
   }
 
   // Adds what is near in these parts of the interval, from the left to the right.
@@ -52,14 +87,15 @@ class Finder {
     if (++looks_ > most_stretches) {
       return;
     }
-    const std::array<Ball, 2> ratio = ratios(between(from, to));
+    const std::vector<Ball> ratio = ratios(between(from, to));
+    const double nearness = singular_.nearness;
     bool is_free = true;
-    for (int mode = 0; mode < 2; ++mode) {
-      const auto [low, high] = scalars::ends(ratio[static_cast<std::size_t>(mode)]);
-      const double k = std::max(2.0, std::ceil(low / (1 + nearness)));
+    for (std::size_t place = 0; place < ratio.size(); ++place) {
+      const auto [low, high] = scalars::ends(ratio[place]);
+      const double k = std::max(singular_.frequencies[place].least, std::ceil(low / (1 + nearness)));
       if (k <= high / (1 - nearness)) {
         if (high - low < k * nearness / 2) {
-          return add({from, to, mode, k});
+          return add({from, to, place, k});
         }
         is_free = false;
       }
@@ -72,7 +108,7 @@ class Finder {
   }
 
   void add(const Near& one) {
-    if (!found_.empty() && found_.back().to == one.from && found_.back().mode == one.mode &&
+    if (!found_.empty() && found_.back().to == one.from && found_.back().place == one.place &&
         found_.back().k == one.k) {
       found_.back().to = one.to;
     } else {
@@ -83,7 +119,7 @@ class Finder {
   // Bisected as far as the signs are known.
   [[nodiscard]] std::optional<Ball> zero(const Near& one) const {
     const auto sign = [&](const Rational& value) {
-      const Ball over = ratios(Ball(value))[static_cast<std::size_t>(one.mode)] - Ball(one.k);
+      const Ball over = ratios(Ball(value))[one.place] - Ball(one.k);
       return over.is_positive() ? 1 : over.is_negative() ? -1 : 0;
     };
     Rational from = one.from, to = one.to;
@@ -103,6 +139,7 @@ class Finder {
   }
 
   const BranchQuestion& question_;
+  Singular singular_;
   Curve curve_;
   int looks_ = 0;
   std::vector<Near> found_;
@@ -111,8 +148,8 @@ class Finder {
 }  // namespace
 
 std::vector<Multiple> multiples_in(const BranchQuestion& question) {
-  return question.word || question.orbits.family != &families::nonsticking() ? std::vector<Multiple>{}
-                                                                             : Finder(question).run();
+  return question.word || singular(question.orbits).frequencies.empty() ? std::vector<Multiple>{}
+                                                                        : Finder(question).run();
 }
 
 UnresolvedPart left_out(const Multiple& multiple, const std::string& parameter) {

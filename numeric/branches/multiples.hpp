@@ -1,6 +1,12 @@
 // Where a multiple of the load's frequency is a natural frequency, k omega = omega_j with k > 1, the closing
 // conditions of orbits that never stick are singular (families/nonsticking.hpp), and beside it orbits crowd
 // or grow without an end: no search comes through there, and none is made near it.
+//
+// So it is with overshooting orbits. There the equations of mode j vanish with the duration T of the stick
+// where tau is a multiple of Theta/k; beside it their zeros run to T = 0 as the cube root of the distance,
+// and a search that is to exclude all others next to them takes the longer the nearer it comes: longest with
+// ur given, where the load's phase is one more unknown. Where k omega = 1 with k >= 1 the mass m1 alone, on a
+// stick of the whole period, is free after it, and the equations are singular at tau + tau1 = 0.
 #pragma once
 
 #include <string>
@@ -11,8 +17,10 @@
 namespace stickslip::numeric::branches {
 
 struct Multiple {
-  std::string name;   // "2 omega = omega1"
-  Rational from, to;  // of the parameter: all values at which k omega is within 7.6e-6 of omega_j, relatively
+  std::string name;  // "2 omega = omega1", "omega = 1"
+  // Of the parameter: all values at which k omega is within 7.6e-6 of the frequency, relatively; of
+  // overshooting orbits at a given ur, within 4.9e-4.
+  Rational from, to;
   // Contains a value at which they are equal; nothing where that is not proved, as where the interval ends.
   std::optional<Ball> at;
 };

@@ -115,6 +115,19 @@ TEST_CASE("branch: across a resonance that nothing comes through") {
   CHECK(stickslip_program(words).out.find("resonance 3 omega = omega2") != std::string::npos);
 }
 
+TEST_CASE("branch: overshooting orbits across a resonance, in text and JSON") {
+  const Words words{"branch", "overshooting", "--example", "O", "--omega", "0.9991..1.001"};
+  const Run json = stickslip_program(with(words, {"--json"}));
+  CHECK(json.code == exit_decided);
+  const Json list = Json::parse(json.out);
+  CHECK(list["complete"] == false);
+  REQUIRE(list["unresolved"].size() == 1);
+  CHECK(list["unresolved"][0]["resonance"] == true);
+  CHECK(list["unresolved"][0]["omega"].is_object());
+  CHECK(list["unresolved"][0]["reason"] == "the resonance omega = 1: not looked into next to it");
+  CHECK(stickslip_program(words).out.find("resonance omega = 1:") != std::string::npos);
+}
+
 TEST_CASE("branch: of a word the admissible orbits, one of the list, or one near a state") {
   const Words word{"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438"};
   const auto with = [&](const Words& more) {

@@ -19,10 +19,14 @@ using namespace stickslip::numeric::branches::examples;
 
 namespace {
 
-// The list of orbits with the parameter, omega or p, at that value.
+// The list of orbits with the parameter, omega, p or ur, at that value.
 OrbitList at(const BranchQuestion& question, const Rational& value) {
   OrbitQuestion q = question.orbits;
-  (question.parameter == "omega" ? q.parameters.omega : q.parameters.p) = {value};
+  if (question.parameter == "ur") {
+    q.ur = Range{value};
+  } else {
+    (question.parameter == "omega" ? q.parameters.omega : q.parameters.p) = {value};
+  }
   return list_orbits(q);
 }
 
@@ -237,6 +241,45 @@ TEST_CASE(
   REQUIRE(cut.size() == 1);
   CHECK(!cut.front().at);
   CHECK(cut.front().from == parse_rational("0.27862001"));
+}
+
+TEST_CASE(
+    "overshooting orbits are not looked into next to resonances, and on both sides are as the lists say") {
+  const auto overshooting = [](const char * phi, const char * ur) {
+    OrbitQuestion q = O();
+    q.phi = phi != nullptr ? std::optional(Range{parse_rational(phi)}) : std::nullopt;
+    q.ur = ur != nullptr ? std::optional(Range{parse_rational(ur)}) : std::nullopt;
+    return q;
+  };
+  struct Across {
+    const char *phi, *ur, *from, *to, *name;
+  };
+  // omega1 = 0.6983476480, omega2 = 1.1455612435.
+  for (const Across& a : {Across{"0", nullptr, "0.572", "0.5735", "2 omega = omega2"},
+                          Across{"0", nullptr, "0.9991", "1.001", "omega = 1"},
+                          Across{nullptr, "0.4585", "0.5718", "0.5738", "2 omega = omega2"}}) {
+    CAPTURE(std::string(a.name));
+    const BranchList list = list_branches(along(overshooting(a.phi, a.ur), "omega", a.from, a.to));
+    CHECK(list.resolved());
+    CHECK(!list.complete);
+    REQUIRE(list.unresolved.size() == 1);
+    const UnresolvedPart& part = list.unresolved.front();
+    CHECK(part.resonance);
+    CHECK(part.reason == std::string("the resonance ") + a.name + ": not looked into next to it");
+    REQUIRE(part.where.size() == 1);
+    CHECK(part.value.contains(part.where.front().value));
+    CHECK((part.value.radius() - Ball(a.ur != nullptr ? 0x1p-10 : 0x1p-16) * part.value).is_negative());
+    int compared = 0;
+    for (const Count& count : list.counts) {
+      const Rational value = exact((count.from + count.to) / Ball(2));
+      const OrbitList there = at(list.question, value);
+      if (there.complete()) {
+        CHECK(numbers(list, value) == numbers(there));
+        ++compared;
+      }
+    }
+    CHECK(compared >= 2);
+  }
 }
 
 TEST_CASE("all of S beside each of its changes is as the lists say") {
