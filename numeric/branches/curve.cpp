@@ -94,9 +94,11 @@ class Walk {
  private:
   // One cell further; false: as far as this goes.
   bool advance();
+  bool step();
   bool turn_tangent();
   [[nodiscard]] bool try_cell(double length);
   [[nodiscard]] bool is_over();
+  bool comes_back(const Cell& cell);
   [[nodiscard]] bool grows_far(const Cell& cell) const;
   void leave();
 
@@ -201,6 +203,10 @@ bool Walk::advance() {
     path_.reason = "more cells are needed than are allowed";
     return false;
   }
+  return step() && !is_over();
+}
+
+bool Walk::step() {
   if (!turn_tangent()) {
     path_.reason = "the curve has no tangent that could be computed here";
     return false;
@@ -208,7 +214,7 @@ bool Walk::advance() {
   for (; step_ > shortest_step; step_ /= 2) {
     if (try_cell(step_)) {
       step_ = std::min(step_ * 1.5, longest_step);
-      return !is_over();
+      return true;
     }
   }
   path_.reason = "no further step along the branch could be proved";
@@ -233,9 +239,20 @@ bool Walk::is_over() {
     leave();
     return true;
   }
-  const bool at_start = is_on(cell, start_);
+  return comes_back(cell);
+}
+
+// Whether the start is on the cell again, its angle perhaps some turns further.
+bool Walk::comes_back(const Cell& cell) {
+  const bool at_start = for_some_turn(curve_.angle, start_, [&](const Point& start) {
+    path_.back = coordinate(cell.driver, seen_from(cell, start));
+    return is_on(cell, start);
+  });
   if (at_start && left_start_) {
     path_.end = End::closed;
+    path_.once_round = path_.cells.size();
+    step();
+    here_ = start_;
     return true;
   }
   left_start_ = left_start_ || !at_start;

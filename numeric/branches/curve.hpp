@@ -48,6 +48,7 @@ struct Curve {
   // Motions with an unknown of more than this size are followed no further as they grow, unless the branch is
   // proved to leave for infinity there, in one of these ways.
   double far = HUGE_VAL;
+  int angle = -1;  // the place of an unknown that counts modulo 2 pi, or none
   std::vector<Growth> growths = {};
   std::optional<Units> units = {};  // of the unknowns and the motions, where these are not their own
   std::optional<MachineAlong> machine = {};
@@ -112,6 +113,21 @@ struct Point {
   Ball value;
 };
 
+// Whether the predicate holds for the point with its angle turned by some number of full turns that matters.
+template <class Predicate>
+[[nodiscard]] bool for_some_turn(int angle, const Point& point, const Predicate& predicate) {
+  for (int turn = angle < 0 ? 0 : -2; turn <= (angle < 0 ? 0 : 2); ++turn) {
+    Point turned = point;
+    if (turn != 0) {
+      turned.x(angle) += Ball(2 * turn) * Ball::pi();
+    }
+    if (predicate(turned)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 struct Cell {
   int driver = by_parameter;
   Rational first, last;  // of the driver, in the direction of the branch: it rises or falls
@@ -149,6 +165,10 @@ struct Path {
   std::string reason;
   Point last;                      // of those that are not in other units
   std::optional<Ball> limit = {};  // of the free parameter, where the motion grows beyond all bounds
+  // Of a closed branch: so many cells go round it once, the last of them over this value of its driver, where
+  // the branch began. One more is there for what has to overlap.
+  std::size_t once_round = 0;
+  Ball back;
 };
 
 // The proved motion at that value of the free parameter near the guess; its existence is undecided where no

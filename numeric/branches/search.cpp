@@ -7,9 +7,11 @@
 #include <cmath>
 #include <mutex>
 #include <set>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "numeric/branches/law.hpp"
 #include "numeric/branches/setting.hpp"
 #include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
@@ -34,21 +36,6 @@ constexpr int more_values = 8;
 constexpr std::size_t most_values = 50;
 // Radius of boxes in which motions that are too large are not told apart any more.
 constexpr double small = 0x1p-10;
-
-// The point with its angle turned by all numbers of full turns that matter.
-template <class Predicate>
-bool for_some_turn(int angle, const zeros::Vector& x, const Predicate& predicate) {
-  for (int turn = angle < 0 ? 0 : -2; turn <= (angle < 0 ? 0 : 2); ++turn) {
-    zeros::Vector turned = x;
-    if (turn != 0) {
-      turned(angle) += Ball(2 * turn) * Ball::pi();
-    }
-    if (predicate(turned)) {
-      return true;
-    }
-  }
-  return false;
-}
 
 std::string words_of(const Path& path, const BranchQuestion& question) {
   switch (path.end) {
@@ -85,11 +72,25 @@ BranchEnd end_of(const Path& path, const BranchQuestion& question) {
 }
 
 bool passes(const Followed& branch, const Point& point, int angle) {
-  return for_some_turn(angle, point.x, [&](const zeros::Vector& x) {
-    return std::any_of(branch.cells.begin(), branch.cells.end(), [&](const Cell& cell) {
-      return is_on(cell, {x, point.value});
-    });
+  return for_some_turn(angle, point, [&](const Point& turned) {
+    return std::any_of(branch.cells.begin(), branch.cells.end(),
+                       [&](const Cell& cell) { return is_on(cell, turned); });
   });
+}
+
+// The cells of a closed branch, the last of them cut where the branch is back; none where what remains of
+// that is not proved.
+std::vector<Cell> once_round(const Curve& curve, const Path& path) {
+  std::vector<Cell> cells = path.cells;
+  cells.resize(path.once_round);
+  const Cell& whole = path.cells[path.once_round - 1];
+  const auto [low, high] = scalars::ends(path.back);
+  Cell& last = cells.back();
+  last.last =
+      whole.first < whole.last ? std::min(Rational(high), whole.last) : std::max(Rational(low), whole.last);
+  last.range = between(last.first, last.last);
+  last.proof = proof_on(curve, whole, last.first, last.last);
+  return last.proof.verdict.truth == Truth::proved ? cells : std::vector<Cell>{};
 }
 
 // Whether all motions within the bounds are on branches. That in whose place there is a reciprocal is
@@ -145,7 +146,8 @@ Sheet& Search::sheet_of(const Candidate& candidate) {
   if (found != sheets.end()) {
     return *found;
   }
-  sheets.push_back({candidate.system, candidate.angle, curve_of(question_, candidate.equations), {}});
+  sheets.push_back({candidate.system, curve_of(question_, candidate.equations), {}});
+  sheets.back().curve.angle = candidate.angle;
   return sheets.back();
 }
 
@@ -168,12 +170,17 @@ bool Search::add(const Candidate& candidate, const Rational& value, std::string&
       sheet.curve.far = std::max(sheet.curve.far, far_away * std::abs(x.approximate()));
     }
   }
-  const auto same = [&](const Followed& known) { return passes(known, start.point, sheet.angle); };
+  const auto same = [&](const Followed& known) { return passes(known, start.point, sheet.curve.angle); };
   if (std::any_of(sheet.branches.begin(), sheet.branches.end(), same)) {
     return true;
   }
   Path up = follow(sheet.curve, value, start.point, 1);
   const bool closed = up.end == End::closed;
+  std::vector<Cell> round = closed ? once_round(sheet.curve, up) : std::vector<Cell>{};
+  if (closed && round.empty()) {
+    why = "where the branch closes the last part of it is not proved";
+    return false;
+  }
   Path down = closed ? Path{} : follow(sheet.curve, value, start.point, -1);
   Followed found{start.point,
                  {},
@@ -186,12 +193,15 @@ bool Search::add(const Candidate& candidate, const Rational& value, std::string&
   std::ranges::move(up.cells, std::back_inserter(found.cells));
   // One that was followed less far before, on one side: on the other it may have been followed farther, and
   // what its tubes held there has to be searched again.
-  again_ =
-      std::erase_if(sheet.branches,
-                    [&](const Followed& known) { return passes(found, known.start, sheet.angle); }) > 0 ||
-      again_;
+  again_ = std::erase_if(
+               sheet.branches,
+               [&](const Followed& known) { return passes(found, known.start, sheet.curve.angle); }) > 0 ||
+           again_;
   if (!question_.at) {
-    found.tubes = Tubes(sheet.curve, found.cells, sheet.angle);
+    found.tubes = Tubes(sheet.curve, found.cells);
+  }
+  if (closed) {
+    found.cells = std::move(round);
   }
   sheet.branches.push_back(std::move(found));
   ++found_;
@@ -355,10 +365,19 @@ void Search::exhaust() {
       }
     }
   }
-  for (const Open& one : open) {
-    all_.unresolved.push_back({between(value_at(one.cell.lower[2]), value_at(one.cell.upper[2])),
-                               {},
-                               "there may be orbits that are on no branch: " + one.reason});
+  // What overlaps along the parameter is one part, for each reason.
+  std::sort(open.begin(), open.end(), [](const Open& a, const Open& b) {
+    return std::tie(a.reason, a.cell.lower[2]) < std::tie(b.reason, b.cell.lower[2]);
+  });
+  for (std::size_t k = 0; k < open.size();) {
+    const double from = open[k].cell.lower[2];
+    double to = from;
+    const std::string& reason = open[k].reason;
+    for (; k < open.size() && open[k].reason == reason && open[k].cell.lower[2] <= to; ++k) {
+      to = std::max(to, open[k].cell.upper[2]);
+    }
+    all_.unresolved.push_back(
+        {between(value_at(from), value_at(to)), {}, "there may be orbits that are on no branch: " + reason});
   }
   if (far_) {
     all_.unresolved.push_back({between(std::clamp(Rational(far_->first), question_.from, question_.to),
@@ -372,17 +391,16 @@ void Search::exhaust() {
 // Two branches that overlap would be counted twice: then one of them ends on the other.
 void Search::separate() {
   const auto apart = [](const Followed& branch, const Point& end, int angle) {
-    return !for_some_turn(angle, end.x, [&](const zeros::Vector& x) {
-      return std::any_of(branch.cells.begin(), branch.cells.end(), [&](const Cell& cell) {
-        return may_meet(cell, {x, end.value});
-      });
+    return !for_some_turn(angle, end, [&](const Point& turned) {
+      return std::any_of(branch.cells.begin(), branch.cells.end(),
+                         [&](const Cell& cell) { return may_meet(cell, turned); });
     });
   };
   for (const Sheet& sheet : all_.sheets) {
     for (const Followed& one : sheet.branches) {
       for (const Followed& other : sheet.branches) {
         for (const Point& end : one.ends) {
-          if (&one != &other && !apart(other, end, sheet.angle)) {
+          if (&one != &other && !apart(other, end, sheet.curve.angle)) {
             all_.unresolved.push_back({end.value, {}, "a branch that ends here may be part of another one"});
             all_.complete = false;
           }

@@ -24,7 +24,6 @@ struct Followed {
 // One system of closing conditions of the family, and the branches found on it.
 struct Sheet {
   int system = 0;
-  int angle = -1;  // see Candidate
   Curve curve;
   std::vector<Followed> branches;
 };

@@ -103,7 +103,7 @@ std::optional<Longer> longer(const Curve& curve, const Cell& cell, const Cell * 
 
 }  // namespace
 
-Tubes::Tubes(const Curve& curve, const std::vector<Cell>& cells, int angle) : angle_(angle) {
+Tubes::Tubes(const Curve& curve, const std::vector<Cell>& cells) : angle_(curve.angle) {
   tubes_ = parallel_map(cells.size(), [&](std::size_t k) {
     const Cell& cell = cells[k];
     Tube tube{{}, cell.driver, within(cell.range), cell.on(curve).units};

@@ -12,8 +12,8 @@ namespace stickslip::numeric::branches {
 class Tubes {
  public:
   Tubes() = default;  // none
-  // Of one branch, its cells in order; `angle` as in Candidate.
-  Tubes(const Curve& curve, const std::vector<Cell>& cells, int angle);
+  // Of one branch, its cells in order.
+  Tubes(const Curve& curve, const std::vector<Cell>& cells);
 
   // Whether all closed motions with unknowns and parameter within these bounds are on branches: certain, or
   // not known.

@@ -46,6 +46,14 @@ Ball as_ball(const scalars::HardwareBall& x) {
   return x.ball();
 }
 
+// Of (x, y), up to full turns: in a short interval, on the negative x axis too.
+Ball angle(const Ball& x, const Ball& y) {
+  Ball result;
+  const bool turned = x.is_negative();
+  arb_atan2(result.raw(), (turned ? -y : y).raw(), (turned ? -x : x).raw(), WorkingPrecision::bits());
+  return turned ? result + Ball::pi() : result;
+}
+
 template <Datum G>
 struct OverStrip {
   template <class T, class S>
@@ -88,11 +96,8 @@ struct OverStrip {
     result.vanish.insert(result.vanish.end(), {rest->vanish(0), rest->vanish(1)});
     result.x = bounds<T>(t, rest->linear);
     if constexpr (!at_phase) {
-      // phi, up to full turns.
-      Ball phi;
-      arb_atan2(phi.raw(), as_ball(rest->linear(4).over).raw(), as_ball(rest->linear(3).over).raw(),
-                WorkingPrecision::bits());
-      phi -= as_ball(T(data.d.omega * T(t(0) + t(1)) / T(2)).over);
+      const Ball phi = angle(as_ball(rest->linear(3).over), as_ball(rest->linear(4).over)) -
+                       as_ball(T(data.d.omega * T(t(0) + t(1)) / T(2)).over);
       result.x.push_back(scalars::ends(phi));
     }
     return result;

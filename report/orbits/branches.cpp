@@ -178,8 +178,10 @@ std::vector<Row> rows_of(const BranchList& list) {
 }
 
 BranchRows rows_of(const Branch& branch, const BranchQuestion& q) {
-  BranchRows told{fmt::format("from {}, {}, to {}, {}", rounded(branch.first.at, digits), branch.first.words,
-                              rounded(branch.last.at, digits), branch.last.words),
+  const std::string from = rounded(branch.first.at, digits);
+  BranchRows told{branch.closed ? fmt::format("a closed curve, from {} once round", from)
+                                : fmt::format("from {}, {}, to {}, {}", from, branch.first.words,
+                                              rounded(branch.last.at, digits), branch.last.words),
                   {},
                   {}};
   for (const Piece& piece : branch.pieces) {

@@ -128,6 +128,23 @@ TEST_CASE("branch: overshooting orbits across a resonance, in text and JSON") {
   CHECK(stickslip_program(words).out.find("resonance omega = 1:") != std::string::npos);
 }
 
+TEST_CASE("branch: a closed branch is said to be one") {
+  const Words words{"branch", "overshooting", "--chi", "0.3351",    "--eta",   "5.424",
+                    "--us",   "0.3421",       "--V",   "0.184",     "--omega", "1.037",
+                    "--p",    "0.02293",      "--ur",  "0.6..0.63", "--at",    "0.6165"};
+  const Json list = Json::parse(stickslip_program(with(words, {"--json"})).out);
+  REQUIRE(list["branches"].size() == 1);
+  CHECK(list["branches"][0]["closed"] == true);
+  CHECK(list["branches"][0]["changes"].size() == 2);
+  for (const Json& end : list["branches"][0]["ends"]) {
+    CHECK(end["kind"] == "closed");
+    CHECK(end["resolved"] == true);
+  }
+  const Run text = stickslip_program(words);
+  CHECK(text.code == exit_decided);
+  CHECK(text.out.find("Branch 1:  a closed curve, from 0.616500000000 once round") != std::string::npos);
+}
+
 TEST_CASE("branch: of a word the admissible orbits, one of the list, or one near a state") {
   const Words word{"branch", "OTS", "--example", "O", "--ur", "0.4375..0.4385", "--at", "0.438"};
   const auto with = [&](const Words& more) {

@@ -82,6 +82,20 @@ TEST_CASE("the shares of interrupted attractors are of the starts that were foll
   CHECK((count == 0 || std::abs(shares - 1) < 1e-9));
 }
 
+TEST_CASE(
+    "an interrupted search for branches says where it is open once, however many boxes it has left there") {
+  const Json list = interrupted_after(4, {"branch", "overshooting", "--example", "O", "--ur", "0.4585",
+                                          "--omega", "0.3431..0.3463", "--json"});
+  CHECK(list.at("interrupted") == true);
+  CHECK(list.at("complete") == false);
+  // Tens of boxes, next to each other along omega.
+  const Json& open = list.at("unresolved");
+  CHECK(open.size() >= 1);
+  CHECK(open.size() <= 8);
+  CHECK(open.dump().find("there may be orbits that are on no branch: the search was interrupted") !=
+        std::string::npos);
+}
+
 TEST_CASE("a list of four phases has what simulations find before all is searched") {
   // Some minutes for all of it; the attractor of two thirds of the starts.
   const Words arguments{"orbits",   "OTST", "--json",   "--chi", "0.170243", "--eta",

@@ -282,6 +282,48 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a branch that comes back with the load's phase a turn further is a closed curve, counted once") {
+  // At any phase of the load there are two orbits, each at its own ur, which is periodic in the phase.
+  OrbitQuestion data =
+      examples::data("overshooting", {"0.3351", "5.424", "0.3421", "0.184", "1.037", "0.02293"});
+  data.ur = Range{parse_rational("0.6165")};
+  BranchQuestion question = along(data, "ur", "0.6", "0.63");
+  for (const char * from : {"", "0.6165"}) {
+    question.at = *from != 0 ? std::optional(parse_rational(from)) : std::nullopt;
+    const BranchList list = list_branches(question);
+    CHECK(list.unresolved.empty());
+    CHECK(list.complete == !question.at);
+    REQUIRE(list.branches.size() == 1);
+    const Branch& branch = list.branches.front();
+    CHECK(branch.closed);
+    CHECK(branch.first.kind == End::closed);
+    CHECK(branch.last.kind == End::closed);
+    CHECK(branch.changes.size() == 2);
+    CHECK(changes_of(list, ChangeKind::fold).size() == 2);
+    CHECK(check_sides(list) == 4);
+    // Also next to where it begins, and where the phase is pi.
+    for (const char * value : {"0.605", "0.613", "0.61495654", "0.6149999999", "0.6150000001", "0.616499999",
+                               "0.616500001", "0.619", "0.625"}) {
+      CHECK(numbers(list, parse_rational(value)) == numbers(at(question, parse_rational(value))));
+    }
+  }
+}
+
+TEST_CASE("a branch that does not come back within the interval is not called closed") {
+  // The same loop, cut by the interval's end: two orbits come in and meet in a fold.
+  OrbitQuestion data =
+      examples::data("overshooting", {"0.3351", "5.424", "0.3421", "0.184", "1.037", "0.02293"});
+  data.ur = Range{parse_rational("0.6165")};
+  const BranchList list = list_branches(along(data, "ur", "0.6", "0.617"));
+  CHECK(list.complete);
+  REQUIRE(list.branches.size() == 1);
+  CHECK(!list.branches.front().closed);
+  CHECK(list.branches.front().first.kind == End::interval);
+  CHECK(list.branches.front().last.kind == End::interval);
+  CHECK(changes_of(list, ChangeKind::fold).size() == 1);
+  CHECK(check_sides(list) == 2);
+}
+
 TEST_CASE("all of S beside each of its changes is as the lists say") {
   const BranchList list = list_branches(along(S(), "omega", "0.505", "0.59"));
   CHECK(list.complete);

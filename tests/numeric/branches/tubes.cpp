@@ -133,7 +133,7 @@ TEST_CASE("where a branch stops its tubes stop, however short its last cell is")
         return Rational(whole.first + (whole.last - whole.first) * percent / 100);
       };
       for (const bool turned_round : {false, true}) {
-        const Tubes tubes(start.curve, turned_round ? reversed(cells) : cells, -1);
+        const Tubes tubes(start.curve, turned_round ? reversed(cells) : cells);
         CHECK(hold_motion(tubes, start.curve, cells[1], (cells[1].first + cells[1].last) / 2));
         // The cells' common ends are held, too.
         CHECK(hold_motion(tubes, start.curve, cells[1], cells[1].first));
@@ -152,7 +152,7 @@ TEST_CASE("tubes in the units of large motions hold these, and nothing at the ot
   int looked = 0;
   for (const Sheet& sheet : follow_all(question).sheets) {
     for (const Followed& branch : sheet.branches) {
-      const Tubes tubes(sheet.curve, branch.cells, -1);
+      const Tubes tubes(sheet.curve, branch.cells);
       for (const Cell& cell : branch.cells) {
         if (!cell.in_units) {
           continue;
