@@ -147,7 +147,9 @@ class Survey {
  private:
   void follow(double nearness) {
     (void)parallel_map(open_.size(), [&](std::size_t i) {
-      followers_[open_[i]].follow(question_.most_periods, nearness);
+      if (!interrupted()) {
+        followers_[open_[i]].follow(question_.most_periods, nearness);
+      }
       return true;
     });
   }

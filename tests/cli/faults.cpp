@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "core/error.hpp"
@@ -67,6 +69,50 @@ Json interrupted_after(int seconds, const Words& arguments) {
 }
 
 }  // namespace
+
+namespace {
+
+// Of the processor, used by a process so far, or by all children that have ended.
+double seconds_of(int process) {
+  std::istringstream fields(content("/proc/" + std::to_string(process) + "/stat"));
+  std::string skipped;
+  for (int k = 1; k < 14; ++k) {
+    fields >> skipped;
+  }
+  long user = 0, system = 0;
+  fields >> user >> system;
+  return static_cast<double>(user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+double seconds_of_children() {
+  rusage used{};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+}  // namespace
+
+TEST_CASE("whatever is interrupted comes to its end within two seconds of processor time") {
+  const Words overshooting{"branch", "overshooting", "--example", "O", "--ur", "0.4585", "--omega"};
+  for (const Words& arguments :
+       {Words{"attractors", "--example", "S", "--starts", "100000"},
+        Words{"orbits", "STST", "--example", "S"}, long_search, with(overshooting, {"0.3431..0.3463"}),
+        Words{"simulate", "--example", "S", "--periods", "100000000"}}) {
+    CAPTURE(arguments.front());
+    const TemporaryDirectory temporary;
+    const int output = ::open((temporary.path() / "out").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    const double before = seconds_of_children();
+    const int process = start(arguments, output);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    const double until_then = seconds_of(process);
+    ::kill(process, SIGINT);
+    CHECK(wait_for(process) == exit_interrupted);
+    ::close(output);
+    CHECK(seconds_of_children() - before - until_then < 2);
+  }
+}
 
 TEST_CASE("the shares of interrupted attractors are of the starts that were followed to their end") {
   const Json list = interrupted_after(2, {"attractors", "--example", "S", "--starts", "100000", "--json"});
