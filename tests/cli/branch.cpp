@@ -286,6 +286,60 @@ TEST_CASE("branch: a mass moves several data of a machine, and the branch follow
   CHECK(Json::parse(word.out)["branches"].size() == 2);
 }
 
+TEST_CASE(
+    "branch: an engineer's machine from 7 to 8 Hz, within a tolerance, and with masses and springs within 5 "
+    "%") {
+  const Machine machine{{"m1", "0.37"},
+                        {"m2", "1.9"},
+                        {"k1", "8300"},
+                        {"k2", "2650.5"},
+                        {"friction_force_at_rest", "21.7"},
+                        {"friction_force_sliding", "13.1"},
+                        {"belt_velocity", "0.213"},
+                        {"load_amplitude", "44.4"},
+                        {"load_frequency", "5.15"}};
+  const TemporaryDirectory directory;
+  const std::string csv = (directory.path() / "a.csv").string(), plot = (directory.path() / "a.svg").string();
+  const auto branches = [&](const Machine& file, Words more) {
+    const Run run = run_with(file, with({"branch", "symmetric", "--units", "si", "--json"}, more));
+    CAPTURE(run.err);
+    REQUIRE(run.code == exit_decided);
+    Json list = Json::parse(run.out);
+    CHECK(list["complete"] == true);
+    CHECK(list["units"] == "si");
+    REQUIRE(list["branches"].size() == 1);
+    return list;
+  };
+  const Json wide = branches(machine, {"--along", "load_frequency", "7..8", "--csv", csv, "--plot", plot});
+  CHECK(wide["parameter"] == "load_frequency");
+  CHECK(wide["interval"] == Json{"7", "8"});
+  CHECK(content(csv).starts_with("load_frequency,branch"));
+  CHECK(content(plot).find("</svg>") != std::string::npos);
+  Json narrow = branches(with(machine, "load_frequency", "\"7.5+-0.01\""), {});
+  Json typed = branches(machine, {"--along", "load_frequency", "7.49..7.51"});
+  narrow.erase("command");  // names the file
+  typed.erase("command");
+  CHECK(narrow == typed);
+  for (const auto& [name, interval] :
+       {std::pair("m1", Json{"0.3515", "0.3885"}), std::pair("m2", Json{"1.805", "1.995"}),
+        std::pair("k1", Json{"7885", "8715"}), std::pair("k2", Json{"2517.975", "2783.025"})}) {
+    const Json list = branches(with(machine, name, "\"" + machine.at(name) + "+-5%\""), {});
+    CHECK(list["parameter"] == name);
+    CHECK(list["interval"] == interval);
+    // The orbit of the machine with that value.
+    const Json& samples = list["branches"][0]["samples"];
+    const Json& sample = samples[samples.size() / 2];
+    const Json there = Json::parse(
+        run_with(with(machine, name, sample["value"].dump()), {"orbits", "symmetric", "--json"}).out);
+    REQUIRE(there["orbits"].size() == 1);
+    for (const auto& [of, unit] :
+         {std::pair("tau", "time"), std::pair("x20", "length"), std::pair("xdot10", "velocity")}) {
+      CHECK(middle_of(there["orbits"][0][of]) * middle_of(there["machine"]["units"][unit]) ==
+            doctest::Approx(sample[of].get<double>()).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("branch: what may be along a value of a machine") {
   for (const auto& [arguments, code, text] :
        {std::tuple(along_machine("frequency", "1..2"), exit_usage, "load_frequency"),
