@@ -45,6 +45,12 @@ bool is_whole(const Paper& paper, const Audit& audit) {
                              [&](const Claim& claim) { return record_of(audit, claim.id) != nullptr; });
 }
 
+bool is_stated(const Paper& paper, const std::string& claim) {
+  return std::ranges::any_of(paper.statements, [&](const PrintedStatement& statement) {
+    return std::ranges::find(statement.claims, claim) != statement.claims.end();
+  });
+}
+
 std::vector<std::string> stating(const PrintedStatement& statement) {
   std::vector<std::string> all = statement.claims;
   all.insert(all.end(), statement.or_read.begin(), statement.or_read.end());

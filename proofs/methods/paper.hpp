@@ -117,6 +117,9 @@ struct Paper {
 // Whether every claim of the paper is in the audit.
 [[nodiscard]] bool is_whole(const Paper& paper, const Audit& audit);
 
+// Whether one of its statements names the claim as stating it.
+[[nodiscard]] bool is_stated(const Paper& paper, const std::string& claim);
+
 // The claims that state it, on whichever reading.
 [[nodiscard]] std::vector<std::string> stating(const PrintedStatement& statement);
 

@@ -12,7 +12,6 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/by_parts.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/pascal2012/statements.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -76,9 +75,7 @@ Claim list_claim(const PrintedPlace& where, const ListTheorem& theorem) {
 Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
   return {.id = fmt::format("{}.if.{}", where.example.name, requirement.id),
           .kind = Kind::condition,
-          .origin = is_stated(fmt::format("{}.if.{}", where.example.name, requirement.id))
-                        ? Origin::paper
-                        : Origin::auxiliary,
+          .origin = Origin::auxiliary,  // of the paper if one of its statements names it
           .words = fmt::format("{}, at the data of {}", requirement.statement, where.example.figure),
           .prove = [where, requirement](Prover& prover, const Claim&) {
             const std::vector<Condition>& conditions = printed_orbit(where.example).conditions;

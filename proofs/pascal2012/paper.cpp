@@ -6,7 +6,6 @@
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"
 #include "proofs/pascal2012/source.hpp"
-#include "proofs/pascal2012/statements.hpp"
 #include "proofs/pascal2012/units.hpp"
 #include "proofs/text/claims_file.hpp"
 
@@ -44,7 +43,7 @@ Paper assembled() {
       {},
       printed_examples(),
       {},
-      printed_statements(),
+      {},
       {},
       {},
       abbreviations()};
@@ -58,6 +57,9 @@ Paper assembled() {
     paper.sections[i].program = file.substr(0, file.find('.'));
   }
   for (Claim& claim : paper.claims) {
+    if (claim.id.find(".if.") != std::string::npos && is_stated(paper, claim.id)) {
+      claim.origin = Origin::paper;  // a condition that the paper names for its example
+    }
     if (const std::string lost = lost_in_source(claim.id); !lost.empty()) {
       claim.illegible = claim.illegible.empty() ? lost : lost + ", " + claim.illegible;
     }

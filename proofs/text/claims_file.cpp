@@ -124,12 +124,20 @@ class Reading {
       line_ = entry.head.number;
       const auto [word, rest] = first_word(entry.head.text);
       static const std::map<std::string, void (Reading::*)(const std::string&, const Entry&)> kinds{
-          {"paper", &Reading::begin_paper}, {"symbols", &Reading::symbols_line},
-          {"let", &Reading::let},           {"section", &Reading::section},
-          {"assume", &Reading::assume},     {"all", &Reading::all},
-          {"claim", &Reading::claim},       {"program", &Reading::program},
-          {"words", &Reading::words},       {"remark", &Reading::remark},
-          {"result", &Reading::result},     {"judgement", &Reading::judgement}};
+          {"paper", &Reading::begin_paper},
+          {"symbols", &Reading::symbols_line},
+          {"let", &Reading::let},
+          {"section", &Reading::section},
+          {"assume", &Reading::assume},
+          {"all", &Reading::all},
+          {"claim", &Reading::claim},
+          {"program", &Reading::program},
+          {"words", &Reading::words},
+          {"remark", &Reading::remark},
+          {"result", &Reading::result},
+          {"judgement", &Reading::judgement},
+          {"statements", &Reading::statements},
+          {"statement", &Reading::statement}};
       const auto kind = kinds.find(word);
       if (kind == kinds.end()) {
         fail(
@@ -175,8 +183,8 @@ class Reading {
       }
       Entry& entry = found.back();
       const std::string word = first_word(entry.head.text).first;
-      static const std::set<std::string> with_lines{"paper",  "assume",    "claim",
-                                                    "remark", "judgement", "result"};
+      static const std::set<std::string> with_lines{"paper",     "assume", "claim",    "remark",
+                                                    "judgement", "result", "statement"};
       const bool has_lines = with_lines.contains(word);
       for (const auto& [indent, line] : indented) {
         if (indent == first && has_lines) {
@@ -284,6 +292,35 @@ class Reading {
     std::vector<std::string> result = split(ids, ',');
     std::ranges::for_each(result, [this](const std::string& id) { (void)known_claim(id); });
     return result;
+  }
+
+  // The part of the paper in which the statements that follow stand.
+  void statements(const std::string& rest, const Entry&) { part_ = checked_words(rest); }
+
+  // "ID KIND [PLACE] WORDS".
+  void statement(const std::string& rest, const Entry& entry) {
+    const auto [id, after_id] = first_word(rest);
+    const auto [kind, after_kind] = first_word(after_id);
+    const auto closing = after_kind.find(']');
+    if (!is_id(id) || !after_kind.starts_with('[') || closing == std::string::npos) {
+      fail("a statement is an id, a kind, its place in square brackets, and words");
+    }
+    PrintedStatement one{.id = id,
+                         .place = checked_words(after_kind.substr(1, closing - 1)),
+                         .kind = kind_of(kind, {Kind::words, Kind::figure, Kind::check}),
+                         .words = checked_words(trimmed(after_kind.substr(closing + 1)))};
+    one.section = part_;
+    std::string claims, other, see;
+    read_fields(
+        entry,
+        {{"claims", &claims}, {"or", &other}, {"at", &one.example}, {"but", &one.missing}, {"see", &see}});
+    one.claims = known_claims(claims);
+    one.or_read = known_claims(other);
+    one.see = known_claims(see);
+    if (one.claims.empty() && one.missing.empty()) {
+      fail(fmt::format("{}: 'claims' state it, or 'but' says why there are none", id));
+    }
+    statements_.push_back(one);
   }
 
   void remark(const std::string& rest, const Entry& entry) {
@@ -660,10 +697,12 @@ class Reading {
     return claim;
   }
 
-  [[nodiscard]] Kind kind_of(const std::string& word) const {
+  [[nodiscard]] Kind kind_of(const std::string& word, const std::vector<Kind>& more = {}) const {
+    std::vector<Kind> kinds{Kind::definition, Kind::model,     Kind::identity, Kind::step,
+                            Kind::theorem,    Kind::condition, Kind::numbers};
+    kinds.insert(kinds.end(), more.begin(), more.end());
     std::vector<std::string> names;
-    for (const Kind kind : {Kind::definition, Kind::model, Kind::identity, Kind::step, Kind::theorem,
-                            Kind::condition, Kind::numbers}) {
+    for (const Kind kind : kinds) {
       if (to_string(kind) == word) {
         return kind;
       }
@@ -752,6 +791,9 @@ class Reading {
     if (paper_.claims.empty()) {
       throw UsageError(fmt::format("{}: there is no claim in it", name_));
     }
+    if (!statements_.empty()) {
+      paper_.statements = statements_;
+    }
     if (alone_ && paper_.sections.empty()) {
       paper_.sections.push_back(section_);
     }
@@ -769,6 +811,8 @@ class Reading {
   std::vector<Statement> domain_;
   std::map<std::string, std::vector<Assumption>> assumptions_;
   std::map<std::string, std::string> passages_;
+  std::string part_;
+  std::vector<PrintedStatement> statements_;
   const Programs& programs_;
 
   Section section_{"own", "Claims", "own"};

@@ -1,7 +1,5 @@
 // The paper's statements and the claims that state them: nothing can be left out, or counted as the paper's
 // that it does not say.
-#include "proofs/pascal2012/statements.hpp"
-
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -63,7 +61,7 @@ TEST_CASE("every statement of the paper has its claims, or the reason why it has
 TEST_CASE("a claim is the paper's exactly if a statement of the paper names it") {
   for (const auto& [id, origin] : origins_of_claims()) {
     CAPTURE(id);
-    CHECK((origin == Origin::paper) == is_stated(id));
+    CHECK((origin == Origin::paper) == is_stated(paper(), id));
   }
 }
 

@@ -255,6 +255,22 @@ TEST_CASE("remarks, judgements and results are a part of a paper") {
         "F:7: a result has 'theorem', and 'claims' that say it");
   CHECK(refusal_of(claims + "result r: R\n  theorem x\n  claims e\n") ==
         "F:7: there is no claim 'e' before this line");
+  // A file that lists statements has these, and no others.
+  const Paper stated =
+      read("paper P\nsymbols a, b\n" + claims +
+           "statements First part\nstatement T1 figure [Fig. 1] it shows $a$\n  but a drawing\n"
+           "statement T2 step [line 3] the first,\n    in words\n  claims c\n  see d\n");
+  REQUIRE(stated.statements.size() == 2);
+  CHECK(stated.statements[0].missing == "a drawing");
+  CHECK(stated.statements[1].words == "the first, in words");
+  CHECK(stated.statements[1].section == "First part");
+  CHECK(stated.statements[1].claims == std::vector<std::string>{"c"});
+  CHECK(is_stated(stated, "c"));
+  CHECK_FALSE(is_stated(stated, "d"));
+  CHECK(refusal_of(claims + "statement T1 step line 3\n") ==
+        "F:7: a statement is an id, a kind, its place in square brackets, and words");
+  CHECK(refusal_of(claims + "statement T1 step [line 3] x\n") ==
+        "F:7: T1: 'claims' state it, or 'but' says why there are none");
   CHECK(refusal_of("words x\n") == "F:3: a name, ':' and what it stands for belong to 'words', each once");
 }
 
