@@ -24,7 +24,7 @@ struct Interval {
 // coefficients of a normal force, or two forces.
 enum class Values { data, coefficients, forces };
 
-// One interval for each of names_of, but for the last, which may be missing. Of the data these are chi, eta,
+// One interval for each of names_of, except the last, which may be missing. Of the data these are chi, eta,
 // us, V, omega, p and, if it is given, one datum more: phi for a family that takes it, else ur.
 using Box = std::vector<Interval>;
 inline constexpr std::size_t place_of_chi = 0, place_of_eta = 1, place_of_us = 2, place_of_V = 3,

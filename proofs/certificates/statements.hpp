@@ -1,4 +1,4 @@
-// What Coq is told to be so, apart from why: the theorems of a claim under their names.
+// What Coq takes to be so, apart from why: the theorems of a claim under their names.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Stated {
   std::vector<kernel::Formula> hypotheses;
   std::string text;  // "  forall (x : R),\n  0 < x ->\n  …": the sequent in full
 };
-// Each hypothesis as `premise` says it, in full unless told otherwise.
+// Each hypothesis as `premise` says it, in full unless asked otherwise.
 [[nodiscard]] Stated stated(const kernel::Theorem& theorem,
                             const std::function<std::string(const kernel::Formula&)>& premise = {});
 

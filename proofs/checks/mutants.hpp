@@ -1,5 +1,5 @@
 // Wrong statements on purpose: every single edit of every statement that is proved, put to the claim's own
-// proof. All must be killed, but for equivalent mutants, which are true, and those that mean nothing.
+// proof. All must be killed, except equivalent mutants, which are true, and those that mean nothing.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ namespace stickslip::proofs::orbits {
 
 // ⊢ there are durations, phi and ur as far as they are no data, and motions X1, X2, … such that
 //   - the durations are positive, lie within 1e-9 of what is found, and add up to the period; phi, ur and the
-//     states in which phases that slip begin, but for x2', which is V, lie within 1e-9 of what is found;
+//     states in which phases that slip begin, except x2', which is V, lie within 1e-9 of what is found;
 //     0 < us < ur;
 //   - each phase: its motion is continuous, obeys its equation inside, and stays on its side of the belt's
 //     velocity, or sticks with |r| < ur until it ends (definitions slips, overshoots, sticks);
@@ -34,7 +34,7 @@ struct ClosedForm {
   kernel::Ranges parameters;
   kernel::Formula between;  // a = b of numbers
 };
-// Parameters' ranges, the equation between them ⊢ there are …, as in the orbit theorem, but for the decimals,
+// Parameters' ranges, the equation between them ⊢ there are …, as in the orbit theorem, except the decimals,
 // and of them these equations hold, too. Throws KernelError as before, and where the values solve none of it.
 [[nodiscard]] kernel::Theorem orbit_theorem(const Question& question, const ClosedForm& known,
                                             const std::vector<kernel::Formula>& also);

@@ -20,7 +20,7 @@ struct SourceLine {
   Use use = Use::beside;
   std::string text;  // with marks: "H (τ⟨−⟩t )"
   // What the claim writes more, "+x", and less, "-x", for the same thing; "order": in another order; "again":
-  // what is lost of it is told with another line.
+  // what is lost of it is said with another line.
   std::vector<std::string> otherwise = {};
 };
 

@@ -45,7 +45,7 @@ struct Object {
 // Its lines as they stand in the display, for an environment of the reader's own, such as gather*.
 [[nodiscard]] std::string bare(const Object& object, Unknowns unknowns);
 
-// left = the terms, each with its sign but for the first, broken into lines that fit a page.
+// left = the terms, each with its sign except the first, broken into lines that fit a page.
 [[nodiscard]] Line broken(const std::string& left, const std::vector<std::string>& terms);
 
 // What chi, eta and lambda_j are in the frequencies, displayed; nothing where they are what is written in.

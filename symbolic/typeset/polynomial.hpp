@@ -32,7 +32,7 @@ using Polynomial = std::vector<Term>;
 [[nodiscard]] GiNaC::ex to_expression(const Polynomial& polynomial, const Alphabet& alphabet);
 
 // unit · monomial · Π sums: each sum primitive over the integers with a positive leading term, in no
-// particular order, irreducible but for conjugates: f(x)·f(-x) stays together when both have
+// particular order, irreducible except for conjugates: f(x)·f(-x) stays together when both have
 // the same exponent.
 struct Factors {
   GiNaC::numeric unit;
