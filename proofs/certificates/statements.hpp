@@ -1,4 +1,4 @@
-// What Coq takes to be so, apart from why: the theorems of a claim under their names.
+// What is stated to Coq, apart from why it is so: the theorems of a claim under their names.
 #pragma once
 
 #include <functional>
