@@ -289,7 +289,7 @@ TEST_CASE("a sine is positive between 0 and pi, and not beyond") {
 TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal("nonsense\n") ==
         "F:1: 'nonsense' begins no entry: there are paper, symbols, let, section, assume, all, claim, words, "
-        "remark, judgement, result");
+        "remark, judgement, result, statements, statement");
   CHECK(refusal("  indented\n") == "F:1: an indented line belongs to an entry, and there is none before it");
   CHECK(refusal("paper P\n") == "F: there is no claim in it");
   CHECK(refusal("symbols a\n") ==
