@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "proofs/tactics/tactics.hpp"
 #include "proofs/tactics/text.hpp"
 
 namespace stickslip::proofs::certificates {
@@ -37,6 +38,12 @@ bool is_short(const Theorem& theorem) {
   return visit(visit, theorem);
 }
 
+// x <= 3/2, 1 < f(x), ….
+bool is_bound_by_number(const Formula& formula) {
+  return (formula.kind() == Kind::at_most || formula.kind() == Kind::less) &&
+         std::ranges::any_of(formula.parts(), [](const Term& side) { return side.kind() == Kind::number; });
+}
+
 // The term with values for variables that nothing around binds: what is so for all is so for these.
 Term within_scope(const Term& term, const Variables& variables) {
   Substitution values;
@@ -65,10 +72,31 @@ void Library::erase(const std::string& file) {
 
 void Script::count(const Theorem& theorem) {
   if (known(theorem) == nullptr && uses_[&theorem.derivation()]++ == 0) {
+    for (const Formula& hypothesis : theorem.hypotheses()) {
+      ++assumed_[hypothesis];
+    }
+    if (const auto bounded = bounded_by(theorem)) {
+      bounds_[bounded->first].at(bounded->second) = theorem;
+    }
     for (const Theorem& premise : theorem.derivation().premises) {
       count(premise);
     }
   }
+}
+
+std::optional<std::pair<Script::Bounded, std::size_t>> Script::bounded_by(const Theorem& sign) {
+  const Formula& said = sign.conclusion();
+  const bool is_bound = said.kind() == Kind::at_most || said.kind() == Kind::less;
+  if (sign.derivation().rule != "sign" || !is_bound) {
+    return std::nullopt;
+  }
+  const std::vector<Term>& sides = said.parts();
+  const std::size_t above = sides[1].kind() == Kind::number ? 1 : 0;
+  const Term& number = sides[1 - above];
+  if (sides[above].kind() != Kind::number || number.variables().empty()) {
+    return std::nullopt;
+  }
+  return std::pair{Bounded{sign.hypotheses(), said.kind() == Kind::less, number}, above};
 }
 
 void Script::add(const std::string& name, const Theorem& theorem, const std::string& comment) {
@@ -78,30 +106,38 @@ void Script::add(const std::string& name, const Theorem& theorem, const std::str
   state(comment.empty() ? "Theorem" : "(* " + comment + " *)\nTheorem", claim, theorem);
 }
 
+std::pair<Script::Scope, std::string> Script::opened_scope(const Stated& stated) {
+  Scope scope{.hypotheses = {}, .variables = {}};
+  std::string names;
+  for (const Variable& variable : stated.variables) {
+    scope.variables.insert(variable);
+    names += " " + identifier(variable.name);
+  }
+  for (const Formula& formula : stated.hypotheses) {
+    const std::string label = "hyp" + std::to_string(scope.hypotheses.size() + 1);
+    scope.hypotheses.emplace(formula, label);
+    names += " " + label;
+  }
+  return {scope, names.empty() ? "" : fmt::format("intros{}.\n", names)};
+}
+
 // Puts the lemmas that it needs before it.
 void Script::state(const std::string& word, const Lemma& name, const Theorem& theorem) {
   Lemma lemma = name;
   lemma.stated = word == "Lemma" ? stated(theorem, [&](const Formula& formula) { return said(formula); })
                                  : stated(theorem);
   collect_definitions(theorem, definitions_);
-  Scope scope{.hypotheses = {}, .variables = {}};
-  std::string names;
-  for (const Variable& variable : lemma.stated.variables) {
-    scope.variables.insert(variable);
-    names += " " + identifier(variable.name);
-  }
-  for (const Formula& formula : lemma.stated.hypotheses) {
-    const std::string label = "hyp" + std::to_string(scope.hypotheses.size() + 1);
-    scope.hypotheses.emplace(formula, label);
-    names += " " + label;
-  }
+  const auto [scope, names] = opened_scope(lemma.stated);
   const bool again = word != "Lemma" && known(theorem) != nullptr;
   const std::string proof =
       again || is_a_term(theorem.derivation().rule)
           ? fmt::format("exact {}.", again ? term(theorem, scope) : inlined(theorem, scope))
           : tactics(theorem, scope);
-  text_ += fmt::format("{} {} :\n{}.\nProof.\n{}{}\nQed.\n\n", word, lemma.name, lemma.stated.text,
-                       names.empty() ? "" : fmt::format("intros{}.\n", names), proof);
+  if (word == "Lemma" && known(theorem) != nullptr) {
+    return;  // what it follows from says the same
+  }
+  text_ +=
+      fmt::format("{} {} :\n{}.\nProof.\n{}{}\nQed.\n\n", word, lemma.name, lemma.stated.text, names, proof);
   library_.lemmas.insert_or_assign(std::pair{theorem.hypotheses(), theorem.conclusion()}, std::move(lemma));
 }
 
@@ -121,18 +157,43 @@ const Lemma * Script::known(const Theorem& theorem) const {
   return found != nullptr && is_slow(found->file) && is_short(theorem) ? nullptr : found;
 }
 
+bool Script::state_between(const Theorem& theorem) {
+  const auto bounded = bounded_by(theorem);
+  const auto found = bounded ? bounds_.find(bounded->first) : bounds_.end();
+  if (found == bounds_.end() || !found->second[0] || !found->second[1] ||
+      found->second.at(bounded->second)->conclusion() !=
+          theorem.conclusion()) {  // of several bounds, one pair
+    return false;
+  }
+  const std::array<Theorem, 2> sides{*found->second[0], *found->second[1]};
+  const Theorem both = tactics::both({sides[0], sides[1]});
+  Lemma lemma{.file = file_,
+              .name = fresh(file_ + "_between"),
+              .stated = stated(both, [&](const Formula& formula) { return said(formula); })};
+  collect_definitions(both, definitions_);
+  const auto [scope, names] = opened_scope(lemma.stated);
+  text_ += fmt::format("Lemma {} :\n{}.\nProof.\n{}{}\nQed.\n\n", lemma.name, lemma.stated.text, names,
+                       sign(sides[0], scope));
+  for (const std::size_t side : {0, 1}) {
+    lemma.half = side == 0 ? "proj1" : "proj2";
+    library_.lemmas.insert_or_assign(std::pair{sides.at(side).hypotheses(), sides.at(side).conclusion()},
+                                     lemma);
+  }
+  return true;
+}
+
 const Lemma& Script::lemma(const Theorem& theorem) {
-  if (known(theorem) == nullptr) {
+  if (known(theorem) == nullptr && !state_between(theorem)) {
     state("Lemma", {.file = file_, .name = fresh(file_ + "_step"), .stated = {}}, theorem);
   }
   return imported(*library_.find(theorem));
 }
 
 std::string Script::applied(const Lemma& lemma, const Scope& scope, const Substitution& values) const {
-  if (lemma.stated.variables.empty() && lemma.stated.hypotheses.empty()) {
+  if (lemma.stated.variables.empty() && lemma.stated.hypotheses.empty() && lemma.half.empty()) {
     return lemma.name;
   }
-  std::string call = "(" + lemma.name;
+  std::string call = "(" + (lemma.half.empty() ? "" : lemma.half + " (") + lemma.name;
   for (const Variable& variable : lemma.stated.variables) {
     const auto value = values.find(variable);
     if (value != values.end()) {
@@ -145,7 +206,7 @@ std::string Script::applied(const Lemma& lemma, const Scope& scope, const Substi
   for (const Formula& hypothesis : lemma.stated.hypotheses) {
     call += " " + this->hypothesis(substitute(hypothesis, values), scope);
   }
-  return call + ")";
+  return call + (lemma.half.empty() ? ")" : "))");
 }
 
 std::string Script::hypothesis(const Formula& formula, const Scope& scope) const {
@@ -156,9 +217,33 @@ std::string Script::hypothesis(const Formula& formula, const Scope& scope) const
   return found->second;
 }
 
+// Coq takes as long to read a number of twenty digits as to read a hundred letters.
+bool Script::is_named_bound(const Formula& formula) const {
+  constexpr int often = 3;
+  const auto found = assumed_.find(formula);
+  return found != assumed_.end() && found->second >= often && is_bound_by_number(formula) &&
+         coq_premise(formula).size() >= 30;
+}
+
+// "  cbv beta delta [file_said3] in hyp1.", where bounds have names.
+std::string Script::bounds_opened(const Theorem& theorem, const Scope& scope) const {
+  std::vector<std::string> names, labels;
+  for (const Formula& one : theorem.hypotheses()) {
+    const auto name = names_.find(one), label = scope.hypotheses.find(one);
+    if (name != names_.end() && label != scope.hypotheses.end() && is_named_bound(one)) {
+      names.push_back(name->second);
+      labels.push_back(label->second);
+    }
+  }
+  return names.empty()
+             ? ""
+             : fmt::format("  cbv beta delta [{}] in {}.\n", fmt::join(names, " "), fmt::join(labels, ", "));
+}
+
 std::string Script::said(const Formula& formula) {
   const std::string text = coq_premise(formula);
-  if (formula.kind() != Kind::conjunction || text.size() < 300) {
+  const bool is_long = formula.kind() == Kind::conjunction && text.size() >= 300;
+  if (!is_long && !is_named_bound(formula)) {
     return text;
   }
   const std::vector<Variable> variables(formula.variables().begin(), formula.variables().end());
@@ -273,10 +358,10 @@ std::string Script::tactics(const Theorem& theorem, const Scope& scope) {
     return consequence(theorem, scope);
   }
   if (step.rule == "sign") {
-    return sign(theorem);
+    return sign(theorem, scope);
   }
   if (step.rule == "jury") {
-    return jury(theorem);
+    return jury(theorem, scope);
   }
   if (step.rule == "one_zero") {
     return one_zero(theorem);

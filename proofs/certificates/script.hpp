@@ -1,8 +1,11 @@
 // Derivations as proofs in Coq: a lemma for each step, and a theorem that says what the kernel's says.
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "proofs/certificates/coq_terms.hpp"
@@ -14,6 +17,7 @@ struct Lemma {
   std::string file;
   std::string name;
   Stated stated;
+  std::string half = {};  // "proj1", "proj2": what is said is this part of what the lemma says
 };
 // What has been proved in some file, by what it says: nothing is proved twice.
 struct Library {
@@ -51,11 +55,16 @@ class Script {
     std::map<kernel::Formula, std::string> hypotheses;
     kernel::Variables variables;
   };
+  // Around the proof of what is stated, and "intros x hyp1.", or nothing.
+  [[nodiscard]] static std::pair<Scope, std::string> opened_scope(const Stated& stated);
   void count(const kernel::Theorem& theorem);
   // What a file proved that is worth loading for it, or null.
   [[nodiscard]] const Lemma * known(const kernel::Theorem& theorem) const;
   [[nodiscard]] bool is_slow(const std::string& file) const;
   const Lemma& lemma(const kernel::Theorem& theorem);
+  // A sign that bounds a number from one side, with another that bounds it from the other: both at once, for
+  // Coq reads and encloses the number once then. Whether there is such another.
+  bool state_between(const kernel::Theorem& theorem);
   const Lemma& imported(const Lemma& lemma);
   void state(const std::string& word, const Lemma& lemma, const kernel::Theorem& theorem);
   // The lemma applied, with values for its variables.
@@ -65,9 +74,11 @@ class Script {
   [[nodiscard]] std::string term(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string inlined(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string hypothesis(const kernel::Formula& formula, const Scope& scope) const;
-  // What the formula says: a long conjunction under a name of its own, so that Coq reads it once, however
-  // many steps assume it.
+  // What the formula says: a long conjunction, and a bound that is assumed again and again, under a name of
+  // its own, so that Coq reads it once, however many steps assume it.
   [[nodiscard]] std::string said(const kernel::Formula& formula);
+  [[nodiscard]] bool is_named_bound(const kernel::Formula& formula) const;
+  [[nodiscard]] std::string bounds_opened(const kernel::Theorem& theorem, const Scope& scope) const;
   // Whether no other step, here or in another file, is proved by it.
   [[nodiscard]] bool is_used_here_only(const kernel::Theorem& theorem);
   // A proof as tactics, of the last step.
@@ -76,9 +87,9 @@ class Script {
   [[nodiscard]] std::string combination(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string solved(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string order(const kernel::Theorem& theorem, const Scope& scope);
-  [[nodiscard]] std::string sign(const kernel::Theorem& theorem);
+  [[nodiscard]] std::string sign(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string lettered(kernel::Formula& said) const;
-  [[nodiscard]] std::string jury(const kernel::Theorem& theorem);
+  [[nodiscard]] std::string jury(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string one_zero(const kernel::Theorem& theorem);
   [[nodiscard]] std::string consequence(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] static bool is_calculus(const std::string& rule);
@@ -97,7 +108,12 @@ class Script {
   std::string text_;
   std::vector<kernel::Definition> definitions_;
   std::map<const kernel::Step *, int> uses_;
-  std::map<kernel::Formula, std::string> names_;  // of long conjunctions
+  // The signs that bound a number: its hypotheses, whether they are strict, the number; below, above.
+  using Bounded = std::tuple<kernel::Formulas, bool, kernel::Term>;
+  std::map<Bounded, std::array<std::optional<kernel::Theorem>, 2>> bounds_;
+  [[nodiscard]] static std::optional<std::pair<Bounded, std::size_t>> bounded_by(const kernel::Theorem& sign);
+  std::map<kernel::Formula, int> assumed_;        // by how many steps
+  std::map<kernel::Formula, std::string> names_;  // of long conjunctions, and of bounds
   std::string file_;
   Library& library_;
   std::set<std::string> imports_;

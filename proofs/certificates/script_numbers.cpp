@@ -189,7 +189,7 @@ std::string Script::lettered(Formula& said) const {
   return text;
 }
 
-std::string Script::sign(const Theorem& theorem) {
+std::string Script::sign(const Theorem& theorem, const Scope& scope) {
   // Interval arithmetic takes Coq half a second to load, here and wherever this file is used.
   const bool denied = theorem.conclusion().kind() == Kind::negation;
   const Formula& relation = denied ? theorem.conclusion().parts()[0] : theorem.conclusion();
@@ -202,7 +202,7 @@ std::string Script::sign(const Theorem& theorem) {
   needs_.insert("Numbers");
   Formula said = theorem.conclusion();
   std::string text = lettered(said);
-  text += opened_in(said);
+  text += opened_in(said) + bounds_opened(theorem, scope);
   // The widest range is halved where it has to be: Coq's sine knows less of wide intervals than Arb's.
   std::string along;
   Rational widest(1, 1000000);
@@ -218,23 +218,24 @@ std::string Script::sign(const Theorem& theorem) {
 }
 
 // Jury's test is one inequality for each degree.
-std::string Script::jury(const Theorem& theorem) {
+std::string Script::jury(const Theorem& theorem, const Scope& scope) {
   needs_.insert({"Stability", "Numbers"});
   std::vector<Definition> opened;
   collect_definitions(theorem, opened);
   const std::string open = opened.empty() ? ""
                                           : fmt::format("cbv beta delta [{}]; ",
                                                         names_of(Definitions(opened.begin(), opened.end())));
-  return fmt::format(
-      "  apply inside_by_schur; {}cbv beta iota delta [schur next Nat.sub]; reduce_matrices.\n"
-      "  repeat split; by_enclosure.",
-      open);
+  return bounds_opened(theorem, scope) +
+         fmt::format(
+             "  apply inside_by_schur; {}cbv beta iota delta [schur next Nat.sub]; reduce_matrices.\n"
+             "  repeat split; by_enclosure.",
+             open);
 }
 
-// The test of the prelude needs: derivatives, as terms; where they are all over the box; f in the middle; and
-// whole numbers that pass. Each is a lemma of its own.
+// The test of the prelude needs what the functions' slopes are nearly, and their inverse: whole numbers that
+// pass.
 std::string Script::one_zero(const Theorem& theorem) {
-  needs_.insert({"Krawczyk", "Numbers"});
+  needs_.insert({"Numbers", "Zeros"});
   const Step& step = theorem.derivation();
   const Variable X{step.data[0].name(), step.data[0].type()};
   const int n = X.type.rows;
@@ -259,100 +260,40 @@ std::string Script::one_zero(const Theorem& theorem) {
   if (f.kind() != Kind::matrix || n == 1) {
     throw KernelError("only systems written out have a counterpart in Coq yet");
   }
-  const std::string r = coq(radius), size = std::to_string(n);
   const auto number = [](int i) { return static_cast<std::size_t>(i); };
-
-  std::string letters, all_letters, places;
-  std::vector<std::string> centre;
+  std::string letters, places;
+  std::vector<std::string> functions, sides;
+  Matrix slopes = Matrix::Zero(n, n);
   for (int i = 0; i < n; ++i) {
-    letters += fmt::format("let x{0} := x {0}%nat in ", i);
-    all_letters += fmt::format("x{} ", i);
+    letters += fmt::format("x{} ", i);
     places += fmt::format(" (x {}%nat)", i);
-    centre.push_back(coq(middle[number(i)]));
-  }
-  std::vector<std::string> functions, rows;
-  Matrix slopes = Matrix::Zero(n, n), spreads = Matrix::Zero(n, n);
-  std::string bounds, cases;
-  for (int i = 0; i < n; ++i) {
+    sides.push_back(fmt::format("({}, {})", coq(Term(end(i, 0))), coq(Term(end(i, 1)))));
     const Term& one = f.parts()[number(i)];
     functions.push_back(coq(one));
-    std::vector<std::string> row;
     for (int j = 0; j < n; ++j) {
-      const Term slope = partial(one, x[number(j)]).term;
-      row.push_back(coq(slope));
-      slopes(i, j) = estimated(slope, values);
-      const Real units = std::ldexp(slopes(i, j), unit_exponent);
-      if (is_rational(slope) && units == std::nearbyint(units)) {
-        cases += fmt::format("  cbv [nth entry_of {0}_J {0}_M {0}_W]; exact_entry.\n", name);
-        continue;
-      }
-      spreads(i, j) = std::ldexp(static_cast<Real>(spread), -unit_exponent);
-      std::string known, call;
-      for (const Variable& variable : slope.variables()) {
-        const std::string k = variable.name.substr(1);
-        known += fmt::format("({0} : R) ({0}_in : {1} + -1 * {2} <= {0} <= {1} + {2}) ", variable.name,
-                             centre[std::stoul(k)], r);
-        call += fmt::format(" (x {0}%nat) (B {0}%nat ltac:(repeat constructor))", k);
-      }
-      bounds += fmt::format(
-          "Lemma {0}_{1}_{2} {3}:\n  Rabs ({4} + -1 * (({5}) / {6})) <= {7} / {6}.\nProof. "
-          "by_coarse_enclosure. Qed.\n",
-          name, i, j, known, row.back(), in_units(slopes(i, j)), 1L << unit_exponent, spread);
-      cases += fmt::format("  exact ({}_{}_{}{}).\n", name, i, j, call);
+      slopes(i, j) = estimated(partial(one, x[number(j)]).term, values);
     }
-    rows.push_back(list(row));
   }
-  const Matrix inverse = slopes.inverse();
+  const std::string numbers = fmt::format("{0} {1}_g {1}_b {1}_r {2}%Z {1}_Y {1}_M {3}%Z {4}%Z", n, name,
+                                          1L << unit_exponent, spread, residual);
   text_ += fmt::format(
-      "(* A system of {1} equations, its derivatives, the middle of the box, and numbers for Krawczyk's "
-      "test. "
-      "*)\n"
-      "Definition {0}_rows ({9}: R) : list R := {3}.\n"
-      "Definition {0}_f (x : nat -> R) : list R := {0}_rows{10}.\n"
-      "Definition {0}_J (x : nat -> R) : list (list R) := {2}{4}.\n"
-      "Definition {0}_c : list R := {5}.\n"
-      "Definition {0}_M : list (list Z) := {6}.\nDefinition {0}_Y : list (list Z) := {7}.\n"
-      "Definition {0}_W : list (list Z) := {8}.\n",
-      name, size, letters, list(functions), list(rows), list(centre), in_units(slopes), in_units(inverse),
-      in_units(spreads), all_letters, places);
-  text_ += bounds;
-  text_ += fmt::format(
-      "Lemma {0}_slope : slopes {1} {0}_f {0}_J.\nProof. intros i I z d t D. each_row. all: cbv [{0}_f "
-      "{0}_rows {0}_J "
-      "nth rsum]; by_derivative. Qed.\n"
-      "Lemma {0}_near x : inbox {1} (fun i => nth i {0}_c 0) {2} x ->\n  near {1} {3}%Z {0}_J {0}_M {0}_W "
-      "x.\n"
-      "Proof.\n  intros B i j I J. revert j J. each_row. all: intros j J; each_row.\n{4}Qed.\n"
-      "Lemma {0}_start : small {1} {3}%Z {2} {0}_f {0}_c {5}%Z.\n"
-      "Proof. intros i I. each_row. all: cbv [{0}_f {0}_rows {0}_c nth]; by_fine_enclosure. Qed.\n\n",
-      name, size, r, 1L << unit_exponent, cases, residual);
-  std::string tuple, sides;
-  for (int i = 0; i < n; ++i) {
-    tuple += fmt::format("{}⟦x {}%nat⟧", i == 0 ? "" : ", ", i);
-    sides += fmt::format(
-        "pose proof (B {0}%nat ltac:(repeat constructor)) as B{0}; cbv [nth {1}_c] in B{0}. ", i, name);
-  }
-  const std::string box =
-      fmt::format("intros k K; clear I; decompose [and] {{}}; each_row; cbv [nth {}_c]; lra", name);
-  return fmt::format(
-      "  destruct (one_zero_listed {0} {1}_f {1}_J {1}_c {2} {3}%Z {1}_Y {1}_M {1}_W {4}%Z) as [[x [B Z]] "
-      "U];\n"
-      "    [lra | reflexivity | exact {1}_slope | exact {1}_near | exact {1}_start | vm_compute; reflexivity "
-      "|].\n"
-      "  split.\n"
-      "  - set (Y := mat {0} 1 ⟦{5}⟧). exists Y. split.\n"
-      "    + {6}\n      unfold Y; reduce_matrices; repeat split; lra.\n"
-      "    + apply (column_zero {0} ({1}_f (fun i => ent i 0 Y))).\n"
-      "      change ({1}_f (fun i => ent i 0 Y)) with ({1}_f x). exact Z.\n"
-      "  - intros x0 x1 [[B0 Z0] [B1 Z1]].\n"
-      "    apply mequal_entries. intros i j I J. destruct j as [|j]; [|exfalso; lia].\n"
-      "    apply (U (fun i => ent i 0 x0) (fun i => ent i 0 x1)).\n"
-      "    + {7}.\n    + {8}.\n"
-      "    + exact (zero_column {0} ({1}_f (fun i => ent i 0 x0)) Z0).\n"
-      "    + exact (zero_column {0} ({1}_f (fun i => ent i 0 x1)) Z1).\n"
-      "    + exact I.",
-      size, name, r, 1L << unit_exponent, residual, tuple, sides, fmt::format(fmt::runtime(box), "B0"),
-      fmt::format(fmt::runtime(box), "B1"));
+      "(* A system of {1} equations, its box, and numbers for Krawczyk's test. *)\n"
+      "Definition {0}_rows ({2}: R) : list R := {3}.\n"
+      "Definition {0}_f (x : nat -> R) : list R := {0}_rows{4}.\n"
+      "Definition {0}_g : list Tree.expr := ltac:(let t := eval cbv delta [{0}_rows] in {0}_rows in "
+      "functions_read "
+      "t).\n"
+      "Definition {0}_b : list (Tree.expr * Tree.expr) := ltac:(numbers_read {5}).\n"
+      "Definition {0}_r : Tree.expr := ltac:(numbers_read ({6})).\n"
+      "Definition {0}_M : list (list Z) := {7}.\nDefinition {0}_Y : list (list Z) := {8}.\n"
+      "Lemma {0}_read : forall x, {0}_f x = evaluated {1} {0}_g x.\n"
+      "Proof. intros x. exact_no_check (eq_refl ({0}_f x)). Qed.\n"
+      "Lemma {0}_passes : zero_test {9} = true.\n"
+      "Proof. vm_cast_no_check (@eq_refl bool true). Qed.\n\n",
+      name, n, letters, list(functions), places, list(sides), coq(radius), in_units(slopes),
+      in_units(Matrix(slopes.inverse())), numbers);
+  return fmt::format("  exact_no_check (zero_of_columns {0} {1}_f {2} {1}_read {1}_passes).", n, name,
+                     numbers.substr(numbers.find(' ') + 1));
 }
 
 }  // namespace stickslip::proofs::certificates

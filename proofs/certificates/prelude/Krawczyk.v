@@ -381,37 +381,6 @@ Proof.
     + intros j _. rewrite (Off (entry_of M) (entry_of Y)). ring.
 Qed.
 
-(* ---- the test, for functions written as lists *)
-
-(* Along any curve z. *)
-Definition slopes (n : nat) (f : (nat -> R) -> list R) (J : (nat -> R) -> list (list R)) : Prop :=
-  forall i, (i < n)%nat -> forall (z : nat -> R -> R) d t, (forall j, derivative (z j) t (d j)) ->
-    derivative (fun u : R => nth i (f (fun j => z j u)) 0) t
-      (rsum n (fun j => nth j (nth i (J (fun j => z j t)) nil) 0 * d j)).
-Definition near (n : nat) (s : Z) (J : (nat -> R) -> list (list R)) (M W : list (list Z)) (x : nat -> R) : Prop :=
-  forall i j, (i < n)%nat -> (j < n)%nat ->
-    Rabs (nth j (nth i (J x) nil) 0 + -1 * (IZR (entry_of M i j) / IZR s)) <= IZR (entry_of W i j) / IZR s.
-Definition small (n : nat) (s : Z) (r : R) (f : (nat -> R) -> list R) (c : list R) (e : Z) : Prop :=
-  forall i, (i < n)%nat -> Rabs (nth i (f (fun j => nth j c 0)) 0) <= r * (IZR e / IZR s).
-
-Lemma nth_repeat_same : forall (e : Z) n i, (i < n)%nat -> nth i (repeat e n) 0%Z = e.
-Proof. induction n; intros i I; [lia|]. destruct i; simpl; [reflexivity|]. apply IHn. lia. Qed.
-
-Theorem one_zero_listed : forall n f J c r s Y M W e, 0 < r -> (0 < s)%Z -> slopes n f J ->
-  (forall x, inbox n (fun i => nth i c 0) r x -> near n s J M W x) -> small n s r f c e ->
-  passes n s Y M W (repeat e n) = true ->
-  (exists x, inbox n (fun i => nth i c 0) r x /\ forall i, (i < n)%nat -> nth i (f x) 0 = 0) /\
-  (forall x y, inbox n (fun i => nth i c 0) r x -> inbox n (fun i => nth i c 0) r y ->
-   (forall i, (i < n)%nat -> nth i (f x) 0 = 0) -> (forall i, (i < n)%nat -> nth i (f y) 0 = 0) ->
-   forall i, (i < n)%nat -> x i = y i).
-Proof.
-  intros n f J c r s Y M W e Pr Ps D N S C.
-  apply (one_zero n (fun x i => nth i (f x) 0) (fun x i j => nth j (nth i (J x) nil) 0) (fun i => nth i c 0) r s Y M W
-           (repeat e n)); auto.
-  - intros i I y d t. apply (D i I (fun j u => y j + u * d j)). intros j. eapply d_value; [derive | ring].
-  - intros i I. rewrite nth_repeat_same by exact I. now apply S.
-Qed.
-
 (* A list as a column. *)
 Fixpoint column (n : nat) (l : list R) : Mat n 1 :=
   match n with O => tt | S m => ((hd 0 l, tt), column m (tl l)) end.
@@ -429,13 +398,3 @@ Proof.
   destruct i as [|i]; [destruct l; trivial|].
   generalize (IHn (tl l) T i ltac:(lia)). destruct l; [destruct i|]; trivial.
 Qed.
-
-(* A case for each index below a given number, in their order. *)
-Ltac each_row :=
-  repeat match goal with
-         | H : (_ < 0)%nat |- _ => exfalso; inversion H
-         | H : (?k < S _)%nat |- _ =>
-             is_var k; destruct k as [|k]; [clear H | apply PeanoNat.Nat.succ_lt_mono in H]
-         end.
-Ltac exact_entry :=
-  match goal with |- Rabs ?a <= _ => replace a with 0 by lra; rewrite Rabs_R0; lra end.

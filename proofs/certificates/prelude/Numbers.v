@@ -136,6 +136,29 @@ Lemma short_enclosed : forall prec depth halved hs l a b,
   is_short prec depth halved hs a b = true -> assuming hs l (Rabs (eval a l) <= eval b nil).
 Proof. intros prec depth halved hs l a b E. exact (enclosed_ok _ _ _ _ l _ _ E). Qed.
 
+(* Between two numbers. *)
+Definition is_between prec depth halved hs a (b : expr * expr) :=
+  enclosed prec depth halved hs a (Glele (fst b) (snd b)).
+Definition is_inside prec depth halved hs a (b : expr * expr) :=
+  (enclosed prec depth halved hs a (Ggt (fst b)) && enclosed prec depth halved hs a (Glt (snd b)))%bool.
+Lemma assuming_both : forall (G H : Prop) hs l,
+  assuming hs l G -> assuming hs l H -> assuming hs l (G /\ H).
+Proof.
+  intros G H hs. unfold assuming. induction hs as [|h hs I]; intros [|x l]; simpl; try easy.
+  induction h as [|b h K]; simpl; [apply I|]. intros A B E. exact (K (A E) (B E)).
+Qed.
+Lemma between_enclosed : forall prec depth halved hs l a b,
+  is_between prec depth halved hs a b = true ->
+  assuming hs l (eval (fst b) nil <= eval a l <= eval (snd b) nil).
+Proof. intros prec depth halved hs l a b E. exact (enclosed_ok _ _ _ _ l _ _ E). Qed.
+Lemma inside_enclosed : forall prec depth halved hs l a b,
+  is_inside prec depth halved hs a b = true ->
+  assuming hs l (eval (fst b) nil < eval a l < eval (snd b) nil).
+Proof.
+  intros prec depth halved hs l a b E. apply andb_prop in E as [E F].
+  apply assuming_both; [exact (enclosed_ok _ _ _ _ l _ _ E) | exact (enclosed_ok _ _ _ _ l _ _ F)].
+Qed.
+
 (* Of what is read and what is said, the former is to be computed. *)
 Strategy expand
   [eval nullary_real unary_real binary_real powerRZ eval_hyps eval_hyps_aux eval_hyp hypothesis assuming plus times
@@ -158,6 +181,8 @@ Ltac bounds_in G xs :=
   lazymatch xs with
   | nil =>
       lazymatch G with
+      | ?c <= ?a /\ _ <= ?d => constr:((@nil (list (bound R)), (a, (c, d))))
+      | ?c < ?a /\ _ < ?d => constr:((@nil (list (bound R)), (a, (c, d))))
       | Rabs ?a <= ?b => constr:((@nil (list (bound R)), (a, b)))
       | ?a <= ?b => constr:((@nil (list (bound R)), (a, b)))
       | ?a < ?b => constr:((@nil (list (bound R)), (a, b)))
@@ -215,6 +240,8 @@ Ltac by_test prec depth halved xs hs a b :=
     abstract (cut (test prec depth halved hs a b = true);
               [exact_no_check (lemma prec depth halved hs xs a b) | vm_cast_no_check (@eq_refl bool true)]) in
   lazymatch G with
+  | _ <= _ /\ _ <= _ => found between_enclosed is_between
+  | _ < _ /\ _ < _ => found inside_enclosed is_inside
   | Rabs _ <= _ => found short_enclosed is_short
   | _ <= _ => found at_most_enclosed is_at_most
   | _ < _ => found less_enclosed is_less
@@ -234,10 +261,3 @@ Ltac by_enclosure_along x :=
     let k := Enclosures.place_of x xs O in
     first [ Enclosures.by_test 30%Z 4%nat (cons k nil) xs hs a b
           | Enclosures.by_test 40%Z 12%nat (cons k nil) xs hs a b ]).
-(* In Krawczyk's test: where a derivative is, and how small a value is. *)
-Ltac by_coarse_enclosure :=
-  Enclosures.with_expressions ltac:(fun xs hs a b =>
-    first [Enclosures.by_test 30%Z O (@nil nat) xs hs a b | Enclosures.by_test 40%Z O (@nil nat) xs hs a b]).
-Ltac by_fine_enclosure :=
-  Enclosures.with_expressions ltac:(fun xs hs a b =>
-    first [Enclosures.by_test 64%Z O (@nil nat) xs hs a b | Enclosures.by_test 80%Z O (@nil nat) xs hs a b]).

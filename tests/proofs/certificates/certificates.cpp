@@ -10,6 +10,7 @@
 #include "proofs/certificates/script.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/paper.hpp"
+#include "proofs/tactics/tactics.hpp"
 #include "tests/proofs/kernel/refuses.hpp"
 
 using namespace stickslip::proofs;
@@ -63,6 +64,68 @@ TEST_CASE("values of several variables are given at once, without a lemma for ea
   script.add("name", both);
   CHECK(script.text().find("refine (ex_intro _ 1 (ex_intro _ 2 _)).") != std::string::npos);
   CHECK(script.text().find("Lemma") == std::string::npos);
+}
+
+namespace {
+
+std::size_t places_of(const std::string& word, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a number that is bounded on both sides is enclosed once") {
+  const Variable x{"x"};
+  const auto bounded = [&](const Formula& one) {
+    return Theorem::sign(one, {{x, {1, stickslip::Rational(3, 2)}}});
+  };
+  const Term square = Term(x) * x;
+  certificates::Library library;
+  Script script("file", library);
+  script.add("both", tactics::both(
+                         {bounded(at_most(stickslip::Rational(1, 2), square)), bounded(at_most(square, 5))}));
+  CHECK(places_of("by_enclosure", script.text()) == 1);
+  CHECK(places_of("(proj1 (file_between", script.text()) == 1);
+  CHECK(places_of("(proj2 (file_between", script.text()) == 1);
+  // Not where one side is strict and the other is not, nor of different numbers.
+  for (const Formula& other : {less(square, 6), at_most(square * x, 12)}) {
+    certificates::Library empty;
+    Script apart("apart", empty);
+    apart.add("apart", tactics::both({bounded(at_most(stickslip::Rational(1, 4), square)), bounded(other)}));
+    CHECK(places_of("by_enclosure", apart.text()) == 2);
+    CHECK(places_of("between", apart.text()) == 0);
+  }
+}
+
+TEST_CASE("a bound of many letters that many steps assume stands in full in the theorem and once before it") {
+  const Variable x{"x"};
+  const stickslip::Rational low(1'000'000'000'000'000'001, 1'000'000'000'000'000'000);
+  std::vector<Theorem> parts;
+  for (int k = 2; k < 7; ++k) {
+    parts.push_back(Theorem::sign(less(0, power(Term(x), k)), {{x, {low, stickslip::Rational(5, 4)}}}));
+  }
+  certificates::Library library;
+  Script script("file", library);
+  script.add("all", tactics::both(parts));
+  const std::string bound = "1000000000000000001 / 1000000000000000000 <= x";
+  CHECK(places_of(bound, script.text()) == 2);
+  CHECK(script.text().find(bound) > script.text().find("Definition file_said"));
+  CHECK(script.text().rfind(bound) > script.text().find("Theorem all"));
+}
+
+TEST_CASE("what follows from what says the same is not stated again") {
+  const Variable x{"x"}, y{"y"};
+  const Theorem one = Theorem::combination(equal(Term(x) + x, Term(2) * x)),
+                same = Theorem::instantiate(Theorem::instantiate(one, {{x, y}}), {{y, x}});
+  certificates::Library library;
+  Script script("file", library);
+  script.add("name", tactics::both({same, Theorem::reflexive(x)}));
+  CHECK(places_of("by_fractions", script.text()) == 1);
+  CHECK(places_of("Lemma", script.text()) <= 3);
 }
 
 TEST_CASE("a long number that stands in a sign again and again is a letter between bounds") {

@@ -68,17 +68,23 @@ TEST_CASE("Coq accepts Krawczyk's test, and refuses it for another box, other eq
     std::ofstream(temporary.path() / file.name) << file.text;
     text = file.name == "Claim_zero.v" ? file.text : text;
   }
-  REQUIRE(text.find("one_zero_listed 2") != std::string::npos);
+  REQUIRE(text.find("zero_of_columns 2") != std::string::npos);
   CHECK(accepts(temporary.path(), text));
-  // The equation that is stated is not the one that is tested.
+  // The equation that is stated is not the one that is tested, nor is the one that is read.
   CHECK_FALSE(accepts(temporary.path(), changed(text, "(-1) / 4", "(-1) / 5")));
-  // A box whose middle is no solution: the values there are too large.
-  const std::size_t middle = text.find("_c : list R := (") + 16;
-  CHECK_FALSE(accepts(temporary.path(), text.substr(0, middle) + "1 + " + text.substr(middle)));
-  // A matrix that is no inverse; derivatives that are elsewhere; no test at all.
-  const std::size_t inverse = text.find("_Y : list (list Z) := (((");
-  REQUIRE(inverse != std::string::npos);
   CHECK_FALSE(accepts(temporary.path(),
-                      text.substr(0, inverse) + changed(text.substr(inverse), "(((", "(((1 + 2 * ")));
-  CHECK_FALSE(accepts(temporary.path(), changed(text, "sin x0", "cos x0")));
+                      changed(text, "in functions_read t", "in functions_read (fun x y : R => t y x)")));
+  // A box that is not the one stated; another radius than that of its sides.
+  const std::size_t box = text.find("_b : list (Tree.expr * Tree.expr)"), side = text.find("((", box) + 2;
+  REQUIRE(box != std::string::npos);
+  CHECK_FALSE(accepts(temporary.path(), text.substr(0, side) + "1 + " + text.substr(side)));
+  CHECK_FALSE(accepts(temporary.path(),
+                      text.substr(0, box) + changed(text.substr(box), " / 1073741824)", " / 1073741825)")));
+  // A matrix that is no inverse; slopes that are elsewhere.
+  for (const std::string matrix : {"_Y", "_M"}) {
+    const std::size_t at = text.find(matrix + " : list (list Z) := (((");
+    REQUIRE(at != std::string::npos);
+    CHECK_FALSE(
+        accepts(temporary.path(), text.substr(0, at) + changed(text.substr(at), "(((", "(((1 + 2 * ")));
+  }
 }
