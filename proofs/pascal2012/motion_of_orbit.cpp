@@ -9,6 +9,7 @@
 #include "proofs/methods/gate.hpp"
 #include "proofs/methods/openings.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/orbits/by_parts.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_with.hpp"
@@ -348,7 +349,7 @@ class MotionOf {
       in_letters = replaced(in_letters, known.value, letter);
       ranges.emplace(letter, known.range);
     }
-    return orbits::settled(Theorem::sign(in_letters, orbits::ranges_in(in_letters, ranges)), letters_);
+    return orbits::settled(orbits::sign_by_parts(in_letters, ranges), letters_);
   }
   // Letters for durations, phi, ur and entries of states, with the decimals between which they lie.
   [[nodiscard]] orbits::Letters known_ranges() const {
