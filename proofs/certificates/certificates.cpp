@@ -25,8 +25,19 @@ using methods::Record;
 // Of a file: Coq has taken up to 1.5 GB for 2.8 million.
 constexpr std::size_t most_characters = 4'000'000;
 // From so many claims on, short ones share files of about so many characters, for Coq takes longer to load
-// its libraries than to check them.
-constexpr std::size_t many_claims = 100, shared_characters = 150'000;
+// its libraries than to check them. Of these, what encloses few numbers takes coqchk, which has no virtual
+// machine, no longer than others.
+constexpr std::size_t many_claims = 100, shared_characters = 150'000, light_characters = 40'000,
+                      few_enclosures = 4;
+
+std::size_t enclosures_in(const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find("by_enclosure"); at != std::string::npos;
+       at = text.find("by_enclosure", at + 1)) {
+    ++count;
+  }
+  return count;
+}
 
 class Writer {
  public:
@@ -82,10 +93,11 @@ class Writer {
 
  private:
   // Claims that stand equally high above those that import nothing do not rest on each other: such of them
-  // go together of which all, or none, load interval arithmetic; those that need it are checked alone.
+  // go together of which all, or none, load interval arithmetic, and use it; those that use it much are
+  // checked alone.
   void share_files() {
     std::map<std::string, std::size_t> heights;
-    std::map<std::pair<std::size_t, bool>, std::vector<std::pair<std::string, std::size_t>>> groups;
+    std::map<std::pair<std::size_t, std::string>, std::vector<std::pair<std::string, std::size_t>>> groups;
     std::map<std::string, std::string> files;  // by claims' own names
     for (const Certificate& one : result_.certificates) {
       std::size_t height = 0;
@@ -93,10 +105,12 @@ class Writer {
         height = std::max(height, heights.at(import) + 1);
       }
       heights.emplace(one.name, height);
-      const std::size_t size = scripts_.at(one.name).text.size();
+      const std::string& text = scripts_.at(one.name).text;
       files.emplace(one.name, one.name);
-      if (!one.has_intervals && size < shared_characters) {
-        groups[{height, library_.slow.contains(one.name)}].emplace_back(one.name, size);
+      const bool is_light = text.size() < light_characters && enclosures_in(text) <= few_enclosures;
+      if (one.has_intervals ? is_light : text.size() < shared_characters) {
+        const char * kind = one.has_intervals ? "_light" : library_.slow.contains(one.name) ? "_slow" : "";
+        groups[{height, kind}].emplace_back(one.name, text.size());
       }
     }
     for (const auto& [of, members] : groups) {
@@ -107,7 +121,7 @@ class Writer {
           characters = 0;
         }
         characters += size;
-        files.at(name) = fmt::format("Claims_{}{}_{}", of.first, of.second ? "_slow" : "", number);
+        files.at(name) = fmt::format("Claims_{}{}_{}", of.first, of.second, number);
       }
     }
     std::ranges::stable_sort(result_.certificates, {},
