@@ -1,5 +1,5 @@
 // Quotients of polynomials with rational coefficients in generators of a ring, modulo c² + s² = 1 for some
-// pairs of them.
+// pairs of them. Not only for the kernel: nothing here makes a Theorem.
 #pragma once
 
 #include <memory>

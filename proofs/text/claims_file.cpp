@@ -142,7 +142,7 @@ class Reading {
       if (kind == kinds.end()) {
         fail(
             fmt::format("'{}' begins no entry: there are paper, symbols, let, section, assume, all, claim, "
-                        "words, remark, judgement, result",
+                        "words, remark, judgement, result, statements, statement",
                         word));
       }
       (this->*kind->second)(rest, entry);
