@@ -303,10 +303,10 @@ void Prover::look_for_values(Outcome& outcome, const Claim& claim,
     outcome.obeyed = Obeyed::theorem;
   } else if (contradiction(*this, claim)) {
     outcome.verdict = Verdict::undecided("vacuous: what is assumed contradicts itself, and nothing obeys it");
-  } else if (!seen) {
+  } else if (!seen || !premises.left_out.empty()) {  // a motion may obey no two laws at one time
     outcome.verdict =
-        Verdict::undecided("vacuous or unknown: no values are known with which all that is assumed holds");
-  } else if (premises.left_out.empty()) {
+        Verdict::undecided("vacuous or unknown: nothing is known with which all that is assumed holds");
+  } else {
     outcome.obeyed = Obeyed::balls;
   }
 }
