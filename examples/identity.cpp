@@ -1,25 +1,24 @@
-// Decides identities for all parameters, by normal form: one that holds and one that does not.
+// Statements of one's own, for all values of their symbols: one is proved, one refuted.
 #include <iostream>
 
-#include <stickslip/symbolic/algebra/decide.hpp>
-#include <stickslip/symbolic/algebra/symbols.hpp>
-#include <stickslip/symbolic/typeset/latex.hpp>
+#include <stickslip/proofs/methods/automatic.hpp>
+#include <stickslip/proofs/pascal2012/paper.hpp>
 
 int main() {
-  using namespace stickslip::symbolic;
-  const GiNaC::ex omega1 = algebra::symbol("omega1"), omega2 = algebra::symbol("omega2");
-  const GiNaC::ex chi = algebra::symbol("chi"), eta = algebra::symbol("eta");
-
-  // The product of the squared natural frequencies of (39).
-  const auto decide = [&](const GiNaC::ex& product) {
-    const algebra::Decision decision = algebra::decide_equal(pow(omega1, 2) * pow(omega2, 2), product);
-    std::cout << typeset::text(product) << ": " << to_string(decision.verdict.truth) << '\n';
-    if (decision.verdict.witness) {
-      for (const stickslip::Coordinate& coordinate : decision.verdict.witness->point) {
+  using namespace stickslip::proofs;
+  const auto decide = [](const std::string& statement) {
+    methods::Paper with_own = pascal2012::paper();
+    with_own.claims.push_back(methods::own_claim({.statement = statement}));
+    const methods::Audit audit = methods::audit(with_own.claims, {methods::own_id});
+    const stickslip::Verdict& verdict = audit.records.front().outcome.verdict;
+    std::cout << statement << ": " << to_string(verdict.truth) << '\n';
+    if (verdict.witness) {
+      for (const stickslip::Coordinate& coordinate : verdict.witness->point) {
         std::cout << "  at " << coordinate.name << " = " << coordinate.value << '\n';
       }
     }
   };
-  decide(chi * eta * (1 - chi));
-  decide(chi * eta);
+  // The product of the squared natural frequencies of (39).
+  decide("omega1^2 omega2^2 = chi eta (1 - chi)");
+  decide("omega1^2 omega2^2 = chi eta");
 }

@@ -2,7 +2,7 @@
 //
 // That field is made of rational functions in symbols, pi, and a pair (cos, sin) for every phase, a monomial
 // of symbols and pi such as omega1*tau or pi*omega1/omega; all of these are independent except for cos² +
-// sin² = 1 (symbolic/algebra/normal_form.hpp). A point gives each symbol, pi among them, a rational number
+// sin² = 1. A point gives each symbol, pi among them, a rational number
 // and each phase a rational point of the circle. What is identically zero is exactly zero there; what is not
 // is nonzero at almost every point. Nothing here knows a normal form: numbers are added and multiplied as
 // they come.

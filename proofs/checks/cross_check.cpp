@@ -7,8 +7,8 @@
 
 #include "core/error.hpp"
 #include "proofs/checks/premise_point.hpp"
+#include "proofs/kernel/entrywise.hpp"
 #include "proofs/methods/deciding.hpp"
-#include "proofs/symbols/evaluate_exact.hpp"
 #include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
 
@@ -19,8 +19,6 @@ using namespace methods;
 using namespace symbols;
 
 namespace {
-
-using GiNaC::ex;
 
 constexpr int exact_points = 2, ball_points = 1;
 constexpr std::size_t points_at_premises = 2;
@@ -43,26 +41,55 @@ Sides<S> sides(const Statement& statement, Sample<S>& at) {
           evaluate_beside<S>(statement.right, statement.left, at.lookup())};
 }
 
+// What the terms that a proof derived are worth at a point.
+template <class S>
+struct At {
+  using Number = S;
+  Sample<S> * symbols;
+
+  [[nodiscard]] static S number(const Rational& value) { return S(value); }
+  [[nodiscard]] S pi() const { return (*symbols)("pi"); }
+  [[nodiscard]] static S reciprocal(const S& value) { return S(1) / value; }
+  [[nodiscard]] static S cosine(const kernel::Term& argument, auto& entries) {
+    return cos(entries(argument)[0]);
+  }
+  [[nodiscard]] static S sine(const kernel::Term& argument, auto& entries) {
+    return sin(entries(argument)[0]);
+  }
+  [[nodiscard]] std::vector<S> atom(const kernel::Term& term, auto& entries) const {
+    if (term.kind() == kernel::Kind::defined) {
+      return entries(term.definition().unfolded(term.parts()));
+    }
+    return {(*symbols)(term.name())};
+  }
+};
+
+template <class S>
+Sides<S> sides(const Decided& decided, Sample<S>& at) {
+  if (decided.statement) {
+    return sides(*decided.statement, at);
+  }
+  kernel::Entrywise<At<S>> entries({&at});
+  const auto column = [&](const kernel::Term& term) {
+    const std::vector<S>& values = entries(term);
+    return Value<S>(Eigen::Map<const Value<S>>(values.data(), static_cast<Eigen::Index>(values.size()), 1));
+  };
+  return {column(decided.left), column(decided.right)};
+}
+
 // The claim's formulas at one point, exactly.
 struct ExactSides {
   ExactPoint point;
   Sample<Exact> at;
-  ExactValues derived_at;
 
   ExactSides(const Replacements& given, unsigned seed)
-      : point(seed),
-        at(given, [this](const std::string& name) { return point.symbol(name); }),
-        derived_at(at.lookup()) {}
+      : point(seed), at(given, [this](const std::string& name) { return point.symbol(name); }) {}
 
   // Whether they are equal.
   [[nodiscard]] bool operator()(const Decided& decided) {
-    if (decided.statement) {
-      const Sides<Exact> here = sides(*decided.statement, at);
-      return std::equal(here.left.data(), here.left.data() + here.left.size(), here.right.data(),
-                        [](const Exact& a, const Exact& b) { return a.value() == b.value(); });
-    }
-    return std::equal(decided.left.data(), decided.left.data() + decided.left.size(), decided.right.data(),
-                      [this](const ex& a, const ex& b) { return derived_at(a) == derived_at(b); });
+    const Sides<Exact> here = sides(decided, at);
+    return std::equal(here.left.data(), here.left.data() + here.left.size(), here.right.data(),
+                      [](const Exact& a, const Exact& b) { return a.value() == b.value(); });
   }
 };
 
@@ -86,13 +113,7 @@ struct BallSides {
   BallSides(const Replacements& given, unsigned seed, const std::vector<Coordinate>& fixed = {})
       : point(seed), at(given, real_values(point, fixed)) {}
 
-  [[nodiscard]] Sides<Ball> operator()(const Decided& decided) {
-    if (decided.statement) {
-      return sides(*decided.statement, at);
-    }
-    const auto value = [this](const ex& e) { return evaluate(e, at.lookup()); };
-    return {decided.left.unaryExpr(value), decided.right.unaryExpr(value)};
-  }
+  [[nodiscard]] Sides<Ball> operator()(const Decided& decided) { return sides(decided, at); }
 };
 
 bool disjoint(const Sides<Ball>& at) {
@@ -136,9 +157,8 @@ std::string name_of(const Decided& decided) {
 }
 
 // How many rational points agree with the verdict on all formulas.
-int confirmed_exactly(const Claim& claim, const std::vector<Decided>& all) {
+int confirmed_exactly(const Claim& claim, const std::vector<Decided>& all, bool proved) {
   const Given given(claim);
-  const bool proved = all.front().truth == Truth::proved;
   int confirmed = 0;
   for (unsigned draw = 0; draw < draws && confirmed < exact_points; ++draw) {
     ExactSides at(given.values, seed_of(claim) + draw);
@@ -230,10 +250,10 @@ std::vector<Decided> of_closed_form(const Claim& claim) {
       const Statement& assumed = assumption.statement;
       if (assumed.during && assumed.left.op() == Op::derivative) {
         const Statement here = motion.with_motions({assumed.left, assumed.right, Relation::equal});
-        result.push_back({here, {}, {}, Truth::proved});
+        result.push_back({here});
       } else if (assumed.left.op() == Op::function && assumed.left.name() == "Z") {
         const Replacements then{{"t", assumed.left.arguments().front()}};
-        result.push_back({equation(substitute(printed.right, then), assumed.right), {}, {}, Truth::proved});
+        result.push_back({equation(substitute(printed.right, then), assumed.right)});
       }
     }
   }
@@ -245,15 +265,14 @@ std::vector<Decided> formulas(const Claim& claim, const Outcome& outcome, bool w
   if (outcome.verdict.truth == Truth::proved) {
     result = of_closed_form(claim);
   }
-  std::copy_if(outcome.decided.begin(), outcome.decided.end(), std::back_inserter(result),
-               [&](const Decided& one) { return one.truth == outcome.verdict.truth; });
+  result.insert(result.end(), outcome.decided.begin(), outcome.decided.end());
   if (with_printed && outcome.verdict.truth == Truth::proved) {
     for (const Statement& printed : claim.printed) {
       const bool done = std::any_of(result.begin(), result.end(), [&](const Decided& one) {
         return one.statement && equal(*one.statement, printed);
       });
       if (!done && printed.relation == Relation::equal && can_be_evaluated(printed)) {
-        result.push_back({printed, {}, {}, Truth::proved});
+        result.push_back({printed});
       }
     }
   }
@@ -292,7 +311,7 @@ int confirmed_at_premises(Prover& prover, const Claim& claim, const Outcome& out
 }  // namespace
 
 bool fails_at(const Claim& claim, const Statement& statement, const Witness& witness) {
-  return fails_at(claim, {statement, {}, {}, Truth::refuted}, witness);
+  return fails_at(claim, Decided{statement}, witness);
 }
 
 CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcome) {
@@ -320,7 +339,7 @@ CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcom
     return result;
   }
   try {
-    result.exact_points = confirmed_exactly(claim, all);
+    result.exact_points = confirmed_exactly(claim, all, proved);
   } catch (const NoExactValue& reason) {
     result.unchecked = reason.what();
   }

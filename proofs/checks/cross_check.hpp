@@ -5,7 +5,6 @@
 // 2. In balls, at random real parameters and times, by the model's templates: what is proved must contain
 //    zero in balls that are small; the two sides of what is refuted must be disjoint at the witness.
 // What holds only under equations is evaluated at points where these hold, in balls (premise_point.hpp).
-// Formulas are evaluated as terms, not through GiNaC, except those that GiNaC derived.
 #pragma once
 
 #include "proofs/methods/prover.hpp"

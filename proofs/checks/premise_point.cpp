@@ -214,7 +214,7 @@ struct PremisePoint::Point {
     });
   }
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
-    return evaluate(hypothesis.nonzero, lookup()).is_nonzero();
+    return evaluate<Ball>(hypothesis.nonzero, lookup())(0, 0).is_nonzero();
   }
   [[nodiscard]] bool is_in_domain() const {
     return std::ranges::all_of(vocabulary_here().domain(),

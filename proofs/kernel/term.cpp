@@ -1,6 +1,8 @@
 #include "proofs/kernel/term.hpp"
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 #include <unordered_map>
 
 #include "proofs/kernel/rule.hpp"
@@ -238,14 +240,15 @@ void require_complete(const Node& node) {
   require(node.definition.has_value() == (node.kind == Kind::defined), "a term lacks its definition");
 }
 
-// The nodes of this thread that are alive, by hash. What is built alike, hints included, is one node: then
-// most comparisons are of two pointers.
+// Nodes that are alive, by hash, in all threads. What is built alike, hints included, is one node: then most
+// comparisons are of two pointers.
 class Pool {
  public:
   // The node that is built alike, if there is one; else the one that `make` makes of it, which makes no
   // other.
   template <class Make>
   [[nodiscard]] std::shared_ptr<const Node> shared(const Node& node, const Make& make) {
+    const std::lock_guard alone(mutex_);
     const auto [first, last] = nodes_.equal_range(node.hash);
     auto dead = last;
     for (auto one = first; one != last; ++one) {
@@ -269,7 +272,7 @@ class Pool {
   }
 
  private:
-  static constexpr std::size_t fewest = 100000;
+  static constexpr std::size_t fewest = 2000;
 
   static bool alike(const Node& a, const Node& b) {
     return a.kind == b.kind && a.row == b.row && a.column == b.column && a.binds == b.binds &&
@@ -277,6 +280,7 @@ class Pool {
            std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), Node::is_same);
   }
 
+  std::mutex mutex_;
   std::unordered_multimap<std::uint64_t, std::weak_ptr<const Node>> nodes_;
   std::size_t limit_ = fewest;
 };
@@ -298,8 +302,8 @@ Term Node::make(Node node) {
     }
   }
   node.hash = hash_of(node);
-  static thread_local Pool pool;
-  return Term(pool.shared(node, [&] {
+  static std::array<Pool, 64> pools;  // so that threads seldom wait for one another
+  return Term(pools[node.hash % pools.size()].shared(node, [&] {
     node.variables = variables_of(node);
     node.loose = node.kind == Kind::bound ? node.value->value().get_num().get_si() + 1 : 0;
     node.depth = 1;

@@ -11,7 +11,6 @@
 #include "core/verdict.hpp"
 #include "proofs/kernel/theorem.hpp"
 #include "proofs/symbols/term.hpp"
-#include "symbolic/algebra/decide.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -56,10 +55,10 @@ struct Assumption {
 
 // Something that a proof divided by: it holds where this is not zero.
 struct Hypothesis {
-  GiNaC::ex nonzero;   // what must not vanish
-  std::string text;    // "omega - omega1 != 0"
-  std::string latex;   // the same
-  std::string origin;  // the id of the claim whose proof divided by it
+  symbols::Term nonzero;  // what must not vanish: a polynomial in symbols, cosines and sines
+  std::string text;       // "omega - omega1 != 0"
+  std::string latex;      // the same
+  std::string origin;     // the id of the claim whose proof divided by it
   // Whether who reads the formulas sees it (visible.hpp). Filled in by the Prover.
   bool visible = false;
 };
@@ -74,12 +73,11 @@ struct Comparison {
   Verdict verdict;  // proved: the printed value is the correctly rounded one
 };
 
-// An equation that a proof had decided by normal form, with what the claim assumes to be "symbol = value" put
-// in: in terms, or two matrices that it derived.
+// An equation that is proved, or refuted, as the claim is: as printed, with what the claim assumes to be
+// "symbol = value" put in, or of two terms that its proof derived.
 struct Decided {
-  std::optional<symbols::Statement> statement;
-  symbolic::algebra::Matrix left, right;
-  Truth truth = Truth::undecided;
+  std::optional<symbols::Statement> statement = {};
+  kernel::Term left = 0, right = 0;
 };
 
 // How two further engines looked at a verdict (cross_check.hpp).
@@ -138,10 +136,7 @@ struct Claim {
   std::vector<Assumption> assumptions = {};      // "if", as the paper states it
   // Of a claim in words: what these suppose and no assumption says. Its theorems may rest on that.
   kernel::Formulas supposed = {};
-  Proof prove = {};  // none for a model equation
-  // In the place of a proof: a computation that needs neither other claims nor theorems, whose tactics use
-  // GiNaC, so that it may go on in another thread while others are proved.
-  std::function<Outcome()> compute = {};
+  Proof prove = {};  // none for a model equation; of several claims at a time, each in a thread of its own
   // The other direction, where the paper presents what it deduces as equivalent: the premises from the
   // printed.
   Proof prove_converse = {};

@@ -87,51 +87,12 @@ void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim) {
   if (outcome.verdict.truth != Truth::undecided) {
     return;
   }
-  if (!vocabulary_here().is_of_model()) {  // symbolic/ knows the oscillator's symbols alone
+  for (const Statement& doubted : outcome.doubted.empty() ? claim.printed : outcome.doubted) {
     for (const Statement& printed : claim.printed) {
-      if (const auto refuted = refuted_at_point(prover, claim, printed)) {
-        outcome = *refuted;
+      if (auto refuted = refuted_at_point(prover, claim, printed, {}, doubted)) {
+        outcome = *std::move(refuted);
         return;
       }
-    }
-    return;
-  }
-  const WorkingPrecision precision(256);
-  Scene scene;
-  std::vector<Statement> holding;
-  for (const Assumption& assumption : claim.assumptions) {
-    holding.push_back(assumption.statement);
-    if (is_substitution(assumption)) {
-      scene.values.push_back(assumption.statement);
-    }
-  }
-  for (const Statement& equation : std::vector<Statement>(outcome.doubted)) {
-    Outcome decision;
-    try {
-      decide(decision, claim, equation);
-    } catch (const GiNaC::pole_error&) {
-      continue;  // it divides by zero
-    }
-    if (decision.verdict.truth != Truth::refuted) {
-      continue;
-    }
-    // There the equation fails; whether what is printed does is for the kernel to say.
-    scene.point = decision.verdict.witness->point;
-    for (const Statement& printed : claim.printed) {
-      Outcome refuted = decision;
-      refute(refuted, prover, scene, holding, {printed});
-      if (refuted.verdict.truth == Truth::refuted) {
-        refuted.route =
-            "values with which all that is assumed holds and what is printed does not, in balls; equations "
-            "by normal form, motions by their closed form";
-        refuted.hypotheses.clear();  // the theorem has none
-        refuted.free.clear();
-        outcome = refuted;
-        return;
-      }
-      outcome.verdict = Verdict::undecided(
-          fmt::format("{} is false at a point at which the assumptions are not known to hold: {}",
-                      text(equation), refuted.verdict.reason));
     }
   }
 }

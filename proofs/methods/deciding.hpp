@@ -1,5 +1,5 @@
-// What the methods of proof share: statements evaluated under a claim's assumptions, decided by normal form,
-// and everything that took recorded in an outcome.
+// What the methods of proof share: what a claim's assumptions give, and what a proof took recorded in its
+// outcome.
 #pragma once
 
 #include <map>
@@ -8,8 +8,6 @@
 
 #include "proofs/methods/claim.hpp"
 #include "proofs/methods/methods.hpp"
-#include "proofs/symbols/meaning.hpp"
-#include "symbolic/algebra/decide.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -27,8 +25,6 @@ struct Given {
 
   // Throws InternalError if one would have a value in terms of itself.
   explicit Given(const Claim& claim);
-  // Refers to this object, which has to outlive it.
-  [[nodiscard]] symbols::Lookup<GiNaC::ex> lookup() const;
 
  private:
   [[nodiscard]] bool leads_to(const symbols::Term& term, const std::string& name) const;
@@ -38,17 +34,8 @@ struct Given {
 [[nodiscard]] std::vector<symbols::Statement> statements_of(Prover& prover, const Claim& claim,
                                                             const Premise& premise);
 
-// Adds the claim's substitutions that the term depends on, and the claims that define what it speaks of.
-void record_assumptions(Outcome& outcome, const Claim& claim, const symbols::Term& term);
+// Adds the claims that define what the term speaks of.
 void record_definitions(Outcome& outcome, const Claim& claim, const symbols::Term& term);
-
-// Adds the hypothesis that the factor does not vanish, in terms of the parameters.
-void record_nonzero(Outcome& outcome, const Claim& claim, const GiNaC::ex& factor);
-
-// Sets the verdict on left = right and adds what that took to the outcome.
-void decide(Outcome& outcome, const Claim& claim, const symbolic::algebra::Matrix& left,
-            const symbolic::algebra::Matrix& right);
-void decide(Outcome& outcome, const Claim& claim, const symbols::Statement& statement);
 
 // Where the outcome is undecided: refuted, if it is a theorem that there are values with which all that the
 // claim assumes holds and an equation that the outcome doubts does not (counterexample.cpp).

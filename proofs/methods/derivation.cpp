@@ -5,13 +5,10 @@
 #include <utility>
 
 #include "proofs/methods/deciding.hpp"
+#include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/estimate.hpp"
-#include "symbolic/algebra/evaluate.hpp"
-#include "symbolic/algebra/hypotheses.hpp"
-#include "symbolic/algebra/normal_form.hpp"
-#include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -226,34 +223,26 @@ Theorem Derivation::settled(Theorem theorem) {
   return without_divisors(theorem);
 }
 
-namespace {
-
-// With the oscillator's domain taken into account, which symbolic/ knows; of other papers all of it.
-std::vector<GiNaC::ex> factors_that_may_vanish(const GiNaC::ex& divisor) {
-  if (symbols::vocabulary_here().is_of_model()) {
-    return symbolic::algebra::vanishing_factors(divisor);
+Term Derivation::with_values(Term term) const {
+  for (std::size_t k = 0; k < given_.size(); ++k) {  // each value may speak of others
+    for (const Given& one : given_) {
+      term = occurs(one.symbol(), term) ? replaced(term, one.symbol(), one.value()) : term;
+    }
   }
-  return GiNaC::is_a<GiNaC::numeric>(divisor) ? std::vector<GiNaC::ex>{} : std::vector<GiNaC::ex>{divisor};
+  return term;
 }
 
-// The hypothesis that the factor does not vanish, as it reads with the values that the claim gives. Throws
-// KernelError where it is zero with these: then the theorem is of nothing.
-void record_under_given(Outcome& outcome, const Claim& claim, const GiNaC::ex& factor) {
-  GiNaC::exmap values;
-  const stickslip::proofs::methods::Given given(claim);
-  for (const auto& value : given.values) {
-    values[symbols::symbolically()(value.first)] = given.lookup()(value.first);
-  }
-  const GiNaC::ex here = factor.subs(values, GiNaC::subs_options::no_pattern);
-  if (here.is_equal(factor)) {
-    record_nonzero(outcome, claim, factor);
-    return;
-  }
-  if (here.normal().is_zero()) {
-    throw ZeroDivisor("what is divided by is zero where the claim's assumptions hold");
-  }
-  for (const GiNaC::ex& part : factors_that_may_vanish(here)) {
-    record_nonzero(outcome, claim, part);
+namespace {
+
+bool is_zero(const Term& number) {
+  try {
+    if (seems_zero({number}, {})) {
+      static_cast<void>(Theorem::combination(equal(number, 0)));
+      return true;
+    }
+    return false;
+  } catch (const KernelError&) {
+    return false;
   }
 }
 
@@ -274,16 +263,19 @@ void Derivation::record(Outcome& outcome, const Theorem& theorem, const Formulas
     if (!is_divisor(one)) {
       throw KernelError("it rests on what the claim does not assume: " + to_string(one));
     }
-    const GiNaC::ex divisor = expression(one.parts()[0].parts()[0])(0, 0);
-    if (divisor.normal().is_zero()) {
+    const Term here = with_values(one.parts()[0].parts()[0]);
+    const Term divisor = unfold(here, openings({here}).in_parameters());
+    if (is_zero(divisor)) {
       throw ZeroDivisor("what is divided by is zero: " + to_string(one.parts()[0].parts()[0]));
     }
-    const auto factors = factors_that_may_vanish(divisor);
-    if (factors.empty()) {
-      throw KernelError("not discharged: " + to_string(one));
-    }
-    for (const GiNaC::ex& factor : factors) {
-      record_under_given(outcome, claim_, factor);
+    const Theorem simpler = nonzero(Theorem::assume(differ(divisor, 0)), domain_, stated_nonzero_);
+    for (const Formula& factor : simpler.hypotheses()) {
+      if (const auto assumed = assumed_.find(factor); assumed != assumed_.end()) {
+        outcome.assumed.insert(assumed->second);
+      } else if (is_divisor(factor)) {
+        outcome.hypotheses =
+            joined(outcome.hypotheses, {hypothesis(factor.parts()[0].parts()[0], claim_.id)});
+      }
     }
   }
 }
@@ -346,10 +338,6 @@ Outcome derived(const std::string& route, Prover& prover, const Claim& claim, co
   } catch (const KernelError& error) {
     open(error);
   } catch (const NoValue& error) {
-    open(error);
-  } catch (const symbolic::algebra::OutsideField& error) {
-    open(error);
-  } catch (const GiNaC::pole_error& error) {
     open(error);
   }
   outcome.route = route;

@@ -11,7 +11,7 @@
 
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/openings.hpp"
-#include "proofs/methods/translation.hpp"
+#include "proofs/methods/reading.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::methods {
@@ -27,8 +27,8 @@ class Derivation {
   [[nodiscard]] kernel::Term read(const symbols::Term& printed) { return read_(printed); }
   [[nodiscard]] kernel::Formula read(const symbols::Statement& statement) { return read_(statement); }
 
-  // A rational function of scalars, their cosines and sines.
-  [[nodiscard]] kernel::Term read(const GiNaC::ex& scalar) { return term_of(scalar, read_); }
+  // With the given values put in ("tau = pi/omega") wherever their symbols stand.
+  [[nodiscard]] kernel::Term with_values(kernel::Term term) const;
 
   // The claim's assumptions.
   [[nodiscard]] kernel::Formulas assumed() const;

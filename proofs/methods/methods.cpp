@@ -9,14 +9,14 @@
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/rewrite.hpp"
+#include "proofs/symbols/meaning.hpp"
+#include "proofs/tactics/letters.hpp"
 
 namespace stickslip::proofs::methods {
 
 using namespace symbols;
 
 namespace {
-
-using GiNaC::ex;
 
 const char * const normal_form_route = "both sides have the same normal form, for all values of the symbols";
 
@@ -40,6 +40,7 @@ void join(Outcome& outcome, const Outcome& further) {
   outcome.hypotheses = joined(outcome.hypotheses, further.hypotheses);
   outcome.uses.insert(further.uses.begin(), further.uses.end());
   outcome.assumed.insert(further.assumed.begin(), further.assumed.end());
+  outcome.decided.insert(outcome.decided.end(), further.decided.begin(), further.decided.end());
 }
 
 Outcome by_normal_form(Prover& prover, const Claim& claim, const std::vector<Statement>& meaning) {
@@ -66,27 +67,11 @@ Proof by_normal_form(std::vector<Statement> meaning) {
   };
 }
 
-namespace {
-
-Outcome compared(const Claim& claim, const std::vector<Derived>& all) {
-  Outcome outcome;
-  std::vector<Verdict> verdicts;
-  for (const Derived& derived : all) {
-    record_definitions(outcome, claim, derived.stated);
-    decide(outcome, claim, derived.value, evaluate<ex>(derived.stated, symbolically()));
-    verdicts.push_back(outcome.verdict);
-  }
-  outcome.verdict = all_of(verdicts);
-  return outcome;
-}
-
-}  // namespace
-
-Proof by_derivation(const std::string& route, std::function<std::vector<Derived>()> derive) {
-  return [route, derive = std::move(derive)](Prover& prover, const Claim& claim) {
+Proof by_derivation(const std::string& route, Compare compare) {
+  return [route, compare = std::move(compare)](Prover& prover, const Claim& claim) {
     Outcome outcome = by_normal_form(prover, claim, {});
     outcome.route = route;
-    join(outcome, compared(claim, derive()));
+    join(outcome, compared(route, prover, claim, compare));
     return outcome;
   };
 }
@@ -113,7 +98,7 @@ Outcome compared(const std::string& route, Prover& prover, const Claim& claim, c
         outcome.theorems.push_back(derivation.settled(derivation.combination(entry)));
         derivation.record(outcome, outcome.theorems.back());
       }
-      outcome.decided.push_back({std::nullopt, expression(left), expression(right), Truth::proved});
+      outcome.decided.push_back({.left = left, .right = right});
     }
     outcome.by_kernel = true;
     outcome.verdict = Verdict::proved();
@@ -170,12 +155,12 @@ struct Rules {
 };
 
 // A^{-1} A = I.
-Rule cancellation(const Claim& claim, const Term& square, const Lookup<ex>& lookup) {
+Rule cancellation(const Claim& claim, const Term& square, const Scalars& scalars) {
   for (const Assumption& assumption : claim.assumptions) {
     const Statement& stated = assumption.statement;
     if (stated.relation == Relation::not_equal && equal(stated.left, determinant(square)) &&
         stated.right.is_zero()) {
-      return {polynomial(inverse(square) * square, lookup).begin()->first, {{{}, 1}}};
+      return {polynomial(inverse(square) * square, scalars).begin()->first, {{{}, 1}}};
     }
   }
   throw InternalError(
@@ -183,12 +168,12 @@ Rule cancellation(const Claim& claim, const Term& square, const Lookup<ex>& look
 }
 
 // Adds the statements of a premise that can be solved for what it is to be solved for; at least one.
-void add_rules(Rules& known, Prover& prover, const Claim& claim, const Premise& premise) {
-  const Given given(claim);
+void add_rules(Rules& known, Prover& prover, const Claim& claim, const Scalars& scalars,
+               const Premise& premise) {
   if (premise.factor) {
-    known.rules.push_back(cancellation(claim, *premise.factor, given.lookup()));
+    known.rules.push_back(cancellation(claim, *premise.factor, scalars));
     known.sources.emplace_back();
-    collect_letters(inverse(*premise.factor) * *premise.factor, given.lookup(), known.letters);
+    collect_letters(inverse(*premise.factor) * *premise.factor, scalars, known.letters);
   }
   const std::vector<Rule> simplifying = known.rules;
   const std::vector<Statement> statements = statements_of(prover, claim, premise);
@@ -199,12 +184,12 @@ void add_rules(Rules& known, Prover& prover, const Claim& claim, const Premise& 
       statement = {left * statement.left,
                    statement.right.is_zero() ? statement.right : left * statement.right, statement.relation};
     }
-    const Polynomial lead = polynomial(premise.lead.value_or(statement.left), given.lookup());
-    if (auto rule = solve(residual(statement, given.lookup()), lead, simplifying)) {
+    const Polynomial lead = polynomial(premise.lead.value_or(statement.left), scalars);
+    if (auto rule = solve(residual(statement, scalars), lead, simplifying)) {
       known.rules.push_back(*std::move(rule));
       known.sources.emplace_back(Source{premise, i});
-      collect_letters(statement.left, given.lookup(), known.letters);
-      collect_letters(statement.right, given.lookup(), known.letters);
+      collect_letters(statement.left, scalars, known.letters);
+      collect_letters(statement.right, scalars, known.letters);
     }
   }
   if (known.rules.size() == simplifying.size()) {
@@ -214,19 +199,20 @@ void add_rules(Rules& known, Prover& prover, const Claim& claim, const Premise& 
 }
 
 // What a trace took away, as multiples of the residuals of what the rules come from.
-using Summands = std::map<std::tuple<Word, std::size_t, Word>, ex>;
+using Summands = std::map<std::tuple<Word, std::size_t, Word>, kernel::Term>;
 
 Word operator+(Word a, const Word& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-void add_trace(Summands& sum, const Rules& known, const std::vector<Application>& trace, const ex& factor,
-               const Word& before, const Word& after) {
+void add_trace(Summands& sum, const Rules& known, const std::vector<Application>& trace,
+               const kernel::Term& factor, const Word& before, const Word& after) {
   for (const Application& one : trace) {
     const Rule& rule = known.rules[one.rule];
-    const ex scaled = factor * one.coefficient / rule.scale;
-    sum[{before + one.before, one.rule, one.after + after}] += scaled;
+    const kernel::Term scaled = factor * one.coefficient * kernel::Term(Rational(1 / rule.scale));
+    auto& total = sum.try_emplace({before + one.before, one.rule, one.after + after}, 0).first->second;
+    total = total + scaled;
     add_trace(sum, known, rule.trace, -scaled, before + one.before, one.after + after);
   }
 }
@@ -247,11 +233,11 @@ kernel::Theorem by_trace(Derivation& derivation, const Rules& known, const State
   std::vector<kernel::Multiple> multiples;
   for (const auto& [place, coefficient] : sum) {
     const auto& [before, rule, after] = place;
-    const ex scale = coefficient.normal();
-    if (scale.is_zero()) {
+    const kernel::Term scale = tactics::quotient(coefficient, 1);
+    if (scale == kernel::Term(0)) {
       continue;
     }
-    kernel::Term left = derivation.read(scale) * product(before);
+    kernel::Term left = scale * product(before);
     const kernel::Term right = product(after);
     const auto& source = known.sources[rule];
     if (!source) {
@@ -281,15 +267,17 @@ Proof by_rewriting(std::vector<Premise> premises) {
                    [premises = std::move(premises)](Derivation& derivation, std::size_t which) {
                      const Claim& claim = derivation.claim();
                      const Statement& printed = claim.printed[which];
-                     const Given given(claim);
+                     const Scalars scalars = [&](const Term& number) {
+                       return tactics::quotient(derivation.with_values(derivation.read(number)), 1);
+                     };
                      Rules known;
                      for (const Premise& premise : premises) {
-                       add_rules(known, derivation.prover(), claim, premise);
+                       add_rules(known, derivation.prover(), claim, scalars, premise);
                      }
                      for (const Term& side : {printed.left, printed.right}) {
-                       collect_letters(side, given.lookup(), known.letters);
+                       collect_letters(side, scalars, known.letters);
                      }
-                     const Rewritten rewritten = rewrite(residual(printed, given.lookup()), known.rules);
+                     const Rewritten rewritten = rewrite(residual(printed, scalars), known.rules);
                      if (!rewritten.rest.empty()) {
                        throw kernel::KernelError("the premises leave " + text(rewritten.rest));
                      }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "proofs/methods/claim.hpp"
-#include "symbolic/algebra/decide.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -22,13 +21,6 @@ class Derivation;
 // The same, and also for these equations, which say what the printed ones, or the words, mean.
 [[nodiscard]] Proof by_normal_form(std::vector<symbols::Statement> meaning);
 
-// The printed equations hold identically, and what they speak of comes out of a derivation that shares no
-// formula with the model.
-struct Derived {
-  symbolic::algebra::Matrix value;
-  symbols::Term stated;
-};
-[[nodiscard]] Proof by_derivation(const std::string& route, std::function<std::vector<Derived>()> derive);
 // Where nothing is printed: terms that are equal by normal form, numbers or matrices of them; a variable is
 // the symbol of its name. A theorem of the kernel for each entry.
 struct Equal {
@@ -37,6 +29,9 @@ struct Equal {
 using Compare = std::function<std::vector<Equal>(Derivation&)>;
 [[nodiscard]] Outcome compared(const std::string& route, Prover& prover, const Claim& claim,
                                const Compare& compare);
+// The printed equations hold identically, and what they speak of comes out of a derivation that shares no
+// formula with the model: the same.
+[[nodiscard]] Proof by_derivation(const std::string& route, Compare derive);
 
 // A premise of a proof by rewriting: a claim, or one of the claim's own assumptions, with symbols of time
 // replaced (from("5").at("t", tau - t)), solved for its left side or for another product of letters.

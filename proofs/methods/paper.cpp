@@ -76,7 +76,7 @@ bool all_hold_at(const Example& example, const Record& record) {
   const std::vector<Coordinate> data = data_of(example);
   return std::ranges::all_of(record.outcome.hypotheses, [&](const Hypothesis& one) {
     try {
-      return symbols::evaluate(one.nonzero, symbols::at_point(data)).is_nonzero();
+      return symbols::evaluate<Ball>(one.nonzero, symbols::at_point(data))(0, 0).is_nonzero();
     } catch (const InternalError&) {
       return false;  // it speaks of more than the data
     }

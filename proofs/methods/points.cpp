@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "proofs/methods/deciding.hpp"
+#include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/tactics/estimate.hpp"
 #include "proofs/tactics/letters.hpp"
@@ -14,42 +16,6 @@ namespace stickslip::proofs::methods {
 
 using namespace kernel;
 using symbols::Statement;
-
-symbols::Term printed_term(const Term& term) {
-  const auto part = [&](std::size_t k) { return printed_term(term.parts()[k]); };
-  switch (term.kind()) {
-    case kernel::Kind::variable:
-      return symbols::scalar(term.name());
-    case kernel::Kind::number:
-      return symbols::Term(term.value());
-    case kernel::Kind::pi:
-      return symbols::pi();
-    case kernel::Kind::sum: {
-      symbols::Term sum = part(0);
-      for (std::size_t k = 1; k < term.parts().size(); ++k) {
-        sum = sum + part(k);
-      }
-      return sum;
-    }
-    case kernel::Kind::product:
-      return part(0) * part(1);
-    case kernel::Kind::power:
-      return symbols::power(part(0), static_cast<int>(term.value().get_num().get_si()));
-    case kernel::Kind::inverse:
-      return 1 / part(0);
-    case kernel::Kind::cosine:
-      return symbols::cos(part(0));
-    case kernel::Kind::sine:
-      return symbols::sin(part(0));
-    case kernel::Kind::defined:
-      if (term.type().is_scalar()) {
-        return symbols::scalar(term.definition().name());
-      }
-      [[fallthrough]];
-    default:
-      throw symbols::NoValue("no print: " + to_string(term));
-  }
-}
 
 namespace {
 
@@ -170,6 +136,13 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
                                  std::size_t choice) {
   Unknowns result;
   Substitution given;
+  std::set<std::string> stated;
+  for (const Assumption& one : derivation.claim().assumptions) {
+    if (is_substitution(one)) {
+      stated.insert(one.statement.left.name());
+      result.values.push_back(one.statement);
+    }
+  }
   const auto solutions = solved_in_turn(derivation, choice, false);
   if (!solutions) {
     return std::nullopt;
@@ -177,11 +150,8 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
   for (const Theorem& one : *solutions) {
     const Term &letter = one.conclusion().parts()[0], &value = one.conclusion().parts()[1];
     given.emplace(Variable{letter.name()}, value);
-    result.values.push_back(symbols::equation(printed_term(letter), printed_term(value)));
-  }
-  for (const Assumption& one : derivation.claim().assumptions) {  // of what has a formula: chi = 1/2
-    if (is_substitution(one) && derivation.read(one.statement.left).kind() != kernel::Kind::variable) {
-      result.values.push_back(one.statement);
+    if (!stated.contains(letter.name())) {
+      result.values.push_back(symbols::equation(printed_term(letter), printed_term(value)));
     }
   }
   const auto put_in = [&](Term formula) {
@@ -191,7 +161,9 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
     return formula;
   };
   for (const Formula& one : derivation.assumed()) {
-    result.conditions.push_back(put_in(one));
+    if (std::ranges::all_of(one.variables(), [](const Variable& x) { return x.type == real_number; })) {
+      result.conditions.push_back(put_in(one));
+    }
   }
   const auto draw_all_of = [&](const Formula& formula) {
     result.drawn.insert(formula.variables().begin(), formula.variables().end());
@@ -227,9 +199,14 @@ std::optional<std::vector<Theorem>> solved_in_turn(Derivation& derivation, std::
       equation = tactics::by_rewriting(equation, before);
     }
     std::vector<Theorem> ways;
-    try {
-      ways = solved(derivation, equation);
-    } catch (const KernelError&) {  // it divides by what is zero
+    const Term &left = equation.conclusion().parts()[0], &right = equation.conclusion().parts()[1];
+    if (!any_letter && left.kind() == kernel::Kind::variable && !occurs(left, right)) {
+      ways = {equation};
+    } else {
+      try {
+        ways = solved(derivation, equation);
+      } catch (const KernelError&) {  // it divides by what is zero
+      }
     }
     if (!any_letter) {
       std::erase_if(ways, [](const Theorem& way) {
@@ -252,12 +229,10 @@ std::vector<Statement> assumed_statements(const Claim& claim) {
   return result;
 }
 
-Claim with_hypotheses(Prover& prover, const Claim& claim, const std::vector<Hypothesis>& hypotheses) {
+Claim with_hypotheses(const Claim& claim, const std::vector<Hypothesis>& hypotheses) {
   Claim result = claim;
-  Derivation derivation(prover, claim);
   for (const Hypothesis& one : hypotheses) {
-    result.assumptions.push_back(
-        {"hypothesis", {printed_term(derivation.read(one.nonzero)), 0, symbols::Relation::not_equal}});
+    result.assumptions.push_back({"hypothesis", {one.nonzero, 0, symbols::Relation::not_equal}});
   }
   return result;
 }
@@ -297,11 +272,12 @@ namespace {
 // The first scene at which the kernel says so, with its theorem: all of `holding`, and not `failing`.
 std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Claim& claim,
                                                        const std::vector<Statement>& holding,
-                                                       const std::optional<Statement>& failing) {
+                                                       const std::optional<Statement>& failing,
+                                                       const std::optional<Statement>& doubted = {}) {
   constexpr std::size_t most_attempts = 12;
   const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
   try {
-    for (const Scene& scene : scenes(prover, claim, failing, most_attempts)) {
+    for (const Scene& scene : scenes(prover, claim, doubted ? doubted : failing, most_attempts)) {
       try {
         return std::pair(scene, refutation(prover, scene, holding, failed));
       } catch (const KernelError&) {
@@ -317,25 +293,26 @@ std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Cla
 }  // namespace
 
 std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
-                                        const std::optional<Statement>& where) {
+                                        const std::optional<Statement>& where,
+                                        const std::optional<Statement>& doubted) {
   Claim there = claim;
   if (where) {
     there.assumptions.push_back({"where", *where});
   }
-  const auto said = said_at_point(prover, there, assumed_statements(claim), printed);
+  const auto said = said_at_point(prover, there, assumed_statements(claim), printed, doubted);
   if (!said) {
     return std::nullopt;
   }
   Outcome outcome{.theorems = {said->second}, .by_kernel = true};
   outcome.route = "values with which all that is assumed holds and what is printed does not, in balls";
-  outcome.verdict = Verdict::refuted(witness_of(printed, said->first));
+  outcome.verdict = Verdict::refuted(witness_of(doubted.value_or(printed), said->first));
   return outcome;
 }
 
 std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,
                                      const std::vector<Hypothesis>& hypotheses) {
   try {
-    const Claim all = with_hypotheses(prover, claim, hypotheses);
+    const Claim all = with_hypotheses(claim, hypotheses);
     const auto said = said_at_point(prover, all, assumed_statements(all), std::nullopt);
     return said ? std::optional(said->second) : std::nullopt;
   } catch (const symbols::NoValue&) {

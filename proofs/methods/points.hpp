@@ -10,25 +10,22 @@
 
 namespace stickslip::proofs::methods {
 
-// Up to `most` scenes, drawn at random, the same on every run, at which all that the claim assumes holds
-// nearly and `failing`, if it is given, does not. Assumed equations between numbers are solved for one of
-// their symbols each where they are linear in one. None for statements that speak of motions.
+// Up to `most` scenes, drawn at random, the same on every run, at which all that the claim assumes of numbers
+// holds nearly and `failing`, if it is given, does not. Assumed equations between numbers are solved for one
+// of their symbols each where they are linear in one. None where `failing` speaks of motions.
 [[nodiscard]] std::vector<Scene> scenes(Prover& prover, const Claim& claim,
                                         const std::optional<symbols::Statement>& failing, std::size_t most);
 
-// What a claim assumes; and the claim that assumes the hypotheses, too. Throws symbols::NoValue for a
-// hypothesis that has no print.
+// What a claim assumes; and the claim that assumes the hypotheses, too.
 [[nodiscard]] std::vector<symbols::Statement> assumed_statements(const Claim& claim);
-[[nodiscard]] Claim with_hypotheses(Prover& prover, const Claim& claim,
-                                    const std::vector<Hypothesis>& hypotheses);
+[[nodiscard]] Claim with_hypotheses(const Claim& claim, const std::vector<Hypothesis>& hypotheses);
 
-// A number in variables, as it is printed. Throws symbols::NoValue for what has no print.
-[[nodiscard]] symbols::Term printed_term(const kernel::Term& number);
-
-// The statement refuted at such a point, perhaps one where an equation more holds.
+// The statement refuted at such a point, perhaps one where an equation more holds, or one at which `doubted`
+// fails in its place.
 [[nodiscard]] std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim,
                                                       const symbols::Statement& printed,
-                                                      const std::optional<symbols::Statement>& where = {});
+                                                      const std::optional<symbols::Statement>& where = {},
+                                                      const std::optional<symbols::Statement>& doubted = {});
 
 // The assumed equations between numbers, one after the other solved for a letter in which it is linear:
 // letter = value, the letters before put in. A letter is a variable, or a cosine and the like if

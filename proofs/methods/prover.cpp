@@ -6,7 +6,9 @@
 
 #include <algorithm>
 
+#include "core/ball.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/checks/repair.hpp"
@@ -16,9 +18,6 @@
 #include "proofs/methods/refutation.hpp"
 #include "proofs/methods/visible.hpp"
 #include "proofs/symbols/point.hpp"
-#include "symbolic/algebra/hypotheses.hpp"
-#include "symbolic/algebra/signs.hpp"
-#include "symbolic/typeset/latex.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -84,59 +83,10 @@ Outcome taken_as_given(const Claim& claim) {
 std::vector<Hypothesis> open_at(std::vector<Hypothesis> hypotheses, const std::vector<Coordinate>& data) {
   if (!data.empty()) {
     std::erase_if(hypotheses, [&](const Hypothesis& hypothesis) {
-      return evaluate(hypothesis.nonzero, at_point(data)).is_nonzero();
+      return evaluate<Ball>(hypothesis.nonzero, at_point(data))(0, 0).is_nonzero();
     });
   }
   return hypotheses;
-}
-
-// Whether the relation excludes that both sides are equal.
-bool keeps_apart(Relation relation) {
-  return relation == Relation::not_equal || relation == Relation::less || relation == Relation::greater;
-}
-
-// What a claim assumes not to be zero, with all that it assumes put in, and with each of its "symbol = value"
-// alone (Theta may be given both as tau + tau_1 and as 2 pi/omega).
-std::vector<GiNaC::ex> readings(const Claim& claim, const Term& nonzero) {
-  std::vector<GiNaC::ex> result{evaluate<GiNaC::ex>(nonzero, Given(claim).lookup())(0, 0)};
-  for (const Assumption& assumption : claim.assumptions) {
-    if (is_substitution(assumption)) {
-      const Replacements alone{{assumption.statement.left.name(), assumption.statement.right}};
-      result.push_back(evaluate<GiNaC::ex>(substitute(nonzero, alone), symbolically())(0, 0));
-    }
-  }
-  return result;
-}
-
-// Takes away the hypotheses that the claim itself states: where one fails, something is zero that the claim
-// assumes is not.
-void discharge_stated(Outcome& outcome, const Claim& claim) {
-  for (const Assumption& assumption : claim.assumptions) {
-    const Term nonzero = assumption.statement.left - assumption.statement.right;
-    if (outcome.hypotheses.empty() || !keeps_apart(assumption.statement.relation) || !is_in_field(nonzero)) {
-      continue;
-    }
-    const std::vector<GiNaC::ex> stated = readings(claim, nonzero);
-    const auto discharged = std::erase_if(outcome.hypotheses, [&](const Hypothesis& hypothesis) {
-      return std::any_of(stated.begin(), stated.end(), [&](const GiNaC::ex& one) {
-        return symbolic::algebra::vanishes_with(one, hypothesis.nonzero);
-      });
-    });
-    if (discharged > 0) {
-      outcome.assumed.insert(assumption.id);
-    }
-  }
-}
-
-// Takes away the hypotheses that another one contains, as sin(2x) != 0 contains sin(x) != 0.
-void keep_strongest(std::vector<Hypothesis>& hypotheses) {
-  const std::vector<Hypothesis> all = hypotheses;
-  std::erase_if(hypotheses, [&](const Hypothesis& weak) {
-    return std::any_of(all.begin(), all.end(), [&](const Hypothesis& strong) {
-      return strong.text != weak.text && symbolic::algebra::vanishes_with(strong.nonzero, weak.nonzero) &&
-             !symbolic::algebra::vanishes_with(weak.nonzero, strong.nonzero);
-    });
-  });
 }
 
 // Whether it is said that the assumptions contradict one another: 0 > 0.
@@ -171,70 +121,115 @@ std::vector<const Claim *> Prover::before(const std::string& id) const {
   return {in_order_.begin(), std::ranges::find(in_order_, id, &Claim::id)};
 }
 
+std::optional<Prover::Thread> Prover::at_work_on(const std::string& id) const {
+  for (const auto& [thread, ids] : under_way_) {
+    if (std::ranges::find(ids, id) != ids.end()) {
+      return thread;
+    }
+  }
+  return std::nullopt;
+}
+
+bool Prover::comes_back(std::string id) const {
+  for (;;) {
+    const std::optional<Thread> at_work = at_work_on(id);
+    if (!at_work || *at_work == std::this_thread::get_id()) {
+      return at_work.has_value();
+    }
+    const auto awaited = awaited_.find(*at_work);
+    if (awaited == awaited_.end()) {
+      return false;
+    }
+    id = awaited->second;
+  }
+}
+
 const Record& Prover::prove(const std::string& id) {
-  if (const auto known = records_.find(id); known != records_.end()) {
-    return known->second;
+  const Claim& wanted = claim(id);
+  const Thread me = std::this_thread::get_id();
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (const auto known = records_.find(id); known != records_.end()) {
+      return known->second;
+    }
+    if (!at_work_on(id)) {
+      break;
+    }
+    if (comes_back(id)) {
+      throw InternalError(
+          fmt::format("the proof of {} uses itself: {}", id, fmt::join(under_way_.at(me), " -> ")));
+    }
+    awaited_[me] = id;
+    something_is_done_.wait(lock);
+    awaited_.erase(me);
   }
-  if (std::find(under_way_.begin(), under_way_.end(), id) != under_way_.end()) {
-    throw InternalError(fmt::format("the proof of {} uses itself: {}", id, fmt::join(under_way_, " -> ")));
+  under_way_[me].push_back(id);
+  lock.unlock();
+  const auto done = [&] {
+    lock.lock();
+    under_way_[me].pop_back();
+    something_is_done_.notify_all();
+  };
+  try {
+    Record record = proved(wanted);
+    done();
+    return records_.emplace(id, std::move(record)).first->second;
+  } catch (...) {
+    done();
+    throw;
   }
-  under_way_.push_back(id);
-  Record record{claim(id), {}, {}, {}, {}};
-  const Given has_values(record.claim);  // none of which goes in a circle: that would be no end
-  record.outcome = outcome_of(record.claim);
-  look_for_witness(record.outcome, *this, record.claim);
-  if (record.outcome.verdict.truth == Truth::refuted && record.claim.prove_corrected) {
-    Claim reading = record.claim;
+}
+
+Record Prover::proved(const Claim& claim) {
+  Record record{claim, {}, {}, {}, {}};
+  const Given has_values(claim);  // none of which goes in a circle: that would be no end
+  record.outcome = claim.prove ? claim.prove(*this, claim) : taken_as_given(claim);
+  look_for_witness(record.outcome, *this, claim);
+  if (record.outcome.verdict.truth == Truth::refuted && claim.prove_corrected) {
+    Claim reading = claim;
     reading.printed = reading.corrected;
     record.corrected = reading.prove_corrected(*this, reading);
-  } else if (record.outcome.verdict.truth == Truth::refuted && !record.claim.printed.empty()) {
+  } else if (record.outcome.verdict.truth == Truth::refuted && !claim.printed.empty()) {
     repair(*this, record);
   }
-  if (record.claim.prove_converse) {
-    record.converse = record.claim.prove_converse(*this, record.claim);
+  if (claim.prove_converse) {
+    record.converse = claim.prove_converse(*this, claim);
   }
-  const bool premises_stand = inherit(record.corrected ? *record.corrected : record.outcome, record.claim) &&
-                              (!record.converse || inherit(*record.converse, record.claim));
-  confirm(record.outcome, record.claim, record.claim.printed, {});
+  const bool premises_stand = inherit(record.corrected ? *record.corrected : record.outcome, claim) &&
+                              (!record.converse || inherit(*record.converse, claim));
+  confirm(record.outcome, claim, claim.printed, {});
   if (record.corrected) {
-    confirm(*record.corrected, record.claim, record.claim.corrected, record.outcome.theorems);
+    confirm(*record.corrected, claim, record.claim.corrected, record.outcome.theorems);
   }
   if (record.converse) {
-    confirm(*record.converse, record.claim, {}, {});
+    confirm(*record.converse, claim, {}, {});
   }
   record.status = status_of(record, premises_stand);
-  under_way_.pop_back();
-  return records_.emplace(id, std::move(record)).first->second;
+  return record;
 }
 
 void Prover::begin(const std::vector<std::string>& ids) {
-  if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2) {
-    return;
+  const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  left_to_begin_ = ids.size();
+  const std::shared_ptr<const Vocabulary> here(std::shared_ptr<void>(), &vocabulary_here());
+  const long bits = WorkingPrecision::bits();
+  for (std::size_t k = 1; k < threads; ++k) {
+    others_.emplace_back([this, ids, here, bits](const std::stop_token& stop) {
+      const InVocabulary names(here);
+      const WorkingPrecision precision(bits);
+      while (!stop.stop_requested() && !interrupted()) {
+        const std::size_t left = left_to_begin_--;
+        if (left == 0 || left > ids.size()) {
+          return;
+        }
+        try {
+          static_cast<void>(prove(ids[left - 1]));
+        } catch (const std::exception&) {
+          continue;
+        }
+      }
+    });
   }
-  std::vector<std::packaged_task<Outcome()>> tasks;
-  for (const std::string& id : ids) {
-    if (claim(id).compute) {
-      tasks.emplace_back(claim(id).compute);
-      begun_.emplace(id, tasks.back().get_future());
-    }
-  }
-  computing_ = std::async(std::launch::async, [tasks = std::move(tasks)]() mutable {
-    for (std::packaged_task<Outcome()>& task : tasks) {
-      task();
-    }
-  });
-}
-
-Outcome Prover::outcome_of(const Claim& claim) {
-  if (!claim.compute) {
-    return claim.prove ? claim.prove(*this, claim) : taken_as_given(claim);
-  }
-  const auto begun = begun_.find(claim.id);
-  Outcome outcome = begun != begun_.end() ? begun->second.get() : claim.compute();
-  if (claim.prove || !outcome.theorems.empty()) {
-    throw InternalError(claim.id + " is computed, and makes theorems or has a proof");
-  }
-  return outcome;
 }
 
 const kernel::Theorem& Prover::theorem(const std::string& id) {
@@ -342,9 +337,6 @@ bool Prover::inherit(Outcome& outcome, const Claim& claim) {
     for (Hypothesis& own : outcome.hypotheses) {
       own.origin = origin_of(own.text, outcome.uses).value_or(own.origin);
     }
-  } else {
-    discharge_stated(outcome, claim);
-    keep_strongest(outcome.hypotheses);
   }
   for (Hypothesis& one : outcome.hypotheses) {
     one.visible = is_seen(one, claim, this->claim(one.origin));
@@ -358,11 +350,6 @@ const std::vector<Statement>& proved_form(const Record& record) {
 
 const Outcome& final_outcome(const Record& record) {
   return record.corrected ? *record.corrected : record.outcome;
-}
-
-Hypothesis hypothesis(const GiNaC::ex& nonzero, const std::string& origin) {
-  return {nonzero, symbolic::typeset::text(nonzero) + " != 0", symbolic::typeset::latex(nonzero) + " \\neq 0",
-          origin};
 }
 
 std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b) {

@@ -1,11 +1,14 @@
 // Proves claims in the order in which they need each other.
 #pragma once
 
-#include <future>
+#include <atomic>
+#include <condition_variable>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "proofs/methods/claim.hpp"
@@ -16,8 +19,8 @@ class Prover {
  public:
   explicit Prover(const std::vector<Claim>& claims);
 
-  // The record of a claim, proved now unless it was before. Throws InternalError for an unknown id and for a
-  // proof that comes back to its own claim.
+  // The record of a claim, proved now unless it was before; where another thread is at it, when that is done.
+  // Throws InternalError for an unknown id and for a proof that comes back to its own claim.
   const Record& prove(const std::string& id);
   // The first theorem of the form of it that is proved. Throws KernelError if it has none.
   const kernel::Theorem& theorem(const std::string& id);
@@ -26,12 +29,18 @@ class Prover {
   // The claims that stand before it.
   [[nodiscard]] std::vector<const Claim *> before(const std::string& id) const;
 
-  // Begins with what these claims compute without others, in a thread of its own where there may be several.
+  // Where there may be several threads, others begin with these claims, from the last on; what fails there
+  // fails again for who asks for it.
   void begin(const std::vector<std::string>& ids);
 
  private:
-  // What the claim proves, computes, or takes as given.
-  Outcome outcome_of(const Claim& claim);
+  using Thread = std::thread::id;
+
+  // What it takes, by this thread.
+  Record proved(const Claim& claim);
+  // Who has the claim under way; and whether that thread waits, perhaps for others that wait, for this one.
+  [[nodiscard]] std::optional<Thread> at_work_on(const std::string& id) const;
+  [[nodiscard]] bool comes_back(std::string id) const;
   // Adds the hypotheses of all that the outcome uses, takes away those that the claim states; whether all
   // that it uses stands.
   bool inherit(Outcome& outcome, const Claim& claim);
@@ -51,10 +60,14 @@ class Prover {
   std::vector<const Claim *> in_order_;
   std::map<std::string, const Claim *> claims_;
   std::map<std::string, std::string> met_by_;  // the claim whose theorem says so
+
+  std::mutex mutex_;  // of all that follows
+  std::condition_variable something_is_done_;
   std::map<std::string, Record> records_;
-  std::vector<std::string> under_way_;
-  std::map<std::string, std::future<Outcome>> begun_;
-  std::future<void> computing_;
+  std::map<Thread, std::vector<std::string>> under_way_;  // each for the one before it
+  std::map<Thread, std::string> awaited_;
+  std::atomic<std::size_t> left_to_begin_ = 0;
+  std::vector<std::jthread> others_;  // the first to end
 };
 
 // What a claim offers as a premise: the form that was proved, as printed or corrected. The caller records the
@@ -65,6 +78,5 @@ class Prover {
 
 // Hypotheses joined without repetition, in order of their text; of equal ones the first stays.
 [[nodiscard]] std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypothesis>& b);
-[[nodiscard]] Hypothesis hypothesis(const GiNaC::ex& nonzero, const std::string& origin);
 
 }  // namespace stickslip::proofs::methods

@@ -10,6 +10,7 @@
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
@@ -497,12 +498,7 @@ Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols
 std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
                                       const std::vector<Hypothesis>& hypotheses) {
   Scene scene{.state = 0};
-  std::vector<symbols::Statement> holding;
-  try {
-    holding = assumed_statements(with_hypotheses(prover, claim, hypotheses));
-  } catch (const symbols::NoValue&) {
-    return std::nullopt;
-  }
+  const std::vector<symbols::Statement> holding = assumed_statements(with_hypotheses(claim, hypotheses));
   for (const Assumption& assumption : claim.assumptions) {
     if (is_substitution(assumption)) {
       scene.values.push_back(assumption.statement);

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "proofs/symbols/meaning.hpp"
-#include "symbolic/typeset/latex.hpp"
+#include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/text.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -15,14 +15,20 @@ using namespace symbols;
 
 namespace {
 
-using GiNaC::ex;
+using Coefficient = kernel::Term;
 
-void add(Polynomial& sum, const Word& word, const ex& coefficient) {
-  const ex total = (sum[word] + coefficient).normal();
-  if (total.is_zero()) {
-    sum.erase(word);
-  } else {
-    sum[word] = total;
+Coefficient in_lowest_terms(const Coefficient& a) {
+  return a.kind() == kernel::Kind::number ? a : tactics::quotient(a, 1);
+}
+
+void add(Polynomial& sum, const Word& word, const Coefficient& coefficient) {
+  const auto known = sum.find(word);
+  const Coefficient total = in_lowest_terms(known == sum.end() ? coefficient : known->second + coefficient);
+  if (known != sum.end()) {
+    sum.erase(known);
+  }
+  if (!(total == Coefficient(0))) {
+    sum.emplace(word, total);
   }
 }
 
@@ -38,7 +44,7 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-Polynomial scaled(const Polynomial& a, const ex& factor) {
+Polynomial scaled(const Polynomial& a, const Coefficient& factor) {
   return product({{{}, factor}}, a);
 }
 
@@ -50,16 +56,9 @@ Polynomial sum(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-using Scalars = Lookup<ex>;
-
-ex scalar_of(const Term& term, const Scalars& scalars) {
-  return evaluate<ex>(term, scalars)(0, 0);
-}
-
 std::string letter(const Term& term, const Scalars& scalars) {
   if (term.op() == Op::function) {
-    return fmt::format("{}({})", term.name(),
-                       symbolic::typeset::text(scalar_of(term.arguments().front(), scalars)));
+    return fmt::format("{}({})", term.name(), to_string(scalars(term.arguments().front())));
   }
   return text(term);
 }
@@ -83,7 +82,7 @@ std::optional<std::size_t> find(const Word& word, const Word& lead) {
 }
 
 // One replacement in one word.
-Polynomial replaced(const Word& word, const ex& coefficient, std::size_t place, const Rule& rule) {
+Polynomial replaced(const Word& word, const Coefficient& coefficient, std::size_t place, const Rule& rule) {
   const Word before(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(place));
   const Word after(word.begin() + static_cast<std::ptrdiff_t>(place + rule.lead.size()), word.end());
   return product(product({{before, coefficient}}, rule.replacement), {{after, 1}});
@@ -115,7 +114,7 @@ Polynomial polynomial(const Term& term, const Scalars& scalars) {
     return {};
   }
   if (term.shape().is_scalar()) {
-    return {{{}, scalar_of(term, scalars)}};
+    return scaled({{{}, 1}}, scalars(term));
   }
   Polynomial result;
   switch (term.op()) {
@@ -133,7 +132,7 @@ Polynomial polynomial(const Term& term, const Scalars& scalars) {
     case Op::negate:
       return scaled(polynomial(term.arguments().front(), scalars), -1);
     case Op::quotient:
-      return scaled(polynomial(term.arguments()[0], scalars), 1 / scalar_of(term.arguments()[1], scalars));
+      return scaled(polynomial(term.arguments()[0], scalars), 1 / scalars(term.arguments()[1]));
     case Op::power:
       return power_of(term, scalars);
     default:
@@ -164,7 +163,7 @@ Polynomial residual(const Statement& statement, const Scalars& scalars) {
 std::string text(const Polynomial& polynomial) {
   std::string result;
   for (const auto& [word, coefficient] : polynomial) {
-    result += fmt::format("{}({}){}{}", result.empty() ? "" : " + ", symbolic::typeset::text(coefficient),
+    result += fmt::format("{}({}){}{}", result.empty() ? "" : " + ", to_string(coefficient),
                           word.empty() ? "" : " ", fmt::join(word, " "));
   }
   return result.empty() ? "0" : result;
@@ -188,12 +187,13 @@ std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead, con
   }
   const Word& word = lead.begin()->first;
   const auto found = simplified.rest.find(word);
-  if (found == simplified.rest.end() || !found->second.info(GiNaC::info_flags::rational)) {
+  if (found == simplified.rest.end() || found->second.kind() != kernel::Kind::number) {
     return std::nullopt;
   }
-  const ex coefficient = found->second;
+  const Rational coefficient = found->second.value();
   simplified.rest.erase(found);
-  return Rule{word, scaled(simplified.rest, -1 / coefficient), std::move(simplified.trace), coefficient};
+  return Rule{word, scaled(simplified.rest, Coefficient(Rational(-1 / coefficient))),
+              std::move(simplified.trace), coefficient};
 }
 
 }  // namespace stickslip::proofs::methods

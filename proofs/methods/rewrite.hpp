@@ -5,33 +5,34 @@
 // whatever rewrites to zero follows from the premises used, over any matrices.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "proofs/symbols/meaning.hpp"
+#include "proofs/kernel/term.hpp"
 #include "proofs/symbols/term.hpp"
 
 namespace stickslip::proofs::methods {
 
-using Word = std::vector<std::string>;         // letters from left to right
-using Polynomial = std::map<Word, GiNaC::ex>;  // without zero coefficients
+using Word = std::vector<std::string>;            // letters from left to right
+using Polynomial = std::map<Word, kernel::Term>;  // without zero coefficients
 
 // Letters are named by symbol or function and the canonical text of the argument: "H(tau - t)". I is the
-// empty word. `scalars` gives the values of scalar symbols.
-[[nodiscard]] Polynomial polynomial(const symbols::Term& term, const symbols::Lookup<GiNaC::ex>& scalars);
+// empty word. `scalars` reads scalars, in lowest terms.
+using Scalars = std::function<kernel::Term(const symbols::Term&)>;
+[[nodiscard]] Polynomial polynomial(const symbols::Term& term, const Scalars& scalars);
 // left - right.
-[[nodiscard]] Polynomial residual(const symbols::Statement& statement,
-                                  const symbols::Lookup<GiNaC::ex>& scalars);
+[[nodiscard]] Polynomial residual(const symbols::Statement& statement, const Scalars& scalars);
 [[nodiscard]] std::string text(const Polynomial& polynomial);
 // The letters of the term, by name.
-void collect_letters(const symbols::Term& term, const symbols::Lookup<GiNaC::ex>& scalars,
+void collect_letters(const symbols::Term& term, const Scalars& scalars,
                      std::map<std::string, symbols::Term>& letters);
 
 // A rule applied: coefficient * before * (lead - replacement) * after was taken away.
 struct Application {
-  GiNaC::ex coefficient;
+  kernel::Term coefficient;
   Word before;
   std::size_t rule = 0;  // its place among the rules
   Word after;
@@ -43,7 +44,7 @@ struct Rule {
   Word lead;
   Polynomial replacement;
   std::vector<Application> trace = {};
-  GiNaC::ex scale = 1;
+  Rational scale = 1;
 };
 
 // What is left of the polynomial when no rule applies, and how the rules were applied. Throws

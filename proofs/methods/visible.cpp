@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/openings.hpp"
+#include "proofs/methods/reading.hpp"
 #include "proofs/symbols/meaning.hpp"
-#include "symbolic/algebra/signs.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -36,19 +37,22 @@ bool is_seen(const Hypothesis& hypothesis, const Claim& needing, const Claim& or
   if (origin.id != needing.id && facts(origin.origin).source == nullptr) {
     return false;
   }
-  Outcome printed;
+  Reader read;
+  const auto opened = [&](const Term& term) {
+    const kernel::Term made = read(term);
+    return unfold(made, openings({made}).in_parameters());
+  };
+  const kernel::Term needed = opened(hypothesis.nonzero);
   for (const Statement& one : origin.printed) {
     for (const Term& side : {one.left, one.right}) {
       for (const Term& divisor : divisors_in(side)) {
-        if (is_in_field(divisor)) {
-          record_nonzero(printed, origin, evaluate<GiNaC::ex>(divisor, symbolically())(0, 0));
+        if (is_in_field(divisor) && tactics::implies_nonzero(opened(divisor), needed, parameters())) {
+          return true;
         }
       }
     }
   }
-  return std::ranges::any_of(printed.hypotheses, [&](const Hypothesis& known) {
-    return symbolic::algebra::vanishes_with(known.nonzero, hypothesis.nonzero);
-  });
+  return false;
 }
 
 }  // namespace stickslip::proofs::methods

@@ -42,7 +42,7 @@ Claim attractors_claim(const Example& example, long starts, bool attracts) {
       .words = fmt::format(
           "of {} random starts at the data of {} {}; shares, with 95 % of confidence", starts, example.figure,
           attracts ? "more end on its orbit than on any other motion" : "none ends on its orbit"),
-      .compute = [&example, starts, attracts] {
+      .prove = [&example, starts, attracts](Prover&, const Claim&) {
         Outcome outcome = at_the_data(example,
                                       "simulation of the law (4) in floating point, of which "
                                       "periodic motions are proved");

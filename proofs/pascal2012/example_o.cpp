@@ -299,7 +299,7 @@ Claim rounding_of_the_data() {
       .words =
           "no load frequency that rounds to the printed $omega = 0.6289$ gives all printed digits of the "
           "orbit of Fig. 3, all other data taken as exact",
-      .compute = [] {
+      .prove = [](Prover&, const Claim&) {
         constexpr int parts = 10;
         const Decimal omega = parse_decimal(stickslip::to_string(printed().data.omega));
         const Rational step = (omega.upper() - omega.lower()) / parts;

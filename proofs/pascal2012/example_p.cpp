@@ -78,7 +78,7 @@ Claim least_load_claim() {
           "the load of Fig. 4 exceeds the least one: $p > |bound| sqrt(B^2 + max(S, eta u_r/omega)^2)$, "
           "$B = b_1 d_01 + b_2 d_02$, which is necessary and sufficient; $S$ is the supremum over $0 < t "
           "< pi/omega$ of $g/sin(omega t)$ in 37.slip, and 37.sharp is the case $eta u_r/omega > S$",
-      .compute = [] {
+      .prove = [](Prover&, const Claim&) {
         const Example& example = example_named("P");
         const LeastLoad least = least_load(printed_orbit(example).motion, Ball(*example.ur), 20);
         Outcome outcome = at_the_data(
@@ -103,7 +103,7 @@ Claim more_than_36() {
       .words =
           "the least load at $chi = 0.64$, $eta = 7.9$, $u_s = 0.1$, $u_r = 0.15$, $V = 0$, $omega = "
           "0.492$, beside the one that (36) alone asks for",
-      .compute = [] {
+      .prove = [](Prover&, const Claim&) {
         OrbitQuestion question;
         question.family = &families::nonsticking();
         question.parameters = {{Rational(16, 25)}, {Rational(79, 10)},   {Rational(1, 10)},

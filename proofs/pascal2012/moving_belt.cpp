@@ -111,7 +111,7 @@ Claim orbits_over_the_belts_speed() {
       .kind = Kind::numbers,
       .origin = Origin::new_result,
       .words = "the orbit of Fig. 4 with $u_r = 0.25$, followed over the velocity of the belt from 0 to 0.3",
-      .compute = [] {
+      .prove = [](Prover&, const Claim&) {
         const Example& example = example_named("P");
         Outcome outcome = at_the_data(example, "all branches, of which every piece is proved in balls");
         numeric::branches::BranchQuestion question{

@@ -1,5 +1,5 @@
-// The evaluation behind meaning.hpp, as templates over the scalar S: GiNaC::ex, or a series in the time over
-// balls or exact numbers. Instantiated by evaluate_*.cpp; include meaning.hpp instead.
+// The evaluation behind meaning.hpp, as templates over the scalar S: a series in the time over balls or exact
+// numbers. Instantiated by evaluate_*.cpp; include meaning.hpp instead.
 #pragma once
 
 #include <fmt/format.h>
@@ -54,10 +54,6 @@ const Matrices<S>& matrices() {
       {"P2", [](const L& s) -> V { return model::speed_from_place<S>(modes<S>(s), s("tau1")) * S(-1); }},
   };
   return known;
-}
-
-inline GiNaC::ex absolute_value(const GiNaC::ex& value) {
-  return abs(value);
 }
 
 template <class S>
@@ -243,18 +239,6 @@ Value<S> evaluate_block(const Term& term, const Lookup<S>& scalar) {
     }
   }
   return result;
-}
-
-// With respect to the symbol t, then at the value that t has.
-inline Value<GiNaC::ex> derivative_of(const Term& inside, const Lookup<GiNaC::ex>& scalar) {
-  const GiNaC::symbol time;
-  const GiNaC::ex now = scalar("t");
-  const Lookup<GiNaC::ex> in_time = [&](const std::string& name) {
-    return name == "t" ? GiNaC::ex(time) : scalar(name);
-  };
-  return value_of<GiNaC::ex>(inside, in_time).unaryExpr([&](const GiNaC::ex& e) {
-    return GiNaC::ex(e.diff(time).subs(time == now));
-  });
 }
 
 // From the series to one order more.

@@ -10,8 +10,6 @@
 #include "numeric/scalars/exact.hpp"
 #include "numeric/scalars/scalars.hpp"
 #include "proofs/symbols/term.hpp"
-#include "symbolic/algebra/scalar.hpp"
-#include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::proofs::symbols {
 
@@ -22,24 +20,10 @@ using Value = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 template <class S>
 using Lookup = std::function<S(const std::string&)>;
 
-// Every scalar stands for itself.
-[[nodiscard]] inline Lookup<GiNaC::ex> symbolically() {
-  return [](const std::string& name) {
-    return name == "pi" ? GiNaC::ex(GiNaC::Pi) : symbolic::algebra::symbol(name);
-  };
-}
-
-// A name has no meaning in the model, as a motion Z(t) has none by itself; or a derivative is out of reach.
-struct NoValue : InternalError {
-  using InternalError::InternalError;
-};
-
 // The value of a term; 1×1 for a scalar. H, Gamma, F, … are those of model/; d/dt is exact. Throws NoValue.
-// For GiNaC::ex, Ball and Exact.
+// For Ball and Exact.
 template <class S>
 [[nodiscard]] Value<S> evaluate(const Term& term, const Lookup<S>& scalar);
-template <>
-[[nodiscard]] Value<GiNaC::ex> evaluate(const Term&, const Lookup<GiNaC::ex>&);
 extern template Value<Ball> evaluate(const Term&, const Lookup<Ball>&);
 extern template Value<numeric::scalars::Exact> evaluate(const Term&, const Lookup<numeric::scalars::Exact>&);
 

@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "proofs/symbols/derived.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::proofs::symbols {
 namespace {
@@ -38,14 +37,6 @@ Lookup<Ball> at_point(const std::vector<Coordinate>& point) {
     given[coordinate.name] = coordinate.value;
   }
   return [given = std::move(given)](const std::string& name) { return value_of(given, name); };
-}
-
-Ball evaluate(const GiNaC::ex& expression, const Lookup<Ball>& scalar) {
-  symbolic::algebra::BallValues values;
-  for (const GiNaC::ex& symbol : symbolic::algebra::symbols_of(expression)) {
-    values[symbol] = scalar(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
-  }
-  return symbolic::algebra::evaluate(expression, values);
 }
 
 }  // namespace stickslip::proofs::symbols

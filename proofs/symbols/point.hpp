@@ -15,7 +15,4 @@ namespace stickslip::proofs::symbols {
 // working one at the time of the look-up.
 [[nodiscard]] Lookup<Ball> at_point(const std::vector<Coordinate>& point);
 
-// The value of an expression in symbols of these scalars.
-[[nodiscard]] Ball evaluate(const GiNaC::ex& expression, const Lookup<Ball>& scalar);
-
 }  // namespace stickslip::proofs::symbols

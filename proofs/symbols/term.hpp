@@ -13,9 +13,15 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/rational.hpp"
 
 namespace stickslip::proofs::symbols {
+
+// A name has no meaning, as a motion Z(t) has none by itself; or what has one has no value, or no print.
+struct NoValue : InternalError {
+  using InternalError::InternalError;
+};
 
 struct Shape {
   int rows = 1;
@@ -88,7 +94,7 @@ struct Function {
 [[nodiscard]] Term cos(const Term& argument);
 [[nodiscard]] Term sin(const Term& argument);
 [[nodiscard]] Term tan(const Term& argument);
-// |argument|: printed and evaluated in balls, but no element of the field of normal_form.hpp.
+// |argument|: printed and evaluated in balls, but the kernel has no term for it.
 [[nodiscard]] Term abs(const Term& argument);
 // 1 or -1, the sign of the argument; only for times at which that is not 0.
 [[nodiscard]] Term sign(const Term& argument);

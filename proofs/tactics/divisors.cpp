@@ -188,6 +188,18 @@ Theorem nonzero(const Theorem& theorem, const Domain& domain, const kernel::Form
   return result;
 }
 
+bool implies_nonzero(const Term& d, const Term& f, Domain domain) {
+  const Theorem known = Theorem::assume(differ(d, 0));
+  domain.push_back(known);
+  for (const Theorem& factor : factors_differ(known)) {
+    domain.push_back(factor);
+  }
+  const Theorem theorem = nonzero(Theorem::assume(differ(f, 0)), domain, {known.conclusion()});
+  return !theorem.hypotheses().contains(differ(f, 0)) &&
+         (theorem.hypotheses().contains(known.conclusion()) ||
+          std::ranges::none_of(theorem.hypotheses(), is_divisor));
+}
+
 std::vector<Theorem> factors_differ(const Theorem& differs) {
   static thread_local std::map<Term, std::vector<Theorem>> known;
   const Term d = differs.conclusion().parts().at(0).parts().at(0);

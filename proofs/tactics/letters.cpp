@@ -232,7 +232,8 @@ Factored factored(const Polynomial& polynomial, const Letters& letters, std::siz
 Term quotient(const Term& a, const Term& b) {
   const Letters letters({a, b});
   const auto [above, below] = letters.fraction(a / b);
-  return letters.term(above) / letters.term(below);
+  const Term numerator = letters.term(above), denominator = letters.term(below);
+  return denominator == Term(1) ? numerator : numerator / denominator;
 }
 
 }  // namespace stickslip::proofs::tactics

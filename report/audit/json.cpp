@@ -12,7 +12,6 @@ namespace stickslip::report::audit {
 using namespace proofs::methods;
 using namespace proofs::symbols;
 using namespace tools;
-using namespace symbolic::algebra;
 
 namespace {
 

@@ -26,7 +26,7 @@ Proof saying(const Verdict& verdict) {
 Proof misled(const Verdict& verdict) {
   return [verdict](Prover&, const Claim& claim) {
     Outcome outcome{.verdict = verdict};
-    outcome.decided = {{claim.printed.front(), {}, {}, verdict.truth}};
+    outcome.decided = {{claim.printed.front()}};
     return outcome;
   };
 }

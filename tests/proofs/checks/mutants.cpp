@@ -1,5 +1,4 @@
-// A wrong statement must be refuted, and its witness must hold up in an evaluation that does not pass through
-// GiNaC.
+// A wrong statement must be refuted, and its witness must hold up in an evaluation that knows no kernel.
 #include <doctest/doctest.h>
 
 #include "proofs/checks/cross_check.hpp"

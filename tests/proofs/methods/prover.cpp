@@ -2,7 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <functional>
+
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "proofs/kernel/theorem.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/methods.hpp"
@@ -168,18 +173,61 @@ TEST_CASE("what contradicts itself proves nothing") {
   CHECK(verdict_now().reason.find("vacuous") == 0);
 }
 
-TEST_CASE("what is computed beside the proofs makes no theorems") {
-  Claim claim{.id = "test", .words = "0 is 0", .compute = [] {
-                Outcome outcome;
-                outcome.verdict = Verdict::proved();
-                return outcome;
-              }};
-  CHECK(audit({claim}).records.front().status == Status::decided_in_balls);
-  claim.compute = [] {
-    Outcome outcome;
-    outcome.verdict = Verdict::proved();
-    outcome.theorems = {proofs::kernel::Theorem::combination(proofs::kernel::equal(0, 0))};
-    return outcome;
-  };
-  CHECK_THROWS_AS((void)audit({claim}), InternalError);
+namespace {
+
+Outcome zero_is_zero() {
+  Outcome outcome;
+  outcome.verdict = Verdict::proved();
+  outcome.theorems = {proofs::kernel::Theorem::combination(proofs::kernel::equal(0, 0))};
+  return outcome;
+}
+
+// Claims "c0", "c1", …, each proved after those that `needs` names.
+std::vector<Claim> chained(int count, const std::function<std::vector<int>(int)>& needs,
+                           std::vector<std::atomic<int>>& proofs) {
+  std::vector<Claim> result;
+  for (int k = 0; k < count; ++k) {
+    result.push_back({.id = "c" + std::to_string(k),
+                      .place = "test",
+                      .printed = {equation(0, 0)},
+                      .prove = [k, needs, &proofs](Prover& prover, const Claim&) {
+                        for (const int one : needs(k)) {
+                          static_cast<void>(prover.prove("c" + std::to_string(one)));
+                        }
+                        ++proofs[static_cast<std::size_t>(k)];
+                        Outcome outcome = zero_is_zero();
+                        outcome.by_kernel = true;
+                        return outcome;
+                      }});
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("several threads prove each claim once") {
+  constexpr int count = 200;
+  std::vector<std::atomic<int>> proofs(count);
+  const Jobs threads(4);
+  const Audit whole = audit(chained(
+      count,
+      [](int k) {
+        return k == 0 ? std::vector<int>{} : std::vector<int>{k / 2, k - 1};
+      },
+      proofs));
+  REQUIRE(whole.records.size() == count);
+  for (const Record& record : whole.records) {
+    CHECK(record.status == Status::as_printed);
+  }
+  CHECK(std::ranges::all_of(proofs, [](const std::atomic<int>& times) { return times == 1; }));
+}
+
+TEST_CASE("proofs that use themselves by way of another thread are refused, and nothing waits for ever") {
+  const Jobs threads(4);
+  for (int time = 0; time < 50; ++time) {
+    std::vector<std::atomic<int>> proofs(8);
+    CHECK_THROWS_AS((void)audit(chained(
+                        8, [](int k) { return std::vector<int>{(k + 3) % 8}; }, proofs)),
+                    InternalError);
+  }
 }

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
+#include "proofs/methods/reading.hpp"
 #include "proofs/symbols/vocabulary.hpp"
+#include "proofs/tactics/letters.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs::methods;
@@ -12,11 +14,16 @@ using namespace stickslip::proofs::symbols::vocabulary;
 
 namespace {
 
-Polynomial poly(const Term& term) {
-  return polynomial(term, symbolically());
+const Scalars in_lowest_terms = [](const Term& number) {
+  Reader read;
+  return proofs::tactics::quotient(read(number), 1);
+};
+
+proofs::methods::Polynomial poly(const Term& term) {
+  return polynomial(term, in_lowest_terms);
 }
-Polynomial rest(const Statement& statement) {
-  return residual(statement, symbolically());
+proofs::methods::Polynomial rest(const Statement& statement) {
+  return residual(statement, in_lowest_terms);
 }
 
 Rule rule(const Statement& premise, const Term& lead) {

@@ -8,9 +8,9 @@
 #include <regex>
 #include <set>
 
+#include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/paper.hpp"
-#include "symbolic/algebra/symbols.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs::methods;
@@ -127,14 +127,14 @@ TEST_CASE("what is said at the data of an example needs nothing that holds there
   there.claims = {"a"};
   there.example = "S";
   Record record = with_status("a", Status::needs_hypotheses);
-  const auto status = [&](const GiNaC::ex& nonzero) {
+  const auto status = [&](const proofs::kernel::Term& nonzero) {
     record.outcome.hypotheses = {hypothesis(nonzero, "a")};
     return status_of(paper(), there, {{record}});
   };
-  const GiNaC::ex omega = symbolic::algebra::symbol("omega");
-  CHECK(status(omega - GiNaC::numeric(1, 2)) == Status::as_printed);
-  CHECK(status(omega - GiNaC::numeric(3, 5)) == Status::needs_hypotheses);
-  CHECK(status(sin(symbolic::algebra::symbol("tau"))) == Status::needs_hypotheses);
+  const proofs::kernel::Term omega = proofs::kernel::Variable{"omega"}, tau = proofs::kernel::Variable{"tau"};
+  CHECK(status(omega - Rational(1, 2)) == Status::as_printed);
+  CHECK(status(omega - Rational(3, 5)) == Status::needs_hypotheses);
+  CHECK(status(sin(tau)) == Status::needs_hypotheses);
 }
 
 TEST_CASE("what is stated in part is not proved, and a fault in that part is not hidden") {
