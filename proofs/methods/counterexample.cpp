@@ -87,9 +87,13 @@ void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim) {
   if (outcome.verdict.truth != Truth::undecided) {
     return;
   }
+  const bool by_values = !outcome.doubted.empty() && std::ranges::all_of(claim.assumptions, is_substitution);
   for (const Statement& doubted : outcome.doubted.empty() ? claim.printed : outcome.doubted) {
     for (const Statement& printed : claim.printed) {
       if (auto refuted = refuted_at_point(prover, claim, printed, {}, doubted)) {
+        if (by_values) {
+          refuted->decided = {{doubted}};
+        }
         outcome = *std::move(refuted);
         return;
       }

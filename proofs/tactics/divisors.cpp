@@ -189,6 +189,9 @@ Theorem nonzero(const Theorem& theorem, const Domain& domain, const kernel::Form
 }
 
 bool implies_nonzero(const Term& d, const Term& f, Domain domain) {
+  if (d == f) {
+    return true;
+  }
   const Theorem known = Theorem::assume(differ(d, 0));
   domain.push_back(known);
   for (const Theorem& factor : factors_differ(known)) {
