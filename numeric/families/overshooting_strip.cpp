@@ -54,6 +54,31 @@ Ball angle(const Ball& x, const Ball& y) {
   return turned ? result + Ball::pi() : result;
 }
 
+// What the rows still say of the load's phase psi where only a, C and D are eliminated: |1's part| of each is
+// at most the length of the other two, and the vector product n of two of them is parallel to (cos psi, sin
+// psi, 1), so n1² + n2² = n3². This needs no division by what may vanish where psi is hardly determined.
+template <class T, class S>
+void add_load(const AllRows<OneStick<2, Datum::friction>, T>& rows, Reduced<T>& result) {
+  using P = OneStick<2, Datum::friction>;
+  const AllRows<P, S> at_middle = rows.unaryExpr([](const T& x) { return x.at; });
+  const auto combinations = detail::combinations_for<P, S>(at_middle);
+  if (!combinations) {
+    return;
+  }
+  const auto left = detail::left_for_load<P, T>(zeros::combined_rows<T, P::rows, P::columns>(
+      Eigen::Matrix<S, P::rows, P::rows>(combinations->template cast<S>()), rows));
+  if (!left) {
+    return;
+  }
+  for (int i = 0; i < P::left; ++i) {
+    const S a = (*left)(i, 0).over, b = (*left)(i, 1).over, c = (*left)(i, 2).over;
+    result.excluded = result.excluded || (c * c - a * a - b * b).is_positive();
+    for (int j = i + 1; j < P::left; ++j) {
+      result.vanish.push_back(detail::circle<T>(detail::direction<P, T>(*left, i, j)));
+    }
+  }
+}
+
 template <Datum G>
 struct OverStrip {
   template <class T, class S>
@@ -90,7 +115,10 @@ struct OverStrip {
         add_large<T, S>(rows, t, 2, result);
       }
     }
-    if (!rest) {
+    if constexpr (!at_phase) {
+      add_load<T, S>(rows, result);
+    }
+    if (!rest || result.excluded) {
       return result;
     }
     result.vanish.insert(result.vanish.end(), {rest->vanish(0), rest->vanish(1)});

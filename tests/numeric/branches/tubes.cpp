@@ -75,6 +75,40 @@ TEST_CASE("every orbit at any value is on a branch, and leaving out a branch is 
   }
 }
 
+TEST_CASE("a box of a strip with an orbit is not left out, however wide it is") {
+  // Overshooting orbits at a given ur: of a box what its rows say of the load's phase is looked at, too.
+  OrbitQuestion data = examples::data("overshooting", {"0.2", "4", "0.05", "1", "0.63", "0.05"});
+  data.ur = Range{parse_rational("0.4585")};
+  const BranchQuestion question = along(data, "omega", "0.62", "0.64");
+  const families::StripQuestion strip = strip_question(question);
+  int orbits = 0;
+  for (const families::Strip& one : data.family->strips(strip)) {
+    for (const char * text : {"0.627", "0.63", "0.635"}) {
+      const Rational value = parse_rational(text);
+      data.parameters.omega = {value};
+      for (const Orbit& orbit : list_orbits(data).orbits) {
+        ++orbits;
+        const std::vector<motion::Phase>& phases = orbit.motion.phases;
+        const Ball slips = phases[0].duration + phases[1].duration;
+        const Ball share = Ball(Rational((value - question.from) / (question.to - question.from))) *
+                           Ball(families::length_of(strip));
+        for (const double radius : {1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 3e-2}) {
+          CAPTURE(radius);
+          const Ball around = Ball::hull(Ball(-radius), Ball(radius));
+          families::StripBox box;
+          box << slips / motion::period(orbit.motion) + around, phases[1].duration / slips + around,
+              share + around;
+          const std::optional<families::Strip::View> view = one.look(box);
+          REQUIRE(view);
+          CHECK(view->rest(0).overlaps(slips / motion::period(orbit.motion)));
+          CHECK(view->rest(1).overlaps(phases[1].duration / slips));
+        }
+      }
+    }
+  }
+  CHECK(orbits >= 6);
+}
+
 TEST_CASE("a tube holds nothing that reaches beyond it") {
   const AllFollowed all = follow_all(along(S(), "omega", "0.595", "0.6"));
   for (const Sheet& sheet : all.sheets) {
