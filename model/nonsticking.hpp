@@ -32,20 +32,28 @@ template <class S>
   return {S((m.lambda2 * d0(0) - d0(1)) / det), S((d0(1) - m.lambda1 * d0(0)) / det)};
 }
 
-// sigma/sin(delta), entire in delta: with sinc(alpha_j), sinc(beta_j) and sin(delta) = delta (pi - delta)
-// (sinc(delta) + sinc(pi - delta))/pi the zeros at delta = 0 and pi are divided out. Assumes no resonance.
+// What the friction at mode j contributes to -sigma sin(omega_j pi/omega)/(2 pi sin(delta)), times
+// (sinc(delta) + sinc(pi - delta)): entire in delta, for with sinc(alpha_j), sinc(beta_j) and sin(delta) =
+// delta (pi - delta) (sinc(delta) + sinc(pi - delta))/pi the zeros at delta = 0 and pi are divided out.
+template <class S>
+[[nodiscard]] Vector2<S> friction_at_modes(const Modes<S>& m, const Vector2<S>& c, const S& omega,
+                                           const S& pi, const S& delta) {
+  const auto mode = [&](const S& omega_j, const S& lambda_j, const S& c_j) {
+    const S ratio = omega_j / omega;
+    return S(lambda_j * c_j * omega_j * ratio * ratio * S(sinc(S(ratio * delta))) *
+             S(sinc(S(ratio * S(pi - delta)))));
+  };
+  return {mode(m.omega1, m.lambda1, c(0)), mode(m.omega2, m.lambda2, c(1))};
+}
+
+// sigma/sin(delta), entire in delta. Assumes no resonance.
 template <class S>
 [[nodiscard]] S friction_speed(const Modes<S>& m, const Vector2<S>& c, const S& omega, const S& pi,
                                const S& delta) {
   using std::sin;
-  const S rest = pi - delta;
-  const auto mode = [&](const S& omega_j, const S& lambda_j, const S& c_j) {
-    const S ratio = omega_j / omega;
-    const S response = lambda_j * c_j * omega_j * ratio * ratio / S(sin(S(ratio * pi)));
-    return S(response * S(sinc(S(ratio * delta))) * S(sinc(S(ratio * rest))));
-  };
-  const S modes = mode(m.omega1, m.lambda1, c(0)) + mode(m.omega2, m.lambda2, c(1));
-  return S(-2) * pi * modes / (S(sinc(delta)) + S(sinc(rest)));
+  const Vector2<S> at = friction_at_modes<S>(m, c, omega, pi, delta);
+  const S modes = at(0) / S(sin(S(m.omega1 / omega * pi))) + at(1) / S(sin(S(m.omega2 / omega * pi)));
+  return S(-2) * pi * modes / (S(sinc(delta)) + S(sinc(S(pi - delta))));
 }
 
 // The left sides of (two_slips) at (delta, mu).
@@ -57,6 +65,31 @@ template <class S>
   const S A = q2 * a.omega;
   return {S(a.V + A * S(sin(mu)) * S(cos(delta))),
           S(friction_speed<S>(m, c, a.omega, pi, delta) + A * S(cos(mu)))};
+}
+
+// The same, the first times D1 D2, D_j = omega² - omega_j², by which (7) is divided, and the second times
+// sin(omega1 pi/omega) sin(omega2 pi/omega): these have no zero off resonance, and the products no pole at
+// it. With e = (omega - omega_j) pi/omega
+//   sin(omega_j pi/omega) = sin(e) = D_j pi sinc(e)/(omega (omega + omega_j)).
+template <class S>
+[[nodiscard]] Vector2<S> two_slips_without_poles(const Parameters<S>& a, const Modes<S>& m,
+                                                 const Vector2<S>& c, const S& pi, const S& delta,
+                                                 const S& mu) {
+  using std::cos;
+  using std::sin;
+  const S& omega = a.omega;
+  const S D1 = omega * omega - m.omega1 * m.omega1;
+  const S D2 = omega * omega - m.omega2 * m.omega2;
+  const S load = a.p * (S(1) - omega * omega) * omega;  // q2 omega D1 D2
+  const auto sine_by_D = [&](const S& omega_j) {
+    return S(pi * S(sinc(S((omega - omega_j) * pi / omega))) / (omega * (omega + omega_j)));
+  };
+  const S s1 = sine_by_D(m.omega1);
+  const S s2 = sine_by_D(m.omega2);
+  const Vector2<S> at = friction_at_modes<S>(m, c, omega, pi, delta);
+  const S modes = at(0) * s2 * D2 + at(1) * s1 * D1;
+  return {S(a.V * D1 * D2 + load * S(sin(mu)) * S(cos(delta))),
+          S(S(-2) * pi * modes / (S(sinc(delta)) + S(sinc(S(pi - delta)))) + load * s1 * s2 * S(cos(mu)))};
 }
 
 // Z = (x - d0, x') at t = 0 and at t = tau of the periodic response to the friction and the load at (delta,

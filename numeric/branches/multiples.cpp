@@ -30,14 +30,17 @@ struct Singular {
 
 Singular singular(const OrbitQuestion& orbits) {
   constexpr double narrow = 0x1p-17, wide = 0x1p-11;
-  const Frequency first{"omega1", [](const model::Modes<Ball>& m) { return m.omega1; }, 2};
-  const Frequency second{"omega2", [](const model::Modes<Ball>& m) { return m.omega2; }, 2};
-  const Frequency stuck{"1", [](const model::Modes<Ball>&) { return Ball(1); }, 1};
+  const auto multiples = [](double least) {
+    return std::vector<Frequency>{{"omega1", [](const model::Modes<Ball>& m) { return m.omega1; }, least},
+                                  {"omega2", [](const model::Modes<Ball>& m) { return m.omega2; }, least}};
+  };
   if (orbits.family == &families::nonsticking()) {
-    return {{first, second}, narrow};
+    return {multiples(1), narrow};
   }
   if (orbits.family == &families::overshooting()) {
-    return {{first, second, stuck}, orbits.ur ? wide : narrow};
+    std::vector<Frequency> all = multiples(2);
+    all.push_back({"1", [](const model::Modes<Ball>&) { return Ball(1); }, 1});
+    return {all, orbits.ur ? wide : narrow};
   }
   return {{}, narrow};
 }

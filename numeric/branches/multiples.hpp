@@ -1,6 +1,6 @@
-// Where a multiple of the load's frequency is a natural frequency, k omega = omega_j with k > 1, the closing
-// conditions of orbits that never stick are singular (families/nonsticking.hpp), and beside it orbits crowd
-// or grow without an end: no search comes through there, and none is made near it.
+// Where a multiple of the load's frequency is a natural frequency, k omega = omega_j, the closing conditions
+// of orbits that never stick are singular (families/nonsticking.hpp), and beside it orbits crowd or grow
+// without an end, for k = 1 with the response (7): no search comes through there, and none is made near it.
 //
 // So it is with overshooting orbits. There the equations of mode j vanish with the duration T of the stick
 // where tau is a multiple of Theta/k; beside it their zeros run to T = 0 as the cube root of the distance,

@@ -243,16 +243,17 @@ Found search_nonsticking(const Given<Rational>& given) {
   return result;
 }
 
-// The two equations at (delta/pi, mu/pi), and (delta, mu).
+// The two equations, without their poles, at (delta/pi, mu/pi), and (delta, mu).
 struct OverStrip {
   template <class T, class S>
   [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& first, const T& second) const {
-    const model::Oscillator<T> o = model::oscillator<T>(given.data);
+    const model::Parameters<T>& a = given.data;
+    const model::Modes<T> m = model::modes<T>(a.chi, a.eta);
     const T pi(scalars::pi<S>());
     const T delta = pi * first;
     const T mu = pi * second;
-    const model::Vector2<T> f =
-        model::two_slips<T>(o.data, o.modes, o.Q(1), model::modal_rest<T>(o.modes, o.d0), pi, delta, mu);
+    const model::Vector2<T> c = model::modal_rest<T>(m, model::d0<T>(a.chi, a.us));
+    const model::Vector2<T> f = model::two_slips_without_poles<T>(a, m, c, pi, delta, mu);
     return {{f(0), f(1)}, {scalars::ends(delta.over), scalars::ends(mu.over)}};
   }
 };

@@ -219,6 +219,28 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "orbits that never stick are all found on both sides of a natural frequency, where they are infinite") {
+  const BranchList list = list_branches(along(P(), "omega", "0.701", "0.7014"));
+  CHECK(!list.complete);
+  const auto part = std::find_if(list.unresolved.begin(), list.unresolved.end(),
+                                 [](const UnresolvedPart& one) { return one.resonance; });
+  REQUIRE(part != list.unresolved.end());
+  CHECK(part->reason == "the resonance omega = omega1: not looked into next to it");
+  // Else only the stability is open, of multipliers near 1 in size.
+  for (const UnresolvedPart& one : list.unresolved) {
+    CHECK((one.resonance || one.reason == "the stability is undecided"));
+  }
+  CHECK(list.branches.size() == 4);
+  for (const char * omega : {"0.7011", "0.70122", "0.70124", "0.7013"}) {
+    const std::optional<Numbers> said = numbers(list, parse_rational(omega));
+    REQUIRE(said);
+    const Numbers there = numbers(at(list.question, parse_rational(omega)));
+    CHECK(said->orbits == there.orbits);
+    CHECK(said->admissible == there.admissible);
+  }
+}
+
+TEST_CASE(
     "multiples of omega that are natural frequencies are found in order, and none where nothing moves them") {
   const std::vector<Multiple> all = multiples_in(along(P(), "omega", "0.3", "0.66"));
   std::vector<std::string> names;
@@ -231,7 +253,10 @@ TEST_CASE(
   // omega1 = 0.7012, omega2 = 1.3070.
   CHECK(names == std::vector<std::string>{"4 omega = omega2", "2 omega = omega1", "3 omega = omega2",
                                           "2 omega = omega2"});
-  CHECK(multiples_in(along(P(), "omega", "0.66", "0.8")).empty());
+  CHECK(multiples_in(along(P(), "omega", "0.71", "0.8")).empty());
+  const std::vector<Multiple> first = multiples_in(along(P(), "omega", "0.66", "0.8"));
+  REQUIRE(first.size() == 1);
+  CHECK(first.front().name == "omega = omega1");
   CHECK(multiples_in(along(P(), "p", "0.4", "1")).empty());
   CHECK(multiples_in(along(S(), "omega", "0.3", "0.66")).empty());
   // Where the interval begins at the resonance.

@@ -215,6 +215,31 @@ TEST_CASE("the least load: (37) is necessary, (36) needs more") {
   CHECK((at_load(needed * Ball(1.001)).orbits[0].value("ur_max") - ur).is_positive());
 }
 
+TEST_CASE("without their poles the two equations are the same times what has no zero off resonance") {
+  const TwoSlips f = two_slips_of(parameters_as<Ball>(P("0.1")));
+  const model::Parameters<Ball>& a = f.o.data;
+  const model::Modes<Ball>& m = f.o.modes;
+  const auto D = [&](const Ball& omega_j) { return a.omega * a.omega - omega_j * omega_j; };
+  const auto sine = [&](const Ball& omega_j) { return sin(omega_j * f.pi / a.omega); };
+  for (const auto& [delta, mu] : {std::pair(0.3, 2.0), std::pair(1.7, -0.4), std::pair(2.9, 0.1)}) {
+    const Box<2> with = f(Box<2>(Ball(delta), Ball(mu)));
+    const Box<2> without = model::two_slips_without_poles<Ball>(a, m, f.c, f.pi, Ball(delta), Ball(mu));
+    CHECK(without(0).overlaps(with(0) * D(m.omega1) * D(m.omega2)));
+    CHECK(without(1).overlaps(with(1) * sine(m.omega1) * sine(m.omega2)));
+    CHECK(without(0).is_nonzero());
+    CHECK(without(1).is_nonzero());
+    // At resonance they are finite: omega = omega1, 2 omega = omega2.
+    for (const Ball& omega : {m.omega1, Ball(m.omega2 / Ball(2))}) {
+      model::Parameters<Ball> there = a;
+      there.omega = omega;
+      for (const Ball& value :
+           model::two_slips_without_poles<Ball>(there, m, f.c, f.pi, Ball(delta), Ball(mu))) {
+        CHECK((value.radius() - Ball(1e-10)).is_negative());
+      }
+    }
+  }
+}
+
 TEST_CASE("a box moved by ten radii holds no zero") {
   const Orbit orbit = list_nonsticking(P("0.1"), 30).orbits[0];
   const TwoSlips f = two_slips_of(parameters_as<Ball>(P("0.1")));
