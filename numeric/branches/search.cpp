@@ -31,6 +31,7 @@ constexpr double far_away = 0x1p5;
 constexpr std::array lengths{0x1p-7, 0x1p-12, 0x1p-18, 0x1p-24, 0x1p-30, 0x1p-36};
 constexpr double fine = 0x1p-18;
 constexpr long most_cells = 400000;
+constexpr long most_cells_in_all = 4 * most_cells;
 // At so many values more, after each search and in all, orbits are looked for.
 constexpr int more_values = 8;
 constexpr std::size_t most_values = 50;
@@ -127,7 +128,7 @@ class Search {
   [[nodiscard]] Sheet& sheet_of(const Candidate& candidate);
   void exhaust();
   [[nodiscard]] std::vector<zeros::UnresolvedBox<3>> rest_of(const Strip& strip, const zeros::Cell<3>& cell,
-                                                             const zeros::SearchLimits& limits);
+                                                             double smallest);
   void separate();
 
   const BranchQuestion& question_;
@@ -241,7 +242,7 @@ void Search::follow_from(const Rational& value) {
 
 // The boxes of the cell that may hold closed motions on no branch.
 std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const zeros::Cell<3>& cell,
-                                                     const zeros::SearchLimits& limits) {
+                                                     double smallest) {
   const auto sheet = std::find_if(all_.sheets.begin(), all_.sheets.end(),
                                   [&](const Sheet& s) { return s.system == strip.system; });
   const auto is_known = [&](const Strip::View& view) {
@@ -287,7 +288,9 @@ std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const z
   const auto decide = [](const StripBox&) {
     return zeros::Decision<3>{std::nullopt, false, "the search went to the end of its accuracy"};
   };
-  return zeros::search<3>(cell, contract, decide, limits).unresolved;
+  zeros::SearchResult<3> searched = zeros::search<3>(cell, contract, decide, {smallest, most_cells});
+  all_.cells += searched.cells;
+  return searched.unresolved;
 }
 
 // Around the box, within the domain.
@@ -326,6 +329,7 @@ void Search::exhaust() {
   const auto value_at = [&](double share) {
     return Rational(question_.from + (question_.to - question_.from) * Rational(share / unit));
   };
+  const zeros::Limit limit(most_cells_in_all);
   std::set<Rational> looked;
   const auto look_for_more = [&] {
     const int before = found_;
@@ -348,7 +352,12 @@ void Search::exhaust() {
           rest.push_back(one);
           continue;
         }
-        for (const zeros::UnresolvedBox<3>& box : rest_of(*one.strip, one.cell, {smallest, most_cells})) {
+        if (const std::optional<const char *> reached = limit.reached(all_.cells)) {
+          rest.push_back(one);
+          rest.back().reason = *reached;
+          continue;
+        }
+        for (const zeros::UnresolvedBox<3>& box : rest_of(*one.strip, one.cell, smallest)) {
           rest.push_back({one.strip, cell_around(box.box, one.strip->domain), box.reason, false});
           rest.back().given_up = smallest <= fine && rest.back().length() > one.length() / 2;
         }

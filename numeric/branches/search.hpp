@@ -32,6 +32,7 @@ struct AllFollowed {
   std::vector<Sheet> sheets;
   std::vector<UnresolvedPart> unresolved;  // where there may be orbits that are on no branch
   bool complete = false;                   // and else there are none
+  long cells = 0;                          // that were examined for them
 };
 
 // With question.at, the branches of the orbits at that value only.

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "numeric/branches/changes.hpp"
 #include "numeric/branches/multiples.hpp"
+#include "numeric/branches/search.hpp"
 #include "tests/numeric/branches/questions.hpp"
 
 using namespace stickslip;
@@ -308,6 +309,21 @@ TEST_CASE(
     }
     CHECK(compared >= 2);
   }
+}
+
+TEST_CASE("the search for orbits on no branch has one limit of cells for all of its parts, and says so") {
+  OrbitQuestion data =
+      examples::data("overshooting", {"0.7126", "2.9317", "0.0701", "1.8803", "0.151723", "0.03"});
+  data.ur = Range{parse_rational("0.162")};
+  const zeros::Effort little(1000, {});
+  const AllFollowed all = follow_all(along(data, "omega", "0.151723", "0.152093"));
+  CHECK(!all.complete);
+  CHECK(all.cells >= 1000);
+  CHECK(all.cells < 3000);
+  CHECK(std::any_of(all.unresolved.begin(), all.unresolved.end(), [](const UnresolvedPart& part) {
+    return part.reason ==
+           "there may be orbits that are on no branch: the search was stopped at its limit of cells";
+  }));
 }
 
 TEST_CASE("a branch that comes back with the load's phase a turn further is a closed curve, counted once") {
