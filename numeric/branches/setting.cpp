@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
@@ -182,20 +183,23 @@ Law law_of(const BranchQuestion& question) {
   return law;
 }
 
+std::vector<Growth> overshooting_growths() {
+  // a, C, D: the odd rows, which come first, are free of a and D, the even ones of C.
+  return {{{2, 4}, {3}, {0, 1}}, {{3}, {2, 4}, {2, 3}}, {{2, 3, 4}, {}, {}}};
+}
+
 namespace {
 
 std::vector<Growth> growths_of(const BranchQuestion& question) {
   const Family& family = *question.orbits.family;
   if (question.word) {
-    const int first = static_cast<int>(family.phases.size()) - 1;  // z1, z2, z1'
-    return {{{first, first + 1, first + 2}, {}, {}}};
+    return word_growths(*question.word);
   }
   if (&family == &symmetric()) {
     return {{{1}, {}, {}}};  // C
   }
   if (&family == &overshooting()) {
-    // a, C, D: the odd rows, which come first, are free of a and D, the even ones of C.
-    return {{{2, 4}, {3}, {0, 1}}, {{3}, {2, 4}, {2, 3}}, {{2, 3, 4}, {}, {}}};
+    return overshooting_growths();
   }
   return {};
 }

@@ -76,6 +76,48 @@ TEST_CASE("a branch of the word OTS over the friction: its orbits are those of t
   CHECK(compared >= 3);
 }
 
+TEST_CASE("the branch of OTS through its fold is that of the overshooting family, from another phase on") {
+  const words::WordQuestion machine = machine_of(O(), "0.4585");
+  const BranchQuestion question = along(machine, "OTS", "omega", "0.626", "0.634", parse_rational("0.63"));
+  const BranchList list = list_branches(question);
+  CHECK(list.unresolved.empty());
+  OrbitQuestion family = O();
+  family.phi = {};
+  family.ur = Range{machine.ur};
+  BranchQuestion same = examples::along(family, "omega", "0.626", "0.634");
+  same.at = question.at;
+  const BranchList there = list_branches(same);
+  REQUIRE(list.branches.size() == 1);
+  REQUIRE(there.branches.size() == 1);
+  const std::vector<Change>&here = list.branches[0].changes, &others = there.branches[0].changes;
+  REQUIRE(here.size() == 2);
+  REQUIRE(others.size() == 2);
+  for (const Change& change : here) {
+    CHECK(change.verdict.truth == Truth::proved);
+    CHECK(std::any_of(others.begin(), others.end(), [&](const Change& other) {
+      return other.kind == change.kind && other.at.overlaps(change.at);
+    }));
+  }
+  // The motion begins with the word's first phase, at time 0.
+  for (const Piece& piece : list.branches[0].pieces) {
+    for (const Sample& sample : piece.samples) {
+      double start = 0;
+      REQUIRE(sample.motion.phases.size() == 3);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const motion::PhaseOf<double>& phase = sample.motion.phases[k];
+        CHECK(phase.kind == question.word->family->phases[k]);
+        CHECK(phase.start == doctest::Approx(start));
+        start += phase.duration;
+      }
+      const model::Parameters<double>& a = sample.motion.oscillator.data;
+      CHECK(start * a.omega == doctest::Approx(6.283185307179586));
+      // The stick ends where r = ur.
+      const motion::PhaseOf<double>& slip = sample.motion.phases[2];
+      CHECK(model::friction_at<double>(a, slip.Z, slip.load) == doctest::Approx(0.4585));
+    }
+  }
+}
+
 TEST_CASE("a word with two sticks, whose branches the general multipliers carry") {
   // An orbit of one word taken twice has two sticks: its multipliers are the squares of the single one's.
   const words::WordQuestion machine = machine_of(O(), "0.44");
