@@ -113,7 +113,8 @@ class Walk {
   Path path_;
 };
 
-// The tangent here, in the direction of the one before, and the driver that suits it.
+// The tangent here, in the direction of the one before, and the driver that suits it. Along the last cell its
+// driver rose or fell all the way, and goes on so here: other coordinates may have turned.
 bool Walk::turn_tangent() {
   Eigen::VectorXd units(here_.x.size() + 1);
   for (int i = 0; i < here_.x.size(); ++i) {
@@ -125,8 +126,9 @@ bool Walk::turn_tangent() {
     return false;
   }
   units_ = units;
-  tangent_ = tangent_.size() != 0 && t.dot(tangent_) < 0 ? Eigen::VectorXd(-t) : t;
-  const auto n = tangent_.size() - 1;
+  const auto n = t.size() - 1;
+  const auto drove = driver_ == by_parameter ? n : driver_;
+  tangent_ = t(drove) * tangent_(drove) < 0 ? Eigen::VectorXd(-t) : t;
   const double share = std::abs(tangent_(n));
   int driver = by_parameter;
   if (share < (driver_ == by_parameter ? steep : not_steep)) {

@@ -32,3 +32,20 @@ TEST_CASE("a cell refuses the motion of another branch, however near") {
     }
   }
 }
+
+TEST_CASE("a branch is not followed back where an unknown turns sharply") {
+  // Along omega the size of the motions changes its direction at once at 0.3288: by the scalar product of the
+  // tangents the branch seemed to turn.
+  const Rational at = parse_rational("0.3");
+  const std::vector<Start> all = starts(along(S(), "omega", "0.3", "0.9"), at);
+  REQUIRE(!all.empty());
+  for (const Start& start : all) {
+    const Path path = follow(start.curve, at, start.point, 1);
+    for (std::size_t k = 0; k + 1 < path.cells.size(); ++k) {
+      const Cell &cell = path.cells[k], &next = path.cells[k + 1];
+      if (cell.driver == next.driver && cell.in_units == next.in_units) {
+        CHECK((cell.first < cell.last) == (next.first < next.last));
+      }
+    }
+  }
+}
