@@ -84,7 +84,11 @@ TypedParameters contents_of(const GivenFile& file) {
   if (file.values || file.empty()) {
     return file.values.value_or(TypedParameters());
   }
-  return parse_parameters(report::tools::read_file(file.name), file.name);
+  TypedParameters all = parse_parameters(report::tools::read_file(file.name), file.name);
+  for (const auto& [name, text] : all) {
+    (void)interval(fmt::format("{}: {}", file.name, name), text);  // throws where it is none, nor a number
+  }
+  return all;
 }
 
 MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& file,

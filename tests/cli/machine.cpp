@@ -188,9 +188,9 @@ TEST_CASE("what the model lacks, and what a value or a file should look like, is
           "load_frequency needs exactly one value: the load of the model is a single harmonic");
   for (const std::string quote : {"", "\""}) {
     refused(with(machine_O, "m1", quote + "12,4" + quote), attractors, exit_usage,
-            "m1: '12,4' is not a number: a decimal has a point, 12.4");
+            "machine.toml: m1: '12,4' is not a number: a decimal has a point, 12.4");
     refused(with(machine_O, "m1", quote + "12.4 kg" + quote), attractors, exit_usage,
-            "m1: '12.4 kg' is not a number: write 12.4 alone, without a unit");
+            "machine.toml: m1: '12.4 kg' is not a number: write 12.4 alone, without a unit");
   }
   refused(with(machine_O, "load_amplitude", "0"), attractors, exit_domain, "load_amplitude = 0 in ");
   refused(with(machine_O, "load_amplitude", "0"), {"orbits", "overshooting"}, exit_domain,
