@@ -242,6 +242,19 @@ void conclude(const WordQuestion& q, const Word& word, long periods, const Found
   list.orbits.push_back(std::move(orbit));
 }
 
+// The side of a cell over which durations may change most: x0 is a share of all periods, x1 one of what it
+// takes and x2 of what it leaves.
+template <int N>
+std::size_t most_felt(const Cell<N>& cell) {
+  const std::array<double, 3> unit{1, cell.upper[0], 1 - cell.lower[0]};
+  const auto felt = [&](std::size_t i) { return (cell.upper[i] - cell.lower[i]) * unit[i]; };
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < N; ++i) {
+    most = felt(i) > felt(most) ? i : most;
+  }
+  return most;
+}
+
 template <class P>
 WordList all_of(const WordQuestion& q, const Word& word, long periods, const SearchLimits& limits) {
   constexpr int N = P::times;
@@ -259,7 +272,7 @@ WordList all_of(const WordQuestion& q, const Word& word, long periods, const Sea
         [&](const Box<N>& X) {
           return lasts_too_short(problem, X) ? std::nullopt : families::contract(problem.closing, X);
         },
-        [&](const Box<N>& X) { return families::decide(problem.closing, X); }, limits);
+        [&](const Box<N>& X) { return families::decide(problem.closing, X); }, limits, most_felt<N>);
     for (const UnresolvedBox<N>& open : result.unresolved) {
       list.unresolved.push_back({named<P>(problem, open.box), open.reason});
     }

@@ -150,6 +150,11 @@ template <int N>
   return longest;
 }
 
+template <int N>
+struct LongestSide {
+  [[nodiscard]] std::size_t operator()(const Cell<N>& cell) const { return longest_side<N>(cell); }
+};
+
 // What came of a cell: nothing if it holds no zero that is not known.
 template <int N>
 struct Examined {
@@ -196,10 +201,11 @@ void leave_open(SearchResult<N>& result, const Box<N>& box, const std::string& r
 // Every zero in the domain; after an interruption (core/interruption.hpp) the cells that are still open are
 // left unresolved. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> Decision<N>; both are called from
 // several threads at once. A zero of the result may lie just outside the domain, where its enclosure reaches
-// across the boundary: the caller refines it and looks.
-template <int N, class Contract, class Decide>
+// across the boundary: the caller refines it and looks. halved: Cell<N> -> which side is to be halved; the
+// longest one is where that is below the smallest.
+template <int N, class Contract, class Decide, class Halved = detail::LongestSide<N>>
 [[nodiscard]] SearchResult<N> search(const Cell<N>& domain, const Contract& contract, const Decide& decide,
-                                     const SearchLimits& limits = {}) {
+                                     const SearchLimits& limits = {}, const Halved& halved = {}) {
   SearchResult<N> result;
   std::vector<Cell<N>> unique;  // of the zeros
   const auto is_known = [&](const Cell<N>& cell) {
@@ -243,8 +249,12 @@ template <int N, class Contract, class Decide>
     if (decision.found || decision.empty) {
       return;
     }
-    const std::size_t i = detail::longest_side<N>(cell);
-    if (cell.upper[i] - cell.lower[i] < limits.smallest) {
+    const auto is_small = [&](std::size_t side) {
+      return cell.upper[side] - cell.lower[side] < limits.smallest;
+    };
+    const std::size_t proposed = halved(cell);
+    const std::size_t i = is_small(proposed) ? detail::longest_side<N>(cell) : proposed;
+    if (is_small(i)) {
       detail::leave_open<N>(result, to_box<N>(cell), decision.reason);
       return;
     }

@@ -95,6 +95,28 @@ void check_that_nothing_is_lost(const SearchResult<1>& result) {
 
 }  // namespace
 
+TEST_CASE("a caller may say which side of a cell is halved, until it is small: then the longest one") {
+  // The first coordinate alone tells whether a cell is empty.
+  const auto contract = [](const Box<2>& X) {
+    return X(0).contains(Ball(Rational(1, 3)).midpoint()) ? std::optional(X) : std::nullopt;
+  };
+  const auto decide = [](const Box<2>&) { return Decision<2>{std::nullopt, false, "open"}; };
+  const SearchLimits limits{0x1p-6, 100000};
+  const Cell<2> domain{{0, 0}, {1, 1}};
+  const SearchResult<2> by_longest = search<2>(domain, contract, decide, limits);
+  const SearchResult<2> by_first =
+      search<2>(domain, contract, decide, limits, [](const Cell<2>&) { return std::size_t{0}; });
+  CHECK(by_first.cells < by_longest.cells);
+  CHECK(by_first.cells > 128);  // the other side is halved, too
+  for (const SearchResult<2>& result : {by_first, by_longest}) {
+    REQUIRE(result.unresolved.size() == 1);
+    const Box<2>& open = result.unresolved.front().box;
+    CHECK((open(0).radius() - Ball(0x1p-7)).is_negative());
+    CHECK(open(1).contains(Ball(0)));
+    CHECK(open(1).contains(Ball(1)));
+  }
+}
+
 TEST_CASE("the limit of cells loses nothing") {
   SearchLimits limits;
   limits.cells = 3;
