@@ -43,7 +43,18 @@ Witness witness_of(const Statement& statement, const Scene& scene) {
   for (const Statement& value : scene.values) {
     values.emplace(value.left.name(), value.right);
   }
-  Sample<Ball> here(values, at_point(scene.point));
+  std::vector<Coordinate> point = scene.point;
+  const auto is_there = [&](const char * name) {
+    return std::ranges::find(point, name, &Coordinate::name) != point.end();
+  };
+  if (vocabulary_here().is_of_model() && !is_there("chi")) {  // whose value makes no difference
+    for (const auto& [name, any] : {std::pair("omega1", Rational(1, 2)), {"omega2", Rational(2)}}) {
+      if (!is_there(name)) {
+        point.push_back({name, any});
+      }
+    }
+  }
+  Sample<Ball> here(values, at_point(point));
   const Value<Ball> left = evaluate_beside<Ball>(statement.left, statement.right, here.lookup()),
                     right = evaluate_beside<Ball>(statement.right, statement.left, here.lookup());
   Eigen::Index shown = 0;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
+#include "proofs/checks/premises.hpp"
 #include "proofs/kernel/balls.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/point.hpp"
@@ -15,14 +16,14 @@ using namespace stickslip::proofs::symbols::vocabulary;
 
 namespace {
 
-// omega1 and omega2, and for every other scalar a number of its own.
+// Of every scalar that stands for itself a number of its own.
 const std::vector<Coordinate>& point() {
   static const std::vector<Coordinate> all = [] {
     std::vector<Coordinate> result{{"omega1", Rational(3, 5)}, {"omega2", Rational(11, 5)}};
     int next = 10;
     for (const Symbol& symbol : symbol_table()) {
-      if (symbol.shape.is_scalar() && !symbol.value && !symbol.of_time && symbol.name != "pi" &&
-          !symbol.name.starts_with("omega")) {
+      if (symbol.shape.is_scalar() && !symbol.of_time && !symbol.name.starts_with("omega") &&
+          proofs::checks::stands_for_itself(scalar(symbol.name))) {
         result.push_back({symbol.name, Rational(++next, 70)});
       }
     }
