@@ -51,10 +51,10 @@ Qed.
 Definition times (rules : Rules) (P Q : Polynomial) : Polynomial :=
   match P, Q with
   | Pc _, _ | _, Pc _ => pmul P Q
-  | _, _ => reduced rules (pmul P Q)
+  | _, _ => reduced (rules_for P Q rules) (pmul P Q)
   end.
 Lemma times_ok {rules l} (known : obeyed rules l) P Q : at_ l (times rules P Q) = at_ l P * at_ l Q.
-Proof. unfold times. destruct P, Q; rewrite ?reduced_ok by exact known; apply pmul_ok. Qed.
+Proof. unfold times. destruct P, Q; rewrite ?reduced_ok by exact (obeyed_for _ _ _ _ known); apply pmul_ok. Qed.
 
 Fixpoint to_power (rules : Rules) (P : Polynomial) (n : nat) : Polynomial :=
   match n with O => pconst 1 | 1%nat => P | S m => times rules P (to_power rules P m) end.

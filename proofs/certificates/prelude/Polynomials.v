@@ -51,25 +51,54 @@ Fixpoint circles (l : list R) (cs : list (positive * positive)) : Prop :=
   end.
 Definition rule (c s : positive) : PExpr Z * PExpr Z :=
   (PEmul (PEX Z c) (PEX Z c), PEadd (PEc 1%Z) (PEmul (PEc (-1)%Z) (PEmul (PEX Z s) (PEX Z s)))).
-Definition Rules := list (Z * Mon * Polynomial).
+(* What is to be put for a letter's square. *)
+Definition Rules := list (positive * (Z * Mon * Polynomial)).
 Definition rules_of (cs : list (positive * positive)) : Rules :=
-  mk_monpol_list 0%Z 1%Z Z.add Z.mul Z.sub Z.opp Zeq_bool Z.quotrem (map (fun '(c, s) => rule c s) cs).
-Definition obeyed (rules : Rules) (l : list R) : Prop := MPcond 0 1 Rplus Rmult (@eq R) IZR rules l.
+  combine (map fst cs)
+    (mk_monpol_list 0%Z 1%Z Z.add Z.mul Z.sub Z.opp Zeq_bool Z.quotrem (map (fun '(c, s) => rule c s) cs)).
+Definition obeyed (rules : Rules) (l : list R) : Prop := MPcond 0 1 Rplus Rmult (@eq R) IZR (map snd rules) l.
 
 Lemma whole_division : div_theory (@eq R) Z.add Z.mul IZR Z.quotrem.
 Proof. constructor. intros a b. pose proof (Z.quotrem_eq a b). destruct (Z.quotrem a b). rewrite H. f_equal. lia. Qed.
+Lemma obeyed_part : forall l (ks : list positive) rules, MPcond 0 1 Rplus Rmult (@eq R) IZR rules l ->
+  obeyed (combine ks rules) l.
+Proof.
+  unfold obeyed. induction ks as [|k ks H]; intros [|[M P] rules] O; try exact I. destruct O as [E O].
+  split; [exact E | now apply H].
+Qed.
 Lemma rules_ok cs l : circles l cs -> obeyed (rules_of cs) l.
 Proof.
-  intros C.
+  intros C. apply obeyed_part.
   apply (interp_PElist_ok reals_set reals_ext reals_ring whole_numbers R_power_theory whole_division l).
   induction cs as [|[c s] [|d cs] H]; [exact I| |].
   - destruct C as [C _]. simpl. exact C.
   - destruct C as [C D]. split; [simpl; exact C | exact (H D)].
 Qed.
+(* A square stands in a product only if its letter stands in both factors, where none stands in either. *)
+Fixpoint letters (P : Polynomial) : N :=
+  match P with
+  | Pc _ => 0
+  | Pinj j P => N.shiftl (letters P) (Npos j)
+  | PX P _ Q => N.lor (letters P) (N.succ_double (letters Q))
+  end.
+Definition rules_for (P Q : Polynomial) (rules : Rules) : Rules :=
+  match N.land (letters P) (letters Q) with
+  | N0 => nil
+  | both => filter (fun r => N.testbit both (Pos.pred_N (fst r))) rules
+  end.
+Lemma obeyed_for P Q rules l : obeyed rules l -> obeyed (rules_for P Q rules) l.
+Proof.
+  unfold rules_for. destruct (N.land (letters P) (letters Q)) as [|both]; [intros _; exact I|].
+  unfold obeyed. induction rules as [|[k [M R]] rules H]; [trivial|]. intros [E O]. cbn [filter fst].
+  destruct (N.testbit (Npos both) (Pos.pred_N k)); [split; [exact E | now apply H] | now apply H].
+Qed.
 Definition reduced (rules : Rules) (P : Polynomial) : Polynomial :=
-  PNSubstL 0%Z 1%Z Z.add Z.mul Zeq_bool Z.quotrem P rules 50 50.
+  match rules with
+  | nil => P
+  | _ => PNSubstL 0%Z 1%Z Z.add Z.mul Zeq_bool Z.quotrem P (map snd rules) 50 50
+  end.
 Lemma reduced_ok rules P l : obeyed rules l -> at_ l (reduced rules P) = at_ l P.
 Proof.
-  intros O. symmetry.
-  exact (PNSubstL_ok reals_set reals_ext reals_ring whole_numbers whole_division 50 50 rules P l O).
+  intros O. symmetry. unfold reduced. destruct rules; [reflexivity|].
+  exact (PNSubstL_ok reals_set reals_ext reals_ring whole_numbers whole_division 50 50 _ P l O).
 Qed.
