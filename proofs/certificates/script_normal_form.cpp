@@ -270,6 +270,36 @@ Numbers numbers_apart(const std::vector<Term>& terms) {
 
 }  // namespace
 
+namespace {
+
+// Numbers that become letters, those at once that can be, for each time the whole goal is typed anew.
+class Generalized {
+ public:
+  void add(const std::string& number, const std::string& letter) {
+    numbers_.push_back(number);
+    letters_.push_back(letter);
+  }
+  void apart(const std::string& line) { lines_ = text() + line; }
+  // Of what stands in one `generalize`, Coq takes the last first.
+  [[nodiscard]] std::string text() {
+    if (!numbers_.empty()) {
+      std::ranges::reverse(numbers_);
+      std::ranges::reverse(letters_);
+      lines_ +=
+          fmt::format("  generalize {}; intros {}.\n", fmt::join(numbers_, " "), fmt::join(letters_, " "));
+      numbers_.clear();
+      letters_.clear();
+    }
+    return lines_;
+  }
+
+ private:
+  std::vector<std::string> numbers_, letters_;
+  std::string lines_;
+};
+
+}  // namespace
+
 std::string Script::normal_form(const Term& left, const Term& right, const Step& step,
                                 const Scope& scope) const {
   const Definitions opened = needed(difference(left, right), step);
@@ -340,27 +370,34 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
   std::ranges::stable_partition(atoms, is_matrix);
   std::ranges::stable_partition(atoms, std::not_fn(is_variable));
   // Those that a cosine or sine is part of while it still is.
-  std::string before_phases, after_phases;
+  Generalized before_phases, after_phases;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const std::string shown = coq(atoms[i]), name = fmt::format("m'{}", i);
-    std::string& where = has_circle(atoms[i]) ? before_phases : after_phases;
+    Generalized& where = has_circle(atoms[i]) ? before_phases : after_phases;
     if (is_matrix(atoms[i])) {
-      where +=
-          fmt::format("  {} {}; by_entries; intros{}.\n", is_variable(atoms[i]) ? "revert" : "generalize",
-                      shown, entries(atoms[i].type(), name));
+      where.apart(fmt::format("  {} {}; by_entries; intros{}.\n",
+                              is_variable(atoms[i]) ? "revert" : "generalize", shown,
+                              entries(atoms[i].type(), name)));
     } else if (atoms[i].kind() == Kind::pi) {
-      where += "  generalize PI_neq0; generalize PI; intros pi' n'.\n";
+      where.apart("  generalize PI_neq0; generalize PI; intros pi' n'.\n");
     } else if (!is_variable(atoms[i])) {
-      where += fmt::format("  generalize {}; intros {}.\n", shown, name);
+      where.add(shown, name);
     }
   }
-  text += reverted() + before_phases + expansions + "  forget.\n";
+  text += reverted() + before_phases.text() + expansions + "  forget.\n";
+  Generalized numbers;
+  std::string on_circles, known;
   for (std::size_t i = 0; i < phases.phases.size(); ++i) {
-    text +=
-        fmt::format("  generalize (circle {0}); generalize (cos {0}) (sin {0}); intros c'{1} s'{1} K'{1}.\n",
-                    phases.phases[i], i);
+    const std::string& phase = phases.phases[i];
+    on_circles += fmt::format(" (circle {})", phase);
+    numbers.add(fmt::format("(cos {})", phase), fmt::format("c'{}", i));
+    numbers.add(fmt::format("(sin {})", phase), fmt::format("s'{}", i));
+    known += fmt::format(" K'{}", i);
   }
-  text += after_phases;
+  if (!known.empty()) {
+    text += fmt::format("  generalize{}.\n{}  intros{}.\n", on_circles, numbers.text(), known);
+  }
+  text += after_phases.text();
   text += expansions.empty() ? "" : "  intro_letters.\n";
   if (!divisors.empty()) {
     text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
