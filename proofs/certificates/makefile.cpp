@@ -24,10 +24,12 @@ all: $(ASKED:=.vo)
 .PHONY: all
 Matrices.vo:
 Sentences.vo:
+Programs.vo:
 Polynomials.vo: Matrices.vo
 Fractions.vo: Polynomials.vo
 Algebra.vo: Sentences.vo Fractions.vo
-Calculus.vo Inverses.vo Numbers.vo: Algebra.vo
+Calculus.vo Inverses.vo: Algebra.vo
+Numbers.vo: Algebra.vo Programs.vo
 Krawczyk.vo Stability.vo Definitions.vo: Calculus.vo
 Zeros.vo: Krawczyk.vo Numbers.vo
 Auxiliary.vo Statements.vo: Definitions.vo

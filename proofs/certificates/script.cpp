@@ -44,6 +44,11 @@ bool is_bound_by_number(const Formula& formula) {
          std::ranges::any_of(formula.parts(), [](const Term& side) { return side.kind() == Kind::number; });
 }
 
+// What a sign says, or denies.
+const Formula& relation_of(const Formula& sign) {
+  return sign.kind() == Kind::negation ? sign.parts()[0] : sign;
+}
+
 // The term with values for variables that nothing around binds: what is so for all is so for these.
 Term within_scope(const Term& term, const Variables& variables) {
   Substitution values;
@@ -77,6 +82,13 @@ void Script::count(const Theorem& theorem) {
     }
     if (const auto bounded = bounded_by(theorem)) {
       bounds_[bounded->first].at(bounded->second) = theorem;
+    }
+    if (theorem.derivation().rule == "sign") {
+      for (const Term& side : relation_of(theorem.conclusion()).parts()) {
+        if (!side.variables().empty()) {
+          signs_[side].insert(theorem.hypotheses());
+        }
+      }
     }
     for (const Theorem& premise : theorem.derivation().premises) {
       count(premise);

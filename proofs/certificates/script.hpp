@@ -89,6 +89,9 @@ class Script {
   [[nodiscard]] std::string order(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string sign(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string lettered(kernel::Formula& said) const;
+  // Of a long number of which several signs are found: the name of a lemma that says of which expression it
+  // is the value, so that Coq reads it once; else nothing.
+  [[nodiscard]] std::string read_once(const kernel::Formula& relation);
   [[nodiscard]] std::string jury(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string one_zero(const kernel::Theorem& theorem);
   [[nodiscard]] std::string consequence(const kernel::Theorem& theorem, const Scope& scope);
@@ -112,8 +115,10 @@ class Script {
   using Bounded = std::tuple<kernel::Formulas, bool, kernel::Term>;
   std::map<Bounded, std::array<std::optional<kernel::Theorem>, 2>> bounds_;
   [[nodiscard]] static std::optional<std::pair<Bounded, std::size_t>> bounded_by(const kernel::Theorem& sign);
-  std::map<kernel::Formula, int> assumed_;        // by how many steps
-  std::map<kernel::Formula, std::string> names_;  // of long conjunctions, and of bounds
+  std::map<kernel::Term, std::set<kernel::Formulas>> signs_;  // of a number: under what each is found
+  std::map<kernel::Term, std::string> readings_;              // by numbers: lemmas
+  std::map<kernel::Formula, int> assumed_;                    // by how many steps
+  std::map<kernel::Formula, std::string> names_;              // of long conjunctions, and of bounds
   std::string file_;
   Library& library_;
   std::set<std::string> imports_;

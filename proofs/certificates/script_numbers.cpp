@@ -189,6 +189,45 @@ std::string Script::lettered(Formula& said) const {
   return text;
 }
 
+std::string Script::read_once(const Formula& relation) {
+  constexpr std::size_t often = 3, is_long = 400;
+  const auto counted = std::ranges::find_if(relation.parts(), [&](const Term& side) {
+    const auto found = signs_.find(side);
+    return found != signs_.end() && found->second.size() >= often;
+  });
+  if (counted == relation.parts().end()) {
+    return "";
+  }
+  const Term& number = *counted;
+  const auto [reading, is_new] = readings_.emplace(number, "");
+  if (is_new) {
+    std::vector<Definition> all;
+    collect_definitions(number, all);
+    const Definitions opened(all.begin(), all.end());
+    const bool of_numbers = std::ranges::all_of(
+        number.variables(), [](const Variable& variable) { return variable.type == real_number; });
+    if (!of_numbers || coq(unfold(number, opened)).size() < is_long) {
+      return "";
+    }
+    const std::vector<Variable> variables(number.variables().begin(), number.variables().end());
+    std::vector<std::string> names;
+    for (const Variable& variable : variables) {
+      names.push_back(identifier(variable.name));
+    }
+    const std::string name = fresh(file_ + "_number"), all_variables = binders(variables),
+                      shown = coq(number),
+                      open = opened.empty() ? "" : fmt::format(" delta [{}]", names_of(opened));
+    text_ += fmt::format(
+        "Definition {0} : Tree.expr := ltac:(let f := eval cbv beta{1} in (fun {2} => {3}) in number_read "
+        "f).\n"
+        "Lemma {0}_is : forall {2}, {3} = Tree.eval {0} {4}.\n"
+        "Proof. intros {5}. exact_no_check (eq_refl {3}). Qed.\n\n",
+        name, open, all_variables, shown, list(names), fmt::join(names, " "));
+    reading->second = fmt::format("({}_is {})", name, fmt::join(names, " "));
+  }
+  return reading->second;
+}
+
 std::string Script::sign(const Theorem& theorem, const Scope& scope) {
   // Interval arithmetic takes Coq half a second to load, here and wherever this file is used.
   const bool denied = theorem.conclusion().kind() == Kind::negation;
@@ -201,8 +240,9 @@ std::string Script::sign(const Theorem& theorem, const Scope& scope) {
   }
   needs_.insert("Numbers");
   Formula said = theorem.conclusion();
-  std::string text = lettered(said);
-  text += opened_in(said) + bounds_opened(theorem, scope);
+  const std::string reading = read_once(relation);
+  std::string text = reading.empty() ? lettered(said) + opened_in(said) : "";
+  text += bounds_opened(theorem, scope);
   // The widest range is halved where it has to be: Coq's sine knows less of wide intervals than Arb's.
   std::string along;
   Rational widest(1, 1000000);
@@ -211,10 +251,12 @@ std::string Script::sign(const Theorem& theorem, const Scope& scope) {
     const Rational width = data[i + 2].value() - data[i + 1].value();
     if (width > widest) {
       widest = width;
-      along = fmt::format("_along {}", identifier(data[i].name()));
+      along = identifier(data[i].name());
     }
   }
-  return text + fmt::format("  reduce_matrices; by_enclosure{}.", along);
+  const std::string how = along.empty() ? "" : "_along", parts = along.empty() ? "" : " " + along;
+  return text + (reading.empty() ? fmt::format("  reduce_matrices; by_enclosure{}{}.", how, parts)
+                                 : fmt::format("  by_known_enclosure{} {}{}.", how, reading, parts));
 }
 
 // Jury's test is one inequality for each degree.

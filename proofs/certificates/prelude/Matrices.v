@@ -92,6 +92,10 @@ Ltac reduce_matrices :=
   cbv beta iota zeta delta
     [Mat mat vmap vmap2 vtab vnth vconst vdrop mzero ent mplus mscal rowmul mmul dot sgn vsum det minv fst snd
      Nat.even Nat.add negb].
+Ltac reduced_matrices t :=
+  eval cbv beta iota zeta delta
+    [Mat mat vmap vmap2 vtab vnth vconst vdrop mzero ent mplus mscal rowmul mmul dot sgn vsum det minv fst snd
+     Nat.even Nat.add negb] in t.
 Ltac reduce_matrices_in Q :=
   cbv beta iota zeta delta
     [Mat mat vmap vmap2 vtab vnth vconst vdrop mzero ent mplus mscal rowmul mmul dot sgn vsum det minv fst snd

@@ -1,6 +1,7 @@
 (* Signs of expressions between given bounds, in interval arithmetic on whole numbers: no axiom but those of
    the real numbers. *)
 From Stickslip Require Export Algebra.
+From Stickslip Require Import Programs.
 From Interval.Float Require Import Basic Specific_ops Specific_stdz.
 From Interval.Interval Require Import Float_full.
 From Interval.Eval Require Import Tree Prog Reify.
@@ -44,15 +45,14 @@ Definition cosine (a : expr) := Eunary Cos a.
 Definition sine (a : expr) := Eunary Sin a.
 Definition modulus (a : expr) := Eunary Abs a.
 
-(* Squares, differences and quotients, which have tighter bounds, or are computed sooner. *)
+(* Differences and quotients, which have tighter bounds, or are computed sooner. *)
 Definition tidy_plus (a b : expr) : expr :=
   match b with
   | Ebinary Mul (Econst (Int (-1))) b => Ebinary Sub a b
   | _ => Ebinary Add a b
   end.
 Definition tidy_times (a b : expr) : expr :=
-  if expr_beq a b then Eunary Sqr a
-  else match b with Eunary Inv b => Ebinary Div a b | _ => Ebinary Mul a b end.
+  match b with Eunary Inv b => Ebinary Div a b | _ => Ebinary Mul a b end.
 Fixpoint tidy (e : expr) : expr :=
   match e with
   | Ebinary Add a b => tidy_plus (tidy a) (tidy b)
@@ -69,9 +69,7 @@ Proof.
 Qed.
 Lemma tidy_times_ok : forall l a b, eval (tidy_times a b) l = eval a l * eval b l.
 Proof.
-  intros l a b. unfold tidy_times. destruct (expr_beq a b) eqn:E.
-  - apply internal_expr_dec_bl in E. now rewrite E.
-  - destruct b as [|?|o b|?]; try reflexivity. now destruct o.
+  intros l a b. destruct b as [|?|o b|?]; try reflexivity. now destruct o.
 Qed.
 Lemma tidy_ok : forall l e, eval (tidy e) l = eval e l.
 Proof.
@@ -82,9 +80,9 @@ Qed.
 (* How precise, how often the variables with these places are halved, and what is to be shown of the expression. *)
 Definition enclosed (prec : Z) (depth : nat) (halved : list nat) (hs : list (list (bound expr))) (e : expr)
     (g : gol) : bool :=
-  match extract (tidy e) (length hs) with
-  | Eprog prog consts => Helper.eval_bisect prec depth halved (map (map hypothesis) hs) prog consts g
-  | Eabort => false
+  match program_of (tidy e) (length hs) with
+  | Some (prog, consts) => Helper.eval_bisect prec depth halved (map (map hypothesis) hs) prog consts g
+  | None => false
   end.
 Lemma assuming_weaker : forall (G H : Prop), (G -> H) -> forall hs l, assuming hs l G -> assuming hs l H.
 Proof.
@@ -102,9 +100,8 @@ Lemma enclosed_ok : forall prec depth halved hs l e g,
   enclosed prec depth halved hs e g = true -> assuming hs l (eval_goal g (eval e l)).
 Proof.
   intros prec depth halved hs l e g E. apply as_long. intros L. unfold enclosed in E. rewrite L in E.
-  pose proof (extract_correct (tidy e) l) as X.
-  destruct (extract (tidy e) (length l)) as [|prog consts]; [discriminate|].
-  rewrite <- tidy_ok, <- X. now apply (Helper.eval_bisect_correct prec depth halved).
+  destruct (program_of (tidy e) (length l)) as [[prog consts]|] eqn:X; [|discriminate].
+  rewrite <- tidy_ok, <- (program_of_ok _ _ _ _ X). now apply (Helper.eval_bisect_correct prec depth halved).
 Qed.
 
 Definition is_less prec depth halved hs a b :=
@@ -209,8 +206,23 @@ Ltac applied_to_places xs k t :=
   | nil => t
   | cons _ ?rest => let t := applied_to_places rest (S k) t in constr:(t (Evar k))
   end.
+(* A term of numbers as one of expressions. *)
+Ltac read t :=
+  let t := eval pattern R, Rplus, Rmult, Rminus, Rdiv, Ropp, Rinv, IZR, pow, cos, sin, PI, Rabs in t in
+  lazymatch t with
+  | ?f _ _ _ _ _ _ _ _ _ _ _ _ _ =>
+      let t := constr:(f expr plus times minus over opposite inverse number to_power cosine sine (Econst Pi) modulus) in
+      eval cbv beta in t
+  end.
+(* A function of several numbers. *)
+Ltac of_variables t k :=
+  lazymatch type of t with
+  | expr -> _ => let t := constr:(t (Evar k)) in let t := eval cbv beta in t in of_variables t (S k)
+  | _ => t
+  end.
+Ltac function_read t := let t := read t in of_variables t O.
 Ltac place_of x xs k := lazymatch xs with cons x _ => k | cons _ ?rest => place_of x rest (S k) end.
-(* Hands on: the lemma, the test, the variables, and what is read. *)
+(* Hands on the variables, and what is read. *)
 Ltac with_expressions go :=
   let xs := numbers_in_context (@nil R) in
   revert_all_bounds xs; forget;
@@ -218,14 +230,34 @@ Ltac with_expressions go :=
   | |- ?G =>
       let t := bounds_in G xs in
       let t := abstracted xs t in
-      let t := eval pattern R, Rplus, Rmult, Rminus, Rdiv, Ropp, Rinv, IZR, pow, cos, sin, PI, Rabs in t in
-      lazymatch t with
-      | ?f _ _ _ _ _ _ _ _ _ _ _ _ _ =>
-          let t := constr:(f expr plus times minus over opposite inverse number to_power cosine sine (Econst Pi)
-                             modulus) in
-          let t := applied_to_places xs O t in
-          let t := eval cbv beta in t in
-          lazymatch t with pair ?hs (pair ?a ?b) => go xs hs a b end
+      let t := read t in
+      let t := applied_to_places xs O t in
+      let t := eval cbv beta in t in
+      lazymatch t with pair ?hs (pair ?a ?b) => go xs hs a b end
+  end.
+(* The same of a number that was read before: E says that it is the value of an expression. *)
+Ltac with_known_expression E go :=
+  lazymatch type of E with
+  | ?t = eval ?e ?xs =>
+      revert_all_bounds xs; forget;
+      lazymatch goal with
+      | |- ?G =>
+          let u := eval pattern t in G in
+          lazymatch u with
+          | ?P _ =>
+              refine (eq_ind_r P _ E); cbv beta;
+              lazymatch goal with
+              | |- ?G =>
+                  let t := bounds_in G xs in
+                  let t := eval pattern (eval e xs) in t in
+                  lazymatch t with
+                  | ?f _ =>
+                      let f := read f in
+                      let t := eval cbv beta in (f e) in
+                      lazymatch t with pair ?hs (pair ?a ?b) => go xs hs a b end
+                  end
+              end
+          end
       end
   end.
 Ltac conclusion G :=
@@ -252,12 +284,16 @@ End Enclosures.
 Lemma by_distance : forall c w x : R, Rabs (x + -1 * c) <= w -> c + -1 * w <= x <= c + w.
 Proof. intros c w x L. unfold Rabs in L. destruct (Rcase_abs _); lra. Qed.
 
-Ltac by_enclosure :=
-  Enclosures.with_expressions ltac:(fun xs hs a b =>
-    first [Enclosures.by_test 60%Z O (@nil nat) xs hs a b | Enclosures.by_test 128%Z O (@nil nat) xs hs a b]).
+Ltac enclosed xs hs a b :=
+  first [Enclosures.by_test 60%Z O (@nil nat) xs hs a b | Enclosures.by_test 128%Z O (@nil nat) xs hs a b].
 (* The same where a variable has a wide range: in parts of it, of which a few do mostly. *)
-Ltac by_enclosure_along x :=
-  Enclosures.with_expressions ltac:(fun xs hs a b =>
-    let k := Enclosures.place_of x xs O in
-    first [ Enclosures.by_test 30%Z 4%nat (cons k nil) xs hs a b
-          | Enclosures.by_test 40%Z 12%nat (cons k nil) xs hs a b ]).
+Ltac enclosed_along x xs hs a b :=
+  let k := Enclosures.place_of x xs O in
+  first [ Enclosures.by_test 30%Z 4%nat (cons k nil) xs hs a b
+        | Enclosures.by_test 40%Z 12%nat (cons k nil) xs hs a b ].
+Ltac by_enclosure := Enclosures.with_expressions enclosed.
+Ltac by_enclosure_along x := Enclosures.with_expressions ltac:(enclosed_along x).
+(* A function of several numbers as an expression. *)
+Ltac number_read f := let f := reduced_matrices f in let t := Enclosures.function_read f in exact t.
+Ltac by_known_enclosure E := Enclosures.with_known_expression E enclosed.
+Ltac by_known_enclosure_along E x := Enclosures.with_known_expression E ltac:(enclosed_along x).

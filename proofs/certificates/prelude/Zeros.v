@@ -342,17 +342,5 @@ Qed.
 Strategy expand [evaluated within column].
 
 (* A function of n numbers to a list of numbers as expressions; pairs of numbers. *)
-Ltac read_expressions t :=
-  let t := eval pattern R, Rplus, Rmult, Rminus, Rdiv, Ropp, Rinv, IZR, pow, cos, sin, PI in t in
-  lazymatch t with
-  | ?f _ _ _ _ _ _ _ _ _ _ _ _ =>
-      let t := constr:(f expr plus times minus over opposite inverse number to_power cosine sine (Econst Pi)) in
-      eval cbv beta in t
-  end.
-Ltac of_variables t k :=
-  lazymatch type of t with
-  | expr -> _ => let t := constr:(t (Evar k)) in let t := eval cbv beta in t in of_variables t (S k)
-  | _ => t
-  end.
-Ltac functions_read t := let t := read_expressions t in let t := of_variables t O in exact t.
-Ltac numbers_read t := let t := read_expressions t in exact t.
+Ltac functions_read t := let t := function_read t in exact t.
+Ltac numbers_read t := let t := read t in exact t.

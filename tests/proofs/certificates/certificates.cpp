@@ -117,6 +117,34 @@ TEST_CASE("a bound of many letters that many steps assume stands in full in the 
   CHECK(script.text().rfind(bound) > script.text().find("Theorem all"));
 }
 
+TEST_CASE("a long number of which several signs are found is read once") {
+  const Variable x{"x"};
+  Term number = x;
+  for (int k = 0; k < 60; ++k) {
+    number = cos(number) + 2;
+  }
+  const auto text_of_signs = [&](const Term& of, int pieces) {
+    std::vector<Theorem> signs;
+    for (int k = 0; k < pieces; ++k) {
+      signs.push_back(Theorem::sign(less(0, of), {{x, {k, k + 1}}}));
+    }
+    certificates::Library library;
+    Script script("file", library);
+    script.add("all", tactics::both(signs));
+    return script.text();
+  };
+  const std::string text = text_of_signs(number, 4);
+  CHECK(places_of("number_read", text) == 1);
+  CHECK(places_of("exact_no_check (eq_refl", text) == 1);
+  CHECK(places_of("by_known_enclosure", text) == 4);
+  CHECK(places_of("reduce_matrices; by_enclosure", text) == 0);
+  // Not for two signs, nor for a short number.
+  for (const std::string& other : {text_of_signs(number, 2), text_of_signs(cos(x) + 2, 4)}) {
+    CHECK(places_of("number_read", other) == 0);
+    CHECK(places_of("by_known_enclosure", other) == 0);
+  }
+}
+
 TEST_CASE("what follows from what says the same is not stated again") {
   const Variable x{"x"}, y{"y"};
   const Theorem one = Theorem::combination(equal(Term(x) + x, Term(2) * x)),
