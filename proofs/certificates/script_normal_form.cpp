@@ -138,6 +138,17 @@ Formulas divisors_of(const Term& term) {
 
 namespace {
 
+// How often each entry of a matrix stands in its inverse, written out by cofactors, about.
+double repeated_by(const Term& term) {
+  double times = 1;
+  if (term.kind() == Kind::inverse && !term.type().is_scalar()) {
+    for (int k = 2; k <= term.type().rows; ++k) {
+      times *= k * k;
+    }
+  }
+  return times;
+}
+
 // How long a term is, written out, and how often each of its parts stands in it.
 class Measure {
  public:
@@ -146,7 +157,7 @@ class Measure {
     counts[whole] = 1;
     for (auto term = parts.rbegin(); term != parts.rend(); ++term) {
       for (const Term& part : inside(*term)) {
-        counts[part] += counts[*term];
+        counts[part] += repeated_by(*term) * counts[*term];
       }
     }
   }
@@ -167,7 +178,7 @@ class Measure {
     }
     double size = 1;
     for (const Term& part : inside(term)) {
-      size += add(part);
+      size += repeated_by(term) * add(part);
     }
     parts.push_back(term);
     return sizes.emplace(term, size).first->second;

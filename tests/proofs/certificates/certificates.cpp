@@ -117,6 +117,20 @@ TEST_CASE("a bound of many letters that many steps assume stands in full in the 
   CHECK(script.text().rfind(bound) > script.text().find("Theorem all"));
 }
 
+TEST_CASE("a matrix of which the inverse stands in an identity is one letter where it may be any") {
+  const Variable A{"A", real_matrix(4, 4)}, B{"B", real_matrix(4, 4)}, x{"x", real_matrix(4, 1)};
+  const auto text_of_inverse = [&](const Term& M, const Term& right) {
+    certificates::Library library;
+    Script script("file", library);
+    script.add("name", Theorem::combination(equal(inverse(M) * (M * x), right)));
+    return script.text();
+  };
+  const Term M = Term(A) * B + Term(B) * A;
+  CHECK(text_of_inverse(M, x).find("generalize (A ** B +m B ** A); intros v_letter_20_0.") !=
+        std::string::npos);
+  CHECK(text_of_inverse(A, x).find("letter") == std::string::npos);
+}
+
 TEST_CASE("a long number of which several signs are found is read once") {
   const Variable x{"x"};
   Term number = x;
