@@ -43,18 +43,15 @@ Witness witness_of(const Statement& statement, const Scene& scene) {
   for (const Statement& value : scene.values) {
     values.emplace(value.left.name(), value.right);
   }
-  std::vector<Coordinate> point = scene.point;
-  const auto is_there = [&](const char * name) {
-    return std::ranges::find(point, name, &Coordinate::name) != point.end();
-  };
-  if (vocabulary_here().is_of_model() && !is_there("chi")) {  // whose value makes no difference
-    for (const auto& [name, any] : {std::pair("omega1", Rational(1, 2)), {"omega2", Rational(2)}}) {
-      if (!is_there(name)) {
-        point.push_back({name, any});
-      }
+  const Lookup<Ball> there = at_point(scene.point);
+  Sample<Ball> here(values, [&](const std::string& name) {
+    try {
+      return there(name);
+    } catch (
+        const InternalError&) {  // what the scene does not name makes no difference: 0 < omega1 < 1 < omega2
+      return name == "omega1" ? Ball(1) / Ball(2) : Ball(2);
     }
-  }
-  Sample<Ball> here(values, at_point(point));
+  });
   const Value<Ball> left = evaluate_beside<Ball>(statement.left, statement.right, here.lookup()),
                     right = evaluate_beside<Ball>(statement.right, statement.left, here.lookup());
   Eigen::Index shown = 0;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/estimate.hpp"
 #include "proofs/tactics/signs.hpp"
 
@@ -36,6 +37,12 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
       if (const auto lemma = seems_zero({divisor, -unit}, {}) ? is_invertible(divisor, unit) : std::nullopt) {
         return lemma;
       }
+    }
+  }
+  if (divisor.variables().empty()) {  // 1 - cos(3*pi)
+    try {
+      return certainly(differ(divisor, 0));
+    } catch (const KernelError&) {  // it is zero, or too close to it
     }
   }
   const Letters letters({divisor});
@@ -189,18 +196,18 @@ Theorem nonzero(const Theorem& theorem, const Domain& domain, const kernel::Form
 }
 
 bool implies_nonzero(const Term& d, const Term& f, Domain domain) {
-  if (d == f) {
-    return true;
-  }
+  const Letters letters({f});
+  const Factored factors = factored(letters.fraction(f).above, letters);
   const Theorem known = Theorem::assume(differ(d, 0));
   domain.push_back(known);
   for (const Theorem& factor : factors_differ(known)) {
     domain.push_back(factor);
   }
-  const Theorem theorem = nonzero(Theorem::assume(differ(f, 0)), domain, {known.conclusion()});
-  return !theorem.hypotheses().contains(differ(f, 0)) &&
-         (theorem.hypotheses().contains(known.conclusion()) ||
-          std::ranges::none_of(theorem.hypotheses(), is_divisor));
+  return std::ranges::all_of(factors.factors, [&](const Polynomial& factor) {
+    const Formula wanted = differ(letters.term(factor), 0);
+    return wanted == known.conclusion() ||
+           !nonzero(Theorem::assume(wanted), domain, {known.conclusion()}).hypotheses().contains(wanted);
+  });
 }
 
 std::vector<Theorem> factors_differ(const Theorem& differs) {

@@ -63,7 +63,7 @@ using Domain = std::vector<Theorem>;
 [[nodiscard]] std::optional<Theorem> differs_too(const Term& f, const Theorem& known);
 // d ≠ 0 gives f ≠ 0 for the irreducible factors of d, as far as they are found.
 [[nodiscard]] std::vector<Theorem> factors_differ(const Theorem& differs);
-// Whether d ≠ 0 gives f ≠ 0 in the domain, f irreducible, where all is defined that d divides by.
+// Whether d ≠ 0 gives f ≠ 0 in the domain, where all is defined that d and f divide by.
 [[nodiscard]] bool implies_nonzero(const Term& d, const Term& f, Domain domain);
 // 0 < a, as a product of powers of irreducible factors whose sign the domain gives; what occurs to even
 // powers only is a hypothesis f ≠ 0.

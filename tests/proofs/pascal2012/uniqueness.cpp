@@ -39,7 +39,8 @@ Outcome outcome(Claim claim) {
 
 bool refused(const Claim& claim) {
   const Outcome result = outcome(claim);
-  return !result.by_kernel && result.theorems.empty() && result.verdict.truth == Truth::undecided;
+  return result.verdict.truth == Truth::refuted ||
+         (!result.by_kernel && result.theorems.empty() && result.verdict.truth == Truth::undecided);
 }
 
 // Proved, if at all, where something nonzero that it does not assume is nonzero.
