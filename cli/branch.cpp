@@ -1,5 +1,7 @@
 // stickslip branch: orbits over an interval of one parameter, and every change.
 
+#include <fmt/format.h>
+
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
@@ -34,9 +36,15 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
   require_outputs(o);
   const auto [file, list] = [&] {
     const Interruptible scope;
-    const Progress progress("following branches ...");
-    const auto asked = asked_branch(o, paper);
-    return std::pair(asked.file, list_branches(asked.question));
+    Progress progress("following branches ...");
+    auto asked = asked_branch(o, paper);
+    asked.question.found = [&, count = 0](const Branch& branch) mutable {
+      progress.show(fmt::format("following branches: {} so far, the last from {} to {} ...", ++count,
+                                to_string(branch.first.at, 6), to_string(branch.last.at, 6)));
+    };
+    BranchList list = list_branches(asked.question);
+    list.question.found = {};
+    return std::pair(asked.file, list);
   }();
   write_outputs(o, list, file);
   return list.interrupted ? exit_interrupted : is_decided(list) ? exit_decided : exit_undecided;

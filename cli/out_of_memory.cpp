@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <new>
 
 #include "cli/output.hpp"
 #include "core/error.hpp"
@@ -50,6 +51,7 @@ void release_known(void * block, std::size_t /*size*/) {
 void end_in_words_without_memory() {
   mp_set_memory_functions(allocate, reallocate_known, release_known);
   __flint_set_memory_functions(allocate, allocate_zeros, reallocate, release);
+  std::set_new_handler(end);  // mimalloc throws nothing, it ends the program without a word
 }
 
 }  // namespace stickslip::cli

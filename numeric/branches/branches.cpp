@@ -45,6 +45,9 @@ void trace(const BranchQuestion& question, const Law& law, const Sheet& sheet, c
   }
   if (!branch.pieces.empty()) {
     list.branches.push_back(std::move(branch));
+    if (question.found) {
+      question.found(list.branches.back());
+    }
   }
 }
 

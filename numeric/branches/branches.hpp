@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct WordOrbits {
   std::size_t not_admissible = 0;                  // orbits that are known, too, and are not followed
 };
 
+struct Branch;
 struct BranchQuestion {
   OrbitQuestion orbits;  // exact; what it says of the free parameter does not count
   // chi, eta, us, V, omega, p; phi or ur where the family takes it; or a value of `machine`.
@@ -35,6 +37,8 @@ struct BranchQuestion {
   // the machine's value.
   std::optional<MachineAlong> machine = {};
   std::string machine_file = {};  // for the command that asks again
+  // Called with each branch as soon as all is known of it, in the order of the list.
+  std::function<void(const Branch&)> found = {};
 };
 
 // What the orbits on a piece of a branch are, every one of them.

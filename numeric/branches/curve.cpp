@@ -6,6 +6,7 @@
 
 #include "core/interruption.hpp"
 #include "numeric/branches/infinity.hpp"
+#include "numeric/zeros/search.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -198,7 +199,7 @@ bool Walk::try_cell(double length) {
 
 bool Walk::advance() {
   if (interrupted()) {
-    path_.reason = "the search was interrupted";
+    path_.reason = zeros::was_interrupted;
     return false;
   }
   if (path_.cells.size() >= most_cells) {

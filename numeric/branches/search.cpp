@@ -374,7 +374,8 @@ void Search::exhaust() {
       }
     }
   }
-  // What overlaps along the parameter is one part, for each reason.
+  // What overlaps along the parameter is one part, for each reason; what was not looked at any more is one in
+  // any case.
   std::sort(open.begin(), open.end(), [](const Open& a, const Open& b) {
     return std::tie(a.reason, a.cell.lower[2]) < std::tie(b.reason, b.cell.lower[2]);
   });
@@ -382,7 +383,8 @@ void Search::exhaust() {
     const double from = open[k].cell.lower[2];
     double to = from;
     const std::string& reason = open[k].reason;
-    for (; k < open.size() && open[k].reason == reason && open[k].cell.lower[2] <= to; ++k) {
+    const bool cut_short = reason == zeros::was_interrupted;
+    for (; k < open.size() && open[k].reason == reason && (cut_short || open[k].cell.lower[2] <= to); ++k) {
       to = std::max(to, open[k].cell.upper[2]);
     }
     all_.unresolved.push_back(

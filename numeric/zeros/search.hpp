@@ -18,6 +18,9 @@
 
 namespace stickslip::numeric::zeros {
 
+// Why something is open that was not looked at any more.
+inline constexpr const char * was_interrupted = "the search was interrupted";
+
 // A closed box whose ends are exactly these doubles: cells share their faces and leave no gap.
 template <int N>
 struct Cell {
@@ -239,7 +242,7 @@ template <int N, class Contract, class Decide, class Halved = detail::LongestSid
     const Cell<N>& cell = *examined.rest;
     const Decision<N>& decision = examined.decision;
     if (examined.interrupted) {
-      detail::leave_open<N>(result, to_box<N>(cell), "the search was interrupted");
+      detail::leave_open<N>(result, to_box<N>(cell), was_interrupted);
       return;
     }
     if (decision.found) {

@@ -1,5 +1,5 @@
 // What a numeric term means, entry by entry, in a system of numbers: quotients of polynomials
-// (normal_form.cpp), balls and jets of balls (balls.hpp). For these files only.
+// (normal_form.cpp), balls and jets of balls (balls.hpp); and outside, what a second opinion is of.
 #pragma once
 
 #include <map>

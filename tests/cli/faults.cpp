@@ -98,7 +98,7 @@ TEST_CASE("whatever is interrupted comes to its end within two seconds of proces
   const Words overshooting{"branch", "overshooting", "--example", "O", "--ur", "0.4585", "--omega"};
   for (const Words& arguments :
        {Words{"attractors", "--example", "S", "--starts", "100000"},
-        Words{"orbits", "STST", "--example", "S"}, long_search, with(overshooting, {"0.3431..0.3463"}),
+        Words{"orbits", "STST", "--example", "S"}, long_search, with(overshooting, {"0.355..0.49"}),
         Words{"simulate", "--example", "S", "--periods", "100000000"}}) {
     CAPTURE(arguments.front());
     const TemporaryDirectory temporary;
@@ -130,11 +130,11 @@ TEST_CASE("the shares of interrupted attractors are of the starts that were foll
 
 TEST_CASE(
     "an interrupted search for branches says where it is open once, however many boxes it has left there") {
-  const Json list = interrupted_after(4, {"branch", "overshooting", "--example", "O", "--ur", "0.4585",
-                                          "--omega", "0.3431..0.3463", "--json"});
+  const Json list = interrupted_after(
+      4, {"branch", "overshooting", "--example", "O", "--ur", "0.4585", "--omega", "0.355..0.49", "--json"});
   CHECK(list.at("interrupted") == true);
   CHECK(list.at("complete") == false);
-  // Tens of boxes, next to each other along omega.
+  // Hundreds of boxes.
   const Json& open = list.at("unresolved");
   CHECK(open.size() >= 1);
   CHECK(open.size() <= 8);
@@ -303,7 +303,8 @@ TEST_CASE("without a home or a temporary directory a report is made all the same
 
 #ifndef __SANITIZE_ADDRESS__
 TEST_CASE("at any limit of memory there is an answer or a sentence, from the libraries in C too") {
-  constexpr int not_loaded = 127, plenty = 4000000;
+  // Not loaded; or a library, CLN, has no memory for its own numbers before main() begins.
+  constexpr int not_loaded = 127, not_begun = 128 + SIGABRT, plenty = 4000000;
   int sentences = 0;
   for (const int kilobytes : {50000, 55000, 60000, 65000, 70000, 75000, 80000, 90000, 100000, plenty}) {
     CAPTURE(kilobytes);
@@ -314,7 +315,9 @@ TEST_CASE("at any limit of memory there is an answer or a sentence, from the lib
       CHECK(result.err.find("out of memory") != std::string::npos);
       CHECK(result.out.empty());
     } else {
-      CHECK((result.code == exit_decided || result.code == not_loaded));
+      CHECK((result.code == exit_decided || result.code == not_loaded || result.code == not_begun));
+      CHECK(
+          (result.code != not_begun || result.err.find("without an active exception") != std::string::npos));
     }
     CHECK((kilobytes < plenty || result.code == exit_decided));
   }

@@ -56,7 +56,7 @@ TEST_CASE("the errata are by place, formulas and numbers alone, without the ids 
     CHECK(at > last);
     last = at;
   }
-  CHECK(errata.out.find("\\omega-\\omega_1 \\neq 0") != std::string::npos);
+  CHECK(errata.out.find("\\omega - \\omega_1 \\neq 0") != std::string::npos);
   // A letter: who writes it is left open, what was read is said, the paper is quoted, and no hypothesis is
   // told twice.
   for (const char * part :

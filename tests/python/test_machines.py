@@ -184,7 +184,8 @@ def test_what_is_wrong_with_a_machine_is_said_as_the_program_says_it(tmp_path, v
     kind = {64: stickslip.UsageError, 65: stickslip.DomainError}[report.returncode]
     with pytest.raises(kind) as raised:
         stickslip.orbits("nonsticking", machine=stickslip.Machine(**values, name=str(file)), **given)
-    assert report.stderr.rstrip(".\n") == f"stickslip: {raised.value}".rstrip(".")
+    said = [text.replace(f"{file}: ", "").rstrip(".\n") for text in (report.stderr, f"stickslip: {raised.value}")]
+    assert said[0] == said[1]  # the program names the file wherever it reads one
 
 
 def test_data_outside_the_domain_are_said_in_the_keys_of_the_machine(tmp_path):

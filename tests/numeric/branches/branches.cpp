@@ -98,7 +98,12 @@ std::vector<Change> changes_of(const BranchList& list, ChangeKind kind) {
 }  // namespace
 
 TEST_CASE("symmetric orbits over omega: a fold, a birth and a loss of stability, as the lists beside them") {
-  const BranchList list = list_branches(along(S(), "omega", "0.58", "0.61"));
+  BranchQuestion question = along(S(), "omega", "0.58", "0.61");
+  std::vector<std::size_t> found;  // the changes of each branch, as it is found
+  question.found = [&](const Branch& branch) { found.push_back(branch.changes.size()); };
+  const BranchList list = list_branches(question);
+  CHECK(
+      std::ranges::equal(found, list.branches, {}, {}, [](const Branch& one) { return one.changes.size(); }));
   CHECK(list.resolved());
   CHECK(list.complete);
   CHECK(changes_of(list, ChangeKind::fold).size() == 1);

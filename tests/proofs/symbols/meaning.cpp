@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "proofs/checks/premises.hpp"
-#include "proofs/kernel/balls.hpp"
+#include "proofs/kernel/entrywise.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/point.hpp"
 #include "proofs/symbols/table.hpp"
@@ -33,6 +33,22 @@ const std::vector<Coordinate>& point() {
   return all;
 }
 
+// The numbers of which terms are made, there.
+struct There {
+  using Number = Ball;
+  static Ball number(const Rational& value) { return Ball(value); }
+  static Ball pi() { return Ball::pi(); }
+  static Ball reciprocal(const Ball& value) { return Ball(1) / value; }
+  static Ball cosine(const proofs::kernel::Term& argument, auto& entries) {
+    return cos(entries(argument)[0]);
+  }
+  static Ball sine(const proofs::kernel::Term& argument, auto& entries) { return sin(entries(argument)[0]); }
+  static std::vector<Ball> atom(const proofs::kernel::Term& term, auto& entries) {
+    return term.kind() == proofs::kernel::Kind::defined ? entries(term.definition().unfolded(term.parts()))
+                                                        : std::vector<Ball>{at_point(point())(term.name())};
+  }
+};
+
 // The same term by both engines: the model's templates over balls (and jets), and what it is read as in the
 // kernel, definitions opened.
 void both_engines_agree(const Term& term) {
@@ -40,12 +56,8 @@ void both_engines_agree(const Term& term) {
   const Value<Ball> direct = evaluate<Ball>(term, at_point(point()));
   proofs::methods::Reader read;
   const proofs::kernel::Term as_read = read(term);
-  proofs::kernel::Balls::Values values;
-  for (const proofs::kernel::Variable& variable : as_read.variables()) {
-    values.emplace(variable, std::vector<Ball>{at_point(point())(variable.name)});
-  }
-  proofs::kernel::InBalls in_balls({values});
-  const std::vector<Ball>& entries = in_balls(as_read);
+  proofs::kernel::Entrywise<There> there({});
+  const std::vector<Ball>& entries = there(as_read);
   REQUIRE(direct.size() == static_cast<Eigen::Index>(entries.size()));
   for (Eigen::Index i = 0; i < direct.size(); ++i) {
     const Ball& one = direct(i / direct.cols(), i % direct.cols());

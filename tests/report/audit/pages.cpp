@@ -168,7 +168,7 @@ TEST_CASE("text is escaped for the page it stands on, nothing of a template rema
   CHECK(mentions(page("statements.html"), "&quot;0&quot;."));
   CHECK(mentions(tex, "for $x < y$ \\& $y$ $>$ ''0''."));
   CHECK(mentions(tex, "$u_s$ is 100\\% of \\{$F$\\}"));
-  CHECK(mentions(tex, "$\\omega-\\omega_1\\neq 0$"));
+  CHECK(mentions(tex, "$\\omega - \\omega_1 \\neq 0$"));
   CHECK_FALSE(mentions(html, "{{"));
   CHECK_FALSE(mentions(tex, "<<"));
   CHECK_FALSE(mentions(tex, ">>"));

@@ -95,7 +95,8 @@ Audit sample_audit() {
   Record needs =
       record("5.where", "sec3", Status::needs_hypotheses, "The same, with ω₁ ≠ ω.", equation(Z(t), Z0));
   needs.outcome.verdict = Verdict::proved();
-  needs.outcome.hypotheses = {{omega - omega1, "omega - omega1 != 0", "\\omega-\\omega_1\\neq 0", "5.where"}};
+  needs.outcome.hypotheses = {
+      {omega - omega1, "omega - omega1 != 0", "\\omega - \\omega_1 \\neq 0", "5.where"}};
   Record open =
       record("17", "A2", Status::undecided, "The symmetry of the orbit in time.", equation(Z(t), Z0));
   open.claim.origin = Origin::new_result;
