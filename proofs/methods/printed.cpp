@@ -102,15 +102,19 @@ symbols::Term sum_of(const Polynomial& polynomial, const tactics::Letters& lette
 
 symbols::Term neat_term(const Term& number) {
   const tactics::Letters letters({number});
-  const auto [above, below] = letters.fraction(number);
-  const symbols::Term numerator = sum_of(above, letters);
-  return is_constant(below) && leading_coefficient(below) == 1 ? numerator
-                                                               : numerator / sum_of(below, letters);
+  auto [above, below] = letters.fraction(number);
+  if (is_constant(below) && leading_coefficient(below) == 1) {
+    return sum_of(above, letters);
+  }
+  const bool is_negative = in_order(above).front().coefficient < 0;
+  above *= letters.ring().constant(is_negative ? -1 : 1);
+  const symbols::Term size = sum_of(above, letters) / sum_of(below, letters);
+  return is_negative ? -size : size;
 }
 
 Hypothesis hypothesis(const Term& factor, const std::string& origin) {
   const tactics::Letters letters({factor});
-  Polynomial above = letters.fraction(factor).above;
+  Polynomial above = tactics::factored(letters.fraction(factor).above, letters).product;
   if (in_order(above).front().coefficient < 0) {
     above *= letters.ring().constant(-1);
   }
