@@ -26,7 +26,9 @@ class Jobs {
 // what one of them throws.
 template <class F>
 [[nodiscard]] auto parallel_map(std::size_t n, const F& f) {
-  std::vector<std::invoke_result_t<const F&, std::size_t>> results(n);
+  using Result = std::invoke_result_t<const F&, std::size_t>;
+  // Not vector<bool>, whose elements share bytes that two threads would write at one time.
+  std::vector<std::conditional_t<std::is_same_v<Result, bool>, char, Result>> results(n);
   const long bits = WorkingPrecision::bits();
   // What oneTBB guarantees anyway, where the thread sanitizer sees it: all of this happens after what came
   // before, and before what comes after.
