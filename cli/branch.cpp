@@ -44,7 +44,7 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
     };
     BranchList list = list_branches(asked.question);
     list.question.found = {};
-    return std::pair(asked.file, list);
+    return std::pair(asked.file, std::move(list));
   }();
   write_outputs(o, list, file);
   return list.interrupted ? exit_interrupted : is_decided(list) ? exit_decided : exit_undecided;

@@ -13,7 +13,7 @@
 namespace stickslip {
 
 // While an object of this type lives, at most so many threads work (at least 1); without one, as many as
-// there are cores. GiNaC's and CLN's objects must not be touched by any but the program's first thread.
+// there are cores. GiNaC's and CLN's objects are for one thread at a time.
 class Jobs {
  public:
   explicit Jobs(std::size_t threads) : limit_(tbb::global_control::max_allowed_parallelism, threads) {}

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/kernel/entrywise.hpp"
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
 
@@ -59,6 +59,9 @@ struct At {
   [[nodiscard]] std::vector<S> atom(const kernel::Term& term, auto& entries) const {
     if (term.kind() == kernel::Kind::defined) {
       return entries(term.definition().unfolded(term.parts()));
+    }
+    if (term.kind() != kernel::Kind::variable || !term.type().is_scalar()) {
+      throw InternalError("a proof derived an equation of what is no number");
     }
     return {(*symbols)(term.name())};
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/symbols/derived.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/symbols/vocabulary.hpp"

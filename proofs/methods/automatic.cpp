@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "proofs/checks/premises.hpp"
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/not_negative.hpp"
 #include "proofs/methods/points.hpp"

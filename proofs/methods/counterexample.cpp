@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/points.hpp"
 #include "proofs/methods/refutation.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/table.hpp"
@@ -226,7 +226,7 @@ Theorem Derivation::settled(Theorem theorem) {
 Term Derivation::with_values(Term term) const {
   for (std::size_t k = 0; k < given_.size(); ++k) {  // each value may speak of others
     for (const Given& one : given_) {
-      term = occurs(one.symbol(), term) ? replaced(term, one.symbol(), one.value()) : term;
+      term = !one.id.empty() && occurs(one.symbol(), term) ? replaced(term, one.symbol(), one.value()) : term;
     }
   }
   return term;
@@ -266,7 +266,7 @@ void Derivation::record(Outcome& outcome, const Theorem& theorem, const Formulas
     const Term here = with_values(one.parts()[0].parts()[0]);
     const Term divisor = unfold(here, openings({here}).in_parameters());
     if (is_zero(divisor)) {
-      throw ZeroDivisor("what is divided by is zero: " + to_string(one.parts()[0].parts()[0]));
+      throw ZeroDivisor("what is divided by is zero where the claim's assumptions hold");
     }
     const Theorem simpler = nonzero(Theorem::assume(differ(divisor, 0)), domain_, stated_nonzero_);
     for (const Formula& factor : simpler.hypotheses()) {
@@ -275,6 +275,8 @@ void Derivation::record(Outcome& outcome, const Theorem& theorem, const Formulas
       } else if (is_divisor(factor)) {
         outcome.hypotheses =
             joined(outcome.hypotheses, {hypothesis(factor.parts()[0].parts()[0], claim_.id)});
+      } else if (!domain_formulas().contains(factor)) {
+        throw KernelError("it rests on what the claim does not assume: " + to_string(factor));
       }
     }
   }

@@ -27,7 +27,7 @@ class Derivation {
   [[nodiscard]] kernel::Term read(const symbols::Term& printed) { return read_(printed); }
   [[nodiscard]] kernel::Formula read(const symbols::Statement& statement) { return read_(statement); }
 
-  // With the given values put in ("tau = pi/omega") wherever their symbols stand.
+  // With the values that the claim's assumptions give ("tau = pi/omega") wherever their symbols stand.
   [[nodiscard]] kernel::Term with_values(kernel::Term term) const;
 
   // The claim's assumptions.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/tactics/almost_always.hpp"

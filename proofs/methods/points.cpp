@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/tactics/estimate.hpp"

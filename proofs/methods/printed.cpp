@@ -114,11 +114,14 @@ symbols::Term neat_term(const Term& number) {
 
 Hypothesis hypothesis(const Term& factor, const std::string& origin) {
   const tactics::Letters letters({factor});
-  Polynomial above = tactics::factored(letters.fraction(factor).above, letters).product;
-  if (in_order(above).front().coefficient < 0) {
-    above *= letters.ring().constant(-1);
+  const auto [above, below] = letters.fraction(factor);
+  symbols::Term nonzero = neat_term(factor);  // of a quotient all of it: where it is not defined, too
+  if (is_constant(below)) {
+    Polynomial primitive = tactics::factored(above, letters).product;
+    const int sign = above.is_zero() ? 1 : sgn(in_order(primitive).front().coefficient);
+    primitive *= letters.ring().constant(sign);
+    nonzero = sum_of(primitive, letters);
   }
-  const symbols::Term nonzero = sum_of(above, letters);
   return {nonzero, text(nonzero) + " != 0", latex(nonzero) + " \\neq 0", origin};
 }
 

@@ -12,7 +12,7 @@
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/checks/repair.hpp"
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/gate.hpp"
 #include "proofs/methods/refutation.hpp"

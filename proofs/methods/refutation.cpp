@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"

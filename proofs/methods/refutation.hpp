@@ -38,6 +38,12 @@ struct Scene {
 
 struct Claim;
 struct Hypothesis;
+struct Outcome;
+// Where the outcome is undecided: refuted, if it is a theorem that there are values with which all that the
+// claim assumes holds and what it prints does not; they are sought where an equation fails that the outcome
+// doubts, or what is printed.
+void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim);
+
 // ⊢ there are values in the domain with which all that the claim assumes holds, and no hypothesis vanishes;
 // nothing where none was found.
 [[nodiscard]] std::optional<kernel::Theorem> obeying_values(Prover& prover, const Claim& claim,

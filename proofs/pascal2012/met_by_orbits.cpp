@@ -142,7 +142,7 @@ std::vector<Claim> met_by_orbits() {
                 .ids = ids("28 28.B 29 30 30.back 31 31.modes 32 33 33.symmetry 33.V 34.H 34 35 36 36.26 "
                            "36.back 35.bound "
                            "37 37.sharp 37.sharp.back 37.speed 52 53.X 54 68 69 69.X 69.motion A5.regular "
-                           "A5.mirror A5.symmetry 28.reduced"),
+                           "A5.mirror A5.symmetry 28.reduced 28.poles"),
                 .premises = {"A5.half", "A5.second"},
                 .values = {{"delta", 1}},
                 .goes_on_to = 3 * Theta / 2}),

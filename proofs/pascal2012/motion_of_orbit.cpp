@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/gate.hpp"
 #include "proofs/methods/openings.hpp"

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <stdexcept>
+#include <type_traits>
 
 using namespace stickslip;
 
@@ -26,4 +27,12 @@ TEST_CASE("a piece of work that fails is heard of") {
   CHECK_THROWS_AS(
       (void)parallel_map(100, [](std::size_t i) { return i == 57 ? throw std::out_of_range("57") : i; }),
       std::out_of_range);
+}
+
+TEST_CASE("two threads write no two results into one byte") {
+  const auto odd = parallel_map(1000, [](std::size_t i) { return i % 2 == 1; });
+  static_assert(!std::is_same_v<decltype(odd), const std::vector<bool>>);
+  for (std::size_t i = 0; i < odd.size(); ++i) {
+    CHECK((odd[i] != 0) == (i % 2 == 1));
+  }
 }

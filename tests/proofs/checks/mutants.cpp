@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include "proofs/checks/cross_check.hpp"
-#include "proofs/methods/deciding.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 using namespace stickslip;

@@ -6,9 +6,9 @@
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/edits.hpp"
 #include "proofs/checks/repair.hpp"
-#include "proofs/methods/deciding.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/refutation.hpp"
 
 namespace stickslip::proofs {
 

@@ -67,6 +67,15 @@ TEST_CASE("what is divided by is a hypothesis") {
   const Record own = record_of({"a/a = 1", {}, {"a"}});
   REQUIRE(own.outcome.hypotheses.size() == 1);
   CHECK(own.outcome.hypotheses[0].text == "a != 0");
+  // Of what is divided by, the values that are given put in: x = 0 where b = 0.
+  std::vector<std::string> texts;
+  for (const Hypothesis& one :
+       record_of({"x y/(x y) = 1", {"x = a/b"}, {"a", "b", "x", "y"}}).outcome.hypotheses) {
+    texts.push_back(one.text);
+  }
+  CHECK(texts == std::vector<std::string>{"a != 0", "b != 0", "y != 0"});
+  CHECK(truth_of("cos(x)/cos(x) = 1", {"x = pi"}, {"x"}) == Truth::proved);
+  CHECK(truth_of("sin(x)/sin(x) = 1", {"x = 2 pi"}, {"x"}) == Truth::undecided);
 }
 
 TEST_CASE("a line that is false is refuted by values, and what would be true is said") {

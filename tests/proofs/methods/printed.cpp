@@ -40,6 +40,7 @@ TEST_CASE("of f and -f a hypothesis names the one that begins with a plus") {
     CHECK(hypothesis(proofs::kernel::Term(sign) * (omega - omega1), "a").text == "omega - omega1 != 0");
     CHECK(hypothesis(proofs::kernel::Term(sign) * (omega - 1), "a").text == "1 - omega != 0");
   }
+  CHECK(hypothesis(x / (omega - omega1), "a").text == "x/(omega - omega1) != 0");
   CHECK(hypothesis(sin(omega1 * tau), "a").latex == "\\sin(\\omega_1 \\tau) \\neq 0");
 }
 

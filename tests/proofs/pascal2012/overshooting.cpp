@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include "proofs/checks/edits.hpp"
-#include "proofs/methods/deciding.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/closing.hpp"
 #include "proofs/symbols/vocabulary.hpp"

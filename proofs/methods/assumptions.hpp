@@ -37,8 +37,4 @@ struct Given {
 // Adds the claims that define what the term speaks of.
 void record_definitions(Outcome& outcome, const Claim& claim, const symbols::Term& term);
 
-// Where the outcome is undecided: refuted, if it is a theorem that there are values with which all that the
-// claim assumes holds and an equation that the outcome doubts does not (counterexample.cpp).
-void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim);
-
 }  // namespace stickslip::proofs::methods

@@ -1,4 +1,4 @@
-#include "proofs/methods/deciding.hpp"
+#include "proofs/methods/assumptions.hpp"
 
 #include <fmt/format.h>
 
