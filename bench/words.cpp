@@ -5,6 +5,7 @@
 #include "numeric/attractors/attractors.hpp"
 #include "numeric/words/chain_proof.hpp"
 #include "numeric/words/complete_list.hpp"
+#include "numeric/words/oscillator_chain.hpp"
 
 namespace stickslip::bench {
 
@@ -77,8 +78,8 @@ Closed closed(const WordQuestion& q, const model::Vector4<double>& from, long pe
   const motion::Motion& m = found.orbit->orbit.motion;
   for (const motion::Phase& phase : m.phases) {
     const Ball t = m.phases.front().load / m.oscillator.data.omega + phase.start;
-    const Node node(t, phase.Z(0), phase.Z(1), phase.Z(2));
-    result.nodes.push_back(node.unaryExpr([](const Ball& x) { return Ball(x.approximate()); }));
+    const Node at = node(t, phase.Z(0), phase.Z(1), phase.Z(2));
+    result.nodes.push_back(at.unaryExpr([](const Ball& x) { return Ball(x.approximate()); }));
   }
   return result;
 }
@@ -87,7 +88,7 @@ void prove_existence(benchmark::State& state, const WordQuestion& q, const model
                      long periods) {
   const Closed chain = closed(q, from, periods);
   for (auto _ : state) {
-    require_proved(state, prove_chain(chain.question, chain.nodes, 64, 4096).verdict);
+    require_proved(state, prove_chain(chain_at(chain.question), chain.nodes, 64, 4096).verdict);
   }
   state.counters["phases"] = static_cast<double>(chain.nodes.size());
 }
@@ -100,7 +101,7 @@ void prove_stability(benchmark::State& state, const WordQuestion& q, const model
   for (auto _ : state) {
     auto kind = motion::StabilityKind::undecided;
     for (bits = 128; bits <= 16384 && kind == motion::StabilityKind::undecided; bits *= 4) {
-      const ChainProof proof = prove_chain(chain.question, chain.nodes, bits, bits);
+      const ChainProof proof = prove_chain(chain_at(chain.question), chain.nodes, bits, bits);
       if (proof.verdict.truth == Truth::proved) {
         const WorkingPrecision scope(bits);
         kind = motion::stability_of(proof.return_map, true).kind;

@@ -14,19 +14,6 @@ namespace {
 
 constexpr int shown_digits = 10;
 
-// Fills in the verdict on "value > 0" (>= 0 unless strict).
-void judge(Condition& condition, const Ball& value, bool strict, const char * what) {
-  condition.margin = value;
-  if (value.is_positive() || (!strict && arb_is_nonnegative(value.raw()) != 0)) {
-    condition.verdict = Verdict::proved();
-  } else if (value.is_negative() || (strict && arb_is_zero(value.raw()) != 0)) {
-    condition.verdict = Verdict::refuted(fmt::format("{} is {}", what, to_string(value, shown_digits)));
-  } else {
-    condition.verdict = Verdict::undecided(
-        fmt::format("{} is {}, not separated from zero", what, to_string(value, shown_digits)));
-  }
-}
-
 void refute(Condition& condition, const char * premise, const Ball& excess) {
   condition.verdict =
       Verdict::refuted(fmt::format("{} is not met: off by {}", premise, to_string(excess, shown_digits)));
@@ -37,28 +24,12 @@ void decide_along(Condition& condition, const Motion& motion, const model::Phase
   const Phase& phase = motion.phases[q.phase];
   const Affine<Ball> form = affine_form<Ball>(motion.oscillator.data, ur, q.quantity);
   const Wave<Ball> g = model::affine<Ball>(form.factor, form.of_speed ? w.zdot2 : w.r, form.offset);
-  const char * premise =
-      form.of_speed ? "$z2' = V$ at an end of the phase" : "$r = ur$ at the end of the stick";
-  const Infimum infimum = weighted_infimum(g, phase.duration, q.touches);
-  if (q.touches.start && !infimum.start.contains_zero()) {
-    return refute(condition, premise, infimum.start);
-  }
-  if (q.touches.end && !infimum.end.contains_zero()) {
-    return refute(condition, premise, infimum.end);
-  }
-  if (!phase.duration.is_positive()) {
-    condition.verdict = Verdict::undecided("the duration of the phase is not proved positive: " +
-                                           to_string(phase.duration, shown_digits));
-    return;
-  }
-  judge(condition, infimum.value, q.strict, "the smallest distance");
-  condition.at = phase.start + infimum.time;
-  if (condition.verdict.truth == Truth::refuted) {
-    condition.violation = violation(g, phase.duration, infimum.time);
-    if (condition.violation) {
-      condition.violation->time += phase.start;
-    }
-  }
+  const WaveCourse course(g);
+  judge_along(
+      condition,
+      {course, WaveCourse(reversed(g, phase.duration)), course.bounds(), phase.start, phase.duration,
+       q.touches, form.of_speed ? "$z2' = V$ at an end of the phase" : "$r = ur$ at the end of the stick",
+       q.strict});
 }
 
 void decide_at_start(Condition& condition, const Motion& motion, const Ball& ur, const Requirement& q) {
@@ -130,6 +101,42 @@ Verdict closes_with(const std::vector<PhaseKind>& kinds, const Motion& motion,
 }
 
 }  // namespace
+
+void judge(Condition& condition, const Ball& value, bool strict, const char * what) {
+  condition.margin = value;
+  if (value.is_positive() || (!strict && arb_is_nonnegative(value.raw()) != 0)) {
+    condition.verdict = Verdict::proved();
+  } else if (value.is_negative() || (strict && arb_is_zero(value.raw()) != 0)) {
+    condition.verdict = Verdict::refuted(fmt::format("{} is {}", what, to_string(value, shown_digits)));
+  } else {
+    condition.verdict = Verdict::undecided(
+        fmt::format("{} is {}, not separated from zero", what, to_string(value, shown_digits)));
+  }
+}
+
+void judge_along(Condition& condition, const Along& along) {
+  const Infimum infimum =
+      weighted_infimum(along.g, along.reversed, along.bounds, along.duration, along.touches);
+  if (along.touches.start && !infimum.start.contains_zero()) {
+    return refute(condition, along.premise, infimum.start);
+  }
+  if (along.touches.end && !infimum.end.contains_zero()) {
+    return refute(condition, along.premise, infimum.end);
+  }
+  if (!along.duration.is_positive()) {
+    condition.verdict = Verdict::undecided("the duration of the phase is not proved positive: " +
+                                           to_string(along.duration, shown_digits));
+    return;
+  }
+  judge(condition, infimum.value, along.strict, "the smallest distance");
+  condition.at = along.start + infimum.time;
+  if (condition.verdict.truth == Truth::refuted) {
+    condition.violation = violation(along.g, along.duration, infimum.time);
+    if (condition.violation) {
+      condition.violation->time += along.start;
+    }
+  }
+}
 
 Condition decide(const Motion& motion, const std::optional<Ball>& ur, const Requirement& q) {
   return decide_with(motion, {}, ur, q);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/verdict.hpp"
+#include "numeric/motion/infimum.hpp"
 #include "numeric/motion/motion.hpp"
 #include "numeric/motion/requirements.hpp"
 
@@ -23,6 +24,21 @@ struct Condition {
   // When refuted along a phase or at a point; its time counts from the beginning of the motion.
   std::optional<Violation> violation;
 };
+
+// Fills in the verdict on "value > 0", >= 0 unless strict; `what` the value is, as in "the duration".
+void judge(Condition& condition, const Ball& value, bool strict, const char * what);
+
+// A distance along a phase, and where it is zero by the premise of that name.
+struct Along {
+  const Course& g;
+  const Course& reversed;  // as weighted_infimum wants it
+  DerivativeBounds bounds;
+  Ball start, duration;  // of the phase
+  Touches touches;
+  const char * premise;
+  bool strict = true;
+};
+void judge_along(Condition& condition, const Along& along);
 
 // Decides one requirement. Proved and refuted hold for all members of the balls in `motion` and `ur`, under
 // the premise that they contain an orbit that closes with z2' = V between its phases and, for (12), r = ur:

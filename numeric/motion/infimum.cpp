@@ -177,16 +177,7 @@ bool Search::settle_convex(const Piece& piece, double a, double b, const Ball& c
   return true;
 }
 
-// g(0).
-Ball initial_value(const Wave<Ball>& g) {
-  Ball sum = g.constant;
-  for (int k = 0; k < g.count; ++k) {
-    sum += g.harmonics[static_cast<unsigned>(k)].a;
-  }
-  return sum;
-}
-
-void add_pieces(std::vector<Piece>& pieces, const Side& side, const pieces::Bounds& bounds, bool touched,
+void add_pieces(std::vector<Piece>& pieces, const Side& side, const DerivativeBounds& bounds, bool touched,
                 double length) {
   if (!touched) {
     pieces.push_back({&side, false, 0, length, bounds.third});
@@ -202,14 +193,19 @@ void add_pieces(std::vector<Piece>& pieces, const Side& side, const pieces::Boun
 }  // namespace
 
 Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
+  const WaveCourse course(g);
+  return weighted_infimum(course, WaveCourse(reversed(g, T)), course.bounds(), T, touches);
+}
+
+Infimum weighted_infimum(const Course& g, const Course& reversed, const DerivativeBounds& bounds,
+                         const Ball& T, Touches touches) {
   const double last = lower_double(T);
   const double half = std::nextafter(upper_double(T) / 2, std::numeric_limits<double>::infinity());
   Search search(T, last);
-  const Wave<Ball> back = reversed(g, T);
   const auto finish = [&] {
     Infimum found = search.result();
-    found.start = initial_value(g);
-    found.end = initial_value(back);
+    found.start = g.at(0)[0];
+    found.end = reversed.at(0)[0];
     return found;
   };
   if (!(last > 0) || !(half < last)) {
@@ -217,9 +213,8 @@ Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
   }
   // Each end is looked at from itself, for a phase of uncertain length is best known there; a single touched
   // end sees the whole phase, so that w is the distance to it wherever that is below 1.
-  const Side start = pieces::side_of(g, false);
-  const Side end = pieces::side_of(back, true);
-  const pieces::Bounds bounds = pieces::derivative_bounds(g);
+  const Side start{&g, false};
+  const Side end{&reversed, true};
   std::vector<Piece> all;
   if (touches.start == touches.end) {
     add_pieces(all, start, bounds, touches.start, half);
@@ -245,14 +240,14 @@ Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
   return finish();
 }
 
-std::optional<Violation> violation(const Wave<Ball>& g, const Ball& T, const Ball& near) {
+std::optional<Violation> violation(const Course& g, const Ball& T, const Ball& near) {
   const double last = lower_double(T);
   double t = near.approximate();
   const bool at_start = !(t > 0);
   const bool at_end = !(t < last);
   for (double step = 0.25 * last; step > 1e-12 * last; step /= 2) {
     const double inside = at_start ? step : (at_end ? last - step : t);
-    const Ball value = model::value(g, Ball(inside));
+    const Ball value = g.at(inside)[0];
     if (value.is_negative()) {
       return Violation{Ball(inside), value};
     }

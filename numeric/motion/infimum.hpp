@@ -1,5 +1,5 @@
-// The infimum over a whole closed phase of a wave g, and of g divided by the distance to those ends where g
-// vanishes by construction.
+// The infimum over a whole closed phase of a function g, and of g divided by the distance to those ends where
+// g vanishes by construction.
 //
 // With w(t) = min(1, t if g(0) = 0, T - t if g(T) = 0), 0 <= t <= T, the weighted infimum is
 //   inf over 0 < t < T of g(t)/w(t),
@@ -11,9 +11,7 @@
 
 #include <optional>
 
-#include "core/sinc.hpp"
-#include "model/waves.hpp"
-#include "numeric/scalars/scalars.hpp"
+#include "numeric/motion/course.hpp"
 
 namespace stickslip::numeric::motion {
 
@@ -24,18 +22,21 @@ struct Touches {
 };
 
 struct Infimum {
-  Ball value;  // contains the weighted infimum, for all members of the wave and of T
+  Ball value;  // contains the weighted infimum, for all members of g and of T
   Ball time;   // contains a time in [0, T] at which the quotient (its limit at a touched end) lies in `value`
-  Ball start;  // g(0) and g(T), as far as the wave tells: a touched end whose ball excludes zero is none
+  Ball start;  // g(0) and g(T), as far as g tells: a touched end whose ball excludes zero is none
   Ball end;
 };
 
-// Assumes T > 0 for all members, and g zero at the touched ends. Returns an unbounded value when T or the
-// wave is not finite or T is too wide a ball to be halved.
+// Of g on [0, T], by itself and as a function of the time that is left, with bounds for both. Assumes T > 0
+// for all members, and g zero at the touched ends. Returns an unbounded value when T or g is not finite or T
+// is too wide a ball to be halved.
 //
 // Not sampled: the phase is covered by subintervals, on each a second-order Taylor form with a bound of the
 // third derivative bounds g/w from below, and the places that come near the infimum are narrowed down until
 // they are convex, concave or monotone, where the infimum is known.
+[[nodiscard]] Infimum weighted_infimum(const Course& g, const Course& reversed,
+                                       const DerivativeBounds& bounds, const Ball& T, Touches touches);
 [[nodiscard]] Infimum weighted_infimum(const model::Wave<Ball>& g, const Ball& T, Touches touches);
 
 // A time strictly inside (0, T) and the negative ball g(time); nothing when none was found near `near`.
@@ -43,6 +44,6 @@ struct Violation {
   Ball time;   // exact
   Ball value;  // negative
 };
-[[nodiscard]] std::optional<Violation> violation(const model::Wave<Ball>& g, const Ball& T, const Ball& near);
+[[nodiscard]] std::optional<Violation> violation(const Course& g, const Ball& T, const Ball& near);
 
 }  // namespace stickslip::numeric::motion

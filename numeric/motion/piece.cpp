@@ -47,8 +47,7 @@ std::array<S, 4> derivatives(const Wave<S>& g, const S& t) {
 
 // g/w, with w = s or 1.
 template <class S>
-Taylor<S> quotient(const Wave<S>& g, bool weighted, double s) {
-  const std::array<S, 4> d = derivatives<S>(g, S(s));
+Taylor<S> quotient(const std::array<S, 4>& d, bool weighted, double s) {
   if (!weighted) {
     return {d[0], d[1], d[2]};
   }
@@ -59,6 +58,7 @@ Taylor<S> quotient(const Wave<S>& g, bool weighted, double s) {
   const S k1 = (d[1] - k) / S(s);
   return {k, k1, (d[2] - S(2) * k1) / S(s)};
 }
+
 Wave<double> approximate(const Wave<Ball>& g) {
   Wave<double> w;
   w.constant = g.constant.approximate();
@@ -72,31 +72,12 @@ Wave<double> approximate(const Wave<Ball>& g) {
 
 }  // namespace
 
-Bounds derivative_bounds(const Wave<Ball>& g) {
-  Bounds sum;
-  for (int k = 0; k < g.count; ++k) {
-    const Harmonic<Ball>& h = g.harmonics[static_cast<unsigned>(k)];
-    Ball amplitude = sqrt(h.a * h.a + h.b * h.b);
-    if (!amplitude.is_finite()) {  // both contain zero
-      amplitude = abs(h.a) + abs(h.b);
-    }
-    const Ball term = abs(amplitude * h.nu * h.nu * h.nu);
-    sum.third += term;
-    sum.fourth += term * abs(h.nu);
-  }
-  return {sum.third.upper(), sum.fourth.upper()};
-}
-
-Side side_of(const Wave<Ball>& g, bool from_end) {
-  return {g, approximate(g), from_end};
-}
-
 Taylor<Ball> Piece::at(double s) const {
-  return quotient<Ball>(side->g, weighted, s);
+  return quotient<Ball>(side->g->at(s), weighted, s);
 }
 
 Taylor<double> Piece::guess_at(double s) const {
-  return quotient<double>(side->guess, weighted, s);
+  return quotient<double>(side->g->guess_at(s), weighted, s);
 }
 
 double Piece::descend(double s, double low, double high) const {
@@ -139,3 +120,34 @@ Guess sampled_minimum(const Piece& piece) {
 }
 
 }  // namespace stickslip::numeric::motion::pieces
+
+namespace stickslip::numeric::motion {
+
+using namespace pieces;
+
+WaveCourse::WaveCourse(const Wave<Ball>& g) : g_(g), guess_(approximate(g)) {}
+
+std::array<Ball, 4> WaveCourse::at(double s) const {
+  return derivatives<Ball>(g_, Ball(s));
+}
+
+std::array<double, 4> WaveCourse::guess_at(double s) const {
+  return derivatives<double>(guess_, s);
+}
+
+DerivativeBounds WaveCourse::bounds() const {
+  DerivativeBounds sum;
+  for (int k = 0; k < g_.count; ++k) {
+    const Harmonic<Ball>& h = g_.harmonics[static_cast<unsigned>(k)];
+    Ball amplitude = sqrt(h.a * h.a + h.b * h.b);
+    if (!amplitude.is_finite()) {  // both contain zero
+      amplitude = abs(h.a) + abs(h.b);
+    }
+    const Ball term = abs(amplitude * h.nu * h.nu * h.nu);
+    sum.third += term;
+    sum.fourth += term * abs(h.nu);
+  }
+  return {sum.third.upper(), sum.fourth.upper()};
+}
+
+}  // namespace stickslip::numeric::motion

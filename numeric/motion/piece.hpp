@@ -1,10 +1,8 @@
-// A wave on a subinterval of a phase, seen from one end of the phase and perhaps divided by the distance to
-// that end: what infimum.hpp bounds from below.
+// A function on a subinterval of a phase, seen from one end of the phase and perhaps divided by the distance
+// to that end: what infimum.hpp bounds from below.
 #pragma once
 
-#include "core/sinc.hpp"
-#include "model/waves.hpp"
-#include "numeric/scalars/scalars.hpp"
+#include "numeric/motion/course.hpp"
 
 namespace stickslip::numeric::motion::pieces {
 
@@ -14,19 +12,11 @@ struct Taylor {
   S value, slope, curvature;
 };
 
-// Bounds of |g'''| and |g''''| at all times, for the wave and for the reversed one.
-struct Bounds {
-  Ball third, fourth;
-};
-[[nodiscard]] Bounds derivative_bounds(const model::Wave<Ball>& g);
-
 // The time s counts from that end of the phase.
 struct Side {
-  model::Wave<Ball> g;
-  model::Wave<double> guess;
+  const Course * g;
   bool from_end;
 };
-[[nodiscard]] Side side_of(const model::Wave<Ball>& g, bool from_end);
 
 // g/w on [a, b] of a side, w = s when weighted and 1 otherwise; `third` bounds the third derivative of g/w.
 // For g(0) = 0: g(s)/s is the mean of g'(s x) over 0 < x < 1, so its n-th derivative is the mean of

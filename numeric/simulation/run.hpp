@@ -17,13 +17,18 @@ struct Start {
   model::Vector4<double> X;  // (x1, x2, x1', x2')
 };
 
-// Where the motion changes from one phase to another.
-struct Transition {
+// Where the motion changes from one phase to another, or from one piece of the friction law to the next.
+template <class State>
+struct TransitionOf {
   double time;  // since the motion began
   motion::PhaseKind before, after;
-  double r;                  // friction at rest (4) at that time
-  model::Vector4<double> X;  // (x1, x2, x1', x2')
+  double r;  // friction at rest (4) at that time
+  State X;   // (x, x')
+  int piece_before = 0, piece_after = 0;
+
+  [[nodiscard]] bool changes() const { return before != after || piece_before != piece_after; }
 };
+using Transition = TransitionOf<model::Vector4<double>>;
 
 struct Run {
   std::vector<Transition> transitions;

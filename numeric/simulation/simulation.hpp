@@ -1,91 +1,166 @@
-// The motion under the friction law (2), (4) in closed form and double, from any state, for long runs.
+// The motion of a friction oscillator in double, from any state, for long runs.
 //
-// A slip is carried on in modal coordinates, a stick by (9), both by steps in which an event is excluded by
-// Taylor polynomials with a bound of the fourth derivative, not by signs at the ends; where it cannot be
-// excluded the steps shrink towards the first zero from the left. So no event is missed, up to rounding: a
-// distance that falls below some 10 units in the last place counts as zero.
+// A phase is linear, so a step of it is a Taylor polynomial, and an event is excluded on it by bounds, not by
+// signs at its ends; where it cannot be excluded the time goes on towards the first zero from the left. So no
+// event is missed, up to rounding: a distance that falls below some 10 units in the last place counts as
+// zero.
 //
-// What happens, by (4), with r the friction at rest:
+// What happens, with r the friction at rest and ur its bound to the side to which it pulls:
 //   contact with the belt, |r| < ur     stick (also when the belt is only grazed)
 //   contact, |r| >= ur                  the side to which r pulls: below for r > 0, above for r < 0; so the
 //                                       belt is crossed, or left again to the same side
-//   |r| reaches ur during stick         break-away to the side to which r pulls, with the force ±us
-// At |r| = ur exactly, where (4) says nothing, the mass slips. With us = ur it slips only if r goes on to
-// grow; else it stays.
+//   |r| reaches ur during stick         break-away to the side to which r pulls
+//   an end of a piece of the law        the next piece
+// At |r| = ur exactly, where the law says nothing, the mass slips. Where the friction drops by nothing it
+// slips only if r goes on to grow; else it stays.
 #pragma once
 
 #include <array>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "model/friction_oscillator.hpp"
 #include "numeric/simulation/run.hpp"
-#include "numeric/simulation/slip_phase.hpp"
-#include "numeric/simulation/stick_phase.hpp"
+#include "numeric/simulation/taylor.hpp"
 
 namespace stickslip::numeric::simulation {
 
-class Simulation {
+// N masses and forces of L different frequencies; Eigen::Dynamic for numbers that are known when the program
+// runs.
+template <int N, int L>
+class SimulationOf {
  public:
-  // Starts at X = (x1, x2, x1', x2') with the load's phase phi. Throws DomainError unless 1e-100 <= chi < 1,
-  // 1e-20 <= eta <= 1e20, 1e-100 <= omega <= 1e10, 0 < us <= ur <= 1e100, 0 <= p <= 1e100, and V and the
-  // state are within ±1e100.
-  Simulation(const model::Parameters<double>& a, double ur, double phi, const model::Vector4<double>& X);
+  static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
+  using State = Eigen::Matrix<double, states, 1>;  // (x, x')
+  using Transition = TransitionOf<State>;
+
+  // Starts at X with the load's phase phi. Assumes masses > 0, omega > 0 where a load varies, and a sliding
+  // friction that is at most the one at rest where it begins.
+  SimulationOf(const model::FrictionOscillator<double>& oscillator, double phi, const State& X);
 
   // Goes on for a time >= 0, in at most so many steps and events; transitions are appended to `log` if there
   // is one. Returns what is left of the time, which goes on where it stopped when that is asked for next.
   double advance(double duration, std::vector<Transition> * log = nullptr,
                  long most_steps = std::numeric_limits<long>::max());
 
-  [[nodiscard]] double time() const { return static_cast<double>(periods_) * Theta_ + t_; }
-  [[nodiscard]] motion::PhaseKind phase() const { return kind_; }
-  [[nodiscard]] model::Vector4<double> state() const;
-  // The friction at rest r of (4), and the friction force u: ±us, or r.
+  [[nodiscard]] double time() const {
+    return periods_ == 0 ? t_ : static_cast<double>(periods_) * Theta_ + t_;
+  }
+  [[nodiscard]] motion::PhaseKind phase() const { return pieces_[now_].kind; }
+  [[nodiscard]] State state() const { return w_.template head<states>(2 * n_); }
+  // The friction at rest r, and the friction force u: that of sliding, or r.
   [[nodiscard]] double friction_at_rest() const;
   [[nodiscard]] double friction() const;
   // Time spent so far in a kind of phase.
   [[nodiscard]] double time_in(motion::PhaseKind kind) const {
     return spent_[static_cast<std::size_t>(kind)];
   }
+  // Of the load; infinite where none varies.
   [[nodiscard]] double period() const { return Theta_; }
-  [[nodiscard]] const model::Parameters<double>& data() const { return a_; }
-  [[nodiscard]] double ur() const { return ur_; }
 
  private:
+  static constexpr int size = N == Eigen::Dynamic || L == Eigen::Dynamic ? Eigen::Dynamic : 2 * N + 1 + 2 * L;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Whole = Eigen::Matrix<double, size, 1>;  // (x, x', 1, cosine and sine of the phase of each frequency)
+  static constexpr int pairs = L == Eigen::Dynamic ? Eigen::Dynamic : 2 * L;
+  using Loads = Eigen::Matrix<double, pairs, 1>;  // the cosines and sines
   enum class Outcome { reached, contact };
 
-  [[nodiscard]] double phase_of_load() const;
+  // A linear piece of the motion.
+  struct Piece {
+    motion::PhaseKind kind = motion::PhaseKind::stick;
+    int number = 0;           // among those of its side, from 0
+    double from = 0, to = 0;  // relative velocities
+    double force = 0;         // u = force - slope x_j'
+    double slope = 0;
+    double step = 0;                         // length of a whole step
+    std::array<double, order> scales{};      // it over 1, 2, …
+    Eigen::Matrix<double, size, size> flow;  // over it
+    Eigen::Matrix<double, 4, size> watched;  // the Cubic of r on a stick, of x_j' else,
+    Whole rest;                              // and its rest, of the sizes of the numbers; what rounding
+    Whole terms;                             // can do to it
+    [[nodiscard]] int side() const {
+      return kind == motion::PhaseKind::slip ? 1 : (kind == motion::PhaseKind::overshoot ? -1 : 0);
+    }
+  };
+  // sign f + offset, f what is watched; `begins`: it is zero now.
+  struct Guard {
+    double sign, offset;
+    bool begins;
+  };
+  void add_pieces(int side, const model::FrictionLaw<double>& law, std::size_t place);
+  void prepare(Piece& piece);
+  void set_load();
+  void expand(const Piece& piece);
+  [[nodiscard]] Whole at(double part) const;
   [[nodiscard]] bool goes_on() const { return left_ > 0 && steps_ > 0; }
   void normalise();
-  void passed(double h);
-  Outcome slip();
-  Outcome stick();
-  [[nodiscard]] int order_of_zero(Expansion& g) const;
+  void passed(double part, const Whole& w);
+  Outcome step();
+  Outcome part_of_step(double part, double rounding);
+  [[nodiscard]] Cubic watched() const;
+  [[nodiscard]] std::array<Guard, 2> guards() const;
+  [[nodiscard]] std::optional<int> zeros(Cubic& g, double rounding, bool begins) const;
+  [[nodiscard]] std::pair<double, bool> free_part(const Guard& guard, double part, double beyond,
+                                                  double rounding) const;
   void contact(std::vector<Transition> * log);
-  void break_away(std::vector<Transition> * log);
-  [[nodiscard]] bool leaves(const model::Vector4<double>& X, int side, double r) const;
-  void begin(motion::PhaseKind kind, const model::Vector4<double>& X, double exit_slope);
-  void leave_or_stick(const model::Vector4<double>& X, double r, std::vector<Transition> * log);
+  void pass_end_of_piece(bool upper, std::vector<Transition> * log);
+  void leave_or_stick(double r, std::vector<Transition> * log);
+  [[nodiscard]] bool leaves(int side, double r) const;
+  void begin(std::size_t piece, double exit_slope);
+  [[nodiscard]] std::size_t first_piece(int side) const;
+  [[nodiscard]] double bound(int side) const { return side > 0 ? forward_ : backward_; }
 
-  model::Parameters<double> a_;
-  double ur_, phi_, Theta_;
-  SlipData slip_data_;
-  SlipStep slip_step_;
-  StickStep stick_step_;
+  // x'' = A x + B x' + constant + drive (cosines and sines) + (0, …, u, …)/m_j.
+  Eigen::Matrix<double, N, N> A_, B_;
+  bool is_damped_;
+  Vector constant_;
+  Eigen::Matrix<double, N, pairs> drive_;
+  Eigen::Matrix<double, L, 1> frequencies_;
+  Eigen::Index n_, j_, L_ = 0;
+  double m_, V_, forward_, backward_, omega_, phi_, Theta_;
+  std::vector<Piece> pieces_;  // the stick, those of a slip, those of an overshoot
 
-  motion::PhaseKind kind_ = motion::PhaseKind::slip;
-  SlipPhase slip_;
-  StickPhase stick_;
+  Whole w_;
+  std::size_t now_ = 0;  // the piece
+  // Taylor polynomials over a step: of x, x', the loads and what is watched.
+  std::array<Vector, order + 1> X_, Y_;
+  std::array<Loads, order + 1> loads_;
+  Series watched_{};
   long periods_ = 0;  // the time is periods Theta + t
   double t_ = 0;
   double left_ = 0;         // of the duration asked for
   long steps_ = 0;          // and of the steps
   double age_ = 0;          // time since the last transition
-  bool fresh_ = false;      // the slip has just begun at x2' = V
-  double exit_slope_ = 0;   // then, the rate at which it leaves the belt
+  bool fresh_ = false;      // the phase has just begun at an end of its piece, the lower one or, if
+  bool at_upper_ = false;   // this says so, the upper one;
+  double exit_slope_ = 0;   // then, the rate at which it leaves that end
+  bool upper_end_ = false;  // the contact is at the upper end of the piece
   double hold_ = 0;         // for so long no event is looked for: |r| = ur, and the mass does not slip
   double hold_length_ = 0;  // of the last time it was held
   int standstill_ = 0;      // transitions in a row between which no time passed
   std::array<double, 3> spent_{};
+};
+
+extern template class SimulationOf<2, 1>;
+extern template class SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
+
+// Of the paper's oscillator, (2) and (4).
+class Simulation : public SimulationOf<2, 1> {
+ public:
+  // Starts at X = (x1, x2, x1', x2') with the load's phase phi. Throws DomainError unless 1e-100 <= chi < 1,
+  // 1e-20 <= eta <= 1e20, 1e-100 <= omega <= 1e10, 0 < us <= ur <= 1e100, 0 <= p <= 1e100, and V and the
+  // state are within ±1e100.
+  Simulation(const model::Parameters<double>& a, double ur, double phi, const model::Vector4<double>& X);
+
+  [[nodiscard]] const model::Parameters<double>& data() const { return a_; }
+  [[nodiscard]] double ur() const { return ur_; }
+
+ private:
+  model::Parameters<double> a_;
+  double ur_;
 };
 
 }  // namespace stickslip::numeric::simulation

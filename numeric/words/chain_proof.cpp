@@ -52,7 +52,7 @@ Node midpoint(const Node& u) {
 long exponent(const Nodes& deviations) {
   long largest = -1000000000L;
   for (const Node& d : deviations) {
-    for (int i = 0; i < 4; ++i) {
+    for (Eigen::Index i = 0; i < d.size(); ++i) {
       const Ball size = abs(d(i)).upper();
       if (!size.is_finite()) {
         return far_away + 1;
@@ -72,13 +72,14 @@ struct Approach {
 };
 
 // In floats, from as many bits as a guess deserves up to `bits`.
-Approach approximate(const ChainQuestion& question, Nodes nodes, long bits) {
+Approach approximate(const ChainAt& chain_at, Nodes nodes, long bits) {
   constexpr int most_steps = 12;  // at one precision
   long precision = std::min(fewest_bits, bits);
   long before = far_away;
   for (int k = 0; k < most_steps; ++k) {
     const WorkingPrecision scope(precision);
-    const Chain chain(question);
+    const std::unique_ptr<Chain> made = chain_at();
+    const Chain& chain = *made;
     const std::vector<Link> links = links_of(chain, nodes);
     Nodes g = responses(links, conditions_of(chain, nodes));
     std::transform(g.begin(), g.end(), g.begin(), midpoint);
@@ -110,7 +111,7 @@ Approach approximate(const ChainQuestion& question, Nodes nodes, long bits) {
 Nodes boxes(const Nodes& nodes, long exponent) {
   Nodes X = nodes;
   for (Node& u : X) {
-    for (int j = 0; j < 4; ++j) {
+    for (Eigen::Index j = 0; j < u.size(); ++j) {
       Ball r = (abs(u(j)) + Ball(1)).upper();
       arb_mul_2exp_si(r.raw(), r.raw(), exponent);
       u(j) += Ball::hull(-r, r);
@@ -121,8 +122,9 @@ Nodes boxes(const Nodes& nodes, long exponent) {
 
 }  // namespace
 
-ChainProof newton_test(const ChainQuestion& question, const Nodes& m, long exponent) {
-  const Chain chain(question);
+ChainProof newton_test(const ChainAt& chain_at, const Nodes& m, long exponent) {
+  const std::unique_ptr<Chain> made = chain_at();
+  const Chain& chain = *made;
   const Nodes X = boxes(m, exponent);
   const std::vector<Link> links = links_of(chain, X);
   const auto image = sweep(links, responses(links, conditions_of(chain, m)));
@@ -132,18 +134,18 @@ ChainProof newton_test(const ChainQuestion& question, const Nodes& m, long expon
   Nodes N = m;
   for (std::size_t i = 0; i < N.size(); ++i) {
     N[i] += image->deviations[i];
-    if (!zeros::is_interior<4>(N[i], X[i])) {
+    if (!zeros::is_interior<Eigen::Dynamic>(N[i], X[i])) {
       return open("no box around the guess passed Newton's test");
     }
   }
   return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
 }
 
-ChainProof prove_chain(const ChainQuestion& question, const Nodes& guess, long bits, long most_bits) {
+ChainProof prove_chain(const ChainAt& chain_at, const Nodes& guess, long bits, long most_bits) {
   ChainProof proof = open("Newton's method leads to no closed motion from there");
   Nodes nodes = guess;
   for (long precision = std::max(bits, fewest_bits); precision <= most_bits; precision *= 4) {
-    const Approach approach = approximate(question, nodes, precision);
+    const Approach approach = approximate(chain_at, nodes, precision);
     if (approach.astray) {
       break;
     }
@@ -154,7 +156,7 @@ ChainProof prove_chain(const ChainQuestion& question, const Nodes& guess, long b
     const WorkingPrecision scope(precision);
     // Wide boxes have much of the motion's surroundings in them, narrow ones are the easiest.
     for (const long exponent : {-precision * 3 / 4, -precision * 7 / 8}) {
-      proof = newton_test(question, nodes, exponent);
+      proof = newton_test(chain_at, nodes, exponent);
       if (proof.verdict.truth == Truth::proved) {
         return proof;
       }

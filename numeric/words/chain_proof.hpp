@@ -22,12 +22,10 @@ struct ChainProof {
 
 // Newton's test, as it stands, for the box about m whose radii are 2^exponent in units of 1 + |m| for each
 // component: exact nodes m, no search. Undecided unless passed.
-[[nodiscard]] ChainProof newton_test(const ChainQuestion& question, const Nodes& m, long exponent);
+[[nodiscard]] ChainProof newton_test(const ChainAt& chain_at, const Nodes& m, long exponent);
 
 // Tries precisions from `bits` to `most_bits`, four times as many after each failure. The guess may be as
-// rough as Newton's method allows. Undecided when none does, with the reason. Assumes that omega is not a
-// natural frequency and p > 0.
-[[nodiscard]] ChainProof prove_chain(const ChainQuestion& question, const Nodes& guess, long bits,
-                                     long most_bits);
+// rough as Newton's method allows. Undecided when none does, with the reason.
+[[nodiscard]] ChainProof prove_chain(const ChainAt& chain_at, const Nodes& guess, long bits, long most_bits);
 
 }  // namespace stickslip::numeric::words

@@ -2,47 +2,47 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::words {
 
-using model::Matrix4;
-using zeros::approximate_inverse;
 using zeros::in_double;
+using zeros::product;
+using Matrix = model::MatrixX<Ball>;
 
 namespace {
 
-bool is_finite(const Matrix4<Ball>& A) {
+bool is_finite(const Matrix& A) {
   return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
 }
 
 // The product of the reflections I - 2 v vᵀ/(v v) that bring W to triangular form: exactly orthogonal,
 // however the vectors v were found, so its inverse is its transpose. Its first k columns span what those of W
 // do, as far as these span anything: a landing on the belt collapses a direction.
-Matrix4<Ball> orthogonal(const Eigen::Matrix4d& W) {
-  Matrix4<Ball> Q = Matrix4<Ball>::Identity();
-  const Eigen::HouseholderQR<Eigen::Matrix4d> qr(W);
+Matrix orthogonal(const Eigen::MatrixXd& W) {
+  const Eigen::Index n = W.rows();
+  Matrix Q = Matrix::Identity(n, n);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(W);
   if (!qr.matrixQR().allFinite()) {
     return Q;
   }
-  for (int k = 2; k >= 0; --k) {
-    std::array<Ball, 4> v;
-    v[static_cast<std::size_t>(k)] = Ball(1);
+  model::VectorX<Ball> v(n);
+  for (Eigen::Index k = n - 2; k >= 0; --k) {
+    v(k) = Ball(1);
     Ball square(1);
-    for (int i = k + 1; i < 4; ++i) {
-      v[static_cast<std::size_t>(i)] = Ball(qr.matrixQR()(i, k));
-      add_product(square, v[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(i)]);
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      v(i) = Ball(qr.matrixQR()(i, k));
+      add_product(square, v(i), v(i));
     }
-    for (int j = k; j < 4; ++j) {
+    for (Eigen::Index j = k; j < n; ++j) {
       Ball part(0);
-      for (int i = k; i < 4; ++i) {
-        add_product(part, v[static_cast<std::size_t>(i)], Q(i, j));
+      for (Eigen::Index i = k; i < n; ++i) {
+        add_product(part, v(i), Q(i, j));
       }
       part = Ball(2) * part / square;
-      for (int i = k; i < 4; ++i) {
-        subtract_product(Q(i, j), part, v[static_cast<std::size_t>(i)]);
+      for (Eigen::Index i = k; i < n; ++i) {
+        subtract_product(Q(i, j), part, v(i));
       }
     }
   }
@@ -51,17 +51,18 @@ Matrix4<Ball> orthogonal(const Eigen::Matrix4d& W) {
 
 // The frames of all nodes. The second time round the first frame is where the first time ended, so that the
 // return map, too, is nearly triangular, as far as its eigenvalues differ in size.
-std::vector<Matrix4<Ball>> frames(const std::vector<Link>& links) {
-  std::vector<Eigen::Matrix4d> M;
+std::vector<Matrix> frames(const std::vector<Link>& links) {
+  std::vector<Eigen::MatrixXd> M;
   for (const Link& link : links) {
     M.emplace_back(in_double(link.M));
   }
-  Eigen::Matrix4d now = Eigen::Matrix4d::Identity();
-  for (const Eigen::Matrix4d& factor : M) {
-    now = Eigen::HouseholderQR<Eigen::Matrix4d>(factor * now).householderQ();
+  const Eigen::Index n = links.front().M.rows();
+  Eigen::MatrixXd now = Eigen::MatrixXd::Identity(n, n);
+  for (const Eigen::MatrixXd& factor : M) {
+    now = Eigen::HouseholderQR<Eigen::MatrixXd>(factor * now).householderQ();
   }
-  std::vector<Matrix4<Ball>> Q;
-  for (const Eigen::Matrix4d& factor : M) {
+  std::vector<Matrix> Q;
+  for (const Eigen::MatrixXd& factor : M) {
     Q.push_back(orthogonal(now));
     now = factor * in_double(Q.back());
   }
@@ -70,12 +71,13 @@ std::vector<Matrix4<Ball>> frames(const std::vector<Link>& links) {
 
 }  // namespace
 
-std::optional<Matrix4<Ball>> enclosed_inverse(const Matrix4<Ball>& A, const Matrix4<Ball>& Y) {
-  const Matrix4<Ball> E = Matrix4<Ball>(Matrix4<Ball>::Identity()) - Y * A;
+std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
+  const Eigen::Index n = A.rows();
+  const Matrix E = Matrix(Matrix::Identity(n, n)) - Matrix(product(Y, A));
   Ball norm(0);
-  for (int i = 0; i < 4; ++i) {
+  for (Eigen::Index i = 0; i < n; ++i) {
     Ball sum(0);
-    for (int j = 0; j < 4; ++j) {
+    for (Eigen::Index j = 0; j < n; ++j) {
       sum += abs(E(i, j));
     }
     arb_max(norm.raw(), norm.raw(), sum.raw(), WorkingPrecision::bits());
@@ -86,14 +88,14 @@ std::optional<Matrix4<Ball>> enclosed_inverse(const Matrix4<Ball>& A, const Matr
   }
   // (I - E)⁻¹ - I is at most |E|/(1 - |E|).
   const Ball excess = Ball(norm / room).upper();
-  Matrix4<Ball> inverse = Y;
-  for (int j = 0; j < 4; ++j) {
+  Matrix inverse = Y;
+  for (Eigen::Index j = 0; j < n; ++j) {
     Ball column(0);
-    for (int i = 0; i < 4; ++i) {
+    for (Eigen::Index i = 0; i < n; ++i) {
       column += abs(Y(i, j));
     }
     const Ball spread = Ball(excess * column).upper();
-    for (int i = 0; i < 4; ++i) {
+    for (Eigen::Index i = 0; i < n; ++i) {
       inverse(i, j) += Ball::hull(-spread, spread);
     }
   }
@@ -106,26 +108,27 @@ std::optional<Sweep> sweep(const std::vector<Link>& links, const Nodes& g) {
     return std::nullopt;
   }
   const std::size_t count = links.size();
-  const std::vector<Matrix4<Ball>> Q = frames(links);
+  const std::vector<Matrix> Q = frames(links);
+  const Eigen::Index n = links.front().M.rows();
   // e_i = P_i e_0 + h_i.
-  std::vector<Matrix4<Ball>> P{Matrix4<Ball>::Identity()};
-  Nodes h{Node::Constant(Ball(0))};
+  std::vector<Matrix> P{Matrix::Identity(n, n)};
+  Nodes h{Node::Constant(n, Ball(0))};
   for (std::size_t i = 0; i < count; ++i) {
-    const Matrix4<Ball> to = Q[(i + 1) % count].transpose();
-    const Matrix4<Ball> R = to * Matrix4<Ball>(links[i].M * Q[i]);
-    P.emplace_back(R * P[i]);
-    h.emplace_back(R * h[i] + to * g[i]);
+    const Matrix to = Q[(i + 1) % count].transpose();
+    const Matrix R = product(to, Matrix(product(links[i].M, Q[i])));
+    P.emplace_back(product(R, P[i]));
+    h.emplace_back(product(R, h[i]) + product(to, g[i]));
   }
-  const Matrix4<Ball> closing = Matrix4<Ball>(Matrix4<Ball>::Identity()) - P.back();
-  const auto Y = is_finite(closing) ? approximate_inverse<Ball, 4>(closing) : std::nullopt;
+  const Matrix closing = Matrix(Matrix::Identity(n, n)) - P.back();
+  const auto Y = is_finite(closing) ? zeros::row_combinations(closing) : std::nullopt;
   const auto inverse = Y ? enclosed_inverse(closing, *Y) : std::nullopt;
   if (!inverse) {
     return std::nullopt;
   }
-  const Node first = *inverse * h.back();
+  const Node first = product(*inverse, h.back());
   Sweep result{{}, P.back()};
   for (std::size_t i = 0; i < count; ++i) {
-    result.deviations.emplace_back(Q[i] * Node(P[i] * first + h[i]));
+    result.deviations.emplace_back(product(Q[i], Node(product(P[i], first) + h[i])));
   }
   return result;
 }

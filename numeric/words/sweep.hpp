@@ -17,14 +17,14 @@ namespace stickslip::numeric::words {
 
 // Contains the inverse of each member of A, given a matrix Y near it; nothing when |I - Y A| < 1 in the norm
 // of row sums is not proved.
-[[nodiscard]] std::optional<model::Matrix4<Ball>> enclosed_inverse(const model::Matrix4<Ball>& A,
-                                                                   const model::Matrix4<Ball>& Y);
+[[nodiscard]] std::optional<model::MatrixX<Ball>> enclosed_inverse(const model::MatrixX<Ball>& A,
+                                                                   const model::MatrixX<Ball>& Y);
 
 struct Sweep {
   // Contain the deviations at all nodes, for all members of the links and of g.
   Nodes deviations;
   // Similar to the derivative of the map round the chain: it has the same eigenvalues.
-  model::Matrix4<Ball> return_map;
+  model::MatrixX<Ball> return_map;
 };
 
 // g: as many as links. Nothing when something is not finite, or 1 may be an eigenvalue of the return map.

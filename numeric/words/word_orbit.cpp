@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/words/chain_proof.hpp"
+#include "numeric/words/oscillator_chain.hpp"
 
 namespace stickslip::numeric::words {
 
@@ -62,7 +63,7 @@ Nodes nodes_of(const Guess& guess, const ExactParameters& data) {
   const model::Vector2<Ball> d0 = model::d0<Ball>(Ball(data.chi), Ball(data.us));
   Nodes nodes;
   for (const Guess::Event& e : guess.events) {
-    const Node u(Ball(e.t), Ball(e.x1) - d0(0), Ball(e.x2) - d0(1), Ball(e.xdot1));
+    const Node u = node(Ball(e.t), Ball(e.x1) - d0(0), Ball(e.x2) - d0(1), Ball(e.xdot1));
     nodes.push_back(u.unaryExpr([](const Ball& x) { return x.midpoint(); }));
   }
   return nodes;
@@ -119,7 +120,7 @@ bool is_open(const families::Orbit& orbit) {
 
 families::Orbit decided(const ChainQuestion& q, const ChainProof& proof, const Requirements& requirements) {
   const WorkingPrecision scope(proof.bits);
-  const Chain chain(q);
+  const OscillatorChain chain(q);
   families::Orbit orbit;
   orbit.motion = chain.motion(proof.nodes);
   orbit.values = families::start_values(orbit.motion);
@@ -142,7 +143,7 @@ WordOrbit prove_rotated(const WordQuestion& question, const Guess& guess, const 
   WordOrbit result{word, guess.periods, {}, {}, requirements};
   long bits = scalars::bits_for(question.digits) + 32;
   for (int attempt = 0; attempt <= more_attempts && bits <= question.most_bits; ++attempt) {
-    const ChainProof proof = prove_chain(q, nodes, bits, question.most_bits);
+    const ChainProof proof = prove_chain(chain_at(q), nodes, bits, question.most_bits);
     if (proof.verdict.truth != Truth::proved) {
       if (attempt == 0) {
         result.existence = proof.verdict;

@@ -101,7 +101,7 @@ TEST_CASE("grazing: just above, just below, exactly at zero") {
     const Infimum found = weighted_infimum(g, Ball(7), {});
     check_close(found.value, exact(offset), "1e-27");
     CHECK(found.value.contains_zero() == (offset[0] == '0'));
-    const auto proof = violation(g, Ball(7), found.time);
+    const auto proof = violation(WaveCourse(g), Ball(7), found.time);
     CHECK(proof.has_value() == (offset[0] == '-'));
   }
 }
@@ -112,7 +112,7 @@ TEST_CASE("a violation just inside a touched end is found") {
   g.constant = Ball(1);  // 1 - cos t - t/100: negative on a short interval after 0
   const Infimum found = weighted_infimum(g, Ball(2), {true, false});
   CHECK(found.value.is_negative());
-  const auto proof = violation(g, Ball(2), found.time);
+  const auto proof = violation(WaveCourse(g), Ball(2), found.time);
   REQUIRE(proof.has_value());
   CHECK(proof->value.is_negative());
   CHECK(proof->time.is_positive());

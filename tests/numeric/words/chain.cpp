@@ -1,6 +1,6 @@
 // Chains of events: their conditions against motions composed by the flows, their links against differences,
 // and the sweep against its own equations.
-#include "numeric/words/chain.hpp"
+#include "numeric/words/oscillator_chain.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,6 +9,7 @@
 #include "core/decimal.hpp"
 #include "numeric/words/chain_proof.hpp"
 #include "numeric/words/sweep.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/examples.hpp"
 
 using namespace stickslip;
@@ -29,7 +30,7 @@ Nodes composed_nodes(const model::Oscillator<Ball>& o, const std::vector<PhaseKi
   const Motion m = compose(o, o.data.omega * t0, Z0, legs);
   Nodes nodes;
   for (const Phase& phase : m.phases) {
-    nodes.emplace_back(t0 + phase.start, phase.Z(0), phase.Z(1), phase.Z(2));
+    nodes.push_back(node(t0 + phase.start, phase.Z(0), phase.Z(1), phase.Z(2)));
   }
   return nodes;
 }
@@ -49,7 +50,7 @@ double difference(const Node& a, const Node& b) {
 TEST_CASE("nodes from the flows meet the three conditions of the state, and the fourth is the event") {
   for (const ExactParameters& data : {S(), O(), P("0.1")}) {
     const ChainQuestion q{data, Rational(1, 2), all_kinds, 1};
-    const Chain chain(q);
+    const OscillatorChain chain(q);
     const Nodes nodes = composed_nodes(chain.oscillator(), all_kinds);
     // The flows compose with x2' = V at the first node only: the state of the second is met from the first.
     const Node F = chain.conditions(nodes, 0);
@@ -71,7 +72,7 @@ TEST_CASE("a link is the derivative of the next node by this one: against differ
   for (const ExactParameters& data : {S(), O(), P("0.1")}) {
     for (const std::vector<PhaseKind>& kinds :
          {all_kinds, std::vector{PhaseKind::stick, PhaseKind::overshoot, PhaseKind::slip}}) {
-      const Chain chain({data, Rational(1, 2), kinds, 1});
+      const OscillatorChain chain({data, Rational(1, 2), kinds, 1});
       const Nodes nodes = composed_nodes(chain.oscillator(), kinds);
       for (std::size_t i = 0; i + 1 < kinds.size(); ++i) {
         const Link link = chain.link(nodes, i);
@@ -79,7 +80,7 @@ TEST_CASE("a link is the derivative of the next node by this one: against differ
         // end when u+ is not on the flow: so u+ is put there first.
         Nodes at = nodes;
         const Node F = chain.conditions(at, i);
-        at[i + 1].tail<3>() -= F.head<3>();
+        at[i + 1].tail(3) -= F.head(3);
         const Link there = chain.link(at, i);
         const Node F0 = chain.conditions(at, i);
         for (int k = 0; k < 4; ++k) {
@@ -91,7 +92,7 @@ TEST_CASE("a link is the derivative of the next node by this one: against differ
         }
         for (int k = 0; k < 4; ++k) {
           Nodes moved = at;
-          Node change = Node::Constant(Ball(0));
+          Node change = Node::Constant(4, Ball(0));
           change(k) = step;
           moved[i + 1] += there.response(change);
           CHECK(difference(chain.conditions(moved, i), F0 - change) < 1e-55);
@@ -110,12 +111,14 @@ TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues 
     Nodes g;
     model::Matrix4<Ball> product = model::Matrix4<Ball>::Identity();
     for (Link& link : links) {
+      link.M.resize(4, 4);
       link.M = link.M.unaryExpr([&](const Ball&) { return Ball(number(random)); });
       if (round % 3 == 0) {
         link.M.col(1) = link.M.col(0) * Ball(2);  // collapses a direction
       }
-      g.emplace_back(Ball(number(random)), Ball(number(random)), Ball(number(random)), Ball(number(random)));
-      product = link.M * product;
+      g.push_back(
+          node(Ball(number(random)), Ball(number(random)), Ball(number(random)), Ball(number(random))));
+      product = model::Matrix4<Ball>(link.M) * product;
     }
     const auto found = sweep(links, g);
     REQUIRE(found);
@@ -128,7 +131,7 @@ TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues 
     CHECK(trace.overlaps(trace_of_product));
     CHECK((trace.radius() - Ball(1e-25)).is_negative());
     for (std::size_t i = 0; i < count; ++i) {
-      const Node next = links[i].M * found->deviations[i] + g[i];
+      const Node next = zeros::product(links[i].M, found->deviations[i]) + g[i];
       for (int j = 0; j < 4; ++j) {
         CHECK(next(j).overlaps(found->deviations[(i + 1) % count](j)));
         CHECK((next(j).radius() - Ball(1e-20)).is_negative());
@@ -140,17 +143,17 @@ TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues 
 TEST_CASE("a sweep round a chain with the multiplier 1 finds nothing") {
   std::vector<Link> links(3);
   for (Link& link : links) {
-    link.M = model::Matrix4<Ball>::Identity();
+    link.M = model::MatrixX<Ball>::Identity(4, 4);
   }
-  CHECK_FALSE(sweep(links, Nodes(3, Node::Constant(Ball(1)))));
+  CHECK_FALSE(sweep(links, Nodes(3, Node::Constant(4, Ball(1)))));
 }
 
 TEST_CASE("the enclosed inverse contains the inverse, and a singular matrix has none") {
-  model::Matrix4<Ball> A = model::Matrix4<Ball>::Identity();
+  model::MatrixX<Ball> A = model::MatrixX<Ball>::Identity(4, 4);
   A(0, 1) = Ball(Rational(1, 3));
-  const auto inverse = enclosed_inverse(A, model::Matrix4<Ball>::Identity());
+  const auto inverse = enclosed_inverse(A, model::MatrixX<Ball>::Identity(4, 4));
   REQUIRE(inverse);
   CHECK((*inverse)(0, 1).contains(Rational(-1, 3)));
   A(3, 3) = Ball(0);
-  CHECK_FALSE(enclosed_inverse(A, model::Matrix4<Ball>::Identity()));
+  CHECK_FALSE(enclosed_inverse(A, model::MatrixX<Ball>::Identity(4, 4)));
 }

@@ -1,0 +1,85 @@
+// Any number of masses with springs and dashpots, one of which rubs on a moving belt: linear but for a
+// friction that depends piecewise linearly on the relative velocity.
+//
+//   m_i x_i'' + (C x')_i + (K x)_i = F_i(t) + u at the rubbing mass j, with the belt's velocity V and
+//   the friction at rest r = (C x' + K x)_j - F_j(t):
+//     slip,      x_j' < V   u =  f(V - x_j'), f the sliding friction of the side on which the belt pulls
+//     overshoot, x_j' > V   u = -g(x_j' - V), g that of the other side
+//     stick,     x_j' = V   u = r, as long as r is between minus the friction at rest of the other side and
+//                           that of the first
+// (2), (4) are the case of two masses, C = 0 and f = g = us.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "model/parameters.hpp"
+
+namespace stickslip::model {
+
+template <class S>
+using VectorX = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+template <class S>
+using MatrixX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
+// force + slope (v - from) for relative velocities v from `from` to where the next piece begins.
+template <class S>
+struct SlidingPiece {
+  S from, force, slope;
+};
+
+// The friction when the mass slides to one side.
+template <class S>
+struct FrictionLaw {
+  S at_rest;                             // |r| up to which it sticks
+  std::vector<SlidingPiece<S>> sliding;  // at least one, the first from 0, `from` increasing
+};
+
+// cosine cos(k theta) + sine sin(k theta) on a mass, theta the phase of the load; k = 0 is a constant force.
+template <class S>
+struct HarmonicForce {
+  std::size_t mass;  // counted from 0
+  int k;
+  S cosine, sine;
+};
+
+template <class S>
+struct FrictionOscillator {
+  std::vector<S> masses;
+  MatrixX<S> damping, stiffness;  // C and K, symmetric
+  std::size_t rubbing;            // j, counted from 0
+  S V;                            // the belt's velocity
+  FrictionLaw<S> forward;         // on a slip, where the belt is the faster one
+  FrictionLaw<S> backward;        // on an overshoot
+  std::vector<HarmonicForce<S>> loads;
+  S omega;  // theta' > 0; without meaning where no load varies
+
+  [[nodiscard]] std::size_t size() const { return masses.size(); }
+  [[nodiscard]] const FrictionLaw<S>& law(int side) const { return side > 0 ? forward : backward; }
+  [[nodiscard]] bool is_autonomous() const {
+    for (const HarmonicForce<S>& load : loads) {
+      if (load.k != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+// (2), (4): masses 1 and 1/eta, so that forces are lengths.
+template <class S>
+[[nodiscard]] FrictionOscillator<S> friction_oscillator(const Parameters<S>& a, const S& ur) {
+  const Matrix2<S> K = matrix<S>(S(1), S(-a.chi), S(-a.chi), a.chi);
+  const FrictionLaw<S> law{ur, {{S(0), a.us, S(0)}}};
+  return {{S(1), S(S(1) / a.eta)},
+          MatrixX<S>::Constant(2, 2, S(0)),
+          K,
+          1,
+          a.V,
+          law,
+          law,
+          {{1, 1, S(a.p / a.eta), S(0)}},
+          a.omega};
+}
+
+}  // namespace stickslip::model

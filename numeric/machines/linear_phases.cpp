@@ -1,0 +1,271 @@
+#include "numeric/machines/linear_phases.hpp"
+
+#if __has_include(<flint/arb_mat.h>)
+#include <flint/arb_mat.h>
+#else
+#include <arb_mat.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/sinc.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+
+namespace stickslip::numeric::machines {
+
+using motion::PhaseKind;
+
+namespace {
+
+class ArbMatrix {
+ public:
+  explicit ArbMatrix(const Matrix& A) {
+    arb_mat_init(value_, A.rows(), A.cols());
+    for (Eigen::Index i = 0; i < A.rows(); ++i) {
+      for (Eigen::Index k = 0; k < A.cols(); ++k) {
+        arb_set(arb_mat_entry(value_, i, k), A(i, k).raw());
+      }
+    }
+  }
+  ArbMatrix(const ArbMatrix&) = delete;
+  ArbMatrix& operator=(const ArbMatrix&) = delete;
+  ~ArbMatrix() { arb_mat_clear(value_); }
+
+  [[nodiscard]] arb_mat_struct * raw() { return value_; }
+
+ private:
+  arb_mat_t value_;
+};
+
+// The longest stretch in units of 1/nu.
+constexpr double longest = 0.5;
+constexpr std::size_t fewest_terms = 6;
+
+// Powers of two that bring rows and columns of S B S⁻¹ to sums of one size: any S is right, this one makes
+// short work.
+Vector balance(const Matrix& B) {
+  const Eigen::Index n = B.rows();
+  const Eigen::MatrixXd A = zeros::in_double(B).cwiseAbs();
+  Eigen::VectorXd s = Eigen::VectorXd::Ones(n);
+  for (int round = 0; round < 8; ++round) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      double row = 0, column = 0;
+      for (Eigen::Index k = 0; k < n; ++k) {
+        if (k != i) {
+          row += A(i, k) * s(i) / s(k);
+          column += A(k, i) * s(k) / s(i);
+        }
+      }
+      const double factor =
+          row > 0 && column > 0 ? std::sqrt(column / row) : (column > 0 ? column : (row > 0 ? 1 / row : 1));
+      if (std::isfinite(factor) && factor > 0) {
+        s(i) *= std::exp2(std::clamp(std::round(std::log2(factor)), -60.0, 60.0));
+      }
+    }
+  }
+  return s.unaryExpr([](double x) { return Ball(x); });
+}
+
+}  // namespace
+
+Matrix exponential(const Matrix& A) {
+  ArbMatrix a(A);
+  arb_mat_exp(a.raw(), a.raw(), WorkingPrecision::bits());
+  Matrix result(A.rows(), A.cols());
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    for (Eigen::Index k = 0; k < A.cols(); ++k) {
+      arb_set(result(i, k).raw(), arb_mat_entry(a.raw(), i, k));
+    }
+  }
+  return result;
+}
+
+Ball norm(const Matrix& A) {
+  Ball most(0);
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    Ball sum(0);
+    for (Eigen::Index k = 0; k < A.cols(); ++k) {
+      sum += abs(A(i, k));
+    }
+    arb_max(most.raw(), most.raw(), sum.raw(), WorkingPrecision::bits());
+  }
+  return most.upper();
+}
+
+LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& oscillator)
+    : oscillator_(oscillator), n_(static_cast<Eigen::Index>(oscillator.size())) {
+  for (const model::HarmonicForce<Ball>& load : oscillator.loads) {
+    if (load.k != 0 && std::find(multiples_.begin(), multiples_.end(), load.k) == multiples_.end()) {
+      multiples_.push_back(load.k);
+    }
+  }
+  size_ = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(multiples_.size());
+  // Without friction m_j x_j'' = -r.
+  r_ = Vector::Constant(size_, Ball(0));
+  r_.head(n_) = oscillator.stiffness.row(rubbing()).transpose();
+  r_.segment(n_, n_) = oscillator.damping.row(rubbing()).transpose();
+  for (const model::HarmonicForce<Ball>& load : oscillator.loads) {
+    if (load.mass != oscillator.rubbing) {
+      continue;
+    }
+    const auto found = std::find(multiples_.begin(), multiples_.end(), load.k);
+    if (found == multiples_.end()) {
+      r_(2 * n_) -= load.cosine;
+      continue;
+    }
+    const Eigen::Index k = 2 * n_ + 1 + 2 * (found - multiples_.begin());
+    r_(k) -= load.cosine;
+    r_(k + 1) -= load.sine;
+  }
+}
+
+Matrix LinearPhases::make_drift(Piece piece) const {
+  const Eigen::Index j = rubbing();
+  Matrix B = Matrix::Constant(size_, size_, Ball(0));
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    B(i, n_ + i) = Ball(1);
+    if (i == j) {
+      continue;
+    }
+    const Ball& m = oscillator_.masses[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k < n_; ++k) {
+      B(n_ + i, k) = -oscillator_.stiffness(i, k) / m;
+      B(n_ + i, n_ + k) = -oscillator_.damping(i, k) / m;
+    }
+  }
+  for (std::size_t l = 0; l < multiples_.size(); ++l) {
+    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
+    const Ball frequency = Ball(multiples_[l]) * oscillator_.omega;
+    B(k, k + 1) = -frequency;
+    B(k + 1, k) = frequency;
+  }
+  for (const model::HarmonicForce<Ball>& load : oscillator_.loads) {
+    if (load.mass == oscillator_.rubbing) {
+      continue;
+    }
+    const Ball& m = oscillator_.masses[load.mass];
+    const Eigen::Index i = n_ + static_cast<Eigen::Index>(load.mass);
+    const auto found = std::find(multiples_.begin(), multiples_.end(), load.k);
+    if (found == multiples_.end()) {
+      B(i, 2 * n_) += load.cosine / m;
+      continue;
+    }
+    const Eigen::Index k = 2 * n_ + 1 + 2 * (found - multiples_.begin());
+    B(i, k) += load.cosine / m;
+    B(i, k + 1) += load.sine / m;
+  }
+  if (piece.kind == PhaseKind::stick) {
+    return B;
+  }
+  // m x_j'' = u - r, u = side (force + slope (side (V - x_j') - from)).
+  const auto& all = oscillator_.law(piece.side()).sliding;
+  if (piece.number < 0 || static_cast<std::size_t>(piece.number) >= all.size()) {
+    throw InternalError("the friction law has no such piece");
+  }
+  const model::SlidingPiece<Ball>& law = all[static_cast<std::size_t>(piece.number)];
+  const Ball& m = oscillator_.masses[oscillator_.rubbing];
+  for (Eigen::Index k = 0; k < size_; ++k) {
+    B(n_ + j, k) = -r_(k) / m;
+  }
+  B(n_ + j, n_ + j) -= law.slope / m;
+  B(n_ + j, 2 * n_) +=
+      (Ball(piece.side()) * (law.force - law.slope * law.from) + law.slope * oscillator_.V) / m;
+  return B;
+}
+
+const Matrix& LinearPhases::drift(Piece piece) const {
+  const auto found = drifts_.find(piece);
+  return found != drifts_.end() ? found->second : drifts_.emplace(piece, make_drift(piece)).first->second;
+}
+
+// exp(B (m + d)) = exp(B m) (I + B d + R) for |d| <= rad, |R| <= s²/(2 (1 - s)), s = |B| rad < 1, in the norm
+// of row sums, so for each entry.
+Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
+  const Matrix& B = drift(piece);
+  const Ball middle = h.midpoint();
+  Exponential& known = flows_[piece];
+  if (known.of_middle.size() == 0 || !(known.middle - middle).is_exact() ||
+      !(known.middle - middle).contains_zero()) {
+    known = {middle, exponential(B * middle)};
+  }
+  const Ball d = h - middle;
+  if (is_zero(d)) {
+    return known.of_middle;
+  }
+  const Ball size = norm(B) * abs(d).upper();
+  const Ball room = Ball(1) - size;
+  Ball R;
+  arb_indeterminate(R.raw());
+  if (room.is_positive()) {
+    R = Ball(size * size / (Ball(2) * room)).upper();
+  }
+  Matrix near = B * d;
+  for (Eigen::Index i = 0; i < size_; ++i) {
+    near(i, i) += Ball(1);
+    for (Eigen::Index k = 0; k < size_; ++k) {
+      near(i, k) += Ball::hull(-R, R);
+    }
+  }
+  return zeros::product(known.of_middle, near);
+}
+
+LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
+  const Matrix B = reversed ? Matrix(-drift(piece)) : drift(piece);
+  Vector term = piece.kind == PhaseKind::stick ? r_ : speed();
+  Watch watch{{}, balance(B), {}, {}, 1, {}};
+  Matrix balanced = B;
+  for (Eigen::Index i = 0; i < size_; ++i) {
+    watch.size += abs(term(i)) / watch.balance(i);
+    for (Eigen::Index k = 0; k < size_; ++k) {
+      balanced(i, k) = balanced(i, k) * watch.balance(i) / watch.balance(k);
+    }
+  }
+  watch.nu = norm(balanced);
+  watch.length = std::exp2(std::floor(std::log2(longest / std::max(watch.nu.approximate(), 1e-100))));
+  watch.flow = exponential(B * Ball(watch.length));
+  const double below = std::exp2(-static_cast<double>(WorkingPrecision::bits()));
+  double size = 1;
+  while (watch.rows.size() < fewest_terms || size > below) {
+    watch.rows.push_back(term);
+    const auto m = static_cast<int>(watch.rows.size());
+    term = Vector(zeros::product(B.transpose(), term)) * Ball(Ball(1) / Ball(m));
+    size *= longest / m;
+  }
+  return watch;
+}
+
+const LinearPhases::Watch& LinearPhases::watch(Piece piece, bool reversed) const {
+  const auto found = watches_.find({piece, reversed});
+  return found != watches_.end()
+             ? found->second
+             : watches_.emplace(std::pair(piece, reversed), make_watch(piece, reversed)).first->second;
+}
+
+Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
+  Vector w(size_);
+  w.head(2 * n_) = state;
+  w(2 * n_) = Ball(1);
+  for (std::size_t l = 0; l < multiples_.size(); ++l) {
+    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
+    const auto [sine, cosine] = sin_cos(Ball(Ball(multiples_[l]) * theta));
+    w(k) = cosine;
+    w(k + 1) = sine;
+  }
+  return w;
+}
+
+Vector LinearPhases::speed() const {
+  Vector row = Vector::Constant(size_, Ball(0));
+  row(n_ + rubbing()) = Ball(1);
+  return row;
+}
+
+Vector LinearPhases::one() const {
+  Vector row = Vector::Constant(size_, Ball(0));
+  row(2 * n_) = Ball(1);
+  return row;
+}
+
+}  // namespace stickslip::numeric::machines

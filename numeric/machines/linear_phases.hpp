@@ -1,0 +1,88 @@
+// The phases of a friction oscillator (model/friction_oscillator.hpp) as linear systems, in balls.
+//
+// w = (x, x', 1, cos k theta, sin k theta for each multiple k of the load's frequency) obeys w' = B w on each
+// piece of its motion, and what the friction law compares, r and the relative velocity, are rows times w.
+#pragma once
+
+#include <compare>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/ball.hpp"
+#include "model/friction_oscillator.hpp"
+#include "numeric/motion/motion.hpp"
+
+namespace stickslip::numeric::machines {
+
+using Matrix = model::MatrixX<Ball>;
+using Vector = model::VectorX<Ball>;
+
+// A phase, and for slips and overshoots which piece of the friction law it is on.
+struct Piece {
+  motion::PhaseKind kind = motion::PhaseKind::stick;
+  int number = 0;
+
+  [[nodiscard]] int side() const {
+    return kind == motion::PhaseKind::slip ? 1 : (kind == motion::PhaseKind::overshoot ? -1 : 0);
+  }
+  friend auto operator<=>(const Piece&, const Piece&) = default;
+};
+
+class LinearPhases {
+ public:
+  explicit LinearPhases(const model::FrictionOscillator<Ball>& oscillator);
+
+  [[nodiscard]] const model::FrictionOscillator<Ball>& oscillator() const { return oscillator_; }
+  [[nodiscard]] Eigen::Index masses() const { return n_; }
+  [[nodiscard]] Eigen::Index rubbing() const { return static_cast<Eigen::Index>(oscillator_.rubbing); }
+
+  // B of the piece. Throws InternalError when the law has no such piece.
+  [[nodiscard]] const Matrix& drift(Piece piece) const;
+  // exp(B h), for all members of h. The last one of each piece is kept, for the same middle of h.
+  [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
+
+  // What ends the piece, r on a stick and x_j' else, f = row w, and how its Taylor polynomials are bounded.
+  // With the sizes of the numbers of w balanced by S, diagonal, and nu = |S B S⁻¹| in the norm of row sums,
+  // the term of order m at r is at most |row S⁻¹| |S w| (nu r)^m/m!.
+  struct Watch {
+    std::vector<Vector> rows;  // row B^m/m!, as many as the working precision sees
+    Vector balance;            // S
+    Ball size, nu;             // |row S⁻¹|
+    double length;             // of a stretch, a power of two: nu length <= 1/2 or so
+    Matrix flow;               // over a stretch
+  };
+  // Kept. `reversed`: with -B in place of B, for what is seen from the end of a phase.
+  [[nodiscard]] const Watch& watch(Piece piece, bool reversed) const;
+
+  // w from (x, x') and the load's phase theta.
+  [[nodiscard]] Vector whole(const Vector& state, const Ball& theta) const;
+  // r, x_j' and the constant 1 as rows.
+  [[nodiscard]] const Vector& friction_at_rest() const { return r_; }
+  [[nodiscard]] Vector speed() const;
+  [[nodiscard]] Vector one() const;
+
+ private:
+  struct Exponential {
+    Ball middle;
+    Matrix of_middle;
+  };
+  [[nodiscard]] Matrix make_drift(Piece piece) const;
+  [[nodiscard]] Watch make_watch(Piece piece, bool reversed) const;
+
+  model::FrictionOscillator<Ball> oscillator_;
+  std::vector<int> multiples_;
+  Eigen::Index n_, size_;
+  Vector r_;
+  mutable std::map<Piece, Matrix> drifts_;
+  mutable std::map<Piece, Exponential> flows_;
+  mutable std::map<std::pair<Piece, bool>, Watch> watches_;
+};
+
+// exp(A), by Arb.
+[[nodiscard]] Matrix exponential(const Matrix& A);
+
+// The largest sum of sizes in a row, from above.
+[[nodiscard]] Ball norm(const Matrix& A);
+
+}  // namespace stickslip::numeric::machines

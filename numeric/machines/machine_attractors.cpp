@@ -1,0 +1,146 @@
+#include "numeric/machines/machine_attractors.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/interruption.hpp"
+#include "core/parallel.hpp"
+#include "numeric/attractors/attractors.hpp"
+
+namespace stickslip::numeric::machines {
+
+using attractors::Kind;
+
+namespace {
+
+// Two simulated motions nearer than this, in parts of their size, are one.
+constexpr double same_motion = 1e-6;
+
+std::vector<Eigen::VectorXd> random_starts(const model::FrictionOscillator<double>& o, long count,
+                                           std::uint64_t seed) {
+  const MachineStartBox box = start_box(o);
+  // Distributions of the standard library differ from one to another; the engine does not.
+  std::mt19937_64 engine(seed);
+  std::vector<Eigen::VectorXd> starts(static_cast<std::size_t>(count), box.middle);
+  for (Eigen::VectorXd& X : starts) {
+    for (Eigen::Index i = 0; i < X.size(); ++i) {
+      const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
+      X(i) += box.half(i) * (2 * share - 1);
+    }
+  }
+  return starts;
+}
+
+// Whether the events of one are those of the other, begun with another one.
+bool is_same(const MachineGuess& a, const MachineGuess& b) {
+  const std::size_t count = a.events.size();
+  if (count != b.events.size() || a.periods != b.periods) {
+    return false;
+  }
+  const auto same_from = [&](std::size_t shift) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const MachineGuess::Event &one = a.events[i], &other = b.events[(i + shift) % count];
+      const double size = std::max(one.X.lpNorm<Eigen::Infinity>(), other.X.lpNorm<Eigen::Infinity>());
+      if (one.begins != other.begins ||
+          !((one.X - other.X).lpNorm<Eigen::Infinity>() <= same_motion * size)) {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (std::size_t shift = 0; shift < count; ++shift) {
+    if (same_from(shift)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Piece> pieces_of(const MachineGuess& guess) {
+  std::vector<Piece> pieces;
+  for (const MachineGuess::Event& event : guess.events) {
+    pieces.push_back(event.begins);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
+  const auto n = static_cast<Eigen::Index>(o.size());
+  const auto j = static_cast<Eigen::Index>(o.rubbing);
+  const double m = o.masses[o.rubbing];
+  const double stiffness = o.stiffness(j, j);
+  const double Omega = stiffness > 0 ? std::sqrt(stiffness / m) : 1;
+  const int side = o.V >= 0 ? 1 : -1;
+  const model::SlidingPiece<double> * piece = &o.law(side).sliding.front();
+  for (const model::SlidingPiece<double>& next : o.law(side).sliding) {
+    piece = next.from <= std::abs(o.V) ? &next : piece;
+  }
+  const double friction = piece->force + piece->slope * (std::abs(o.V) - piece->from);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(n);
+  forces(j) = side * friction;
+  double s = std::max(std::abs(o.V), 3 * std::max(o.forward.at_rest, o.backward.at_rest) / (m * Omega));
+  for (const model::HarmonicForce<double>& load : o.loads) {
+    if (load.k == 0) {
+      forces(static_cast<Eigen::Index>(load.mass)) += load.cosine;
+    } else {
+      s = std::max(s, std::hypot(load.cosine, load.sine) / (o.masses[load.mass] * Omega));
+    }
+  }
+  MachineStartBox box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
+  box.middle.head(n) = o.stiffness.completeOrthogonalDecomposition().solve(forces);
+  box.middle(n + j) = o.V - side * s;
+  box.half.head(n).setConstant(2 * s / Omega);
+  box.half.tail(n).setConstant(1.5 * s);
+  return box;
+}
+
+MachineAttractors find_attractors(const MachineStarts& question) {
+  require_machine(question.machine, true);
+  MachineAttractors result{question, {}, false};
+  const std::vector<Eigen::VectorXd> starts =
+      random_starts(oscillator_as<double>(question.machine), question.starts, question.seed);
+  const std::vector<Settled> ends = parallel_map(starts.size(), [&](std::size_t i) {
+    return interrupted() ? Settled{Kind::unsettled, {}, starts[i]}
+                         : settle(question.machine, starts[i], question.most_periods);
+  });
+  result.interrupted = interrupted();
+  std::vector<const Settled *> first;  // of each attractor
+  for (const Settled& end : ends) {
+    std::size_t k = 0;
+    while (k < first.size() && !(first[k]->kind == end.kind &&
+                                 (end.kind != Kind::periodic || is_same(first[k]->guess, end.guess)))) {
+      ++k;
+    }
+    if (k == first.size()) {
+      first.push_back(&end);
+      result.attractors.emplace_back();
+      result.attractors.back().kind = end.kind;
+      result.attractors.back().state = end.state;
+    }
+    ++result.attractors[k].count;
+  }
+  const auto orbits = parallel_map(first.size(), [&](std::size_t k) -> std::optional<MachineOrbit> {
+    if (first[k]->kind != Kind::periodic || interrupted()) {
+      return std::nullopt;
+    }
+    return prove_machine_orbit(question.machine, first[k]->guess, question.digits);
+  });
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    MachineAttractor& a = result.attractors[k];
+    const attractors::Interval interval = attractors::wilson(a.count, question.starts);
+    a.share = static_cast<double>(a.count) / static_cast<double>(question.starts);
+    a.least = interval.least;
+    a.most = interval.most;
+    a.orbit = orbits[k];
+    a.word = a.kind == Kind::periodic ? word_of(pieces_of(first[k]->guess)) : "";
+  }
+  std::stable_sort(result.attractors.begin(), result.attractors.end(),
+                   [](const auto& a, const auto& b) { return a.count > b.count; });
+  return result;
+}
+
+}  // namespace stickslip::numeric::machines

@@ -1,0 +1,59 @@
+// A periodic motion of a machine through given pieces, proved near a guess, with everything decided about it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/machines/machine_chain.hpp"
+#include "numeric/motion/conditions.hpp"
+#include "numeric/motion/stability.hpp"
+
+namespace stickslip::numeric::machines {
+
+// A motion over n periods of the load, or round once where there is no load; nearly closed, in floating
+// point.
+struct MachineGuess {
+  struct Event {
+    double t;
+    Eigen::VectorXd X;  // (x, x')
+    Piece begins;
+  };
+  std::vector<Event> events;  // in their order, at least two
+  long periods = 1;           // n
+  double duration = 0;        // of all
+};
+
+struct MachinePhase {
+  Piece piece;
+  Ball start, duration;  // counted from the first phase's beginning
+  Vector state;          // (x, x') when it begins
+};
+
+struct MachineOrbit {
+  std::vector<Piece> pieces;
+  long periods = 1;   // n
+  Verdict existence;  // of "exactly one closed motion through these pieces lies near the guess"; else no more
+                      // is known
+  long bits = 0;      // that it was proved with
+  Ball period;
+  Ball load;  // theta when the first phase begins; 0 without a load
+  std::vector<MachinePhase> phases;
+  std::vector<motion::Condition> conditions;
+  Verdict admissible;  // all of them hold: the motion obeys the friction law
+  // Of the map from one passage of the first event to the next, period by period; nothing unless admissible.
+  std::optional<motion::Stability> stability;
+};
+
+// Letters of the phases, as in words/word.hpp, in the first rotation; pieces of one phase are one letter, or,
+// where `with_pieces` asks for it, S1, S2, … after each other.
+[[nodiscard]] std::string word_of(const std::vector<Piece>& pieces, bool with_pieces = false);
+
+// Proves what Newton's method reaches from the guess, each value to that many significant digits, with more
+// bits where a condition or the stability is open. Undecided when that fails, and when the motion may be a
+// shorter one taken several times. Throws as require_machine does, and DomainError for a guess of fewer than
+// two events.
+[[nodiscard]] MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess,
+                                               int digits = 20, long most_bits = 1L << 12);
+
+}  // namespace stickslip::numeric::machines
