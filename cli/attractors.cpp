@@ -40,6 +40,9 @@ ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const pr
 }  // namespace
 
 ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& paper) {
+  if (const auto done = run_in_tables(options)) {
+    return *done;
+  }
   if (!options.along.empty() || !options.plane.empty()) {
     return run_diagram(options, paper);
   }

@@ -1,6 +1,8 @@
 // The commands of the program, about a paper. Each throws Error.
 #pragma once
 
+#include <optional>
+
 #include "cli/arguments.hpp"
 #include "core/error.hpp"
 #include "proofs/methods/paper.hpp"
@@ -15,6 +17,8 @@ namespace stickslip::cli {
 [[nodiscard]] ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const BranchOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& paper);
+// Of a machine in tables (cli/machine_tables.hpp); nothing if the file is none.
+[[nodiscard]] std::optional<ExitCode> run_in_tables(const AttractorsOptions& options);
 // Of `attractors` with --along or --plane.
 [[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);
 // Of `orbits` with a word in place of a family.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/arguments.hpp"
+#include "cli/machine_tables.hpp"
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
@@ -84,7 +85,13 @@ TypedParameters contents_of(const GivenFile& file) {
   if (file.values || file.empty()) {
     return file.values.value_or(TypedParameters());
   }
-  TypedParameters all = parse_parameters(report::tools::read_file(file.name), file.name);
+  const std::string text = report::tools::read_file(file.name);
+  if (has_tables(text)) {
+    throw UsageError(fmt::format(
+        "{} is a machine in tables: so far that is for stickslip attractors alone, without other data",
+        file.name));
+  }
+  TypedParameters all = parse_parameters(text, file.name);
   for (const auto& [name, text] : all) {
     (void)interval(fmt::format("{}: {}", file.name, name), text);  // throws where it is none, nor a number
   }

@@ -24,7 +24,7 @@ Ball largest(const Vector& v, const Vector& weights) {
 }  // namespace
 
 Watched::Watched(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T, bool reversed)
-    : watch_(phases.watch(piece, reversed)) {
+    : watch_(phases.watch(piece, reversed)), drift_(phases.drift(piece)), reversed_(reversed) {
   constexpr double most_stretches = 1e7;
   const double stretches = std::ceil(T.approximate() / watch_.length * (1 + 1e-9));
   if (stretches > 1 && stretches < most_stretches) {
@@ -35,8 +35,18 @@ Watched::Watched(const LinearPhases& phases, Piece piece, const Vector& w, const
 }
 
 const Watched::Stretch& Watched::stretch(std::size_t k) const {
+  // From one to the next balls grow; so every now and then from the first.
+  constexpr std::size_t most_in_a_row = 16;
   while (stretches_.size() <= k) {
-    stretches_.push_back({product(watch_.flow, stretches_.back().w), {}, {}, {}});
+    const std::size_t n = stretches_.size();
+    const Ball t(static_cast<double>(n) * watch_.length);
+    stretches_.push_back(
+        {n % most_in_a_row == 0
+             ? Vector(product(exponential(drift_ * (reversed_ ? Ball(-t) : t)), stretches_[0].w))
+             : Vector(product(watch_.flow, stretches_.back().w)),
+         {},
+         {},
+         {}});
   }
   Stretch& found = stretches_[k];
   if (!found.terms.empty()) {

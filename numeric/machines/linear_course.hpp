@@ -33,6 +33,8 @@ class Watched {
   [[nodiscard]] std::size_t stretch_of(double s) const;
 
   const LinearPhases::Watch& watch_;
+  const Matrix& drift_;
+  bool reversed_;
   std::size_t count_ = 1;
   bool covers_;  // [0, T]
   mutable std::vector<Stretch> stretches_;

@@ -44,8 +44,9 @@ MachineChain::MachineChain(const MachineQuestion& question)
     if (piece.kind == PhaseKind::stick || std::min(before.number, piece.number) + 1 != upper) {
       throw InternalError("two phases after each other that no event separates");
     }
-    speeds_.push_back(o.V - Ball(piece.side()) *
-                                o.law(piece.side()).sliding.at(static_cast<std::size_t>(upper)).from);
+    const model::FrictionOscillator<Rational>& exact = question.machine.oscillator;
+    const Rational& from = exact.law(piece.side()).sliding.at(static_cast<std::size_t>(upper)).from;
+    speeds_.emplace_back(Rational(exact.V - piece.side() * from));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -16,6 +17,8 @@ namespace {
 constexpr double nearness = 1e-9;
 // A motion whose events are no farther apart than this has come to rest, or slides steadily.
 constexpr double least_size = 1e-6;
+// Two states of a motion that has returned nearer than this are one.
+constexpr double same_state = 1e-6;
 constexpr long first_mark = 8;
 // Of a motion without a load, between two looks.
 constexpr long steps_at_once = 1000;
@@ -23,13 +26,13 @@ constexpr long steps_at_once = 1000;
 constexpr long most_steps_without_event = 1000000;
 
 using attractors::Kind;
-using Transition = Simulation::Transition;
 
 double distance(const Eigen::VectorXd& X, const Eigen::VectorXd& Y) {
   return (X - Y).lpNorm<Eigen::Infinity>() /
          std::max({X.lpNorm<Eigen::Infinity>(), Y.lpNorm<Eigen::Infinity>(), 1e-300});
 }
 
+template <class Transition>
 MachineGuess guess_of(const std::vector<Transition>& log, double begin) {
   MachineGuess guess;
   for (const Transition& t : log) {
@@ -40,11 +43,59 @@ MachineGuess guess_of(const std::vector<Transition>& log, double begin) {
   return guess;
 }
 
+// Of a motion that is a shorter one taken several times, once.
+MachineGuess once(const MachineGuess& guess) {
+  const std::size_t count = guess.events.size();
+  for (std::size_t part = 2; part < count; ++part) {
+    const std::size_t times = count / part;
+    bool same = count % part == 0 && (guess.periods == 1 || guess.periods % static_cast<long>(times) == 0);
+    for (std::size_t i = 0; same && i < count; ++i) {
+      const MachineGuess::Event &one = guess.events[i], &later = guess.events[(i + part) % count];
+      same = one.begins == later.begins && distance(one.X, later.X) < same_state;
+    }
+    if (same) {
+      MachineGuess shorter = guess;
+      shorter.events.resize(part);
+      shorter.duration /= static_cast<double>(times);
+      shorter.periods = std::max(1L, guess.periods / static_cast<long>(times));
+      return shorter;
+    }
+  }
+  return guess;
+}
+
+// Begun at the first rotation of its word.
+MachineGuess rotated(const MachineGuess& guess) {
+  const std::size_t count = guess.events.size();
+  const auto kind = [&](std::size_t i) { return guess.events[i % count].begins.kind; };
+  std::string letters;
+  std::vector<std::size_t> begins;  // of each letter
+  for (std::size_t i = 0; i < count; ++i) {
+    if (kind(i) != kind(i + count - 1)) {
+      letters += words::letter(kind(i));
+      begins.push_back(i);
+    }
+  }
+  if (begins.empty()) {
+    return guess;
+  }
+  const std::size_t from = begins[words::first_rotation(letters)];
+  MachineGuess result = guess;
+  for (std::size_t i = 0; i < from; ++i) {
+    result.events[i].t += guess.duration;
+  }
+  std::rotate(result.events.begin(), result.events.begin() + static_cast<std::ptrdiff_t>(from),
+              result.events.end());
+  return result;
+}
+
+template <class Simulation>
 Settled without_events(const Simulation& simulation) {
   const bool sticks = simulation.phase() == motion::PhaseKind::stick;
   return {sticks ? Kind::stuck : Kind::slides, {}, simulation.state()};
 }
 
+template <class Simulation>
 Settled with_load(Simulation simulation, long most_periods) {
   Eigen::VectorXd mark = simulation.state();
   long marked = 0;
@@ -53,7 +104,7 @@ Settled with_load(Simulation simulation, long most_periods) {
     const Eigen::VectorXd X = simulation.state();
     if (marked > 0 && distance(X, mark) < nearness) {
       const double begin = simulation.time();
-      std::vector<Transition> log;
+      std::vector<typename Simulation::Transition> log;
       for (long i = 0; i < k - marked; ++i) {
         simulation.advance(simulation.period(), &log);
       }
@@ -61,7 +112,7 @@ Settled with_load(Simulation simulation, long most_periods) {
       guess.periods = k - marked;
       guess.duration = static_cast<double>(guess.periods) * simulation.period();
       return guess.events.size() < 2 ? without_events(simulation)
-                                     : Settled{Kind::periodic, guess, simulation.state()};
+                                     : Settled{Kind::periodic, rotated(once(guess)), simulation.state()};
     }
     if (k >= first_mark && (k & (k - 1)) == 0) {
       mark = X;
@@ -71,7 +122,9 @@ Settled with_load(Simulation simulation, long most_periods) {
   return {Kind::unsettled, {}, simulation.state()};
 }
 
+template <class Simulation>
 Settled without_load(Simulation simulation, long most_events) {
+  using Transition = typename Simulation::Transition;
   std::optional<Transition> mark;
   std::vector<Transition> since, log;
   long events = 0, idle = 0;
@@ -95,7 +148,7 @@ Settled without_load(Simulation simulation, long most_events) {
       if (returns) {
         MachineGuess guess = guess_of(since, mark->time);
         guess.duration = t.time - mark->time;
-        return moves && guess.events.size() >= 2 ? Settled{Kind::periodic, guess, t.X}
+        return moves && guess.events.size() >= 2 ? Settled{Kind::periodic, rotated(once(guess)), t.X}
                                                  : without_events(simulation);
       }
       if (events >= first_mark && (events & (events - 1)) == 0) {
@@ -117,9 +170,18 @@ Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_perio
     throw DomainError("the state", fmt::format("{} numbers", X.size()),
                       fmt::format("{}, positions and velocities", size));
   }
-  const Simulation simulation(oscillator_as<double>(machine), 0, X);
-  return machine.oscillator.is_autonomous() ? without_load(simulation, most_periods)
-                                            : with_load(simulation, most_periods);
+  const model::FrictionOscillator<double> o = oscillator_as<double>(machine);
+  if (machine.oscillator.is_autonomous()) {
+    return without_load(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>(o, 0, X), most_periods);
+  }
+  const auto varying = [](const auto& load) { return load.k != 0; };
+  const auto first = std::find_if(o.loads.begin(), o.loads.end(), varying);
+  const bool one_frequency = std::all_of(
+      o.loads.begin(), o.loads.end(), [&](const auto& load) { return !varying(load) || load.k == first->k; });
+  if (o.size() == 2 && one_frequency) {
+    return with_load(simulation::SimulationOf<2, 1>(o, 0, X), most_periods);
+  }
+  return with_load(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>(o, 0, X), most_periods);
 }
 
 }  // namespace stickslip::numeric::machines

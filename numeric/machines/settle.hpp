@@ -7,8 +7,6 @@
 
 namespace stickslip::numeric::machines {
 
-using Simulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
-
 struct Settled {
   attractors::Kind kind = attractors::Kind::unsettled;  // periodic, slides, stuck or unsettled
   MachineGuess guess;                                   // of a periodic one: its events

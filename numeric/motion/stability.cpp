@@ -63,6 +63,28 @@ void classify(Stability& s, bool neutral) {
   }
 }
 
+// Whether a power of the map is less than 1 in the norm of row sums: then all multipliers are inside the unit
+// circle, however many of them are too near to each other to be told apart.
+bool contracts(const SquareMatrix& map) {
+  constexpr int most_doublings = 6;
+  SquareMatrix power = map;
+  for (int k = 0; k <= most_doublings; ++k) {
+    Ball norm(0);
+    for (Eigen::Index i = 0; i < power.rows(); ++i) {
+      Ball sum(0);
+      for (Eigen::Index j = 0; j < power.cols(); ++j) {
+        sum += abs(power(i, j));
+      }
+      arb_max(norm.raw(), norm.raw(), sum.raw(), WorkingPrecision::bits());
+    }
+    if ((norm - Ball(1)).is_negative()) {
+      return true;
+    }
+    power = SquareMatrix(power.lazyProduct(power));
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string to_string(StabilityKind kind) {
@@ -83,7 +105,9 @@ Stability stability_of(const SquareMatrix& return_map, bool collapses) {
   Stability s;
   const auto found = eigenvalues(return_map);
   if (!found) {
-    s.reason = not_enclosed;
+    const bool stable = contracts(return_map);
+    s.kind = stable ? StabilityKind::stable : StabilityKind::undecided;
+    s.reason = stable ? "" : not_enclosed;
     return s;
   }
   s.multipliers = *found;

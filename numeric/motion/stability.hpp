@@ -33,9 +33,9 @@ struct Stability {
 // cannot be enclosed, and when one of them may lie on the unit circle for no such reason.
 [[nodiscard]] Stability decide_stability(const Motion& motion);
 
-// The same from the derivative of a return map, 4 by 4, however its balls were found. `collapses`: a
+// The same from the derivative of a return map, of any size, however its balls were found. `collapses`: a
 // direction is lost on the way, so 0 is a multiplier exactly; it is shown as such where a single enclosure
-// can hold it.
+// can hold it. Stable without multipliers where these cannot be enclosed, but a power of the map contracts.
 [[nodiscard]] Stability stability_of(const SquareMatrix& return_map, bool collapses);
 
 }  // namespace stickslip::numeric::motion

@@ -23,21 +23,6 @@ namespace {
 
 constexpr std::size_t most_phases = 16;  // in a table
 
-// The largest modulus of a multiplier, rounded up, with as many digits as tell it from 1.
-std::string spectral_radius(const Stability& s) {
-  Ball largest(0);
-  for (const ComplexBall& mu : s.multipliers) {
-    const Ball modulus = sqrt(mu.squared_modulus());
-    arb_max(largest.raw(), largest.raw(), modulus.raw(), WorkingPrecision::bits());
-  }
-  const double radius = largest.upper().approximate();
-  std::string text = "1";
-  for (int digits = 4; text == "1" && digits <= 17; ++digits) {
-    text = fmt::format("{:.{}g}", radius, digits);
-  }
-  return text;
-}
-
 // What is proved of a periodic motion.
 std::string proved(const std::optional<WordOrbit>& orbit) {
   if (!orbit || orbit->existence.truth != Truth::proved) {
@@ -51,30 +36,6 @@ std::string proved(const std::optional<WordOrbit>& orbit) {
       o.stability->multipliers.empty() ? "" : fmt::format(", |mu| = {}", spectral_radius(*o.stability));
   const std::string why = o.stability->reason.empty() ? "" : ": " + o.stability->reason;
   return fmt::format("proved, {}{}{}", to_string(o.stability->kind), why, radius);
-}
-
-// Of the conditions of one kind the one with the worst verdict, then the least margin.
-std::vector<Condition> worst(const WordOrbit& o) {
-  const auto badness = [](const Condition& c) {
-    return c.verdict.truth == Truth::refuted ? 2 : c.verdict.truth == Truth::proved ? 0 : 1;
-  };
-  const auto is_worse = [&](const Condition& a, const Condition& b) {
-    if (badness(a) != badness(b)) {
-      return badness(a) > badness(b);
-    }
-    return a.margin && b.margin && (*b.margin - *a.margin).is_positive();
-  };
-  std::vector<Condition> result;
-  for (const Condition& c : o.orbit.conditions) {
-    const auto same =
-        std::find_if(result.begin(), result.end(), [&](const Condition& r) { return r.id == c.id; });
-    if (same == result.end()) {
-      result.push_back(c);
-    } else if (is_worse(c, *same)) {
-      *same = c;
-    }
-  }
-  return result;
 }
 
 std::string phases(const WordOrbit& o, const Style& style, const Units& units) {
@@ -111,7 +72,8 @@ std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const 
     }
   }
   return columns_of(rows, style.width) + "\n" + phases(o, style, units) +
-         stability_rows(o.orbit, units.digits(digits), style) + "\n" + condition_rows(worst(o), style);
+         stability_rows(o.orbit, units.digits(digits), style) + "\n" +
+         condition_rows(worst(o.orbit.conditions), style);
 }
 
 std::string searched(const WordOrbits& list) {
@@ -143,7 +105,7 @@ std::string result_of(const WordOrbits& list) {
 // With each kind of condition once.
 Orbit brief(const WordOrbit& o) {
   Orbit result;
-  result.conditions = worst(o);
+  result.conditions = worst(o.orbit.conditions);
   result.admissible = o.orbit.admissible;
   return result;
 }
@@ -181,6 +143,43 @@ std::string formal_solutions(const std::vector<WordOrbit>& orbits, const std::ve
 }
 
 }  // namespace
+
+std::string spectral_radius(const Stability& s) {
+  Ball largest(0);
+  for (const ComplexBall& mu : s.multipliers) {
+    const Ball modulus = sqrt(mu.squared_modulus().upper());
+    arb_max(largest.raw(), largest.raw(), modulus.raw(), WorkingPrecision::bits());
+  }
+  const double radius = largest.upper().approximate();
+  std::string text = "1";
+  for (int digits = 4; text == "1" && digits <= 17; ++digits) {
+    text = fmt::format("{:.{}g}", radius, digits);
+  }
+  return text;
+}
+
+std::vector<Condition> worst(const std::vector<Condition>& conditions) {
+  const auto badness = [](const Condition& c) {
+    return c.verdict.truth == Truth::refuted ? 2 : c.verdict.truth == Truth::proved ? 0 : 1;
+  };
+  const auto is_worse = [&](const Condition& a, const Condition& b) {
+    if (badness(a) != badness(b)) {
+      return badness(a) > badness(b);
+    }
+    return a.margin && b.margin && (*b.margin - *a.margin).is_positive();
+  };
+  std::vector<Condition> result;
+  for (const Condition& c : conditions) {
+    const auto same =
+        std::find_if(result.begin(), result.end(), [&](const Condition& r) { return r.id == c.id; });
+    if (same == result.end()) {
+      result.push_back(c);
+    } else if (is_worse(c, *same)) {
+      *same = c;
+    }
+  }
+  return result;
+}
 
 std::string remark(const Attractor& a) {
   switch (a.kind) {

@@ -49,6 +49,12 @@ void add_stability(tools::Json& json, const numeric::Orbit& orbit, int digits);
 // What the program's options say of the data: " --chi=0.3 ...".
 [[nodiscard]] std::string options_of(const numeric::words::WordQuestion& machine);
 
+// The largest modulus of a multiplier, rounded up, with as many digits as tell it from 1.
+[[nodiscard]] std::string spectral_radius(const numeric::motion::Stability& stability);
+// Of the conditions of one kind the one with the worst verdict, then the least margin.
+[[nodiscard]] std::vector<numeric::motion::Condition> worst(
+    const std::vector<numeric::motion::Condition>& conditions);
+
 // A condition's margin or its time, to a few digits; empty if it is not known.
 [[nodiscard]] std::string shown(const std::optional<Ball>& margin);
 
