@@ -21,6 +21,7 @@
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/parse.hpp"
 #include "proofs/text/claims_file.hpp"
+#include "report/schemas.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
@@ -123,7 +124,7 @@ ExitCode run(const VersionsWanted& /*versions*/, const Paper& /*paper*/) {
 }
 
 ExitCode run(const ManualWanted& manual, const Paper& /*paper*/) {
-  std::vector<report::tools::File> files;
+  std::vector<report::tools::File> files = report::schemas();
   for (const ManualFile& file : manual.files) {
     files.push_back({file.name, file.text});
   }

@@ -1,5 +1,5 @@
 // The module stickslip._core: what python/stickslip builds its classes on. Results come as the JSON that the
-// program prints (report/schema/), samples as arrays.
+// program prints (its schemas: doc/formats.md), samples as arrays.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

@@ -16,6 +16,7 @@ namespace stickslip::report::atlas {
 
 using namespace numeric::atlas;
 using tools::Json;
+using tools::Object;
 
 namespace {
 
@@ -98,42 +99,111 @@ std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, 
 
 namespace {
 
-Json question_json(const Question& q, const std::string& command) {
-  Json json = tools::provenance(command);
-  json["family"] = q.family->name;
-  json["axes"] = axis_names(q);
-  for (std::size_t i = 0; i < q.region.size(); ++i) {
-    json["parameters"][names_of(q)[i]] = q.region[i].text();
-  }
-  if (q.is_in_SI()) {
-    json["units"] = "si";
-  }
-  return json;
+void write_question(Object& json, const Question& q, const std::string& command) {
+  tools::write_provenance(json, command);
+  json.has("family", q.family->name, orbits::family_names());
+  json.has("axes", axis_names(q), tools::with({{"minItems", 1}, {"maxItems", 4}}, "Some of the parameters."));
+  json.object(
+      "parameters",
+      [&](Object& to) {
+        std::vector<std::pair<std::string, std::string>> ranges;
+        for (std::size_t i = 0; i < q.region.size(); ++i) {
+          ranges.emplace_back(names_of(q)[i], q.region[i].text());
+        }
+        to.each(ranges);
+      },
+      "Exact numbers, or A..B.");
+  json.has("units", q.is_in_SI() ? std::optional("si") : std::nullopt,
+           tools::with(tools::one_of({"si"}),
+                       "The parameters are values of machines in SI units, under the names of their file."));
+}
+
+void write_volume(Object& json, const char * key, std::uint64_t volume) {
+  json.has(key, share(volume).get_str(),
+           tools::with({{"pattern", "^[0-9]+(/[0-9]+)?$"}}, "An exact fraction of the whole volume."));
+}
+
+void write_tally(Object& json, const Question& q, const Tally& all) {
+  write_question(json, q, "stickslip atlas " + text_of(q));
+  json.has("resolution", q.resolution,
+           tools::with({{"minimum", 1}}, "Each axis is halved so many times at most."));
+  json.has("boxes", all.leaves);
+  json.object("volume", [&](Object& to) {
+    write_volume(to, "decided", all.decided);
+    write_volume(to, "outside", all.outside);
+    write_volume(to, "open", all.open);
+    write_volume(to, "not_examined", volume(whole) - all.covered());
+  });
+  json.list("counts", by_volume(all.counts), [](Object& to, const auto& row) {
+    const Json number = {{"minimum", 0}};
+    to.has("orbits", row.first.orbits, number);
+    to.has("admissible", row.first.admissible, number);
+    to.has("stable", row.first.stable, number);
+    write_volume(to, "volume", row.second);
+  });
+  json.list("reasons", by_volume(all.reasons), [&](Object& to, const auto& row) {
+    to.has("reason", plain(sentence_of(*q.family, static_cast<std::uint8_t>(row.first))));
+    write_volume(to, "volume", row.second);
+  });
+}
+
+void write_verification(Object& json, const Question& q, const Verification& found,
+                        const std::string& command) {
+  write_question(json, q, command);
+  json.has("boxes", found.boxes);
+  json.has("proved_again", found.proved_again(), "How many of them.");
+  json.has("confirmed", found.confirmed, "Found to be as the atlas says.");
+  json.has("not_decided_again", found.not_decided_again, "Left open this time.");
+  json.list(
+      "contradicted", found.contradicted,
+      [&](Object& to, const Leaf& leaf) {
+        const Finding& f = leaf.finding;
+        to.object(
+            "box",
+            [&](Object& sides) {
+              std::vector<std::pair<std::string, std::array<Rational, 2>>> ends;
+              const Box box = box_of(q, leaf.tile);
+              for (const std::size_t axis : q.axes) {
+                ends.push_back({names_of(q)[axis], {box[axis].lower, box[axis].upper}});
+              }
+              sides.each(ends);
+            },
+            "The exact ends of each axis.");
+        for (const auto& [name, count] :
+             {std::pair("orbits", f.orbits), {"admissible", f.admissible}, {"stable", f.stable}}) {
+          to.has(name, count < 0 ? std::nullopt : std::optional(count),
+                 tools::with({{"minimum", 0}}, "As the atlas says; absent if not known."));
+        }
+        to.has("reason", f.is_decided() ? std::nullopt : std::optional(sentence_of(*q.family, f.reason)),
+               "Why it is left open.");
+      },
+      "Boxes of which the atlas says what is false.");
 }
 
 }  // namespace
 
 Json to_json(const Question& q, const std::vector<Leaf>& leaves) {
-  const Tally all = tally(q, leaves);
-  const auto exact = [](std::uint64_t v) { return share(v).get_str(); };
-  Json json = question_json(q, "stickslip atlas " + text_of(q));
-  json["resolution"] = q.resolution;
-  json["boxes"] = all.leaves;
-  json["volume"] = {{"decided", exact(all.decided)},
-                    {"outside", exact(all.outside)},
-                    {"open", exact(all.open)},
-                    {"not_examined", exact(volume(whole) - all.covered())}};
-  json["counts"] = tools::list_of(by_volume(all.counts), [&](const auto& row) {
-    return Json{{"orbits", row.first.orbits},
-                {"admissible", row.first.admissible},
-                {"stable", row.first.stable},
-                {"volume", exact(row.second)}};
-  });
-  json["reasons"] = tools::list_of(by_volume(all.reasons), [&](const auto& row) {
-    return Json{{"reason", plain(sentence_of(*q.family, static_cast<std::uint8_t>(row.first)))},
-                {"volume", exact(row.second)}};
-  });
-  return json;
+  return tools::written(tally(q, leaves), [&](Object& json, const Tally& all) { write_tally(json, q, all); });
+}
+
+Json to_json(const Question& q, const Verification& found, const std::string& command) {
+  return tools::written(
+      found, [&](Object& json, const Verification& it) { write_verification(json, q, it, command); });
+}
+
+std::vector<tools::File> schemas() {
+  Question sample;
+  sample.family = numeric::all_families().front();
+  sample.region = {{0, 1}};
+  sample.axes = {0};
+  return {
+      tools::schema_file(
+          "atlas", "stickslip atlas: how many orbits there are over a range of parameters",
+          tools::schema_by(Tally{}, [&](Object& json, const Tally& it) { write_tally(json, sample, it); })),
+      tools::schema_file("verification", "stickslip atlas --verify: boxes of an atlas, proved again",
+                         tools::schema_by(Verification{}, [&](Object& json, const Verification& it) {
+                           write_verification(json, sample, it, "stickslip");
+                         }))};
 }
 
 std::string terminal_report(const Question& q, const Verification& found) {
@@ -141,33 +211,6 @@ std::string terminal_report(const Question& q, const Verification& found) {
       "{} boxes, of which {} were proved again: {} confirmed, {} contradicted, {} not decided again\n{}",
       found.boxes, found.proved_again(), found.confirmed, found.contradicted.size(), found.not_decided_again,
       found.contradicted.empty() ? "" : to_csv(q, found.contradicted));
-}
-
-Json to_json(const Question& q, const Verification& found, const std::string& command) {
-  Json json = question_json(q, command);
-  json["boxes"] = found.boxes;
-  json["proved_again"] = found.proved_again();
-  json["confirmed"] = found.confirmed;
-  json["not_decided_again"] = found.not_decided_again;
-  json["contradicted"] = tools::list_of(found.contradicted, [&](const Leaf& leaf) {
-    Json one{{"box", Json::object()}};
-    const Box box = box_of(q, leaf.tile);
-    for (const std::size_t axis : q.axes) {
-      one["box"][names_of(q)[axis]] = {to_string(box[axis].lower), to_string(box[axis].upper)};
-    }
-    const Finding& f = leaf.finding;
-    for (const auto& [name, count] :
-         {std::pair("orbits", f.orbits), {"admissible", f.admissible}, {"stable", f.stable}}) {
-      if (count >= 0) {
-        one[name] = count;
-      }
-    }
-    if (!f.is_decided()) {
-      one["reason"] = sentence_of(*q.family, f.reason);
-    }
-    return one;
-  });
-  return json;
 }
 
 std::string to_csv(const Question& q, const std::vector<Leaf>& leaves) {

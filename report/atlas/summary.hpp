@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "numeric/atlas/cover.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::atlas {
 
@@ -19,9 +19,7 @@ namespace stickslip::report::atlas {
                                           const std::vector<numeric::atlas::Leaf>& leaves,
                                           const tools::Style& style);
 
-// {"family", "axes", "parameters", "units"?: "si", "resolution", "boxes", "volume": {"decided", "outside",
-// "open", "not_examined"}, "counts": [{"orbits", "admissible", "stable", "volume"}], "reasons": [{"reason",
-// "volume"}]} with volumes as exact fractions of the whole.
+// Volumes are exact fractions of the whole.
 [[nodiscard]] tools::Json to_json(const numeric::atlas::Question& question,
                                   const std::vector<numeric::atlas::Leaf>& leaves);
 
@@ -37,9 +35,11 @@ struct Verification {
 };
 [[nodiscard]] std::string terminal_report(const numeric::atlas::Question& question,
                                           const Verification& found);
-// As report/schema/verification.schema.json says, with what stands in a contradicted box.
+// With what stands in a contradicted box.
 [[nodiscard]] tools::Json to_json(const numeric::atlas::Question& question, const Verification& found,
                                   const std::string& command);
+// Of both.
+[[nodiscard]] std::vector<tools::File> schemas();
 
 // A row for each leaf: the exact ends of its axes, and what is found.
 [[nodiscard]] std::string to_csv(const numeric::atlas::Question& question,

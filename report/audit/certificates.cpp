@@ -17,7 +17,7 @@ using namespace proofs;
 using tools::Json;
 namespace fs = std::filesystem;
 
-std::string name_of(Certified::State state) {
+std::string to_string(Certified::State state) {
   switch (state) {
     case Certified::State::unknown:
       return "unknown";
@@ -202,10 +202,16 @@ Certification certification(const methods::Audit& audit, const fs::path& path,
   return result;
 }
 
-Json to_json(const Certification& certification, const std::string& claim) {
+void write_certificate(tools::Object& json, const Certification& certification, const std::string& claim) {
   const auto found = certification.claims.find(claim);
   const Certified one = found == certification.claims.end() ? Certified{} : found->second;
-  return {{"state", name_of(one.state)}, {"file", one.file}, {"words", one.words}};
+  json.has(
+      "state", one.state,
+      tools::with(tools::names_through(Certified::State::none),
+                  "Whether Coq accepts the claim's theorems: accepted as they are now; accepted, but changed "
+                  "since; not accepted; there are none; not asked."));
+  json.has("file", one.file, "The certificate, in the directory of certificates; empty if there is none.");
+  json.has("words", one.words, "How many theorems on how many axioms; else why it is not certified.");
 }
 
 }  // namespace stickslip::report::audit

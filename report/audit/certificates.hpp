@@ -8,6 +8,7 @@
 
 #include "proofs/methods/claim.hpp"
 #include "report/audit/certificate_record.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::audit {
 
@@ -24,7 +25,7 @@ struct Certified {
   std::string file = {};   // "Claim_44_H.v"
   std::string words = {};  // how many theorems on how many axioms; else why not
 };
-[[nodiscard]] std::string name_of(Certified::State state);
+[[nodiscard]] std::string to_string(Certified::State state);
 
 struct Certification {
   std::map<std::string, Certified> claims;  // by id: all of the audit
@@ -41,7 +42,7 @@ struct Certification {
                                           const std::filesystem::path& record = {},
                                           const std::vector<proofs::kernel::Definition>& abbreviations = {});
 
-// {"state", "file", "words"}; of a claim of which nothing is known, unknown.
-[[nodiscard]] tools::Json to_json(const Certification& certification, const std::string& claim);
+// What is known of a claim's certificate; of one that is not among them, nothing.
+void write_certificate(tools::Object& json, const Certification& certification, const std::string& claim);
 
 }  // namespace stickslip::report::audit

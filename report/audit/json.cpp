@@ -7,6 +7,17 @@
 #include "report/orbits/orbits.hpp"
 #include "symbolic/typeset/names.hpp"
 
+template <>
+struct stickslip::report::tools::SampleOf<stickslip::proofs::methods::Hypothesis> {
+  [[nodiscard]] static proofs::methods::Hypothesis made() { return {0, "", "", ""}; }
+};
+template <>
+struct stickslip::report::tools::SampleOf<stickslip::proofs::methods::ExampleOrbits> {
+  [[nodiscard]] static proofs::methods::ExampleOrbits made() {
+    return {{}, SampleOf<numeric::OrbitList>::made()};
+  }
+};
+
 namespace stickslip::report::audit {
 
 using namespace proofs::methods;
@@ -20,36 +31,57 @@ using proofs::methods::Claim;
 using proofs::methods::Outcome;
 using proofs::methods::Record;
 
-Json as_it_is(const std::string& text) {
-  return text;
+// The paper, what the audit says of it, and what Coq said.
+struct Audited {
+  const Paper& paper;
+  const Audit& audit;
+  const Certification& certificates = {};
+};
+
+// A printed number.
+const Json like_decimal = {{"pattern", "^([+-]?[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?|nan)$"}};
+const Json not_empty = {{"minLength", 1}};
+
+Json verdicts() {
+  return names_through(Truth::checked);
 }
 
-Json ball(const BallText& text) {
-  return {{"mid", text.mid}, {"rad", text.rad}};
+Json names_of_statuses(bool of_claims) {
+  std::vector<std::string> names;
+  for (const StatusFacts& known : statuses()) {
+    if (known.of_claims || !of_claims) {
+      names.emplace_back(known.name);
+    }
+  }
+  return one_of(names);
 }
 
-Json formula(const proofs::symbols::Statement& statement) {
-  return {{"latex", proofs::symbols::latex(statement)}, {"text", proofs::symbols::text(statement)}};
+void write_formula(Object& json, const proofs::symbols::Statement& statement) {
+  json.has("latex", proofs::symbols::latex(statement));
+  json.has("text", proofs::symbols::text(statement));
 }
 
-Json repair(const proofs::methods::Repair& r) {
-  Json json = {{"what", plain(r.what)}};
-  json.update(formula(r.statement));
-  return json;
+void write_repair(Object& json, const proofs::methods::Repair& r) {
+  json.has("what", plain(r.what));
+  write_formula(json, r.statement);
 }
 
-Json hypothesis(const proofs::methods::Hypothesis& h) {
-  return {{"latex", h.latex}, {"text", h.text}, {"origin", h.origin}, {"visible", h.visible}};
+void write_hypothesis(Object& json, const proofs::methods::Hypothesis& h) {
+  json.has("latex", h.latex);
+  json.has("text", h.text);
+  json.has("origin", h.origin, "The claim whose proof brought it in.");
+  json.has("visible", h.visible,
+           "Whether that claim prints a division by something that is zero where this is.");
 }
 
-Json symbol(const std::string& name) {
-  return {{"name", name}, {"latex", symbolic::typeset::latex_name(name)}};
+void write_symbol(Object& json, const std::string& name) {
+  json.has("name", name);
+  json.has("latex", symbolic::typeset::latex_name(name));
 }
 
-Json coordinate(const Coordinate& c) {
-  Json json = symbol(c.name);
-  json["value"] = to_string(c.value);
-  return json;
+void write_coordinate(Object& json, const Coordinate& c) {
+  write_symbol(json, c.name);
+  json.has("value", c.value);
 }
 
 // Enough to tell the sides apart. The digits beyond depend on the order of GiNaC's sums, which no two runs
@@ -57,171 +89,227 @@ Json coordinate(const Coordinate& c) {
 constexpr int witness_digits = 10;
 constexpr int digits_of_units = 4;
 
-Json witness(const std::optional<Witness>& w) {
-  if (!w) {
-    return nullptr;
+void write_witness(Object& json, const Witness& w) {
+  json.list("point", w.point, write_coordinate);
+  json.has("component", w.component, "Which entry of a vector or matrix, (2,1); empty for a scalar.");
+  json.has("left", to_text(w.left, witness_digits));
+  json.has("right", to_text(w.right, witness_digits));
+}
+
+void write_comparison(Object& json, const proofs::methods::Comparison& c) {
+  json.has("name", c.name);
+  json.has("latex", c.latex);
+  json.has("printed", c.printed, like_decimal);
+  json.has("proved", to_text(c.proved));
+  json.has("units_off", to_text(c.units_off, digits_of_units));
+  json.has("verdict", c.verdict.truth, verdicts());
+  json.has("reason", plain(c.verdict.reason));
+}
+
+void write_cross_check(Object& json, const proofs::methods::CrossCheck& c) {
+  const Json count = {{"minimum", 0}};
+  json.has("formulas", c.formulas, count);
+  json.has("exact_points", c.exact_points, count);
+  json.has("ball_points", c.ball_points, count);
+  json.has("premise_points", c.premise_points, count);
+  json.has("unchecked", c.unchecked);
+  json.has("line", cross_check_line(c));
+}
+
+std::vector<std::string> sequents(const std::vector<proofs::kernel::Theorem>& theorems) {
+  std::vector<std::string> texts;
+  for (const proofs::kernel::Theorem& theorem : theorems) {
+    texts.push_back(to_string(theorem.sequent()));
   }
-  return {{"point", list_of(w->point, coordinate)},
-          {"component", w->component},
-          {"left", ball(to_text(w->left, witness_digits))},
-          {"right", ball(to_text(w->right, witness_digits))}};
+  return texts;
 }
 
-Json comparison(const proofs::methods::Comparison& c) {
-  return {{"name", c.name},
-          {"latex", c.latex},
-          {"printed", c.printed},
-          {"proved", ball(to_text(c.proved))},
-          {"units_off", ball(to_text(c.units_off, digits_of_units))},
-          {"verdict", to_string(c.verdict.truth)},
-          {"reason", plain(c.verdict.reason)}};
-}
-
-Json cross_check(const proofs::methods::CrossCheck& c) {
-  return {{"formulas", c.formulas},       {"exact_points", c.exact_points},
-          {"ball_points", c.ball_points}, {"premise_points", c.premise_points},
-          {"unchecked", c.unchecked},     {"line", cross_check_line(c)}};
-}
-
-Json sequent(const proofs::kernel::Theorem& theorem) {
-  return to_string(theorem.sequent());
-}
-
-Json outcome(const Outcome& o) {
-  return {{"verdict", to_string(o.verdict.truth)},
-          {"reason", plain(o.verdict.reason)},
-          {"witness", witness(o.verdict.witness)},
-          {"route", plain(o.route)},
-          {"hypotheses", list_of(o.hypotheses, hypothesis)},
-          {"uses", list_of(o.uses, as_it_is)},
-          {"free", list_of(o.free, symbol)},
-          {"at", list_of(o.at, coordinate)},
-          {"comparisons", list_of(o.comparisons, comparison)},
-          {"cross_check", cross_check(o.cross_check)},
-          {"theorems", list_of(o.theorems, sequent)},
-          {"by_kernel", o.by_kernel},
-          {"obeyed", to_string(o.obeyed)}};
+void write_outcome(Object& json, const Outcome& o) {
+  json.has("verdict", o.verdict.truth, verdicts());
+  json.has("reason", plain(o.verdict.reason));
+  json.or_null("witness", o.verdict.witness, write_witness);
+  json.has("route", plain(o.route));
+  json.list("hypotheses", o.hypotheses, write_hypothesis);
+  json.has("uses", o.uses);
+  json.list("free", o.free, write_symbol);
+  json.list("at", o.at, write_coordinate);
+  json.list("comparisons", o.comparisons, write_comparison);
+  json.object(
+      "cross_check", [&](Object& to) { write_cross_check(to, o.cross_check); },
+      "How two further engines looked at the verdict: formulas evaluated, rational points at which each "
+      "agrees "
+      "exactly, real points at which each agrees in balls, real points where what the claim rests on holds "
+      "and "
+      "what it prints, too; or why there was nothing to evaluate.");
+  json.has("theorems", sequents(o.theorems),
+           "The kernel's theorems of what is printed, in its order, as sequents: hypotheses |- conclusion.");
+  json.has("by_kernel", o.by_kernel, "Whether the verdict is that of the kernel's theorems alone.");
+  json.has(
+      "obeyed", o.obeyed,
+      with(names_through(Obeyed::by_contradiction),
+           "Whether there are values with which all that is assumed holds: by a theorem of the kernel, at a "
+           "point in balls, as far as is known none (motions included), none at all (which is what a proof "
+           "by contradiction says), or nothing is assumed."));
+  json.rules({{"if", {{"properties", {{"verdict", {{"const", to_string(Truth::proved)}}}}}}},
+              {"else", {{"properties", {{"reason", not_empty}}}}}});
 }
 
 bool needs_assumption(const Record& record, const std::string& id) {
   return record.outcome.assumed.contains(id) || (record.corrected && record.corrected->assumed.contains(id));
 }
 
-Json assumptions(const Record& record) {
-  return list_of(record.claim.assumptions, [&record](const proofs::methods::Assumption& assumption) {
-    Json json = {{"id", assumption.id}};
-    json.update(formula(assumption.statement));
-    json["needed"] = needs_assumption(record, assumption.id);
-    return json;
-  });
+void write_remark(Object& json, const Remark& r, const Audit& audit) {
+  json.has("place", plain(r.place), not_empty);
+  json.has("says", plain(r.says), not_empty);
+  json.has("fact", plain(with_answers(r.fact, audit)), not_empty);
+  json.has("because", plain(r.because), not_empty);
+  json.has("see", r.see, with(of_program, "A command that shows it."));
 }
 
-Json remark(const Remark * r, const Audit& audit) {
-  if (!r) {
-    return nullptr;
-  }
-  return {{"place", plain(r->place)},
-          {"says", plain(r->says)},
-          {"fact", plain(with_answers(r->fact, audit))},
-          {"because", plain(r->because)},
-          {"see", r->see}};
+void write_result(Object& json, const Result& r) {
+  json.has("id", r.id, {{"pattern", "^[a-z-]+$"}});
+  json.has("title", plain(r.title), not_empty);
+  json.has("theorem", plain(r.theorem), with(not_empty, "With all hypotheses."));
+  json.has("idea", plain(r.idea), with(not_empty, "Of the proof."));
+  json.has("see", r.see, with(of_program, "The command that checks it."));
+  json.has("claims", r.claims, {{"minItems", 1}});
 }
 
-Json result(const Result& r) {
-  return {{"id", r.id},
-          {"title", plain(r.title)},
-          {"theorem", plain(r.theorem)},
-          {"idea", plain(r.idea)},
-          {"see", r.see},
-          {"claims", list_of(r.claims, as_it_is)}};
-}
-
-Json claim(const Paper& paper, const Audit& audit, const Record& record, const Certification& certificates) {
+void write_claim(Object& json, const Record& record, const Audited& all) {
   const Claim& c = record.claim;
-  return {{"id", c.id},
-          {"place", c.place},
-          {"kind", proofs::methods::to_string(c.kind)},
-          {"origin", proofs::methods::to_string(c.origin)},
-          {"words", plain(words_of(record))},
-          {"status", proofs::methods::to_string(record.status)},
-          {"meaning", proofs::methods::facts(record.status).meaning},
-          {"finding", is_finding(record)},
-          {"printed", list_of(c.printed, formula)},
-          {"corrected", list_of(c.corrected, formula)},
-          {"assumptions", assumptions(record)},
-          {"outcome", outcome(record.outcome)},
-          {"corrected_outcome", record.corrected ? outcome(*record.corrected) : Json(nullptr)},
-          {"converse", record.converse ? outcome(*record.converse) : Json(nullptr)},
-          {"repairs", list_of(record.repairs, repair)},
-          {"illegible", plain(c.illegible)},
-          {"remark", remark(is_finding(record) ? remark_on(paper, c.id) : nullptr, audit)},
-          {"used_by", list_of(record.used_by, as_it_is)},
-          {"certificate", to_json(certificates, c.id)}};
-}
-
-Json status_count(const StatusCount& entry) {
-  return {{"status", proofs::methods::to_string(entry.status)},
-          {"meaning", proofs::methods::facts(entry.status).meaning},
-          {"count", entry.count}};
-}
-
-Json origin_count(const OriginCount& entry) {
-  const OriginFacts& known = proofs::methods::facts(entry.origin);
-  return {{"origin", known.name},
-          {"meaning", known.meaning},
-          {"count", entry.count},
-          {"statuses", list_of(entry.statuses, status_count)}};
-}
-
-Json summary(const Paper& paper, const Audit& audit) {
-  return {{"statements", statements_in(paper, audit).size()},
-          {"statuses", list_of(count_statements(paper, audit), status_count)},
-          {"claims", audit.records.size()},
-          {"origins", list_of(count_origins(audit), origin_count)},
-          {"decided", all_decided(audit)},
-          {"line", summary_line(paper, audit)}};
-}
-
-Json printed_statement(const Paper& paper, const PrintedStatement& statement, const Audit& audit) {
-  const Status status = status_of(paper, statement, audit);
-  return {{"id", statement.id},
-          {"section", statement.section},
-          {"place", statement.place},
-          {"kind", proofs::methods::to_string(statement.kind)},
-          {"words", plain(statement.words)},
-          {"status", proofs::methods::to_string(status)},
-          {"meaning", proofs::methods::facts(status).meaning},
-          {"claims", list_of(statement.claims, as_it_is)},
-          {"or_read", list_of(statement.or_read, as_it_is)},
-          {"example", statement.example},
-          {"missing", plain(statement.missing)},
-          {"see", list_of(statement.see, as_it_is)}};
-}
-
-Json printed_statements(const Paper& paper, const Audit& audit) {
-  return list_of(statements_in(paper, audit), [&](const PrintedStatement * statement) {
-    return printed_statement(paper, *statement, audit);
+  json.has("id", c.id);
+  json.has("place", c.place);
+  json.has("kind", c.kind,
+           one_of({"definition", "model", "identity", "step", "theorem", "condition", "numbers", "check"}));
+  json.has("origin", c.origin, with(names_through(Origin::auxiliary), "Whose statement it is."));
+  json.has("words", plain(words_of(record)));
+  json.has("status", record.status, names_of_statuses(true));
+  json.has("meaning", proofs::methods::facts(record.status).meaning);
+  json.has("finding", is_finding(record));
+  json.list("printed", c.printed, write_formula);
+  json.list("corrected", c.corrected, write_formula);
+  json.list("assumptions", c.assumptions, [&](Object& to, const proofs::methods::Assumption& assumption) {
+    to.has("id", assumption.id);
+    write_formula(to, assumption.statement);
+    to.has("needed", needs_assumption(record, assumption.id));
   });
+  json.object("outcome", [&](Object& to) { write_outcome(to, record.outcome); });
+  json.or_null("corrected_outcome", record.corrected, write_outcome);
+  json.or_null("converse", record.converse, write_outcome);
+  json.list("repairs", record.repairs, write_repair);
+  json.has("illegible", plain(c.illegible));
+  json.or_null(
+      "remark", is_finding(record) ? remark_on(all.paper, c.id) : nullptr,
+      [&](Object& to, const Remark& remark) { write_remark(to, remark, all.audit); },
+      "What there is to say about a claim that does not hold as the paper has it.");
+  json.has("used_by", record.used_by);
+  json.object("certificate", [&](Object& to) { write_certificate(to, all.certificates, c.id); });
 }
 
-Json bibliography(const proofs::methods::Bibliography& b) {
-  return {{"author", b.author}, {"title", b.title}, {"journal", b.journal}, {"doi", b.doi}};
+void write_status_count(Object& json, const StatusCount& entry, bool of_claims) {
+  json.has("status", entry.status, names_of_statuses(of_claims));
+  json.has("meaning", proofs::methods::facts(entry.status).meaning);
+  json.has("count", entry.count);
 }
 
-Json place(const Paper& paper, const Audit& audit, const PlaceRecords& p, const Certification& certificates) {
-  return {{"id", p.id}, {"title", p.title}, {"claims", list_of(p.records, [&](const Record * record) {
-                                               return claim(paper, audit, *record, certificates);
-                                             })}};
-}
-
-Json example(const ExampleOrbits& e) {
-  const auto printed = [](const PrintedResult& result) -> Json {
-    return {{"name", result.name}, {"value", result.value.text}, {"sign_lost", result.sign_lost}};
+void write_summary(Object& json, const Audited& all) {
+  const auto of_statements = [](Object& to, const StatusCount& entry) {
+    write_status_count(to, entry, false);
   };
-  return {{"name", e.example.name},
-          {"figure", e.example.figure},
-          {"printed", list_of(e.example.results, printed)},
-          {"orbits", orbits::to_json(e.list)}};
+  json.has("statements", statements_in(all.paper, all.audit).size(),
+           "How many statements of the paper are answered.");
+  json.list("statuses", count_statements(all.paper, all.audit), of_statements);
+  json.has("claims", all.audit.records.size());
+  json.list("origins", count_origins(all.audit), [](Object& to, const OriginCount& entry) {
+    to.has("origin", entry.origin, names_through(Origin::auxiliary));
+    to.has("meaning", proofs::methods::facts(entry.origin).meaning);
+    to.has("count", entry.count, {{"minimum", 1}});
+    to.list("statuses", entry.statuses,
+            [](Object& one, const StatusCount& status) { write_status_count(one, status, true); });
+  });
+  json.has("decided", all_decided(all.audit));
+  json.has("line", summary_line(all.paper, all.audit));
+  json.has("certificates", all.certificates.line,
+           "How many claims Coq certified, in a sentence or two; empty if nobody looked.");
+}
+
+void write_statement(Object& json, const PrintedStatement& statement, const Audited& all) {
+  const Status status = status_of(all.paper, statement, all.audit);
+  json.has("id", statement.id, {{"pattern", "^S[0-9]{3}$"}});
+  json.has("section", statement.section);
+  json.has("place", statement.place);
+  json.has("kind", statement.kind, names_through(Kind::figure));
+  json.has("words", plain(statement.words), not_empty);
+  json.has(
+      "status", status,
+      with(names_of_statuses(false),
+           "The worst of its claims', or on_one_reading where claims of two readings differ; proved, where "
+           "none of them is printed."));
+  json.has("meaning", proofs::methods::facts(status).meaning);
+  json.has("claims", statement.claims, "The claims that state it.");
+  json.has("or_read", statement.or_read, "The claims that state it on another fair reading.");
+  json.has("example", statement.example, "The example at whose data alone it speaks; empty for all others.");
+  json.has("missing", plain(statement.missing), "What they leave unsaid; without claims, why there is none.");
+  json.has("see", statement.see, "Claims that touch it, and say something else.");
+}
+
+void write_bibliography(Object& json, const proofs::methods::Bibliography& b) {
+  json.has("author", b.author);
+  json.has("title", b.title);
+  json.has("journal", b.journal);
+  json.has("doi", b.doi);
+}
+
+void write_example(Object& json, const ExampleOrbits& e) {
+  json.has("name", e.example.name);
+  json.has("figure", e.example.figure);
+  json.list("printed", e.example.results, [](Object& to, const PrintedResult& result) {
+    to.has("name", result.name);
+    to.has("value", result.value.text, like_decimal);
+    to.has("sign_lost", result.sign_lost);
+  });
+  json.object("orbits", [&](Object& to) { orbits::write_orbits(to, e.list); });
+}
+
+// What the JSON is made of beside what was audited.
+struct Beside {
+  const std::string& command;
+  const std::vector<ExampleOrbits>& examples;
+  const std::optional<proofs::checks::Gate>& gate;
+};
+
+void write_audit(Object& json, const Audited& all, const Beside& beside) {
+  write_provenance(json, beside.command, not_empty);  // that of another paper has a program of its own
+  json.object("paper", [&](Object& to) { write_bibliography(to, all.paper.bibliography); });
+  json.object("summary", [&](Object& to) { write_summary(to, all); });
+  json.list(
+      "statements", statements_in(all.paper, all.audit),
+      [&](Object& to, const PrintedStatement& statement) { write_statement(to, statement, all); },
+      "The paper's statements, in words of our own: all in an audit; of stickslip check those whose claims "
+      "were "
+      "all asked for.");
+  json.list("places", by_place(all.paper, all.audit), [&](Object& to, const PlaceRecords& place) {
+    to.has("id", place.id);
+    to.has("title", place.title);
+    to.list("claims", place.records,
+            [&](Object& one, const Record& record) { write_claim(one, record, all); });
+  });
+  json.list("results", results_in(all.paper, all.audit), write_result,
+            "What the audit found beyond the paper, the strongest first.");
+  json.list("examples", beside.examples, write_example,
+            "All orbits at the data of the paper's figures; empty for stickslip check.");
+  json.or_null(
+      "mutants", beside.gate, write_gate,
+      "Wrong statements made on purpose by single edits, put to the claims' own proofs; null where that was "
+      "not "
+      "asked for. Refuted: fails where all that the claim rests on holds; unproved: the proof does not go "
+      "through; meaningless: does not evaluate; true_too: proved, and has the normal form of what is printed "
+      "or "
+      "holds at the points tried; survived: proved, and nothing else says that it is true. Twins are the "
+      "same "
+      "statements written another way.");
+  json.has("interrupted", std::optional<bool>(),
+           with({{"const", true}}, "The audit was ended before all claims were examined; absent otherwise."));
 }
 
 }  // namespace
@@ -229,17 +317,19 @@ Json example(const ExampleOrbits& e) {
 Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
              const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate,
              const Certification& certificates) {
-  Json json = provenance(command);
-  json["paper"] = bibliography(paper.bibliography);
-  json["summary"] = summary(paper, audit);
-  json["summary"]["certificates"] = certificates.line;
-  json["statements"] = printed_statements(paper, audit);
-  json["places"] = list_of(by_place(paper, audit),
-                           [&](const PlaceRecords& p) { return place(paper, audit, p, certificates); });
-  json["results"] = list_of(results_in(paper, audit), result);
-  json["examples"] = list_of(examples, example);
-  json["mutants"] = gate ? to_json(*gate) : Json(nullptr);
-  return json;
+  return written(Audited{paper, audit, certificates}, [&](Object& json, const Audited& all) {
+    write_audit(json, all, {command, examples, gate});
+  });
+}
+
+File schema() {
+  const Paper paper;
+  const Audit audit;
+  return schema_file("audit",
+                     "stickslip audit: every statement of the paper, and every claim, with its verdict",
+                     schema_by(Audited{paper, audit, {}}, [](Object& json, const Audited& all) {
+                       write_audit(json, all, {"stickslip audit", {}, {}});
+                     }));
 }
 
 }  // namespace stickslip::report::audit

@@ -8,11 +8,11 @@
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/methods/paper.hpp"
 #include "report/audit/certificates.hpp"
-#include "report/tools/json.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::audit {
 
-// As report/schema/audit.schema.json says. Every key is always there; numbers are decimal strings or balls
+// Every key is always there; numbers are decimal strings or balls
 // {"mid", "rad"} rounded outwards, except for counts. The same audit gives the same text, always. The
 // examples are empty, and the mutants null, unless they were asked for.
 [[nodiscard]] tools::Json to_json(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
@@ -20,5 +20,8 @@ namespace stickslip::report::audit {
                                   const std::vector<proofs::methods::ExampleOrbits>& examples = {},
                                   const std::optional<proofs::checks::Gate>& gate = {},
                                   const Certification& certificates = {});
+
+// Of that JSON.
+[[nodiscard]] tools::File schema();
 
 }  // namespace stickslip::report::audit

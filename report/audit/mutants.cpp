@@ -61,23 +61,17 @@ std::vector<GateRow> rows_by(const Gate& gate, const Name& name) {
   return rows;
 }
 
-Json row_json(const GateRow& row) {
-  return {{"name", row.name},
-          {"mutants", row.mutants()},
-          {"refuted", row.refuted},
-          {"unproved", row.unproved},
-          {"meaningless", row.meaningless},
-          {"true_too", row.true_too},
-          {"survived", row.survived},
-          {"kill_rate", row.kill_rate()},
-          {"twins", row.twins},
-          {"twins_proved", row.twins_proved}};
-}
-
-Json rows_json(const std::vector<GateRow>& rows) {
-  Json list = Json::array();
-  std::ranges::transform(rows, std::back_inserter(list), row_json);
-  return list;
+void write_row(Object& json, const GateRow& row) {
+  json.has("name", row.name);
+  json.has("mutants", row.mutants());
+  json.has("refuted", row.refuted);
+  json.has("unproved", row.unproved);
+  json.has("meaningless", row.meaningless);
+  json.has("true_too", row.true_too);
+  json.has("survived", row.survived);
+  json.has("kill_rate", row.kill_rate());
+  json.has("twins", row.twins);
+  json.has("twins_proved", row.twins_proved);
 }
 
 // Those that are true, with why, and those that should not be.
@@ -126,22 +120,23 @@ GateRow row_of_all(const Gate& gate) {
   return rows.empty() ? GateRow{.name = "all"} : rows.front();
 }
 
-Json to_json(const Gate& gate) {
-  Json all_proved = Json::array();
-  for (const Mutant * mutant : proved(gate)) {
-    all_proved.push_back({{"claim", mutant->claim},
-                          {"statement", mutant->statement},
-                          {"fate", to_string(mutant->fate)},
-                          {"reason", plain(mutant->reason)}});
-  }
-  return {{"seed", gate.sampling.seed},
-          {"one_in", gate.sampling.one_in},
-          {"drawn", sampling_line(gate)},
-          {"all", row_json(row_of_all(gate))},
-          {"kinds", rows_json(rows_by_kind(gate))},
-          {"places", rows_json(rows_by_place(gate))},
-          {"has_proved", !all_proved.empty()},
-          {"proved", all_proved}};
+void write_gate(Object& json, const Gate& gate) {
+  json.has("seed", gate.sampling.seed);
+  json.has("one_in", gate.sampling.one_in, {{"minimum", 1}});
+  json.has("drawn", sampling_line(gate));
+  json.object("all", [&](Object& to) { write_row(to, row_of_all(gate)); });
+  json.list("kinds", rows_by_kind(gate), write_row);
+  json.list("places", rows_by_place(gate), write_row);
+  json.has("has_proved", !proved(gate).empty());
+  json.list(
+      "proved", proved(gate),
+      [](Object& to, const Mutant& mutant) {
+        to.has("claim", mutant.claim);
+        to.has("statement", mutant.statement);
+        to.has("fate", mutant.fate, names_through(Fate::survived, Fate::equivalent));
+        to.has("reason", plain(mutant.reason));
+      },
+      "The mutants that are proved, and why they are true.");
 }
 
 std::string terminal_mutants(const Gate& gate, const Style& style) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "proofs/checks/mutants.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::audit {
 
@@ -27,8 +27,8 @@ struct GateRow {
 [[nodiscard]] std::vector<GateRow> rows_by_place(const proofs::checks::Gate& gate);
 [[nodiscard]] GateRow row_of_all(const proofs::checks::Gate& gate);
 
-// As "mutants" in report/schema/audit.schema.json.
-[[nodiscard]] tools::Json to_json(const proofs::checks::Gate& gate);
+// As "mutants" in the JSON of an audit.
+void write_gate(tools::Object& json, const proofs::checks::Gate& gate);
 
 // The tables, the survivors, and how the sample was drawn.
 [[nodiscard]] std::string terminal_mutants(const proofs::checks::Gate& gate, const tools::Style& style);

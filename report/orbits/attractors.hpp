@@ -6,28 +6,18 @@
 #include "numeric/attractors/word_search.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/orbits/orbits.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
-// What provenance() says, and {"parameters": {"chi", …, "p", "ur"}, "starts", "seed", "most_periods",
-// "simulated": periods, "interrupted", "followed": starts, "pure_slip": {"forced": BALL, "verdict"} of
-// numeric/words/pure_slip.hpp, "attractors": [{"kind": "periodic", "quasi-periodic", "irregular", "slides",
-// "stuck", "grows without bound" or "unsettled", "share", "share_interval": [least, most], "count", "state":
-// [x1, x2, x1', x2'], "lyapunov", and of a periodic one "period", "word", "verdict", "reason", "durations":
-// [BALL], "admissible", "family", "multipliers", "stability", "stability_reason"}]}. Keys that do not apply
-// are absent. `verdict` is on "there is exactly one orbit there"; the state is the motion's at a time when
-// the load's phase is 0, in double.
+// As JSON, with their schemas: of attractors, the part that is about one machine. Keys that do not apply are
+// absent. The verdict on an attractor is on "there is exactly one orbit there"; its state is the motion's at
+// a time when the load's phase is 0, in double.
 [[nodiscard]] tools::Json to_json(const numeric::attractors::AttractorList& list);
-
-// What provenance() says, and {"word", "period", "parameters", "complete", "unresolved":
-// [{"tau": BALL, "tau1", "phi", "reason"}], "orbits": [{"word",
-// "period", "durations": [BALL], "Theta": BALL, "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur",
-// "admissible", "multipliers", "stability", "stability_reason", "conditions": [{"phase", "id", "statement",
-// "verdict", "reason", "margin", "at"}]}], "seen"}, as of the families; "phase" counts from 1, "seen" says
-// what was met instead of an orbit.
+[[nodiscard]] tools::Json schema_of_attractors();
 [[nodiscard]] tools::Json to_json(const numeric::attractors::WordOrbits& list);
+[[nodiscard]] tools::File words_schema();
 
 // A line for each attractor, then where they are. The parameters are those of (2) in any units, and so are
 // margins.

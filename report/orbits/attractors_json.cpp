@@ -14,107 +14,167 @@ using words::WordQuestion;
 
 namespace {
 
-Json durations(const WordOrbit& orbit, int digits) {
-  return list_of(orbit.orbit.motion.phases,
-                 [digits](const motion::Phase& phase) { return to_json(phase.duration, digits); });
+std::vector<BallText> durations(const WordOrbit& orbit, int digits) {
+  std::vector<BallText> texts;
+  for (const motion::Phase& phase : orbit.orbit.motion.phases) {
+    texts.push_back(ball_text(phase.duration, digits));
+  }
+  return texts;
 }
 
-Json word_orbit(const WordOrbit& o, int digits) {
-  Json json = {{"word", o.word.letters()}, {"period", o.periods}, {"durations", durations(o, digits)}};
-  add_values(json, o.orbit.values, digits);
-  json["admissible"] = to_json(o.orbit.admissible);
-  add_stability(json, o.orbit, digits);
-  json["conditions"] = Json::array();
+const Json like_durations = with({{"minItems", 2}}, "Of the phases, in the order of the word.");
+
+void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
+  json.has("word", o.word.letters(), like_word());
+  json.has("period", o.periods, like_periods());
+  json.has("durations", durations(o, digits), like_durations);
+  json.each(ball_texts(o.orbit.values, digits),
+            {"Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur"});
+  write_admissible(json, o.orbit.admissible);
+  write_stability(json, o.orbit, digits);
+  std::vector<std::pair<motion::Condition, std::size_t>> conditions;
   for (std::size_t k = 0; k < o.orbit.conditions.size(); ++k) {
-    Json condition = to_json(o.orbit.conditions[k]);
-    condition["phase"] = o.asked[k].phase + 1;
-    json["conditions"].push_back(condition);
+    conditions.emplace_back(o.orbit.conditions[k], o.asked[k].phase + 1);
   }
-  return json;
+  json.list("conditions", conditions,
+            [](Object& to, const auto& condition) {
+              write_condition(to, condition.first);
+              to.has("phase", condition.second, with({{"minimum", 1}}, "Of the word, from 1."));
+            },
+            {{"minItems", 1}});
+}
+
+std::vector<std::pair<std::string, Rational>> values_of(const WordQuestion& q) {
+  const motion::ExactParameters& a = q.data;
+  return {{"chi", a.chi},     {"eta", a.eta}, {"us", a.us}, {"V", a.V},
+          {"omega", a.omega}, {"p", a.p},     {"ur", q.ur}};
 }
 
 }  // namespace
 
-Json to_json(const WordQuestion& q) {
-  const motion::ExactParameters& a = q.data;
-  return {{"chi", to_string(a.chi)}, {"eta", to_string(a.eta)},     {"us", to_string(a.us)},
-          {"V", to_string(a.V)},     {"omega", to_string(a.omega)}, {"p", to_string(a.p)},
-          {"ur", to_string(q.ur)}};
+Json like_word() {
+  return with(
+      {{"pattern", "^[OST]{2,}$"}},
+      "The phases of a period in their order, in the rotation that comes first in the alphabet: S slip, "
+      "O overshoot, T stick.");
 }
 
-Json to_json(const Attractor& a, int digits) {
-  Json json = {{"kind", to_string(a.kind)},
-               {"share", a.share},
-               {"share_interval", {a.least, a.most}},
-               {"count", a.count},
-               {"state", {a.state(0), a.state(1), a.state(2), a.state(3)}}};
-  if (a.lyapunov) {
-    json["lyapunov"] = *a.lyapunov;
+Json like_periods() {
+  return with({{"minimum", 1}}, "In periods of the load.");
+}
+
+void write_parameters(Object& json, const WordQuestion& q) {
+  json.object("parameters", [&](Object& to) {
+    to.each(values_of(q), {"chi", "eta", "us", "V", "omega", "p", "ur"});
+  });
+}
+
+void write_attractor(Object& json, const Attractor& a, int digits, Share share) {
+  json.has("kind", a.kind, names_through(Kind::unsettled));
+  if (share == Share::told) {
+    json.has("share", a.share, {{"minimum", 0}, {"maximum", 1}});
+    json.has("share_interval", std::array{a.least, a.most},
+             with({{"items", {{"type", "number"}, {"minimum", 0}, {"maximum", 1}}}},
+                  "Wilson's interval of 95 %."));
+    json.has("count", a.count, with({{"minimum", 1}}, "Of the starts."));
   }
-  if (a.kind != Kind::periodic) {
-    return json;
-  }
-  json["period"] = a.periods;
-  json["word"] = a.word;
-  const Verdict existence = a.orbit ? a.orbit->existence : Verdict::undecided("no proof was tried");
-  json["verdict"] = to_string(existence.truth);
-  if (!existence.reason.empty()) {
-    json["reason"] = plain(existence.reason);
-  }
-  if (existence.truth == Truth::proved) {
-    json["durations"] = durations(*a.orbit, digits);
-    json["admissible"] = to_json(a.orbit->orbit.admissible);
-    if (!a.family.empty()) {
-      json["family"] = a.family;
-    }
-    add_stability(json, a.orbit->orbit, digits);
-  }
-  return json;
+  json.has("state", a.state, "x1, x2, x1', x2' of a simulated motion when the load's phase is 0.");
+  json.has("lyapunov", a.lyapunov, "Per period of the load, in the mean over the starts: a check, no proof.");
+  json.keys_if(
+      a.kind == Kind::periodic ? std::optional(a) : std::nullopt, [digits](Object& to, const Attractor& one) {
+        to.has("period", one.periods, like_periods());
+        to.has("word", one.word, like_word());
+        const Verdict existence = one.orbit ? one.orbit->existence : Verdict::undecided("no proof was tried");
+        to.has("verdict", existence.truth);
+        to.has("reason", if_any(existence.reason));
+        to.keys_if(existence.truth == Truth::proved ? one.orbit : std::nullopt, [&](Object& proved,
+                                                                                    const WordOrbit& o) {
+          proved.has("durations", durations(o, digits), like_durations);
+          write_admissible(proved, o.orbit.admissible);
+          proved.has("family", one.family.empty() ? std::nullopt : std::optional(one.family), family_names());
+          write_stability(proved, o.orbit, digits);
+        });
+      });
+  json.rules({{"if", {{"properties", {{"kind", {{"const", to_string(Kind::periodic)}}}}}}},
+              {"then", {{"required", {"period", "word", "verdict"}}}}});
 }
 
 std::string options_of(const WordQuestion& q) {
   std::string text;
-  const Json all = to_json(q);
-  for (const auto& [name, value] : all.items()) {
-    text += fmt::format(" --{}={}", name, value.get<std::string>());
+  for (const auto& [name, value] : values_of(q)) {
+    text += fmt::format(" --{}={}", name, to_string(value));
   }
   return text;
 }
 
-Json to_json(const AttractorList& list) {
+namespace {
+
+void write_attractors(Object& json, const AttractorList& list) {
   const AttractorQuestion& q = list.question;
-  Json json = provenance(command_of(q));
-  json["parameters"] = to_json(q.machine);
-  json["starts"] = q.starts;
-  json["seed"] = q.seed;
-  json["most_periods"] = q.most_periods;
-  json["simulated"] = list.simulated;
-  json["interrupted"] = list.interrupted;
-  json["followed"] = list.followed;
+  write_origin(json, command_of(q));
+  write_parameters(json, q.machine);
+  json.has("starts", q.starts, {{"minimum", 1}});
+  json.has("seed", q.seed);
+  json.has("most_periods", q.most_periods, {{"minimum", 1}});
+  json.has("simulated", list.simulated,
+           with({{"minimum", 0}}, "Periods of the load, of all starts together."));
+  json.has("interrupted", list.interrupted, "Fewer points or starts than were asked for.");
+  json.has(
+      "followed", list.followed,
+      with({{"minimum", 0}},
+           "Starts that have settled or went through most_periods: all, unless it was interrupted. Shares "
+           "are of these."));
   const words::PureSlip slip = words::pure_slip(q.machine.data);
-  if (slip.forced.is_finite()) {  // not at resonance
-    json["pure_slip"] = {{"forced", to_json(slip.forced, q.machine.digits)},
-                         {"verdict", to_string(slip.exists.truth)}};
-  }
-  json["attractors"] =
-      list_of(list.attractors, [&](const Attractor& a) { return to_json(a, q.machine.digits); });
-  return json;
+  json.object_if(
+      "pure_slip", slip.forced.is_finite() ? std::optional(slip) : std::nullopt,  // not at resonance
+      [&](Object& to, const words::PureSlip& known) {
+        to.has("forced", ball_text(known.forced, q.machine.digits));
+        to.has("verdict", known.exists.truth);
+      },
+      "Whether some motions are proved to slip for ever: where the speed |q2| omega that the load forces is "
+      "below V. Absent where omega is a natural frequency.");
+  json.list("attractors", list.attractors,
+            [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.digits); });
+}
+
+void write_words(Object& json, const WordOrbits& list) {
+  const WordSearch& q = list.question;
+  const int digits = q.machine.digits;
+  write_origin(json, command_of(q));
+  json.has("word", q.word.letters(), like_word());
+  json.has("period", q.periods, like_periods());
+  write_parameters(json, q.machine);
+  json.has("complete", list.complete(), "No orbit of the word in so many periods is missing.");
+  json.list("unresolved", list.unresolved, [digits](Object& to, const families::Unresolved& part) {
+    to.each(ball_texts(part.where, digits), {"tau"}, {"tau1", "tau2", "phi"});
+    to.has("reason", plain(part.reason));
+  });
+  json.list("orbits", list.orbits,
+            [digits](Object& to, const WordOrbit& o) { write_word_orbit(to, o, digits); });
+  json.has("seen", list.seen.empty() ? std::nullopt : std::optional(list.seen),
+           "What a simulation met in place of an orbit of the word.");
+}
+
+}  // namespace
+
+Json to_json(const AttractorList& list) {
+  return written(list, write_attractors);
 }
 
 Json to_json(const WordOrbits& list) {
-  const WordSearch& q = list.question;
-  Json json = provenance(command_of(q));
-  json["word"] = q.word.letters();
-  json["period"] = q.periods;
-  json["parameters"] = to_json(q.machine);
-  json["complete"] = list.complete();
-  json["unresolved"] = list_of(
-      list.unresolved, [&](const families::Unresolved& part) { return to_json(part, q.machine.digits); });
-  json["orbits"] = list_of(list.orbits, [&](const WordOrbit& o) { return word_orbit(o, q.machine.digits); });
-  if (!list.seen.empty()) {
-    json["seen"] = list.seen;
-  }
-  return json;
+  return written(list, write_words);
+}
+
+Json schema_of_attractors() {
+  AttractorList sample;
+  sample.question.machine = SampleOf<WordQuestion>::made();
+  return schema_by(sample, write_attractors);
+}
+
+File words_schema() {
+  const WordOrbits sample{{SampleOf<WordQuestion>::made(), words::Word::parse("OTS"), 1, {}}, {}, {}};
+  return schema_file("words", "stickslip orbits WORD: orbits through given phases, each proved",
+                     schema_by(sample, write_words));
 }
 
 std::string command_of(const AttractorQuestion& q) {

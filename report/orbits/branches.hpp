@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "numeric/branches/branches.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -54,14 +54,8 @@ struct SampleValues {
 // What varies: "omega", "load_frequency in Hz".
 [[nodiscard]] std::string parameter_of(const numeric::branches::BranchQuestion& question);
 
-// What provenance() says, and {"family", "parameter", "interval": [from, to], "parameters", "units"?: "si",
-// "complete", "at"?, "branches": [{"from", "to", "closed", "ends": [{"at", "kind", "reason", "resolved"}],
-// "pieces": [{"from", "to", "state", "violates"?}], "changes": [{"kind", "condition" | "multiplier" |
-// "duration" | "frequency"?, "words", "at", "time"?, "verdict", "reason"?}], "samples": [{"value", "state",
-// durations, "phi", "x10", "x20", "xdot10"}]}], "counts": [{"from", "to", "orbits", "admissible", "stable",
-// "unsettled", "undecided", "more"}], "unresolved":
-// [{"value", "reason", "resonance", …}], "interrupted"}.
 [[nodiscard]] tools::Json to_json(const numeric::branches::BranchList& list);
+[[nodiscard]] tools::File branches_schema();
 
 // A script for gnuplot: x2 where the first phase begins against the parameter, stable, unstable,
 // inadmissible and unsettled pieces by their strokes, changes by their marks. Empty when there is nothing to

@@ -37,10 +37,6 @@ std::string comma_separated(const Vector4<double>& X) {
   return fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}", X(0), X(1), X(2), X(3));
 }
 
-Json states(const std::vector<Vector4<double>>& all) {
-  return list_of(all, [](const Vector4<double>& X) { return Json{X(0), X(1), X(2), X(3)}; });
-}
-
 // The data except for the one that varies.
 std::string others(const DiagramQuestion& q) {
   std::string all = parameter_list(q.machine.machine) + ", ";
@@ -168,51 +164,79 @@ std::string to_csv(const Basins& b, const Units& units) {
   return text;
 }
 
-Json to_json(const Diagram& d) {
+namespace {
+
+void write_diagram(Object& json, const Diagram& d) {
   const DiagramQuestion& q = d.question;
-  Json json = provenance(command_of(q));
-  json["along"] = q.parameter;
-  json["parameters"] = to_json(q.machine.machine);
-  json["starts"] = q.machine.starts;
-  json["seed"] = q.machine.seed;
-  json["most_periods"] = q.machine.most_periods;
-  json["interrupted"] = d.interrupted;
-  json["points"] = list_of(d.points, [&](const DiagramPoint& point) {
-    Json here = {{"value", to_string(point.value)}, {"attractors", Json::array()}};
-    if (!point.outside.empty()) {
-      here["outside"] = point.outside;
-    }
+  const int digits = q.machine.machine.digits;
+  write_origin(json, command_of(q));
+  json.has("along", q.parameter, one_of({"chi", "eta", "us", "V", "omega", "p", "ur"}));
+  write_parameters(json, q.machine.machine);
+  json.has("starts", q.machine.starts, {{"minimum", 1}});
+  json.has("seed", q.machine.seed);
+  json.has("most_periods", q.machine.most_periods, {{"minimum", 1}});
+  json.has("interrupted", d.interrupted, "Fewer points than were asked for.");
+  json.list("points", d.points, [digits](Object& here, const DiagramPoint& point) {
+    here.has("value", point.value);
+    std::vector<std::pair<Attractor, std::vector<Vector4<double>>>> found;
     for (std::size_t k = 0; k < point.attractors.size(); ++k) {
-      Json one = to_json(point.attractors[k], q.machine.machine.digits);
-      one["once"] = states(point.once[k]);
-      here["attractors"].push_back(one);
+      found.emplace_back(point.attractors[k], point.once[k]);
     }
-    return here;
+    here.list("attractors", found, [digits](Object& one, const auto& attractor) {
+      write_attractor(one, attractor.first, digits);
+      one.has("once", attractor.second, "States when the load's phase is 0, one period apart.");
+    });
+    here.has("outside", point.outside.empty() ? std::nullopt : std::optional(point.outside),
+             "Of the domain, in one sentence; nothing else is known then.");
   });
-  return json;
+}
+
+void write_basins(Object& json, const Basins& b) {
+  const BasinsQuestion& q = b.question;
+  const auto [i, j] = q.across;
+  write_origin(json, command_of(q));
+  json.has(
+      "plane",
+      std::array{coordinates.at(static_cast<std::size_t>(i)), coordinates.at(static_cast<std::size_t>(j))},
+      {{"items", one_of({coordinates.begin(), coordinates.end()})}, {"uniqueItems", true}});
+  json.has("pixels", q.pixels, with({{"items", {{"type", "integer"}, {"minimum", 2}}}}, "Columns and rows."));
+  json.has("from", b.starts.front(), "The first start.");
+  json.has("to", b.starts.back(), "The last one.");
+  write_parameters(json, q.machine.machine);
+  json.has("most_periods", q.machine.most_periods, {{"minimum", 1}});
+  json.has("interrupted", b.interrupted, "Fewer starts than were asked for.");
+  json.list("attractors", b.attractors,
+            [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.machine.digits); });
+  std::vector<std::vector<std::size_t>> rows;
+  for (std::size_t k = 0; k < b.at.size(); ++k) {
+    if (k % static_cast<std::size_t>(q.pixels[0]) == 0) {
+      rows.emplace_back();
+    }
+    rows.back().push_back(b.at[k] + 1);
+  }
+  json.has("at", rows,
+           with({{"items", {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}}}}}},
+                "Of each row from below: on which attractor, 1, 2, ..., each start ends."));
+}
+
+}  // namespace
+
+Json to_json(const Diagram& d) {
+  return written(d, write_diagram);
 }
 
 Json to_json(const Basins& b) {
-  const BasinsQuestion& q = b.question;
-  Json json = provenance(command_of(q));
-  json["plane"] = {coordinates[static_cast<std::size_t>(q.across[0])],
-                   coordinates[static_cast<std::size_t>(q.across[1])]};
-  json["pixels"] = q.pixels;
-  json["from"] = states({b.starts.front(), b.starts.back()})[0];
-  json["to"] = states({b.starts.front(), b.starts.back()})[1];
-  json["parameters"] = to_json(q.machine.machine);
-  json["most_periods"] = q.machine.most_periods;
-  json["interrupted"] = b.interrupted;
-  json["attractors"] =
-      list_of(b.attractors, [&](const Attractor& a) { return to_json(a, q.machine.machine.digits); });
-  json["at"] = Json::array();
-  for (std::size_t i = 0; i < b.at.size(); ++i) {
-    if (i % static_cast<std::size_t>(q.pixels[0]) == 0) {
-      json["at"].push_back(Json::array());
-    }
-    json["at"].back().push_back(b.at[i] + 1);
-  }
-  return json;
+  return written(b, write_basins);
+}
+
+File attractors_schema() {
+  Diagram along;
+  Basins plane;
+  along.question.machine.machine = plane.question.machine.machine = SampleOf<words::WordQuestion>::made();
+  plane.starts = {Vector4<double>::Zero()};
+  return schema_file("attractors", "stickslip attractors: what a machine does; with --along, with --plane",
+                     one_of_schemas({schema_of_attractors(), schema_by(along, write_diagram),
+                                     schema_by(plane, write_basins)}));
 }
 
 std::string plot_script(const Diagram& d, PlotFormat format, const Units& units) {

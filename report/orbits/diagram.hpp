@@ -7,9 +7,9 @@
 
 #include "numeric/attractors/diagram.hpp"
 #include "report/orbits/machine.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -30,13 +30,10 @@ namespace stickslip::report::orbits {
 // Names, then a line for each start: x1, x2, x1', x2', attractor (1, 2, ...), kind, period, word.
 [[nodiscard]] std::string to_csv(const numeric::attractors::Basins& basins, const Units& units = {});
 
-// What provenance() says, and {"along", "parameters", "starts", "seed", "most_periods", "points": [{"value",
-// "outside"?, "attractors": as of attractors.hpp, each with "once": [[x1, x2, x1', x2']]}], "interrupted"}.
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Diagram& diagram);
-// What provenance() says, and {"plane": [name, name], "pixels": [columns, rows], "from", "to": the
-// first and the last start, "parameters",
-// "most_periods", "attractors", "at": [[1, 2, ...]] of each row from below, "interrupted"}.
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Basins& basins);
+// Of these, and of attractors.hpp.
+[[nodiscard]] tools::File attractors_schema();
 
 // Scripts for gnuplot: x2 once a period against the parameter, and the plane in a colour for each attractor.
 // Empty where there is nothing to draw.

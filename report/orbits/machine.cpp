@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <map>
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "model/machine_values.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
 
@@ -118,19 +118,8 @@ std::string natural_frequencies(const DataTaken& taken, int digits) {
 }  // namespace
 
 std::string in_unit_of(const std::string& name) {
-  static const std::map<std::string, const char *> units{{"m1", "kg"},
-                                                         {"m2", "kg"},
-                                                         {"k1", "N/m"},
-                                                         {"k2", "N/m"},
-                                                         {"normal_force", "N"},
-                                                         {"friction_force_at_rest", "N"},
-                                                         {"load_amplitude", "N"},
-                                                         {"friction_force_sliding", "N"},
-                                                         {"load_phase", "rad"},
-                                                         {"belt_velocity", "m/s"},
-                                                         {"load_frequency", "Hz"}};
-  const auto found = units.find(name);
-  return found == units.end() ? "" : std::string(" in ") + found->second;
+  const model::MachineValue * const value = model::machine_value(name);
+  return value == nullptr || *value->unit == '\0' ? "" : std::string(" in ") + value->unit;
 }
 
 std::string with_unit(const std::string& name, const std::string& value) {
@@ -167,25 +156,39 @@ std::vector<std::pair<std::string, Rational>> values_in_SI(const MachineInSI& m)
   return values;
 }
 
-Json to_json(const DataTaken& taken) {
+void write_machine(Object& json, const DataTaken& taken) {
   const WorkingPrecision precision(bits);
-  Json si;
-  for (const auto& [name, value] : values_in_SI(taken.machine)) {
-    si[name] = to_string(value);
-  }
-  const auto ball = [](const Ball& value) { return to_json(value, DataTaken::digits); };
-  Json json = {{"si", si},
-               {"units",
-                {{"length", ball(taken.length())},
-                 {"time", ball(Ball(1) / taken.Omega())},
-                 {"velocity", ball(taken.velocity())},
-                 {"force", ball(taken.force())},
-                 {"frequency", ball(taken.frequency())}}},
-               {"rounded", {"omega"}}};
+  const auto ball = [](const Ball& value) { return ball_text(value, DataTaken::digits); };
+  json.object(
+      "si",
+      [&](Object& to) {
+        to.each(values_in_SI(taken.machine),
+                {"m1", "m2", "k1", "k2", "friction_sliding", "belt_velocity", "load_amplitude",
+                 "load_frequency", "load_phase"},
+                {"friction_at_rest"});
+      },
+      "In kg, N/m, N, m/s, Hz and rad.");
+  json.object(
+      "units",
+      [&](Object& to) {
+        to.has("length", ball(taken.length()));
+        to.has("time", ball(Ball(1) / taken.Omega()));
+        to.has("velocity", ball(taken.velocity()));
+        to.has("force", ball(taken.force()));
+        to.has("frequency", ball(taken.frequency()));
+      },
+      "In m, s, m/s, N and Hz: of the lengths x, V, p, us and ur, of t, x', u and omega.");
+  std::vector<std::string> rounded{"omega"};
   if (taken.rounded_V) {
-    json["rounded"].push_back("V");
+    rounded.emplace_back("V");
   }
-  return json;
+  json.has("rounded", rounded,
+           with({{"items", one_of({"omega", "V"})}},
+                "The parameters that are irrational for this machine: a decimal near them is taken."));
+}
+
+Json to_json(const DataTaken& taken) {
+  return written(taken, write_machine);
 }
 
 Units::Units(const DataTaken& si, int most_digits)
@@ -263,27 +266,33 @@ Record Units::record(Record r) const {
   return r;
 }
 
+namespace {
+
+// The values of an orbit (numeric/families/orbit.hpp), and in what each is measured.
+struct ValueOfOrbit {
+  std::string_view name;
+  Ball (Units::*in_units)(const Ball&) const;  // null of an angle
+  const char * unit;
+};
+constexpr ValueOfOrbit values_of_orbits[] = {
+    {"tau", &Units::time, " s"},   {"tau1", &Units::time, " s"},         {"tau2", &Units::time, " s"},
+    {"T", &Units::time, " s"},     {"Theta", &Units::time, " s"},        {"phi", nullptr, " rad"},
+    {"z10", &Units::length, " m"}, {"z20", &Units::length, " m"},        {"x10", &Units::length, " m"},
+    {"x20", &Units::length, " m"}, {"zdot10", &Units::velocity, " m/s"}, {"xdot10", &Units::velocity, " m/s"},
+    {"ur", &Units::force, " N"},   {"ur_max", &Units::force, " N"}};
+
+}  // namespace
+
 Units::Measured Units::measured(const families::NamedBall& value) const {
-  const std::string& name = value.name;
-  if (name == "phi") {
-    return {value.value, " rad"};
+  const auto * const known =
+      std::ranges::find_if(values_of_orbits, [&](const auto& one) { return one.name == value.name; });
+  if (known == std::end(values_of_orbits)) {
+    throw InternalError("a value of an orbit without a unit: " + value.name);
   }
-  if (!si_) {
-    return {value.value, ""};
+  if (known->in_units == nullptr) {
+    return {value.value, known->unit};
   }
-  if (name.starts_with("ur")) {
-    return {value.value * si_->force(), " N"};
-  }
-  if (name.starts_with("t") || name.starts_with("T")) {
-    return {time(value.value), " s"};
-  }
-  if (name.find("dot") != std::string::npos) {
-    return {velocity(value.value), " m/s"};
-  }
-  if (name.starts_with("x") || name.starts_with("z")) {
-    return {length(value.value), " m"};
-  }
-  throw InternalError("a value of an orbit without a unit: " + name);
+  return si_ ? Measured{(this->*known->in_units)(value.value), known->unit} : Measured{value.value, ""};
 }
 
 std::string Units::text(const families::NamedBall& value, int asked) const {

@@ -10,8 +10,8 @@
 #include "numeric/families/orbit.hpp"
 #include "numeric/machine.hpp"
 #include "numeric/simulation/record.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -22,9 +22,7 @@ inline constexpr int digits_of_machine = 8;
 [[nodiscard]] std::string terminal_report(const numeric::DataTaken& taken, const tools::Style& style,
                                           int digits = digits_of_machine);
 
-// {"si": {"m1", "m2", "k1", "k2", "friction_sliding", "friction_at_rest", "belt_velocity", "load_amplitude",
-// "load_frequency", "load_phase"}, "units": {"length", "time", "velocity", "force", "frequency"}: BALL each,
-// "rounded": ["omega", "V"]}. Friction is in N; friction_at_rest is absent where it is a result.
+// The machine, with friction in N, what the units of (2) are in SI, and what is rounded.
 [[nodiscard]] tools::Json to_json(const numeric::DataTaken& taken);
 
 // Of a machine, each under its name in JSON; friction in N.

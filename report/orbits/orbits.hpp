@@ -5,24 +5,16 @@
 
 #include "numeric/orbits.hpp"
 #include "report/orbits/machine.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
-// As report/schema/orbits.schema.json says: what provenance() says, and {"family", "parameters": {"chi",
-// "eta", "us", "V", "omega", "p", "phi", "ur"}, "complete", "unresolved": [{"tau": BALL, …, "reason"}],
-// "remarks": [text], "orbits": [{"tau": BALL, "tau1", "T", "Theta", "phi", "z10", "z20", "zdot10", "x10",
-// "x20", "xdot10", "ur" or "ur_max", "admissible", "split", "multipliers": [{"re": BALL, "im": BALL}],
-// "stability": "stable", "unstable", "marginal" or "undecided", "stability_reason", "conditions": [{"id",
-// "statement", "verdict", "reason", "margin": BALL, "at": BALL}]}]} BALL: {"mid", "rad"}, decimal strings,
-// rounded outwards; parameters are exact decimals or fractions.
-//
-// Keys that do not apply are absent: phi and ur among the parameters unless given, what the family does not
-// have, a margin that is not known, the reason of what is proved, remarks when there are none, multipliers
-// and stability unless the orbit is admissible, the reason of stable and unstable. "admissible" is null when
-// undecided; "split" is then, for a box of parameters, the one to divide first.
+// What a list is as JSON, to the digits asked for; its schema. Keys that do not apply are absent,
+// "admissible" is null when undecided.
+void write_orbits(tools::Object& json, const numeric::OrbitList& list);
 [[nodiscard]] tools::Json to_json(const numeric::OrbitList& list);
+[[nodiscard]] tools::File orbits_schema();
 
 // Which orbits are described in full: those that may be admissible, or all.
 enum class InFull { admissible, all };
@@ -35,3 +27,12 @@ enum class InFull { admissible, all };
                                           const Units& units = {}, InFull in_full = InFull::admissible);
 
 }  // namespace stickslip::report::orbits
+
+template <>
+struct stickslip::report::tools::SampleOf<stickslip::numeric::OrbitList> {
+  [[nodiscard]] static numeric::OrbitList made() {
+    numeric::OrbitList list;
+    list.question.family = numeric::all_families().front();
+    return list;
+  }
+};

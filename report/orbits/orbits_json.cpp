@@ -1,4 +1,3 @@
-#include "core/decimal.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/motion/contact.hpp"
 #include "report/orbits/orbit_words.hpp"
@@ -17,103 +16,142 @@ namespace {
 // Digits of margins and of their times: as many as a reader may want, however many the orbit has.
 constexpr int margin_digits = 20;
 
-Json parameters(const OrbitQuestion& question) {
-  Json json = Json::object();
-  for (const NamedRange& parameter : named_parameters(question)) {
-    json[parameter.name] = notation(parameter.range);
-  }
-  return json;
-}
-
 }  // namespace
 
-Json to_json(const Ball& value, int digits) {
-  const BallText text = to_text(value, known_digits(value, digits));
-  return {{"mid", text.mid}, {"rad", text.rad}};
+BallText ball_text(const Ball& value, int digits) {
+  return to_text(value, known_digits(value, digits));
 }
 
-void add_values(Json& json, const std::vector<NamedBall>& values, int digits) {
+std::optional<BallText> ball_text(const std::optional<Ball>& value, int digits) {
+  return value && value->is_finite() ? std::optional(ball_text(*value, digits)) : std::nullopt;
+}
+
+std::vector<std::pair<std::string, BallText>> ball_texts(const std::vector<NamedBall>& values, int digits) {
+  std::vector<std::pair<std::string, BallText>> texts;
   for (const NamedBall& value : values) {
-    json[value.name] = to_json(value.value, digits);
+    texts.emplace_back(value.name, ball_text(value.value, digits));
   }
+  return texts;
 }
 
-Json to_json(const Unresolved& part, int digits) {
-  Json json = Json::object();
-  add_values(json, part.where, digits);
-  json["reason"] = plain(part.reason);
-  return json;
+std::optional<std::string> if_any(const std::string& sentence) {
+  return sentence.empty() ? std::nullopt : std::optional(plain(sentence));
 }
 
-Json to_json(const Condition& c) {
-  Json json = {{"id", c.id}, {"statement", plain(c.statement)}, {"verdict", to_string(c.verdict.truth)}};
-  if (!c.verdict.reason.empty()) {
-    json["reason"] = plain(c.verdict.reason);
+Json family_names() {
+  std::vector<std::string> names;
+  for (const Family * family : all_families()) {
+    names.push_back(family->name);
   }
-  if (c.margin && c.margin->is_finite()) {
-    json["margin"] = to_json(*c.margin, margin_digits);
-  }
-  if (c.at && c.at->is_finite()) {
-    json["at"] = to_json(*c.at, margin_digits);
-  }
-  return json;
+  return one_of(names);
 }
 
-Json to_json(const Verdict& admissible) {
-  return admissible.truth == Truth::proved    ? Json(true)
-         : admissible.truth == Truth::refuted ? Json(false)
-                                              : Json(nullptr);
+Json like_number_or_range() {
+  return with({{"pattern", "^-?[0-9]+(\\.[0-9]+|/[0-9]+)?(\\+-[0-9]+(\\.[0-9]+|/[0-9]+)?)?$"}},
+              "An exact number, or an interval written middle+-half width.");
 }
 
-void add_stability(Json& json, const Orbit& orbit, int digits) {
-  const std::optional<Stability>& stability = orbit.stability;
-  if (!stability) {
-    return;
-  }
-  json["multipliers"] = list_of(stability->multipliers, [digits](const ComplexBall& mu) -> Json {
-    return {{"re", to_json(mu.re, digits)}, {"im", to_json(mu.im, digits)}};
+void write_origin(Object& json, const std::string& command) {
+  write_provenance(json, command);
+  json.may_have<DataTaken>(
+      "machine", write_machine,
+      "The machine in SI units that the parameters are taken for, and what their units are in SI.");
+}
+
+void write_condition(Object& json, const Condition& c) {
+  json.has("id", c.id);
+  json.has("statement", plain(c.statement));
+  json.has("verdict", c.verdict.truth);
+  json.has("reason", if_any(c.verdict.reason));
+  json.has("margin", ball_text(c.margin, margin_digits));
+  json.has("at", ball_text(c.at, margin_digits));
+}
+
+void write_admissible(Object& json, const Verdict& admissible) {
+  const bool known = admissible.truth == Truth::proved || admissible.truth == Truth::refuted;
+  json.has_as("admissible", known ? Json(admissible.truth == Truth::proved) : Json(nullptr),
+              {{"type", {"boolean", "null"}}}, "Whether every condition holds; null when that is undecided.");
+}
+
+void write_stability(Object& json, const Orbit& orbit, int digits) {
+  json.keys_if(orbit.stability, [&](Object& to, const Stability& stability) {
+    const auto multiplier = [digits](Object& one, const ComplexBall& mu) {
+      one.has("re", ball_text(mu.re, digits));
+      one.has("im", ball_text(mu.im, digits));
+    };
+    to.list("multipliers", stability.multipliers, multiplier, "Floquet multipliers.");
+    to.has(
+        "stability", stability.kind,
+        with(names_through(StabilityKind::undecided), "Of an admissible orbit, by its Floquet multipliers."));
+    to.has("stability_reason", if_any(stability.reason));
+    const bool stable = stability.kind == StabilityKind::stable;
+    to.object_if(
+        "contact", stable ? contact_of(orbit.conditions) : std::nullopt,
+        [digits](Object& near, const Contact& contact) {
+          near.has("condition", contact.condition);
+          near.has("margin", ball_text(contact.margin, digits));
+          near.has("at", ball_text(contact.at, digits));
+        },
+        "Of a stable orbit the condition that is nearest to a violation: a disturbance that reaches as far "
+        "may "
+        "lead to another motion.");
   });
-  json["stability"] = to_string(stability->kind);
-  if (!stability->reason.empty()) {
-    json["stability_reason"] = plain(stability->reason);
-  }
-  const std::optional<Contact> contact = contact_of(orbit.conditions);
-  if (stability->kind == StabilityKind::stable && contact) {
-    json["contact"] = {{"condition", contact->condition},
-                       {"margin", to_json(contact->margin, digits)},
-                       {"at", to_json(contact->at, digits)}};
-  }
 }
 
 namespace {
 
-Json orbit(const Orbit& o, int digits) {
-  Json json = Json::object();
-  add_values(json, o.values, digits);
-  json["admissible"] = to_json(o.admissible);
-  if (!o.split.empty()) {
-    json["split"] = o.split;
-  }
-  add_stability(json, o, digits);
-  json["conditions"] = list_of(o.conditions, [](const Condition& c) { return to_json(c); });
-  return json;
+void write_orbit(Object& json, const Orbit& o, int digits) {
+  json.each(ball_texts(o.values, digits),
+            {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
+            {"tau1", "T", "ur", "ur_max"});
+  json.rules({{"oneOf", {{{"required", {"ur"}}}, {{"required", {"ur_max"}}}}}});
+  write_admissible(json, o.admissible);
+  json.has("split", o.split.empty() ? std::nullopt : std::optional(o.split),
+           "For a box of parameters, the one to divide first.");
+  write_stability(json, o, digits);
+  json.list("conditions", o.conditions, write_condition, {{"minItems", 1}});
 }
 
 }  // namespace
 
-Json to_json(const OrbitList& list) {
-  const int digits = list.question.digits;
-  Json json = provenance(command_of(list.question));
-  json["family"] = list.question.family->name;
-  json["parameters"] = parameters(list.question);
-  json["complete"] = list.complete();
-  json["unresolved"] =
-      list_of(list.unresolved, [digits](const Unresolved& part) { return to_json(part, digits); });
-  if (!list.remarks.empty()) {
-    json["remarks"] = list_of(list.remarks, [](Remark remark) { return plain(describe(remark)); });
+void write_orbits(Object& json, const OrbitList& list) {
+  const OrbitQuestion& q = list.question;
+  write_origin(json, command_of(q));
+  json.has("family", q.family->name, family_names());
+  json.object("parameters", [&](Object& to) {
+    std::vector<std::pair<std::string, std::string>> parameters;
+    for (const NamedRange& parameter : named_parameters(q)) {
+      parameters.emplace_back(parameter.name, notation(parameter.range));
+    }
+    to.each(parameters, {"chi", "eta", "us", "V", "omega", "p"}, {"phi", "ur"}, like_number_or_range());
+  });
+  json.has("complete", list.complete(), "No orbit of the family is missing.");
+  json.list(
+      "unresolved", list.unresolved,
+      [&](Object& to, const Unresolved& part) {
+        to.each(ball_texts(part.where, q.digits));
+        to.has("reason", plain(part.reason));
+      },
+      "Parts of the domain that the search could not decide.");
+  std::optional<std::vector<std::string>> remarks;
+  for (const Remark remark : list.remarks) {
+    (remarks ? *remarks : remarks.emplace()).push_back(plain(describe(remark)));
   }
-  json["orbits"] = list_of(list.orbits, [digits](const Orbit& o) { return orbit(o, digits); });
-  return json;
+  json.has("remarks", remarks);
+  json.list("orbits", list.orbits, [&](Object& to, const Orbit& o) { write_orbit(to, o, q.digits); });
+}
+
+Json to_json(const Condition& condition) {
+  return written(condition, write_condition);
+}
+
+Json to_json(const OrbitList& list) {
+  return written(list, write_orbits);
+}
+
+File orbits_schema() {
+  return schema_file("orbits", "stickslip orbits: all periodic orbits of a family, each proved",
+                     schema_by(SampleOf<OrbitList>::made(), write_orbits));
 }
 
 }  // namespace stickslip::report::orbits

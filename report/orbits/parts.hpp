@@ -9,28 +9,42 @@
 #include "numeric/attractors/attractors.hpp"
 #include "numeric/orbits.hpp"
 #include "report/orbits/orbits.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
-// {"mid", "rad"} with as many digits as are worth it, at most so many.
-[[nodiscard]] tools::Json to_json(const Ball& value, int digits);
-// Each under its name.
-void add_values(tools::Json& json, const std::vector<numeric::NamedBall>& values, int digits);
-// The values of the place, and "reason".
-[[nodiscard]] tools::Json to_json(const numeric::families::Unresolved& part, int digits);
-// {"id", "statement", "verdict", "reason", "margin", "at"}.
-[[nodiscard]] tools::Json to_json(const numeric::motion::Condition& condition);
-// true, false, or null when it is neither proved nor refuted.
-[[nodiscard]] tools::Json to_json(const Verdict& admissible);
-// "multipliers", "stability", "stability_reason", if it is known; of a stable orbit "contact" {"condition",
-// "margin", "at"} of numeric/motion/contact.hpp.
-void add_stability(tools::Json& json, const numeric::Orbit& orbit, int digits);
+// A ball with as many digits as are worth it, at most so many; nothing of one that is unbounded; each under
+// its name.
+[[nodiscard]] BallText ball_text(const Ball& value, int digits);
+[[nodiscard]] std::optional<BallText> ball_text(const std::optional<Ball>& value, int digits);
+[[nodiscard]] std::vector<std::pair<std::string, BallText>> ball_texts(
+    const std::vector<numeric::NamedBall>& values, int digits);
+// A sentence without its marks; nothing if it is empty.
+[[nodiscard]] std::optional<std::string> if_any(const std::string& sentence);
 
-// Of an attractor, what report/orbits/attractors.hpp says; of the data, {"chi", ..., "p", "ur"}.
-[[nodiscard]] tools::Json to_json(const numeric::attractors::Attractor& attractor, int digits);
-[[nodiscard]] tools::Json to_json(const numeric::words::WordQuestion& machine);
+// What results share as JSON (report/tools/schema.hpp). Where they come from: the command that gives them
+// again; beside them may stand the machine in SI units.
+void write_origin(tools::Object& json, const std::string& command);
+void write_machine(tools::Object& json, const numeric::DataTaken& taken);
+void write_condition(tools::Object& json, const numeric::motion::Condition& condition);
+[[nodiscard]] tools::Json to_json(const numeric::motion::Condition& condition);
+// "admissible": true, false, or null when it is neither proved nor refuted.
+void write_admissible(tools::Object& json, const Verdict& admissible);
+// "multipliers", "stability", "stability_reason", if it is known; of a stable orbit "contact" of
+// numeric/motion/contact.hpp.
+void write_stability(tools::Object& json, const numeric::Orbit& orbit, int digits);
+// Of an attractor, what is known of it; with how many of the starts end on it.
+enum class Share { told, untold };
+void write_attractor(tools::Object& json, const numeric::attractors::Attractor& attractor, int digits,
+                     Share share = Share::told);
+// "parameters": {"chi", ..., "p", "ur"}.
+void write_parameters(tools::Object& json, const numeric::words::WordQuestion& machine);
+// Keywords of the schema: of a word of phases, of how many periods of the load.
+[[nodiscard]] tools::Json like_word();
+[[nodiscard]] tools::Json like_periods();
+[[nodiscard]] tools::Json family_names();
+[[nodiscard]] tools::Json like_number_or_range();
 
 // What is known of an attractor: "proved, stable, |mu| = 0.6545, overshooting".
 [[nodiscard]] std::string remark(const numeric::attractors::Attractor& attractor);
@@ -79,3 +93,24 @@ inline constexpr int digits_in_rows = 6;
 [[nodiscard]] tools::Cell violated(const numeric::Orbit& orbit, const tools::Style& style);
 
 }  // namespace stickslip::report::orbits
+
+// Samples for schemas.
+template <>
+struct stickslip::report::tools::SampleOf<stickslip::numeric::DataTaken> {
+  [[nodiscard]] static numeric::DataTaken made() { return numeric::data_taken({1, 1, 1, 1, 1, 2, 1, 1, 1}); }
+};
+template <>
+struct stickslip::report::tools::SampleOf<stickslip::numeric::words::WordQuestion> {
+  [[nodiscard]] static numeric::words::WordQuestion made() {
+    numeric::words::WordQuestion machine;
+    machine.data = SampleOf<numeric::DataTaken>::made().data;
+    machine.ur = 2;
+    return machine;
+  }
+};
+template <>
+struct stickslip::report::tools::SampleOf<stickslip::numeric::words::WordOrbit> {
+  [[nodiscard]] static numeric::words::WordOrbit made() {
+    return {.word = numeric::words::Word::parse("OTS"), .existence = {}, .orbit = {}, .asked = {}};
+  }
+};

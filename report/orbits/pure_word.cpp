@@ -92,25 +92,43 @@ std::string terminal_report(const PureWord& word, const Style& style, const Unit
          columns_of(rows, style.width);
 }
 
-Json to_json(const PureWord& word, const Units& units) {
+namespace {
+
+void write_pure(Object& json, const PureWord& word, const Units& units) {
   const WordQuestion& q = word.machine;
   const std::string letter(1, words::letter(word.kind));
-  Json json = provenance(fmt::format("stickslip orbits {}{} --digits {}", letter, options_of(q), q.digits));
   const Verdict verdict = exists(word);
-  json["word"] = letter;
-  json["parameters"] = to_json(q);
-  json["verdict"] = to_string(verdict.truth);
-  if (!verdict.reason.empty()) {
-    json["reason"] = plain(verdict.reason);
-  }
-  if (!sticks(word)) {
-    json["forced"] = to_json(units.velocity(pure_slip(q.data, word.kind).forced), q.digits);
-  }
-  if (verdict.truth == Truth::proved) {
-    json["room"] = to_json(sticks(word) ? units.force(room(word)) : units.velocity(room(word)), q.digits);
-    json["stability"] = "neutral";
-  }
-  return json;
+  write_origin(json, fmt::format("stickslip orbits {}{} --digits {}", letter, options_of(q), q.digits));
+  json.has("word", letter, with(one_of({"S", "O", "T"}), "S slip, O overshoot, T stick."));
+  write_parameters(json, q);
+  json.has("verdict", verdict.truth,
+           with(names_through(Truth::undecided), "On: some motions stay in this phase for ever."));
+  json.has("reason", if_any(verdict.reason));
+  const auto if_so = [&](bool so, const auto& value) {
+    return so ? std::optional(ball_text(value(), q.digits)) : std::nullopt;
+  };
+  const bool proved = verdict.truth == Truth::proved;
+  json.has("forced",
+           if_so(!sticks(word), [&] { return units.velocity(pure_slip(q.data, word.kind).forced); }),
+           "|q2| omega, the amplitude of the speed that the load forces; not of a stick.");
+  json.has(
+      "room",
+      if_so(proved, [&] { return sticks(word) ? units.force(room(word)) : units.velocity(room(word)); }),
+      "Where there are such motions: those whose free amplitudes add up to less. V - |q2| omega for a slip, "
+      "-V - |q2| omega for an overshoot, ur - p/eta for a stick.");
+  json.has("stability", proved ? std::optional("neutral") : std::nullopt, one_of({"neutral"}));
+}
+
+}  // namespace
+
+Json to_json(const PureWord& word, const Units& units) {
+  return written(word, [&](Object& json, const PureWord& it) { write_pure(json, it, units); });
+}
+
+File pure_schema() {
+  const PureWord sample{SampleOf<WordQuestion>::made(), PhaseKind::slip};
+  return schema_file("pure", "stickslip orbits S, O or T: motions of one phase, for ever",
+                     schema_by(sample, [](Object& json, const PureWord& it) { write_pure(json, it, {}); }));
 }
 
 }  // namespace stickslip::report::orbits

@@ -5,8 +5,8 @@
 
 #include "numeric/words/word_orbit.hpp"
 #include "report/orbits/machine.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -22,11 +22,9 @@ struct PureWord {
 [[nodiscard]] std::string terminal_report(const PureWord& word, const tools::Style& style,
                                           const Units& units = {});
 
-// As report/schema/pure.schema.json says: what provenance() says, and {"word": "S", "O" or "T", "parameters":
-// {"chi", …, "p", "ur"}, "verdict", "reason", "forced": BALL, "room": BALL, "stability": "neutral"}, of
-// numeric/words/pure_slip.hpp; of a stick "room" is ur - p/eta of pure_stick.hpp. Absent: a reason of what is
-// proved; of a stick "forced"; of what is not proved to exist "room" and "stability". "forced" and "room" are
-// in the units.
+// "forced" and "room", of numeric/words/pure_slip.hpp, are in the units; of a stick "room" is ur - p/eta of
+// pure_stick.hpp.
 [[nodiscard]] tools::Json to_json(const PureWord& word, const Units& units = {});
+[[nodiscard]] tools::File pure_schema();
 
 }  // namespace stickslip::report::orbits

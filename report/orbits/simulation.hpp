@@ -10,9 +10,9 @@
 #include "numeric/attractors/attractors.hpp"
 #include "numeric/simulation/record.hpp"
 #include "report/orbits/machine.hpp"
-#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
+#include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -29,13 +29,9 @@ struct Simulated {
 [[nodiscard]] std::string terminal_report(const Simulated& simulated, const tools::Style& style,
                                           const Units& units = {});
 
-// As report/schema/simulation.schema.json says: what provenance() says, and {"parameters": {"chi", "eta",
-// "us", "V", "omega", "p", "phi", "ur"}, "start": [x1, x2, x1', x2'], "periods", "done": {"periods", "t"},
-// "interrupted", "end": {"phase", "state", "r", "u", "energy"}, "shares": {"slip", "overshoot", "stick"},
-// "samples", "energy": {"least", "greatest"}, "events": {"count", "first": [{"t", "from", "to", "r",
-// "state"}], "last"}, "settles"}. Numbers are in double. Absent: the energy without samples, `settles` where
-// it was not seen; that is an attractor of attractors.schema.json without shares.
+// Numbers are in double. Absent: the energy without samples, `settles` where it was not seen.
 [[nodiscard]] tools::Json to_json(const Simulated& simulated);
+[[nodiscard]] tools::File simulation_schema();
 
 // A line of names, with their units if they are in SI; a line for a sample: t, phase, x1, x2, x1', x2', r, u,
 // E; numbers with 17 digits.

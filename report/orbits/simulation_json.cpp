@@ -14,68 +14,98 @@ namespace {
 
 constexpr int digits_of_proof = 20;
 
-Json state(const model::Vector4<double>& X) {
-  return {X(0), X(1), X(2), X(3)};
+std::vector<std::pair<std::string, double>> values_of(const Start& s) {
+  const model::Parameters<double>& a = s.data;
+  return {{"chi", a.chi},     {"eta", a.eta}, {"us", a.us},   {"V", a.V},
+          {"omega", a.omega}, {"p", a.p},     {"phi", s.phi}, {"ur", s.ur}};
 }
 
-Json parameters(const Start& s) {
-  return {{"chi", s.data.chi},     {"eta", s.data.eta}, {"us", s.data.us}, {"V", s.data.V},
-          {"omega", s.data.omega}, {"p", s.data.p},     {"phi", s.phi},    {"ur", s.ur}};
+Json phases() {
+  return names_through(PhaseKind::stick);
 }
 
-Json events(const std::vector<Transition>& all) {
-  return list_of(all, [](const Transition& e) -> Json {
-    return {{"t", e.time},
-            {"from", to_string(e.before)},
-            {"to", to_string(e.after)},
-            {"r", e.r},
-            {"state", state(e.X)}};
-  });
+constexpr const char * state_words = "x1, x2, x1', x2'.";
+
+void write_event(Object& json, const Transition& e) {
+  json.has("t", e.time);
+  json.has("from", e.before, phases());
+  json.has("to", e.after, phases());
+  json.has("r", e.r);
+  json.has("state", e.X, state_words);
 }
 
 // Doubles are printed so that they are read back as they are.
 std::string command_of(const Simulated& simulated) {
   std::string command = "stickslip simulate";
-  const Json all = parameters(simulated.record.start);
-  for (const auto& [name, value] : all.items()) {
-    command += fmt::format(" --{}={}", name, value.get<double>());
+  for (const auto& [name, value] : values_of(simulated.record.start)) {
+    command += fmt::format(" --{}={}", name, value);
   }
   const model::Vector4<double>& X = simulated.record.start.X;
   command += fmt::format(" --state={},{},{},{} --periods={}", X(0), X(1), X(2), X(3), simulated.periods);
   return command + (simulated.every ? fmt::format(" --every={}", *simulated.every) : "");
 }
 
+void write_simulation(Object& json, const Simulated& simulated) {
+  const Record& record = simulated.record;
+  write_origin(json, command_of(simulated));
+  json.object("parameters", [&](Object& to) {
+    to.each(values_of(record.start), {"chi", "eta", "us", "V", "omega", "p", "phi", "ur"});
+  });
+  json.has("start", record.start.X, state_words);
+  json.has("periods", simulated.periods,
+           with({{"exclusiveMinimum", 0}}, "Of the load: those that were asked for."));
+  json.object("done", [&](Object& to) {
+    to.has("periods", record.done / record.period);
+    to.has("t", record.done);
+  });
+  json.has("interrupted", record.interrupted);
+  json.object("end", [&](Object& to) {
+    to.has("phase", record.end.phase, phases());
+    to.has("state", record.end.X, state_words);
+    to.has("r", record.end.r);
+    to.has("u", record.end.u);
+    to.has("energy", record.end.energy);
+  });
+  json.object(
+      "shares",
+      [&](Object& to) {
+        for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
+          to.has(to_string(kind), record.time_in.at(static_cast<std::size_t>(kind)) / record.done);
+        }
+      },
+      "Of the time.");
+  json.has("samples", record.samples, with({{"minimum", 0}}, "Written elsewhere."));
+  json.object_if(
+      "energy", record.energy,
+      [](Object& to, const Extremes& energy) {
+        to.has("least", energy.least);
+        to.has("greatest", energy.greatest);
+      },
+      "Of the samples.");
+  json.object("events", [&](Object& to) {
+    const Json few = {{"maxItems", Record::shown}};
+    to.has("count", record.events, {{"minimum", 0}});
+    to.list("first", record.first_events, write_event, few);
+    to.list("last", record.last_events, write_event, few);
+  });
+  json.object_if(
+      "settles", simulated.settles,
+      [](Object& to, const numeric::attractors::Attractor& a) {
+        write_attractor(to, a, digits_of_proof, Share::untold);
+      },
+      "What the motion settles on when it goes on from its end: an attractor without shares; the proof is of "
+      "orbits alone.");
+}
+
 }  // namespace
 
 Json to_json(const Simulated& simulated) {
-  const Record& record = simulated.record;
-  Json json = provenance(command_of(simulated));
-  json["parameters"] = parameters(record.start);
-  json["start"] = state(record.start.X);
-  json["periods"] = simulated.periods;
-  json["done"] = {{"periods", record.done / record.period}, {"t", record.done}};
-  json["interrupted"] = record.interrupted;
-  json["end"] = {{"phase", to_string(record.end.phase)},
-                 {"state", state(record.end.X)},
-                 {"r", record.end.r},
-                 {"u", record.end.u},
-                 {"energy", record.end.energy}};
-  for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
-    json["shares"][to_string(kind)] = record.time_in[static_cast<std::size_t>(kind)] / record.done;
-  }
-  json["samples"] = record.samples;
-  if (record.energy) {
-    json["energy"] = {{"least", record.energy->least}, {"greatest", record.energy->greatest}};
-  }
-  json["events"] = {
-      {"count", record.events}, {"first", events(record.first_events)}, {"last", events(record.last_events)}};
-  if (simulated.settles) {
-    json["settles"] = to_json(*simulated.settles, digits_of_proof);
-    for (const char * of_many : {"share", "share_interval", "count"}) {
-      json["settles"].erase(of_many);
-    }
-  }
-  return json;
+  return written(simulated, write_simulation);
+}
+
+File simulation_schema() {
+  return schema_file("simulation", "stickslip simulate: a motion under the friction law, in double",
+                     schema_by(Simulated{}, write_simulation));
 }
 
 }  // namespace stickslip::report::orbits

@@ -8,7 +8,7 @@ namespace stickslip::report::tools {
 
 using Json = nlohmann::ordered_json;
 
-// Version of the layouts of all JSON, which report/schema/ describes: a new number in front
+// Version of the layouts of all JSON, which its schemas describe (schemas.hpp): a new number in front
 // when something is renamed or removed, behind when added.
 inline constexpr const char * schema_version = "2.8";
 

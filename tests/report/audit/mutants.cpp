@@ -49,7 +49,7 @@ TEST_CASE("what is proved is shown with its reason, on the terminal only what sh
   CHECK(text.find("one in 20, seed 7") != std::string::npos);
   CHECK(text.find("P*X2 = 0") != std::string::npos);
   CHECK(text.find("X = X") == std::string::npos);
-  const Json json = to_json(sample());
+  const Json json = written(sample(), write_gate);
   REQUIRE(json.at("proved").size() == 3);
   CHECK(json.at("proved")[0].at("fate") == "survived");
   CHECK(json.at("proved")[2].at("reason") == "true");

@@ -13,16 +13,14 @@ import jsonschema
 
 
 def validators(directory):
-    """Of each schema in the directory, by the name of its file; they find one another by their `$id`s."""
+    """Of each schema in the directory, by the name of its file."""
     schemas = {path.name: json.loads(path.read_text()) for path in sorted(pathlib.Path(directory).glob("*.schema.json"))}
-    store = {schema["$id"]: schema for schema in schemas.values()}
     made = {}
     for name, schema in schemas.items():
         jsonschema.Draft202012Validator.check_schema(schema)
         if not schema["$id"].startswith("https://") or not schema["$id"].endswith("/" + name):
             sys.exit(f"{name}: the $id '{schema['$id']}' is no absolute name of it")
-        resolver = jsonschema.RefResolver(schema["$id"], schema, store=store)
-        made[name] = jsonschema.Draft202012Validator(schema, resolver=resolver)
+        made[name] = jsonschema.Draft202012Validator(schema)
     return made
 
 
