@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "cli/arguments.hpp"
 #include "cli/machine_file.hpp"
 #include "cli/output.hpp"
 #include "report/orbits/attractors.hpp"
@@ -22,16 +23,15 @@ namespace stickslip::cli {
 
 // Before long work: throws InputOutputError unless the table, the picture and the page that are asked for can
 // be made and written.
-template <class Options>
-void require_outputs(const Options& o) {
-  if (!o.csv.empty()) {
-    report::tools::require_writable_file(o.csv);
+inline void require_outputs(const Outputs& o) {
+  if (o.csv) {
+    report::tools::require_writable_file(*o.csv);
   }
-  if (!o.plot.empty()) {
-    report::tools::require_plot(o.plot);
+  if (o.plot) {
+    report::tools::require_plot(*o.plot);
   }
-  if (o.with_out) {
-    require_page(o.out);
+  if (o.out) {
+    require_page(*o.out);
   }
 }
 
@@ -53,21 +53,21 @@ void print_result(const Result& result, const ParameterFile& file, bool json, co
 }
 
 // All that is asked for.
-template <class Options, class Result, class... Units>
-void write_outputs(const Options& o, const Result& result, const ParameterFile& file, const Units&... units) {
-  if (!o.csv.empty()) {
-    report::tools::write_file(o.csv, report::orbits::to_csv(result, units...));
+template <class Result, class... Units>
+void write_outputs(const Outputs& o, const Result& result, const ParameterFile& file, const Units&... units) {
+  if (o.csv) {
+    report::tools::write_file(*o.csv, report::orbits::to_csv(result, units...));
   }
-  if (!o.plot.empty()) {
-    draw(o.plot, report::orbits::plot_script(result, report::tools::plot_format(o.plot), units...));
+  if (o.plot) {
+    draw(*o.plot, report::orbits::plot_script(result, report::tools::plot_format(*o.plot), units...));
   }
-  if (o.with_out) {
+  if (o.out) {
     const Progress progress("making the page ...");
-    report::tools::write_files(o.out, report::orbits::pages(result, {file.name, file.machine, units...}));
+    report::tools::write_files(*o.out, report::orbits::pages(result, {file.name, file.machine, units...}));
   }
   print_result(result, file, o.json, units...);
-  if (o.with_out) {
-    tell(fmt::format("The report is in {}: index.html.", o.out));
+  if (o.out) {
+    tell(fmt::format("The report is in {}: index.html.", *o.out));
   }
 }
 

@@ -1,34 +1,32 @@
 // The arguments of the program, command by command, as they are typed.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "cli/manual.hpp"
+#include "cli/numbers.hpp"
 #include "cli/typed_parameters.hpp"
 
 namespace stickslip::cli {
 
 struct AuditOptions {
   std::string claims;  // a file of claims; empty for the paper
-  std::string out;
-  std::string jobs;
-  bool with_out = false;
-  bool json = false;
-  bool mutants = false;
-  std::string one_in;        // of the mutants
-  std::string seed;          // of that sample
-  std::string certificates;  // a record, or its directory; empty if there is none
+  std::optional<std::string> out;
+  std::optional<int> jobs;
+  bool json = false, mutants = false;
+  std::optional<int> one_in, seed;  // of the mutants; of that sample
+  std::string certificates;         // a record, or its directory; empty if there is none
 };
 
 struct CheckOptions {
   std::string claims;  // likewise
   std::vector<std::string> words;
-  std::string jobs;
-  bool list = false;
-  bool explain = false;
-  bool json = false;
+  std::optional<int> jobs;
+  bool list = false, explain = false, json = false;
 };
 
 struct ProveOptions {
@@ -36,8 +34,7 @@ struct ProveOptions {
   std::vector<std::string> assumptions;
   std::vector<std::string> symbols;  // beside the paper's
   std::string certificate;           // a directory, or nothing
-  bool explain = false;
-  bool json = false;
+  bool explain = false, json = false;
 };
 
 struct CertifyOptions {
@@ -47,68 +44,66 @@ struct CertifyOptions {
   std::string record;  // a directory whose certificates were checked; then the others are empty
 };
 
-struct LatexOptions {
+// What commands about motions are given: a machine, and whether states and results are in SI units.
+struct GivenMachine {
+  TypedParameters parameters;
+  GivenFile file;
+  std::string example;
+  bool si = false;
+};
+
+struct LatexOptions : GivenMachine {
   std::string claims;  // a file of claims; empty for the paper
   std::vector<std::string> names;
   bool in_frequencies = false;  // else with chi, eta and abbreviations
   bool bare = false;            // formulas alone
-  bool list = false;
-  bool errata = false;
+  bool list = false, errata = false;
   std::string theorem;  // the id of a result; empty if none is asked for
-  std::string orbit;    // FAMILY:K; empty if none is asked for, and then all that follows
-  TypedParameters parameters;
-  GivenFile file;
-  std::string example, digits;
+  std::string orbit;    // FAMILY:K; empty if none is asked for, and then a machine and digits are for values
+  std::optional<int> digits;
 
   static constexpr int default_digits = 10;
 };
 
-struct OrbitsOptions {
-  std::string family;  // or a word
-  std::string period;  // of a word
-  std::string near;
-  bool with_near = false;
-  TypedParameters parameters;
-  GivenFile file;
-  std::string units;
-  std::string example;
-  std::string digits;
-  std::string plot;
-  std::string jobs;
-  std::string cells, time;  // limits of the search
-  bool with_plot = false;
-  std::string out;
-  bool with_out = false;
-  std::string certify;  // a directory, or nothing
-  bool all = false;
+// Where results go beside standard output.
+struct Outputs {
+  std::optional<std::string> csv, plot, out;
+  std::optional<int> jobs;
   bool json = false;
+};
+
+struct OrbitsOptions : GivenMachine, Outputs {
+  std::string family;         // or a word, with:
+  std::optional<int> period;  // of the load
+  std::optional<State> near;
+  std::optional<int> digits;
+  std::optional<int> cells;    // limits of the search
+  std::optional<double> time;  // in seconds
+  std::string certify;         // a directory, or nothing
+  bool all = false;
 
   static constexpr int most_periods_of_word = 100000;
+  static constexpr int most_orbits = 1000000;
   static constexpr int default_digits = 20;
   static constexpr int most_digits = 2000;
   static constexpr int most_cells = 1000000000;
 };
 
-struct BranchOptions {
-  std::string family;
-  TypedParameters parameters;      // one of them an interval A..B, or
+struct BranchOptions : GivenMachine, Outputs {
+  std::string family;              // one of the parameters is an interval A..B, or
   std::vector<std::string> along;  // a parameter, or a value of the machine in the file, and A..B
-  GivenFile file;
-  std::string units, example, at, csv, plot, out, jobs;
-  std::string period, orbit, near;  // of a word
-  bool all = false;                 // likewise
-  bool with_out = false;
-  bool json = false;
+  std::optional<Rational> at;
+  std::optional<int> period, orbit;  // of a word
+  std::optional<State> near;
+  bool all = false;  // likewise
 };
 
-struct AttractorsOptions {
-  TypedParameters parameters;
-  GivenFile file;
-  std::string units, example, starts, seed, most_periods, digits, jobs;
+struct AttractorsOptions : GivenMachine, Outputs {
+  std::optional<int> starts, seed, most_periods, digits;
   std::vector<std::string> along;  // a parameter and A..B, or nothing
-  std::string values, plane, pixels, through, csv, plot, out;
-  bool with_out = false;
-  bool json = false;
+  std::optional<int> values, pixels;
+  std::optional<std::array<int, 2>> plane;
+  std::optional<State> through;
 
   static constexpr int default_starts = 500;
   static constexpr int default_starts_at_value = 50;
@@ -122,24 +117,23 @@ struct AttractorsOptions {
   static constexpr int default_most_periods = 20000;
 };
 
-struct AtlasOptions {
+struct AtlasOptions : GivenMachine, Outputs {
   std::string family;
-  TypedParameters parameters;
   std::vector<std::pair<std::string, std::string>> along;  // parameters, or values of the machine, and A..B
-  GivenFile file;
-  std::string units, example, resolution, out, csv, plot, jobs, time_limit, verify, sample;
-  bool resume = false, json = false;
+  std::optional<int> resolution, sample;
+  std::optional<double> time_limit;  // in seconds
+  std::string verify;
+  bool resume = false;
 
   static constexpr int default_resolution = 8;
   static constexpr int most_resolution = 60;
   static constexpr int default_sample = 10000;
 };
 
-struct SimulateOptions {
-  TypedParameters parameters;
-  GivenFile file;
-  std::string units, example, orbit, state, perturb, periods, every, csv, plot;
-  bool with_csv = false, with_plot = false, json = false;
+struct SimulateOptions : GivenMachine, Outputs {
+  std::string orbit;
+  std::optional<State> state, perturb;
+  std::optional<double> periods, every;
 
   static constexpr double default_periods = 100;
   static constexpr double samples_in_period = 200;

@@ -31,7 +31,7 @@ using report::orbits::Units;
 // ---- orbits
 
 Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Paper& paper) {
-  if (!o.period.empty() || o.with_near) {
+  if (o.period || o.near) {
     throw UsageError(
         fmt::format("--period and --near are for words of phases, not for the family '{}'", o.family));
   }
@@ -39,7 +39,7 @@ Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Paper& paper) {
   ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional);
   leave_results_out(file, family, o.parameters);
   const int digits = digits_of(o.digits, file);
-  Units units = units_of(o.units, file, o.json);
+  Units units = units_of(o.si, file, o.json);
   OrbitQuestion asked = question(paper, family, o.parameters, file.parameters, o.example, digits);
   return {std::move(file), std::move(units), std::move(asked)};
 }
@@ -52,7 +52,7 @@ Asked<words::WordQuestion> asked_machine(const Options& o, const TypedParameters
   ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   const int digits = digits_of(o.digits, file);
-  Units units = units_of(o.units, file, o.json);
+  Units units = units_of(o.si, file, o.json);
   words::WordQuestion asked = machine(paper, typed, file.parameters, o.example, digits);
   return {std::move(file), std::move(units), std::move(asked)};
 }
@@ -60,7 +60,7 @@ Asked<words::WordQuestion> asked_machine(const Options& o, const TypedParameters
 }  // namespace
 
 Asked<words::WordQuestion> asked_pure_word(const OrbitsOptions& o, const Paper& paper) {
-  if (!o.period.empty() || o.with_near || o.parameters.contains("phi")) {
+  if (o.period || o.near || o.parameters.contains("phi")) {
     throw UsageError(fmt::format(
         "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
         o.family));
@@ -74,17 +74,16 @@ Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
   TypedParameters typed = o.parameters;
   const auto phase = typed.extract("phi");
-  if (phase && !o.with_near) {
+  if (phase && !o.near) {
     throw UsageError(
         "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
   }
   Asked<words::WordQuestion> given = asked_machine(o, typed, paper);
   const words::WordQuestion& q = given.question;
-  WordSearch search{q, word, whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1), {}};
-  if (o.with_near) {
+  WordSearch search{q, word, o.period.value_or(1), {}};
+  if (o.near) {
     search.near = at_phase_0({motion::parameters_as<double>(q.data), scalars::scalar<double>(q.ur),
-                              phase ? number("phi", phase.mapped()) : 0,
-                              given.units.of_state(four_numbers("near", o.near))});
+                              phase ? number("phi", phase.mapped()) : 0, in_data(*o.near, given.units)});
   }
   return {std::move(given.file), std::move(given.units), std::move(search)};
 }
@@ -124,8 +123,8 @@ ParameterFile file_of(const BranchOptions& o, TypedParameters& typed, FrictionAt
     return is_range;
   });
   const Along along = along_of(typed);
-  (void)units_of(o.units, file, false);
-  if (!o.units.empty() && !is_in_SI(along.parameter)) {
+  (void)units_of(o.si, file, false);
+  if (o.si && !is_in_SI(along.parameter)) {
     throw UsageError(
         fmt::format("--units si goes with --along a value of the machine, not with {}", along.parameter));
   }
@@ -147,10 +146,10 @@ Asked<BranchQuestion> along_machine(ParameterFile file, BranchQuestion q) {
 
 Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper& paper) {
   const Family& family = family_named(o.family);
-  if (!o.period.empty()) {
+  if (o.period) {
     throw UsageError(fmt::format("--period is for words of phases, not for the family '{}'", o.family));
   }
-  if (o.all || !o.orbit.empty() || !o.near.empty()) {
+  if (o.all || o.orbit || o.near) {
     throw UsageError(
         fmt::format("--all, --orbit and --near are for words of phases, not for the family '{}', of which "
                     "all branches are "
@@ -166,16 +165,15 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper
 
 Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
-  const int periods = whole_number("period", o.period, OrbitsOptions::most_periods_of_word, 1);
   TypedParameters typed = with_along(o.parameters, o.along);
   ParameterFile file = file_of(o, typed, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   Followed followed{o.all, o.orbit, {}};
-  if (!o.near.empty()) {
-    followed.near = units_of(o.units, file, false).of_state(four_numbers("near", o.near));
+  if (o.near) {
+    followed.near = in_data(*o.near, units_of(o.si, file, false));
   }
-  BranchQuestion asked =
-      word_branch_question(paper, word, periods, typed, file.parameters, o.example, o.at, followed);
+  BranchQuestion asked = word_branch_question(paper, word, o.period.value_or(1), typed, file.parameters,
+                                              o.example, o.at, followed);
   return along_machine(std::move(file), std::move(asked));
 }
 
@@ -192,22 +190,21 @@ namespace {
 using Attracted = AttractorsOptions;
 
 AttractorQuestion about(const words::WordQuestion& machine, const Attracted& o, int starts) {
-  return {machine, whole_number("starts", o.starts, Attracted::most_starts, starts),
-          static_cast<std::uint64_t>(whole_number("seed", o.seed, Attracted::greatest_number, 1)),
-          whole_number("most-periods", o.most_periods, Attracted::greatest_number,
-                       Attracted::default_most_periods)};
+  return {machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
+          o.most_periods.value_or(Attracted::default_most_periods)};
 }
 
 void require_sense(const Attracted& o) {
-  if (!o.along.empty() && !o.plane.empty()) {
+  const bool along = !o.along.empty();
+  if (along && o.plane) {
     throw UsageError("--along and --plane are two questions: give one of them");
   }
-  const bool along = !o.along.empty();
-  for (const auto& [name, text, fits] :
-       {std::tuple("--values", &o.values, along), std::tuple("--pixels", &o.pixels, !along),
-        std::tuple("--through", &o.through, !along), std::tuple("--starts", &o.starts, along),
-        std::tuple("--seed", &o.seed, along)}) {
-    if (!text->empty() && !fits) {
+  for (const auto& [name, given, fits] : {std::tuple("--values", o.values.has_value(), along),
+                                          std::tuple("--pixels", o.pixels.has_value(), !along),
+                                          std::tuple("--through", o.through.has_value(), !along),
+                                          std::tuple("--starts", o.starts.has_value(), along),
+                                          std::tuple("--seed", o.seed.has_value(), along)}) {
+    if (given && !fits) {
       throw UsageError(fmt::format("{} is not for {}", name, along ? "--along" : "--plane"));
     }
   }
@@ -217,32 +214,11 @@ void require_sense(const Attracted& o) {
 Asked<AttractorQuestion> asked_machines(const Attracted& o, const Paper& paper) {
   require_sense(o);
   ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed);
-  Units units = units_of(o.units, file, o.json);
-  AttractorQuestion asked = about(
-      machine(paper, o.parameters, file.parameters, o.example,
-              whole_number("digits", o.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits)),
-      o, Attracted::default_starts_at_value);
+  Units units = units_of(o.si, file, o.json);
+  AttractorQuestion asked = about(machine(paper, o.parameters, file.parameters, o.example,
+                                          o.digits.value_or(OrbitsOptions::default_digits)),
+                                  o, Attracted::default_starts_at_value);
   return {std::move(file), std::move(units), std::move(asked)};
-}
-
-std::array<int, 2> plane(const std::string& text) {
-  const auto& names = report::orbits::coordinates;
-  const std::size_t comma = text.find(',');
-  std::array<int, 2> across{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const std::string name = comma == std::string::npos ? text
-                             : k == 0                   ? text.substr(0, comma)
-                                                        : text.substr(comma + 1);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end() || comma == std::string::npos) {
-      throw UsageError(fmt::format("plane: '{}' is not two of x1, x2, x1', x2', such as x1,x2", text));
-    }
-    across[k] = static_cast<int>(found - names.begin());
-  }
-  if (across[0] == across[1]) {
-    throw UsageError(fmt::format("plane: '{}' names one coordinate twice", text));
-  }
-  return across;
 }
 
 // Along a value of a machine in SI units: the data taken at each.
@@ -277,10 +253,12 @@ std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, cons
 }  // namespace
 
 Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Paper& paper) {
-  for (const auto& [name, text] :
-       {std::pair("--values", &o.values), std::pair("--pixels", &o.pixels),
-        std::pair("--through", &o.through), std::pair("--csv", &o.csv), std::pair("--plot", &o.plot)}) {
-    if (!text->empty()) {
+  for (const auto& [name, given] : {std::pair("--values", o.values.has_value()),
+                                    {"--pixels", o.pixels.has_value()},
+                                    {"--through", o.through.has_value()},
+                                    {"--csv", o.csv.has_value()},
+                                    {"--plot", o.plot.has_value()}}) {
+    if (given) {
       throw UsageError(fmt::format("{} is for --along and --plane", name));
     }
   }
@@ -292,7 +270,7 @@ Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
   Asked<AttractorQuestion> given = asked_machines(o, paper);
   auto taken = machine_along(o, given.file);
   const auto [from, to] = interval(o.along[0], with_along({}, o.along).begin()->second);
-  const int values = whole_number("values", o.values, Attracted::most_values, Attracted::default_values);
+  const int values = o.values.value_or(Attracted::default_values);
   if (values < 2) {
     throw UsageError("values: a diagram needs at least 2");
   }
@@ -302,14 +280,14 @@ Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
 
 Asked<BasinsQuestion> asked_basins(const Attracted& o, const Paper& paper) {
   Asked<AttractorQuestion> given = asked_machines(o, paper);
-  BasinsQuestion asked{given.question, plane(o.plane), {}, {}};
-  if (o.pixels == "1") {
+  BasinsQuestion asked{given.question, o.plane.value(), {}, {}};
+  const long pixels = o.pixels.value_or(Attracted::default_pixels);
+  if (pixels < 2) {
     throw UsageError("pixels: a picture needs at least 2");
   }
-  const long pixels = whole_number("pixels", o.pixels, Attracted::most_pixels, Attracted::default_pixels);
   asked.pixels = {pixels, pixels};
-  if (!o.through.empty()) {
-    asked.through = given.units.of_state(four_numbers("through", o.through));
+  if (o.through) {
+    asked.through = in_data(*o.through, given.units);
   }
   return {std::move(given.file), std::move(given.units), std::move(asked)};
 }
@@ -343,7 +321,7 @@ Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
     typed = with_along(std::move(typed), {name, range});
   }
   ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::optional, in_the_middle);
-  (void)units_of(o.units, file, false);
+  (void)units_of(o.si, file, false);
   leave_results_out(file, *q.family, typed);
   TypedParameters given = given_parameters(paper, typed, file.parameters, o.example);
   for (const auto& [name, why] :
@@ -377,8 +355,7 @@ Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
       }
     }
   }
-  q.resolution = whole_number("resolution", o.resolution, AtlasOptions::most_resolution,
-                              AtlasOptions::default_resolution);
+  q.resolution = o.resolution.value_or(AtlasOptions::default_resolution);
   atlas::require_understood(q);
   return {std::move(file), {}, std::move(q)};
 }
@@ -392,11 +369,10 @@ double MotionAsked::period() const {
 Asked<MotionAsked> asked_motion(const SimulateOptions& o, const Paper& paper) {
   ParameterFile file = read_parameters(o.file, o.parameters, o.example,
                                        o.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
-  Units units = units_of(o.units, file, o.json);
+  Units units = units_of(o.si, file, o.json);
   MotionAsked asked{simulation_start(o, file, paper, units)};
-  asked.periods = o.periods.empty() ? SimulateOptions::default_periods : positive("periods", o.periods);
-  asked.every = o.every.empty() ? asked.period() / SimulateOptions::samples_in_period
-                                : units.of_time(positive("every", o.every));
+  asked.periods = o.periods.value_or(SimulateOptions::default_periods);
+  asked.every = o.every ? units.of_time(*o.every) : asked.period() / SimulateOptions::samples_in_period;
   return {std::move(file), std::move(units), std::move(asked)};
 }
 

@@ -41,20 +41,20 @@ Question asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
 }
 
 // Whether --plot asks for a mesh that ParaView opens.
-bool is_mesh(const fs::path& plot) {
-  return plot.extension() == ".vtk";
+bool is_mesh(const std::optional<std::string>& plot) {
+  return plot && fs::path(*plot).extension() == ".vtk";
 }
 
 // What was asked for beside the atlas.
 void write_pictures(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves) {
-  if (!o.csv.empty()) {
-    report::tools::write_file(o.csv, report::atlas::to_csv(q, leaves));
+  if (o.csv) {
+    report::tools::write_file(*o.csv, report::atlas::to_csv(q, leaves));
   }
   if (is_mesh(o.plot)) {
-    report::tools::write_file(o.plot, report::atlas::to_vtk(q, leaves));
-  } else if (!o.plot.empty()) {
-    report::tools::write_plot(o.plot,
-                              report::atlas::plot_script(q, leaves, report::tools::plot_format(o.plot)));
+    report::tools::write_file(*o.plot, report::atlas::to_vtk(q, leaves));
+  } else if (o.plot) {
+    report::tools::write_plot(*o.plot,
+                              report::atlas::plot_script(q, leaves, report::tools::plot_format(*o.plot)));
   }
 }
 
@@ -65,19 +65,19 @@ void print_summary(const AtlasOptions& o, const Question& q, const std::vector<L
 
 // Before long work.
 void require_outputs(const AtlasOptions& o, const Question& q) {
-  if (!o.csv.empty()) {
-    report::tools::require_writable_file(o.csv);
+  if (o.csv) {
+    report::tools::require_writable_file(*o.csv);
   }
   if (is_mesh(o.plot)) {
     if (q.axes.size() > 3) {
       throw UsageError("plot: a mesh has at most three parameters that vary");
     }
-    report::tools::require_writable_file(o.plot);
-  } else if (!o.plot.empty()) {
+    report::tools::require_writable_file(*o.plot);
+  } else if (o.plot) {
     if (q.axes.size() != 2) {
       throw UsageError("plot: a map needs two parameters that vary");
     }
-    report::tools::require_plot(o.plot);
+    report::tools::require_plot(*o.plot);
   }
 }
 
@@ -139,8 +139,7 @@ Second look_again(const report::atlas::Archive& archive, const Leaf& leaf) {
 ExitCode verify(const AtlasOptions& o) {
   const report::atlas::Archive archive = report::atlas::read_archive(o.verify);
   const Question& q = archive.question;
-  const auto wanted = static_cast<std::size_t>(
-      whole_number("sample", o.sample, std::numeric_limits<int>::max(), AtlasOptions::default_sample));
+  const int wanted = o.sample.value_or(AtlasOptions::default_sample);
   std::vector<Leaf> sample;
   std::mt19937_64 random(1);
   std::sample(archive.leaves.begin(), archive.leaves.end(), std::back_inserter(sample), wanted, random);
@@ -195,10 +194,10 @@ struct Begun {
 // What the log holds, and what is left to do; by the first process alone.
 Begun begin(const AtlasOptions& o, const Question& q, const fs::path& log, const std::string& identity) {
   Begun begun;
-  if (o.resume && !fs::exists(log) && fs::exists(o.out) && report::atlas::has_hdf5()) {
-    report::atlas::Archive archive = report::atlas::read_archive(o.out);
+  if (o.resume && !fs::exists(log) && fs::exists(*o.out) && report::atlas::has_hdf5()) {
+    report::atlas::Archive archive = report::atlas::read_archive(*o.out);
     if (numeric::atlas::identity(archive.question, archive.version) != identity) {
-      throw UsageError(fmt::format("{} answers another question, or one of another version", o.out));
+      throw UsageError(fmt::format("{} answers another question, or one of another version", *o.out));
     }
     begun.leaves = std::move(archive.leaves);
     return begun;
@@ -208,7 +207,7 @@ Begun begin(const AtlasOptions& o, const Question& q, const fs::path& log, const
     begun.leaves = read_log(log, identity);
     put_in_order(q, begun.leaves);
   } else {
-    report::tools::require_writable_file(o.out);
+    report::tools::require_writable_file(*o.out);
     create_log(log, identity);
     begun.lock = std::make_unique<LogLock>(log);
   }
@@ -220,10 +219,9 @@ Begun begin(const AtlasOptions& o, const Question& q, const fs::path& log, const
 void work(const AtlasOptions& o, Cluster& cluster, const Question& q, const fs::path& log,
           const std::string& identity, const Begun& begun) {
   const auto since = std::chrono::steady_clock::now();
-  const double seconds = o.time_limit.empty() ? 0 : positive("time-limit", o.time_limit);
   const auto stop = [&] {
-    return interrupted() ||
-           (seconds > 0 && std::chrono::steady_clock::now() - since > std::chrono::duration<double>(seconds));
+    return interrupted() || (o.time_limit && std::chrono::steady_clock::now() - since >
+                                                 std::chrono::duration<double>(*o.time_limit));
   };
   Progress progress("counting orbits ...");
   double done = share(tally(q, begun.leaves).covered()).get_d();
@@ -241,11 +239,11 @@ void work(const AtlasOptions& o, Cluster& cluster, const Question& q, const fs::
 // The atlas in its place and the log gone; without HDF5 a table.
 void keep(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& leaves, const fs::path& log) {
   if (report::atlas::has_hdf5()) {
-    report::atlas::write_archive(o.out, q, leaves);
+    report::atlas::write_archive(*o.out, q, leaves);
     fs::remove_all(log);
     return;
   }
-  const std::string table = o.out + ".csv";
+  const std::string table = *o.out + ".csv";
   report::tools::write_file(table, report::atlas::to_csv(q, leaves));
   tell(fmt::format(
       "stickslip: this program was built without HDF5, which script/bootstrap cluster installs: the "
@@ -254,11 +252,11 @@ void keep(const AtlasOptions& o, const Question& q, const std::vector<Leaf>& lea
 }
 
 ExitCode make(const AtlasOptions& o, const Question& q, Cluster& cluster) {
-  if (o.out.empty()) {
+  if (!o.out || o.out->empty()) {
     throw UsageError("--out FILE is missing: where the atlas is to be written");
   }
   const bool first = cluster.rank() == 0;
-  const fs::path log = o.out + ".log";
+  const fs::path log = *o.out + ".log";
   const std::string identity = numeric::atlas::identity(q, report::tools::program_version());
   Begun begun;
   if (first) {
@@ -299,7 +297,7 @@ ExitCode run(const AtlasOptions& o, const proofs::methods::Paper& paper) {
   if (!o.verify.empty()) {
     return verify(o);
   }
-  if (!o.sample.empty()) {
+  if (o.sample) {
     throw UsageError("--sample is for --verify");
   }
   const Question here = asked_of(o, paper);

@@ -1,6 +1,8 @@
 // stickslip atlas: what may be typed.
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "cli/command_line.hpp"
 
 namespace stickslip::cli {
@@ -27,40 +29,36 @@ constexpr const char * details =
 
 }  // namespace
 
-void add_atlas(CLI::App& program, AtlasOptions& options, Request& request, const PaperInHelp& paper) {
-  CLI::App * command =
-      program.add_subcommand("atlas", "Count orbits over ranges of parameters, proved everywhere");
-  command->footer(details);
-  command->add_option("FAMILY", options.family, "symmetric, overshooting or nonsticking")->type_name("");
-  add_parameters(*command, options.parameters);
-  add_sources(*command, options.example, options.file.name, paper);
-  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
-    return add_text(*command, name, text, type, words);
-  };
-  command
-      ->add_option(
-          "--along", options.along,
-          "A parameter that varies and its interval, once for each of them, such as\nomega 0.5..0.6, "
-          "or load_frequency 7..8 of a machine in SI units")
+void add_atlas(CLI::App& program, Request& request, const PaperInHelp& paper) {
+  Command<AtlasOptions> c(program, request, "atlas",
+                          "Count orbits over ranges of parameters, proved everywhere");
+  AtlasOptions& o = c.options;
+  c.app.footer(details);
+  c.add("FAMILY", o.family, "", "symmetric, overshooting or nonsticking");
+  add_parameters(c.app, o.parameters);
+  add_sources(c.app, o, paper);
+  c.app
+      .add_option("--along", o.along,
+                  "A parameter that varies and its interval, once for each of them, such as\nomega 0.5..0.6, "
+                  "or load_frequency 7..8 of a machine in SI units")
       ->allow_extra_args(false)
       ->type_name("NAME A..B");
-  add("--units", options.units, "UNITS",
-      "si: tables and maps are in SI units; those of a machine in SI units always\nare");
-  add("--resolution", options.resolution, "K",
-      fmt::format("Boxes are at least 2^-K of each range: {} by default", AtlasOptions::default_resolution));
-  add("--out", options.out, "FILE", "Write the atlas there, and while it grows FILE.log");
-  command->add_flag("--resume", options.resume, "Go on with what FILE.log holds");
-  add("--time-limit", options.time_limit, "T", "End in order after T seconds");
-  add("--csv", options.csv, "FILE", "Write the boxes as a table, too");
-  add("--plot", options.plot, "FILE",
-      "Draw a map of two parameters into FILE.svg, FILE.pdf or FILE.png;\nFILE.vtk: of up to three, for "
-      "ParaView");
-  add_jobs(*command, options.jobs);
-  add("--verify", options.verify, "FILE", "Prove boxes of this atlas again");
-  add("--sample", options.sample, "N",
-      fmt::format("With --verify: so many of them, {} by default", AtlasOptions::default_sample));
-  command->add_flag("--json", options.json, "Print the summary, or what --verify finds, as JSON");
-  command->callback([&options, &request] { request = options; });
+  c.add_units("si: tables and maps are in SI units; those of a machine in SI units always\nare");
+  c.add("--resolution", o.resolution, AtlasOptions::most_resolution,
+        fmt::format("Boxes are at least 2^-K of each range: {} by default", AtlasOptions::default_resolution),
+        "K");
+  c.add("--out", o.out, "FILE", "Write the atlas there, and while it grows FILE.log");
+  c.app.add_flag("--resume", o.resume, "Go on with what FILE.log holds");
+  c.add("--time-limit", o.time_limit, "T", "End in order after T seconds", positive);
+  c.add("--csv", o.csv, "FILE", "Write the boxes as a table, too");
+  c.add("--plot", o.plot, "FILE",
+        "Draw a map of two parameters into FILE.svg, FILE.pdf or FILE.png;\nFILE.vtk: of up to three, for "
+        "ParaView");
+  c.add_jobs();
+  c.add("--verify", o.verify, "FILE", "Prove boxes of this atlas again");
+  c.add("--sample", o.sample, std::numeric_limits<int>::max(),
+        fmt::format("With --verify: so many of them, {} by default", AtlasOptions::default_sample));
+  c.app.add_flag("--json", o.json, "Print the summary, or what --verify finds, as JSON");
 }
 
 }  // namespace stickslip::cli

@@ -43,35 +43,34 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   if (const auto done = run_in_tables(options)) {
     return *done;
   }
-  if (!options.along.empty() || !options.plane.empty()) {
+  if (!options.along.empty() || options.plane) {
     return run_diagram(options, paper);
   }
   const auto asked = asked_attractors(options, paper);
   const AttractorQuestion& question = asked.question;
   const Jobs limit = jobs(options.jobs);
-  if (options.with_out) {
-    require_page(options.out);
-  }
+  require_outputs(options);
   const AttractorList list = [&] {
     const Interruptible scope;
     const Progress progress("following the starts ...");
     return find_attractors(question);
   }();
   std::optional<Basins> basins;
-  if (options.with_out && !list.interrupted) {
+  if (options.out && !list.interrupted) {
     const Interruptible scope;
     const Progress progress("following starts in a plane ...");
     constexpr long pixels = AttractorsOptions::pixels_beside_starts;
     basins = basins_of({question, {0, 1}, {}, {pixels, pixels}});
   }
-  if (options.with_out) {
+  if (options.out) {
     const Progress progress("making the page ...");
     report::tools::write_files(
-        options.out, report::orbits::pages(list, basins, {asked.file.name, asked.file.machine, asked.units}));
+        *options.out,
+        report::orbits::pages(list, basins, {asked.file.name, asked.file.machine, asked.units}));
   }
   print_result(list, asked.file, options.json, asked.units);
-  if (options.with_out) {
-    tell(fmt::format("The report is in {}: index.html.", options.out));
+  if (options.out) {
+    tell(fmt::format("The report is in {}: index.html.", *options.out));
   }
   if (list.interrupted) {
     return exit_interrupted;
@@ -83,7 +82,7 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
 }
 
 ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
-  if (options.with_plot || options.with_out) {
+  if (options.plot || options.out) {
     throw UsageError("--plot and --out draw the orbits of a family; those of a word are printed only");
   }
   if (const auto kind = words::kind_of(options.family)) {
@@ -91,7 +90,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   }
   const auto asked = asked_word(options, paper);
   const Jobs limit = jobs(options.jobs);
-  const zeros::Effort patience = effort(options);
+  const zeros::Effort patience{options.cells, options.time};
   const WordOrbits list = [&] {
     const Interruptible scope;
     const Progress progress("searching for orbits ...");

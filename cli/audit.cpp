@@ -118,17 +118,16 @@ fs::path record_of(const AuditOptions& options) {
 
 ExitCode run(const AuditOptions& options, const Paper& paper) {
   const Jobs limit = jobs(options.jobs);
-  const proofs::checks::Sampling sampling{
-      static_cast<unsigned>(whole_number("seed", options.seed, AttractorsOptions::greatest_number, 0)),
-      static_cast<unsigned>(whole_number("one-in", options.one_in, AttractorsOptions::greatest_number, 1))};
+  const proofs::checks::Sampling sampling{static_cast<unsigned>(options.seed.value_or(0)),
+                                          static_cast<unsigned>(options.one_in.value_or(1))};
   const fs::path record = record_of(options);
-  if (options.with_out) {
-    report::tools::require_writable(options.out);
+  if (options.out) {
+    report::tools::require_writable(*options.out);
     report::orbits::require_page_tools();
   }
   std::future<report::audit::Figures> drawn;
-  if (options.with_out || options.json) {
-    drawn = figures_of(paper, options.with_out);
+  if (options.out || options.json) {
+    drawn = figures_of(paper, options.out.has_value());
   }
   const Examined examined = examine(options, paper, sampling);
   if (examined.interrupted) {
@@ -140,17 +139,17 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
       report::audit::certification(audit, record, paper.abbreviations);
   const report::audit::Figures figures = drawn.valid() ? drawn.get() : report::audit::Figures{};
   report::audit::Report made;
-  if (options.with_out) {
+  if (options.out) {
     const Progress progress("making the pages ...");
     made = report::audit::pages(paper, audit, figures, gate, certificates);
-    report::tools::write_files(options.out, made.files);
+    report::tools::write_files(*options.out, made.files);
   }
   print(options.json ? report::tools::to_text(report::audit::to_json(paper, audit, command_of(options),
                                                                      figures.examples, gate, certificates))
                      : report::audit::terminal_report(paper, audit, terminal_style(), certificates) +
                            (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
-  if (options.with_out) {
-    tell(report_line(options.out, "audit", made));
+  if (options.out) {
+    tell(report_line(*options.out, "audit", made));
   }
   return exit_of(audit, any_survived(gate));
 }

@@ -29,8 +29,8 @@ ExitCode answer(const AttractorsOptions& o, const Asked<Question>& asked, const 
 }  // namespace
 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& paper) {
-  return o.plane.empty() ? answer(o, asked_diagram(o, paper), diagram_of)
-                         : answer(o, asked_basins(o, paper), basins_of);
+  return o.plane ? answer(o, asked_basins(o, paper), basins_of)
+                 : answer(o, asked_diagram(o, paper), diagram_of);
 }
 
 }  // namespace stickslip::cli

@@ -102,7 +102,7 @@ bool gives_parameters(const LatexOptions& options) {
 }
 
 int digits_of(const LatexOptions& options) {
-  return whole_number("digits", options.digits, OrbitsOptions::most_digits, LatexOptions::default_digits);
+  return options.digits.value_or(LatexOptions::default_digits);
 }
 
 // What is added to an expression: its values at the parameters that are given, if any are. Throws UsageError
@@ -220,7 +220,7 @@ LatexText latex_text(const LatexOptions& options, const proofs::methods::Paper& 
   if (gives_parameters(options) && !names_expressions) {
     throw UsageError("parameters are for derived expressions and --orbit: theorems and errata have none");
   }
-  if (!options.digits.empty() && !gives_parameters(options)) {
+  if (options.digits && !gives_parameters(options)) {
     throw UsageError("--digits is for values: it needs parameters");
   }
   if (!options.theorem.empty()) {

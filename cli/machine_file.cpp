@@ -12,6 +12,7 @@
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
 #include "report/tools/files.hpp"
 
@@ -165,22 +166,23 @@ ParameterFile read_parameters(const GivenFile& given, const TypedParameters& opt
   }
   const TypedParameters one = one_of(parameters);
   const DataTaken taken = numeric::data_taken(machine_in_SI(one, file, at_rest));
-  const numeric::motion::ExactParameters& a = taken.data;
-  TypedParameters dimensionless{{"chi", to_string(a.chi)},     {"eta", to_string(a.eta)},
-                                {"us", to_string(a.us)},       {"V", to_string(a.V)},
-                                {"omega", to_string(a.omega)}, {"p", to_string(a.p)}};
+  TypedParameters dimensionless;
+  for (const auto& [name, datum] : model::named_data<Rational>) {
+    dimensionless[name] = to_string(taken.data.*datum);
+  }
   if (taken.ur) {
     dimensionless["ur"] = to_string(*taken.ur);
   }
   return {file, dimensionless, taken, parameters, deserved_digits(one), {}};
 }
 
-int digits_of(const std::string& text, ParameterFile& file) {
-  const int digits = whole_number("digits", text, OrbitsOptions::most_digits, OrbitsOptions::default_digits);
-  if (!text.empty()) {
-    file.digits = digits;
-  }
-  return digits;
+int digits_of(std::optional<int> asked, ParameterFile& file) {
+  file.digits = asked.value_or(file.digits);
+  return asked.value_or(OrbitsOptions::default_digits);
+}
+
+model::Vector4<double> in_data(const State& state, const report::orbits::Units& units) {
+  return units.of_state(model::Vector4<double>(state.data()));
 }
 
 Error in_keys_of(const GivenFile& file, const DomainError& error) {
@@ -255,13 +257,10 @@ report::tools::Json with_machine(report::tools::Json json, const ParameterFile& 
   return json;
 }
 
-report::orbits::Units units_of(const std::string& text, const ParameterFile& file, bool json) {
-  if (text.empty()) {
+report::orbits::Units units_of(bool si, const ParameterFile& file, bool json) {
+  if (!si) {
     return file.machine ? report::orbits::Units::dimensionless(*file.machine, file.digits)
                         : report::orbits::Units();
-  }
-  if (text != "si") {
-    throw UsageError(fmt::format("units: '{}' is not si", text));
   }
   if (!file.machine) {
     throw UsageError("--units si needs a machine in SI units: give its file by --params");

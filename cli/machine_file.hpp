@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/numbers.hpp"
 #include "cli/typed_parameters.hpp"
 #include "numeric/machine_along.hpp"
 #include "numeric/orbits.hpp"
@@ -53,8 +54,8 @@ enum class FrictionAtRest { needed, optional };
 
 // --digits, of each value of a result, 20 by default. For a machine in SI units texts then have as many;
 // without --digits they have as many as the file's data deserve, two more than the one with the most, at
-// least six. Throws UsageError.
-[[nodiscard]] int digits_of(const std::string& text, ParameterFile& file);
+// least six.
+[[nodiscard]] int digits_of(std::optional<int> asked, ParameterFile& file);
 
 // Leaves out what is a result of the question, if it is in the file: one file serves every question about its
 // machine. Throws UsageError for what is no number.
@@ -65,9 +66,10 @@ void leave_results_out(ParameterFile& file, const numeric::Family& family, const
 // What goes into the JSON of a report as "machine": nothing for dimensionless parameters.
 [[nodiscard]] report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file);
 
-// What --units says: "si", or nothing for the units of (2); states that are typed are in them, too. Throws
-// UsageError for anything else, for "si" without a machine in SI units, and with JSON, which says in any case
-// what its units are.
-[[nodiscard]] report::orbits::Units units_of(const std::string& text, const ParameterFile& file, bool json);
+// What --units says: si, or those of (2); states that are typed are in them, too. Throws UsageError for si
+// without a machine in SI units, and with JSON, which says in any case what its units are.
+[[nodiscard]] report::orbits::Units units_of(bool si, const ParameterFile& file, bool json);
+// A state that is typed in these units in those of (2).
+[[nodiscard]] model::Vector4<double> in_data(const State& state, const report::orbits::Units& units);
 
 }  // namespace stickslip::cli

@@ -94,29 +94,13 @@ std::string examples_of(const CLI::App& command) {
   return entries.empty() ? "" : ".SH EXAMPLES\n" + entries;
 }
 
-// The keys of a machine in SI units, with what they mean.
-constexpr std::pair<const char *, const char *> keys[] = {
-    {"m1", "mass between the springs, in kg"},
-    {"m2", "mass on the belt, which the load acts on, in kg"},
-    {"k1", "stiffness between mass 1 and the wall, in N/m"},
-    {"k2", "stiffness between the masses, in N/m"},
-    {"normal_force", "of mass 2 on the belt, in N, with the two coefficients that follow"},
-    {"friction_sliding", "coefficient of sliding friction, > 0"},
-    {"friction_at_rest", "coefficient of friction at rest, greater than that of sliding"},
-    {"friction_force_sliding", "sliding friction in N, in place of normal_force and a coefficient"},
-    {"friction_force_at_rest", "greatest friction at rest in N, likewise"},
-    {"belt_velocity", "in m/s"},
-    {"load_amplitude", "of the force on mass 2, in N"},
-    {"load_frequency", "in Hz"},
-    {"load_phase", "of the load at t = 0 in simulations, in rad: 0 if it is left out"}};
-
 std::string files_of(const CLI::App& command) {
   if (command.get_option_no_throw("--params") == nullptr) {
     return "";
   }
   std::string entries;
-  for (const auto& [key, words] : keys) {
-    entries += fmt::format(".TP\n\\fB{}\\fR\n{}", key, roff(words));
+  for (const model::MachineValue& value : model::machine_values) {
+    entries += fmt::format(".TP\n\\fB{}\\fR\n{}", value.name, roff(value.words));
   }
   return fmt::format(
       ".SH FILES\nThe TOML file of \\fB\\-\\-params\\fR has lines such as\n.PP\n.RS\nchi = 0.5\n.RE\n.PP\n"

@@ -77,18 +77,12 @@ void add_parameter(CLI::App& command, TypedParameters& parameters, const std::st
       ->type_name("NUMBER");
 }
 
-void add_units(CLI::App& command, std::string& text) {
-  add_text(command, "--units", text, "UNITS",
-           "si: say times, lengths, velocities and forces in SI units, and\ntake states in them, for a "
-           "machine in SI units");
-}
+constexpr const char * units_details =
+    "si: say times, lengths, velocities and forces in SI units, and\ntake states in them, for a machine in "
+    "SI "
+    "units";
 
 }  // namespace
-
-CLI::Option * add_text(CLI::App& command, const char * name, std::string& text, const char * type,
-                       const std::string& words) {
-  return command.add_option(name, text, words)->type_name(type);
-}
 
 void add_machine(CLI::App& command, TypedParameters& parameters) {
   add_parameter(command, parameters, "chi", "Stiffness ratio k2/(k1 + k2), 0 < chi < 1");
@@ -105,182 +99,153 @@ void add_parameters(CLI::App& command, TypedParameters& parameters) {
   add_parameter(command, parameters, "phi", "Phase of the load, in radians");
 }
 
-void add_sources(CLI::App& command, std::string& example, std::string& file, const PaperInHelp& paper) {
-  add_text(command, "--example", example, "NAME", "Take the data of the paper's example " + paper.examples);
-  add_text(command, "--params", file, "FILE",
-           "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a "
-           "machine in SI units,\nsee doc/parameters.md");
+void add_sources(CLI::App& command, GivenMachine& given, const PaperInHelp& paper) {
+  command.add_option("--example", given.example, "Take the data of the paper's example " + paper.examples)
+      ->type_name("NAME");
+  command
+      .add_option("--params", given.file.name,
+                  "Take parameters from a TOML file with lines chi = 0.5;\noptions above replace them; or a "
+                  "machine in SI units,\nsee doc/parameters.md")
+      ->type_name("FILE");
 }
 
-void add_jobs(CLI::App& command, std::string& text) {
-  add_text(command, "--jobs", text, "N",
-           "Search and prove with at most N threads, all cores by default;\nthe results are the same");
-}
-
-void add_orbits(CLI::App& program, OrbitsOptions& options, Request& request, const PaperInHelp& paper) {
-  CLI::App * command = program.add_subcommand("orbits", "List all periodic orbits of a family, proved");
-  command->footer(orbits_details + paper.families + words_details);
-  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
-    return add_text(*command, name, text, type, words);
-  };
-  add("FAMILY", options.family, "", paper.family_names + "; or a word such as OTS");
-  add_parameters(*command, options.parameters);
-  add("--period", options.period, "N", "For a word: periods of the load, 1 by default");
-  CLI::Option * near =
-      add("--near", options.near, "X", "For a word: start at x1,x2,x1',x2', at load phase --phi or 0");
-  add_sources(*command, options.example, options.file.name, paper);
-  add("--digits", options.digits, "N",
+void add_orbits(CLI::App& program, Request& request, const PaperInHelp& paper) {
+  Command<OrbitsOptions> c(program, request, "orbits", "List all periodic orbits of a family, proved");
+  OrbitsOptions& o = c.options;
+  c.app.footer(orbits_details + paper.families + words_details);
+  c.add("FAMILY", o.family, "", paper.family_names + "; or a word such as OTS");
+  add_parameters(c.app, o.parameters);
+  c.add("--period", o.period, OrbitsOptions::most_periods_of_word,
+        "For a word: periods of the load, 1 by default");
+  c.add("--near", o.near, "X", "For a word: start at x1,x2,x1',x2', at load phase --phi or 0", state);
+  add_sources(c.app, o, paper);
+  c.add(
+      "--digits", o.digits, OrbitsOptions::most_digits,
       fmt::format("Significant digits of each value: {} by default, {} at most; of a\nmachine in SI units by "
                   "default as many as its data deserve",
                   OrbitsOptions::default_digits, OrbitsOptions::most_digits));
-  add_units(*command, options.units);
-  add("--cells", options.cells, "N",
-      "Let a search examine N cells before it leaves the rest open,\nin place of its own limit");
-  add("--time", options.time, "T", "Let a search go on for T seconds, however many cells it takes");
-  add_jobs(*command, options.jobs);
-  command->add_flag("--all", options.all, "Also say all about formal solutions, which are not admissible");
-  command->add_flag("--json", options.json, "Print the list as JSON");
-  CLI::Option * plot = add("--plot", options.plot, "FILE",
-                           "Draw the admissible orbits, or all if none is, into FILE.svg,\n"
-                           "FILE.pdf or FILE.png: phase portraits and time histories");
-  CLI::Option * out = add("--out", options.out, "DIR",
-                          "Also write a report into DIR: index.html, orbits.pdf where there is\n"
-                          "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
-                          "part is missing");
-  add("--certify", options.certify, "DIR",
-      "Also write into DIR, for each admissible orbit, a proof for Coq that it\n"
-      "exists, and is stable or not; `make -k -j` there has Coq check them");
-  command->callback([&options, &request, near, plot, out] {
-    options.with_near = near->count() > 0;
-    options.with_plot = plot->count() > 0;
-    options.with_out = out->count() > 0;
-    request = options;
-  });
+  c.add_units(units_details);
+  c.add("--cells", o.cells, OrbitsOptions::most_cells,
+        "Let a search examine N cells before it leaves the rest open,\nin place of its own limit");
+  c.add("--time", o.time, "T", "Let a search go on for T seconds, however many cells it takes", positive);
+  c.add_jobs();
+  c.app.add_flag("--all", o.all, "Also say all about formal solutions, which are not admissible");
+  c.app.add_flag("--json", o.json, "Print the list as JSON");
+  c.add("--plot", o.plot, "FILE",
+        "Draw the admissible orbits, or all if none is, into FILE.svg,\n"
+        "FILE.pdf or FILE.png: phase portraits and time histories");
+  c.add("--out", o.out, "DIR",
+        "Also write a report into DIR: index.html, orbits.pdf where there is\n"
+        "TeX, orbits.tex and orbits.json. DIR is created if only its last\n"
+        "part is missing");
+  c.add("--certify", o.certify, "DIR",
+        "Also write into DIR, for each admissible orbit, a proof for Coq that it\n"
+        "exists, and is stable or not; `make -k -j` there has Coq check them");
 }
 
-void add_branch(CLI::App& program, BranchOptions& options, Request& request, const PaperInHelp& paper) {
-  CLI::App * command =
-      program.add_subcommand("branch", "Follow orbits over one parameter, every change proved");
-  command->footer(branch_details + paper.families + branch_exits);
-  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
-    return add_text(*command, name, text, type, words);
-  };
-  add("FAMILY", options.family, "", paper.family_names);
-  add_parameters(*command, options.parameters);
-  add_sources(*command, options.example, options.file.name, paper);
-  command
-      ->add_option("--along", options.along,
-                   "The parameter that varies and its interval, such as omega 0.5..0.6,\nor load_frequency "
-                   "7..8 of a machine in SI units")
+void add_branch(CLI::App& program, Request& request, const PaperInHelp& paper) {
+  Command<BranchOptions> c(program, request, "branch",
+                           "Follow orbits over one parameter, every change proved");
+  BranchOptions& o = c.options;
+  c.app.footer(branch_details + paper.families + branch_exits);
+  c.add("FAMILY", o.family, "", paper.family_names);
+  add_parameters(c.app, o.parameters);
+  add_sources(c.app, o, paper);
+  c.app
+      .add_option("--along", o.along,
+                  "The parameter that varies and its interval, such as omega 0.5..0.6,\nor load_frequency "
+                  "7..8 of a machine in SI units")
       ->expected(2)
       ->type_name("NAME A..B");
-  add("--units", options.units, "UNITS",
-      "si: results are in SI units; those of a machine in SI units\nalways are");
-  add("--at", options.at, "NUMBER",
-      "The branches of the orbits that there are at this value of the\nparameter alone");
-  add("--period", options.period, "N", "For a word: periods of the load, 1 by default");
-  CLI::Option * orbit =
-      add("--orbit", options.orbit, "K", "For a word: orbit K of those that orbits WORD lists");
+  c.add_units("si: results are in SI units; those of a machine in SI units\nalways are");
+  c.add("--at", o.at, "NUMBER",
+        "The branches of the orbits that there are at this value of the\nparameter alone", exact_number);
+  c.add("--period", o.period, OrbitsOptions::most_periods_of_word,
+        "For a word: periods of the load, 1 by default");
+  CLI::Option * orbit = c.add("--orbit", o.orbit, OrbitsOptions::most_orbits,
+                              "For a word: orbit K of those that orbits WORD lists", "K");
   CLI::Option * near =
-      add("--near", options.near, "X", "For a word: the orbit near x1,x2,x1',x2' at load phase 0");
-  command->add_flag("--all", options.all, "For a word: orbits that are not admissible, too")
+      c.add("--near", o.near, "X", "For a word: the orbit near x1,x2,x1',x2' at load phase 0", state);
+  c.app.add_flag("--all", o.all, "For a word: orbits that are not admissible, too")
       ->excludes(orbit)
       ->excludes(near);
   orbit->excludes(near);
-  add("--csv", options.csv, "FILE", "Also write an orbit of each part as a table");
-  add("--plot", options.plot, "FILE", "Draw the bifurcation diagram into FILE.svg, FILE.pdf or FILE.png");
-  CLI::Option * out =
-      add("--out", options.out, "DIR",
-          "Also write a page into DIR, with the diagram and all tables:\nindex.html, branches.json, "
-          "branches.csv. DIR is created if only\nits last part is missing");
-  add_jobs(*command, options.jobs);
-  command->add_flag("--json", options.json, "Print the result as JSON");
-  command->callback([&options, &request, out] {
-    options.with_out = out->count() > 0;
-    request = options;
-  });
+  c.add("--csv", o.csv, "FILE", "Also write an orbit of each part as a table");
+  c.add("--plot", o.plot, "FILE", "Draw the bifurcation diagram into FILE.svg, FILE.pdf or FILE.png");
+  c.add("--out", o.out, "DIR",
+        "Also write a page into DIR, with the diagram and all tables:\nindex.html, branches.json, "
+        "branches.csv. DIR is created if only\nits last part is missing");
+  c.add_jobs();
+  c.app.add_flag("--json", o.json, "Print the result as JSON");
 }
 
-void add_attractors(CLI::App& program, AttractorsOptions& options, Request& request,
-                    const PaperInHelp& paper) {
-  CLI::App * command = program.add_subcommand("attractors", "Find what a machine does, and prove it");
-  command->footer(attractors_details);
-  add_machine(*command, options.parameters);
-  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
-    return add_text(*command, name, text, type, words);
-  };
-  add_sources(*command, options.example, options.file.name, paper);
-  add("--starts", options.starts, "N",
-      fmt::format("Random starts: {} by default", AttractorsOptions::default_starts));
-  add("--seed", options.seed, "N", "Of the random starts: 1 by default");
-  add("--most-periods", options.most_periods, "N",
-      fmt::format("Periods of the load that a start is followed for at most:\n{} by default",
-                  AttractorsOptions::default_most_periods));
-  command
-      ->add_option(
-          "--along", options.along,
-          "At each of many values of a parameter, such as ur 0.1..0.5, or\nload_frequency 2..4 of a machine "
-          "in SI units: a table; --csv and\n--plot have the states once a period of the load")
+void add_attractors(CLI::App& program, Request& request, const PaperInHelp& paper) {
+  using Attracted = AttractorsOptions;
+  Command<Attracted> c(program, request, "attractors", "Find what a machine does, and prove it");
+  Attracted& o = c.options;
+  c.app.footer(attractors_details);
+  add_machine(c.app, o.parameters);
+  add_sources(c.app, o, paper);
+  c.add("--starts", o.starts, Attracted::most_starts,
+        fmt::format("Random starts: {} by default", Attracted::default_starts));
+  c.add("--seed", o.seed, Attracted::greatest_number, "Of the random starts: 1 by default");
+  c.add("--most-periods", o.most_periods, Attracted::greatest_number,
+        fmt::format("Periods of the load that a start is followed for at most:\n{} by default",
+                    Attracted::default_most_periods));
+  c.app
+      .add_option("--along", o.along,
+                  "At each of many values of a parameter, such as ur 0.1..0.5, or\nload_frequency 2..4 of a "
+                  "machine in SI units: a table; --csv and\n--plot have the states once a period of the load")
       ->expected(2)
       ->type_name("NAME A..B");
-  add("--values", options.values, "N",
-      fmt::format("Of the parameter, ends included: {} by default, with {} starts each",
-                  AttractorsOptions::default_values, AttractorsOptions::default_starts_at_value));
-  add("--plane", options.plane, "X,Y", "Starts in a plane, by two of x1, x2, x1', x2': what each ends on");
-  add("--pixels", options.pixels, "N",
-      fmt::format("N x N of them: {} by default", AttractorsOptions::default_pixels));
-  add("--through", options.through, "X", "A state x1,x2,x1',x2' in the middle of the plane");
-  add("--csv", options.csv, "FILE", "With --along and --plane: also write a table");
-  add("--plot", options.plot, "FILE", "With --along and --plane: draw FILE.svg, FILE.pdf or FILE.png");
-  CLI::Option * out =
-      add("--out", options.out, "DIR",
-          "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "
-          "created if only its last part is missing");
-  add("--digits", options.digits, "N",
+  c.add("--values", o.values, Attracted::most_values,
+        fmt::format("Of the parameter, ends included: {} by default, with {} starts each",
+                    Attracted::default_values, Attracted::default_starts_at_value));
+  c.add("--plane", o.plane, "X,Y", "Starts in a plane, by two of x1, x2, x1', x2': what each ends on", plane);
+  c.add("--pixels", o.pixels, Attracted::most_pixels,
+        fmt::format("N x N of them: {} by default", Attracted::default_pixels));
+  c.add("--through", o.through, "X", "A state x1,x2,x1',x2' in the middle of the plane", state);
+  c.add("--csv", o.csv, "FILE", "With --along and --plane: also write a table");
+  c.add("--plot", o.plot, "FILE", "With --along and --plane: draw FILE.svg, FILE.pdf or FILE.png");
+  c.add("--out", o.out, "DIR",
+        "Also write a page into DIR, with pictures: index.html and\nattractors.json. DIR is "
+        "created if only its last part is missing");
+  c.add(
+      "--digits", o.digits, OrbitsOptions::most_digits,
       fmt::format("Significant digits of each value in JSON: {} by default; of what is\nsaid about a machine "
                   "in SI units: as many as its data deserve",
                   OrbitsOptions::default_digits));
-  add_units(*command, options.units);
-  add_jobs(*command, options.jobs);
-  command->add_flag("--json", options.json, "Print the result as JSON");
-  command->callback([&options, &request, out] {
-    options.with_out = out->count() > 0;
-    request = options;
-  });
+  c.add_units(units_details);
+  c.add_jobs();
+  c.app.add_flag("--json", o.json, "Print the result as JSON");
 }
 
-void add_simulate(CLI::App& program, SimulateOptions& options, Request& request, const PaperInHelp& paper) {
-  CLI::App * command = program.add_subcommand("simulate", "Follow the motion under the friction law");
-  command->footer(simulate_details);
-  add_parameters(*command, options.parameters);
-  const auto add = [&](const char * name, std::string& text, const char * type, const std::string& words) {
-    return add_text(*command, name, text, type, words);
-  };
-  add("--example", options.example, "NAME",
-      "Start where the orbit of the paper's example " + paper.examples + " begins");
-  add("--params", options.file.name, "FILE",
-      "Take parameters from a TOML file with lines chi = 0.5;\nor a machine in SI units, see "
-      "doc/parameters.md");
-  CLI::Option * orbit = add("--orbit", options.orbit, "FAMILY:K",
-                            "Start where orbit K of a family begins: " + paper.family_names);
-  add("--state", options.state, "X", "Start at x1,x2,x1',x2'")->excludes(orbit);
-  add("--perturb", options.perturb, "X", "Add these four numbers to the start");
-  add("--periods", options.periods, "N",
-      fmt::format("Periods of the load: {} by default", SimulateOptions::default_periods));
-  add("--every", options.every, "TIME",
-      fmt::format("Time between two samples: by default {} in a period", SimulateOptions::samples_in_period));
-  CLI::Option * csv =
-      add("--csv", options.csv, "FILE",
-          "Write the samples, with r, u and the energy; -: on standard\noutput, in place of the report");
-  CLI::Option * plot = add("--plot", options.plot, "FILE",
-                           "Draw phase portraits, speed and energy into FILE.svg, FILE.pdf or\nFILE.png");
-  add_units(*command, options.units);
-  command->add_flag("--json", options.json, "Print the result as JSON");
-  command->callback([&options, &request, csv, plot] {
-    options.with_csv = csv->count() > 0;
-    options.with_plot = plot->count() > 0;
-    request = options;
-  });
+void add_simulate(CLI::App& program, Request& request, const PaperInHelp& paper) {
+  Command<SimulateOptions> c(program, request, "simulate", "Follow the motion under the friction law");
+  SimulateOptions& o = c.options;
+  c.app.footer(simulate_details);
+  add_parameters(c.app, o.parameters);
+  c.add("--example", o.example, "NAME",
+        "Start where the orbit of the paper's example " + paper.examples + " begins");
+  c.add("--params", o.file.name, "FILE",
+        "Take parameters from a TOML file with lines chi = 0.5;\nor a machine in SI units, see "
+        "doc/parameters.md");
+  CLI::Option * orbit =
+      c.add("--orbit", o.orbit, "FAMILY:K", "Start where orbit K of a family begins: " + paper.family_names);
+  c.add("--state", o.state, "X", "Start at x1,x2,x1',x2'", state)->excludes(orbit);
+  c.add("--perturb", o.perturb, "X", "Add these four numbers to the start", state);
+  c.add("--periods", o.periods, "N",
+        fmt::format("Periods of the load: {} by default", SimulateOptions::default_periods), positive);
+  c.add(
+      "--every", o.every, "TIME",
+      fmt::format("Time between two samples: by default {} in a period", SimulateOptions::samples_in_period),
+      positive);
+  c.add("--csv", o.csv, "FILE",
+        "Write the samples, with r, u and the energy; -: on standard\noutput, in place of the report");
+  c.add("--plot", o.plot, "FILE",
+        "Draw phase portraits, speed and energy into FILE.svg, FILE.pdf or\nFILE.png");
+  c.add_units(units_details);
+  c.app.add_flag("--json", o.json, "Print the result as JSON");
 }
 
 }  // namespace stickslip::cli

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/numbers.hpp"
+#include "cli/arguments.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
@@ -14,14 +14,14 @@ using namespace numeric;
 NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& paper,
                        const TypedParameters& typed, ParameterFile& file, const std::string& example,
                        int digits) {
-  constexpr int most = 1000000;
   const std::size_t colon = name.find(':');
   if (colon == std::string::npos || colon + 1 == name.size()) {
     throw UsageError(
         fmt::format("orbit: '{}' is not FAMILY:K, such as {}:1", name, all_families().front()->name));
   }
   const Family& family = family_named(name.substr(0, colon));
-  const auto number = static_cast<std::size_t>(whole_number("orbit", name.substr(colon + 1), most, 1));
+  const auto number =
+      static_cast<std::size_t>(whole_number("orbit", name.substr(colon + 1), OrbitsOptions::most_orbits));
   leave_results_out(file, family, typed);
   const OrbitQuestion asked = question(paper, family, typed, file.parameters, example, digits);
   if (asks_for_box(asked)) {

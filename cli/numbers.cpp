@@ -4,25 +4,20 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 #include <thread>
 
-#include "cli/typed_parameters.hpp"
+#include "core/ball.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/scalars/scalars.hpp"
 
 namespace stickslip::cli {
-namespace {
 
-constexpr int most_jobs = 1024;
-
-}  // namespace
-
-int whole_number(const std::string& name, const std::string& text, int most, int otherwise) {
-  int value = otherwise;
+int whole_number(const std::string& name, const std::string& text, int most) {
+  int value = 0;
   const char * const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (!text.empty() && (error != std::errc() || rest != end || value < 1 || value > most)) {
+  if (error != std::errc() || rest != end || value < 1 || value > most) {
     throw UsageError(fmt::format("{}: '{}' is not a whole number from 1 to {}", name, text, most));
   }
   return value;
@@ -60,7 +55,7 @@ std::pair<Rational, Rational> interval(const std::string& name, const std::strin
 }
 
 double number(const std::string& name, const std::string& text) {
-  return numeric::scalars::scalar<double>(exact_number(name, text));
+  return Ball(exact_number(name, text)).approximate();  // to nearest; GMP's own conversion cuts off
 }
 
 double positive(const std::string& name, const std::string& text) {
@@ -71,23 +66,45 @@ double positive(const std::string& name, const std::string& text) {
   return value;
 }
 
-model::Vector4<double> four_numbers(const std::string& name, const std::string& text) {
-  model::Vector4<double> X;
+State state(const std::string& name, const std::string& text) {
+  State X{};
   std::size_t from = 0;
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < X.size(); ++i) {
     const std::size_t comma = text.find(',', from);
-    if ((comma == std::string::npos) != (i == 3)) {
+    if ((comma == std::string::npos) != (i + 1 == X.size())) {
       throw UsageError(fmt::format("{}: '{}' is not four numbers x1,x2,x1',x2'", name, text));
     }
-    X(i) = number(name, text.substr(from, comma - from));
+    X.at(i) = number(name, text.substr(from, comma - from));
     from = comma + 1;
   }
   return X;
 }
 
-Jobs jobs(const std::string& text) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return Jobs(static_cast<std::size_t>(whole_number("jobs", text, most_jobs, cores)));
+std::array<int, 2> plane(const std::string& name, const std::string& text) {
+  constexpr std::array<std::string_view, 4> names{"x1", "x2", "x1'", "x2'"};
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view all = text;
+  const auto * const first = std::ranges::find(names, all.substr(0, comma));
+  const auto * const second = std::ranges::find(names, all.substr(std::min(comma + 1, all.size())));
+  if (first == names.end() || second == names.end()) {
+    throw UsageError(fmt::format("{}: '{}' is not two of x1, x2, x1', x2', such as x1,x2", name, text));
+  }
+  if (first == second) {
+    throw UsageError(fmt::format("{}: '{}' names one coordinate twice", name, text));
+  }
+  return {static_cast<int>(first - names.begin()), static_cast<int>(second - names.begin())};
+}
+
+bool is_si(const std::string& text) {
+  if (text != "si") {
+    throw UsageError(fmt::format("units: '{}' is not si", text));
+  }
+  return true;
+}
+
+Jobs jobs(std::optional<int> threads) {
+  return Jobs(threads ? static_cast<std::size_t>(*threads)
+                      : std::max(1U, std::thread::hardware_concurrency()));
 }
 
 }  // namespace stickslip::cli

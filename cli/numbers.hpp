@@ -1,31 +1,39 @@
-// Numbers on the command line.
+// Numbers on the command line. All readers throw UsageError naming `name`.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/parallel.hpp"
 #include "core/rational.hpp"
-#include "model/linear.hpp"
 
 namespace stickslip::cli {
 
-// The number that was typed, from 1 to `most`; `otherwise` if nothing was. Throws UsageError naming `name`.
-[[nodiscard]] int whole_number(const std::string& name, const std::string& text, int most, int otherwise);
+// From 1 to `most`.
+[[nodiscard]] int whole_number(const std::string& name, const std::string& text, int most);
 
-// A number, exactly and in double, and one above zero; an interval is none. Throw UsageError naming `name`.
+// A number, exactly and in double, and one above zero; an interval is none.
 [[nodiscard]] Rational exact_number(const std::string& name, const std::string& text);
 [[nodiscard]] double number(const std::string& name, const std::string& text);
 [[nodiscard]] double positive(const std::string& name, const std::string& text);
 
-// "A..B" with A < B, "0.5+-1e-4", "4+-5%" or a number: its ends. Throws UsageError naming `name`.
+// "A..B" with A < B, "0.5+-1e-4", "4+-5%" or a number: its ends.
 [[nodiscard]] std::pair<Rational, Rational> interval(const std::string& name, const std::string& text);
 
-// A state "x1,x2,x1',x2'". Throws likewise.
-[[nodiscard]] model::Vector4<double> four_numbers(const std::string& name, const std::string& text);
+// x1, x2, x1', x2' of "x1,x2,x1',x2'".
+using State = std::array<double, 4>;
+[[nodiscard]] State state(const std::string& name, const std::string& text);
 
-// --jobs: how many threads may search for orbits and prove them; all cores if nothing was typed. Throws
-// UsageError.
-[[nodiscard]] Jobs jobs(const std::string& text);
+// Two of x1, x2, x1', x2', 0 to 3, of "x1,x2".
+[[nodiscard]] std::array<int, 2> plane(const std::string& name, const std::string& text);
+
+// Of --units: true for "si". Throws UsageError for any other text.
+[[nodiscard]] bool is_si(const std::string& text);
+
+// How many threads may search for orbits and prove them: by default all cores.
+inline constexpr int most_jobs = 1024;
+[[nodiscard]] Jobs jobs(std::optional<int> threads);
 
 }  // namespace stickslip::cli

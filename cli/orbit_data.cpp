@@ -8,6 +8,7 @@
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "model/named_data.hpp"
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
@@ -31,14 +32,10 @@ void set(TypedParameters& parameters, const char * name, const std::optional<Rat
 }
 
 TypedParameters parameters_of(const Example& example, const Family& family) {
-  const ExactParameters& a = example.data;
   TypedParameters parameters;
-  set(parameters, "chi", a.chi);
-  set(parameters, "eta", a.eta);
-  set(parameters, "us", a.us);
-  set(parameters, "V", a.V);
-  set(parameters, "omega", a.omega);
-  set(parameters, "p", a.p);
+  for (const auto& [name, datum] : model::named_data<Rational>) {
+    parameters[name] = to_string(example.data.*datum);
+  }
   if (&family == example.family) {
     set(parameters, "phi", example.phi);
     set(parameters, "ur", example.ur);
@@ -110,12 +107,8 @@ OrbitQuestion question(const Paper& paper, const Family& family, const TypedPara
   replace(all, from_file);
   replace(all, typed);
   require_data(all, family);
-  const auto range = [&](const char * name) { return parse_range(name, all.at(name)); };
-  return {&family,
-          {range("chi"), range("eta"), range("us"), range("V"), range("omega"), range("p")},
-          optional_range(all, "phi"),
-          optional_range(all, "ur"),
-          digits};
+  return {&family, model::data_by_name([&](const char * name) { return parse_range(name, all.at(name)); }),
+          optional_range(all, "phi"), optional_range(all, "ur"), digits};
 }
 
 Along along_interval(TypedParameters& typed) {
@@ -156,43 +149,41 @@ TypedParameters with_along(TypedParameters typed, const std::vector<std::string>
   return typed;
 }
 
-Rational value_at(const Along& along, const std::string& at) {
-  return at.empty() ? Rational((along.from + along.to) / 2) : exact_number("at", at);
+Rational value_at(const Along& along, const std::optional<Rational>& at) {
+  return at.value_or(Rational((along.from + along.to) / 2));
 }
 
 branches::BranchQuestion branch_question(const Paper& paper, const Family& family, TypedParameters typed,
                                          const TypedParameters& from_file, const std::string& example,
-                                         const std::string& at) {
+                                         const std::optional<Rational>& at) {
   branches::BranchQuestion asked;
   const Along along = along_interval(typed);
   asked.orbits = question(paper, family, typed, from_file, example, OrbitsOptions::default_digits);
   asked.parameter = along.parameter;
   asked.from = along.from;
   asked.to = along.to;
-  if (!at.empty()) {
-    asked.at = exact_number("at", at);
-  }
+  asked.at = at;
   return asked;
 }
 
 branches::BranchQuestion word_branch_question(const Paper& paper, const words::Word& word, int periods,
                                               TypedParameters typed, const TypedParameters& from_file,
-                                              const std::string& example, const std::string& at,
+                                              const std::string& example, const std::optional<Rational>& at,
                                               const Followed& followed) {
   const Along along = along_interval(typed);
   const Rational value = value_at(along, at);
   typed[along.parameter] = to_string(value);
   const words::WordQuestion there = machine(paper, typed, from_file, example, OrbitsOptions::default_digits);
-  const bool all = followed.all || !followed.orbit.empty();
+  const bool all = followed.all || followed.orbit;
   std::vector<words::WordOrbit> known =
       attractors::find_word_orbits({there, word, periods, followed.near, all}).orbits;
-  if (!followed.orbit.empty()) {
-    const int k = whole_number("orbit", followed.orbit, 1000000, 1);
-    if (static_cast<std::size_t>(k) > known.size()) {
+  if (followed.orbit) {
+    const auto k = static_cast<std::size_t>(*followed.orbit);
+    if (k > known.size()) {
       throw UsageError(fmt::format("--orbit {}: of {} there are {} orbits at {} = {}", k, word.letters(),
                                    known.size(), along.parameter, to_string(value)));
     }
-    known = {known[static_cast<std::size_t>(k) - 1]};
+    known = {known[k - 1]};
   }
   std::size_t not_admissible = 0;
   if (!all && !followed.near) {
@@ -232,18 +223,7 @@ words::WordQuestion machine(const Paper& paper, const TypedParameters& typed,
   names.emplace_back("ur");
   require_given(all, names);
   const auto exact = [&](const char * name) { return exact_number(name, all.at(name)); };
-  return {
-      {exact("chi"), exact("eta"), exact("us"), exact("V"), exact("omega"), exact("p")}, exact("ur"), digits};
-}
-
-numeric::zeros::Effort effort(const OrbitsOptions& options) {
-  std::optional<long> cells;
-  if (!options.cells.empty()) {
-    cells = whole_number("cells", options.cells, OrbitsOptions::most_cells, 1);
-  }
-  const std::optional<double> seconds =
-      options.time.empty() ? std::nullopt : std::optional(positive("time", options.time));
-  return {cells, seconds};
+  return {model::data_by_name(exact), exact("ur"), digits};
 }
 
 }  // namespace stickslip::cli

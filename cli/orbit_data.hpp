@@ -8,7 +8,6 @@
 #include "numeric/branches/branches.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/words/word_orbit.hpp"
-#include "numeric/zeros/effort.hpp"
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
@@ -45,29 +44,29 @@ struct Along {
 // neither a parameter's nor a machine's in SI units.
 [[nodiscard]] TypedParameters with_along(TypedParameters typed, const std::vector<std::string>& along);
 
-// The value `at`, or the middle of the interval if that is empty. Throws UsageError.
-[[nodiscard]] Rational value_at(const Along& along, const std::string& at);
+// The value `at`, or the middle of the interval.
+[[nodiscard]] Rational value_at(const Along& along, const std::optional<Rational>& at);
 
 // The question about the family's orbits over the one parameter that is typed as an interval "A..B": all of
-// them, or the branches of the orbits at the value `at` unless that is empty. Throws likewise, and when none
+// them, or the branches of the orbits at the value `at` if there is one. Throws likewise, and when none
 // or several of the parameters are intervals.
 [[nodiscard]] numeric::branches::BranchQuestion branch_question(
     const proofs::methods::Paper& paper, const numeric::Family& family, TypedParameters typed,
-    const TypedParameters& from_file, const std::string& example, const std::string& at);
+    const TypedParameters& from_file, const std::string& example, const std::optional<Rational>& at);
 
 // Which orbits of a word are followed: the admissible ones that are found, of words of four phases and more
 // by simulation alone; or all that `stickslip orbits WORD` lists, the K-th of these, or the one near a state.
 struct Followed {
   bool all = false;
-  std::string orbit;                           // K, as typed
+  std::optional<int> orbit;                    // K
   std::optional<model::Vector4<double>> near;  // (x1, x2, x1', x2') at load phase 0
 };
 
 // The same about the orbits through a word, over so many periods of the load, that are found at the value
-// `at`, or in the middle of the interval if that is empty.
+// `at`, or in the middle of the interval.
 [[nodiscard]] numeric::branches::BranchQuestion word_branch_question(
     const proofs::methods::Paper& paper, const numeric::words::Word& word, int periods, TypedParameters typed,
-    const TypedParameters& from_file, const std::string& example, const std::string& at,
+    const TypedParameters& from_file, const std::string& example, const std::optional<Rational>& at,
     const Followed& followed = {});
 
 // The machine whose motions are asked for: the same, with ur in any case, that of the example's own orbit to
@@ -77,8 +76,5 @@ struct Followed {
                                                    const TypedParameters& typed,
                                                    const TypedParameters& from_file,
                                                    const std::string& example, int digits);
-
-// --cells and --time: how long searches go on. Throws UsageError.
-[[nodiscard]] numeric::zeros::Effort effort(const OrbitsOptions& options);
 
 }  // namespace stickslip::cli

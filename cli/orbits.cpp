@@ -107,13 +107,8 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
   }
   const auto [file, units, asked] = asked_orbits(options, paper);
   const Jobs limit = jobs(options.jobs);
-  const zeros::Effort patience = effort(options);
-  if (options.with_plot) {
-    report::tools::require_plot(options.plot);
-  }
-  if (options.with_out) {
-    require_page(options.out);
-  }
+  const zeros::Effort patience{options.cells, options.time};
+  require_outputs(options);
   if (!options.certify.empty()) {
     if (asks_for_box(asked)) {
       throw UsageError("--certify is for exact parameters, not for a box of them");
@@ -125,21 +120,21 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
   if (!options.certify.empty()) {
     certify(list, options.certify);
   }
-  if (options.with_plot) {
-    draw(options.plot,
-         report::orbits::plot_script(list, report::tools::plot_format(options.plot),
+  if (options.plot) {
+    draw(*options.plot,
+         report::orbits::plot_script(list, report::tools::plot_format(*options.plot),
                                      report::tools::PlotShape::wide, std::nullopt, units),
          "no orbit");
   }
   report::audit::Report made;
-  if (options.with_out) {
+  if (options.out) {
     const Progress progress("making the pages ...");
     made = report::audit::pages(list);
-    report::tools::write_files(options.out, made.files);
+    report::tools::write_files(*options.out, made.files);
   }
   print_result(list, file, options.json, units, options.all ? InFull::all : InFull::admissible);
-  if (options.with_out) {
-    tell(report_line(options.out, "orbits", made));
+  if (options.out) {
+    tell(report_line(*options.out, "orbits", made));
   }
   if (std::count(list.remarks.begin(), list.remarks.end(), Remark::interrupted) > 0) {
     return exit_interrupted;

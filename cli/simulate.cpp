@@ -65,14 +65,14 @@ class Samples {
  public:
   // Throws InputOutputError where they cannot go.
   Samples(const SimulateOptions& options, double period, const Units& units) : units_(units) {
-    if (options.with_plot) {
+    if (options.plot) {
       picture_.emplace(units.time(period));
     }
-    to_output_ = options.with_csv && options.csv == standard_output;
-    if (options.with_csv && !to_output_) {
-      file_.emplace(options.csv);
+    to_output_ = options.csv == standard_output;
+    if (options.csv && !to_output_) {
+      file_.emplace(*options.csv);
     }
-    if (options.with_csv) {
+    if (options.csv) {
       write(report::orbits::csv_names(units));
     }
   }
@@ -98,8 +98,8 @@ class Samples {
     }
     if (picture_) {
       report::tools::write_plot(
-          options.plot, report::orbits::plot_script(units_.record(record), *picture_,
-                                                    report::tools::plot_format(options.plot), units_));
+          *options.plot, report::orbits::plot_script(units_.record(record), *picture_,
+                                                     report::tools::plot_format(*options.plot), units_));
     }
     if (file_) {
       file_->take_place();
@@ -131,18 +131,19 @@ class Samples {
 };
 
 void require_places(const SimulateOptions& options) {
-  if (options.with_csv && options.csv == Samples::standard_output && options.json) {
-    throw UsageError("--csv - and --json do not go together: both are for standard output");
+  if (options.csv == Samples::standard_output) {
+    if (options.json) {
+      throw UsageError("--csv - and --json do not go together: both are for standard output");
+    }
+    Outputs others = options;
+    others.csv.reset();
+    require_outputs(others);
+    return;
   }
-  if (options.with_csv && options.csv.empty()) {
+  if (options.csv == "") {
     throw UsageError("csv: '' is not the name of a file");
   }
-  if (options.with_csv && options.csv != Samples::standard_output) {
-    report::tools::require_writable_file(options.csv);
-  }
-  if (options.with_plot) {
-    report::tools::require_plot(options.plot);
-  }
+  require_outputs(options);
 }
 
 // Without settling.

@@ -9,6 +9,7 @@
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/interruption.hpp"
+#include "model/named_data.hpp"
 #include "numeric/attractors/settle.hpp"
 #include "numeric/families/family.hpp"
 #include "proofs/methods/example_orbits.hpp"
@@ -71,12 +72,6 @@ SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, 
           leaves};
 }
 
-void replace(double& value, const TypedParameters& typed, const char * name) {
-  if (const auto found = typed.find(name); found != typed.end()) {
-    value = number(name, found->second);
-  }
-}
-
 // From a state, or from the orbit of an example.
 SimulationStart from_state(const SimulateOptions& options, const ParameterFile& file, const Paper& paper,
                            const report::orbits::Units& units) {
@@ -93,17 +88,18 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
   } else {
     require_given(typed, {parameter_names.begin(), parameter_names.end()});
   }
-  model::Parameters<double>& a = start.data;
-  replace(a.chi, typed, "chi");
-  replace(a.eta, typed, "eta");
-  replace(a.us, typed, "us");
-  replace(a.V, typed, "V");
-  replace(a.omega, typed, "omega");
-  replace(a.p, typed, "p");
-  replace(start.phi, typed, "phi");
-  replace(start.ur, typed, "ur");
-  if (!options.state.empty()) {
-    start.X = units.of_state(four_numbers("state", options.state));
+  const auto replace = [&typed](double& value, const char * name) {
+    if (const auto found = typed.find(name); found != typed.end()) {
+      value = number(name, found->second);
+    }
+  };
+  for (const auto& [name, datum] : model::named_data<double>) {
+    replace(start.data.*datum, name);
+  }
+  replace(start.phi, "phi");
+  replace(start.ur, "ur");
+  if (options.state) {
+    start.X = in_data(*options.state, units);
   }
   typed.erase("phi");
   return {start, machine(paper, typed, {}, options.example, OrbitsOptions::default_digits)};
@@ -113,13 +109,13 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
 
 SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file, const Paper& paper,
                                  const report::orbits::Units& units) {
-  if (options.example.empty() && options.state.empty() && options.orbit.empty()) {
+  if (options.example.empty() && !options.state && options.orbit.empty()) {
     throw UsageError("a start is missing: give --state x1,x2,x1',x2', --example or --orbit");
   }
   SimulationStart from =
       options.orbit.empty() ? from_state(options, file, paper, units) : from_orbit(options, file, paper);
-  if (!options.perturb.empty()) {
-    from.start.X += units.of_state(four_numbers("perturb", options.perturb));
+  if (options.perturb) {
+    from.start.X += in_data(*options.perturb, units);
   }
   return from;
 }

@@ -16,11 +16,6 @@
 namespace stickslip::cli {
 namespace {
 
-template <class Names>
-bool has(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 constexpr const char * no_damping = "the model has no damping: dry friction alone takes energy";
 constexpr const char * one_load = "the load of the model is a single harmonic, with one frequency";
 
@@ -98,11 +93,11 @@ TypedParameters parse_parameters(const std::string& text, const std::string& fil
 }
 
 bool is_parameter(const std::string& name) {
-  return has(parameter_names, name);
+  return std::ranges::find(parameter_names, name) != parameter_names.end();
 }
 
 bool is_in_SI(const std::string& name) {
-  return has(names_in_SI, name);
+  return model::machine_value(name) != nullptr;
 }
 
 bool are_in_SI(const TypedParameters& parameters) {

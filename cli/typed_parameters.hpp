@@ -1,30 +1,25 @@
 // Parameters as the user types them, on the command line or in a file.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "model/machine_values.hpp"
+
 namespace stickslip::cli {
 
 inline constexpr std::array parameter_names{"chi", "eta", "us", "V", "omega", "p", "phi", "ur"};
 
-// In kg, N/m, N, m/s, Hz and rad; friction_at_rest and friction_sliding are multiples of normal_force.
-inline constexpr std::array names_in_SI{"m1",
-                                        "m2",
-                                        "k1",
-                                        "k2",
-                                        "normal_force",
-                                        "friction_at_rest",
-                                        "friction_sliding",
-                                        "friction_force_at_rest",
-                                        "friction_force_sliding",
-                                        "belt_velocity",
-                                        "load_amplitude",
-                                        "load_frequency",
-                                        "load_phase"};
+// Of a machine in SI units; friction_at_rest and friction_sliding are multiples of normal_force.
+inline constexpr auto names_in_SI = [] {
+  std::array<const char *, model::machine_values.size()> names{};
+  std::ranges::transform(model::machine_values, names.begin(), &model::MachineValue::name);
+  return names;
+}();
 
 // Texts under the parameters' names.
 using TypedParameters = std::map<std::string, std::string>;

@@ -106,31 +106,26 @@ const Paper& paper_for(const std::string& example) {
   return example.empty() ? none : proofs::pascal2012::paper();
 }
 
-// What every question about a machine is given: texts, as they would be typed.
-struct Given {
-  TypedParameters parameters;
-  std::string example;
-  cli::GivenFile machine;  // in SI units
-  std::string units;
-};
+// What every question about a machine is given.
+using Given = cli::GivenMachine;
 
 Given given(TypedParameters parameters, std::string example, const std::string& machine,
-            std::optional<TypedParameters> values, std::string units) {
-  Given all{std::move(parameters), std::move(example), machine, std::move(units)};
-  all.machine.values = std::move(values);
+            std::optional<TypedParameters> values, const std::string& units) {
+  Given all{std::move(parameters), machine, std::move(example), !units.empty() && cli::is_si(units)};
+  all.file.values = std::move(values);
   return all;
 }
 
 template <class Options>
 Options options_of(const Given& g) {
   Options o;
-  o.parameters = g.parameters;
-  o.file = g.machine;
-  o.example = g.example;
-  if constexpr (requires { o.units; }) {
-    o.units = g.units;
-  }
+  static_cast<Given&>(o) = g;
   return o;
+}
+
+// A state that may not be given.
+std::optional<cli::State> state_of(const char * name, const std::optional<std::string>& text) {
+  return text ? std::optional(cli::state(name, *text)) : std::nullopt;
 }
 
 // The values of a machine in SI units, as they stand in its file.
@@ -173,8 +168,7 @@ std::vector<std::string> left_out(const Told<Answer>& t) {
   return t.file.left_out;
 }
 
-Told<OrbitList> orbits(const Given& g, const std::string& family, const std::string& digits,
-                       const Conduct& conduct) {
+Told<OrbitList> orbits(const Given& g, const std::string& family, int digits, const Conduct& conduct) {
   return carried_out(
       conduct,
       [&] {
@@ -183,7 +177,7 @@ Told<OrbitList> orbits(const Given& g, const std::string& family, const std::str
         o.digits = digits;
         return answered(cli::asked_orbits(o, paper_for(g.example)), list_orbits);
       },
-      g.machine);
+      g.file);
 }
 
 // Of a list all but its orbits.
@@ -245,8 +239,8 @@ std::string conditions(const Told<OrbitList>& t, std::size_t number) {
   return json.dump();
 }
 
-Told<attractors::WordOrbits> word_orbits(const Given& g, const std::string& word, const std::string& period,
-                                         const std::optional<std::string>& near, const std::string& digits,
+Told<attractors::WordOrbits> word_orbits(const Given& g, const std::string& word, std::optional<int> period,
+                                         const std::optional<std::string>& near, int digits,
                                          const Conduct& conduct) {
   return carried_out(
       conduct,
@@ -254,33 +248,31 @@ Told<attractors::WordOrbits> word_orbits(const Given& g, const std::string& word
         auto o = options_of<cli::OrbitsOptions>(g);
         o.family = word;
         o.period = period;
-        o.near = near.value_or("");
-        o.with_near = near.has_value();
+        o.near = state_of("near", near);
         o.digits = digits;
         return answered(cli::asked_word(o, paper_for(g.example)), attractors::find_word_orbits);
       },
-      g.machine);
+      g.file);
 }
 
 using report::orbits::PureWord;
 
-Told<PureWord> pure_word(const Given& g, const std::string& word, const std::string& period,
-                         const std::optional<std::string>& near, const std::string& digits,
-                         const Conduct& conduct) {
+Told<PureWord> pure_word(const Given& g, const std::string& word, std::optional<int> period,
+                         const std::optional<std::string>& near, int digits, const Conduct& conduct) {
   return carried_out(
       conduct,
       [&] {
         auto o = options_of<cli::OrbitsOptions>(g);
         o.family = word;
         o.period = period;
-        o.with_near = near.has_value();
+        o.near = state_of("near", near);
         o.digits = digits;
         return answered(cli::asked_pure_word(o, paper_for(g.example)),
                         [&](const words::WordQuestion& machine) {
                           return PureWord{machine, words::kind_of(word).value()};
                         });
       },
-      g.machine);
+      g.file);
 }
 
 std::string fields_of_pure_word(const Told<PureWord>& t) {
@@ -293,33 +285,37 @@ std::string fields_of_pure_word(const Told<PureWord>& t) {
 }
 
 Told<branches::BranchList> branch(const Given& g, const std::string& family,
-                                  const std::vector<std::string>& along, const std::string& at,
-                                  const std::string& period, const std::string& orbit,
-                                  const std::string& near, bool all, const Conduct& conduct) {
+                                  const std::vector<std::string>& along, const std::optional<std::string>& at,
+                                  std::optional<int> period, std::optional<int> orbit,
+                                  const std::optional<std::string>& near, bool all, const Conduct& conduct) {
   return carried_out(
       conduct,
       [&] {
         auto o = options_of<cli::BranchOptions>(g);
         o.family = family;
         o.along = along;
-        o.at = at;
+        if (at) {
+          o.at = cli::exact_number("at", *at);
+        }
         o.period = period;
         o.orbit = orbit;
-        o.near = near;
+        o.near = state_of("near", near);
         o.all = all;
         return answered(cli::asked_branch(o, paper_for(g.example)), branches::list_branches);
       },
-      g.machine);
+      g.file);
 }
 
-// How starts are followed, and which, and the values of a diagram; what is empty is as the program has it.
+// How starts are followed, and which, and the values of a diagram.
 struct Following {
-  std::string starts, seed, most_periods, digits, values, pixels, through;
+  std::optional<int> starts, seed, most_periods, digits, values, pixels;
+  std::optional<std::string> through;
 };
 
 template <class Ask, class Find>
 auto where_starts_end(const Given& g, const Following& how, const std::vector<std::string>& along,
-                      const std::string& plane, const Ask& ask, const Find& find, const Conduct& conduct) {
+                      const std::optional<std::string>& plane, const Ask& ask, const Find& find,
+                      const Conduct& conduct) {
   return carried_out(
       conduct,
       [&] {
@@ -330,21 +326,23 @@ auto where_starts_end(const Given& g, const Following& how, const std::vector<st
         o.digits = how.digits;
         o.values = how.values;
         o.pixels = how.pixels;
-        o.through = how.through;
+        o.through = state_of("through", how.through);
         o.along = along;
-        o.plane = plane;
+        if (plane) {
+          o.plane = cli::plane("plane", *plane);
+        }
         return answered(ask(o, paper_for(g.example)), find);
       },
-      g.machine);
+      g.file);
 }
 
 Told<attractors::AttractorList> find_attractors(const Given& g, const Following& how,
                                                 const Conduct& conduct) {
-  return where_starts_end(g, how, {}, "", cli::asked_attractors, attractors::find_attractors, conduct);
+  return where_starts_end(g, how, {}, {}, cli::asked_attractors, attractors::find_attractors, conduct);
 }
 
 Told<attractors::Diagram> diagram(const Given& g, const Following& how, const std::vector<std::string>& along,
-                                  const std::string& plane, const Conduct& conduct) {
+                                  const std::optional<std::string>& plane, const Conduct& conduct) {
   return where_starts_end(g, how, along, plane, cli::asked_diagram, attractors::diagram_of, conduct);
 }
 
@@ -383,18 +381,20 @@ struct Followed {
   std::vector<int> phases;
 };
 
-Told<Followed> simulate(const Given& g, const std::string& orbit, const std::string& state,
-                        const std::string& perturb, const std::string& periods, const std::string& every,
-                        bool settle, const Conduct& conduct) {
+Told<Followed> simulate(const Given& g, const std::string& orbit, const std::optional<std::string>& state,
+                        const std::optional<std::string>& perturb, const std::string& periods,
+                        const std::optional<std::string>& every, bool settle, const Conduct& conduct) {
   return carried_out(
       conduct,
       [&] {
         auto o = options_of<cli::SimulateOptions>(g);
         o.orbit = orbit;
-        o.state = state;
-        o.perturb = perturb;
-        o.periods = periods;
-        o.every = every;
+        o.state = state_of("state", state);
+        o.perturb = state_of("perturb", perturb);
+        o.periods = cli::positive("periods", periods);
+        if (every) {
+          o.every = cli::positive("every", *every);
+        }
         auto asked = cli::asked_motion(o, paper_for(g.example));
         if (!asked.question.from.leaves.empty()) {
           asked.file.left_out.push_back(asked.question.from.leaves);
@@ -417,7 +417,7 @@ Told<Followed> simulate(const Given& g, const std::string& orbit, const std::str
           return followed;
         });
       },
-      g.machine);
+      g.file);
 }
 
 Told<report::orbits::Simulated> simulation_of(const Told<Followed>& t) {
@@ -477,7 +477,7 @@ std::string latex(const std::string& name, bool in_frequencies, const Conduct& c
 // A theorem, an orbit or errata, and sentences for what was left out of the parameters.
 std::pair<std::string, std::vector<std::string>> latex_text(const Given& g, const std::string& theorem,
                                                             const std::string& orbit, bool errata,
-                                                            const std::string& digits,
+                                                            std::optional<int> digits,
                                                             const Conduct& conduct) {
   const cli::LatexText made = carried_out(
       conduct,
@@ -491,7 +491,7 @@ std::pair<std::string, std::vector<std::string>> latex_text(const Given& g, cons
           return proofs::methods::audit(claims, ids, [](const std::string&, std::size_t, std::size_t) {});
         });
       },
-      g.machine);
+      g.file);
   return {made.text, made.left_out};
 }
 
@@ -512,17 +512,14 @@ struct Atlas {
 };
 
 Atlas make_atlas(const Given& g, const std::string& family,
-                 const std::vector<std::pair<std::string, std::string>>& along, const std::string& resolution,
+                 const std::vector<std::pair<std::string, std::string>>& along, int resolution,
                  const Conduct& conduct) {
   using namespace numeric::atlas;
   return carried_out(
       conduct,
       [&] {
-        cli::AtlasOptions o;
+        auto o = options_of<cli::AtlasOptions>(g);
         o.family = family;
-        o.parameters = g.parameters;
-        o.file = g.machine;
-        o.example = g.example;
         o.along = along;
         o.resolution = resolution;
         const auto asked = cli::asked_atlas(o, paper_for(g.example));
@@ -535,7 +532,7 @@ Atlas make_atlas(const Given& g, const std::string& family,
         put_in_order(archive.question, archive.leaves);
         return Atlas{std::move(archive), asked.file.left_out};
       },
-      g.machine);
+      g.file);
 }
 
 Atlas read_atlas(const std::string& file, const Conduct& conduct) {
@@ -620,8 +617,8 @@ PYBIND11_MODULE(_core, m) {
       .def(py::init(&given), py::arg("parameters"), py::arg("example"), py::arg("machine"), py::arg("values"),
            py::arg("units"));
   py::class_<Following>(m, "Following")
-      .def(py::init<std::string, std::string, std::string, std::string, std::string, std::string,
-                    std::string>(),
+      .def(py::init<std::optional<int>, std::optional<int>, std::optional<int>, std::optional<int>,
+                    std::optional<int>, std::optional<int>, std::optional<std::string>>(),
            py::arg("starts"), py::arg("seed"), py::arg("most_periods"), py::arg("digits"), py::arg("values"),
            py::arg("pixels"), py::arg("through"));
   using Orbits = Told<numeric::OrbitList>;

@@ -87,18 +87,18 @@ def _whole(name: str, value: int, least: int, most: int) -> int:
     return int(value)
 
 
-def _number(name: str, value: Union[Exact, float, None]) -> str:
-    """As text; of what a proof does not need exactly, a float, too; nothing if there is none."""
-    if value is None:
-        return ""
+def _number(name: str, value: Union[Exact, float]) -> str:
+    """As text; of what a proof does not need exactly, a float, too."""
     return repr(value) if isinstance(value, float) else exact(name, value)
 
 
-def _count(name: str, value: Optional[int], most: int) -> str:
-    return "" if value is None else str(_whole(name, value, 1, most))
+def _count(name: str, value: Optional[int], most: int) -> Optional[int]:
+    return None if value is None else _whole(name, value, 1, most)
 
 
-def _state(name: str, state: Sequence[Union[Exact, float]]) -> str:
+def _state(name: str, state: Optional[Sequence[Union[Exact, float]]]) -> Optional[str]:
+    if state is None:
+        return None
     if len(state) != 4:
         raise UsageError(f"{name}: a state is four numbers x1, x2, x1', x2', not {len(state)}")
     return ",".join(_number(name, x) for x in state)
@@ -140,15 +140,14 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     """
     given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur), _data, example, machine, units)
     conduct = _conduct(jobs)
-    wanted = _count("digits", digits, 2000)
+    wanted = _whole("digits", digits, 1, 2000)
     if family in ("S", "O", "T"):
         return PureWord._from(_told(
-            _core.pure_word(given, family, "" if period == 1 else _count("period", period, 100000),
-                            None if near is None else _state("near", near), wanted, conduct)))
+            _core.pure_word(given, family, None if period == 1 else _count("period", period, 100000),
+                            _state("near", near), wanted, conduct)))
     if _is_word(family):
         return Orbits._later(_told(
-            _core.word_orbits(given, family, _count("period", period, 100000),
-                              None if near is None else _state("near", near), wanted, conduct)))
+            _core.word_orbits(given, family, _count("period", period, 100000), _state("near", near), wanted, conduct)))
     if near is not None or period != 1:
         raise UsageError(f"period and near are for words of phases, not for the family '{family}'")
     return Orbits._later(_told(_core.orbits(given, family, wanted, conduct)))
@@ -177,8 +176,9 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
     """
     given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
                    () if along else _data, example, machine, units)
-    which = (_range(along), _number("at", at), "" if period == 1 else _count("period", period, 100000),
-             _count("orbit", orbit, 10**6), "" if near is None else _state("near", near), bool(all))
+    which = (_range(along), None if at is None else _number("at", at),
+             None if period == 1 else _count("period", period, 100000), _count("orbit", orbit, 10**6),
+             _state("near", near), bool(all))
     return Branches._from(_told(_core.branch(given, family, *which, _conduct(jobs))))
 
 
@@ -209,7 +209,7 @@ def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None,
         return Atlas._from(_core.atlas(_os.fspath(what), _conduct(jobs)))
     given = _given(data, () if ranges else _data, example, machine)
     return Atlas._from(_told(_core.make_atlas(given, _os.fspath(what), [(name, ends) for name, ends in ranges],
-                                              _count("resolution", resolution, 60), _conduct(jobs))))
+                                              _whole("resolution", resolution, 1, 60), _conduct(jobs))))
 
 
 def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,
@@ -240,12 +240,12 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
     following = _core.Following(_count("starts", starts, 100000), _count("seed", seed, 10**9),
                                 _count("most_periods", most_periods, 10**9), _count("digits", digits, 2000),
                                 _count("values", values, 10000), _count("pixels", pixels, 1000),
-                                "" if through is None else _state("through", through))
+                                _state("through", through))
     conduct = _conduct(jobs)
-    across = "" if plane is None else ",".join(plane)
+    across = None if plane is None else ",".join(plane)
     if along is not None:
         return Diagram._from(_told(_core.diagram(given, following, _range(along), across, conduct)))
-    if plane is not None:
+    if across is not None:
         return Basins._from(_told(_core.basins(given, following, across, conduct)))
     return Attractors._from(_told(_core.attractors(given, following, conduct)))
 
@@ -278,9 +278,8 @@ def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Opti
     if state is not None and orbit is not None:
         raise UsageError("state and orbit do not go together")
     return Simulation._from(_told(
-        _core.simulate(given, orbit or "", "" if state is None else _state("state", state),
-                       "" if perturb is None else _state("perturb", perturb), _number("periods", periods),
-                       _number("every", every), bool(settle), _conduct(None))))
+        _core.simulate(given, orbit or "", _state("state", state), _state("perturb", perturb), _number("periods", periods),
+                       None if every is None else _number("every", every), bool(settle), _conduct(None))))
 
 
 def check(*ids: str, file: Union[str, "_os.PathLike[str]", None] = None, jobs: Optional[int] = None) -> Check:
