@@ -36,11 +36,11 @@ Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Paper& paper) {
         fmt::format("--period and --near are for words of phases, not for the family '{}'", o.family));
   }
   const Family& family = family_named(o.family);
-  ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::optional);
-  leave_results_out(file, family, o.parameters);
+  ParameterFile file = read_parameters(o, FrictionAtRest::optional);
+  leave_results_out(file, family);
   const int digits = digits_of(o.digits, file);
   Units units = units_of(o.si, file, o.json);
-  OrbitQuestion asked = question(paper, family, o.parameters, file.parameters, o.example, digits);
+  OrbitQuestion asked = question(paper, family, file, digits);
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
@@ -48,12 +48,12 @@ namespace {
 
 // The machine whose motions are asked for, its load cos(omega t).
 template <class Options>
-Asked<words::WordQuestion> asked_machine(const Options& o, const TypedParameters& typed, const Paper& paper) {
-  ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::needed);
+Asked<words::WordQuestion> asked_machine(const Options& o, const Paper& paper) {
+  ParameterFile file = read_parameters(o, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   const int digits = digits_of(o.digits, file);
   Units units = units_of(o.si, file, o.json);
-  words::WordQuestion asked = machine(paper, typed, file.parameters, o.example, digits);
+  words::WordQuestion asked = machine(paper, file, digits);
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
@@ -65,20 +65,20 @@ Asked<words::WordQuestion> asked_pure_word(const OrbitsOptions& o, const Paper& 
         "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
         o.family));
   }
-  Asked<words::WordQuestion> asked = asked_machine(o, o.parameters, paper);
+  Asked<words::WordQuestion> asked = asked_machine(o, paper);
   words::require_machine_domain(asked.question);
   return asked;
 }
 
 Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
-  TypedParameters typed = o.parameters;
-  const auto phase = typed.extract("phi");
+  OrbitsOptions of_machine = o;
+  const auto phase = of_machine.parameters.extract("phi");
   if (phase && !o.near) {
     throw UsageError(
         "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
   }
-  Asked<words::WordQuestion> given = asked_machine(o, typed, paper);
+  Asked<words::WordQuestion> given = asked_machine(of_machine, paper);
   const words::WordQuestion& q = given.question;
   WordSearch search{q, word, o.period.value_or(1), {}};
   if (o.near) {
@@ -98,8 +98,11 @@ Along along_of(TypedParameters typed) {
 
 // The file, of a machine in SI units as it is at the value that `at` says or in the middle. Ranges in it are
 // as if they were typed.
-ParameterFile file_of(const BranchOptions& o, TypedParameters& typed, FrictionAtRest at_rest) {
-  ParameterFile file = read_parameters(o.file, typed, o.example, at_rest, [&](TypedParameters machine) {
+ParameterFile file_of(const BranchOptions& o, FrictionAtRest at_rest) {
+  GivenMachine given = o;
+  given.parameters = with_along(o.parameters, o.along);
+  TypedParameters typed = given.parameters;
+  ParameterFile file = read_parameters(given, at_rest, [&](TypedParameters machine) {
     for (const auto& [name, text] : machine) {
       if (typed.contains(name)) {
         continue;
@@ -122,6 +125,7 @@ ParameterFile file_of(const BranchOptions& o, TypedParameters& typed, FrictionAt
     }
     return is_range;
   });
+  file.typed = typed;
   const Along along = along_of(typed);
   (void)units_of(o.si, file, false);
   if (o.si && !is_in_SI(along.parameter)) {
@@ -156,24 +160,21 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper
                     "followed",
                     o.family));
   }
-  TypedParameters typed = with_along(o.parameters, o.along);
-  ParameterFile file = file_of(o, typed, FrictionAtRest::optional);
-  leave_results_out(file, family, typed);
-  BranchQuestion asked = branch_question(paper, family, typed, file.parameters, o.example, o.at);
+  ParameterFile file = file_of(o, FrictionAtRest::optional);
+  leave_results_out(file, family);
+  BranchQuestion asked = branch_question(paper, family, file, o.at);
   return along_machine(std::move(file), std::move(asked));
 }
 
 Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
-  TypedParameters typed = with_along(o.parameters, o.along);
-  ParameterFile file = file_of(o, typed, FrictionAtRest::needed);
+  ParameterFile file = file_of(o, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   Followed followed{o.all, o.orbit, {}};
   if (o.near) {
     followed.near = in_data(*o.near, units_of(o.si, file, false));
   }
-  BranchQuestion asked = word_branch_question(paper, word, o.period.value_or(1), typed, file.parameters,
-                                              o.example, o.at, followed);
+  BranchQuestion asked = word_branch_question(paper, word, o.period.value_or(1), file, o.at, followed);
   return along_machine(std::move(file), std::move(asked));
 }
 
@@ -213,11 +214,10 @@ void require_sense(const Attracted& o) {
 // The machine from which those of a diagram differ in a value, and those of a picture in their starts.
 Asked<AttractorQuestion> asked_machines(const Attracted& o, const Paper& paper) {
   require_sense(o);
-  ParameterFile file = read_parameters(o.file, o.parameters, o.example, FrictionAtRest::needed);
+  ParameterFile file = read_parameters(o, FrictionAtRest::needed);
   Units units = units_of(o.si, file, o.json);
-  AttractorQuestion asked = about(machine(paper, o.parameters, file.parameters, o.example,
-                                          o.digits.value_or(OrbitsOptions::default_digits)),
-                                  o, Attracted::default_starts_at_value);
+  AttractorQuestion asked = about(machine(paper, file, o.digits.value_or(OrbitsOptions::default_digits)), o,
+                                  Attracted::default_starts_at_value);
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
@@ -262,7 +262,7 @@ Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Paper& paper
       throw UsageError(fmt::format("{} is for --along and --plane", name));
     }
   }
-  Asked<words::WordQuestion> given = asked_machine(o, o.parameters, paper);
+  Asked<words::WordQuestion> given = asked_machine(o, paper);
   return {std::move(given.file), std::move(given.units), about(given.question, o, Attracted::default_starts)};
 }
 
@@ -316,24 +316,24 @@ Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
   }
   atlas::Question q;
   q.family = &family_named(o.family);
-  TypedParameters typed = o.parameters;
+  GivenMachine machine = o;
   for (const auto& [name, range] : o.along) {
-    typed = with_along(std::move(typed), {name, range});
+    machine.parameters = with_along(std::move(machine.parameters), {name, range});
   }
-  ParameterFile file = read_parameters(o.file, typed, o.example, FrictionAtRest::optional, in_the_middle);
+  ParameterFile file = read_parameters(machine, FrictionAtRest::optional, in_the_middle);
   (void)units_of(o.si, file, false);
-  leave_results_out(file, *q.family, typed);
-  TypedParameters given = given_parameters(paper, typed, file.parameters, o.example);
+  leave_results_out(file, *q.family);
+  TypedParameters given = given_parameters(paper, file);
   for (const auto& [name, why] :
        {std::pair("phi", q.family->why_no_phi), std::pair("ur", q.family->why_no_ur)}) {
-    if (typed.contains(name) && !why.empty()) {
+    if (file.typed.contains(name) && !why.empty()) {
       throw UsageError(why);
     }
     if (!why.empty()) {
       given.erase(name);  // the example's
     }
   }
-  if (atlas::takes_phi(*q.family) && typed.contains("ur")) {
+  if (atlas::takes_phi(*q.family) && file.typed.contains("ur")) {
     throw UsageError(fmt::format("ur: an atlas of {} orbits takes phi, and u_r is a result", q.family->name));
   }
   if (file.machine) {
@@ -367,8 +367,8 @@ double MotionAsked::period() const {
 }
 
 Asked<MotionAsked> asked_motion(const SimulateOptions& o, const Paper& paper) {
-  ParameterFile file = read_parameters(o.file, o.parameters, o.example,
-                                       o.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
+  ParameterFile file =
+      read_parameters(o, o.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
   Units units = units_of(o.si, file, o.json);
   MotionAsked asked{simulation_start(o, file, paper, units)};
   asked.periods = o.periods.value_or(SimulateOptions::default_periods);

@@ -113,9 +113,7 @@ std::function<std::string(const symbolic::objects::Object&)> values(
   if (!gives_parameters(options)) {
     return [](const symbolic::objects::Object&) { return std::string(); };
   }
-  const ParameterFile file =
-      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
-  const TypedParameters typed = given_parameters(paper, options.parameters, file.parameters, options.example);
+  const TypedParameters typed = given_parameters(paper, read_parameters(options, FrictionAtRest::optional));
   report::orbits::GivenParameters given;
   for (const auto& [name, text] : typed) {
     given[name] = exact_number(name, text);
@@ -203,10 +201,9 @@ std::string theorem(const proofs::methods::Paper& paper, const std::string& id, 
 
 LatexText orbit(const proofs::methods::Paper& paper, const LatexOptions& options) {
   const int digits = digits_of(options);
-  ParameterFile file =
-      read_parameters(options.file, options.parameters, options.example, FrictionAtRest::optional);
-  const NamedOrbit named = named_orbit(options.orbit, paper, options.parameters, file, options.example,
-                                       std::max(digits + 2, OrbitsOptions::default_digits));
+  ParameterFile file = read_parameters(options, FrictionAtRest::optional);
+  const NamedOrbit named =
+      named_orbit(options.orbit, paper, file, std::max(digits + 2, OrbitsOptions::default_digits));
   return {report::orbits::orbit_latex(named.list, named.index, digits), file.left_out};
 }
 

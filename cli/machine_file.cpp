@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/arguments.hpp"
 #include "cli/machine_tables.hpp"
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
@@ -139,24 +138,23 @@ MachineInSI machine_in_SI(const TypedParameters& parameters, const std::string& 
   return machine;
 }
 
-ParameterFile read_parameters(const GivenFile& given, const TypedParameters& options,
-                              const std::string& example, FrictionAtRest at_rest,
+ParameterFile read_parameters(const GivenMachine& given, FrictionAtRest at_rest,
                               const std::function<TypedParameters(const TypedParameters&)>& one_of) {
-  const std::string& file = given.name;
-  TypedParameters parameters = contents_of(given);
-  if (!given.values && !are_in_SI(parameters)) {
-    for (const auto& [name, text] : options) {
+  const std::string& file = given.file.name;
+  TypedParameters parameters = contents_of(given.file);
+  if (!given.file.values && !are_in_SI(parameters)) {
+    for (const auto& [name, text] : given.parameters) {
       if (is_in_SI(name)) {
         throw UsageError(
             fmt::format("{} is a value of a machine in SI units: give its file by --params", name));
       }
     }
-    return {file, parameters, std::nullopt, {}, 0, {}};
+    return {given.parameters, given.example, file, parameters, std::nullopt, {}, 0, {}};
   }
-  if (!example.empty()) {
+  if (!given.example.empty()) {
     throw UsageError(fmt::format("--example does not go with the machine of {}: both give all data", file));
   }
-  for (const auto& [name, text] : options) {
+  for (const auto& [name, text] : given.parameters) {
     if (is_in_SI(name)) {
       parameters[name] = text;
     } else if (name != "phi") {
@@ -173,7 +171,7 @@ ParameterFile read_parameters(const GivenFile& given, const TypedParameters& opt
   if (taken.ur) {
     dimensionless["ur"] = to_string(*taken.ur);
   }
-  return {file, dimensionless, taken, parameters, deserved_digits(one), {}};
+  return {given.parameters, given.example, file, dimensionless, taken, parameters, deserved_digits(one), {}};
 }
 
 int digits_of(std::optional<int> asked, ParameterFile& file) {
@@ -231,7 +229,7 @@ void leave_out(ParameterFile& file, const std::string& parameter, const std::str
                                       file.machine ? "the friction at rest" : parameter, why));
 }
 
-void leave_results_out(ParameterFile& file, const numeric::Family& family, const TypedParameters& typed) {
+void leave_results_out(ParameterFile& file, const numeric::Family& family) {
   if (!family.why_no_phi.empty()) {
     leave_out(file, "phi", family.why_no_phi);
   }
@@ -241,11 +239,11 @@ void leave_results_out(ParameterFile& file, const numeric::Family& family, const
   if (family.why_one_of_phi_ur.empty()) {
     return;
   }
-  const bool by_phi = typed.contains("phi");
-  if (by_phi && !typed.contains("ur")) {
+  const bool by_phi = file.typed.contains("phi");
+  if (by_phi && !file.typed.contains("ur")) {
     leave_out(file, "ur", "with --phi it is a result");
   }
-  if (!by_phi && (typed.contains("ur") || file.parameters.contains("ur"))) {
+  if (!by_phi && (file.typed.contains("ur") || file.parameters.contains("ur"))) {
     leave_out(file, "phi", "with ur it is a result");
   }
 }

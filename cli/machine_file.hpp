@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/numbers.hpp"
-#include "cli/typed_parameters.hpp"
+#include "cli/arguments.hpp"
 #include "numeric/machine_along.hpp"
 #include "numeric/orbits.hpp"
 #include "report/orbits/machine.hpp"
@@ -15,8 +14,11 @@
 
 namespace stickslip::cli {
 
+// What is given: in the file, and beside it.
 struct ParameterFile {
-  std::string name;                           // empty if there is none
+  TypedParameters typed;                      // these go before the file, which goes before the example's
+  std::string example;                        // of the paper; empty if there is none
+  std::string name;                           // of the file, likewise
   TypedParameters parameters;                 // dimensionless, without phi for a machine
   std::optional<numeric::DataTaken> machine;  // in SI units
   TypedParameters in_SI;                      // of the machine, as they stand in the file
@@ -39,7 +41,7 @@ enum class FrictionAtRest { needed, optional };
 // file; no other option but phi goes with one, and no example. Throws as contents_of and machine_in_SI do.
 // `one_of`: a machine among those that the values of one in SI units stand for; by default these are numbers.
 [[nodiscard]] ParameterFile read_parameters(
-    const GivenFile& file, const TypedParameters& options, const std::string& example, FrictionAtRest at_rest,
+    const GivenMachine& given, FrictionAtRest at_rest,
     const std::function<TypedParameters(const TypedParameters&)>& one_of = std::identity());
 
 // The machine of the file, with the friction at rest if that is not left out, where one of its values varies:
@@ -60,8 +62,8 @@ enum class FrictionAtRest { needed, optional };
 // Leaves out what is a result of the question, if it is in the file: one file serves every question about its
 // machine. Throws UsageError for what is no number.
 void leave_out(ParameterFile& file, const std::string& parameter, const std::string& why);
-// The same for phi and ur where they are results of this family; `typed` goes before the file.
-void leave_results_out(ParameterFile& file, const numeric::Family& family, const TypedParameters& typed);
+// The same for phi and ur where they are results of this family.
+void leave_results_out(ParameterFile& file, const numeric::Family& family);
 
 // What goes into the JSON of a report as "machine": nothing for dimensionless parameters.
 [[nodiscard]] report::tools::Json with_machine(report::tools::Json json, const ParameterFile& file);

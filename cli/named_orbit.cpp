@@ -11,8 +11,7 @@ namespace stickslip::cli {
 
 using namespace numeric;
 
-NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& paper,
-                       const TypedParameters& typed, ParameterFile& file, const std::string& example,
+NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& paper, ParameterFile& file,
                        int digits) {
   const std::size_t colon = name.find(':');
   if (colon == std::string::npos || colon + 1 == name.size()) {
@@ -22,8 +21,8 @@ NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& pa
   const Family& family = family_named(name.substr(0, colon));
   const auto number =
       static_cast<std::size_t>(whole_number("orbit", name.substr(colon + 1), OrbitsOptions::most_orbits));
-  leave_results_out(file, family, typed);
-  const OrbitQuestion asked = question(paper, family, typed, file.parameters, example, digits);
+  leave_results_out(file, family);
+  const OrbitQuestion asked = question(paper, family, file, digits);
   if (asks_for_box(asked)) {
     throw UsageError(fmt::format("the orbit {} needs numbers, but a parameter is an interval", name));
   }

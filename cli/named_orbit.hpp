@@ -17,12 +17,10 @@ struct NamedOrbit {
   [[nodiscard]] const numeric::Orbit& orbit() const { return list.orbits[index]; }
 };
 
-// Orbit K, from 1, of those that `stickslip orbits FAMILY` lists at the parameters: what is typed goes before
-// what the file says, out of which the family's results are left, and that before the example's data.
-// Searches for the orbits. Throws UsageError for what is no such name, for a missing parameter, for an
-// interval and for an orbit that there is not, DomainError as list_orbits does.
+// Orbit K, from 1, of those that `stickslip orbits FAMILY` lists at the parameters, of which the family's
+// results are left out. Searches for the orbits. Throws UsageError for what is no such name, for a missing
+// parameter, for an interval and for an orbit that there is not, DomainError as list_orbits does.
 [[nodiscard]] NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& paper,
-                                     const TypedParameters& typed, ParameterFile& file,
-                                     const std::string& example, int digits);
+                                     ParameterFile& file, int digits);
 
 }  // namespace stickslip::cli

@@ -18,7 +18,8 @@ namespace stickslip::cli {
 
 using namespace numeric;
 using namespace numeric::motion;
-using namespace proofs::methods;
+using proofs::methods::Example;
+using proofs::methods::Paper;
 
 namespace {
 
@@ -86,26 +87,24 @@ void require_given(const TypedParameters& parameters, const std::vector<std::str
   }
 }
 
-TypedParameters given_parameters(const Paper& paper, const TypedParameters& typed,
-                                 const TypedParameters& from_file, const std::string& example) {
+TypedParameters given_parameters(const Paper& paper, const ParameterFile& file) {
   TypedParameters all;
-  if (!example.empty()) {
-    const Example& known = example_named(paper.examples, example);
+  if (!file.example.empty()) {
+    const Example& known = example_named(paper.examples, file.example);
     all = parameters_of(known, *known.family);
   }
-  replace(all, from_file);
-  replace(all, typed);
+  replace(all, file.parameters);
+  replace(all, file.typed);
   return all;
 }
 
-OrbitQuestion question(const Paper& paper, const Family& family, const TypedParameters& typed,
-                       const TypedParameters& from_file, const std::string& example, int digits) {
+OrbitQuestion question(const Paper& paper, const Family& family, const ParameterFile& file, int digits) {
   TypedParameters all;
-  if (!example.empty()) {
-    all = parameters_of(example_named(paper.examples, example), family);
+  if (!file.example.empty()) {
+    all = parameters_of(example_named(paper.examples, file.example), family);
   }
-  replace(all, from_file);
-  replace(all, typed);
+  replace(all, file.parameters);
+  replace(all, file.typed);
   require_data(all, family);
   return {&family, model::data_by_name([&](const char * name) { return parse_range(name, all.at(name)); }),
           optional_range(all, "phi"), optional_range(all, "ur"), digits};
@@ -153,12 +152,11 @@ Rational value_at(const Along& along, const std::optional<Rational>& at) {
   return at.value_or(Rational((along.from + along.to) / 2));
 }
 
-branches::BranchQuestion branch_question(const Paper& paper, const Family& family, TypedParameters typed,
-                                         const TypedParameters& from_file, const std::string& example,
+branches::BranchQuestion branch_question(const Paper& paper, const Family& family, ParameterFile file,
                                          const std::optional<Rational>& at) {
   branches::BranchQuestion asked;
-  const Along along = along_interval(typed);
-  asked.orbits = question(paper, family, typed, from_file, example, OrbitsOptions::default_digits);
+  const Along along = along_interval(file.typed);
+  asked.orbits = question(paper, family, file, OrbitsOptions::default_digits);
   asked.parameter = along.parameter;
   asked.from = along.from;
   asked.to = along.to;
@@ -167,13 +165,12 @@ branches::BranchQuestion branch_question(const Paper& paper, const Family& famil
 }
 
 branches::BranchQuestion word_branch_question(const Paper& paper, const words::Word& word, int periods,
-                                              TypedParameters typed, const TypedParameters& from_file,
-                                              const std::string& example, const std::optional<Rational>& at,
+                                              ParameterFile file, const std::optional<Rational>& at,
                                               const Followed& followed) {
-  const Along along = along_interval(typed);
+  const Along along = along_interval(file.typed);
   const Rational value = value_at(along, at);
-  typed[along.parameter] = to_string(value);
-  const words::WordQuestion there = machine(paper, typed, from_file, example, OrbitsOptions::default_digits);
+  file.typed[along.parameter] = to_string(value);
+  const words::WordQuestion there = machine(paper, file, OrbitsOptions::default_digits);
   const bool all = followed.all || followed.orbit;
   std::vector<words::WordOrbit> known =
       attractors::find_word_orbits({there, word, periods, followed.near, all}).orbits;
@@ -200,19 +197,18 @@ branches::BranchQuestion word_branch_question(const Paper& paper, const words::W
   return asked;
 }
 
-words::WordQuestion machine(const Paper& paper, const TypedParameters& typed,
-                            const TypedParameters& from_file, const std::string& example, int digits) {
+words::WordQuestion machine(const Paper& paper, const ParameterFile& file, int digits) {
   constexpr int digits_of_ur = 17;
-  TypedParameters given = from_file;
-  replace(given, typed);
+  TypedParameters given = file.parameters;
+  replace(given, file.typed);
   if (given.contains("phi")) {
     throw UsageError(
         "phi is not given for a machine: its load is cos(omega t), and where in it an orbit begins is a "
         "result");
   }
   TypedParameters all;
-  if (!example.empty()) {
-    const Example& known = example_named(paper.examples, example);
+  if (!file.example.empty()) {
+    const Example& known = example_named(paper.examples, file.example);
     all = parameters_of(known, *known.family);
     if (!all.contains("ur") && !given.contains("ur")) {
       all["ur"] = to_text(printed_orbit(known).ur(), digits_of_ur).mid;

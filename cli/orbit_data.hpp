@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "cli/arguments.hpp"
-#include "cli/typed_parameters.hpp"
+#include "cli/machine_file.hpp"
 #include "numeric/branches/branches.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/words/word_orbit.hpp"
@@ -15,19 +14,15 @@ namespace stickslip::cli {
 // Throws UsageError naming all of the names that are not among the parameters.
 void require_given(const TypedParameters& parameters, const std::vector<std::string>& names);
 
-// What is typed, in the file and of the example, none of which need be all that a question needs; `typed`
-// replaces what the file says, which replaces the data of the example. Throws UsageError for an unknown
-// example.
+// What is typed, in the file and of the example, none of which need be all that a question needs. Throws
+// UsageError for an unknown example.
 [[nodiscard]] TypedParameters given_parameters(const proofs::methods::Paper& paper,
-                                               const TypedParameters& typed, const TypedParameters& from_file,
-                                               const std::string& example);
+                                               const ParameterFile& file);
 
-// The question about the family. `typed` replaces what the file says, which replaces the data of the example;
-// the file's parameters and the example may be empty. The example's phi or ur counts only for its own family
-// and when neither is given otherwise. Throws UsageError for a missing or malformed parameter.
+// The question about the family. The example's phi or ur counts only for its own family and when neither is
+// given otherwise. Throws UsageError for a missing or malformed parameter.
 [[nodiscard]] numeric::OrbitQuestion question(const proofs::methods::Paper& paper,
-                                              const numeric::Family& family, const TypedParameters& typed,
-                                              const TypedParameters& from_file, const std::string& example,
+                                              const numeric::Family& family, const ParameterFile& file,
                                               int digits);
 
 // The parameter that a branch is along.
@@ -50,9 +45,10 @@ struct Along {
 // The question about the family's orbits over the one parameter that is typed as an interval "A..B": all of
 // them, or the branches of the orbits at the value `at` if there is one. Throws likewise, and when none
 // or several of the parameters are intervals.
-[[nodiscard]] numeric::branches::BranchQuestion branch_question(
-    const proofs::methods::Paper& paper, const numeric::Family& family, TypedParameters typed,
-    const TypedParameters& from_file, const std::string& example, const std::optional<Rational>& at);
+[[nodiscard]] numeric::branches::BranchQuestion branch_question(const proofs::methods::Paper& paper,
+                                                                const numeric::Family& family,
+                                                                ParameterFile file,
+                                                                const std::optional<Rational>& at);
 
 // Which orbits of a word are followed: the admissible ones that are found, of words of four phases and more
 // by simulation alone; or all that `stickslip orbits WORD` lists, the K-th of these, or the one near a state.
@@ -64,17 +60,16 @@ struct Followed {
 
 // The same about the orbits through a word, over so many periods of the load, that are found at the value
 // `at`, or in the middle of the interval.
-[[nodiscard]] numeric::branches::BranchQuestion word_branch_question(
-    const proofs::methods::Paper& paper, const numeric::words::Word& word, int periods, TypedParameters typed,
-    const TypedParameters& from_file, const std::string& example, const std::optional<Rational>& at,
-    const Followed& followed = {});
+[[nodiscard]] numeric::branches::BranchQuestion word_branch_question(const proofs::methods::Paper& paper,
+                                                                     const numeric::words::Word& word,
+                                                                     int periods, ParameterFile file,
+                                                                     const std::optional<Rational>& at,
+                                                                     const Followed& followed = {});
 
 // The machine whose motions are asked for: the same, with ur in any case, that of the example's own orbit to
 // 17 digits when none is given, and without phi, for the load is cos(omega t). Throws likewise, also for
 // intervals.
 [[nodiscard]] numeric::words::WordQuestion machine(const proofs::methods::Paper& paper,
-                                                   const TypedParameters& typed,
-                                                   const TypedParameters& from_file,
-                                                   const std::string& example, int digits);
+                                                   const ParameterFile& file, int digits);
 
 }  // namespace stickslip::cli

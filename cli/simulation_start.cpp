@@ -48,8 +48,7 @@ Start start_of_orbit(const Orbit& orbit) {
 }
 
 SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, const Paper& paper) {
-  const NamedOrbit named = named_orbit(options.orbit, paper, options.parameters, file, options.example,
-                                       OrbitsOptions::default_digits);
+  const NamedOrbit named = named_orbit(options.orbit, paper, file, OrbitsOptions::default_digits);
   const OrbitQuestion& asked = named.list.question;
   const Orbit& orbit = named.orbit();
   if (!asked.ur && !families::has_stick(*asked.family)) {
@@ -101,8 +100,11 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
   if (options.state) {
     start.X = in_data(*options.state, units);
   }
-  typed.erase("phi");
-  return {start, machine(paper, typed, {}, options.example, OrbitsOptions::default_digits)};
+  ParameterFile of_machine;
+  of_machine.example = options.example;
+  of_machine.typed = typed;
+  of_machine.typed.erase("phi");
+  return {start, machine(paper, of_machine, OrbitsOptions::default_digits)};
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "model/parameters.hpp"
 
@@ -16,6 +18,15 @@ inline constexpr std::array<std::pair<const char *, S Parameters<S>::*>, 6> name
      {"V", &Parameters<S>::V},
      {"omega", &Parameters<S>::omega},
      {"p", &Parameters<S>::p}}};
+
+template <class S>
+[[nodiscard]] std::vector<std::pair<std::string, S>> with_names(const Parameters<S>& data) {
+  std::vector<std::pair<std::string, S>> named;
+  for (const auto& [name, member] : named_data<S>) {
+    named.emplace_back(name, data.*member);
+  }
+  return named;
+}
 
 // Each made from its name.
 template <class Make>

@@ -152,14 +152,18 @@ std::string json(const Told<Answer>& t) {
   return cli::with_machine(report::orbits::to_json(t.answer), t.file).dump();
 }
 
-// The same in the units in which it is told.
-template <class Answer>
-std::string fields(const Told<Answer>& t) {
-  report::tools::Json json = report::orbits::to_json(in_units(t.answer, t.units));
-  if (t.units.are_SI()) {
+// What is in the units, which it says if they are SI.
+std::string in_these(report::tools::Json json, const report::orbits::Units& units) {
+  if (units.are_SI()) {
     json["units"] = "si";
   }
   return json.dump();
+}
+
+// The same in the units in which it is told.
+template <class Answer>
+std::string fields(const Told<Answer>& t) {
+  return in_these(report::orbits::to_json(in_units(t.answer, t.units)), t.units);
 }
 
 // Sentences for what was not taken of a machine, and for what else was noticed.
@@ -183,12 +187,9 @@ Told<OrbitList> orbits(const Given& g, const std::string& family, int digits, co
 // Of a list all but its orbits.
 std::string without_orbits(const Told<OrbitList>& t) {
   const OrbitList& list = t.answer;
-  report::tools::Json json = report::orbits::to_json(
-      OrbitList{list.question, {}, list.unresolved, list.remarks, list.cells, list.open_at_middle});
-  if (t.units.are_SI()) {
-    json["units"] = "si";
-  }
-  return json.dump();
+  return in_these(report::orbits::to_json(OrbitList{
+                      list.question, {}, list.unresolved, list.remarks, list.cells, list.open_at_middle}),
+                  t.units);
 }
 
 // A ball of an orbit, of which decimals are made when they are asked for: as many as are worth it.
@@ -277,11 +278,7 @@ Told<PureWord> pure_word(const Given& g, const std::string& word, std::optional<
 
 std::string fields_of_pure_word(const Told<PureWord>& t) {
   const WorkingPrecision precision(bits_for(t.answer.machine.digits));
-  report::tools::Json json = report::orbits::to_json(t.answer, t.units);
-  if (t.units.are_SI()) {
-    json["units"] = "si";
-  }
-  return json.dump();
+  return in_these(report::orbits::to_json(t.answer, t.units), t.units);
 }
 
 Told<branches::BranchList> branch(const Given& g, const std::string& family,
@@ -596,6 +593,12 @@ std::string gnuplot(const std::string& script) {
   return report::tools::gnuplot(script);
 }
 
+// A result as a class of Python.
+template <class Answer>
+py::class_<Told<Answer>> told(py::module_& m, const char * name) {
+  return py::class_<Told<Answer>>(m, name).def("json", &json<Answer>).def("left_out", &left_out<Answer>);
+}
+
 }  // namespace
 }  // namespace stickslip::python
 
@@ -610,52 +613,30 @@ PYBIND11_MODULE(_core, m) {
   py::register_exception<InputOutputError>(m, "InputOutputError", with(PyExc_OSError));
   py::register_exception<InternalError>(m, "InternalError", with(PyExc_RuntimeError));
 
-  py::class_<Conduct>(m, "Conduct")
-      .def(py::init<std::optional<std::size_t>, bool>(), py::arg("jobs"), py::arg("in_main_thread"));
+  py::class_<Conduct>(m, "Conduct").def(py::init<std::optional<std::size_t>, bool>());
   py::class_<Enclosure>(m, "Ball").def("decimals", &decimals);
-  py::class_<Given>(m, "Given")
-      .def(py::init(&given), py::arg("parameters"), py::arg("example"), py::arg("machine"), py::arg("values"),
-           py::arg("units"));
+  py::class_<Given>(m, "Given").def(py::init(&given));
   py::class_<Following>(m, "Following")
       .def(py::init<std::optional<int>, std::optional<int>, std::optional<int>, std::optional<int>,
-                    std::optional<int>, std::optional<int>, std::optional<std::string>>(),
-           py::arg("starts"), py::arg("seed"), py::arg("most_periods"), py::arg("digits"), py::arg("values"),
-           py::arg("pixels"), py::arg("through"));
-  using Orbits = Told<numeric::OrbitList>;
-  py::class_<Orbits>(m, "OrbitList")
-      .def("json", &json<numeric::OrbitList>)
-      .def("left_out", &left_out<numeric::OrbitList>)
+                    std::optional<int>, std::optional<int>, std::optional<std::string>>());
+  told<numeric::OrbitList>(m, "OrbitList")
       .def("without_orbits", &without_orbits)
-      .def("__len__", [](const Orbits& t) { return t.answer.orbits.size(); })
-      .def("orbit", &orbit, py::arg("number"))
-      .def("conditions", &conditions, py::arg("number"))
+      .def("__len__", [](const Told<numeric::OrbitList>& t) { return t.answer.orbits.size(); })
+      .def("orbit", &orbit)
+      .def("conditions", &conditions)
       .def("script", &script_of_orbits);
-  py::class_<Told<numeric::attractors::WordOrbits>>(m, "WordOrbits")
-      .def("json", &json<numeric::attractors::WordOrbits>)
-      .def("fields", &fields<numeric::attractors::WordOrbits>)
-      .def("left_out", &left_out<numeric::attractors::WordOrbits>);
-  py::class_<Told<PureWord>>(m, "PureWord")
-      .def("json", &json<PureWord>)
-      .def("fields", &fields_of_pure_word)
-      .def("left_out", &left_out<PureWord>);
-  py::class_<Told<numeric::branches::BranchList>>(m, "BranchList")
-      .def("json", &json<numeric::branches::BranchList>)
-      .def("left_out", &left_out<numeric::branches::BranchList>)
-      .def("script", &script_of_branches);
-  py::class_<Told<numeric::attractors::AttractorList>>(m, "AttractorList")
-      .def("json", &json<numeric::attractors::AttractorList>)
-      .def("fields", &fields<numeric::attractors::AttractorList>)
-      .def("left_out", &left_out<numeric::attractors::AttractorList>);
-  py::class_<Told<numeric::attractors::Diagram>>(m, "Diagram")
-      .def("json", &json<numeric::attractors::Diagram>)
+  told<numeric::attractors::WordOrbits>(m, "WordOrbits")
+      .def("fields", &fields<numeric::attractors::WordOrbits>);
+  told<PureWord>(m, "PureWord").def("fields", &fields_of_pure_word);
+  told<numeric::branches::BranchList>(m, "BranchList").def("script", &script_of_branches);
+  told<numeric::attractors::AttractorList>(m, "AttractorList")
+      .def("fields", &fields<numeric::attractors::AttractorList>);
+  told<numeric::attractors::Diagram>(m, "Diagram")
       .def("fields", &fields<numeric::attractors::Diagram>)
-      .def("left_out", &left_out<numeric::attractors::Diagram>)
       .def("staying", &staying)
       .def("script", &script<numeric::attractors::Diagram>);
-  py::class_<Told<numeric::attractors::Basins>>(m, "Basins")
-      .def("json", &json<numeric::attractors::Basins>)
+  told<numeric::attractors::Basins>(m, "Basins")
       .def("fields", &fields<numeric::attractors::Basins>)
-      .def("left_out", &left_out<numeric::attractors::Basins>)
       .def("starts", &starts)
       .def("script", &script<numeric::attractors::Basins>);
   using Motion = Told<Followed>;
@@ -670,36 +651,26 @@ PYBIND11_MODULE(_core, m) {
       .def("left_out", [](const Atlas& a) { return a.left_out; })
       .def("script", &script_of)
       .def("columns", &columns)
-      .def("box", &box, py::arg("number"));
-  m.def("orbits", &orbits, py::arg("given"), py::arg("family"), py::arg("digits"), py::arg("conduct"));
-  m.def("word_orbits", &word_orbits, py::arg("given"), py::arg("word"), py::arg("period"), py::arg("near"),
-        py::arg("digits"), py::arg("conduct"));
-  m.def("pure_word", &pure_word, py::arg("given"), py::arg("word"), py::arg("period"), py::arg("near"),
-        py::arg("digits"), py::arg("conduct"));
-  m.def("branch", &branch, py::arg("given"), py::arg("family"), py::arg("along"), py::arg("at"),
-        py::arg("period"), py::arg("orbit"), py::arg("near"), py::arg("all"), py::arg("conduct"));
-  m.def("atlas", &read_atlas, py::arg("file"), py::arg("conduct"));
-  m.def("make_atlas", &make_atlas, py::arg("given"), py::arg("family"), py::arg("along"),
-        py::arg("resolution"), py::arg("conduct"));
-  m.def("attractors", &find_attractors, py::arg("given"), py::arg("following"), py::arg("conduct"));
-  m.def("diagram", &diagram, py::arg("given"), py::arg("following"), py::arg("along"), py::arg("plane"),
-        py::arg("conduct"));
-  m.def("basins", &basins, py::arg("given"), py::arg("following"), py::arg("plane"), py::arg("conduct"));
-  m.def("simulate", &simulate, py::arg("given"), py::arg("orbit"), py::arg("state"), py::arg("perturb"),
-        py::arg("periods"), py::arg("every"), py::arg("settle"), py::arg("conduct"));
-  m.def("machine_values", &machine_values, py::arg("file"));
-  m.def("check", &check, py::arg("words"), py::arg("file"), py::arg("conduct"));
-  m.def(
-      "prove",
-      [](const std::string& statement, const std::vector<std::string>& assumptions,
-         const std::vector<std::string>& symbols, const Conduct& conduct) {
-        return prove({statement, assumptions, symbols}, conduct);
-      },
-      py::arg("statement"), py::arg("assumptions"), py::arg("symbols"), py::arg("conduct"));
-  m.def("latex", &latex, py::arg("name"), py::arg("in_frequencies"), py::arg("conduct"));
-  m.def("latex_text", &latex_text, py::arg("given"), py::arg("theorem"), py::arg("orbit"), py::arg("errata"),
-        py::arg("digits"), py::arg("conduct"));
-  m.def("gnuplot", &gnuplot, py::arg("script"));
+      .def("box", &box);
+  m.def("orbits", &orbits);
+  m.def("word_orbits", &word_orbits);
+  m.def("pure_word", &pure_word);
+  m.def("branch", &branch);
+  m.def("atlas", &read_atlas);
+  m.def("make_atlas", &make_atlas);
+  m.def("attractors", &find_attractors);
+  m.def("diagram", &diagram);
+  m.def("basins", &basins);
+  m.def("simulate", &simulate);
+  m.def("machine_values", &machine_values);
+  m.def("check", &check);
+  m.def("prove", [](const std::string& statement, const std::vector<std::string>& assumptions,
+                    const std::vector<std::string>& symbols, const Conduct& conduct) {
+    return prove({statement, assumptions, symbols}, conduct);
+  });
+  m.def("latex", &latex);
+  m.def("latex_text", &latex_text);
+  m.def("gnuplot", &gnuplot);
   m.def("expressions", &expressions);
   m.def("version", [] { return report::tools::program_version(); });
 }

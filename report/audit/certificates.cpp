@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-#include "core/error.hpp"
 #include "proofs/certificates/prelude.hpp"
 #include "proofs/certificates/statement_files.hpp"
 #include "report/audit/coq_output.hpp"
@@ -18,19 +18,8 @@ using tools::Json;
 namespace fs = std::filesystem;
 
 std::string to_string(Certified::State state) {
-  switch (state) {
-    case Certified::State::unknown:
-      return "unknown";
-    case Certified::State::certified:
-      return "certified";
-    case Certified::State::stale:
-      return "stale";
-    case Certified::State::refused:
-      return "refused";
-    case Certified::State::none:
-      return "none";
-  }
-  throw InternalError("a state of a certificate has no name");
+  constexpr std::array names{"unknown", "certified", "stale", "refused", "none"};
+  return names.at(static_cast<std::size_t>(state));
 }
 
 namespace {

@@ -212,12 +212,6 @@ std::string shortened(const std::string& word) {
   return word.size() <= most ? word : fmt::format("{}... ({})", word.substr(0, most), word.size());
 }
 
-std::string parameter_list(const WordQuestion& q) {
-  const ExactParameters& a = q.data;
-  return fmt::format("chi={}, eta={}, us={}, V={}, omega={}, p={}, ur={}", to_string(a.chi), to_string(a.eta),
-                     to_string(a.us), to_string(a.V), to_string(a.omega), to_string(a.p), to_string(q.ur));
-}
-
 std::string in_words(const Attractor& a) {
   if (a.kind != Kind::periodic) {
     return fmt::format("{}: {}", to_string(a.kind), remark(a));
@@ -288,11 +282,7 @@ std::string terminal_report(const WordOrbits& list, const Style& style, const Un
                         {{"searched"}, {searched(list)}},
                         {{"result"}, {result_of(list)}}};
   for (const families::Unresolved& part : list.unresolved) {
-    std::string where;
-    for (const NamedBall& value : part.where) {
-      where += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
-    }
-    rows.push_back({{"unresolved"}, {where + plain(part.reason)}});
+    rows.push_back({{"unresolved"}, {place_text(part.where) + plain(part.reason)}});
   }
   const std::string title = fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
                                         q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods));

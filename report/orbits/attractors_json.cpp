@@ -2,6 +2,7 @@
 
 #include "core/decimal.hpp"
 #include "report/orbits/attractors.hpp"
+#include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 
 namespace stickslip::report::orbits {
@@ -44,12 +45,6 @@ void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
             {{"minItems", 1}});
 }
 
-std::vector<std::pair<std::string, Rational>> values_of(const WordQuestion& q) {
-  const motion::ExactParameters& a = q.data;
-  return {{"chi", a.chi},     {"eta", a.eta}, {"us", a.us}, {"V", a.V},
-          {"omega", a.omega}, {"p", a.p},     {"ur", q.ur}};
-}
-
 }  // namespace
 
 Json like_word() {
@@ -65,7 +60,7 @@ Json like_periods() {
 
 void write_parameters(Object& json, const WordQuestion& q) {
   json.object("parameters", [&](Object& to) {
-    to.each(values_of(q), {"chi", "eta", "us", "V", "omega", "p", "ur"});
+    to.each(named_parameters(q), {"chi", "eta", "us", "V", "omega", "p", "ur"});
   });
 }
 
@@ -97,14 +92,6 @@ void write_attractor(Object& json, const Attractor& a, int digits, Share share) 
       });
   json.rules({{"if", {{"properties", {{"kind", {{"const", to_string(Kind::periodic)}}}}}}},
               {"then", {{"required", {"period", "word", "verdict"}}}}});
-}
-
-std::string options_of(const WordQuestion& q) {
-  std::string text;
-  for (const auto& [name, value] : values_of(q)) {
-    text += fmt::format(" --{}={}", name, to_string(value));
-  }
-  return text;
 }
 
 namespace {

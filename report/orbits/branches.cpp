@@ -26,11 +26,7 @@ constexpr int digits = 12;
 
 // The data except for the one that varies.
 std::string others(const BranchQuestion& q) {
-  std::string text;
-  for (const auto& [name, value] : parameters_of(q)) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value);
-  }
-  return q.machine ? text + ", in SI units" : text;
+  return parameter_list(parameters_of(q)) + (q.machine ? ", in SI units" : "");
 }
 
 // What the units of (2) are where what varies is that; those of (2) themselves without a machine.
@@ -139,9 +135,9 @@ std::vector<NamedBall> where(const BranchQuestion& q, const UnresolvedPart& part
 std::vector<std::pair<std::string, std::string>> parameters_of(const BranchQuestion& q) {
   std::vector<std::pair<std::string, std::string>> parameters;
   if (!q.machine) {
-    for (const NamedRange& parameter : named_parameters(q.orbits)) {
-      if (parameter.name != q.parameter) {
-        parameters.emplace_back(parameter.name, notation(parameter.range));
+    for (const auto& [name, range] : named_parameters(q.orbits)) {
+      if (name != q.parameter) {
+        parameters.emplace_back(name, notation(range));
       }
     }
     return parameters;
@@ -200,12 +196,8 @@ BranchRows rows_of(const Branch& branch, const BranchQuestion& q) {
 std::vector<Row> unresolved_rows(const BranchList& list) {
   std::vector<Row> rows;
   for (const UnresolvedPart& part : list.unresolved) {
-    std::string at;
-    for (const NamedBall& value : where(list.question, part)) {
-      at += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
-    }
     rows.push_back({{fmt::format("{} = {}", list.question.parameter, readable(part.value, digits))},
-                    {at + part.reason}});
+                    {place_text(where(list.question, part)) + part.reason}});
   }
   return rows;
 }
@@ -359,11 +351,8 @@ std::string command_of(const BranchQuestion& q) {
                            q.machine->phi ? " --phi=" + stickslip::to_string(*q.machine->phi) : "",
                            q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to));
   } else {
-    for (const auto& [name, value] : parameters_of(q)) {
-      command += fmt::format(" --{}={}", name, value);
-    }
-    command +=
-        fmt::format(" --{}={}..{}", q.parameter, stickslip::to_string(q.from), stickslip::to_string(q.to));
+    command += fmt::format("{} --{}={}..{}", options_of(parameters_of(q)), q.parameter,
+                           stickslip::to_string(q.from), stickslip::to_string(q.to));
   }
   return q.at ? command + " --at=" + stickslip::to_string(*q.at) : command;
 }

@@ -39,10 +39,9 @@ std::string comma_separated(const Vector4<double>& X) {
 
 // The data except for the one that varies.
 std::string others(const DiagramQuestion& q) {
-  std::string all = parameter_list(q.machine.machine) + ", ";
-  const std::size_t from = (" " + all).find(" " + q.parameter + "=");
-  all.erase(from, all.find(", ", from) + 2 - from);
-  return all.substr(0, all.size() - 2);
+  auto all = named_parameters(q.machine.machine);
+  std::erase_if(all, [&](const auto& one) { return one.first == q.parameter; });
+  return parameter_list(all);
 }
 
 std::string plane_of(const BasinsQuestion& q) {

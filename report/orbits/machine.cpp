@@ -8,6 +8,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "model/machine_values.hpp"
+#include "model/named_data.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
 
@@ -59,10 +60,7 @@ std::array<std::string, 2> in_SI(const MachineInSI& m, const std::string& but_fo
 }
 
 std::string dimensionless(const DataTaken& taken) {
-  const motion::ExactParameters& a = taken.data;
-  return fmt::format("chi={}, eta={}, us={}, V={}, omega={}, p={}{}", to_string(a.chi), to_string(a.eta),
-                     to_string(a.us), to_string(a.V), to_string(a.omega), to_string(a.p),
-                     taken.ur ? ", ur=" + to_string(*taken.ur) : "");
+  return parameter_list(model::with_names(taken.data)) + (taken.ur ? ", ur=" + to_string(*taken.ur) : "");
 }
 
 // |data · unit / given - 1|, rounded up.

@@ -79,8 +79,8 @@ Json unresolved(const Unresolved& part) {
 }  // namespace
 
 Json orbit_data(const OrbitList& list) {
-  const auto parameter = [](const NamedRange& one) -> Json {
-    return {{"latex", latex_of_value(one.name)}, {"value_latex", latex_of(one.range)}};
+  const auto parameter = [](const auto& one) -> Json {
+    return {{"latex", latex_of_value(one.first)}, {"value_latex", latex_of(one.second)}};
   };
   Json json = {{"title", list.question.family->title},
                {"searched", searched(list.question)},

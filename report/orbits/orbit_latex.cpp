@@ -74,8 +74,8 @@ std::string phase(const Orbit& orbit, const Family& family, std::size_t k, int d
 
 std::string data(const OrbitQuestion& question) {
   std::vector<std::string> parts;
-  for (const NamedRange& parameter : named_parameters(question)) {
-    parts.push_back(latex_of_value(parameter.name, stickslip::to_string(parameter.range.middle)));
+  for (const auto& [name, range] : named_parameters(question)) {
+    parts.push_back(latex_of_value(name, stickslip::to_string(range.middle)));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

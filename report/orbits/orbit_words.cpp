@@ -7,6 +7,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
 #include "report/tools/numbers.hpp"
 #include "symbolic/typeset/names.hpp"
@@ -30,17 +31,33 @@ std::string notation(const Range& range) {
   return range.radius == 0 ? middle : middle + "+-" + to_string(range.radius);
 }
 
-std::vector<NamedRange> named_parameters(const OrbitQuestion& question) {
-  const model::Parameters<Range>& a = question.parameters;
-  std::vector<NamedRange> named{{"chi", a.chi}, {"eta", a.eta},     {"us", a.us},
-                                {"V", a.V},     {"omega", a.omega}, {"p", a.p}};
+std::string notation(const Rational& value) {
+  return to_string(value);
+}
+
+Named<Range> named_parameters(const OrbitQuestion& question) {
+  Named<Range> named = model::with_names(question.parameters);
   if (question.phi) {
-    named.push_back({"phi", *question.phi});
+    named.emplace_back("phi", *question.phi);
   }
   if (question.ur) {
-    named.push_back({"ur", *question.ur});
+    named.emplace_back("ur", *question.ur);
   }
   return named;
+}
+
+Named<Rational> named_parameters(const words::WordQuestion& question) {
+  Named<Rational> named = model::with_names(question.data);
+  named.emplace_back("ur", question.ur);
+  return named;
+}
+
+std::string place_text(const std::vector<NamedBall>& where) {
+  std::string text;
+  for (const NamedBall& value : where) {
+    text += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
+  }
+  return text;
 }
 
 std::string colour_of(PhaseKind kind) {
@@ -182,11 +199,8 @@ std::string latex_of_value(const std::string& name, const std::string& value) {
 }
 
 std::string command_of(const OrbitQuestion& question) {
-  std::string command = "stickslip orbits " + question.family->name;
-  for (const NamedRange& parameter : named_parameters(question)) {
-    command += fmt::format(" --{}={}", parameter.name, notation(parameter.range));
-  }
-  return command + fmt::format(" --digits {}", question.digits);
+  return fmt::format("stickslip orbits {}{} --digits {}", question.family->name, options_of(question),
+                     question.digits);
 }
 
 }  // namespace stickslip::report::orbits

@@ -2,22 +2,56 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "numeric/orbits.hpp"
+#include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::report::orbits {
 
-// The exact notation of a parameter: "0.5", or "0.5+-0.0001" for an interval.
+// The exact notation of a parameter: "0.5", or "0.5+-0.0001" for an interval; a text is one already.
 [[nodiscard]] std::string notation(const Range& range);
+[[nodiscard]] std::string notation(const Rational& value);
+[[nodiscard]] inline const std::string& notation(const std::string& text) {
+  return text;
+}
 
-struct NamedRange {
-  std::string name;
-  Range range;
-};
+// Values with their names.
+template <class Value>
+using Named = std::vector<std::pair<std::string, Value>>;
 
 // The six parameters in the paper's order, then phi and ur as far as they are given.
-[[nodiscard]] std::vector<NamedRange> named_parameters(const numeric::OrbitQuestion& question);
+[[nodiscard]] Named<Range> named_parameters(const numeric::OrbitQuestion& question);
+[[nodiscard]] Named<Rational> named_parameters(const numeric::words::WordQuestion& question);
+
+// Of values with their names, or of the parameters of a question: "chi=0.3, eta=4"; what the program's
+// options say of them, " --chi=0.3 --eta=4".
+template <class Value>
+[[nodiscard]] std::string parameter_list(const Named<Value>& values) {
+  std::string text;
+  for (const auto& [name, value] : values) {
+    text += (text.empty() ? "" : ", ") + name + "=" + notation(value);
+  }
+  return text;
+}
+template <class Value>
+[[nodiscard]] std::string options_of(const Named<Value>& values) {
+  std::string text;
+  for (const auto& [name, value] : values) {
+    text += " --" + name + "=" + notation(value);
+  }
+  return text;
+}
+[[nodiscard]] std::string parameter_list(const auto& question) {
+  return parameter_list(named_parameters(question));
+}
+[[nodiscard]] std::string options_of(const auto& question) {
+  return options_of(named_parameters(question));
+}
+
+// "tau = 0.1, phi = 0.2, ": where in the domain something is.
+[[nodiscard]] std::string place_text(const std::vector<numeric::NamedBall>& where);
 
 // The colour of a kind of phase in pictures: "#1f4e9c".
 [[nodiscard]] std::string colour_of(numeric::motion::PhaseKind kind);

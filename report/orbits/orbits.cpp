@@ -74,14 +74,6 @@ std::string condition_rows(const std::vector<Condition>& conditions, const Style
 
 namespace {
 
-std::string parameter_list(const OrbitQuestion& question) {
-  std::string text;
-  for (const NamedRange& parameter : named_parameters(question)) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter.name, notation(parameter.range));
-  }
-  return text;
-}
-
 std::string head(const OrbitList& list, const Style& style) {
   std::vector<Row> rows{{{"parameters"}, {parameter_list(list.question)}},
                         {{"searched"}, {searched(list.question)}},
@@ -93,11 +85,7 @@ std::string head(const OrbitList& list, const Style& style) {
     rows.push_back({{"remark"}, {on_ur}});
   }
   for (const Unresolved& part : list.unresolved) {
-    std::string where;
-    for (const NamedBall& value : part.where) {
-      where += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
-    }
-    rows.push_back({{"unresolved"}, {where + part.reason}});
+    rows.push_back({{"unresolved"}, {place_text(part.where) + part.reason}});
   }
   const Row heading{{list.question.family->title, bold(style)}};
   return columns_of({heading}, style.width) + columns_of(rows, style.width);

@@ -26,8 +26,8 @@ std::optional<BallText> ball_text(const std::optional<Ball>& value, int digits) 
   return value && value->is_finite() ? std::optional(ball_text(*value, digits)) : std::nullopt;
 }
 
-std::vector<std::pair<std::string, BallText>> ball_texts(const std::vector<NamedBall>& values, int digits) {
-  std::vector<std::pair<std::string, BallText>> texts;
+Named<BallText> ball_texts(const std::vector<NamedBall>& values, int digits) {
+  Named<BallText> texts;
   for (const NamedBall& value : values) {
     texts.emplace_back(value.name, ball_text(value.value, digits));
   }
@@ -119,9 +119,9 @@ void write_orbits(Object& json, const OrbitList& list) {
   write_origin(json, command_of(q));
   json.has("family", q.family->name, family_names());
   json.object("parameters", [&](Object& to) {
-    std::vector<std::pair<std::string, std::string>> parameters;
-    for (const NamedRange& parameter : named_parameters(q)) {
-      parameters.emplace_back(parameter.name, notation(parameter.range));
+    Named<std::string> parameters;
+    for (const auto& [name, range] : named_parameters(q)) {
+      parameters.emplace_back(name, notation(range));
     }
     to.each(parameters, {"chi", "eta", "us", "V", "omega", "p"}, {"phi", "ur"}, like_number_or_range());
   });

@@ -96,8 +96,8 @@ Json phases_of(const MotionOf<double>& motion, const Family& family, std::size_t
 
 std::string parameter_text(const OrbitQuestion& question) {
   std::string text;
-  for (const NamedRange& parameter : named_parameters(question)) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", parameter.name, notation(parameter.range));
+  for (const auto& [name, range] : named_parameters(question)) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, notation(range));
   }
   return in_greek(text);
 }

@@ -8,6 +8,7 @@
 
 #include "numeric/attractors/attractors.hpp"
 #include "numeric/orbits.hpp"
+#include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/schema.hpp"
@@ -18,8 +19,7 @@ namespace stickslip::report::orbits {
 // its name.
 [[nodiscard]] BallText ball_text(const Ball& value, int digits);
 [[nodiscard]] std::optional<BallText> ball_text(const std::optional<Ball>& value, int digits);
-[[nodiscard]] std::vector<std::pair<std::string, BallText>> ball_texts(
-    const std::vector<numeric::NamedBall>& values, int digits);
+[[nodiscard]] Named<BallText> ball_texts(const std::vector<numeric::NamedBall>& values, int digits);
 // A sentence without its marks; nothing if it is empty.
 [[nodiscard]] std::optional<std::string> if_any(const std::string& sentence);
 
@@ -57,11 +57,8 @@ void write_parameters(tools::Object& json, const numeric::words::WordQuestion& m
 // How little it takes to leave a stable orbit; empty where that is not known.
 [[nodiscard]] std::string contact_in_words(const numeric::Orbit& orbit);
 
-// A word as a table bears it, "OSOSOSTOTSOSTOSOSO... (34)", and the data, "chi=0.3, ...".
+// A word as a table bears it, "OSOSOSTOTSOSTOSOSO... (34)".
 [[nodiscard]] std::string shortened(const std::string& word);
-[[nodiscard]] std::string parameter_list(const numeric::words::WordQuestion& machine);
-// What the program's options say of the data: " --chi=0.3 ...".
-[[nodiscard]] std::string options_of(const numeric::words::WordQuestion& machine);
 
 // The largest modulus of a multiplier, rounded up, with as many digits as tell it from 1.
 [[nodiscard]] std::string spectral_radius(const numeric::motion::Stability& stability);

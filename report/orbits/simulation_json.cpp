@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "model/named_data.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/simulation.hpp"
@@ -15,9 +16,10 @@ namespace {
 constexpr int digits_of_proof = 20;
 
 std::vector<std::pair<std::string, double>> values_of(const Start& s) {
-  const model::Parameters<double>& a = s.data;
-  return {{"chi", a.chi},     {"eta", a.eta}, {"us", a.us},   {"V", a.V},
-          {"omega", a.omega}, {"p", a.p},     {"phi", s.phi}, {"ur", s.ur}};
+  auto values = model::with_names(s.data);
+  values.emplace_back("phi", s.phi);
+  values.emplace_back("ur", s.ur);
+  return values;
 }
 
 Json phases() {

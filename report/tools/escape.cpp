@@ -2,147 +2,57 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
+#include <functional>
+#include <map>
+#include <sstream>
 
 #include "report/tools/unicode.hpp"
 
 namespace stickslip::report::tools {
 namespace {
 
-constexpr std::string_view html_of(char c) {
-  switch (c) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\'':
-      return "&#39;";
-    default:
-      return {};
+// What stands for a sign.
+using Table = std::map<std::string, std::string, std::less<>>;
+
+// Of pairs of words: a sign, and what stands for it.
+Table table(const std::string& words) {
+  std::istringstream all(words);
+  Table made;
+  for (std::string sign, text; all >> sign >> text;) {
+    made.emplace(sign, text);
   }
+  return made;
 }
 
-using Entry = std::pair<char32_t, std::string_view>;
+const Table html = table(R"(& &amp; < &lt; > &gt; " &quot; ' &#39;)");
 
-constexpr std::array tex_of_ascii = {
-    Entry{'\\', "\\textbackslash{}"},
-    Entry{'{', "\\{"},
-    Entry{'}', "\\}"},
-    Entry{'$', "\\$"},
-    Entry{'&', "\\&"},
-    Entry{'#', "\\#"},
-    Entry{'%', "\\%"},
-    Entry{'_', "\\_"},
-    Entry{'^', "\\textasciicircum{}"},
-    Entry{'<', "$<$"},
-    Entry{'>', "$>$"},
-    Entry{'|', "$|$"},
-    Entry{'~', "\\textasciitilde{}"},
-    Entry{'"', "''"},
-};
+const Table tex_of_words = [] {
+  Table made =
+      table(R"(\ \textbackslash{} { \{ } \} $ \$ & \& # \# % \% _ \_ ^ \textasciicircum{} < $<$ > $>$ | $|$
+      ~ \textasciitilde{} " '' – -- — --- ‘ ` ’ ' “ `` ” '' … \ldots{} § \S{})");
+  made.emplace("\u00A0", "~");
+  return made;
+}();
 
 // What the project's own texts and a reader's input are likely to contain; commands of the LaTeX kernel only.
-constexpr std::array tex_of_mathematics = {
-    Entry{U'α', "\\alpha"},
-    Entry{U'β', "\\beta"},
-    Entry{U'γ', "\\gamma"},
-    Entry{U'δ', "\\delta"},
-    Entry{U'ε', "\\varepsilon"},
-    Entry{U'ζ', "\\zeta"},
-    Entry{U'η', "\\eta"},
-    Entry{U'θ', "\\theta"},
-    Entry{U'κ', "\\kappa"},
-    Entry{U'λ', "\\lambda"},
-    Entry{U'μ', "\\mu"},
-    Entry{U'ν', "\\nu"},
-    Entry{U'ξ', "\\xi"},
-    Entry{U'π', "\\pi"},
-    Entry{U'ρ', "\\rho"},
-    Entry{U'σ', "\\sigma"},
-    Entry{U'τ', "\\tau"},
-    Entry{U'φ', "\\varphi"},
-    Entry{U'χ', "\\chi"},
-    Entry{U'ψ', "\\psi"},
-    Entry{U'ω', "\\omega"},
-    Entry{U'Γ', "\\Gamma"},
-    Entry{U'Δ', "\\Delta"},
-    Entry{U'Θ', "\\Theta"},
-    Entry{U'Λ', "\\Lambda"},
-    Entry{U'Σ', "\\Sigma"},
-    Entry{U'Φ', "\\Phi"},
-    Entry{U'Ω', "\\Omega"},
-    Entry{U'±', "\\pm"},
-    Entry{U'∓', "\\mp"},
-    Entry{U'×', "\\times"},
-    Entry{U'·', "\\cdot"},
-    Entry{U'−', "-"},
-    Entry{U'≠', "\\neq"},
-    Entry{U'≤', "\\leq"},
-    Entry{U'≥', "\\geq"},
-    Entry{U'≈', "\\approx"},
-    Entry{U'≡', "\\equiv"},
-    Entry{U'∈', "\\in"},
-    Entry{U'ℝ', "\\mathbf{R}"},
-    Entry{U'∞', "\\infty"},
-    Entry{U'√', "\\surd"},
-    Entry{U'→', "\\to"},
-    Entry{U'⇒', "\\Rightarrow"},
-    Entry{U'⇔', "\\Leftrightarrow"},
-    Entry{U'′', "'"},
-    Entry{U'ᵀ', "^{T}"},
-    Entry{U'⁻', "^{-}"},
-    Entry{U'⁰', "^{0}"},
-    Entry{U'¹', "^{1}"},
-    Entry{U'²', "^{2}"},
-    Entry{U'³', "^{3}"},
-    Entry{U'⁴', "^{4}"},
-    Entry{U'₀', "_{0}"},
-    Entry{U'₁', "_{1}"},
-    Entry{U'₂', "_{2}"},
-    Entry{U'₃', "_{3}"},
-    Entry{U'₄', "_{4}"},
-    Entry{U'₅', "_{5}"},
-    Entry{U'ᵢ', "_{i}"},
-    Entry{U'ⱼ', "_{j}"},
-    Entry{U'½', "{\\textstyle\\frac12}"},
-    Entry{U'°', "^{\\circ}"},
-};
+const Table tex_of_mathematics = table(
+    R"(α \alpha β \beta γ \gamma δ \delta ε \varepsilon ζ \zeta η \eta θ \theta κ \kappa λ \lambda μ \mu ν \nu ξ \xi
+    π \pi ρ \rho σ \sigma τ \tau φ \varphi χ \chi ψ \psi ω \omega Γ \Gamma Δ \Delta Θ \Theta Λ \Lambda Σ \Sigma
+    Φ \Phi Ω \Omega ± \pm ∓ \mp × \times · \cdot − - ≠ \neq ≤ \leq ≥ \geq ≈ \approx ≡ \equiv ∈ \in ℝ \mathbf{R}
+    ∞ \infty √ \surd → \to ⇒ \Rightarrow ⇔ \Leftrightarrow ′ ' ᵀ ^{T} ⁻ ^{-} ⁰ ^{0} ¹ ^{1} ² ^{2} ³ ^{3} ⁴ ^{4}
+    ₀ _{0} ₁ _{1} ₂ _{2} ₃ _{3} ₄ _{4} ₅ _{5} ᵢ _{i} ⱼ _{j} ½ {\textstyle\frac12} ° ^{\circ})");
 
-constexpr std::array tex_of_typography = {
-    Entry{U'–', "--"},        Entry{U'—', "---"},    Entry{U'‘', "`"},
-    Entry{U'’', "'"},         Entry{U'“', "``"},     Entry{U'”', "''"},
-    Entry{U'…', "\\ldots{}"}, Entry{U'\u00A0', "~"}, Entry{U'§', "\\S{}"},
-};
-
-template <std::size_t n>
-constexpr std::string_view look_up(const std::array<Entry, n>& table, char32_t c) {
-  for (const Entry& entry : table) {
-    if (entry.first == c) {
-      return entry.second;
-    }
+// Of one sign, of that code point; empty where there is nothing.
+std::string tex_of(std::string_view sign, char32_t c) {
+  if (const auto word = tex_of_words.find(sign); word != tex_of_words.end()) {
+    return word->second;
   }
-  return {};
-}
-
-std::string tex_of(char32_t c) {
   if (c < 0x80) {
-    const std::string_view special = look_up(tex_of_ascii, c);
-    if (!special.empty()) {
-      return std::string(special);
-    }
     const bool control = c != '\n' && (c < 0x20 || c == 0x7F);
     return {control ? ' ' : static_cast<char>(c)};
   }
-  const std::string_view mathematics = look_up(tex_of_mathematics, c);
-  if (!mathematics.empty()) {
-    return fmt::format("${}$", mathematics);
-  }
-  return std::string(look_up(tex_of_typography, c));
+  const auto mathematics = tex_of_mathematics.find(sign);
+  return mathematics == tex_of_mathematics.end() ? "" : fmt::format("${}$", mathematics->second);
 }
 
 // Letters such as é, which LaTeX reads as they stand; × and ÷ are none.
@@ -156,12 +66,8 @@ std::string escape_html(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   for (const char c : text) {
-    const std::string_view reference = html_of(c);
-    if (reference.empty()) {
-      result += c;
-    } else {
-      result += reference;
-    }
+    const auto reference = html.find(std::string_view(&c, 1));
+    result += reference == html.end() ? std::string(1, c) : reference->second;
   }
   return result;
 }
@@ -171,7 +77,7 @@ std::string escape_tex(std::string_view text) {
   result.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
     const CodePoint c = code_point(text, i);
-    const std::string tex = tex_of(c.value);
+    const std::string tex = tex_of(text.substr(i, c.length), c.value);
     if (!tex.empty()) {
       // Two hyphens are those of an option: LaTeX would join them to a dash, which no shell understands.
       result += c.value == '-' && result.ends_with('-') ? "{}-" : tex;
