@@ -21,18 +21,20 @@ if TYPE_CHECKING:
     import pandas
 
 
-def _ball(data: Optional[Dict[str, str]]) -> Optional[Ball]:
-    return None if data is None else Ball(data["mid"], data["rad"])
-
-
-def _multipliers(data: Dict[str, Any]) -> Tuple[ComplexBall, ...]:
-    return tuple(ComplexBall(Ball(**m["re"]), Ball(**m["im"])) for m in data.get("multipliers", []))
+def _value(data: Any) -> Any:
+    """What stands in JSON: balls as balls, lists as tuples."""
+    if isinstance(data, list):
+        return tuple(map(_value, data))
+    if isinstance(data, dict) and data.keys() == {"mid", "rad"}:
+        return Ball(**data)
+    if isinstance(data, dict) and data.keys() == {"re", "im"}:
+        return ComplexBall(_value(data["re"]), _value(data["im"]))
+    return data
 
 
 def _given(cls: Any, data: Dict[str, Any], **more: Any) -> Any:
     """An object of the class with those of the data that are its fields."""
-    names = _names(cls)
-    return cls(**{**{key: value for key, value in data.items() if key in names}, **more})
+    return cls(**{**{key: _value(data[key]) for key in data.keys() & set(_names(cls)) - more.keys()}, **more})
 
 
 def _with(result: Any, found: Any) -> Any:
@@ -63,12 +65,12 @@ class Unresolved:
 
 
 def _conditions(data: List[Dict[str, Any]]) -> Tuple[Condition, ...]:
-    return tuple(_given(Condition, c, margin=_ball(c.get("margin")), at=_ball(c.get("at"))) for c in data)
+    return tuple(_given(Condition, c) for c in data)
 
 
 def _unresolved(data: Dict[str, Any]) -> Tuple[Unresolved, ...]:
     return tuple(
-        Unresolved(part["reason"], {n: Ball(**b) for n, b in part.items() if isinstance(b, dict)})
+        Unresolved(part["reason"], {name: _value(ball) for name, ball in part.items() if isinstance(ball, dict)})
         for part in data["unresolved"])
 
 
@@ -117,9 +119,7 @@ class Orbit(Later, Row):
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Orbit":
-        return _given(cls, data, conditions=_conditions(data["conditions"]), multipliers=_multipliers(data),
-                      durations=tuple(Ball(**d) for d in data.get("durations", [])),
-                      **{name: _ball(data.get(name)) for name in cls._balls})
+        return _given(cls, data, conditions=_conditions(data["conditions"]))
 
     @classmethod
     def _of(cls, found: _core.OrbitList, number: int) -> "Orbit":
@@ -236,9 +236,7 @@ class PureWord:
 
     @classmethod
     def _from(cls, found: _core.PureWord) -> "PureWord":
-        data = _json.loads(found.fields())
-        return _given(cls, data, forced=_ball(data.get("forced")), room=_ball(data.get("room")),
-                      json=_json.loads(found.json()))
+        return _given(cls, _json.loads(found.fields()), json=_json.loads(found.json()))
 
 
 @dataclass(frozen=True)
@@ -256,7 +254,7 @@ class Change:
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Change":
         whats = (data[key] for key in ("condition", "multiplier", "duration", "frequency") if key in data)
-        return _given(cls, data, what=next(whats, ""), at=_ball(data["at"]), time=_ball(data.get("time")))
+        return _given(cls, data, what=next(whats, ""))
 
 
 @dataclass(frozen=True)
@@ -270,7 +268,7 @@ class Piece:
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Piece":
-        return _given(cls, data, first=_ball(data["from"]), last=_ball(data["to"]))
+        return _given(cls, data, first=_value(data["from"]), last=_value(data["to"]))
 
 
 @dataclass(frozen=True)
@@ -283,10 +281,6 @@ class BranchEnd:
     kind: str
     reason: str
     resolved: bool  #: else the branch may go on
-
-    @classmethod
-    def _from(cls, data: Dict[str, Any]) -> "BranchEnd":
-        return _given(cls, data, at=_ball(data["at"]))
 
 
 @dataclass(frozen=True, repr=False)
@@ -306,7 +300,7 @@ class Branch(Row):
         import numpy
 
         rows = data["samples"]
-        first, last = (BranchEnd._from(end) for end in data["ends"])
+        first, last = (_given(BranchEnd, end) for end in data["ends"])
         return cls(first, last, data["closed"], tuple(Piece._from(p) for p in data["pieces"]),
                    tuple(Change._from(c) for c in data["changes"]),
                    {name: numpy.array([row[name] for row in rows]) for name in (rows[0] if rows else ())})
@@ -336,7 +330,7 @@ class Count:
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Count":
-        return _given(cls, data, first=_ball(data["from"]), last=_ball(data["to"]))
+        return _given(cls, data, first=_value(data["from"]), last=_value(data["to"]))
 
 
 @dataclass(frozen=True, repr=False)
@@ -358,7 +352,7 @@ class Branches(Drawn, Listed[Branch]):
     @classmethod
     def _from(cls, found: Any) -> "Branches":
         data = _json.loads(found.json())
-        branches = _given(cls, data, interval=tuple(data["interval"]), json=data, unresolved=_unresolved(data),
+        branches = _given(cls, data, json=data, unresolved=_unresolved(data),
                           branches=tuple(Branch._from(b) for b in data["branches"]),
                           counts=tuple(Count._from(c) for c in data["counts"]))
         return _with(branches, found)
@@ -473,9 +467,7 @@ class Attractor(Row):
         import numpy
 
         shares = {"count": None, "share": None, "share_interval": None, **data}
-        interval = shares["share_interval"]
-        return _given(cls, shares, state=numpy.array(data["state"]), share_interval=interval and tuple(interval),
-                      durations=tuple(Ball(**d) for d in data.get("durations", [])), multipliers=_multipliers(data))
+        return _given(cls, shares, state=numpy.array(data["state"]))
 
     def _row(self) -> Dict[str, Any]:
         return dict(share=self.share, count=self.count, kind=self.kind, word=_short(self.word or ""),
@@ -593,7 +585,7 @@ class Basins(Drawn, Listed[Attractor]):
         import numpy
 
         data = _json.loads(found.fields())
-        basins = _given(cls, data, plane=tuple(data["plane"]), at=numpy.array(data["at"]) - 1, starts=found.starts(),
+        basins = _given(cls, data, at=numpy.array(data["at"]) - 1, starts=found.starts(),
                         attractors=tuple(Attractor._from(a) for a in data["attractors"]),
                         json=_json.loads(found.json()))
         return _with(basins, found)

@@ -125,7 +125,7 @@ std::optional<Ball> time_of(const BranchQuestion& q, const Change& change) {
 std::vector<NamedBall> where(const BranchQuestion& q, const UnresolvedPart& part) {
   std::vector<NamedBall> values = part.where;
   for (NamedBall& one : values) {
-    if (q.machine && one.name.starts_with("t")) {
+    if (q.machine && is_time(one.name)) {
       one.value = one.value / q.machine->Omega(part.value);
     }
   }

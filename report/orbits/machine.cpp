@@ -269,22 +269,31 @@ namespace {
 // The values of an orbit (numeric/families/orbit.hpp), and in what each is measured.
 struct ValueOfOrbit {
   std::string_view name;
-  Ball (Units::*in_units)(const Ball&) const;  // null of an angle
   const char * unit;
+  Ball (Units::*in_units)(const Ball&) const;  // null of an angle
 };
 constexpr ValueOfOrbit values_of_orbits[] = {
-    {"tau", &Units::time, " s"},   {"tau1", &Units::time, " s"},         {"tau2", &Units::time, " s"},
-    {"T", &Units::time, " s"},     {"Theta", &Units::time, " s"},        {"phi", nullptr, " rad"},
-    {"z10", &Units::length, " m"}, {"z20", &Units::length, " m"},        {"x10", &Units::length, " m"},
-    {"x20", &Units::length, " m"}, {"zdot10", &Units::velocity, " m/s"}, {"xdot10", &Units::velocity, " m/s"},
-    {"ur", &Units::force, " N"},   {"ur_max", &Units::force, " N"}};
+    {"tau", " s", &Units::time},   {"tau1", " s", &Units::time},         {"tau2", " s", &Units::time},
+    {"T", " s", &Units::time},     {"Theta", " s", &Units::time},        {"phi", " rad", nullptr},
+    {"z10", " m", &Units::length}, {"z20", " m", &Units::length},        {"x10", " m", &Units::length},
+    {"x20", " m", &Units::length}, {"zdot10", " m/s", &Units::velocity}, {"xdot10", " m/s", &Units::velocity},
+    {"ur", " N", &Units::force},   {"ur_max", " N", &Units::force}};
+
+const ValueOfOrbit * value_named(const std::string& name) {
+  const auto * const known = std::ranges::find(values_of_orbits, name, &ValueOfOrbit::name);
+  return known == std::end(values_of_orbits) ? nullptr : known;
+}
 
 }  // namespace
 
+bool is_time(const std::string& name) {
+  const ValueOfOrbit * const known = value_named(name);
+  return known != nullptr && known->unit == std::string_view(" s");
+}
+
 Units::Measured Units::measured(const families::NamedBall& value) const {
-  const auto * const known =
-      std::ranges::find_if(values_of_orbits, [&](const auto& one) { return one.name == value.name; });
-  if (known == std::end(values_of_orbits)) {
+  const ValueOfOrbit * const known = value_named(value.name);
+  if (known == nullptr) {
     throw InternalError("a value of an orbit without a unit: " + value.name);
   }
   if (known->in_units == nullptr) {

@@ -33,6 +33,9 @@ inline constexpr int digits_of_machine = 8;
 // "m1 = 4 kg", of the same.
 [[nodiscard]] std::string with_unit(const std::string& name, const std::string& value);
 
+// Whether the value of an orbit that has this name is a time.
+[[nodiscard]] bool is_time(const std::string& name);
+
 // What the terminal's report is made of: a label and a sentence each.
 [[nodiscard]] std::vector<tools::Row> machine_rows(const numeric::DataTaken& taken,
                                                    int digits = digits_of_machine);

@@ -9,6 +9,7 @@
 
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/unicode.hpp"
@@ -182,4 +183,30 @@ TEST_CASE("a rounded ball shows no digit that it does not know") {
   CHECK(report::tools::rounded(wide, 9).size() <= 5);
   CHECK(report::tools::rounded(Ball::from_interval(-1, 1), 5).find("±") != std::string::npos);
   CHECK(report::tools::rounded(Ball(1) / Ball(0), 5) == "unbounded");
+}
+
+TEST_CASE("each value of an orbit is measured by its name: times, angles, lengths, velocities and forces") {
+  const DataTaken taken = data_taken({2, 1, 8, 9, 1, 2, 1, 1, 1});
+  const report::orbits::Units si(taken);
+  const auto unit = [&](const std::string& name) {
+    const std::string text = si.text({name, Ball(1)}, 5);
+    return text.substr(text.rfind(' ') + 1);
+  };
+  for (const Family * family : all_families()) {
+    OrbitQuestion q;
+    q.family = family;
+    for (const std::string& name : balls_of_family(q)) {
+      CAPTURE(name);
+      const std::string expected = name == "phi"                      ? "rad"
+                                   : name.starts_with("ur")           ? "N"
+                                   : name.find("dot") != name.npos    ? "m/s"
+                                   : name[0] == 'x' || name[0] == 'z' ? "m"
+                                                                      : "s";
+      CHECK(unit(name) == expected);
+      CHECK(report::orbits::is_time(name) == (expected == "s"));
+    }
+  }
+  CHECK(unit("tau2") == "s");
+  CHECK_THROWS_AS((void)unit("theta"), InternalError);
+  CHECK_FALSE(report::orbits::is_time("theta"));
 }
