@@ -99,7 +99,7 @@ Along along_of(TypedParameters typed) {
 // The file, of a machine in SI units as it is at the value that `at` says or in the middle. Ranges in it are
 // as if they were typed.
 ParameterFile file_of(const BranchOptions& o, FrictionAtRest at_rest) {
-  GivenMachine given = o;
+  BranchOptions given = o;
   given.parameters = with_along(o.parameters, o.along);
   TypedParameters typed = given.parameters;
   ParameterFile file = read_parameters(given, at_rest, [&](TypedParameters machine) {
@@ -316,7 +316,7 @@ Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
   }
   atlas::Question q;
   q.family = &family_named(o.family);
-  GivenMachine machine = o;
+  AtlasOptions machine = o;
   for (const auto& [name, range] : o.along) {
     machine.parameters = with_along(std::move(machine.parameters), {name, range});
   }

@@ -135,7 +135,7 @@ void require_places(const SimulateOptions& options) {
     if (options.json) {
       throw UsageError("--csv - and --json do not go together: both are for standard output");
     }
-    Outputs others = options;
+    SimulateOptions others = options;
     others.csv.reset();
     require_outputs(others);
     return;

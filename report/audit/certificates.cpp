@@ -9,6 +9,7 @@
 #include "proofs/certificates/statement_files.hpp"
 #include "report/audit/coq_output.hpp"
 #include "report/tools/files.hpp"
+#include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"
 
 namespace stickslip::report::audit {
@@ -25,10 +26,6 @@ std::string to_string(Certified::State state) {
 namespace {
 
 using State = Certified::State;
-
-std::string counted(std::size_t count, const char * what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string fingerprint_of(const fs::path& file) {
   std::error_code error;
@@ -74,8 +71,8 @@ class Compared {
       return {State::stale, file, changed};
     }
     return {State::certified, file,
-            fmt::format("{} on {}", counted(claim.at("theorems").size(), "theorem"),
-                        counted(record_.at("coq").at("axioms").size(), "axiom"))};
+            fmt::format("{} on {}", tools::counted(std::ssize(claim.at("theorems")), "theorem"),
+                        tools::counted(std::ssize(record_.at("coq").at("axioms")), "axiom"))};
   }
 
  private:
@@ -162,25 +159,25 @@ Certification certification(const methods::Audit& audit, const fs::path& path,
                             const std::vector<kernel::Definition>& abbreviations) {
   const Compared compared(audit, path, abbreviations);
   Certification result;
-  std::map<State, std::size_t> count;
-  std::size_t theorems = 0;
+  std::map<State, long> count;
+  long theorems = 0;
   for (const methods::Record& record : audit.records) {
-    const std::size_t all = certificates::named_theorems(record).size();
+    const long all = std::ssize(certificates::named_theorems(record));
     const Certified one =
         all == 0 ? Certified{State::none, "", certificates::without_theorem(record)} : compared.state(record);
     ++count[one.state];
     theorems += one.state == State::certified ? all : 0;
     result.claims.emplace(record.claim.id, one);
   }
-  const std::size_t provable = audit.records.size() - count[State::none];
+  const long provable = std::ssize(audit.records) - count[State::none];
   const std::string with =
-      counted(provable, "claim") + (provable == 1 ? " that has theorems" : " that have theorems");
+      tools::counted(provable, "claim") + (provable == 1 ? " that has theorems" : " that have theorems");
   if (path.empty()) {
     result.line = fmt::format("Coq was not asked about the {} of the kernel; script/certify asks it.", with);
     return result;
   }
   result.line = fmt::format("Certified by Coq: {} of {} of the kernel, with {}.", count[State::certified],
-                            with, counted(theorems, "theorem"));
+                            with, tools::counted(theorems, "theorem"));
   for (const auto& [state, words] : std::map<State, const char *>{
            {State::stale, "stale"}, {State::refused, "refused"}, {State::unknown, "not asked about"}}) {
     if (count[state] > 0) {

@@ -8,6 +8,7 @@
 
 #include "proofs/methods/prover.hpp"
 #include "report/audit/summary.hpp"
+#include "report/tools/layout.hpp"
 
 namespace stickslip::report::audit {
 
@@ -56,7 +57,7 @@ std::string verdict_sentence(const Paper& paper, const Audit& audit) {
     return {};
   }
   const std::size_t total = statements_in(paper, audit).size();
-  return fmt::format("Of {} statement{} of {}, {}.", total, total == 1 ? "" : "s", source_of(audit),
+  return fmt::format("Of {} of {}, {}.", tools::counted(total, "statement"), source_of(audit),
                      fmt::join(parts, "; "));
 }
 

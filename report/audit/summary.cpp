@@ -158,20 +158,17 @@ std::string cross_check_line(const proofs::methods::CrossCheck& check) {
   if (check.formulas == 0) {
     return check.unchecked.empty() ? "" : "by no further engine: " + check.unchecked;
   }
-  const auto counted = [](int count, const char * what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
   const std::string what =
-      check.formulas == 1 ? "1 formula agrees " : counted(check.formulas, "formula") + " agree ";
+      check.formulas == 1 ? "1 formula agrees " : tools::counted(check.formulas, "formula") + " agree ";
   if (check.premise_points > 0) {
     return what + fmt::format("in balls at {} where all that the claim rests on holds",
-                              counted(check.premise_points, "real point"));
+                              tools::counted(check.premise_points, "real point"));
   }
   const std::string exactly =
       check.exact_points > 0
-          ? fmt::format("exactly at {} and ", counted(check.exact_points, "rational point"))
+          ? fmt::format("exactly at {} and ", tools::counted(check.exact_points, "rational point"))
           : "";
-  return what + exactly + fmt::format("in balls at {}", counted(check.ball_points, "real point")) +
+  return what + exactly + fmt::format("in balls at {}", tools::counted(check.ball_points, "real point")) +
          (check.unchecked.empty() ? "" : "; " + check.unchecked);
 }
 

@@ -1,6 +1,7 @@
 #include "report/audit/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -56,13 +57,8 @@ std::string heading(const std::string& text, const Style& style) {
   return style.colour ? fmt::format("\x1b[1m{}\x1b[0m\n", text) : text + "\n";
 }
 
-template <class Range>
-std::string joined(const Range& words) {
-  std::string result;
-  for (const std::string& word : words) {
-    result += (result.empty() ? "" : ", ") + word;
-  }
-  return result;
+std::string joined(const auto& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 // Labelled lines beneath the head of a statement; what is empty is left out.

@@ -34,18 +34,13 @@ Units units_at(const BranchQuestion& q, double value) {
   return q.machine ? Units(q.machine->taken(std::clamp(Rational(value), q.from, q.to))) : Units();
 }
 
-std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 std::string result_of(const BranchList& list) {
-  std::size_t changes = 0;
+  long changes = 0;
   for (const Branch& branch : list.branches) {
-    changes += branch.changes.size();
+    changes += std::ssize(branch.changes);
   }
-  return fmt::format("{}, {}, {}{}", counted(list.branches.size(), "branch", "branches"),
-                     counted(changes, "change", "changes"),
-                     counted(list.unresolved.size(), "unresolved part", "unresolved parts"),
+  return fmt::format("{}, {}, {}{}", counted(std::ssize(list.branches), "branch", "branches"),
+                     counted(changes, "change"), counted(std::ssize(list.unresolved), "unresolved part"),
                      list.interrupted ? "; interrupted" : "");
 }
 
@@ -54,7 +49,7 @@ std::string searched_in(const BranchList& list) {
   if (q.word) {
     const std::size_t left = q.word->not_admissible;
     return fmt::format("near {} at {} = {}{}; other branches are not looked for",
-                       counted(q.word->motions.size(), "known orbit", "known orbits"), q.parameter,
+                       counted(std::ssize(q.word->motions), "known orbit"), q.parameter,
                        stickslip::to_string(*q.at),
                        left == 0 ? "" : fmt::format(", and not near {} that are not admissible", left));
   }

@@ -94,6 +94,10 @@ std::string labelled(std::size_t indent, const std::string& label, const std::st
   return columns_of({{{std::string(indent, ' ') + label}, {text}}}, width);
 }
 
+std::string counted(long count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 std::string spaced(std::string word) {
   std::ranges::replace(word, '_', ' ');
   return word;

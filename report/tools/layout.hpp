@@ -34,6 +34,9 @@ using Row = std::vector<Cell>;
 [[nodiscard]] std::string labelled(std::size_t indent, const std::string& label, const std::string& text,
                                    std::size_t width);
 
+// "1 orbit", "2 orbits", "2 branches": by default the plural has an s.
+[[nodiscard]] std::string counted(long count, const std::string& one, const std::string& many = "");
+
 // A word of the program without its underscores: "as printed" for to_string(Status::as_printed).
 [[nodiscard]] std::string spaced(std::string word);
 

@@ -6,7 +6,7 @@ set -euo pipefail
 build=$1 source=$2 stage=$3
 rm -rf "$stage"
 cmake --install "$build" --prefix "$stage" >/dev/null
-for file in bin/stickslip include/stickslip/numeric/orbits.hpp share/stickslip/schema \
+for file in bin/stickslip include/stickslip/numeric/orbits.hpp share/stickslip/schema/orbits.schema.json \
   share/man/man1/stickslip.1 share/doc/stickslip/README.md share/doc/stickslip/doc/index.md; do
   [[ -e $stage/$file ]] || { echo "$file is not installed"; exit 1; }
 done
