@@ -23,11 +23,11 @@ void refuse_others(const AttractorsOptions& o) {
     throw UsageError(fmt::format("{} is a machine in tables: its data stand in it alone", file));
   }
   for (const auto& [name, given] :
-       {std::pair("--along", !o.along.empty()), std::pair("--values", !o.values.empty()),
-        std::pair("--plane", !o.plane.empty()), std::pair("--pixels", !o.pixels.empty()),
-        std::pair("--through", !o.through.empty()), std::pair("--csv", !o.csv.empty()),
-        std::pair("--plot", !o.plot.empty()), std::pair("--out", o.with_out), std::pair("--json", o.json),
-        std::pair("--units", !o.units.empty())}) {
+       {std::pair("--along", !o.along.empty()), std::pair("--values", o.values.has_value()),
+        std::pair("--plane", o.plane.has_value()), std::pair("--pixels", o.pixels.has_value()),
+        std::pair("--through", o.through.has_value()), std::pair("--csv", o.csv.has_value()),
+        std::pair("--plot", o.plot.has_value()), std::pair("--out", o.out.has_value()),
+        std::pair("--json", o.json), std::pair("--units", o.si)}) {
     if (given) {
       throw UsageError(fmt::format("{} does not go with a machine in tables, {}", name, file));
     }
@@ -53,12 +53,10 @@ std::optional<ExitCode> run_in_tables(const AttractorsOptions& options) {
   }
   refuse_others(options);
   using Options = AttractorsOptions;
-  MachineStarts question{
-      given->machine, whole_number("starts", options.starts, Options::most_starts, Options::default_starts),
-      static_cast<std::uint64_t>(whole_number("seed", options.seed, Options::greatest_number, 1)),
-      whole_number("most-periods", options.most_periods, Options::greatest_number,
-                   Options::default_most_periods),
-      whole_number("digits", options.digits, OrbitsOptions::most_digits, OrbitsOptions::default_digits)};
+  MachineStarts question{given->machine, options.starts.value_or(Options::default_starts),
+                         static_cast<std::uint64_t>(options.seed.value_or(1)),
+                         options.most_periods.value_or(Options::default_most_periods),
+                         options.digits.value_or(OrbitsOptions::default_digits)};
   const Jobs limit = jobs(options.jobs);
   const MachineAttractors list = [&] {
     const Interruptible scope;

@@ -16,7 +16,9 @@
 namespace stickslip::cli {
 namespace {
 
-constexpr const char * no_damping = "the model has no damping: dry friction alone takes energy";
+constexpr const char * no_damping =
+    "the model has no damping: dry friction alone takes energy; for a machine with dashpots write tables, as "
+    "doc/any_machine.md says";
 constexpr const char * one_load = "the load of the model is a single harmonic, with one frequency";
 
 // What users look for and the model does not have, by a part of the name that they give it.

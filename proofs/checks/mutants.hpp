@@ -18,7 +18,7 @@ enum class Fate {
   equivalent,  // proved, and a normal form or the points tried agree: it says what is true, too
   survived,    // proved, and nothing says that it is true
 };
-// As in report/schema/audit.schema.json: stillborn mutants are "meaningless" there, equivalent ones
+// As in the schema of audit.json: stillborn mutants are "meaningless" there, equivalent ones
 // "true_too".
 [[nodiscard]] std::string to_string(Fate fate);
 
