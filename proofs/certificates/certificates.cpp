@@ -25,18 +25,22 @@ using methods::Record;
 // Of a file: Coq has taken up to 1.5 GB for 2.8 million.
 constexpr std::size_t most_characters = 4'000'000;
 // From so many claims on, short ones share files of about so many characters, for Coq takes longer to load
-// its libraries than to check them. Of these, what encloses few numbers takes coqchk, which has no virtual
-// machine, no longer than others.
-constexpr std::size_t many_claims = 100, shared_characters = 150'000, light_characters = 40'000,
-                      few_enclosures = 4;
+// its libraries than to check them.
+constexpr std::size_t many_claims = 100, shared_characters = 150'000;
 
-std::size_t enclosures_in(const std::string& text) {
+bool uses_intervals(const std::set<std::string>& needs) {
+  return needs.contains("Numbers");
+}
+
+// What encloses few numbers, and is short, coqchk, which has no virtual machine, comes to an end with.
+bool has_many_enclosures(const std::string& text, const std::set<std::string>& needs) {
+  constexpr std::size_t few = 5, is_short = 100'000;
   std::size_t count = 0;
-  for (std::size_t at = text.find("by_enclosure"); at != std::string::npos;
-       at = text.find("by_enclosure", at + 1)) {
+  for (std::size_t at = text.find("_enclosure"); at != std::string::npos;
+       at = text.find("_enclosure", at + 1)) {
     ++count;
   }
-  return count;
+  return uses_intervals(needs) && (count > few || text.size() >= is_short || needs.contains("Zeros"));
 }
 
 class Writer {
@@ -105,12 +109,13 @@ class Writer {
         height = std::max(height, heights.at(import) + 1);
       }
       heights.emplace(one.name, height);
-      const std::string& text = scripts_.at(one.name).text;
+      const Written& script = scripts_.at(one.name);
       files.emplace(one.name, one.name);
-      const bool is_light = text.size() < light_characters && enclosures_in(text) <= few_enclosures;
-      if (one.has_intervals ? is_light : text.size() < shared_characters) {
-        const char * kind = one.has_intervals ? "_light" : library_.slow.contains(one.name) ? "_slow" : "";
-        groups[{height, kind}].emplace_back(one.name, text.size());
+      if (!one.many_enclosures && script.text.size() < shared_characters) {
+        const char * kind = uses_intervals(script.needs)       ? "_light"
+                            : library_.slow.contains(one.name) ? "_slow"
+                                                               : "";
+        groups[{height, kind}].emplace_back(one.name, script.text.size());
       }
     }
     for (const auto& [of, members] : groups) {
@@ -233,10 +238,10 @@ class Writer {
         definitions_.push_back(definition);
       }
     }
-    certificate.has_intervals = script.needs().contains("Numbers");
-    if (certificate.has_intervals || std::ranges::any_of(certificate.imports, [&](const std::string& name) {
-          return library_.slow.contains(name);
-        })) {
+    certificate.many_enclosures = has_many_enclosures(script.text(), script.needs());
+    if (uses_intervals(script.needs()) ||
+        std::ranges::any_of(certificate.imports,
+                            [&](const std::string& name) { return library_.slow.contains(name); })) {
       library_.slow.insert(certificate.name);
     }
     scripts_.emplace(certificate.name, Written{script.text(), script.needs()});

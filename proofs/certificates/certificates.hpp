@@ -26,8 +26,8 @@ struct Certificate {
   std::set<std::string> imports;      // names of other files
   std::string says;                   // the fingerprint of what its theorems say
   bool asked = true;                  // for it, or for one that rests on it
-  std::size_t immediate = 0;   // how many of its theorems say no more than a definition, or an assumption
-  bool has_intervals = false;  // whether it is proved by interval arithmetic: then its file is its own
+  std::size_t immediate = 0;     // how many of its theorems say no more than a definition, or an assumption
+  bool many_enclosures = false;  // more interval arithmetic than coqchk is asked about: its file is its own
 };
 
 // A claim that has none, or none any more than in part.

@@ -27,7 +27,10 @@ namespace fs = std::filesystem;
 namespace {
 
 const char * const purpose = "have Coq check certificates";
-const tools::Tool coqc{"coqc", "coq", purpose}, timeout{"timeout", "coreutils", purpose};
+const tools::Tool coqc{"coqc", "coq", purpose}, env{"env", "coreutils", purpose},
+    timeout{"timeout", "coreutils", purpose};
+// As in the Makefile of certificates.
+const char * const heaps = "OCAMLRUNPARAM=s=8M,o=400";
 
 std::string fingerprint_of(const fs::path& file) {
   std::error_code error;
@@ -61,7 +64,7 @@ class Questions {
     for (Json& claim : claims) {
       look_at(claim);
     }
-    std::set<std::string> needed{"Statements", "Matrices"};
+    std::set<std::string> needed{"Matrices"};
     for (const Json& claim : claims) {
       if (claim.at("accepted") == true) {
         for (const std::string& name : required_by(tools::read_file(file_of(claim)))) {
@@ -79,12 +82,22 @@ class Questions {
     std::map<std::string, std::string> axioms;
     std::map<std::string, Answer> answers;
     std::mutex one_at_a_time;
+    // Of all that is compiled this takes longest: coqchk, which is asked of it last, begins meanwhile.
+    const std::shared_future<void> stated = std::async(std::launch::deferred, [&] {
+      if (any_accepted()) {
+        compile({"Statements"});
+      }
+    });
     std::vector<std::function<void()>> tasks{[&] {
+      stated.get();
       while (any_accepted() && !asked_of_all(axioms)) {
       }
     }};
     for (const std::vector<std::string>& group : groups) {
-      tasks.emplace_back([&] {
+      tasks.emplace_back([&, is_last = &group == &groups.back()] {
+        if (is_last) {
+          stated.get();
+        }
         const Answer all = answer_of(group);
         for (const std::string& name : group) {
           const Answer one = all == Answer::accepted || group.size() == 1 ? all : answer_of({name});
@@ -243,7 +256,8 @@ class Questions {
     }
   }
   [[nodiscard]] tools::Ran compiled_in_workshop(const std::string& file) const {
-    return tools::attempt(coqc, {"-w", "none", "-Q", ".", "Stickslip", file}, {}, workshop_.path());
+    return tools::attempt(env, {heaps, "coqc", "-w", "none", "-Q", ".", "Stickslip", file}, {},
+                          workshop_.path());
   }
 
   // All theorems at once. Where Coq refuses a line it is its claim that is refused, and the rest has to be
@@ -309,11 +323,10 @@ class Questions {
   }
 
   // What coqchk is to be asked about, some files at a time, for loading the libraries takes as long for one
-  // as for many; of the other claims, what it said before, or why it is not asked: it has no virtual machine,
-  // and interval arithmetic that took coqc long takes it hours.
+  // as for many, the last time about Statements, too; of the other claims, what it said before, or why it is
+  // not asked: it has no virtual machine, and much interval arithmetic takes it hours.
   [[nodiscard]] std::vector<std::vector<std::string>> for_coqchk(const std::set<std::string>& known) {
-    constexpr double light = 3;  // seconds of coqc
-    std::set<std::string> files, with_intervals;
+    std::set<std::string> files;
     for (std::size_t i = 0; i < before_.size(); ++i) {
       Json& claim = record_.at("claims").at(i);
       if (claim.at("accepted") != true) {
@@ -322,13 +335,11 @@ class Questions {
         claim["again"] = before_[i].second;
       } else if (claim.at("intervals") != true) {
         files.insert(name_of(claim));
-      } else if (std::strtod(claim.at("seconds").get<std::string>().c_str(), nullptr) < light) {
-        with_intervals.insert(name_of(claim));
       } else {
         claim["again"] = "not asked: interval arithmetic";
       }
     }
-    if (files.empty() && with_intervals.empty()) {
+    if (files.empty()) {
       return {};
     }
     for (const auto& [name, made] : compiled_) {
@@ -336,18 +347,18 @@ class Questions {
         files.insert(name);
       }
     }
-    std::vector<std::vector<std::string>> groups;
-    const auto add = [&](const std::set<std::string>& names, std::size_t at_once) {
-      std::size_t count = 0;
-      for (const std::string& name : names) {
-        if (count++ % at_once == 0) {
-          groups.emplace_back();
-        }
-        groups.back().push_back(name);
-      }
-    };
-    add(with_intervals, 8);
-    add(files, 12);
+    // Dealt out, so that all groups take about as long.
+    constexpr std::size_t at_once = 12;
+    std::vector<std::pair<std::uintmax_t, std::string>> by_size;
+    for (const std::string& name : files) {
+      by_size.emplace_back(fs::file_size(workshop_.path() / (name + ".vo")), name);
+    }
+    std::ranges::sort(by_size, std::greater{});
+    std::vector<std::vector<std::string>> groups((files.size() + at_once - 1) / at_once);
+    for (std::size_t i = 0; i < by_size.size(); ++i) {
+      groups[i % groups.size()].push_back(by_size[i].second);
+    }
+    groups.back().push_back("Statements");
     return groups;
   }
 
@@ -372,14 +383,8 @@ class Questions {
     for (const std::string& name : names) {
       minutes += claims_in_.contains(name) ? claims_in_.at(name) : 1;
     }
-    std::vector<std::string> arguments{std::to_string(60 * minutes),
-                                       "env",
-                                       "OCAMLRUNPARAM=s=4M",  // a tenth less time than with small heaps
-                                       "coqchk",
-                                       "-silent",
-                                       "-Q",
-                                       ".",
-                                       "Stickslip"};
+    std::vector<std::string> arguments{
+        std::to_string(60 * minutes), "env", heaps, "coqchk", "-silent", "-Q", ".", "Stickslip"};
     for (const std::string& name : names) {
       arguments.insert(arguments.end(), {"-norec", "Stickslip." + name});
     }

@@ -65,7 +65,7 @@ Json record_of(const certificates::Certificates& all, const Json& recorded_befor
                       {"file", one.name + ".v"},
                       {"theorems", one.theorems},
                       {"immediate", one.immediate},
-                      {"intervals", one.has_intervals},
+                      {"intervals", one.many_enclosures},
                       {"imports", one.imports},
                       {"says", one.says},
                       {"text", texts.at(one.name + ".v")},

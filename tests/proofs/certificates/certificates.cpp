@@ -191,6 +191,16 @@ TEST_CASE("a long number that stands in a sign again and again is a letter betwe
   CHECK(other.text().find("generalize") == std::string::npos);
 }
 
+TEST_CASE("whether coqchk is asked depends on what a file holds, not on how long it took") {
+  const certificates::Certificates all = certificates::certificates(claims(), {"S.det", "45", "40"});
+  const auto of = [&](const std::string& claim) {
+    return std::ranges::find_if(all.certificates, [&](const auto& one) { return one.claim == claim; });
+  };
+  CHECK(of("S.det")->many_enclosures);
+  CHECK_FALSE(of("45")->many_enclosures);
+  CHECK_FALSE(of("40")->many_enclosures);
+}
+
 TEST_CASE("a file that loads interval arithmetic is not loaded for a few steps") {
   const Variable x{"x"};
   const Theorem lemma = Theorem::combination(equal(Term(x) + x, Term(2) * x));
