@@ -27,9 +27,10 @@ all: $(ASKED:=.vo)
 Matrices.vo:
 Sentences.vo:
 Programs.vo:
+Reading.vo:
 Polynomials.vo: Matrices.vo
 Fractions.vo: Polynomials.vo
-Algebra.vo: Sentences.vo Fractions.vo
+Algebra.vo: Sentences.vo Fractions.vo Reading.vo
 Calculus.vo Inverses.vo: Algebra.vo
 Numbers.vo: Algebra.vo Programs.vo
 Krawczyk.vo Stability.vo Definitions.vo: Calculus.vo

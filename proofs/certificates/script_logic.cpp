@@ -60,23 +60,20 @@ std::string sentence(const Formula& formula, const std::map<Formula, std::string
   }
 }
 
-// Where the formula stands in a conjunction of conjunctions, as a proof of it from a proof of the whole.
-std::optional<std::string> projected(const Formula& whole, const Formula& formula, const std::string& proof) {
+// Where the formula stands in a conjunction of conjunctions: after how many parts, and whether others follow;
+// then within that.
+std::optional<std::string> path_to(const Formula& formula, const Formula& whole) {
   if (whole == formula) {
-    return proof;
+    return "nil";
   }
   if (whole.kind() != Kind::conjunction) {
     return std::nullopt;
   }
-  std::string rest = proof;
   const std::vector<Term>& parts = whole.parts();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool last = i + 1 == parts.size();
-    const auto found = projected(parts[i], formula, last ? rest : fmt::format("(proj1 {})", rest));
-    if (found) {
-      return found;
+    if (const auto inside = path_to(formula, parts[i])) {
+      return fmt::format("({}%nat, {}) :: {}", i, i + 1 < parts.size(), *inside);
     }
-    rest = fmt::format("(proj2 {})", rest);
   }
   return std::nullopt;
 }
@@ -86,9 +83,10 @@ std::optional<std::string> projected(const Formula& whole, const Formula& formul
 std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
   const Step& step = theorem.derivation();
   if (step.premises.size() == 1) {
-    const auto found = projected(step.premises[0].conclusion(), theorem.conclusion(), "whole'");
-    if (found) {
-      return fmt::format("  pose proof {} as whole'. exact {}.", term(step.premises[0], scope), *found);
+    if (const auto path = path_to(theorem.conclusion(), step.premises[0].conclusion())) {
+      const std::string whole = term(step.premises[0], scope);
+      return *path == "nil" ? fmt::format("  exact {}.", whole)
+                            : fmt::format("  exact_part ({}) {}.", *path, whole);
     }
   }
   std::map<Formula, std::string> letters;

@@ -35,11 +35,6 @@ void collect_atoms(const Term& term, std::vector<Term>& found, std::set<Term>& s
   }
 }
 
-bool has_circle(const Term& term) {
-  return term.kind() == Kind::cosine || term.kind() == Kind::sine ||
-         std::ranges::any_of(term.parts(), has_circle);
-}
-
 // The entries of a matrix, row after row.
 std::string entries(const Type& type, const std::string& name) {
   std::string names;
@@ -281,36 +276,6 @@ Numbers numbers_apart(const std::vector<Term>& terms) {
 
 }  // namespace
 
-namespace {
-
-// Numbers that become letters, those at once that can be, for each time the whole goal is typed anew.
-class Generalized {
- public:
-  void add(const std::string& number, const std::string& letter) {
-    numbers_.push_back(number);
-    letters_.push_back(letter);
-  }
-  void apart(const std::string& line) { lines_ = text() + line; }
-  // Of what stands in one `generalize`, Coq takes the last first.
-  [[nodiscard]] std::string text() {
-    if (!numbers_.empty()) {
-      std::ranges::reverse(numbers_);
-      std::ranges::reverse(letters_);
-      lines_ +=
-          fmt::format("  generalize {}; intros {}.\n", fmt::join(numbers_, " "), fmt::join(letters_, " "));
-      numbers_.clear();
-      letters_.clear();
-    }
-    return lines_;
-  }
-
- private:
-  std::vector<std::string> numbers_, letters_;
-  std::string lines_;
-};
-
-}  // namespace
-
 std::string Script::normal_form(const Term& left, const Term& right, const Step& step,
                                 const Scope& scope) const {
   const Definitions opened = needed(difference(left, right), step);
@@ -351,70 +316,51 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
     }
   }
   const Phases phases = phases_of(terms, numbers_apart(terms));
-  // All at once, for each time the whole goal is typed anew.
-  std::string expansions, circles, letters;
-  std::vector<std::string> equations;
+  // Nothing else that is known is of use then.
+  std::vector<std::string> known = divisors;
+  const auto know = [&](const std::string& name) { known.push_back(name); };
   for (std::size_t i = 0; i < phases.arguments.size(); ++i) {
     const auto& [argument, sum] = phases.arguments[i];
-    text += fmt::format("  assert (E'{} : {} = {}) by angle.\n", i, argument, sum);
-    expansions += fmt::format("  expand_circle E'{0} C'{0} S'{0}.\n", i);
-    circles += fmt::format(" (cos {0}) (sin {0})", argument);
-    letters += fmt::format(" x'{0} y'{0}", i);
-    equations.insert(equations.end(), {fmt::format("C'{}", i), fmt::format("S'{}", i)});
+    text += fmt::format("  assert (E'{0} : {1} = {2}) by angle.\n  expand_circle E'{0} C'{0} S'{0}.\n", i,
+                        argument, sum);
+    know(fmt::format("C'{}", i));
+    know(fmt::format("S'{}", i));
   }
-  if (!expansions.empty()) {
-    const std::string all = fmt::format("{}", fmt::join(equations, " "));
-    expansions += fmt::format(
-        "  revert {0}.\n  generalize{1}; intros{2} {0}.\n  cbv beta iota delta [cos_of sin_of] in {3}; "
-        "revert "
-        "{0}.\n",
-        all, circles, letters, fmt::join(equations, ", "));
+  for (std::size_t i = 0; i < phases.phases.size(); ++i) {
+    text += fmt::format("  pose proof (circle {}) as K'{}.\n", phases.phases[i], i);
+    know(fmt::format("K'{}", i));
+  }
+  if (phases.of_zero) {
+    text += "  pose proof cos_0 as C'; pose proof sin_0 as S'.\n";
+    know("C'");
+    know("S'");
   }
   std::vector<Term> atoms;
   std::set<Term> seen;
   for (const Term& term : terms) {
     collect_atoms(term, atoms, seen);
   }
-  // Variables last: others speak of them.
-  const auto is_matrix = [](const Term& atom) { return !atom.type().is_scalar(); };
-  const auto is_variable = [](const Term& atom) { return atom.kind() == Kind::variable; };
-  std::ranges::stable_partition(atoms, is_matrix);
-  std::ranges::stable_partition(atoms, std::not_fn(is_variable));
-  // Those that a cosine or sine is part of while it still is.
-  Generalized before_phases, after_phases;
-  for (std::size_t i = 0; i < atoms.size(); ++i) {
-    const std::string shown = coq(atoms[i]), name = fmt::format("m'{}", i);
-    Generalized& where = has_circle(atoms[i]) ? before_phases : after_phases;
-    if (is_matrix(atoms[i])) {
-      where.apart(fmt::format("  {} {}; by_entries; intros{}.\n",
-                              is_variable(atoms[i]) ? "revert" : "generalize", shown,
-                              entries(atoms[i].type(), name)));
-    } else if (atoms[i].kind() == Kind::pi) {
-      where.apart("  generalize PI_neq0; generalize PI; intros pi' n'.\n");
-    } else if (!is_variable(atoms[i])) {
-      where.add(shown, name);
-    }
-  }
-  text += reverted() + before_phases.text() + expansions + "  forget.\n";
-  Generalized numbers;
-  std::string on_circles, known;
-  for (std::size_t i = 0; i < phases.phases.size(); ++i) {
-    const std::string& phase = phases.phases[i];
-    on_circles += fmt::format(" (circle {})", phase);
-    numbers.add(fmt::format("(cos {})", phase), fmt::format("c'{}", i));
-    numbers.add(fmt::format("(sin {})", phase), fmt::format("s'{}", i));
-    known += fmt::format(" K'{}", i);
+  if (std::ranges::any_of(atoms, [](const Term& atom) { return atom.kind() == Kind::pi; })) {
+    text += "  pose proof PI_neq0 as n'.\n";
+    know("n'");
   }
   if (!known.empty()) {
-    text += fmt::format("  generalize{}.\n{}  intros{}.\n", on_circles, numbers.text(), known);
+    text += fmt::format("  revert {}.\n", fmt::join(known, " "));
   }
-  text += after_phases.text();
-  text += expansions.empty() ? "" : "  intro_letters.\n";
-  if (!divisors.empty()) {
-    text += fmt::format("  reduce_matrices; intros {}; split_factors.\n", listed());
+  // Variables last: others speak of them.
+  std::erase_if(atoms, [](const Term& atom) { return atom.type().is_scalar(); });
+  const auto is_variable = [](const Term& atom) { return atom.kind() == Kind::variable; };
+  std::ranges::stable_partition(atoms, std::not_fn(is_variable));
+  text += "  forget.\n";
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    text += fmt::format("  {} {}; by_entries; intros{}.\n", is_variable(atoms[i]) ? "revert" : "generalize",
+                        coq(atoms[i]), entries(atoms[i].type(), fmt::format("m'{}", i)));
   }
-  return fmt::format("{}  {}reduce_matrices; by_fractions.\n", text,
-                     phases.of_zero ? "rewrite ?cos_0, ?sin_0; " : "");
+  text += "  reduce_matrices";
+  if (!known.empty()) {
+    text += fmt::format("; intros {}", fmt::join(known, " "));
+  }
+  return text + (divisors.empty() ? "" : "; split_factors") + "; by_fractions.\n";
 }
 
 }  // namespace stickslip::proofs::certificates

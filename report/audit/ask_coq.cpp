@@ -216,7 +216,7 @@ class Questions {
     std::map<std::string, std::vector<std::string>> left;  // what each requires
     const auto add = [&](const auto& self, const std::string& name) -> void {
       const auto text = foundations_.find(name);
-      if (text == foundations_.end() || left.contains(name) || !any_accepted()) {
+      if (text == foundations_.end() || left.contains(name) || compiled_.contains(name) || !any_accepted()) {
         return;
       }
       const std::string file = name + ".v";

@@ -1,6 +1,9 @@
 (* What the steps of a certificate are made of: sums of multiples, signs of products, cos and sin of sums. *)
 From Stickslip Require Export Matrices Sentences.
 From Stickslip Require Fractions.
+From Stickslip Require Import Reading.
+From Ltac2 Require Import Ltac2.
+Set Default Proof Mode "Classic".
 
 (* ---- logic *)
 
@@ -20,6 +23,32 @@ Lemma square_root : forall a, 0 <= a -> exists x, 0 <= x /\ x ^ 2 = a.
 Proof.
   intros a L. exists (sqrt a). split; [apply sqrt_pos|]. now rewrite <- Rsqr_pow2, Rsqr_sqrt.
 Qed.
+
+(* A part of what `proof` shows: after so many others, the first or all that is left, and so on within that. Each part is
+   named once, where a projection for each that comes before would name all that comes after it. *)
+Ltac2 opened_both (said : constr) : constr := match! said with _ /\ _ => said | _ => Std.eval_hnf said end.
+Ltac2 rec part_shown (path : constr) (proof : constr) (said : constr) : constr :=
+  match! path with
+  | nil => proof
+  | (?skipped, ?first) :: ?path =>
+      let rec after n said before :=
+        match! n with
+        | O => (List.rev before, said)
+        | S ?n => let both := opened_both said in after n (part both 1) (part both 0 :: before)
+        end in
+      let (before, rest) := after skipped said [] in
+      let proof :=
+        match before with [] => proof | _ => applied constr:(said_after) [listed constr:(Prop) before; rest; proof] end in
+      if Constr.equal first constr:(Datatypes.true) then
+        let rest := opened_both rest in
+        part_shown path (applied constr:(@proj1) [part rest 0; part rest 1; proof]) (part rest 0)
+      else part_shown path proof rest
+  end.
+Ltac exact_part path proof :=
+  let f := ltac2:(path proof |-
+    let proof := Option.get (Ltac1.to_constr proof) in
+    Std.exact_no_check (part_shown (Option.get (Ltac1.to_constr path)) proof (Constr.type proof))) in
+  f constr:(path) constr:(proof).
 
 (* ---- sums of multiples *)
 
@@ -132,13 +161,13 @@ Ltac angle_of x :=
   | _ => constr:(Phase x)
   end.
 
-(* By `E : argument = sum of phases`, what cos and sin of the argument are: not computed before the argument's
-   own are letters, for it may be a phase. *)
+(* By `E : argument = sum of phases`, what cos and sin of the argument are. *)
 Ltac expand_circle E C S :=
   match type of E with
-  | ?x = ?y => let a := angle_of y in pose proof (cos_is a x E) as C; pose proof (sin_is a x E) as S
+  | ?x = ?y =>
+      let a := angle_of y in
+      pose proof (cos_is a x E) as C; pose proof (sin_is a x E) as S; cbv beta iota delta [cos_of sin_of] in C, S
   end.
-Ltac intro_letters := repeat match goal with |- ?c = _ -> _ => is_var c; intros ? end.
 
 Lemma zero_of_sine : forall x, sin x = 0 -> exists k : Z, x = (IZR k + 0) * PI.
 Proof. intros x Z. destruct (sin_eq_0_0 x Z) as [k E]. exists k. rewrite E. ring. Qed.
@@ -176,8 +205,8 @@ Ltac by_entries :=
   end.
 
 (* What is known beside the goal is not needed. *)
-Ltac forget :=
-  repeat match goal with H : ?P |- _ => lazymatch type of P with Prop => clear H end end.
+Ltac2 forget () := Std.clear (List.map name (List.filter is_said (Control.hyps ()))).
+Ltac forget := ltac2:(Control.enter forget).
 Lemma factor_left : forall a b : R, a * b <> 0 -> a <> 0.
 Proof. intros a b N E. apply N. rewrite E. ring. Qed.
 Lemma factor_right : forall a b : R, a * b <> 0 -> b <> 0.
@@ -194,112 +223,65 @@ Ltac split_factors :=
 
 (* ---- an equation of numbers as one of expressions *)
 
-(* Many at once: the result is typed anew each time. *)
-Ltac abstracted xs t :=
-  lazymatch xs with
-  | nil => t
-  | cons ?a (cons ?b (cons ?c (cons ?d (cons ?e (cons ?f (cons ?g (cons ?h (cons ?i (cons ?j (cons ?k (cons ?l ?rest))))))))))) =>
-      let u := eval pattern l, k, j, i, h, g, f, e, d, c, b, a in t in
-      lazymatch u with ?v _ _ _ _ _ _ _ _ _ _ _ _ => abstracted rest v end
-  | cons ?a (cons ?b (cons ?c (cons ?d ?rest))) =>
-      let u := eval pattern d, c, b, a in t in
-      lazymatch u with ?v _ _ _ _ => abstracted rest v end
-  | cons ?a ?rest =>
-      let u := eval pattern a in t in
-      lazymatch u with ?v _ => abstracted rest v end
-  end.
-Ltac applied_to_letters xs k t :=
-  lazymatch xs with
-  | nil => t
-  | cons _ ?rest => let t := applied_to_letters rest (Pos.succ k) t in constr:(t (Fractions.Letter k))
-  end.
-Ltac place x xs k :=
-  lazymatch xs with
-  | cons x _ => eval cbv in k
-  | cons _ ?rest => place x rest (Pos.succ k)
-  end.
-Ltac numbers_in_context xs :=
-  match goal with
-  | x : R |- _ =>
-      lazymatch xs with
-      | context [cons x _] => fail
-      | _ => numbers_in_context (cons x xs)
-      end
-  | _ => xs
-  end.
-(* The expressions of a list of numbers. *)
-Ltac expressions xs t :=
-  let t := abstracted xs t in
-  let u := eval pattern R, Rplus, Rmult, Rminus, Rdiv, Ropp, Rinv, IZR, pow in t in
-  lazymatch u with
-  | ?f _ _ _ _ _ _ _ _ _ =>
-      let t := constr:(f Fractions.expression Fractions.Plus Fractions.Times Fractions.Minus Fractions.Over
-                     Fractions.Opposite Fractions.Inverse Fractions.Number Fractions.Power) in
-      let t := applied_to_letters xs 1%positive t in
-      eval cbv beta delta [Pos.succ] iota in t
-  end.
-(* Of c = e -> … -> c c = 1 - s s -> … -> d <> 0 -> … -> a = b: the letters c, the pairs (c, s), the e, and a, b,
-   and the d, the last one first. *)
-Ltac letters_in G xs :=
-  lazymatch G with
-  | ?c * _ = _ -> _ => constr:(@nil positive)
-  | ?c = _ -> ?rest =>
-      let i := place c xs 1%positive in
-      let is := letters_in rest xs in
-      constr:(cons i is)
-  | _ => constr:(@nil positive)
-  end.
-Ltac circles_in G xs :=
-  lazymatch G with
-  | ?c * _ = _ + _ * (?s * _) -> ?rest =>
-      let i := place c xs 1%positive in
-      let j := place s xs 1%positive in
-      let cs := circles_in rest xs in
-      constr:(cons (i, j) cs)
-  | _ = _ -> ?rest => circles_in rest xs
-  | _ => constr:(@nil (positive * positive))
-  end.
-Ltac values_in G :=
-  lazymatch G with
-  | _ * _ = _ -> _ => constr:(@nil R)
-  | _ = ?e -> ?rest => let es := values_in rest in constr:(cons e es)
-  | _ => constr:(@nil R)
-  end.
-Ltac numbers_in G ds :=
-  lazymatch G with
-  | _ = _ -> ?rest => numbers_in rest ds
-  | ?d <> 0 -> ?rest => numbers_in rest constr:(cons d ds)
-  | ?a = ?b => constr:(((a, b), ds))
-  end.
-Ltac type_of_equation G := lazymatch G with _ -> ?G => type_of_equation G | @eq ?T _ _ => T end.
 (* Of what is read and what is said, the former is to be computed. *)
 Strategy expand
   [Fractions.value BinList.nth BinList.jump Fractions.where_equal Fractions.on_circles Fractions.where_nonzero vmap].
-Ltac by_fractions :=
-  let xs := numbers_in_context (@nil R) in
-  repeat match goal with N : _ <> 0 |- _ => revert N end;
-  repeat match goal with K : ?c * ?c = 1 - ?s * ?s |- _ => revert K end;
-  repeat match goal with E : ?c = _ |- _ => is_var c; revert E end;
-  lazymatch goal with
-  | |- ?G =>
-      let is := letters_in G xs in
-      let cs := circles_in G xs in
-      let vs := values_in G in
-      let ns := numbers_in G (@nil R) in
-      let read := expressions xs (pair vs ns) in
-      lazymatch read with
-      | pair ?vs (pair (pair ?a ?b) ?es) =>
-          let gs := eval cbv in (combine is vs) in
-          let es := eval cbv in (rev es) in
-          let by_test test lemma :=
-            cut (test = true); [exact_no_check lemma | vm_cast_no_check (@eq_refl bool true)] in
-          lazymatch type_of_equation G with
-          | R => by_test (Fractions.identical gs cs es a b) (Fractions.identical_ok xs gs cs es a b)
-          | Vec (Vec R ?c) ?r =>
-              by_test (Fractions.identical_m gs cs es r c a b) (Fractions.identical_m_ok xs gs cs es r c a b)
-          end
-      end
+
+(* What stands above the goal and is of use: values of letters, cosines and sines on circles, what is not 0. *)
+Ltac2 value_in (said : constr) : (constr * constr) list :=
+  match! said with
+  | cos _ = ?e => [(part said 1, e)]
+  | sin _ = ?e => [(part said 1, e)]
+  | @eq R ?x ?e => match Constr.Unsafe.kind x with Constr.Unsafe.Var _ => [(x, e)] | _ => [] end
+  | _ => []
   end.
+Ltac2 circle_in (said : constr) : (constr * constr) list :=
+  match! said with
+  | ?c * ?d = 1 + -1 * (?s * _) => if Constr.equal c d then [(c, s)] else []
+  | _ => []
+  end.
+Ltac2 nonzero_in (said : constr) : (constr * constr) list := match! said with ?d <> 0 => [(d, d)] | _ => [] end.
+Ltac2 decided_by_fractions () :=
+  let hyps := Control.hyps () in
+  let r := constr:(R) in
+  let e := constr:(Fractions.expression) in
+  let words := [
+    word constr:(Rmult) constr:(Fractions.Times) 2; word constr:(Rplus) constr:(Fractions.Plus) 2;
+    word constr:(IZR) constr:(Fractions.Number) 0; word constr:(Rinv) constr:(Fractions.Inverse) 1;
+    word constr:(pow) constr:(Fractions.Power) 1; word constr:(Ropp) constr:(Fractions.Opposite) 1;
+    word constr:(Rminus) constr:(Fractions.Minus) 2; word constr:(Rdiv) constr:(Fractions.Over) 2] in
+  let variables := numbers_among hyps in
+  let letter k := applied constr:(Fractions.Letter) [positive k] in
+  let values := List.mapi (fun k _ => letter (Int.add k 1)) variables in
+  let letters := { count := List.length variables; found := List.rev (List.map Control.hyp variables); letter := letter } in
+  let read t := with_variables variables values (reading words letters t) in
+  let place t := part (read t) 0 in
+  let those find :=
+    List.flat_map (fun h => List.map (fun u => let (a, b) := u in (Control.hyp (name h), a, b)) (find (says h))) hyps in
+  let known := those value_in in
+  let circles := those circle_in in
+  let nonzeros := those nonzero_in in
+  let pair_of a b x y := applied constr:(@pair) [a; b; x; y] in
+  let p := constr:(BinNums.positive) in
+  let gs := listed constr:((BinNums.positive * Fractions.expression)%type)
+    (List.map (fun u => let (_, c, v) := u in pair_of p e (place c) (read v)) known) in
+  let cs := listed constr:((BinNums.positive * BinNums.positive)%type)
+    (List.map (fun u => let (_, c, s) := u in pair_of p p (place c) (place s)) circles) in
+  let es := listed e (List.map (fun u => let (_, d, _) := u in read d) nonzeros) in
+  let goal := Control.goal () in
+  let type := part goal 0 in
+  let a := each_number read (other_type r e) (part goal 1) in
+  let b := each_number read (other_type r e) (part goal 2) in
+  let decided test lemma sizes :=
+    let what := List.append [gs; cs; es] (List.append sizes [a; b]) in
+    let uses := List.map (fun u => let (h, _, _) := u in h) (List.append known (List.append circles nonzeros)) in
+    let xs := listed r (List.rev (letters.(found))) in
+    Std.exact_no_check
+      (applied lemma (List.append (xs :: what) (passed (applied test what) :: uses))) in
+  if Constr.equal type r then decided constr:(Fractions.identical) constr:(Fractions.identical_ok) []
+  else
+    decided constr:(Fractions.identical_m) constr:(Fractions.identical_m_ok) [part type 1; part (part type 0) 1].
+Ltac by_fractions := ltac2:(Control.enter decided_by_fractions).
 
 (* c <> 0, or several such, because something that is known not to be 0 is a multiple of c, or has it as its
    numerator. *)

@@ -1,11 +1,13 @@
 (* Signs of expressions between given bounds, in interval arithmetic on whole numbers: no axiom but those of
    the real numbers. *)
 From Stickslip Require Export Algebra.
-From Stickslip Require Import Programs.
+From Stickslip Require Import Programs Reading.
 From Interval.Float Require Import Basic Specific_ops Specific_stdz.
 From Interval.Interval Require Import Float_full.
 From Interval.Eval Require Import Tree Prog Reify.
 From Interval.Tactics Require Import Interval_helper.
+From Ltac2 Require Import Ltac2.
+Set Default Proof Mode "Classic".
 
 (* Not by the tactics of that library, which take several times as long to read an expression as to enclose it,
    and to load. *)
@@ -161,139 +163,132 @@ Strategy expand
   [eval nullary_real unary_real binary_real powerRZ eval_hyps eval_hyps_aux eval_hyp hypothesis assuming plus times
    minus over opposite inverse number to_power cosine sine modulus].
 
-(* The bounds of variables by numbers, before what is to be shown, variable by variable; nothing else is known. *)
-Ltac closed c :=
-  tryif match goal with x : R |- _ => lazymatch c with context [x] => idtac end end then fail else idtac.
-Ltac revert_bounds x :=
-  repeat match goal with
-         | H : x <= ?c |- _ => closed c; revert H
-         | H : x < ?c |- _ => closed c; revert H
-         | H : ?c <= x |- _ => closed c; revert H
-         | H : ?c < x |- _ => closed c; revert H
-         | H : ?c <= x <= ?d |- _ => closed c; closed d; revert H
-         end.
-Ltac revert_all_bounds xs :=
-  lazymatch xs with nil => idtac | cons ?x ?xs => revert_all_bounds xs; revert_bounds x end.
-Ltac bounds_in G xs :=
-  lazymatch xs with
-  | nil =>
-      lazymatch G with
-      | ?c <= ?a /\ _ <= ?d => constr:((@nil (list (bound R)), (a, (c, d))))
-      | ?c < ?a /\ _ < ?d => constr:((@nil (list (bound R)), (a, (c, d))))
-      | Rabs ?a <= ?b => constr:((@nil (list (bound R)), (a, b)))
-      | ?a <= ?b => constr:((@nil (list (bound R)), (a, b)))
-      | ?a < ?b => constr:((@nil (list (bound R)), (a, b)))
-      | ?a = ?b -> False => constr:((@nil (list (bound R)), (a, b)))
-      | ?a <> ?b => constr:((@nil (list (bound R)), (a, b)))
-      end
-  | cons ?x ?rest =>
-      let more G b :=
-        let t := bounds_in G xs in
-        lazymatch t with pair (cons ?h ?hs) ?c => constr:((cons (cons b h) hs, c)) end in
-      lazymatch G with
-      | x <= ?c -> ?G => more G constr:(At_most c)
-      | x < ?c -> ?G => more G constr:(Below c)
-      | ?c <= x -> ?G => more G constr:(At_least c)
-      | ?c < x -> ?G => more G constr:(Above c)
-      | ?c <= x <= ?d -> ?G => more G constr:(Between c d)
-      | _ =>
-          let t := bounds_in G rest in
-          lazymatch t with pair ?hs ?c => constr:((cons (@nil (bound R)) hs, c)) end
-      end
+Ltac2 words () := [
+  word constr:(Rmult) constr:(times) 2; word constr:(Rplus) constr:(plus) 2; word constr:(IZR) constr:(number) 0;
+  word constr:(Rinv) constr:(inverse) 1; word constr:(cos) constr:(cosine) 1; word constr:(sin) constr:(sine) 1;
+  word constr:(PI) constr:(Econst Pi) 0; word constr:(pow) constr:(to_power) 1; word constr:(Ropp) constr:(opposite) 1;
+  word constr:(Rminus) constr:(minus) 2; word constr:(Rdiv) constr:(over) 2; word constr:(Rabs) constr:(modulus) 1].
+Ltac2 no_letters () := { count := 0; found := []; letter := fun _ => Control.zero Not_found }.
+Ltac2 rec natural (k : int) : constr := if Int.equal k 0 then constr:(O) else applied constr:(S) [natural (Int.sub k 1)].
+Ltac2 places (xs : 'a list) : constr list := List.mapi (fun k _ => applied constr:(Evar) [natural k]) xs.
+(* Numbers, and functions of several numbers, of which there are `depth`. *)
+Ltac2 rec read_function (depth : int) (t : constr) : constr :=
+  match Constr.Unsafe.kind t with
+  | Constr.Unsafe.Lambda _ t => read_function (Int.add depth 1) t
+  | _ =>
+      let read t := reading (words ()) (no_letters ()) t in
+      Constr.Unsafe.substnl (List.rev (places (List.init depth (fun _ => ())))) 0
+        (each_number read (other_type constr:(R) constr:(expr)) t)
   end.
-Ltac applied_to_places xs k t :=
-  lazymatch xs with
-  | nil => t
-  | cons _ ?rest => let t := applied_to_places rest (S k) t in constr:(t (Evar k))
+Ltac read_exactly t := let f := ltac2:(t |- Std.exact_no_check (read_function 0 (Option.get (Ltac1.to_constr t)))) in f t.
+
+(* Whether the tests pass: what stands in goal and hypotheses, which bound variables by numbers, is read; a number that
+   is `eval e xs` has been. *)
+Ltac2 rec each (f : constr -> 'a) (xs : constr) : 'a list :=
+  match! xs with
+  | nil => []
+  | ?x :: ?xs => f x :: each f xs
   end.
-(* A term of numbers as one of expressions. *)
-Ltac read t :=
-  let t := eval pattern R, Rplus, Rmult, Rminus, Rdiv, Ropp, Rinv, IZR, pow, cos, sin, PI, Rabs in t in
-  lazymatch t with
-  | ?f _ _ _ _ _ _ _ _ _ _ _ _ _ =>
-      let t := constr:(f expr plus times minus over opposite inverse number to_power cosine sine (Econst Pi) modulus) in
-      eval cbv beta in t
+Ltac2 variable (x : constr) : ident :=
+  match Constr.Unsafe.kind x with Constr.Unsafe.Var x => x | _ => Control.zero Not_found end.
+Ltac2 by_tests (order : ident list) (tests : (constr * constr) list) (halved : constr) : unit :=
+  let hyps := Control.hyps () in
+  let e := constr:(expr) in
+  let values := places order in
+  let read t :=
+    match! t with
+    | eval ?e _ => e
+    | _ => with_variables order values (reading (words ()) (no_letters ()) t)
+    end in
+  let is_closed t := Constr.equal t (Constr.Unsafe.closenl order 1 t) in
+  let bound_of x h :=
+    let is_x t := match Constr.Unsafe.kind t with Constr.Unsafe.Var y => Ident.equal x y | _ => false end in
+    let of_one bound t u :=
+      if is_x t then if is_closed u then Some (name h, applied bound [e; read u]) else None else None in
+    match! (says h) with
+    | ?c <= ?y /\ ?z <= ?d =>
+        if is_x y then
+          if is_closed c then if is_closed d then Some (name h, applied constr:(@Between) [e; read c; read d]) else None
+          else None
+        else None
+    | ?a <= ?b =>
+        match of_one constr:(@At_most) a b with Some r => Some r | None => of_one constr:(@At_least) b a end
+    | ?a < ?b => match of_one constr:(@Below) a b with Some r => Some r | None => of_one constr:(@Above) b a end
+    | _ => None
+    end in
+  let said := List.filter is_said hyps in
+  let bounds :=
+    List.map (fun x => List.flat_map (fun h => match bound_of x h with Some r => [r] | None => [] end) said) order in
+  let uses := List.map (fun r => let (x, _) := r in x) (List.flatten bounds) in
+  let bound := applied constr:(bound) [e] in
+  let hs := listed (applied constr:(list) [bound])
+    (List.map (fun rs => listed bound (List.map (fun r => let (_, b) := r in b) rs)) bounds) in
+  let xs := listed constr:(R) (List.map Control.hyp order) in
+  Std.clear (List.filter (fun x => if List.mem Ident.equal x uses then false else true) (List.map name said));
+  let known := List.map Control.hyp uses in
+  let tested test lemma a b :=
+    let rec tried tests :=
+      match tests with
+      | [] => Control.zero Not_found
+      | one :: tests =>
+          let (prec, depth) := one in
+          let proof := applied lemma (List.append [prec; depth; halved; hs; xs; a; b]
+            (passed (applied test [prec; depth; halved; hs; a; b]) :: known)) in
+          Control.plus
+            (fun () => let f := ltac1:(t |- abstract (exact_no_check t)) in f (Ltac1.of_constr proof))
+            (fun _ => tried tests)
+      end in
+    Control.once (fun () => tried tests) in
+  let two a b := applied constr:(@pair) [e; e; read a; read b] in
+  match! goal with
+  | [|- ?c <= ?a /\ _ <= ?d] => tested constr:(is_between) constr:(between_enclosed) (read a) (two c d)
+  | [|- ?c < ?a /\ _ < ?d] => tested constr:(is_inside) constr:(inside_enclosed) (read a) (two c d)
+  | [|- Rabs ?a <= ?b] => tested constr:(is_short) constr:(short_enclosed) (read a) (read b)
+  | [|- ?a <= ?b] => tested constr:(is_at_most) constr:(at_most_enclosed) (read a) (read b)
+  | [|- ?a < ?b] => tested constr:(is_less) constr:(less_enclosed) (read a) (read b)
+  | [|- ?a = ?b -> False] => tested constr:(is_other) constr:(other_enclosed) (read a) (read b)
+  | [|- ?a <> ?b] => tested constr:(is_other) constr:(other_enclosed) (read a) (read b)
   end.
-(* A function of several numbers. *)
-Ltac of_variables t k :=
-  lazymatch type of t with
-  | expr -> _ => let t := constr:(t (Evar k)) in let t := eval cbv beta in t in of_variables t (S k)
-  | _ => t
-  end.
-Ltac function_read t := let t := read t in of_variables t O.
-Ltac place_of x xs k := lazymatch xs with cons x _ => k | cons _ ?rest => place_of x rest (S k) end.
-(* Hands on the variables, and what is read. *)
-Ltac with_expressions go :=
-  let xs := numbers_in_context (@nil R) in
-  revert_all_bounds xs; forget;
-  lazymatch goal with
-  | |- ?G =>
-      let t := bounds_in G xs in
-      let t := abstracted xs t in
-      let t := read t in
-      let t := applied_to_places xs O t in
-      let t := eval cbv beta in t in
-      lazymatch t with pair ?hs (pair ?a ?b) => go xs hs a b end
-  end.
-(* The same of a number that was read before: E says that it is the value of an expression. *)
-Ltac with_known_expression E go :=
+(* A precision that mostly does, and a larger one. Where a variable has a wide range: in parts of it, of which a few do
+   mostly. *)
+Ltac2 enclosed (order : ident list) : unit :=
+  by_tests order [(constr:(60%Z), constr:(O)); (constr:(128%Z), constr:(O))] constr:(@nil nat).
+Ltac2 enclosed_along (x : constr) (order : ident list) : unit :=
+  let rec place xs k :=
+    match xs with
+    | [] => Control.zero Not_found
+    | y :: xs => if Ident.equal (variable x) y then k else place xs (Int.add k 1)
+    end in
+  by_tests order [(constr:(30%Z), constr:(4%nat)); (constr:(40%Z), constr:(12%nat))]
+    (listed constr:(nat) [natural (place order 0)]).
+Ltac2 any_order () : ident list := numbers_among (Control.hyps ()).
+(* E says of a number of which expression it is the value. *)
+Ltac2 order_of (known : constr) : ident list :=
+  match! (Constr.type known) with _ = eval _ ?xs => each variable xs end.
+Ltac known_to_be E :=
   lazymatch type of E with
-  | ?t = eval ?e ?xs =>
-      revert_all_bounds xs; forget;
+  | ?t = _ =>
       lazymatch goal with
-      | |- ?G =>
-          let u := eval pattern t in G in
-          lazymatch u with
-          | ?P _ =>
-              refine (eq_ind_r P _ E); cbv beta;
-              lazymatch goal with
-              | |- ?G =>
-                  let t := bounds_in G xs in
-                  let t := eval pattern (eval e xs) in t in
-                  lazymatch t with
-                  | ?f _ =>
-                      let f := read f in
-                      let t := eval cbv beta in (f e) in
-                      lazymatch t with pair ?hs (pair ?a ?b) => go xs hs a b end
-                  end
-              end
-          end
+      | |- ?G => let u := eval pattern t in G in lazymatch u with ?P _ => refine (eq_ind_r P _ E); cbv beta end
       end
-  end.
-Ltac conclusion G :=
-  lazymatch G with
-  | (?a = ?b -> False) => G
-  | _ -> ?G => conclusion G
-  | _ => G
-  end.
-Ltac by_test prec depth halved xs hs a b :=
-  let G := lazymatch goal with |- ?G => conclusion G end in
-  let found lemma test :=
-    abstract (cut (test prec depth halved hs a b = true);
-              [exact_no_check (lemma prec depth halved hs xs a b) | vm_cast_no_check (@eq_refl bool true)]) in
-  lazymatch G with
-  | _ <= _ /\ _ <= _ => found between_enclosed is_between
-  | _ < _ /\ _ < _ => found inside_enclosed is_inside
-  | Rabs _ <= _ => found short_enclosed is_short
-  | _ <= _ => found at_most_enclosed is_at_most
-  | _ < _ => found less_enclosed is_less
-  | _ => found other_enclosed is_other
   end.
 End Enclosures.
 
 Lemma by_distance : forall c w x : R, Rabs (x + -1 * c) <= w -> c + -1 * w <= x <= c + w.
 Proof. intros c w x L. unfold Rabs in L. destruct (Rcase_abs _); lra. Qed.
 
-Ltac enclosed xs hs a b :=
-  first [Enclosures.by_test 60%Z O (@nil nat) xs hs a b | Enclosures.by_test 128%Z O (@nil nat) xs hs a b].
-(* The same where a variable has a wide range: in parts of it, of which a few do mostly. *)
-Ltac enclosed_along x xs hs a b :=
-  let k := Enclosures.place_of x xs O in
-  first [ Enclosures.by_test 30%Z 4%nat (cons k nil) xs hs a b
-        | Enclosures.by_test 40%Z 12%nat (cons k nil) xs hs a b ].
-Ltac by_enclosure := Enclosures.with_expressions enclosed.
-Ltac by_enclosure_along x := Enclosures.with_expressions ltac:(enclosed_along x).
+Ltac by_enclosure := ltac2:(Control.enter (fun () => Enclosures.enclosed (Enclosures.any_order ()))).
+Ltac by_enclosure_along x :=
+  let f := ltac2:(x |- Enclosures.enclosed_along (Option.get (Ltac1.to_constr x)) (Enclosures.any_order ())) in
+  f constr:(x).
 (* A function of several numbers as an expression. *)
-Ltac number_read f := let f := reduced_matrices f in let t := Enclosures.function_read f in exact t.
-Ltac by_known_enclosure E := Enclosures.with_known_expression E enclosed.
-Ltac by_known_enclosure_along E x := Enclosures.with_known_expression E ltac:(enclosed_along x).
+Ltac number_read f := let f := reduced_matrices f in Enclosures.read_exactly f.
+Ltac by_known_enclosure E :=
+  Enclosures.known_to_be E;
+  let f := ltac2:(known |- Enclosures.enclosed (Enclosures.order_of (Option.get (Ltac1.to_constr known)))) in
+  f constr:(E).
+Ltac by_known_enclosure_along E x :=
+  Enclosures.known_to_be E;
+  let f := ltac2:(known x |- Enclosures.enclosed_along (Option.get (Ltac1.to_constr x))
+    (Enclosures.order_of (Option.get (Ltac1.to_constr known)))) in
+  f constr:(E) constr:(x).

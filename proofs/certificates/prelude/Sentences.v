@@ -64,3 +64,9 @@ Proof.
     + apply (says_valued l (first_letter s) Yes s) in Y; [exact Y | simpl; tauto].
     + apply (says_valued l (first_letter s) No s) in N; [exact N | simpl; tauto].
 Qed.
+
+(* Of what is said in many parts, what comes after some of them. *)
+Fixpoint said_before (parts : list Prop) (rest : Prop) : Prop :=
+  match parts with nil => rest | A :: parts => A /\ said_before parts rest end.
+Lemma said_after : forall parts rest, said_before parts rest -> rest.
+Proof. induction parts as [|A parts H]; intros rest; [trivial|]. intros [_ W]. now apply H. Qed.

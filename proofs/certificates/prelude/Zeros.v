@@ -342,5 +342,5 @@ Qed.
 Strategy expand [evaluated within column].
 
 (* A function of n numbers to a list of numbers as expressions; pairs of numbers. *)
-Ltac functions_read t := let t := function_read t in exact t.
-Ltac numbers_read t := let t := read t in exact t.
+Ltac functions_read t := read_exactly t.
+Ltac numbers_read t := read_exactly constr:(t).

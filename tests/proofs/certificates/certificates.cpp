@@ -191,6 +191,35 @@ TEST_CASE("a long number that stands in a sign again and again is a letter betwe
   CHECK(other.text().find("generalize") == std::string::npos);
 }
 
+TEST_CASE("a part of a long conjunction is taken by its place, within the part that holds it") {
+  std::vector<Formula> parts;
+  for (int k = 0; k < 6; ++k) {
+    parts.push_back(less(Variable{"x"}, k));
+  }
+  parts[4] = kernel::all({less(0, 1), equal(Variable{"x"}, 2)});
+  const auto proof_of = [&](const Formula& part) {
+    certificates::Library library;
+    Script script("file", library);
+    script.add("name", Theorem::consequence({Theorem::assume(kernel::all(parts))}, part));
+    return script.text();
+  };
+  CHECK(proof_of(parts[4].parts()[1]).find("exact_part ((4%nat, true) :: (1%nat, false) :: nil) hyp1.") !=
+        std::string::npos);
+  CHECK(proof_of(parts[5]).find("exact_part ((5%nat, false) :: nil) hyp1.") != std::string::npos);
+  CHECK(places_of("proj2", proof_of(parts[5])) == 0);
+}
+
+TEST_CASE("cosines and sines stay where they stand: Coq reads them as letters") {
+  const Variable x{"x"}, y{"y"};
+  certificates::Library library;
+  Script script("file", library);
+  script.add("name", Theorem::combination(equal(sin(Term(x) + y) * inverse(Term(x)),
+                                                (sin(x) * cos(y) + cos(x) * sin(y)) * inverse(Term(x)))));
+  CHECK(places_of("generalize", script.text()) == 0);
+  CHECK(script.text().find("revert n'0 C'0 S'0 K'0 K'1.\n  forget.\n  reduce_matrices; intros n'0 C'0 S'0 "
+                           "K'0 K'1; split_factors; by_fractions.") != std::string::npos);
+}
+
 TEST_CASE("whether coqchk is asked depends on what a file holds, not on how long it took") {
   const certificates::Certificates all = certificates::certificates(claims(), {"S.det", "45", "40"});
   const auto of = [&](const std::string& claim) {
