@@ -23,10 +23,11 @@ Exponent largest_exponent(Simulation simulation, long periods) {
   Vector4<double> X = simulation.state();
   const double size = small * std::max(X.norm(), 1e-100);
   Vector4<double> deviation = Vector4<double>(0.5, -0.5, 0.5, 0.5) * size;
+  Simulation neighbour = simulation;
   // How much the deviation grows in a period, as a logarithm; it is `size` long again after that. A neighbour
   // that falls together with the motion starts anew.
   const auto growth = [&] {
-    Simulation neighbour(simulation.data(), simulation.ur(), 0, X + deviation);
+    neighbour.restart(0, X + deviation);
     simulation.advance(simulation.period());
     neighbour.advance(simulation.period());
     X = simulation.state();

@@ -19,6 +19,8 @@ namespace {
 
 // Shorter than this, no time has passed.
 constexpr double instant = 1e-15;
+// What is left of a time and is this part of a step is a whole one, up to rounding.
+constexpr double whole_step = 1 - 1e-13;
 // So many transitions in one instant, and the mass is held.
 constexpr int most_at_once = 32;
 // The limits of the paper's data: within them no product that is formed overflows (discriminants square), and
@@ -67,8 +69,27 @@ int order_of_growth(const Cubic& g) {
   return 0;
 }
 
+// The order of the zero that the distance has where a part of a step begins and from where it grows, 0 where
+// there is none; -1 when it does not grow. `begins`: it is zero there, and leaves zero at this rate.
+inline int zeros(Cubic& g, double rounding, bool begins, double rate) {
+  if (begins) {
+    g.c[0] = 0;
+    g.c[1] = rate;
+    const int order = order_of_growth(g);
+    return order == 0 ? -1 : order;
+  }
+  if (g.c[0] > rounding) {
+    return 0;
+  }
+  if (!(g.c[1] > 0)) {
+    return -1;
+  }
+  g.c[0] = 0;
+  return 1;
+}
+
 // sign f + offset.
-Cubic affine(const Cubic& f, double sign, double offset) {
+inline Cubic affine(const Cubic& f, double sign, double offset) {
   return {{sign * f.c[0] + offset, sign * f.c[1], sign * f.c[2], sign * f.c[3]}, f.rest};
 }
 
@@ -91,7 +112,6 @@ SimulationOf<N, L>::SimulationOf(const model::FrictionOscillator<double>& o, dou
       forward_(o.forward.at_rest),
       backward_(o.backward.at_rest),
       omega_(o.omega),
-      phi_(std::abs(phi) > 4 ? std::atan2(std::sin(phi), std::cos(phi)) : phi),  // omega t is added to it
       Theta_(o.is_autonomous() ? std::numeric_limits<double>::infinity() : 2 * std::numbers::pi / o.omega) {
   for (Eigen::Index i = 0; i < n_; ++i) {
     A_.row(i) /= o.masses[static_cast<std::size_t>(i)];
@@ -123,10 +143,24 @@ SimulationOf<N, L>::SimulationOf(const model::FrictionOscillator<double>& o, dou
   pieces_.resize(1 + o.forward.sliding.size() + o.backward.sliding.size());
   add_pieces(1, o.forward, 1);
   add_pieces(-1, o.backward, 1 + o.forward.sliding.size());
+  rub_ = Vector::Unit(n_, j_) / m_;
+  free_ = Vector::Ones(n_) - Vector::Unit(n_, j_);
   for (Piece& piece : pieces_) {
     prepare(piece);
   }
-  w_.template head<states>(2 * n_) = X;  // all of it was set by prepare
+  restart(phi, X);
+}
+
+template <int N, int L>
+void SimulationOf<N, L>::restart(double phi, const State& X) {
+  phi_ = std::abs(phi) > 4 ? std::atan2(std::sin(phi), std::cos(phi)) : phi;  // omega t is added to it
+  periods_ = 0;
+  t_ = age_ = hold_ = hold_length_ = 0;
+  fresh_ = at_upper_ = upper_end_ = false;
+  standstill_ = 0;
+  spent_ = {};
+  now_ = 0;
+  w_.template head<states>(2 * n_) = X;
   w_(2 * n_) = 1;
   set_load();
   const double relative = V_ - w_(n_ + j_);
@@ -179,6 +213,9 @@ void SimulationOf<N, L>::prepare(Piece& piece) {
     fastest = held > 0 ? held : fastest;  // else nothing but the belt moves
   }
   piece.step = step_angle / (fastest > 0 ? fastest : 1);
+  if (std::isfinite(Theta_)) {
+    piece.step = Theta_ / std::ceil(Theta_ / piece.step);  // a period without an event ends with a whole step
+  }
   for (std::size_t k = 0; k < order; ++k) {
     piece.scales[k] = piece.step / static_cast<double>(k + 1);
   }
@@ -256,29 +293,30 @@ void SimulationOf<N, L>::expand(const Piece& piece) {
   loads_[0] = c;
   const double one = w_(2 * n_);
   for (std::size_t k = 0; k <= order; ++k) {
-    for (Eigen::Index i = 0; i < n_; ++i) {
-      double sum = k == 0 ? one * constant_(i) : 0;
-      for (Eigen::Index l = 0; l < n_; ++l) {
-        sum += A_(i, l) * x(l);
-      }
-      for (Eigen::Index l = 0; is_damped && l < n_; ++l) {
-        sum += B_(i, l) * v(l);
-      }
-      for (Eigen::Index l = 0; l < 2 * L_; ++l) {
-        sum += drive_(i, l) * c(l);
-      }
-      a(i) = sum;
+    if constexpr (N == 2 && L == 1) {
+      a = (A_.col(0) * x(0) + A_.col(1) * x(1)) + (drive_.col(0) * c(0) + drive_.col(1) * c(1));
+    } else {
+      a.noalias() = A_ * x;
+      a.noalias() += drive_ * c;
+    }
+    if (is_damped) {
+      a.noalias() += B_ * v;
+    }
+    if (k == 0) {
+      a += one * constant_;
     }
     watched_[k] = sticks ? -m_ * a(j_) : v(j_);
     if (k == order) {
       return;
     }
-    a(j_) = sticks ? 0 : a(j_) + ((k == 0 ? one * piece.force : 0) - piece.slope * v(j_)) / m_;
-    const double scale = piece.scales[k];
-    for (Eigen::Index i = 0; i < n_; ++i) {
-      x(i) = scale * v(i);
-      v(i) = scale * a(i);
+    if (sticks) {
+      a = a.cwiseProduct(free_);
+    } else if (k == 0 || piece.slope != 0) {
+      a += rub_ * ((k == 0 ? one * piece.force : 0) - piece.slope * v(j_));
     }
+    const double scale = piece.scales[k];
+    x = scale * v;
+    v = scale * a;
     for (Eigen::Index l = 0; l < L_; ++l) {
       const double turn = scale * frequencies_(l);
       const double cosine = c(2 * l);
@@ -315,7 +353,7 @@ void SimulationOf<N, L>::passed(double part, const Whole& w) {
   const double h = part * pieces_[now_].step;
   --steps_;
   t_ += h;
-  left_ -= h;
+  left_ = left_ > h ? left_ - h : 0;
   age_ += h;
   spent_[static_cast<std::size_t>(phase())] += h;
 }
@@ -366,31 +404,11 @@ std::array<typename SimulationOf<N, L>::Guard, 2> SimulationOf<N, L>::guards() c
           Guard{side, piece.to - side * V_, fresh_ && at_upper_}};
 }
 
-// The order of the zero that the distance has where the part begins and from where it grows, 0 where there is
-// none; nothing when it does not grow.
-template <int N, int L>
-std::optional<int> SimulationOf<N, L>::zeros(Cubic& g, double rounding, bool begins) const {
-  if (begins) {
-    g.c[0] = 0;
-    g.c[1] = exit_slope_ * pieces_[now_].step;
-    const int order = order_of_growth(g);
-    return order == 0 ? std::nullopt : std::optional(order);
-  }
-  if (g.c[0] > rounding) {
-    return 0;
-  }
-  if (!(g.c[1] > 0)) {
-    return std::nullopt;
-  }
-  g.c[0] = 0;
-  return 1;
-}
-
 // One step, or the part of it that comes before an event.
 template <int N, int L>
 typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::step() {
   const Piece& piece = pieces_[now_];
-  const double part = std::min(1.0, left_ / piece.step);
+  const double part = left_ / piece.step > whole_step ? 1.0 : left_ / piece.step;
   const double rounding = piece.terms.dot(w_.cwiseAbs());
   if (hold_ > 0 || part < 1) {
     return part_of_step(part, rounding);
@@ -401,9 +419,9 @@ typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::step() {
       continue;
     }
     Cubic g = affine(f, guard.sign, guard.offset);
-    const std::optional<int> order = zeros(g, rounding, guard.begins);
+    const int order = zeros(g, rounding, guard.begins, exit_slope_ * piece.step);
     const bool is_free =
-        order && (*order == 0 ? bounds(g, 1)[0] > 0 : !(positive_until(lower_bound(g, *order), 1) < 1));
+        order == 0 ? bounds(g, 1)[0] > 0 : order > 0 && !(positive_until(lower_bound(g, order), 1) < 1);
     if (!is_free) {
       return part_of_step(part, rounding);
     }
@@ -447,19 +465,19 @@ std::pair<double, bool> SimulationOf<N, L>::free_part(const Guard& guard, double
   double from = 0;
   while (true) {
     Cubic g = affine(cubic_at(watched_, from, beyond), guard.sign, guard.offset);
-    const std::optional<int> order = zeros(g, rounding, guard.begins && from == 0);
-    if (!order) {
+    const int order = zeros(g, rounding, guard.begins && from == 0, exit_slope_ * pieces_[now_].step);
+    if (order < 0) {
       return {from, true};
     }
-    if (*order == 0 && bounds(g, part - from)[0] > 0) {
+    if (order == 0 && bounds(g, part - from)[0] > 0) {
       return {part, false};
     }
-    const double free = positive_until(lower_bound(g, *order), part - from);
+    const double free = positive_until(lower_bound(g, order), part - from);
     if (free >= part - from) {
       return {part, false};
     }
     from += free;
-    if (*order == 0 && free * pieces_[now_].step < instant) {
+    if (order == 0 && free * pieces_[now_].step < instant) {
       return {from, true};
     }
   }

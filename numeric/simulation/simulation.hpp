@@ -17,7 +17,6 @@
 
 #include <array>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,6 +38,9 @@ class SimulationOf {
   // Starts at X with the load's phase phi. Assumes masses > 0, omega > 0 where a load varies, and a sliding
   // friction that is at most the one at rest where it begins.
   SimulationOf(const model::FrictionOscillator<double>& oscillator, double phi, const State& X);
+
+  // The same oscillator from another start, at time 0.
+  void restart(double phi, const State& X);
 
   // Goes on for a time >= 0, in at most so many steps and events; transitions are appended to `log` if there
   // is one. Returns what is left of the time, which goes on where it stopped when that is asked for next.
@@ -102,7 +104,6 @@ class SimulationOf {
   Outcome part_of_step(double part, double rounding);
   [[nodiscard]] Cubic watched() const;
   [[nodiscard]] std::array<Guard, 2> guards() const;
-  [[nodiscard]] std::optional<int> zeros(Cubic& g, double rounding, bool begins) const;
   [[nodiscard]] std::pair<double, bool> free_part(const Guard& guard, double part, double beyond,
                                                   double rounding) const;
   void contact(std::vector<Transition> * log);
@@ -116,11 +117,11 @@ class SimulationOf {
   // x'' = A x + B x' + constant + drive (cosines and sines) + (0, …, u, …)/m_j.
   Eigen::Matrix<double, N, N> A_, B_;
   bool is_damped_;
-  Vector constant_;
+  Vector constant_, rub_, free_;  // rub: what u does; free: 0 at j, else 1
   Eigen::Matrix<double, N, pairs> drive_;
   Eigen::Matrix<double, L, 1> frequencies_;
   Eigen::Index n_, j_, L_ = 0;
-  double m_, V_, forward_, backward_, omega_, phi_, Theta_;
+  double m_, V_, forward_, backward_, omega_, phi_ = 0, Theta_;
   std::vector<Piece> pieces_;  // the stick, those of a slip, those of an overshoot
 
   Whole w_;

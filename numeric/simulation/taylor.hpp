@@ -8,19 +8,11 @@
 
 namespace stickslip::numeric::simulation {
 
-// Steps of at most this angle of the fastest motion leave out angle^(order + 1)/(order + 1)! < 1e-17.
+// Steps of at most this angle of the fastest motion leave out angle^(order + 1)/(order + 1)! < 2e-16.
 inline constexpr int order = 17;
 inline constexpr double step_angle = 1.0;
 
 using Series = std::array<double, order + 1>;
-
-[[nodiscard]] inline double value(const Series& g, double t) {
-  double sum = g[order];
-  for (int k = order - 1; k >= 0; --k) {
-    sum = sum * t + g[static_cast<std::size_t>(k)];
-  }
-  return sum;
-}
 
 // A function is c0 + c1 t + c2 t² + c3 t³ within rest t⁴.
 struct Cubic {

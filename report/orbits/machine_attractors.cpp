@@ -151,7 +151,11 @@ class Text {
     std::vector<Row> rows{
         {{"  period"}, {rounded(orbit.period, list_.question.digits) + (in_SI_ ? " s" : "")}}};
     if (!o_.is_autonomous()) {
-      rows.push_back({{""}, {fmt::format("{} of the base frequency's", orbit.periods)}});
+      const bool several =
+          std::any_of(o_.loads.begin(), o_.loads.end(), [](const auto& load) { return load.k > 1; });
+      rows.push_back({{""},
+                      {fmt::format("{} {} of the load{}", orbit.periods,
+                                   orbit.periods == 1 ? "period" : "periods", several ? "s together" : "")}});
     }
     if (orbit.stability) {
       rows.push_back({{"  stability"}, {to_string(orbit.stability->kind)}});
