@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <sstream>
 #include <utility>
@@ -90,11 +91,18 @@ class Reader {
     } else {
       refuse(node, fmt::format("{} is no number", name));
     }
+    Rational value;
     try {
-      return parse_rational(text);
+      value = parse_rational(text);
     } catch (const UsageError& error) {
       refuse(node, fmt::format("{}: {}", name, error.what()));
     }
+    // The text is found by its place in the file; the number that was parsed says that it is this one.
+    const std::optional<double> parsed = node.is_number() ? node.value<double>() : std::nullopt;
+    if (parsed && std::abs(value.get_d() - *parsed) > 1e-12 * std::abs(*parsed)) {
+      refuse(node, fmt::format("{} = {} cannot be read exactly: write it in quotes", name, *parsed));
+    }
+    return value;
   }
   [[nodiscard]] Rational number(const toml::table& in, const std::string& of, const char * key) const {
     const toml::node * node = in.get(key);

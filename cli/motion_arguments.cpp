@@ -53,6 +53,8 @@ constexpr const char * attractors_details =
     "not a proof. A motion may also slide for ever, be stuck, or remain unsettled.\n"
     "Where omega is a natural frequency and pi p > 4 eta ur all grow without bound, which is proved;\n"
     "with a smaller load there motions are simulated, and none is proved.\n\n"
+    "A machine with dashpots, more masses, friction that depends on the velocity or several loads\n"
+    "stands in tables, [[mass]], [[spring]], ..., of the file of --params: doc/any_machine.md.\n\n"
     "All parameters and --ur are given, or --example; the load is cos(omega t). At the data\n"
     "of an example whose ur is a result, ur is that result to 17 digits.\n\n"
     "Exit code: 0 each periodic motion is proved, and whether it is stable; 2 for some this is\n"

@@ -82,18 +82,6 @@ Matrix exponential(const Matrix& A) {
   return result;
 }
 
-Ball norm(const Matrix& A) {
-  Ball most(0);
-  for (Eigen::Index i = 0; i < A.rows(); ++i) {
-    Ball sum(0);
-    for (Eigen::Index k = 0; k < A.cols(); ++k) {
-      sum += abs(A(i, k));
-    }
-    arb_max(most.raw(), most.raw(), sum.raw(), WorkingPrecision::bits());
-  }
-  return most.upper();
-}
-
 LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& oscillator)
     : oscillator_(oscillator), n_(static_cast<Eigen::Index>(oscillator.size())) {
   for (const model::HarmonicForce<Ball>& load : oscillator.loads) {
@@ -194,7 +182,7 @@ Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
   if (is_zero(d)) {
     return known.of_middle;
   }
-  const Ball size = norm(B) * abs(d).upper();
+  const Ball size = zeros::norm(B) * abs(d).upper();
   const Ball room = Ball(1) - size;
   Ball R;
   arb_indeterminate(R.raw());
@@ -222,7 +210,7 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
       balanced(i, k) = balanced(i, k) * watch.balance(i) / watch.balance(k);
     }
   }
-  watch.nu = norm(balanced);
+  watch.nu = zeros::norm(balanced);
   watch.length = std::exp2(std::floor(std::log2(longest / std::max(watch.nu.approximate(), 1e-100))));
   watch.flow = exponential(B * Ball(watch.length));
   const double below = std::exp2(-static_cast<double>(WorkingPrecision::bits()));

@@ -82,7 +82,4 @@ class LinearPhases {
 // exp(A), by Arb.
 [[nodiscard]] Matrix exponential(const Matrix& A);
 
-// The largest sum of sizes in a row, from above.
-[[nodiscard]] Ball norm(const Matrix& A);
-
 }  // namespace stickslip::numeric::machines

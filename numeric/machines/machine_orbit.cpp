@@ -268,10 +268,7 @@ MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& gue
     if (!is_open(orbit)) {
       break;
     }
-    nodes = proof.nodes;
-    for (Node& u : nodes) {
-      u = Node(u.unaryExpr([](const Ball& x) { return x.midpoint(); }));
-    }
+    nodes = words::midpoints(proof.nodes);
     bits = 4 * proof.bits;
   }
   return orbit;

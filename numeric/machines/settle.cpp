@@ -43,12 +43,12 @@ MachineGuess guess_of(const std::vector<Transition>& log, double begin) {
   return guess;
 }
 
-// Of a motion that is a shorter one taken several times, once.
-MachineGuess once(const MachineGuess& guess) {
+// Of a motion that is a shorter one taken several times, once. With a load that is one of fewer periods.
+MachineGuess once(const MachineGuess& guess, bool has_load) {
   const std::size_t count = guess.events.size();
   for (std::size_t part = 2; part < count; ++part) {
     const std::size_t times = count / part;
-    bool same = count % part == 0 && (guess.periods == 1 || guess.periods % static_cast<long>(times) == 0);
+    bool same = count % part == 0 && (!has_load || guess.periods % static_cast<long>(times) == 0);
     for (std::size_t i = 0; same && i < count; ++i) {
       const MachineGuess::Event &one = guess.events[i], &later = guess.events[(i + part) % count];
       same = one.begins == later.begins && distance(one.X, later.X) < same_state;
@@ -57,7 +57,7 @@ MachineGuess once(const MachineGuess& guess) {
       MachineGuess shorter = guess;
       shorter.events.resize(part);
       shorter.duration /= static_cast<double>(times);
-      shorter.periods = std::max(1L, guess.periods / static_cast<long>(times));
+      shorter.periods = has_load ? guess.periods / static_cast<long>(times) : 1;
       return shorter;
     }
   }
@@ -111,8 +111,9 @@ Settled with_load(Simulation simulation, long most_periods) {
       MachineGuess guess = guess_of(log, begin);
       guess.periods = k - marked;
       guess.duration = static_cast<double>(guess.periods) * simulation.period();
-      return guess.events.size() < 2 ? without_events(simulation)
-                                     : Settled{Kind::periodic, rotated(once(guess)), simulation.state()};
+      return guess.events.size() < 2
+                 ? without_events(simulation)
+                 : Settled{Kind::periodic, rotated(once(guess, true)), simulation.state()};
     }
     if (k >= first_mark && (k & (k - 1)) == 0) {
       mark = X;
@@ -148,7 +149,7 @@ Settled without_load(Simulation simulation, long most_events) {
       if (returns) {
         MachineGuess guess = guess_of(since, mark->time);
         guess.duration = t.time - mark->time;
-        return moves && guess.events.size() >= 2 ? Settled{Kind::periodic, rotated(once(guess)), t.X}
+        return moves && guess.events.size() >= 2 ? Settled{Kind::periodic, rotated(once(guess, false)), t.X}
                                                  : without_events(simulation);
       }
       if (events >= first_mark && (events & (events - 1)) == 0) {

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "numeric/motion/monodromy.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::motion {
 namespace {
@@ -66,21 +67,13 @@ void classify(Stability& s, bool neutral) {
 // Whether a power of the map is less than 1 in the norm of row sums: then all multipliers are inside the unit
 // circle, however many of them are too near to each other to be told apart.
 bool contracts(const SquareMatrix& map) {
-  constexpr int most_doublings = 6;
+  constexpr int most_doublings = 10;
   SquareMatrix power = map;
   for (int k = 0; k <= most_doublings; ++k) {
-    Ball norm(0);
-    for (Eigen::Index i = 0; i < power.rows(); ++i) {
-      Ball sum(0);
-      for (Eigen::Index j = 0; j < power.cols(); ++j) {
-        sum += abs(power(i, j));
-      }
-      arb_max(norm.raw(), norm.raw(), sum.raw(), WorkingPrecision::bits());
-    }
-    if ((norm - Ball(1)).is_negative()) {
+    if ((zeros::norm(power) - Ball(1)).is_negative()) {
       return true;
     }
-    power = SquareMatrix(power.lazyProduct(power));
+    power = SquareMatrix(zeros::product(power, power));
   }
   return false;
 }
@@ -103,18 +96,18 @@ std::string to_string(StabilityKind kind) {
 
 Stability stability_of(const SquareMatrix& return_map, bool collapses) {
   Stability s;
-  const auto found = eigenvalues(return_map);
-  if (!found) {
-    const bool stable = contracts(return_map);
-    s.kind = stable ? StabilityKind::stable : StabilityKind::undecided;
-    s.reason = stable ? "" : not_enclosed;
-    return s;
+  s.reason = not_enclosed;
+  if (const auto found = eigenvalues(return_map)) {
+    s.reason.clear();
+    s.multipliers = *found;
+    if (collapses) {
+      set_exact(s.multipliers, 0);
+    }
+    classify(s, false);
   }
-  s.multipliers = *found;
-  if (collapses) {
-    set_exact(s.multipliers, 0);
+  if (s.kind == StabilityKind::undecided && contracts(return_map)) {
+    return {StabilityKind::stable, {}, {}};
   }
-  classify(s, false);
   return s;
 }
 

@@ -263,6 +263,7 @@ template <int N, int L>
 void SimulationOf<N, L>::set_load() {
   for (Eigen::Index l = 0; l < L_; ++l) {
     const double phase = frequencies_(l) * t_ + frequencies_(l) / omega_ * phi_;
+    // By a function of another unit: GCC 12 loses cosines and sines that it finds and stores as a pair.
     const auto [sine, cosine] = sin_cos(phase);
     w_(2 * n_ + 1 + 2 * l) = cosine;
     w_(2 * n_ + 2 + 2 * l) = sine;

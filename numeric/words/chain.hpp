@@ -29,6 +29,10 @@ namespace stickslip::numeric::words {
 using Node = model::VectorX<Ball>;
 using Nodes = std::vector<Node>;
 
+// Exactly the middles of the balls.
+[[nodiscard]] Node midpoint(const Node& u);
+[[nodiscard]] Nodes midpoints(const Nodes& nodes);
+
 // The linearisation of a phase: a deviation d of its first node and a change F of its conditions go with
 //   d+ = M d + response(F).
 struct Link {

@@ -44,10 +44,6 @@ Nodes conditions_of(const Chain& chain, const Nodes& nodes) {
   return F;
 }
 
-Node midpoint(const Node& u) {
-  return u.unaryExpr([](const Ball& x) { return x.midpoint(); });
-}
-
 // 2^result is not less than any component.
 long exponent(const Nodes& deviations) {
   long largest = -1000000000L;
@@ -81,8 +77,7 @@ Approach approximate(const ChainAt& chain_at, Nodes nodes, long bits) {
     const std::unique_ptr<Chain> made = chain_at();
     const Chain& chain = *made;
     const std::vector<Link> links = links_of(chain, nodes);
-    Nodes g = responses(links, conditions_of(chain, nodes));
-    std::transform(g.begin(), g.end(), g.begin(), midpoint);
+    const Nodes g = midpoints(responses(links, conditions_of(chain, nodes)));
     const auto found = sweep(links, g);
     if (!found) {
       return {};

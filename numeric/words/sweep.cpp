@@ -74,14 +74,7 @@ std::vector<Matrix> frames(const std::vector<Link>& links) {
 std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
   const Eigen::Index n = A.rows();
   const Matrix E = Matrix(Matrix::Identity(n, n)) - Matrix(product(Y, A));
-  Ball norm(0);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    Ball sum(0);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      sum += abs(E(i, j));
-    }
-    arb_max(norm.raw(), norm.raw(), sum.raw(), WorkingPrecision::bits());
-  }
+  const Ball norm = zeros::norm(E);
   const Ball room = Ball(1) - norm;
   if (!room.is_positive()) {
     return std::nullopt;

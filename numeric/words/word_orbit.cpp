@@ -165,10 +165,7 @@ WordOrbit prove_rotated(const WordQuestion& question, const Guess& guess, const 
     if (!is_open(result.orbit)) {
       break;
     }
-    nodes = proof.nodes;
-    for (Node& u : nodes) {
-      u = Node(u.unaryExpr([](const Ball& x) { return x.midpoint(); }));
-    }
+    nodes = midpoints(proof.nodes);
     bits = 4 * proof.bits;
   }
   return result;

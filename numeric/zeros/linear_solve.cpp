@@ -63,22 +63,25 @@ std::optional<Balls> row_combinations(const Balls& a) {
   return combinations(a);
 }
 
+Ball norm(const Balls& a) {
+  Ball most(0);
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    Ball sum(0);
+    for (Eigen::Index j = 0; j < a.cols(); ++j) {
+      sum += abs(a(i, j));
+    }
+    arb_max(most.raw(), most.raw(), sum.raw(), WorkingPrecision::bits());
+  }
+  return most.upper();
+}
+
 bool is_invertible(const Balls& a) {
   const std::optional<Balls> Y = a.rows() == a.cols() ? row_combinations(a) : std::nullopt;
   if (!Y) {
     return false;
   }
   const Balls rest = Balls::Identity(a.rows(), a.cols()) - product(*Y, a);
-  for (Eigen::Index i = 0; i < rest.rows(); ++i) {
-    Ball sum(-1);
-    for (Eigen::Index j = 0; j < rest.cols(); ++j) {
-      sum += abs(rest(i, j));
-    }
-    if (!sum.is_negative()) {
-      return false;
-    }
-  }
-  return true;
+  return (norm(rest) - Ball(1)).is_negative();
 }
 
 }  // namespace stickslip::numeric::zeros

@@ -59,6 +59,9 @@ template <class S, int N>
   return std::nullopt;
 }
 
+// The largest sum of sizes in a row, from above.
+[[nodiscard]] Ball norm(const BallMatrix<Eigen::Dynamic>& a);
+
 // Whether a is proved to be invertible, all members of its entries: |I - Y a| < 1 in the norm of row sums for
 // the approximate inverse Y. A matrix that is not square is not.
 [[nodiscard]] bool is_invertible(const BallMatrix<Eigen::Dynamic>& a);

@@ -1,6 +1,7 @@
 // Machines in tables, from outside: what they do, exactly read, and what is refused.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -81,6 +82,21 @@ TEST_CASE("a machine in tables is read exactly") {
   CHECK(o.forward.sliding[2].from == Rational(3, 10));
   CHECK(read->machine.in_turns);
   CHECK(o.omega == Rational(18, 5));
+  // However it is written, and wherever.
+  for (const char * number :
+       {"2.5", "+2.5", "25e-1", "2_5.0e-1", "\"5/2\"", "'2.5'", "\t2.5 # 3 kg, not 2,5"}) {
+    CAPTURE(number);
+    for (const char * end : {"\n", "\r\n"}) {
+      const auto other =
+          cli::machine_in_tables(replaced("m = 2.5\n", std::string("m =") + number + end), "m.toml");
+      CHECK(other->machine.oscillator.masses.front() == Rational(5, 2));
+    }
+  }
+  const auto lines = cli::machine_in_tables(
+      replaced("[[0, 9], [0.05, 7.5], [0.3, 6]]", "[\n  [0, 9],  # \u00b5\n\n [ 0.05 ,7.5],\n [0.3\n, 6]]"),
+      "m.toml");
+  CHECK(lines->machine.oscillator.forward.sliding[2].from == Rational(3, 10));
+  CHECK(lines->machine.oscillator.forward.sliding[1].slope == -6);
   CHECK_FALSE(cli::machine_in_tables("chi = 0.5\n", "m.toml"));
   CHECK_FALSE(cli::has_tables("m1 = 2\n# [[mass]] is something else\n"));
 }
@@ -109,6 +125,9 @@ TEST_CASE("what is no machine in tables is said with its line") {
   CHECK(refusal(good).empty());
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
            {replaced("m = 2.5", "m = 2,5"), "64 m.toml, line 2: "},
+           {replaced("m = 2.5", "m = 0x19"), "64 m.toml, line 2: m: '0x19' is not a number"},
+           {replaced("[0, 9],", "[0, 9], [\"\u00b5\", 9], [0.01, 8.7],"),
+            "64 m.toml, line 17: a relative velocity: "},
            {replaced("m = 2.5", "m = true"), "64 m.toml, line 2: m is no number"},
            {replaced("m = 2.5", "m = inf"), "64 m.toml, line 2: m: 'inf' is not a number"},
            {replaced("m = 2.5", "mass = 2.5"), "64 m.toml, line 2: 'mass' is not known in mass: it may be m"},
@@ -149,6 +168,22 @@ TEST_CASE("what is no machine in tables is said with its line") {
     CAPTURE(found);
     CHECK(found.starts_with(said));
   }
+}
+
+TEST_CASE("the machines that are shown are read, and what they do is proved") {
+  int count = 0;
+  const std::filesystem::path here(__FILE__);
+  for (const auto& entry : std::filesystem::directory_iterator(
+           here.parent_path().parent_path().parent_path() / "examples" / "machines")) {
+    CAPTURE(entry.path());
+    const Run result = stickslip_program(
+        {"attractors", "--params", entry.path(), "--starts", "60", "--most-periods", "3000"});
+    CHECK(result.code == exit_decided);
+    CHECK(result.out.find("proved, stable") != std::string::npos);
+    CHECK(result.out.find("not proved") == std::string::npos);
+    ++count;
+  }
+  CHECK(count == 4);
 }
 
 TEST_CASE("attractors of a machine in tables are proved, and other commands say that it is none for them") {

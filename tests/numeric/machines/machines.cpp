@@ -262,6 +262,40 @@ TEST_CASE("rows of masses on a belt without load: cycles, with their periods and
   }
 }
 
+TEST_CASE("closed motions that do not obey the law are not admissible") {
+  Eigen::VectorXd X = Eigen::VectorXd::Zero(4);
+  X(3) = 0.4;
+  const Machine machine = row_of_masses(2);
+  const Settled found = settle(machine, X);
+  REQUIRE(found.kind == attractors::Kind::periodic);
+  REQUIRE(prove_machine_orbit(machine, found.guess).admissible.truth == Truth::proved);
+  // That the friction changes at a higher relative velocity is overlooked.
+  MachineGuess overlooked = found.guess;
+  std::erase_if(overlooked.events, [](const MachineGuess::Event& event) { return event.begins.number > 0; });
+  for (std::size_t i = 1; i < overlooked.events.size(); ++i) {
+    if (overlooked.events[i].begins == overlooked.events[i - 1].begins) {
+      overlooked.events.erase(overlooked.events.begin() + static_cast<std::ptrdiff_t>(i--));
+    }
+  }
+  if (overlooked.events.front().begins == overlooked.events.back().begins) {
+    overlooked.events.erase(overlooked.events.begin());
+  }
+  REQUIRE(overlooked.events.size() == 2);
+  const MachineOrbit one_piece = prove_machine_orbit(machine, overlooked);
+  CHECK(one_piece.admissible.truth != Truth::proved);
+  CHECK_FALSE(one_piece.stability);
+  // With more friction at rest on the other side the same motion closes, but sticks where it would cross.
+  Machine sticky = paper(O(), ur_of_O);
+  const MachineGuess guess = settle(sticky, start_of_O()).guess;
+  sticky.oscillator.backward.at_rest += Rational(3, 100);
+  const MachineOrbit sticks = prove_machine_orbit(sticky, guess);
+  CHECK(sticks.existence.truth == Truth::proved);
+  for (const motion::Condition& condition : sticks.conditions) {
+    CHECK((condition.verdict.truth == Truth::refuted) == (condition.id == "crossing"));
+  }
+  CHECK(sticks.admissible.truth == Truth::refuted);
+}
+
 TEST_CASE("what is no machine is refused in a sentence") {
   const auto refusal = [](auto change) {
     Machine machine = row_of_masses(2);

@@ -141,3 +141,25 @@ TEST_CASE("a moving belt does not destabilise orbits that never stick") {
     }
   }
 }
+
+TEST_CASE(
+    "multipliers that cannot be told apart are inside the unit circle where a power of the map contracts") {
+  const auto of_block = [](double mu, double coupling) {
+    SquareMatrix J(3, 3);
+    J << Ball(mu), Ball(coupling), Ball(0), Ball(0), Ball(mu), Ball(coupling), Ball(0), Ball(0), Ball(mu);
+    return motion::stability_of(J, false);
+  };
+  // The norm is above 1, only a power is below.
+  const Stability inside = of_block(0.9, 5);
+  CHECK(inside.kind == StabilityKind::stable);
+  CHECK(inside.multipliers.empty());
+  CHECK(inside.reason.empty());
+  for (const double mu : {1.0, -1.0, 1.0 + 0x1p-40, 1.5}) {
+    CAPTURE(mu);
+    CHECK(of_block(mu, 1).kind != StabilityKind::stable);
+    CHECK_FALSE((of_block(mu, 1).kind == StabilityKind::undecided && of_block(mu, 1).reason.empty()));
+  }
+  SquareMatrix unknown = SquareMatrix::Constant(2, 2, Ball(0));
+  arb_indeterminate(unknown(0, 1).raw());
+  CHECK(motion::stability_of(unknown, false).kind == StabilityKind::undecided);
+}
