@@ -133,7 +133,7 @@ struct AtlasOptions : GivenMachine, Outputs {
 struct SimulateOptions : GivenMachine, Outputs {
   std::string orbit;
   std::optional<State> state, perturb;
-  std::optional<double> periods, every;
+  std::optional<double> periods, duration, every;  // one of the first two
 
   static constexpr double default_periods = 100;
   static constexpr double samples_in_period = 200;

@@ -82,8 +82,9 @@ Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
   const words::WordQuestion& q = given.question;
   WordSearch search{q, word, o.period.value_or(1), {}};
   if (o.near) {
-    search.near = at_phase_0({motion::parameters_as<double>(q.data), scalars::scalar<double>(q.ur),
-                              phase ? number("phi", phase.mapped()) : 0, in_data(*o.near, given.units)});
+    search.near =
+        at_phase_0({motion::parameters_as<double>(q.data), scalars::scalar<double>(q.ur),
+                    phase ? number("phi", phase.mapped()) : 0, in_data("near", *o.near, given.units)});
   }
   return {std::move(given.file), std::move(given.units), std::move(search)};
 }
@@ -172,7 +173,7 @@ Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& 
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   Followed followed{o.all, o.orbit, {}};
   if (o.near) {
-    followed.near = in_data(*o.near, units_of(o.si, file, false));
+    followed.near = in_data("near", *o.near, units_of(o.si, file, false));
   }
   BranchQuestion asked = word_branch_question(paper, word, o.period.value_or(1), file, o.at, followed);
   return along_machine(std::move(file), std::move(asked));
@@ -287,7 +288,7 @@ Asked<BasinsQuestion> asked_basins(const Attracted& o, const Paper& paper) {
   }
   asked.pixels = {pixels, pixels};
   if (o.through) {
-    asked.through = in_data(*o.through, given.units);
+    asked.through = in_data("through", *o.through, given.units);
   }
   return {std::move(given.file), std::move(given.units), std::move(asked)};
 }
@@ -371,7 +372,11 @@ Asked<MotionAsked> asked_motion(const SimulateOptions& o, const Paper& paper) {
       read_parameters(o, o.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
   Units units = units_of(o.si, file, o.json);
   MotionAsked asked{simulation_start(o, file, paper, units)};
-  asked.periods = o.periods.value_or(SimulateOptions::default_periods);
+  if (o.periods && o.duration) {
+    throw UsageError("--periods and --time do not go together");
+  }
+  asked.periods = o.duration ? units.of_time(*o.duration) / asked.period()
+                             : o.periods.value_or(SimulateOptions::default_periods);
   asked.every = o.every ? units.of_time(*o.every) : asked.period() / SimulateOptions::samples_in_period;
   return {std::move(file), std::move(units), std::move(asked)};
 }

@@ -32,6 +32,9 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
   if (o.family.empty()) {
     throw UsageError("a family of orbits is missing: " + families::names_of_families());
   }
+  if (const auto done = run_in_tables(o)) {
+    return *done;
+  }
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
   const auto [file, list] = [&] {

@@ -19,6 +19,9 @@ namespace stickslip::cli {
 [[nodiscard]] ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& paper);
 // Of a machine in tables (cli/machine_tables.hpp); nothing if the file is none.
 [[nodiscard]] std::optional<ExitCode> run_in_tables(const AttractorsOptions& options);
+[[nodiscard]] std::optional<ExitCode> run_in_tables(const OrbitsOptions& options);
+[[nodiscard]] std::optional<ExitCode> run_in_tables(const BranchOptions& options);
+[[nodiscard]] std::optional<ExitCode> run_in_tables(const SimulateOptions& options);
 // Of `attractors` with --along or --plane.
 [[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);
 // Of `orbits` with a word in place of a family.

@@ -88,7 +88,8 @@ TypedParameters contents_of(const GivenFile& file) {
   const std::string text = report::tools::read_file(file.name);
   if (has_tables(text)) {
     throw UsageError(fmt::format(
-        "{} is a machine in tables: so far that is for stickslip attractors alone, without other data",
+        "{} is a machine in tables: that is for stickslip orbits WORD, branch WORD, attractors and simulate, "
+        "without other data",
         file.name));
   }
   TypedParameters all = parse_parameters(text, file.name);
@@ -179,14 +180,18 @@ int digits_of(std::optional<int> asked, ParameterFile& file) {
   return asked.value_or(OrbitsOptions::default_digits);
 }
 
-model::Vector4<double> in_data(const State& state, const report::orbits::Units& units) {
-  return units.of_state(model::Vector4<double>(state.data()));
+model::Vector4<double> in_data(const std::string& name, const State& state,
+                               const report::orbits::Units& units) {
+  return units.of_state(model::Vector4<double>(of_two_masses(name, state).data()));
 }
 
 Error in_keys_of(const GivenFile& file, const DomainError& error) {
   constexpr std::pair<const char *, const char *> keys[] = {
       {"p", "load_amplitude"}, {"V", "belt_velocity"}, {"omega", "load_frequency"}};
   const std::string_view message = error.what();  // begins with the name of the datum
+  if (!file.values && !file.empty() && has_tables(report::tools::read_file(file.name))) {
+    return error;
+  }
   const TypedParameters parameters = contents_of(file);
   for (const auto& [datum, key] : keys) {
     const auto typed = parameters.find(key);

@@ -72,6 +72,7 @@ void leave_results_out(ParameterFile& file, const numeric::Family& family);
 // without a machine in SI units, and with JSON, which says in any case what its units are.
 [[nodiscard]] report::orbits::Units units_of(bool si, const ParameterFile& file, bool json);
 // A state that is typed in these units in those of (2).
-[[nodiscard]] model::Vector4<double> in_data(const State& state, const report::orbits::Units& units);
+[[nodiscard]] model::Vector4<double> in_data(const std::string& name, const State& state,
+                                             const report::orbits::Units& units);
 
 }  // namespace stickslip::cli

@@ -25,7 +25,10 @@ constexpr long greatest_multiple = 1000;
 
 class Reader {
  public:
-  Reader(const std::string& text, std::string file) : file_(std::move(file)) {
+  // With another value where the path leads, if there are both.
+  Reader(const std::string& text, std::string file, std::optional<std::string> path = {},
+         std::optional<Rational> value = {})
+      : file_(std::move(file)), path_(std::move(path)), value_(std::move(value)) {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) {
       lines_.push_back(line);
@@ -34,6 +37,9 @@ class Reader {
       root_ = toml::parse(text, file_);
     } catch (const toml::parse_error& error) {
       throw UsageError(fmt::format("{}, line {}: {}", file_, error.source().begin.line, error.description()));
+    }
+    if (path_ && *path_ != base_frequency) {
+      place_ = node_at(*path_);
     }
   }
 
@@ -62,11 +68,44 @@ class Reader {
     o.V = number(belt, "belt", "velocity");
     read_friction(o);
     read_loads(result.machine);
+    if (path_ && !found_) {
+      throw UsageError(fmt::format("{}: {} is no number that can vary", file_, *path_));
+    }
     require_machine(result.machine, true);
     return result;
   }
 
+  // What stands in the file where the path leads.
+  Rational value() {
+    (void)read();
+    return *found_;
+  }
+
  private:
+  static constexpr const char * base_frequency = "frequency";
+
+  [[nodiscard]] const toml::node * node_at(const std::string& path) const {
+    const toml::node * node = &root_;
+    std::istringstream parts(path);
+    for (std::string part; node != nullptr && std::getline(parts, part, '.');) {
+      if (const toml::array * list = node->as_array()) {
+        const bool is_number =
+            !part.empty() && part.size() < 6 && part.find_first_not_of("0123456789") == std::string::npos;
+        const std::size_t k = is_number ? std::stoul(part) : 0;
+        node = k >= 1 && k <= list->size() ? list->get(k - 1) : nullptr;
+      } else {
+        node = node->is_table() ? node->as_table()->get(part) : nullptr;
+      }
+    }
+    if (node == nullptr) {
+      throw UsageError(
+          fmt::format("{}: nothing stands at {}; such as belt.velocity, mass.1.m, spring.1.k, "
+                      "load.1.amplitude, friction.at_rest, friction.sliding.2.1, frequency do",
+                      file_, path));
+    }
+    return node;
+  }
+
   [[noreturn]] void refuse(const toml::node& at, const std::string& what) const {
     throw UsageError(fmt::format("{}, line {}: {}", file_, at.source().begin.line, what));
   }
@@ -102,7 +141,18 @@ class Reader {
     if (parsed && std::abs(value.get_d() - *parsed) > 1e-12 * std::abs(*parsed)) {
       refuse(node, fmt::format("{} = {} cannot be read exactly: write it in quotes", name, *parsed));
     }
+    if (&node == place_) {
+      found_ = value;
+      return value_.value_or(value);
+    }
     return value;
+  }
+  // One that says which or how many, and does not vary.
+  [[nodiscard]] Rational fixed_number(const toml::node& node, const std::string& name) const {
+    if (&node == place_) {
+      throw UsageError(fmt::format("{}: {} is no number that can vary", file_, *path_));
+    }
+    return number(node, name);
   }
   [[nodiscard]] Rational number(const toml::table& in, const std::string& of, const char * key) const {
     const toml::node * node = in.get(key);
@@ -154,7 +204,10 @@ class Reader {
 
   // A mass by its number, counted from 1 in the file.
   [[nodiscard]] std::size_t mass(const toml::table& in, const std::string& of, std::size_t count) const {
-    const Rational given = number(in, of, "mass");
+    if (!in.contains("mass")) {
+      refuse(in, fmt::format("mass is missing in {}", of));
+    }
+    const Rational given = fixed_number(*in.get("mass"), "mass");
     if (given.get_den() != 1 || given < 1 || given > static_cast<long>(count)) {
       refuse(*in.get("mass"), fmt::format("mass = {}: it is a number from 1 to {}", to_string(given), count));
     }
@@ -182,7 +235,7 @@ class Reader {
     }
     std::array<long, 2> at{};
     for (std::size_t i = 0; i < 2; ++i) {
-      const Rational given = number((*ends)[i], "between");
+      const Rational given = fixed_number((*ends)[i], "between");
       if (given.get_den() != 1 || given < 0 || given > static_cast<long>(o.size())) {
         refuse(*between, fmt::format("between {}: a mass is a number from 1 to {}, the wall is 0",
                                      to_string(given), o.size()));
@@ -289,6 +342,14 @@ class Reader {
       frequencies.push_back(frequency);
     }
     machine.in_turns = in_turns.value_or(false);
+    const auto varying =
+        std::count_if(frequencies.begin(), frequencies.end(), [](const Rational& f) { return f != 0; });
+    if (place_ != nullptr && varying > 1 && path_->ends_with("frequency")) {
+      throw UsageError(
+          fmt::format("{}: of several loads the frequencies vary together: --along {} A..B, the greatest "
+                      "that divides them all",
+                      file_, base_frequency));
+    }
     o.omega = 1;
     Rational base = 0;
     for (const Rational& f : frequencies) {
@@ -308,6 +369,10 @@ class Reader {
       o.loads[i].k = static_cast<int>(multiple.get_num().get_si());
       o.omega = base;
     }
+    if (path_ == base_frequency && base != 0) {
+      found_ = base;
+      o.omega = value_.value_or(base);
+    }
   }
 
   [[nodiscard]] static Rational common_divisor(const Rational& a, const Rational& b) {
@@ -319,6 +384,10 @@ class Reader {
   }
 
   std::string file_;
+  std::optional<std::string> path_;
+  std::optional<Rational> value_;
+  const toml::node * place_ = nullptr;     // where the path leads
+  mutable std::optional<Rational> found_;  // what stands there
   std::vector<std::string> lines_;
   toml::table root_;
 };
@@ -336,8 +405,15 @@ bool has_tables(const std::string& text) {
   return false;
 }
 
-std::optional<MachineInTables> machine_in_tables(const std::string& text, const std::string& file) {
-  return has_tables(text) ? std::optional(Reader(text, file).read()) : std::nullopt;
+std::optional<MachineInTables> machine_in_tables(const std::string& text, const std::string& file,
+                                                 const std::optional<Datum>& datum) {
+  return !has_tables(text) ? std::nullopt
+         : datum           ? std::optional(Reader(text, file, datum->path, datum->value).read())
+                           : std::optional(Reader(text, file).read());
+}
+
+Rational value_in_tables(const std::string& text, const std::string& file, const std::string& path) {
+  return Reader(text, file, path).value();
 }
 
 }  // namespace stickslip::cli

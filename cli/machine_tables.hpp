@@ -39,9 +39,22 @@ struct MachineInTables {
 // Whether the text has a table [[mass]].
 [[nodiscard]] bool has_tables(const std::string& text);
 
+// One of the file's numbers by its path, such as "belt.velocity", "mass.2.m", "spring.1.k",
+// "load.1.amplitude", "friction.at_rest", "friction.sliding.2.1" (the relative velocity of the second point):
+// members of lists are counted from 1; or "frequency", of all loads together, whose multiples stay.
+struct Datum {
+  std::string path;
+  Rational value;  // that takes the place of the file's
+};
+
 // Nothing where it has none. Throws UsageError, with the file and the line, for what is no
-// TOML, missing, unknown, of the wrong kind or no number, DomainError as numeric::machines::require_machine.
+// TOML, missing, unknown, of the wrong kind or no number, and for a path that no number that can vary has;
+// DomainError as numeric::machines::require_machine.
 [[nodiscard]] std::optional<MachineInTables> machine_in_tables(const std::string& text,
-                                                               const std::string& file);
+                                                               const std::string& file,
+                                                               const std::optional<Datum>& datum = {});
+// What the file says there. Throws likewise.
+[[nodiscard]] Rational value_in_tables(const std::string& text, const std::string& file,
+                                       const std::string& path);
 
 }  // namespace stickslip::cli

@@ -238,6 +238,7 @@ void add_simulate(CLI::App& program, Request& request, const PaperInHelp& paper)
   c.add("--perturb", o.perturb, "X", "Add these four numbers to the start", state);
   c.add("--periods", o.periods, "N",
         fmt::format("Periods of the load: {} by default", SimulateOptions::default_periods), positive);
+  c.add("--time", o.duration, "TIME", "How long, in place of --periods", positive);
   c.add(
       "--every", o.every, "TIME",
       fmt::format("Time between two samples: by default {} in a period", SimulateOptions::samples_in_period),

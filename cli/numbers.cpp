@@ -67,17 +67,20 @@ double positive(const std::string& name, const std::string& text) {
 }
 
 State state(const std::string& name, const std::string& text) {
-  State X{};
-  std::size_t from = 0;
-  for (std::size_t i = 0; i < X.size(); ++i) {
-    const std::size_t comma = text.find(',', from);
-    if ((comma == std::string::npos) != (i + 1 == X.size())) {
-      throw UsageError(fmt::format("{}: '{}' is not four numbers x1,x2,x1',x2'", name, text));
-    }
-    X.at(i) = number(name, text.substr(from, comma - from));
+  State X;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    X.push_back(number(name, text.substr(from, comma - from)));
     from = comma + 1;
   }
   return X;
+}
+
+std::array<double, 4> of_two_masses(const std::string& name, const State& state) {
+  if (state.size() != 4) {
+    throw UsageError(fmt::format("{}: x1,x2,x1',x2' are four numbers, not {}", name, state.size()));
+  }
+  return {state[0], state[1], state[2], state[3]};
 }
 
 std::array<int, 2> plane(const std::string& name, const std::string& text) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/parallel.hpp"
 #include "core/rational.hpp"
@@ -22,9 +23,10 @@ namespace stickslip::cli {
 // "A..B" with A < B, "0.5+-1e-4", "4+-5%" or a number: its ends.
 [[nodiscard]] std::pair<Rational, Rational> interval(const std::string& name, const std::string& text);
 
-// x1, x2, x1', x2' of "x1,x2,x1',x2'".
-using State = std::array<double, 4>;
+// Positions, then velocities, of "x1,x2,x1',x2'": two for each mass; those of the paper's two masses.
+using State = std::vector<double>;
 [[nodiscard]] State state(const std::string& name, const std::string& text);
+[[nodiscard]] std::array<double, 4> of_two_masses(const std::string& name, const State& state);
 
 // Two of x1, x2, x1', x2', 0 to 3, of "x1,x2".
 [[nodiscard]] std::array<int, 2> plane(const std::string& name, const std::string& text);

@@ -99,6 +99,9 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
   if (options.family.empty()) {
     throw UsageError("a family of orbits is missing: " + families::names_of_families());
   }
+  if (const auto done = run_in_tables(options)) {
+    return *done;
+  }
   if (words::looks_like_word(options.family)) {
     if (!options.certify.empty()) {
       throw UsageError("--certify is for a family, not for a word of phases");

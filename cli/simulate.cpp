@@ -170,6 +170,9 @@ Simulated simulate(const MotionAsked& asked, const SimulateOptions& options, con
 }  // namespace
 
 ExitCode run(const SimulateOptions& options, const Paper& paper) {
+  if (const auto done = run_in_tables(options)) {
+    return *done;
+  }
   require_places(options);
   const auto [file, units, asked] = [&] {
     const Progress progress("searching for orbits ...");

@@ -98,7 +98,7 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
   replace(start.phi, "phi");
   replace(start.ur, "ur");
   if (options.state) {
-    start.X = in_data(*options.state, units);
+    start.X = in_data("state", *options.state, units);
   }
   ParameterFile of_machine;
   of_machine.example = options.example;
@@ -117,7 +117,7 @@ SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& 
   SimulationStart from =
       options.orbit.empty() ? from_state(options, file, paper, units) : from_orbit(options, file, paper);
   if (options.perturb) {
-    from.start.X += in_data(*options.perturb, units);
+    from.start.X += in_data("perturb", *options.perturb, units);
   }
   return from;
 }

@@ -66,6 +66,46 @@ struct FrictionOscillator {
   }
 };
 
+// Of the masses and springs at X = (x, x').
+template <class S>
+[[nodiscard]] S energy(const FrictionOscillator<S>& o, const VectorX<S>& X) {
+  const auto n = static_cast<Eigen::Index>(o.size());
+  S twice = X.head(n).dot(o.stiffness * X.head(n));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    twice += o.masses[static_cast<std::size_t>(i)] * X(n + i) * X(n + i);
+  }
+  return twice / S(2);
+}
+
+// The oscillator whose numbers are f of these.
+template <class T, class S, class F>
+[[nodiscard]] FrictionOscillator<T> mapped(const FrictionOscillator<S>& o, const F& f) {
+  const auto all = [&](const auto& A) {
+    MatrixX<T> B(A.rows(), A.cols());
+    for (Eigen::Index i = 0; i < A.size(); ++i) {
+      B.data()[i] = f(A.data()[i]);
+    }
+    return B;
+  };
+  const auto law = [&](const FrictionLaw<S>& given) {
+    FrictionLaw<T> result{f(given.at_rest), {}};
+    for (const SlidingPiece<S>& piece : given.sliding) {
+      result.sliding.push_back({f(piece.from), f(piece.force), f(piece.slope)});
+    }
+    return result;
+  };
+  FrictionOscillator<T> result{{},        all(o.damping), all(o.stiffness), o.rubbing,
+                               f(o.V),    law(o.forward), law(o.backward),  {},
+                               f(o.omega)};
+  for (const S& m : o.masses) {
+    result.masses.push_back(f(m));
+  }
+  for (const HarmonicForce<S>& load : o.loads) {
+    result.loads.push_back({load.mass, load.k, f(load.cosine), f(load.sine)});
+  }
+  return result;
+}
+
 // (2), (4): masses 1 and 1/eta, so that forces are lengths.
 template <class S>
 [[nodiscard]] FrictionOscillator<S> friction_oscillator(const Parameters<S>& a, const S& ur) {

@@ -14,6 +14,7 @@
 #include "cli/arguments.hpp"
 #include "cli/asked.hpp"
 #include "cli/latex_text.hpp"
+#include "cli/machine_answers.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
@@ -588,6 +589,95 @@ std::string script_of(const Atlas& a) {
   return report::atlas::plot_script(a.archive.question, a.archive.leaves, report::tools::PlotFormat::svg);
 }
 
+// ---- machines in tables: as JSON
+
+using cli::GivenInTables;
+
+template <class Options>
+std::pair<GivenInTables, Options> in_tables(const std::string& file) {
+  Options o;
+  o.file = file;
+  const auto given = cli::given_in_tables(o);
+  if (!given) {
+    throw UsageError(file + " is no machine in tables: it has no [[mass]]");
+  }
+  return {*given, o};
+}
+
+std::string attractors_in_tables(const std::string& file, int starts, int seed, int most_periods, int digits,
+                                 const Conduct& conduct) {
+  return carried_out(conduct, [&] {
+    auto [given, o] = in_tables<cli::AttractorsOptions>(file);
+    o.starts = starts;
+    o.seed = seed;
+    o.most_periods = most_periods;
+    o.digits = digits;
+    return report::machines::to_json(cli::answer(given, o)).dump();
+  });
+}
+
+std::string orbits_in_tables(const std::string& file, const std::string& word, std::optional<int> period,
+                             const std::optional<std::string>& near, int digits, const Conduct& conduct) {
+  return carried_out(conduct, [&] {
+    auto [given, o] = in_tables<cli::OrbitsOptions>(file);
+    o.family = word;
+    o.period = period;
+    o.near = state_of("near", near);
+    o.digits = digits;
+    return report::machines::to_json(cli::answer(given, o)).dump();
+  });
+}
+
+std::string branch_in_tables(const std::string& file, const std::string& word,
+                             const std::vector<std::string>& along, const std::optional<std::string>& at,
+                             std::optional<int> period, std::optional<int> orbit,
+                             const std::optional<std::string>& near, bool all, const Conduct& conduct) {
+  return carried_out(conduct, [&] {
+    auto [given, o] = in_tables<cli::BranchOptions>(file);
+    o.family = word;
+    o.along = along;
+    o.at = at ? std::optional(cli::exact_number("at", *at)) : std::nullopt;
+    o.period = period;
+    o.orbit = orbit;
+    o.near = state_of("near", near);
+    o.all = all;
+    return report::machines::to_json(cli::answer(given, o)).dump();
+  });
+}
+
+std::tuple<std::string, py::array_t<double>> simulate_in_tables(
+    const std::string& file, const std::optional<std::string>& state, const std::optional<std::string>& time,
+    const std::optional<std::string>& periods, const std::optional<std::string>& every,
+    const std::optional<std::string>& phi, const Conduct& conduct) {
+  std::vector<double> numbers;
+  std::size_t rows = 0;
+  const std::string told = carried_out(conduct, [&] {
+    auto [given, o] = in_tables<cli::SimulateOptions>(file);
+    const auto number = [](const char * name, const std::optional<std::string>& text) {
+      return text ? std::optional(cli::positive(name, *text)) : std::nullopt;
+    };
+    o.state = state_of("state", state);
+    o.duration = number("time", time);
+    o.periods = number("periods", periods);
+    o.every = number("every", every);
+    if (phi) {
+      o.parameters["phi"] = *phi;
+    }
+    const auto motion = cli::answer(
+        given, o, [](double) { return !interrupted(); },
+        [&](const cli::SampleOfMachine& s) {
+          ++rows;
+          numbers.push_back(s.time);
+          numbers.insert(numbers.end(), s.X.begin(), s.X.end());
+          numbers.insert(numbers.end(), {s.r, s.u, s.energy});
+        });
+    return report::machines::to_json(motion).dump();
+  });
+  py::array_t<double> samples({rows, rows == 0 ? 0 : numbers.size() / rows});
+  std::copy(numbers.begin(), numbers.end(), samples.mutable_data());
+  return {told, samples};
+}
+
 std::string gnuplot(const std::string& script) {
   const py::gil_scoped_release released;
   return report::tools::gnuplot(script);
@@ -663,6 +753,11 @@ PYBIND11_MODULE(_core, m) {
   m.def("basins", &basins);
   m.def("simulate", &simulate);
   m.def("machine_values", &machine_values);
+  m.def("require_tables", [](const std::string& file) { (void)in_tables<cli::OrbitsOptions>(file); });
+  m.def("attractors_in_tables", &attractors_in_tables);
+  m.def("orbits_in_tables", &orbits_in_tables);
+  m.def("branch_in_tables", &branch_in_tables);
+  m.def("simulate_in_tables", &simulate_in_tables);
   m.def("check", &check);
   m.def("prove", [](const std::string& statement, const std::vector<std::string>& assumptions,
                     const std::vector<std::string>& symbols, const Conduct& conduct) {

@@ -2,6 +2,7 @@
 
 #include "report/atlas/summary.hpp"
 #include "report/audit/json.hpp"
+#include "report/machines/results.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/branches.hpp"
 #include "report/orbits/diagram.hpp"
@@ -13,6 +14,9 @@ namespace stickslip::report {
 
 std::vector<tools::File> schemas() {
   std::vector<tools::File> all = atlas::schemas();
+  for (const tools::File& schema : machines::schemas()) {
+    all.push_back(schema);
+  }
   for (const auto& schema : {audit::schema, orbits::orbits_schema, orbits::words_schema, orbits::pure_schema,
                              orbits::branches_schema, orbits::attractors_schema, orbits::simulation_schema}) {
     all.push_back(schema());

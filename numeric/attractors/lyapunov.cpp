@@ -7,9 +7,6 @@
 
 namespace stickslip::numeric::attractors {
 
-using model::Vector4;
-using simulation::Simulation;
-
 namespace {
 
 constexpr int blocks = 20;
@@ -17,13 +14,21 @@ constexpr double small = 1e-8;
 
 }  // namespace
 
-Exponent largest_exponent(Simulation simulation, long periods) {
+template <int N, int L>
+Exponent largest_exponent(simulation::SimulationOf<N, L> simulation, long periods) {
+  using State = typename simulation::SimulationOf<N, L>::State;
   const long in_block = std::max(1L, periods / blocks);
   const long lead = blocks * in_block / 5;  // in which the neighbour turns into the fastest direction
-  Vector4<double> X = simulation.state();
+  State X = simulation.state();
   const double size = small * std::max(X.norm(), 1e-100);
-  Vector4<double> deviation = Vector4<double>(0.5, -0.5, 0.5, 0.5) * size;
-  Simulation neighbour = simulation;
+  // In all components, with one sign turned.
+  const auto aside = [&](Eigen::Index turned) {
+    State direction = State::Constant(X.size(), size / std::sqrt(static_cast<double>(X.size())));
+    direction(std::min(turned, X.size() - 1)) *= -1;
+    return direction;
+  };
+  State deviation = aside(1);
+  simulation::SimulationOf<N, L> neighbour = simulation;
   // How much the deviation grows in a period, as a logarithm; it is `size` long again after that. A neighbour
   // that falls together with the motion starts anew.
   const auto growth = [&] {
@@ -34,7 +39,7 @@ Exponent largest_exponent(Simulation simulation, long periods) {
     deviation = neighbour.state() - X;
     const double length = deviation.norm();
     if (!(length > 1e-6 * size)) {
-      deviation = Vector4<double>(0.5, 0.5, -0.5, 0.5) * size;
+      deviation = aside(2);
       return std::log(1e-6);
     }
     deviation *= size / length;
@@ -60,6 +65,15 @@ Exponent largest_exponent(Simulation simulation, long periods) {
   // From a fifth of the time to six fifths of it a deviation in proportion to time grows by six.
   const double least = 3 * std::log(6) / static_cast<double>(blocks * in_block);
   return {value, std::sqrt(std::max(0.0, squares / blocks - value * value) / (blocks - 1)), least};
+}
+
+template Exponent largest_exponent(simulation::SimulationOf<2, 1>, long);
+template Exponent largest_exponent(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>, long);
+
+Kind kind_by(const Exponent& exponent) {
+  return exponent.is_positive() ? Kind::irregular
+         : exponent.is_zero()   ? Kind::quasi_periodic
+                                : Kind::unsettled;
 }
 
 }  // namespace stickslip::numeric::attractors

@@ -1,6 +1,7 @@
 // The largest Lyapunov exponent of a simulated motion: a check, no proof.
 #pragma once
 
+#include "numeric/attractors/kind.hpp"
 #include "numeric/simulation/simulation.hpp"
 
 namespace stickslip::numeric::attractors {
@@ -20,8 +21,14 @@ struct Exponent {
 };
 
 // From the motion and a neighbour that is brought back to a small distance after each of so many periods,
-// after a lead of a fifth as many. The simulation is to be at a time when the load's phase is
-// 0. One that is interrupted says nothing.
-[[nodiscard]] Exponent largest_exponent(simulation::Simulation simulation, long periods);
+// after a lead of a fifth as many. The simulation, of an oscillator with a load, is to be at a time when its
+// phase is 0. One that is interrupted says nothing.
+template <int N, int L>
+[[nodiscard]] Exponent largest_exponent(simulation::SimulationOf<N, L> simulation, long periods);
+
+// Fewer periods say nothing.
+inline constexpr long fewest_periods_of_exponent = 100;
+// What an exponent says of a motion that does not return: irregular, quasi-periodic, or nothing, unsettled.
+[[nodiscard]] Kind kind_by(const Exponent& exponent);
 
 }  // namespace stickslip::numeric::attractors

@@ -21,8 +21,6 @@ namespace {
 constexpr double certainly = 1 - 1e-9;
 // Fewer periods without an event say nothing.
 constexpr long long_time = 256;
-// An exponent from fewer periods says nothing.
-constexpr long fewest_periods = 100;
 // What rounding leaves of a return after hundreds of periods with transients that stretch it.
 constexpr double within_rounding = 2e-8;
 
@@ -219,14 +217,12 @@ std::optional<Return> Follower::returned() const {
 }
 
 void Follower::classify(long periods) {
-  if (kind_ != Kind::unsettled || periods < fewest_periods || is_too_slow_) {
+  if (kind_ != Kind::unsettled || periods < fewest_periods_of_exponent || is_too_slow_) {
     return;
   }
-  const Exponent exponent = largest_exponent(simulation_, periods);
+  const Exponent exponent = largest_exponent<2, 1>(simulation_, periods);
   lyapunov_ = exponent.value;
-  kind_ = exponent.is_positive() ? Kind::irregular
-          : exponent.is_zero()   ? Kind::quasi_periodic
-                                 : Kind::unsettled;
+  kind_ = kind_by(exponent);
 }
 
 }  // namespace stickslip::numeric::attractors

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numeric/branches/end.hpp"
+#include "numeric/branches/state.hpp"
 #include "numeric/machine_along.hpp"
 #include "numeric/orbits.hpp"
 
@@ -40,29 +41,6 @@ struct BranchQuestion {
   // Called with each branch as soon as all is known of it, in the order of the list.
   std::function<void(const Branch&)> found = {};
 };
-
-// What the orbits on a piece of a branch are, every one of them.
-enum class State {
-  outside,       // the parameter is beyond its interval
-  absent,        // a phase lasts a negative time: no motion of the family
-  inadmissible,  // closed, but a condition of the friction law is violated
-  stable,        // admissible: all conditions hold; and by its multipliers
-  unstable,
-  marginal,    // 1 is a multiplier where there is no load
-  admissible,  // and the stability is undecided
-  undecided,   // whether the friction law is obeyed, or a phase lasts at all
-};
-[[nodiscard]] std::string to_string(State state);
-[[nodiscard]] bool is_admissible(State state);
-
-enum class ChangeKind {
-  fold,       // the branch turns: two orbits on one side meet, none is on the other
-  condition,  // a condition is lost or gained, with its id
-  stability,  // a multiplier crosses the unit circle: "real +1", "real -1", "complex pair"
-  birth,      // a phase lasts no time at all, with the name of its duration: the branch ends
-  resonance,  // omega is a natural frequency: of the motions beside it no condition is decided
-};
-[[nodiscard]] std::string to_string(ChangeKind kind);
 
 struct Change {
   ChangeKind kind = ChangeKind::fold;

@@ -11,6 +11,9 @@ using zeros::product;
 
 namespace {
 
+// More than what is lost below the range of doubles.
+constexpr double tiny = 1e-290;
+
 // The largest size, from above.
 Ball largest(const Vector& v, const Vector& weights) {
   Ball most(0);
@@ -55,29 +58,16 @@ const Watched::Stretch& Watched::stretch(std::size_t k) const {
   for (const Vector& row : watch_.rows) {
     Ball sum(0);
     for (Eigen::Index i = 0; i < row.size(); ++i) {
-      add_product(sum, row(i), found.w(i));
+      if (!is_zero(row(i))) {
+        add_product(sum, row(i), found.w(i));
+      }
     }
     found.terms.push_back(sum);
     found.guess.push_back(sum.approximate());
   }
-  // The derivative number i of what is left out is at most the sum over m >= M of
-  //   size |S w| nu^i (nu r)^(m - i)/(m - i)!,
-  // whose terms fall at least by half from one to the next for nu r <= 1.
-  const Ball reach = watch_.nu * Ball(watch_.length);
-  const bool is_short = !(Ball(1) - reach).lower().is_negative();
   const Ball of_w = watch_.size * largest(found.w, watch_.balance);
-  Ball factor = of_w;
   for (std::size_t i = 0; i < found.rest.size(); ++i) {
-    Ball next = factor;
-    for (std::size_t m = 1; m + i <= watch_.rows.size(); ++m) {
-      next = next * reach / Ball(static_cast<long>(m));
-    }
-    if (is_short) {
-      found.rest[i] = Ball(Ball(2) * next).upper();
-    } else {
-      arb_indeterminate(found.rest[i].raw());
-    }
-    factor = factor * watch_.nu;
+    found.rest[i] = Ball(of_w * watch_.rest[i]).upper();
   }
   return found;
 }
@@ -125,32 +115,34 @@ std::array<double, 4> Watched::guess_at(double s) const {
 }
 
 motion::DerivativeBounds Watched::bounds() const {
-  motion::DerivativeBounds most;
+  motion::DerivativeBounds unknown;
+  arb_indeterminate(unknown.third.raw());
+  arb_indeterminate(unknown.fourth.raw());
   if (!covers_) {
-    arb_indeterminate(most.third.raw());
-    return {most.third, most.third};
+    return unknown;
   }
-  const auto raise = [](Ball& bound, const Ball& value) {
-    arb_max(bound.raw(), bound.raw(), value.raw(), WorkingPrecision::bits());
-  };
+  // Sums of positive numbers in double, each a little more than it is.
+  constexpr double rounding = 1 + 1e-12;
+  const long exponent = std::lround(std::log2(watch_.length));
+  double third = 0, fourth = 0;
   for (std::size_t k = 0; k < count_; ++k) {
     const Stretch& here = stretch(k);
-    Ball third = here.rest[3];
-    Ball fourth = here.rest[4];
-    Ball power(1);
+    double of_third = here.rest[3].approximate(), of_fourth = here.rest[4].approximate();
     for (std::size_t m = 3; m < here.terms.size(); ++m) {
-      const auto n = static_cast<long>(m);
-      const Ball term = abs(here.terms[m]) * Ball(n * (n - 1) * (n - 2)) * power;
-      third += term;
-      if (m > 3) {
-        fourth += term * Ball(n - 3) / Ball(watch_.length);
-      }
-      power *= Ball(watch_.length);
+      const auto n = static_cast<double>(m);
+      Ball term = abs(here.terms[m]).upper();  // times length^(m - 3)
+      arb_mul_2exp_si(term.raw(), term.raw(), static_cast<long>(m - 3) * exponent);
+      const double size = term.approximate() * n * (n - 1) * (n - 2);
+      of_third += size;
+      of_fourth += m > 3 ? size * (n - 3) / watch_.length : 0;
     }
-    raise(most.third, third);
-    raise(most.fourth, fourth);
+    if (!std::isfinite(of_third) || !std::isfinite(of_fourth)) {
+      return unknown;
+    }
+    third = std::max(third, of_third);
+    fourth = std::max(fourth, of_fourth);
   }
-  return {most.third.upper(), most.fourth.upper()};
+  return {Ball(third * rounding + tiny), Ball(fourth * rounding + tiny)};
 }
 
 std::array<Ball, 4> AffineCourse::at(double s) const {

@@ -40,8 +40,12 @@ class ArbMatrix {
 };
 
 // The longest stretch in units of 1/nu.
-constexpr double longest = 0.5;
-constexpr std::size_t fewest_terms = 6;
+constexpr double longest = 4;
+constexpr std::size_t fewest_terms = 14;
+// Of an exponential from one beside it.
+constexpr int most_terms = 1000;
+// Exponentials of a piece: one for each of its phases in most words.
+constexpr std::size_t most_kept = 64;
 
 // Powers of two that bring rows and columns of S B S⁻¹ to sums of one size: any S is right, this one makes
 // short work.
@@ -66,6 +70,19 @@ Vector balance(const Matrix& B) {
     }
   }
   return s.unaryExpr([](double x) { return Ball(x); });
+}
+
+// a b, for an a with many zeros.
+Matrix sparse_product(const Matrix& a, const Matrix& b) {
+  Matrix product = Matrix::Constant(a.rows(), b.cols(), Ball(0));
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    for (Eigen::Index l = 0; l < a.cols(); ++l) {
+      for (Eigen::Index k = 0; !is_zero(a(i, l)) && k < b.cols(); ++k) {
+        add_product(product(i, k), a(i, l), b(l, k));
+      }
+    }
+  }
+  return product;
 }
 
 }  // namespace
@@ -168,30 +185,51 @@ const Matrix& LinearPhases::drift(Piece piece) const {
   return found != drifts_.end() ? found->second : drifts_.emplace(piece, make_drift(piece)).first->second;
 }
 
-// exp(B (m + d)) = exp(B m) (I + B d + R) for |d| <= rad, |R| <= s²/(2 (1 - s)), s = |B| rad < 1, in the norm
-// of row sums, so for each entry.
+// exp(B (m + d)) = exp(B m) (I + B d + … + (B d)^(k-1)/(k-1)! + R), in the norm of row sums, so for each
+// entry, |R| <= s^k/k! / (1 - s/(k + 1)) with s = |B| |d| < 1: from one exponential to those beside it.
 Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
+  constexpr double near_enough = 0x1p-10;
   const Matrix& B = drift(piece);
+  const Ball norm = zeros::norm(B);
   const Ball middle = h.midpoint();
-  Exponential& known = flows_[piece];
-  if (known.of_middle.size() == 0 || !(known.middle - middle).is_exact() ||
-      !(known.middle - middle).contains_zero()) {
-    known = {middle, exponential(B * middle)};
+  // The nearest of those that are kept, or a new one.
+  std::vector<Exponential>& all = flows_[piece];
+  const auto distance = [&](const Exponential& one) {
+    return std::abs(Ball(one.middle - middle).approximate());
+  };
+  auto found = std::ranges::min_element(all, {}, distance);
+  if (found == all.end() || !(distance(*found) * norm.approximate() < near_enough)) {
+    if (all.size() >= most_kept) {
+      all.erase(all.begin());
+    }
+    all.push_back({middle, exponential(B * middle)});
+    found = all.end() - 1;
   }
-  const Ball d = h - middle;
+  const Exponential& known = *found;
+  const Ball d = h - known.middle;
   if (is_zero(d)) {
     return known.of_middle;
   }
-  const Ball size = zeros::norm(B) * abs(d).upper();
-  const Ball room = Ball(1) - size;
+  const Ball s = Ball(norm * abs(d)).upper();
+  const double radius = Ball(norm * d.radius()).approximate();
+  const double enough = std::max(radius * radius, std::exp2(-static_cast<double>(WorkingPrecision::bits())));
+  Matrix near = Matrix::Identity(size_, size_), term = near;
+  Ball rest = s;  // of the terms from the k-th on, if they go on as a geometric series
+  for (int k = 1; k == 1 || rest.approximate() > enough; ++k) {
+    term = Matrix(sparse_product(B, term) * Ball(d / Ball(k)));
+    near += term;
+    rest *= s / Ball(k + 1);
+    if (!rest.is_finite() || k > most_terms) {
+      break;
+    }
+  }
+  const Ball room = Ball(1) - s;
   Ball R;
   arb_indeterminate(R.raw());
   if (room.is_positive()) {
-    R = Ball(size * size / (Ball(2) * room)).upper();
+    R = Ball(rest / room).upper();
   }
-  Matrix near = B * d;
   for (Eigen::Index i = 0; i < size_; ++i) {
-    near(i, i) += Ball(1);
     for (Eigen::Index k = 0; k < size_; ++k) {
       near(i, k) += Ball::hull(-R, R);
     }
@@ -202,7 +240,7 @@ Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
 LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
   const Matrix B = reversed ? Matrix(-drift(piece)) : drift(piece);
   Vector term = piece.kind == PhaseKind::stick ? r_ : speed();
-  Watch watch{{}, balance(B), {}, {}, 1, {}};
+  Watch watch{{}, balance(B), {}, {}, 1, {}, {}};
   Matrix balanced = B;
   for (Eigen::Index i = 0; i < size_; ++i) {
     watch.size += abs(term(i)) / watch.balance(i);
@@ -220,6 +258,22 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
     const auto m = static_cast<int>(watch.rows.size());
     term = Vector(zeros::product(B.transpose(), term)) * Ball(Ball(1) / Ball(m));
     size *= longest / m;
+  }
+  // The sum over m >= M of nu^i (nu r)^(m - i)/(m - i)!, whose terms fall at least by half from one to the
+  // next if 2 nu r is at most M - i + 1.
+  const Ball reach = watch.nu * Ball(watch.length);
+  const auto fewest = static_cast<long>(watch.rows.size() - watch.rest.size()) + 2;
+  const bool is_short = !(Ball(fewest) - Ball(2) * reach).lower().is_negative();
+  Ball factor(2);
+  for (std::size_t i = 0; i < watch.rest.size(); ++i) {
+    watch.rest[i] = factor;
+    for (std::size_t m = 1; m + i <= watch.rows.size(); ++m) {
+      watch.rest[i] = watch.rest[i] * reach / Ball(static_cast<long>(m));
+    }
+    if (!is_short) {
+      arb_indeterminate(watch.rest[i].raw());
+    }
+    factor = factor * watch.nu;
   }
   return watch;
 }

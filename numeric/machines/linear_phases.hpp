@@ -4,6 +4,7 @@
 // piece of its motion, and what the friction law compares, r and the relative velocity, are rows times w.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <map>
 #include <utility>
@@ -39,7 +40,7 @@ class LinearPhases {
 
   // B of the piece. Throws InternalError when the law has no such piece.
   [[nodiscard]] const Matrix& drift(Piece piece) const;
-  // exp(B h), for all members of h. The last one of each piece is kept, for the same middle of h.
+  // exp(B h), for all members of h. Those that Arb computed are kept, and serve those beside them.
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
 
   // What ends the piece, r on a stick and x_j' else, f = row w, and how its Taylor polynomials are bounded.
@@ -49,8 +50,11 @@ class LinearPhases {
     std::vector<Vector> rows;  // row B^m/m!, as many as the working precision sees
     Vector balance;            // S
     Ball size, nu;             // |row S⁻¹|
-    double length;             // of a stretch, a power of two: nu length <= 1/2 or so
-    Matrix flow;               // over a stretch
+    double length;             // of a stretch, a power of two: nu length <= 2 or so
+    // What the rows leave out of the derivative number i of f on a stretch is at most |S w| size times this;
+    // not finite unless nu length is small beside the number of rows.
+    std::array<Ball, 5> rest;
+    Matrix flow;  // over a stretch
   };
   // Kept. `reversed`: with -B in place of B, for what is seen from the end of a phase.
   [[nodiscard]] const Watch& watch(Piece piece, bool reversed) const;
@@ -75,7 +79,7 @@ class LinearPhases {
   Eigen::Index n_, size_;
   Vector r_;
   mutable std::map<Piece, Matrix> drifts_;
-  mutable std::map<Piece, Exponential> flows_;
+  mutable std::map<Piece, std::vector<Exponential>> flows_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;
 };
 

@@ -1,5 +1,8 @@
 #include "numeric/machines/machine_attractors.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -100,7 +103,10 @@ MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
 
 MachineAttractors find_attractors(const MachineStarts& question) {
   require_machine(question.machine, true);
-  MachineAttractors result{question, {}, false};
+  MachineAttractors result{question, {}, {}, false};
+  if (question.machine.oscillator.is_autonomous()) {
+    result.steady = steady_sliding(question.machine, question.digits);
+  }
   const std::vector<Eigen::VectorXd> starts =
       random_starts(oscillator_as<double>(question.machine), question.starts, question.seed);
   const std::vector<Settled> ends = parallel_map(starts.size(), [&](std::size_t i) {
@@ -140,6 +146,69 @@ MachineAttractors find_attractors(const MachineStarts& question) {
   }
   std::stable_sort(result.attractors.begin(), result.attractors.end(),
                    [](const auto& a, const auto& b) { return a.count > b.count; });
+  return result;
+}
+
+namespace {
+
+std::string name_of(Kind kind, const std::string& word, long periods, bool autonomous) {
+  return kind != Kind::periodic ? to_string(kind)
+         : autonomous           ? word
+                                : fmt::format("{} with the period {}", word, periods);
+}
+
+bool is_of(const MachineWord& q, const std::string& word, long periods) {
+  return word == q.word.letters() && (!q.periods || *q.periods == periods);
+}
+
+MachineWordOrbits from_start(const MachineWord& q) {
+  MachineWordOrbits result{q, {}, {}};
+  const bool autonomous = q.machine.oscillator.is_autonomous();
+  const auto attempt = [&](const MachineGuess& guess) {
+    if (guess.events.size() < 2 || !is_of(q, word_of(pieces_of(guess)), guess.periods)) {
+      return false;
+    }
+    const MachineOrbit orbit = prove_machine_orbit(q.machine, guess, q.digits);
+    if (orbit.existence.truth == Truth::proved) {
+      result.orbits.push_back(orbit);
+    }
+    return !result.orbits.empty();
+  };
+  if (!autonomous && attempt(over_periods(q.machine, *q.near, q.periods.value_or(1)))) {
+    return result;
+  }
+  const Settled end = settle(q.machine, *q.near);
+  if (!attempt(end.guess)) {
+    result.seen = "the motion from there: " +
+                  name_of(end.kind, word_of(pieces_of(end.guess)), end.guess.periods, autonomous);
+  }
+  result.interrupted = interrupted();
+  return result;
+}
+
+}  // namespace
+
+MachineWordOrbits find_word_orbits(const MachineWord& question) {
+  require_machine(question.machine, true);
+  if (question.near) {
+    return from_start(question);
+  }
+  constexpr long starts = 100;
+  const MachineAttractors list =
+      find_attractors({.machine = question.machine, .starts = starts, .digits = question.digits});
+  MachineWordOrbits result{question, {}, {}, list.interrupted};
+  std::vector<std::string> others;
+  for (const MachineAttractor& a : list.attractors) {
+    const long periods = a.orbit ? a.orbit->periods : 0;
+    if (a.orbit && a.orbit->existence.truth == Truth::proved && is_of(question, a.word, periods)) {
+      result.orbits.push_back(*a.orbit);
+    } else {
+      others.push_back(name_of(a.kind, a.word, periods, question.machine.oscillator.is_autonomous()));
+    }
+  }
+  if (result.orbits.empty()) {
+    result.seen = fmt::format("{} random starts end on: {}", starts, fmt::join(others, ", "));
+  }
   return result;
 }
 

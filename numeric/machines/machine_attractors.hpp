@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "numeric/machines/settle.hpp"
+#include "numeric/machines/steady_sliding.hpp"
+#include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -30,6 +32,7 @@ struct MachineAttractor {
 struct MachineAttractors {
   MachineStarts question;
   std::vector<MachineAttractor> attractors;  // by falling count; those of another kind are one entry each
+  std::optional<SteadySliding> steady;       // without a load that varies
   bool interrupted = false;
 };
 
@@ -44,5 +47,24 @@ struct MachineStartBox {
 
 // The same seed gives the same starts everywhere. Throws as require_machine does.
 [[nodiscard]] MachineAttractors find_attractors(const MachineStarts& question);
+
+// Orbits through given phases.
+struct MachineWord {
+  Machine machine;
+  words::Word word;
+  std::optional<long> periods;          // of the load; nothing: any number
+  std::optional<Eigen::VectorXd> near;  // (x, x') at theta = 0; else random starts
+  int digits = 20;
+};
+struct MachineWordOrbits {
+  MachineWord question;
+  std::vector<MachineOrbit> orbits;  // proved to exist
+  std::string seen;                  // what was met instead, in half a sentence; empty with an orbit
+  bool interrupted = false;
+};
+
+// With a start: the motion from there through so many periods if it goes through the word, else what it
+// settles on; without, what random starts settle on. Throws as settle does.
+[[nodiscard]] MachineWordOrbits find_word_orbits(const MachineWord& question);
 
 }  // namespace stickslip::numeric::machines

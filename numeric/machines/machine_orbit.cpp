@@ -274,4 +274,16 @@ MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& gue
   return orbit;
 }
 
+MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine) {
+  MachineGuess guess{{}, orbit.periods, orbit.period.approximate()};
+  const bool autonomous = machine.oscillator.is_autonomous();
+  const double begin = autonomous ? 0 : orbit.load.approximate() / oscillator_as<double>(machine).omega;
+  for (const MachinePhase& phase : orbit.phases) {
+    guess.events.push_back({begin + phase.start.approximate(),
+                            phase.state.unaryExpr([](const Ball& x) { return x.approximate(); }),
+                            phase.piece});
+  }
+  return guess;
+}
+
 }  // namespace stickslip::numeric::machines

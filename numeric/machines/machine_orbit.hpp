@@ -56,4 +56,7 @@ struct MachineOrbit {
 [[nodiscard]] MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess,
                                                int digits = 20, long most_bits = 1L << 12);
 
+// A proved motion as a guess, the load's phase being 0 at t = 0.
+[[nodiscard]] MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine);
+
 }  // namespace stickslip::numeric::machines

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "numeric/attractors/lyapunov.hpp"
 #include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::machines {
@@ -120,7 +121,11 @@ Settled with_load(Simulation simulation, long most_periods) {
       marked = k;
     }
   }
-  return {Kind::unsettled, {}, simulation.state()};
+  const bool tells = most_periods / 4 >= attractors::fewest_periods_of_exponent && !interrupted();
+  return {tells ? attractors::kind_by(attractors::largest_exponent(simulation, most_periods / 4))
+                : Kind::unsettled,
+          {},
+          simulation.state()};
 }
 
 template <class Simulation>
@@ -164,16 +169,26 @@ Settled without_load(Simulation simulation, long most_events) {
 
 }  // namespace
 
-Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_periods) {
+namespace {
+
+using AnySimulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
+
+void require_state(const Machine& machine, const Eigen::VectorXd& X) {
   require_machine(machine, false);
   const auto size = static_cast<Eigen::Index>(2 * machine.oscillator.size());
   if (X.size() != size) {
     throw DomainError("the state", fmt::format("{} numbers", X.size()),
                       fmt::format("{}, positions and velocities", size));
   }
+}
+
+}  // namespace
+
+Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_periods) {
+  require_state(machine, X);
   const model::FrictionOscillator<double> o = oscillator_as<double>(machine);
   if (machine.oscillator.is_autonomous()) {
-    return without_load(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>(o, 0, X), most_periods);
+    return without_load(AnySimulation(o, 0, X), most_periods);
   }
   const auto varying = [](const auto& load) { return load.k != 0; };
   const auto first = std::find_if(o.loads.begin(), o.loads.end(), varying);
@@ -182,7 +197,23 @@ Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_perio
   if (o.size() == 2 && one_frequency) {
     return with_load(simulation::SimulationOf<2, 1>(o, 0, X), most_periods);
   }
-  return with_load(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>(o, 0, X), most_periods);
+  return with_load(AnySimulation(o, 0, X), most_periods);
+}
+
+MachineGuess over_periods(const Machine& machine, const Eigen::VectorXd& X, long n) {
+  require_state(machine, X);
+  if (machine.oscillator.is_autonomous()) {
+    throw UsageError("periods of the load are counted where there is a load that varies");
+  }
+  AnySimulation simulation(oscillator_as<double>(machine), 0, X);
+  std::vector<AnySimulation::Transition> log;
+  for (long k = 0; k < n; ++k) {
+    simulation.advance(simulation.period(), &log);
+  }
+  MachineGuess guess = guess_of(log, 0);
+  guess.periods = n;
+  guess.duration = static_cast<double>(n) * simulation.period();
+  return rotated(guess);
 }
 
 }  // namespace stickslip::numeric::machines

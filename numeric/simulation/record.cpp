@@ -18,48 +18,15 @@ namespace {
 constexpr double most_samples = 1e9;
 constexpr long steps_between_questions = 30000;
 
-Sample sample_of(const Simulation& s) {
-  const model::Vector4<double> X = s.state();
-  return {s.time(),
-          s.phase(),
-          X,
-          s.friction_at_rest(),
-          s.friction(),
-          model::energy<double>(s.data().chi, s.data().eta, X)};
-}
-
-// Hands the samples on and remembers the extremes of their energy.
-class Sampler {
- public:
-  Sampler(Record& record, const std::function<void(const Sample&)>& take) : record_(record), take_(take) {}
-
-  void operator()(const Sample& sample) {
-    ++record_.samples;
-    Extremes& energy =
-        record_.energy ? *record_.energy : record_.energy.emplace(sample.energy, sample.energy);
-    energy.least = std::min(energy.least, sample.energy);
-    energy.greatest = std::max(energy.greatest, sample.energy);
-    if (take_) {
-      take_(sample);
-    }
+void add_event(auto& record, const auto& event) {
+  ++record.events;
+  if (record.first_events.size() < record.shown) {
+    record.first_events.push_back(event);
+    return;
   }
-
- private:
-  Record& record_;
-  const std::function<void(const Sample&)>& take_;
-};
-
-void add_events(Record& record, const std::vector<Transition>& events) {
-  for (const Transition& event : events) {
-    ++record.events;
-    if (record.first_events.size() < Record::shown) {
-      record.first_events.push_back(event);
-      continue;
-    }
-    record.last_events.push_back(event);
-    if (record.last_events.size() > Record::shown) {
-      record.last_events.erase(record.last_events.begin());
-    }
+  record.last_events.push_back(event);
+  if (record.last_events.size() > record.shown) {
+    record.last_events.erase(record.last_events.begin());
   }
 }
 
@@ -73,6 +40,53 @@ void require_plan(const RecordPlan& plan) {
   }
 }
 
+// The record but for what it starts from; `energy` of a state.
+template <class Simulation, class Record, class Energy, class Take>
+void follow(Simulation& simulation, Record& record, const RecordPlan& plan, const Energy& energy,
+            const std::function<bool(double)>& go_on, const Take& take) {
+  require_plan(plan);
+  record.period = simulation.period();
+  const auto sample_of = [&] {
+    return decltype(record.end){simulation.time(),     simulation.phase(),
+                                simulation.state(),    simulation.friction_at_rest(),
+                                simulation.friction(), energy(simulation.state())};
+  };
+  const auto sample = [&] {
+    if (!plan.every) {
+      return;
+    }
+    const auto now = sample_of();
+    ++record.samples;
+    Extremes& e = record.energy ? *record.energy : record.energy.emplace(now.energy, now.energy);
+    e = {std::min(e.least, now.energy), std::max(e.greatest, now.energy)};
+    if (take) {
+      take(now);
+    }
+  };
+  sample();
+  const double every = plan.every.value_or(plan.duration);
+  std::vector<typename Simulation::Transition> events;
+  const long count = std::max(1L, std::lround(std::ceil(plan.duration / every * (1 - 1e-12))));
+  for (long k = 1; k <= count && !record.interrupted; ++k) {
+    const double until = std::min(plan.duration, static_cast<double>(k) * every);
+    double left = until - record.done;
+    while (left > 0 && !record.interrupted) {
+      events.clear();
+      left = simulation.advance(left, &events, steps_between_questions);
+      for (const auto& event : events) {
+        add_event(record, event);
+      }
+      record.done = until - left;
+      record.interrupted = record.done < plan.duration && !go_on(record.done / plan.duration);
+    }
+    sample();
+  }
+  record.end = sample_of();
+  for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
+    record.time_in[static_cast<std::size_t>(kind)] = simulation.time_in(kind);
+  }
+}
+
 }  // namespace
 
 Record record_motion(const Start& start, const RecordPlan& plan, const std::function<bool(double)>& go_on,
@@ -81,35 +95,26 @@ Record record_motion(const Start& start, const RecordPlan& plan, const std::func
     throw DomainError("ur", fmt::format("{}", start.ur), fmt::format("ur > us = {}", start.data.us));
   }
   Simulation simulation(start.data, start.ur, start.phi, start.X);
-  require_plan(plan);
   Record record;
   record.start = start;
-  record.period = simulation.period();
-  Sampler sampler(record, take);
-  if (plan.every) {
-    sampler(sample_of(simulation));
-  }
-  const double every = plan.every.value_or(plan.duration);
-  std::vector<Transition> events;
-  const long count = std::max(1L, std::lround(std::ceil(plan.duration / every * (1 - 1e-12))));
-  for (long k = 1; k <= count && !record.interrupted; ++k) {
-    const double until = std::min(plan.duration, static_cast<double>(k) * every);
-    double left = until - record.done;
-    while (left > 0 && !record.interrupted) {
-      events.clear();
-      left = simulation.advance(left, &events, steps_between_questions);
-      add_events(record, events);
-      record.done = until - left;
-      record.interrupted = record.done < plan.duration && !go_on(record.done / plan.duration);
-    }
-    if (plan.every) {
-      sampler(sample_of(simulation));
-    }
-  }
-  record.end = sample_of(simulation);
-  for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
-    record.time_in[static_cast<std::size_t>(kind)] = simulation.time_in(kind);
-  }
+  follow(
+      simulation, record, plan,
+      [&](const model::Vector4<double>& X) {
+        return model::energy<double>(start.data.chi, start.data.eta, X);
+      },
+      go_on, take);
+  return record;
+}
+
+RecordOf<AnyState> record_motion(const model::FrictionOscillator<double>& oscillator, double phi,
+                                 const AnyState& X, const RecordPlan& plan,
+                                 const std::function<bool(double)>& go_on,
+                                 const std::function<void(const SampleOf<AnyState>&)>& take) {
+  SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation(oscillator, phi, X);
+  RecordOf<AnyState> record;
+  follow(
+      simulation, record, plan,
+      [&](const AnyState& state) { return model::energy<double>(oscillator, state); }, go_on, take);
   return record;
 }
 

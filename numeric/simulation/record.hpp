@@ -6,17 +6,20 @@
 #include <optional>
 #include <vector>
 
+#include "model/friction_oscillator.hpp"
 #include "numeric/simulation/run.hpp"
 
 namespace stickslip::numeric::simulation {
 
-struct Sample {
+template <class State>
+struct SampleOf {
   double time;
   motion::PhaseKind phase;
-  model::Vector4<double> X;  // (x1, x2, x1', x2')
-  double r, u;               // friction at rest (4), friction force
-  double energy;             // of model/energy.hpp
+  State X;        // (x, x')
+  double r, u;    // friction at rest, friction force
+  double energy;  // of the masses and springs
 };
+using Sample = SampleOf<model::Vector4<double>>;
 
 struct RecordPlan {
   double duration = 0;          // > 0
@@ -27,27 +30,38 @@ struct Extremes {
   double least, greatest;
 };
 
-struct Record {
-  Start start;
-  double period = 0;  // of the load
+template <class State>
+struct RecordOf {
+  double period = 0;  // of the load; infinite without one
   double done = 0;    // the time simulated: less than planned after an interruption
   bool interrupted = false;
   long samples = 0;
-  std::vector<Transition> first_events, last_events;  // at most `shown` each, without overlap
+  std::vector<TransitionOf<State>> first_events, last_events;  // at most `shown` each, without overlap
   long events = 0;
   std::array<double, 3> time_in{};  // by PhaseKind
   std::optional<Extremes> energy;   // of the samples, if there are any
-  Sample end{};
+  SampleOf<State> end{};
 
   static constexpr std::size_t shown = 12;
 };
 
-// Simulates until the duration is over or `go_on`, asked with the share that is done after each
+struct Record : RecordOf<model::Vector4<double>> {
+  Start start;
+};
+
+// Simulates (2), (4) until the duration is over or `go_on`, asked with the share that is done after each
 // sample and after some ten thousand steps without one, says no. Each sample is handed to `take`, if there is
 // one, and not kept: at 0, every, 2 every, … and at the end. Throws DomainError as Simulation does, unless ur
 // > us, as all that proves orbits asks for, and for a plan that is not positive or has more than 10⁹ samples.
 [[nodiscard]] Record record_motion(const Start& start, const RecordPlan& plan,
                                    const std::function<bool(double)>& go_on,
                                    const std::function<void(const Sample&)>& take = {});
+
+// The same of the motion of any oscillator from X with the load's phase phi.
+using AnyState = Eigen::VectorXd;
+[[nodiscard]] RecordOf<AnyState> record_motion(
+    const model::FrictionOscillator<double>& oscillator, double phi, const AnyState& X,
+    const RecordPlan& plan, const std::function<bool(double)>& go_on,
+    const std::function<void(const SampleOf<AnyState>&)>& take = {});
 
 }  // namespace stickslip::numeric::simulation

@@ -61,6 +61,26 @@ long exponent(const Nodes& deviations) {
   return largest;
 }
 
+// The chain at the working precision of the moment, made once as long as that stays: it may keep what it
+// has computed.
+class Chains {
+ public:
+  explicit Chains(const ChainAt& chain_at) : chain_at_(chain_at) {}
+
+  [[nodiscard]] const Chain& now() {
+    if (bits_ != WorkingPrecision::bits()) {
+      chain_ = chain_at_();
+      bits_ = WorkingPrecision::bits();
+    }
+    return *chain_;
+  }
+
+ private:
+  const ChainAt& chain_at_;
+  long bits_ = 0;
+  std::unique_ptr<Chain> chain_;
+};
+
 // Where Newton's method led.
 struct Approach {
   std::optional<Nodes> nodes;
@@ -68,14 +88,13 @@ struct Approach {
 };
 
 // In floats, from as many bits as a guess deserves up to `bits`.
-Approach approximate(const ChainAt& chain_at, Nodes nodes, long bits) {
+Approach approximate(Chains& chains, Nodes nodes, long bits) {
   constexpr int most_steps = 12;  // at one precision
   long precision = std::min(fewest_bits, bits);
   long before = far_away;
   for (int k = 0; k < most_steps; ++k) {
     const WorkingPrecision scope(precision);
-    const std::unique_ptr<Chain> made = chain_at();
-    const Chain& chain = *made;
+    const Chain& chain = chains.now();
     const std::vector<Link> links = links_of(chain, nodes);
     const Nodes g = midpoints(responses(links, conditions_of(chain, nodes)));
     const auto found = sweep(links, g);
@@ -115,11 +134,7 @@ Nodes boxes(const Nodes& nodes, long exponent) {
   return X;
 }
 
-}  // namespace
-
-ChainProof newton_test(const ChainAt& chain_at, const Nodes& m, long exponent) {
-  const std::unique_ptr<Chain> made = chain_at();
-  const Chain& chain = *made;
+ChainProof test(const Chain& chain, const Nodes& m, long exponent) {
   const Nodes X = boxes(m, exponent);
   const std::vector<Link> links = links_of(chain, X);
   const auto image = sweep(links, responses(links, conditions_of(chain, m)));
@@ -136,11 +151,18 @@ ChainProof newton_test(const ChainAt& chain_at, const Nodes& m, long exponent) {
   return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
 }
 
+}  // namespace
+
+ChainProof newton_test(const ChainAt& chain_at, const Nodes& m, long exponent) {
+  return test(*chain_at(), m, exponent);
+}
+
 ChainProof prove_chain(const ChainAt& chain_at, const Nodes& guess, long bits, long most_bits) {
   ChainProof proof = open("Newton's method leads to no closed motion from there");
   Nodes nodes = guess;
+  Chains chains(chain_at);
   for (long precision = std::max(bits, fewest_bits); precision <= most_bits; precision *= 4) {
-    const Approach approach = approximate(chain_at, nodes, precision);
+    const Approach approach = approximate(chains, nodes, precision);
     if (approach.astray) {
       break;
     }
@@ -151,7 +173,7 @@ ChainProof prove_chain(const ChainAt& chain_at, const Nodes& guess, long bits, l
     const WorkingPrecision scope(precision);
     // Wide boxes have much of the motion's surroundings in them, narrow ones are the easiest.
     for (const long exponent : {-precision * 3 / 4, -precision * 7 / 8}) {
-      proof = newton_test(chain_at, nodes, exponent);
+      proof = test(chains.now(), nodes, exponent);
       if (proof.verdict.truth == Truth::proved) {
         return proof;
       }

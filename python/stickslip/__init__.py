@@ -36,8 +36,10 @@ from ._results import (Atlas, Attractor, Attractors, Basins, Branch, Branches, B
                        Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, PureWord, Simulation,
                        Unresolved)
 
+from ._tables import MachineInTables, Record
+
 __all__ = [
-    "orbits", "branch", "atlas", "attractors", "simulate", "check", "prove", "latex", "expressions", "Machine", "read_machine",
+    "MachineInTables", "Record", "orbits", "branch", "atlas", "attractors", "simulate", "check", "prove", "latex", "expressions", "Machine", "read_machine",
     "Ball", "ComplexBall", "Condition", "Unresolved", "Orbit", "Orbits", "PureWord", "Change", "Piece", "BranchEnd", "Branch",
     "Count", "Branches", "Atlas", "Attractor", "Attractors", "DiagramPoint", "Diagram", "Basins", "Event", "Simulation",
     "Claim", "Check", "Error", "UsageError", "DomainError", "InputOutputError", "InternalError", "__version__"

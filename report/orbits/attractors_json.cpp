@@ -32,7 +32,7 @@ void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
   json.each(ball_texts(o.orbit.values, digits),
             {"Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur"});
   write_admissible(json, o.orbit.admissible);
-  write_stability(json, o.orbit, digits);
+  write_stability(json, o.orbit.stability, o.orbit.conditions, digits);
   std::vector<std::pair<motion::Condition, std::size_t>> conditions;
   for (std::size_t k = 0; k < o.orbit.conditions.size(); ++k) {
     conditions.emplace_back(o.orbit.conditions[k], o.asked[k].phase + 1);
@@ -87,7 +87,7 @@ void write_attractor(Object& json, const Attractor& a, int digits, Share share) 
           proved.has("durations", durations(o, digits), like_durations);
           write_admissible(proved, o.orbit.admissible);
           proved.has("family", one.family.empty() ? std::nullopt : std::optional(one.family), family_names());
-          write_stability(proved, o.orbit, digits);
+          write_stability(proved, o.orbit.stability, o.orbit.conditions, digits);
         });
       });
   json.rules({{"if", {{"properties", {{"kind", {{"const", to_string(Kind::periodic)}}}}}}},

@@ -38,6 +38,11 @@ Json frame_data(const PageFrame& frame, const std::string& title, const std::str
           "enclosed to {} significant digits, and computed with more bits wherever a verdict needs them",
           digits));
   data["attractors"] = Json::array();
+  data["of_period"] = "in periods of the load";
+  data["pictures"] =
+      "positions and velocities of both masses, in the colours of the phases, and mass 2 once a period of "
+      "the "
+      "load, at load phase 0; in floating point.";
   data["along"] = nullptr;
   data["basins"] = nullptr;
   data["data_file"] = "";
@@ -135,7 +140,10 @@ Drawn drawn(const WordQuestion& machine, const Attractor& a, std::size_t number,
   result.data["picture"] = stem;
   result.data["picture_in_words"] = picture_in_words(shown);
   result.pictures = screen_pictures(
-      [&](PlotFormat format, PlotShape shape) { return plot_script(shown, format, shape, units); }, stem);
+      [&](PlotFormat format, PlotShape shape) {
+        return plot_script(shown, format, shape, PortraitLabels{{0, 1}, units.are_SI()});
+      },
+      stem);
   return result;
 }
 

@@ -256,59 +256,41 @@ std::string to_csv(const BranchList& list) {
   return text;
 }
 
-std::string plot_script(const BranchList& list, PlotFormat format, PlotShape shape) {
-  const BranchQuestion& q = list.question;
-  const bool narrow = shape == PlotShape::narrow;
-  Json data = {{"terminal", narrow ? terminal(format, 480, 560) : terminal(format, 1000, 600)},
-               {"narrow", narrow}};
-  struct Stroke {
-    const char *name, *style;
-    std::string table;
-  };
-  std::array<Stroke, 4> strokes{
-      {{"stable", "lw 3 lc rgb \"#1f4e9c\"", {}},
-       {"unstable", "lw 1.6 dt (10,5) lc rgb \"#b2182b\"", {}},
-       {"not admissible", "lw 1.2 dt (2,5) lc rgb \"#777777\"", {}},
-       {"admissible, stability open", "lw 2 dt (12,4,2,4) lc rgb \"#7b3294\"", {}}}};
-  struct Mark {
-    const char * name;
-    int type;
-    std::string table;
-  };
-  std::array<Mark, 5> marks{
-      {{"fold", 5, {}}, {"condition", 9, {}}, {"stability", 7, {}}, {"birth", 10, {}}, {"resonance", 2, {}}}};
-  const auto nearest = [](const Branch& branch, double value) {
-    const Sample * best = nullptr;
-    for (const Piece& piece : branch.pieces) {
-      for (const Sample& s : piece.samples) {
-        best = best == nullptr || std::abs(s.value - value) < std::abs(best->value - value) ? &s : best;
-      }
-    }
-    return best;
-  };
-  for (const Branch& branch : list.branches) {
-    for (const Piece& piece : branch.pieces) {
-      if (piece.samples.empty()) {
-        continue;
-      }
-      std::string& table = strokes[piece.state == State::stable         ? 0
-                                   : piece.state == State::unstable     ? 1
-                                   : piece.state == State::inadmissible ? 2
-                                                                        : 3]
-                               .table;
-      for (const Sample& s : piece.samples) {
-        table += fmt::format("{:.10g} {:.8g}\n", s.value, values_of(q, s).x20);
-      }
-      table += "\n";
-    }
-    for (const Change& change : branch.changes) {
-      if (const Sample * s = nearest(branch, change.at.approximate())) {
-        marks[static_cast<std::size_t>(change.kind)].table +=
-            fmt::format("{:.10g} {:.8g}\n", change.at.approximate(), values_of(q, *s).x20);
-      }
-    }
+void BranchCurves::add(State state, double parameter, double x) {
+  const int curve = state == State::stable         ? 0
+                    : state == State::unstable     ? 1
+                    : state == State::inadmissible ? 2
+                                                   : 3;
+  if (now_ >= 0 && now_ != curve) {
+    curves_.at(static_cast<std::size_t>(now_)) += "\n";
   }
-  data["curves"] = Json::array();
+  now_ = curve;
+  curves_.at(static_cast<std::size_t>(now_)) += fmt::format("{:.10g} {:.8g}\n", parameter, x);
+}
+
+void BranchCurves::end() {
+  if (now_ >= 0) {
+    curves_.at(static_cast<std::size_t>(now_)) += "\n";
+  }
+  now_ = -1;
+}
+
+void BranchCurves::mark(ChangeKind kind, double parameter, double x) {
+  marks_.at(static_cast<std::size_t>(kind)) += fmt::format("{:.10g} {:.8g}\n", parameter, x);
+}
+
+std::string BranchCurves::script(const Labels& labels, PlotFormat format, PlotShape shape) const {
+  const bool narrow = shape == PlotShape::narrow;
+  constexpr std::array<std::pair<const char *, const char *>, 4> strokes{
+      {{"stable", "lw 3 lc rgb \"#1f4e9c\""},
+       {"unstable", "lw 1.6 dt (10,5) lc rgb \"#b2182b\""},
+       {"not admissible", "lw 1.2 dt (2,5) lc rgb \"#777777\""},
+       {"admissible, stability open", "lw 2 dt (12,4,2,4) lc rgb \"#7b3294\""}}};
+  constexpr std::array<std::pair<const char *, int>, 5> marks{
+      {{"fold", 5}, {"condition", 9}, {"stability", 7}, {"birth", 10}, {"resonance", 2}}};
+  Json data = {{"terminal", narrow ? terminal(format, 480, 560) : terminal(format, 1000, 600)},
+               {"narrow", narrow},
+               {"curves", Json::array()}};
   const auto add = [&](const char * name, const std::string& table, const std::string& with) {
     if (!table.empty()) {
       data["curves"].push_back({{"block", fmt::format("$curve{}", data["curves"].size())},
@@ -318,22 +300,53 @@ std::string plot_script(const BranchList& list, PlotFormat format, PlotShape sha
                                 {"first", data["curves"].empty()}});
     }
   };
-  for (const Stroke& stroke : strokes) {
-    add(stroke.name, stroke.table, std::string("lines ") + stroke.style);
+  for (std::size_t k = 0; k < strokes.size(); ++k) {
+    add(strokes.at(k).first, curves_.at(k), std::string("lines ") + strokes.at(k).second);
   }
-  for (const Mark& mark : marks) {
-    add(mark.name, mark.table, fmt::format("points pt {} ps 1 lc rgb \"#000000\"", mark.type));
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    add(marks.at(k).first, marks_.at(k),
+        fmt::format("points pt {} ps 1 lc rgb \"#000000\"", marks.at(k).second));
   }
   if (data["curves"].empty()) {
     return "";
   }
-  data["family"] = q.orbits.family->name;
-  data["parameter"] = parameter_of(q);
-  data["x2"] = q.machine ? "x2 in m" : "x2";
-  data["parameters"] = units_at(q, q.from.get_d()).machine_or(in_greek(others(q)), q.parameter);
-  data["from"] = fmt::format("{:.8g}", q.from.get_d());
-  data["to"] = fmt::format("{:.8g}", q.to.get_d());
+  data["family"] = labels.orbits;
+  data["parameter"] = labels.parameter;
+  data["x2"] = labels.x;
+  data["parameters"] = labels.parameters;
+  data["from"] = fmt::format("{:.8g}", labels.from);
+  data["to"] = fmt::format("{:.8g}", labels.to);
   return render_file("branches.gp", data, plain_format);
+}
+
+std::string plot_script(const BranchList& list, PlotFormat format, PlotShape shape) {
+  const BranchQuestion& q = list.question;
+  BranchCurves curves;
+  for (const Branch& branch : list.branches) {
+    for (const Piece& piece : branch.pieces) {
+      for (const Sample& s : piece.samples) {
+        curves.add(piece.state, s.value, values_of(q, s).x20);
+      }
+      curves.end();
+    }
+    for (const Change& change : branch.changes) {
+      const double at = change.at.approximate();
+      const Sample * nearest = nullptr;
+      for (const Piece& piece : branch.pieces) {
+        for (const Sample& s : piece.samples) {
+          nearest =
+              nearest == nullptr || std::abs(s.value - at) < std::abs(nearest->value - at) ? &s : nearest;
+        }
+      }
+      if (nearest != nullptr) {
+        curves.mark(change.kind, at, values_of(q, *nearest).x20);
+      }
+    }
+  }
+  return curves.script({q.orbits.family->name, parameter_of(q), q.machine ? "x2 in m" : "x2",
+                        units_at(q, q.from.get_d()).machine_or(in_greek(others(q)), q.parameter),
+                        q.from.get_d(), q.to.get_d()},
+                       format, shape);
 }
 
 std::string command_of(const BranchQuestion& q) {

@@ -1,6 +1,7 @@
 // Branches of orbits, for readers, for programs and as a bifurcation diagram.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,32 @@ struct SampleValues {
 // draw.
 [[nodiscard]] std::string plot_script(const numeric::branches::BranchList& list, tools::PlotFormat format,
                                       tools::PlotShape shape = tools::PlotShape::wide);
+
+// A bifurcation diagram from its points.
+class BranchCurves {
+ public:
+  // A point of the curve, in the order of the branch; the curve ends here.
+  void add(numeric::branches::State state, double parameter, double x);
+  void end();
+  // Where something changes.
+  void mark(numeric::branches::ChangeKind kind, double parameter, double x);
+
+  struct Labels {
+    std::string orbits;     // whose branches they are
+    std::string parameter;  // of the axes
+    std::string x;
+    std::string parameters;  // that stay
+    double from, to;
+  };
+  // Empty when there is nothing to draw.
+  [[nodiscard]] std::string script(const Labels& labels, tools::PlotFormat format,
+                                   tools::PlotShape shape) const;
+
+ private:
+  std::array<std::string, 4> curves_;
+  std::array<std::string, 5> marks_;
+  int now_ = -1;
+};
 
 // What gives the same result again.
 [[nodiscard]] std::string command_of(const numeric::branches::BranchQuestion& question);

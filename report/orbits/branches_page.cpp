@@ -69,6 +69,8 @@ std::vector<File> pages(const BranchList& list, const PageFrame& frame) {
       fmt::format("x2 where the first phase begins against {}: {}. The tables below say the same.",
                   parameter_of(q), facts.back()[1].text);
   data["branches"] = Json::array();
+  data["at_values"] = false;
+  data["what_is_drawn"] = "$x2$ where the first phase begins, of an orbit of each part of the proof";
   for (const Branch& branch : list.branches) {
     data["branches"].push_back(branch_data(branch, q, data["branches"].size() + 1));
   }

@@ -73,8 +73,9 @@ void write_admissible(Object& json, const Verdict& admissible) {
               {{"type", {"boolean", "null"}}}, "Whether every condition holds; null when that is undecided.");
 }
 
-void write_stability(Object& json, const Orbit& orbit, int digits) {
-  json.keys_if(orbit.stability, [&](Object& to, const Stability& stability) {
+void write_stability(Object& json, const std::optional<Stability>& known,
+                     const std::vector<Condition>& conditions, int digits) {
+  json.keys_if(known, [&](Object& to, const Stability& stability) {
     const auto multiplier = [digits](Object& one, const ComplexBall& mu) {
       one.has("re", ball_text(mu.re, digits));
       one.has("im", ball_text(mu.im, digits));
@@ -86,7 +87,7 @@ void write_stability(Object& json, const Orbit& orbit, int digits) {
     to.has("stability_reason", if_any(stability.reason));
     const bool stable = stability.kind == StabilityKind::stable;
     to.object_if(
-        "contact", stable ? contact_of(orbit.conditions) : std::nullopt,
+        "contact", stable ? contact_of(conditions) : std::nullopt,
         [digits](Object& near, const Contact& contact) {
           near.has("condition", contact.condition);
           near.has("margin", ball_text(contact.margin, digits));
@@ -108,7 +109,7 @@ void write_orbit(Object& json, const Orbit& o, int digits) {
   write_admissible(json, o.admissible);
   json.has("split", o.split.empty() ? std::nullopt : std::optional(o.split),
            "For a box of parameters, the one to divide first.");
-  write_stability(json, o, digits);
+  write_stability(json, o.stability, o.conditions, digits);
   json.list("conditions", o.conditions, write_condition, {{"minItems", 1}});
 }
 

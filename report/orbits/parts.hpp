@@ -33,7 +33,8 @@ void write_condition(tools::Object& json, const numeric::motion::Condition& cond
 void write_admissible(tools::Object& json, const Verdict& admissible);
 // "multipliers", "stability", "stability_reason", if it is known; of a stable orbit "contact" of
 // numeric/motion/contact.hpp.
-void write_stability(tools::Object& json, const numeric::Orbit& orbit, int digits);
+void write_stability(tools::Object& json, const std::optional<numeric::motion::Stability>& stability,
+                     const std::vector<numeric::motion::Condition>& conditions, int digits);
 // Of an attractor, what is known of it; with how many of the starts end on it.
 enum class Share { told, untold };
 void write_attractor(tools::Object& json, const numeric::attractors::Attractor& attractor, int digits,

@@ -75,42 +75,67 @@ Portrait portrait(const words::WordQuestion& machine, const Attractor& a, const 
   return result;
 }
 
-std::string plot_script(const Portrait& p, PlotFormat format, PlotShape shape, const Units& units) {
+namespace {
+
+// The place in a state of mass k of the labels.
+int place(const PortraitLabels& labels, std::size_t k) {
+  return static_cast<int>(k + 2 - labels.masses.size());
+}
+
+std::string axis(const PortraitLabels& labels, const char * x, std::size_t mass, const char * unit) {
+  return fmt::format("{}_{}{}", x, mass + 1, labels.in_SI ? fmt::format(" in {}", unit) : "");
+}
+
+}  // namespace
+
+std::string plot_script(const Portrait& p, PlotFormat format, PlotShape shape, const PortraitLabels& labels) {
   const bool narrow = shape == PlotShape::narrow;
   std::string once;
   for (const Vector4<double>& X : p.once) {
     once += fmt::format("{:.8g} {:.8g}\n", X(1), X(3));
   }
   constexpr double margin = 0.06;
-  const auto axes = [&](int mass) {
-    Json panel = ranges(widened(extent(p, mass), margin), widened(extent(p, mass + 2), margin));
-    panel["title"] = fmt::format("Mass {}", mass + 1);
-    panel["x"] = units.labelled(fmt::format("x_{}", mass + 1), "m");
-    panel["y"] = units.labelled(fmt::format("x'_{}", mass + 1), "m/s");
-    panel["columns"] = mass == 0 ? "2:4" : "3:5";
-    return panel;
-  };
-  Json section = ranges(widened(extent_once(p, 1), margin), widened(extent_once(p, 3), margin));
-  section["x"] = units.labelled("x_2", "m");
-  section["y"] = units.labelled("x'_2", "m/s");
-  const Json data = {{"terminal", narrow ? terminal(format, 480, 1200) : terminal(format, 1200, 420)},
-                     {"layout", narrow ? "3,1" : "1,3"},
-                     {"phases", phase_tables(p.samples)},
-                     {"portraits", {axes(0), axes(1)}},
-                     {"section", section},
-                     {"once", once},
-                     {"size", p.once.size() > 100 ? "0.25" : "0.7"}};
+  Json portraits = Json::array();
+  for (std::size_t k = 0; k < labels.masses.size(); ++k) {
+    const int at = place(labels, k);
+    Json panel = ranges(widened(extent(p, at), margin), widened(extent(p, at + 2), margin));
+    panel["title"] = fmt::format("Mass {}", labels.masses[k] + 1);
+    panel["x"] = axis(labels, "x", labels.masses[k], "m");
+    panel["y"] = axis(labels, "x'", labels.masses[k], "m/s");
+    panel["columns"] = at == 0 ? "2:4" : "3:5";
+    portraits.push_back(panel);
+  }
+  Json section = nullptr;
+  if (!p.once.empty()) {
+    section = ranges(widened(extent_once(p, 1), margin), widened(extent_once(p, 3), margin));
+    section["x"] = axis(labels, "x", labels.masses.back(), "m");
+    section["y"] = axis(labels, "x'", labels.masses.back(), "m/s");
+    section["once"] = once;
+    section["size"] = p.once.size() > 100 ? "0.25" : "0.7";
+  }
+  const auto panels = static_cast<int>(labels.masses.size()) + (p.once.empty() ? 0 : 1);
+  const Json data = {
+      {"terminal", narrow ? terminal(format, 480, 400 * panels) : terminal(format, 400 * panels, 420)},
+      {"layout", narrow ? fmt::format("{},1", panels) : fmt::format("1,{}", panels)},
+      {"phases", phase_tables(p.samples)},
+      {"portraits", portraits},
+      {"section", section}};
   return render_file("portrait.gp", data, plain_format);
 }
 
-std::string picture_in_words(const Portrait& p) {
-  std::string text =
-      fmt::format("The motion over {} {} of the load:", p.drawn, p.drawn == 1 ? "period" : "periods");
-  for (int mass = 0; mass < 2; ++mass) {
-    const Extent place = extent(p, mass);
-    const Extent velocity = extent(p, mass + 2);
-    text += fmt::format(" x{} goes from {:.3g} to {:.3g}, its velocity from {:.3g} to {:.3g};", mass + 1,
-                        place.least, place.greatest, velocity.least, velocity.greatest);
+std::string picture_in_words(const Portrait& p, const PortraitLabels& labels) {
+  std::string text = p.once.empty() ? "The motion:"
+                                    : fmt::format("The motion over {} {} of the load:", p.drawn,
+                                                  p.drawn == 1 ? "period" : "periods");
+  for (std::size_t k = 0; k < labels.masses.size(); ++k) {
+    const Extent x = extent(p, place(labels, k));
+    const Extent velocity = extent(p, place(labels, k) + 2);
+    text += fmt::format(" x{} goes from {:.3g} to {:.3g}, its velocity from {:.3g} to {:.3g};",
+                        labels.masses[k] + 1, x.least, x.greatest, velocity.least, velocity.greatest);
+  }
+  if (p.once.empty()) {
+    text.back() = '.';
+    return text;
   }
   return text + fmt::format(" {} {} once a period.", p.once.size(), p.once.size() == 1 ? "state" : "states");
 }

@@ -27,12 +27,18 @@ struct Portrait {
 [[nodiscard]] Portrait portrait(const numeric::words::WordQuestion& machine,
                                 const numeric::attractors::Attractor& attractor, const Units& units = {});
 
-// The script for gnuplot: (x1, x1') and (x2, x2') in the colours of their phases; (x2, x2') once a period of
-// the load, a Poincaré section.
+// Which masses they are, counted from 0: one or two, the one on the belt last.
+struct PortraitLabels {
+  std::vector<std::size_t> masses{0, 1};
+  bool in_SI = false;
+};
+
+// The script for gnuplot: (x, x') of each mass in the colours of the phases; that of the mass on the belt
+// once a period of the load, a Poincaré section, if there are such states.
 [[nodiscard]] std::string plot_script(const Portrait& portrait, tools::PlotFormat format,
-                                      tools::PlotShape shape, const Units& units = {});
+                                      tools::PlotShape shape, const PortraitLabels& labels = {});
 
 // The same for one who does not see it.
-[[nodiscard]] std::string picture_in_words(const Portrait& portrait);
+[[nodiscard]] std::string picture_in_words(const Portrait& portrait, const PortraitLabels& labels = {});
 
 }  // namespace stickslip::report::orbits

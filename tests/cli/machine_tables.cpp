@@ -1,11 +1,14 @@
 // Machines in tables, from outside: what they do, exactly read, and what is refused.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "cli/machine_tables.hpp"
 #include "core/error.hpp"
@@ -13,6 +16,7 @@
 #include "tests/report/temporary.hpp"
 
 using namespace stickslip;
+using Json = nlohmann::json;
 
 namespace {
 
@@ -186,29 +190,183 @@ TEST_CASE("the machines that are shown are read, and what they do is proved") {
   CHECK(count == 4);
 }
 
-TEST_CASE("attractors of a machine in tables are proved, and other commands say that it is none for them") {
+TEST_CASE("a number of the file by its path takes another value, and nothing else changes") {
+  const auto with = [](const char * path, const Rational& value) {
+    return cli::machine_in_tables(good, "m.toml", cli::Datum{path, value})->machine.oscillator;
+  };
+  const auto before = cli::machine_in_tables(good, "m.toml")->machine.oscillator;
+  CHECK(with("mass.2.m", 3).masses == std::vector<Rational>{Rational("5/2"), 3});
+  CHECK(with("spring.1.k", 1000).stiffness(0, 0) == 1450);
+  CHECK(with("spring.1.c", 2).damping(0, 0) == 2);
+  CHECK(with("belt.velocity", 7).V == 7);
+  CHECK(with("friction.at_rest", 20).forward.at_rest == 20);
+  CHECK(with("friction.sliding.2.2", 8).forward.sliding[0].slope == Rational(-20));
+  CHECK(with("load.1.amplitude", 1).loads[0].cosine == 1);
+  CHECK(with("load.1.frequency", 5).omega == 5);
+  CHECK(with("frequency", 5).omega == 5);
+  CHECK(with("frequency", 5).V == before.V);
+  for (const auto& [path, value] :
+       {std::pair("mass.2.m", "4/5"), std::pair("belt.velocity", "1/20"),
+        std::pair("friction.sliding.3.1", "3/10"), std::pair("frequency", "18/5")}) {
+    CAPTURE(path);
+    CHECK(cli::value_in_tables(good, "m.toml", path) == parse_rational(value));
+  }
+  // Of several loads the frequencies vary together.
+  const std::string two = good + "[[load]]\nmass = 1\namplitude = 2\nfrequency = 10.8\n";
+  const auto faster = cli::machine_in_tables(two, "m.toml", cli::Datum{"frequency", 4})->machine.oscillator;
+  CHECK(faster.omega == 4);
+  CHECK(faster.loads[0].k == 1);
+  CHECK(faster.loads[1].k == 3);
+  const auto refused = [](const std::string& text, const std::string& path) -> std::string {
+    try {
+      (void)cli::machine_in_tables(text, "m.toml", cli::Datum{path, 1});
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(refused(two, "load.2.frequency") ==
+        "m.toml: of several loads the frequencies vary together: --along frequency A..B, the greatest that "
+        "divides "
+        "them all");
+  for (const char * path :
+       {"belt.speed", "mass.0.m", "mass.3.m", "spring.1", "belt", "", "mass", "mass.x.m",
+        "friction.sliding.2", "belt.mass", "load.1.mass", "spring.1.between.2", "units"}) {
+    CAPTURE(path);
+    const std::string words = refused(good, path);
+    CHECK(words.starts_with("m.toml"));
+  }
+  CHECK(refused(good, "belt.speed").find("nothing stands at belt.speed") != std::string::npos);
+  CHECK(refused(good, "belt.mass") == "m.toml: belt.mass is no number that can vary");
+}
+
+TEST_CASE("commands about a machine in tables: orbits, a branch, a motion, pages and JSON") {
   const TemporaryDirectory directory;
   const std::string file = directory / "machine.toml";
   std::ofstream(file) << good;
-  const Run result = stickslip_program({"attractors", "--params", file, "--starts", "20"});
-  CAPTURE(result.err);
-  CHECK(result.code == exit_decided);
-  CHECK(result.out.find("2.5 kg, 0.8 kg; with dashpots") != std::string::npos);
-  CHECK(result.out.find("OTS   proved, stable, |mu| =") != std::string::npos);
-  CHECK(result.out.find("2 periods of the load") != std::string::npos);
-  CHECK(result.out ==
-        stickslip_program({"attractors", "--params", file, "--starts", "20", "--jobs", "1"}).out);
-  for (const Words& words : std::vector<Words>{{"orbits", "OTS"},
-                                               {"orbits", "symmetric"},
-                                               {"simulate"},
-                                               {"attractors", "--json"},
-                                               {"attractors", "--plane", "x1,x2"},
-                                               {"attractors", "--chi", "0.5"}}) {
-    Words all = words;
-    all.insert(all.end(), {"--params", file});
-    const Run refused = stickslip_program(all);
-    CAPTURE(refused.err);
-    CHECK(refused.code == exit_usage);
-    CHECK(refused.err.find("machine in tables") != std::string::npos);
+  const auto run = [&](Words words) {
+    words.insert(words.end(), {"--params", file});
+    const Run result = stickslip_program(words);
+    CAPTURE(result.err);
+    return result;
+  };
+  const Run attractors = run({"attractors", "--starts", "20"});
+  CHECK(attractors.code == exit_decided);
+  CHECK(attractors.out.find("2.5 kg, 0.8 kg; with dashpots") != std::string::npos);
+  CHECK(attractors.out.find("OTS   proved, stable, |mu| =") != std::string::npos);
+  CHECK(attractors.out.find("2 periods of the load") != std::string::npos);
+  CHECK(attractors.out == run({"attractors", "--starts", "20", "--jobs", "1"}).out);
+
+  const Run orbits = run({"orbits", "OTS", "--period", "2"});
+  CHECK(orbits.code == exit_decided);
+  CHECK(orbits.out.find("Orbit 1:  admissible") != std::string::npos);
+  const Run none = run({"orbits", "OSOT", "--json"});
+  CHECK(none.code == exit_undecided);
+  CHECK(Json::parse(none.out).at("seen").get<std::string>().find("OTS with the period 2") !=
+        std::string::npos);
+
+  // The motion that begins where the orbit does returns to it.
+  const Json orbit = Json::parse(run({"orbits", "OTS", "--json"}).out).at("orbits").at(0);
+  CHECK(orbit.at("pieces") == "O1O2O3O2O1TS1S2S3S2S1");
+  CHECK(orbit.at("stability") == "stable");
+  std::string state;
+  for (const Json& x : orbit.at("phases").at(0).at("state")) {
+    state += (state.empty() ? "" : ",") + x.at("mid").get<std::string>();
   }
+  const std::string table = directory / "motion.csv";
+  const Run motion =
+      run({"simulate", "--state=" + state, "--phi=" + orbit.at("theta").at("mid").get<std::string>(),
+           "--periods", "2", "--csv", table, "--json"});
+  CHECK(motion.code == exit_decided);
+  const Json end = Json::parse(motion.out);
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(end.at("end").at("state").at(k).get<double>() ==
+          doctest::Approx(end.at("start").at(k).get<double>()).epsilon(1e-7));
+  }
+  const std::string lines = content(table);
+  CHECK(lines.starts_with("t in s,phase,x1 in m,x2 in m,x1' in m/s,x2' in m/s,r in N,u in N,E in J\n"));
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == 402);
+
+  const Run branch = run({"branch", "OTS", "--along", "load.1.frequency", "3.58..3.6", "--csv",
+                          directory / "branch.csv", "--out", directory / "page"});
+  CHECK(branch.code == exit_decided);
+  CHECK(branch.out.find("the condition stick.upper is gained") != std::string::npos);
+  CHECK(branch.out.find("  3.587822") != std::string::npos);
+  for (const char * name : {"index.html", "branches.svg", "branches.json", "branches.csv"}) {
+    CHECK(std::filesystem::exists(directory / "page/" + name));
+  }
+  CHECK(run({"attractors", "--starts", "5", "--out", directory / "attractors"}).code == exit_decided);
+  CHECK(run({"orbits", "OTS", "--out", directory / "orbits"}).code == exit_decided);
+  for (const char * name : {"attractors/index.html", "attractors/portrait-1.svg",
+                            "attractors/attractors.json", "orbits/portrait-1.svg", "orbits/orbits.json"}) {
+    CHECK(std::filesystem::exists(directory / name));
+  }
+}
+
+TEST_CASE("steady sliding of a machine in tables, and where its stability is lost") {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "free.toml";
+  std::ofstream(file) << good.substr(0, good.find("[[load]]"));
+  const Run found = stickslip_program({"orbits", "S", "--params", file, "--json"});
+  CHECK(found.code == exit_undecided);  // 0.05 m/s is where two pieces of the friction law meet
+  CHECK(Json::parse(found.out)
+            .at("steady_sliding")
+            .at("friction")
+            .at("mid")
+            .get<std::string>()
+            .starts_with("7.5000000"));
+  const Run along = stickslip_program({"branch", "S", "--params", file, "--along", "spring.1.c", "0..40"});
+  CAPTURE(along.out);
+  CHECK(along.code == exit_undecided);
+  const Run faster =
+      stickslip_program({"branch", "S", "--params", file, "--along", "belt.velocity", "0.1..0.5"});
+  CHECK(faster.out.find("where two pieces of the friction law meet") != std::string::npos);
+  const Run attractors = stickslip_program({"attractors", "--params", file, "--starts", "4"});
+  CHECK(attractors.out.find("steady sliding  S2, proved") != std::string::npos);
+  check_refused({{{"orbits", "S", "--near", "0,0,0,0"}, exit_usage, "--near does not go with a machine"},
+                 {{"branch", "S", "--at", "1", "--along", "belt.velocity", "0.1..0.5"},
+                  exit_usage,
+                  "--at does not go with a machine"}},
+                [&](const Words& words) {
+                  return stickslip_program(with(words, {"--params", file}));
+                });
+}
+
+TEST_CASE("what does not go with a machine in tables is refused in a sentence") {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "machine.toml";
+  std::ofstream(file) << good;
+  const std::string free = directory / "free.toml";
+  std::ofstream(free) << good.substr(0, good.find("[[load]]"));
+  const auto about = [](const std::string& machine) {
+    return [machine](const Words& words) { return stickslip_program(with(words, {"--params", machine})); };
+  };
+  check_refused(
+      {{{"orbits", "symmetric"}, exit_usage, "for a word of phases such as OTS, not for a family"},
+       {{"orbits", "OTS", "--certify", directory / "c"}, exit_usage, "--certify does not go with a machine"},
+       {{"orbits", "OTS", "--near", "1,2,3"},
+        exit_usage,
+        "near: the positions of the 2 masses and then their velocities are 4 numbers, not 3"},
+       {{"simulate"}, exit_usage, "the start is missing: --state"},
+       {{"simulate", "--state=0,0,0,0", "--periods", "2", "--time", "3"},
+        exit_usage,
+        "--periods and --time do not go together"},
+       {{"simulate", "--state=0,0,0,0", "--units", "si"}, exit_usage, "says what its units are"},
+       {{"attractors", "--plane", "x1,x2"}, exit_usage, "--plane does not go with a machine in tables"},
+       {{"attractors", "--chi", "0.5"}, exit_usage, "--chi does not go with it"},
+       {{"branch", "OTS"}, exit_usage, "what varies is missing: --along PATH A..B"},
+       {{"branch", "OTS", "--along", "belt.speed", "1..2"}, exit_usage, "nothing stands at belt.speed"},
+       {{"branch", "OTS", "--along", "belt.velocity", "1..2", "--at", "3"},
+        exit_usage,
+        "at: belt.velocity = 3 is not in the interval"},
+       {{"branch", "OTS", "--along", "friction.sliding.2.1", "0.2..0.4"}, exit_usage, "does not follow"},
+       {{"branch", "OTS", "--along", "friction.at_rest", "5..12"}, exit_domain, "friction at rest"},
+       {{"atlas", "symmetric"}, exit_usage, "is a machine in tables: that is for stickslip orbits WORD"}},
+      about(file));
+  check_refused({{{"simulate", "--state=0,0,0,0"}, exit_usage, "--time T says how long"},
+                 {{"simulate", "--state=0,0,0,0", "--periods", "3"}, exit_usage, "has no load that varies"},
+                 {{"orbits", "ST", "--period", "2"}, exit_usage, "--period counts periods of the load"}},
+                about(free));
+  CHECK(stickslip_program({"simulate", "--state=0,0,0,0", "--time", "3", "--params", free}).code ==
+        exit_decided);
 }

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/branches/word_branches.hpp"
+#include "numeric/machines/machine_branch.hpp"
 #include "numeric/motion/exits.hpp"
 #include "tests/numeric/branches/questions.hpp"
 
@@ -116,6 +117,49 @@ TEST_CASE("the branch of OTS through its fold is that of the overshooting family
       CHECK(model::friction_at<double>(a, slip.Z, slip.load) == doctest::Approx(0.4585));
     }
   }
+}
+
+TEST_CASE("the branch of a machine that is the paper's oscillator changes where the paper's branch does") {
+  const words::WordQuestion paper = machine_of(O(), "0.44");
+  BranchList list = list_branches(along(paper, "OTS", "ur", "0.435", "0.442", paper.ur));
+  const auto at = [&](const Rational& ur) {
+    return machines::Machine{model::friction_oscillator<Rational>(paper.data, ur)};
+  };
+  std::size_t compared = 0;
+  for (const words::WordOrbit& orbit : orbits(paper, "OTS", 1)) {
+    // Closed, admissible or not.
+    const motion::Motion& m = orbit.orbit.motion;
+    machines::MachineGuess guess{{}, 1, motion::period(m).approximate()};
+    for (const motion::Phase& phase : m.phases) {
+      model::Vector4<double> X;
+      for (int k = 0; k < 4; ++k) {
+        X(k) = Ball(k < 2 ? Ball(phase.Z(k) + m.oscillator.d0(k)) : phase.Z(k)).approximate();
+      }
+      const double omega = m.oscillator.data.omega.approximate();
+      guess.events.push_back(
+          {m.phases[0].load.approximate() / omega + phase.start.approximate(), X, {phase.kind, 0}});
+    }
+    const machines::MachineBranch branch =
+        machines::follow_machine_branch({at, Rational("435/1000"), Rational("442/1000"), paper.ur, guess});
+    CAPTURE(branch.existence.reason);
+    REQUIRE(branch.existence.truth == Truth::proved);
+    for (const machines::MachineChange& change : branch.changes) {
+      const Ball place = Ball::from_interval(change.first, change.last);
+      bool is_one = false;
+      for (const Branch& one : list.branches) {
+        is_one = is_one || std::ranges::any_of(one.changes, [&](const Change& c) {
+                   return c.kind == change.kind && c.at.overlaps(place);
+                 });
+      }
+      CAPTURE(change.words);
+      CHECK(is_one);
+      ++compared;
+    }
+    for (std::size_t k = 0; k + 1 < branch.samples.size(); ++k) {
+      CHECK(branch.samples[k].value < branch.samples[k + 1].value);
+    }
+  }
+  CHECK(compared >= 1);
 }
 
 TEST_CASE("a word with two sticks, whose branches the general multipliers carry") {

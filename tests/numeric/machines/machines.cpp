@@ -2,11 +2,16 @@
 // flows, chains against the paper's, and orbits with their multipliers.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "core/error.hpp"
 #include "numeric/machines/linear_course.hpp"
+#include "numeric/machines/machine_attractors.hpp"
+#include "numeric/machines/machine_branch.hpp"
 #include "numeric/machines/settle.hpp"
+#include "numeric/machines/steady_sliding.hpp"
 #include "numeric/words/oscillator_chain.hpp"
 #include "numeric/words/word_orbit.hpp"
 #include "numeric/zeros/linear_solve.hpp"
@@ -68,6 +73,16 @@ MachineOrbit settled(const Machine& machine, const Eigen::VectorXd& X) {
   const Settled found = settle(machine, X);
   REQUIRE(found.kind == attractors::Kind::periodic);
   return prove_machine_orbit(machine, found.guess);
+}
+
+// Where the guess's motion is at load phase 0.
+Eigen::VectorXd start_at_phase_0(const Machine& machine, const MachineGuess& guess) {
+  const auto o = oscillator_as<double>(machine);
+  const double Theta = 2 * 3.141592653589793 / o.omega;
+  simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic> s(o, o.omega * guess.events[0].t,
+                                                             guess.events[0].X);
+  s.advance(Theta - std::fmod(guess.events[0].t, Theta));
+  return s.state();
 }
 
 // The largest modulus of a multiplier.
@@ -294,6 +309,155 @@ TEST_CASE("closed motions that do not obey the law are not admissible") {
     CHECK((condition.verdict.truth == Truth::refuted) == (condition.id == "crossing"));
   }
   CHECK(sticks.admissible.truth == Truth::refuted);
+}
+
+TEST_CASE(
+    "O with damping over the load's frequency: round a fold, with the loss of its crossing on the way") {
+  const Rational omega = O().omega, width = omega / 100;
+  const auto at = [&](const Rational& value) {
+    Machine machine = paper(O(), ur_of_O, Rational("1/500"));
+    machine.oscillator.omega = value;
+    return machine;
+  };
+  const Settled found = settle(at(omega), start_of_O());
+  const MachineBranch branch = follow_machine_branch({at, omega - width, omega + width, omega, found.guess});
+  REQUIRE(branch.existence.truth == Truth::proved);
+  CHECK(branch.resolved());
+  CHECK(branch.first.kind == branches::End::interval);
+  CHECK(branch.last.kind == branches::End::interval);
+  REQUIRE(branch.changes.size() == 2);
+  const MachineChange& fold = branch.changes[0];
+  CHECK(fold.kind == branches::ChangeKind::fold);
+  const MachineChange& change = branch.changes[1];
+  CHECK(change.kind == branches::ChangeKind::condition);
+  CHECK(change.words == "the condition crossing is gained");
+  CHECK(change.last - change.first <= 2 * width * Rational(branch_resolution));
+  // There are two motions before the fold.
+  CHECK(fold.first < change.first);
+  const auto beside = std::ranges::find_if(branch.samples, &MachineSample::beside_fold);
+  REQUIRE(beside != branch.samples.end());
+  const MachineSample &above = *beside, &below = *std::next(beside);
+  CHECK(below.beside_fold);
+  CHECK_FALSE(above.orbit.phases[0].duration.overlaps(below.orbit.phases[0].duration));
+  for (const MachineSample& s : branch.samples) {
+    CHECK(s.orbit.existence.truth == Truth::proved);
+    CHECK(s.value >= std::min(above.value, below.value));
+  }
+  // On both sides, at machines of their own, simulations agree: it stays, or it leaves.
+  for (const auto& [value, stays] : {std::pair(Rational(change.last + width / 50), true),
+                                     std::pair(Rational(change.first - width / 50), false)}) {
+    const auto sample = std::ranges::min_element(
+        beside, branch.samples.end(), {},
+        [&](const MachineSample& s) { return std::abs(Rational(s.value - value).get_d()); });
+    const Machine machine = at(sample->value);
+    const MachineGuess guess = guess_of(sample->orbit, machine);
+    const Settled end = settle(machine, start_at_phase_0(machine, guess));
+    CHECK((end.kind == attractors::Kind::periodic && word_of(sample->orbit.pieces) == "OTS" &&
+           end.guess.events.size() == 3) == stays);
+  }
+  const auto other_way = [&](const Rational& from, const Rational& to, const Rational& start) {
+    return follow_machine_branch({at, from, to, start, found.guess});
+  };
+  CHECK_THROWS_AS((void)other_way(omega, omega, omega), UsageError);
+  CHECK_THROWS_AS((void)other_way(omega, omega + width, omega - width), UsageError);
+  CHECK_THROWS_AS((void)other_way(-omega, omega + width, omega), DomainError);
+}
+
+TEST_CASE("orbits of a word are found by random starts and near a state, or what is met is said") {
+  const Machine machine = paper(O(), ur_of_O, Rational("1/500"));
+  const MachineWord word{machine, words::Word::parse("OTS"), {}, {}};
+  const MachineWordOrbits found = find_word_orbits(word);
+  REQUIRE(found.orbits.size() == 1);
+  CHECK(found.seen.empty());
+  MachineWord near = word;
+  near.near = start_of_O();
+  const MachineWordOrbits same = find_word_orbits(near);
+  REQUIRE(same.orbits.size() == 1);
+  CHECK(same.orbits[0].period.overlaps(found.orbits[0].period));
+  CHECK(same.orbits[0].phases[0].duration.overlaps(found.orbits[0].phases[0].duration));
+  for (MachineWord none : {word, near}) {
+    none.periods = 2;
+    CHECK(find_word_orbits(none).orbits.empty());
+    CHECK(find_word_orbits(none).seen.find("OTS with the period 1") != std::string::npos);
+  }
+  const Machine row = row_of_masses(1);
+  const MachineWordOrbits cycle = find_word_orbits({row, words::Word::parse("ST"), {}, {}});
+  CHECK(cycle.orbits.size() + (cycle.seen.empty() ? 0 : 1) >= 1);
+  CHECK_THROWS_AS((void)over_periods(row, Eigen::VectorXd::Zero(2), 1), UsageError);
+}
+
+TEST_CASE("steady sliding: where it is, when it is stable, and where that is lost") {
+  // One mass: K x = f(V), eigenvalues (-(c + d) +- sqrt((c + d)² - 4 k m))/(2 m), d the slope.
+  Machine machine = row_of_masses(1);
+  auto& o = machine.oscillator;
+  o.damping(0, 0) = Rational("1/5");  // V = 1/2 is an end of a piece
+  const SteadySliding corner = steady_sliding(machine);
+  CHECK(corner.existence.truth == Truth::proved);
+  CHECK(corner.stability == motion::StabilityKind::undecided);
+  CHECK(corner.reason == "the relative velocity 0.5 is where two pieces of the friction law meet");
+  o.V = 1;  // friction 3/2 - (1/2)/4 = 11/8, slope -1/4
+  SteadySliding state = steady_sliding(machine);
+  CHECK(state.piece == Piece{motion::PhaseKind::slip, 1});
+  CHECK(state.friction.contains(Rational("11/8")));
+  CHECK((state.x(0) * Ball(o.stiffness(0, 0)) - state.friction).contains_zero());
+  CHECK(state.stability == motion::StabilityKind::unstable);
+  CHECK(state.eigenvalues.at(0).re.contains(Rational("1/40")));
+  o.damping(0, 0) = Rational("3/10");
+  CHECK(steady_sliding(machine).stability == motion::StabilityKind::stable);
+  // The other way the mass is pulled, and beyond the belt's velocity nothing changes but the sign.
+  o.V = -1;
+  state = steady_sliding(machine);
+  CHECK(state.piece == Piece{motion::PhaseKind::overshoot, 1});
+  CHECK(state.x(0).is_negative());
+  CHECK(state.stability == motion::StabilityKind::stable);
+  o.V = 0;
+  CHECK(steady_sliding(machine).existence.truth == Truth::refuted);
+  o.V = 1;
+  o.loads = {{0, 1, Rational(1), Rational(0)}};
+  o.omega = 1;
+  CHECK(steady_sliding(machine).existence.truth == Truth::refuted);
+  o.loads.clear();
+  o.stiffness(0, 0) = 0;
+  CHECK(steady_sliding(machine).existence.truth == Truth::undecided);
+
+  // Along the damping it is lost at c = 1/4, with the frequency sqrt(k/m); along V at the ends of pieces.
+  const auto damped = [](const Rational& c) {
+    Machine one = row_of_masses(1);
+    one.oscillator.V = 1;
+    one.oscillator.damping(0, 0) = c;
+    return one;
+  };
+  const SteadyAlong along = steady_sliding_along(damped, 0, 1);
+  REQUIRE(along.changes.size() == 1);
+  CHECK(along.changes[0].first < Rational("1/4"));
+  CHECK(along.changes[0].last > Rational("1/4"));
+  CHECK(along.changes[0].last - along.changes[0].first < Rational("1/100000000"));
+  CHECK_FALSE(along.changes[0].is_lost);
+  CHECK_FALSE(along.changes[0].is_corner);
+  CHECK(std::abs(along.changes[0].frequency.value().approximate() -
+                 std::sqrt(row_of_masses(1).oscillator.stiffness(0, 0).get_d())) < 1e-6);
+  const auto faster = [](const Rational& V) {
+    Machine one = row_of_masses(1);
+    one.oscillator.V = V;
+    one.oscillator.damping(0, 0) = Rational("1/5");
+    return one;
+  };
+  const SteadyAlong ends = steady_sliding_along(faster, 1, 3);
+  REQUIRE(ends.changes.size() == 1);
+  CHECK(ends.changes[0].is_corner);
+  CHECK((ends.changes[0].first < 2 && ends.changes[0].last > 2));
+  CHECK_THROWS_AS((void)steady_sliding_along(faster, 3, 1), UsageError);
+  // Several masses: a simulation from beside it comes back, or leaves.
+  Machine row = row_of_masses(3);
+  row.oscillator.V = 3;
+  const SteadySliding still = steady_sliding(row);
+  REQUIRE(still.stability == motion::StabilityKind::stable);
+  Eigen::VectorXd X = Eigen::VectorXd::Zero(6);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    X(i) = still.x(i).approximate() + 1e-3;
+  }
+  const Settled end = settle(row, X);
+  CHECK(end.kind == attractors::Kind::slides);
 }
 
 TEST_CASE("what is no machine is refused in a sentence") {

@@ -74,3 +74,21 @@ TEST_CASE("plans that make no sense are refused") {
   CHECK_THROWS_AS((void)record_motion(lively(), {1, 0}, always), DomainError);
   CHECK_THROWS_AS((void)record_motion(lively(), {1e12, 1e-6}, always), DomainError);
 }
+
+TEST_CASE("the record of any oscillator is that of the paper's for its data") {
+  const Start s = lively();
+  const Record paper = record_motion(s, {50, 0.5}, always);
+  std::vector<SampleOf<AnyState>> samples;
+  const auto any =
+      record_motion(model::friction_oscillator<double>(s.data, s.ur), s.phi, AnyState(s.X), {50, 0.5}, always,
+                    [&](const SampleOf<AnyState>& sample) { samples.push_back(sample); });
+  CHECK(any.events == paper.events);
+  CHECK(any.samples == paper.samples);
+  CHECK(samples.size() == static_cast<std::size_t>(paper.samples));
+  CHECK(any.period == doctest::Approx(paper.period));
+  CHECK((any.end.X - paper.end.X).lpNorm<Eigen::Infinity>() < 1e-8);
+  CHECK(any.end.energy == doctest::Approx(paper.end.energy));
+  CHECK(any.energy->least == doctest::Approx(paper.energy->least));
+  CHECK(any.energy->greatest == doctest::Approx(paper.energy->greatest));
+  CHECK(any.time_in[2] == doctest::Approx(paper.time_in[2]));
+}

@@ -1,0 +1,284 @@
+#include "cli/machine_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+#include "core/decimal.hpp"
+#include "numeric/machines/machine_branch.hpp"
+#include "report/tools/files.hpp"
+
+namespace stickslip::cli {
+
+using namespace numeric::machines;
+using numeric::simulation::AnyState;
+using numeric::words::Word;
+
+namespace {
+
+// Beside the file nothing says anything about the machine.
+void refuse_others(const GivenMachine& o, const std::string& file, bool takes_phi,
+                   std::initializer_list<std::pair<const char *, bool>> options) {
+  for (const auto& [name, text] : o.parameters) {
+    if (!takes_phi || name != "phi") {
+      throw UsageError(fmt::format(
+          "{} is a machine in tables: its data stand in it alone, --{} does not go with it", file, name));
+    }
+  }
+  if (!o.example.empty()) {
+    throw UsageError(fmt::format("{} is a machine in tables: --example does not go with it", file));
+  }
+  if (o.si) {
+    throw UsageError(fmt::format("{} says what its units are: --units does not go with it", file));
+  }
+  for (const auto& [name, given] : options) {
+    if (given) {
+      throw UsageError(fmt::format("{} does not go with a machine in tables, {}", name, file));
+    }
+  }
+}
+
+AnyState state_for(const GivenInTables& given, const char * name, const State& state) {
+  const std::size_t n = given.read.machine.oscillator.size();
+  if (state.size() != 2 * n) {
+    throw UsageError(
+        fmt::format("{}: the positions of the {} {} and then their velocities are {} numbers, not {}", name,
+                    n, n == 1 ? "mass" : "masses", 2 * n, state.size()));
+  }
+  return Eigen::Map<const AnyState>(state.data(), static_cast<Eigen::Index>(state.size()));
+}
+
+Word word_for(const GivenInTables& given, const std::string& text, const char * command) {
+  if (!numeric::words::looks_like_word(text)) {
+    throw UsageError(
+        fmt::format("stickslip {} of a machine in tables, {}, is for a word of phases such as OTS, not for a "
+                    "family of the "
+                    "paper's oscillator",
+                    command, given.file));
+  }
+  return Word::parse(text);
+}
+
+MachineWord question_for(const GivenInTables& given, const std::string& text, const char * command,
+                         std::optional<int> period, const std::optional<State>& near) {
+  MachineWord q{given.read.machine, word_for(given, text, command), {}, {}};
+  if (period && q.machine.oscillator.is_autonomous()) {
+    throw UsageError(
+        fmt::format("--period counts periods of the load, and {} has none that varies", given.file));
+  }
+  q.periods = period ? std::optional<long>(*period) : std::nullopt;
+  if (near) {
+    q.near = state_for(given, "near", *near);
+  }
+  return q;
+}
+
+struct Along {
+  std::string path;
+  Rational from, to;
+  std::function<Machine(const Rational&)> at;
+};
+
+Along along_of(const GivenInTables& given, const BranchOptions& o) {
+  if (o.along.size() != 2) {
+    throw UsageError(fmt::format(
+        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
+  }
+  const auto [from, to] = interval(o.along[0], o.along[1]);
+  return {o.along[0], from, to, [given, path = o.along[0]](const Rational& value) {
+            return machine_in_tables(given.text, given.file, Datum{path, value})->machine;
+          }};
+}
+
+report::machines::Origin origin(const GivenInTables& given) {
+  return {given.file, given.read.in_SI};
+}
+
+bool is_decided(const MachineOrbit& orbit) {
+  return orbit.existence.truth == Truth::proved &&
+         (orbit.admissible.truth == Truth::refuted ||
+          (orbit.stability && orbit.stability->kind != numeric::motion::StabilityKind::undecided));
+}
+
+}  // namespace
+
+std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
+  if (options.file.values || options.file.empty()) {
+    return std::nullopt;
+  }
+  const std::string text = report::tools::read_file(options.file.name);
+  const auto read = machine_in_tables(text, options.file.name);
+  return read ? std::optional(GivenInTables{options.file.name, text, *read}) : std::nullopt;
+}
+
+report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o) {
+  refuse_others(o, given.file, false,
+                {{"--along", !o.along.empty()},
+                 {"--values", o.values.has_value()},
+                 {"--plane", o.plane.has_value()},
+                 {"--pixels", o.pixels.has_value()},
+                 {"--through", o.through.has_value()},
+                 {"--csv", o.csv.has_value()},
+                 {"--plot", o.plot.has_value()}});
+  using Options = AttractorsOptions;
+  return {find_attractors({given.read.machine, o.starts.value_or(Options::default_starts),
+                           static_cast<std::uint64_t>(o.seed.value_or(1)),
+                           o.most_periods.value_or(Options::default_most_periods),
+                           o.digits.value_or(OrbitsOptions::default_digits)}),
+          origin(given)};
+}
+
+report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o) {
+  MachineWord q = question_for(given, o.family, "orbits", o.period, o.near);
+  refuse_others(o, given.file, false,
+                {{"--cells", o.cells.has_value()},
+                 {"--time", o.time.has_value()},
+                 {"--certify", !o.certify.empty()},
+                 {"--all", o.all},
+                 {"--plot", o.plot.has_value()}});
+  q.digits = o.digits.value_or(OrbitsOptions::default_digits);
+  return {find_word_orbits(q), origin(given)};
+}
+
+report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsOptions& o) {
+  refuse_others(o, given.file, false,
+                {{"--period", o.period.has_value()},
+                 {"--near", o.near.has_value()},
+                 {"--cells", o.cells.has_value()},
+                 {"--time", o.time.has_value()},
+                 {"--certify", !o.certify.empty()},
+                 {"--plot", o.plot.has_value()},
+                 {"--out", o.out.has_value()}});
+  const int digits = o.digits.value_or(OrbitsOptions::default_digits);
+  return {given.read.machine, steady_sliding(given.read.machine, digits), digits, origin(given)};
+}
+
+report::machines::SteadyBranch steady_answer(const GivenInTables& given, const BranchOptions& o) {
+  refuse_others(o, given.file, false,
+                {{"--period", o.period.has_value()},
+                 {"--near", o.near.has_value()},
+                 {"--orbit", o.orbit.has_value()},
+                 {"--at", o.at.has_value()},
+                 {"--csv", o.csv.has_value()},
+                 {"--plot", o.plot.has_value()},
+                 {"--out", o.out.has_value()}});
+  const auto [path, from, to, at] = along_of(given, o);
+  const int digits = OrbitsOptions::default_digits;
+  return {given.read.machine, path, from, to, steady_sliding_along(at, from, to, digits), digits,
+          origin(given)};
+}
+
+report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o) {
+  const auto [path, from, to, at] = along_of(given, o);
+  const Rational in_file = value_in_tables(given.text, given.file, path);
+  const Rational middle = (from + to) / 2;
+  const Rational start = o.at.value_or(from <= in_file && in_file <= to ? in_file : middle);
+  if (start < from || start > to) {
+    throw UsageError(fmt::format("at: {} = {} is not in the interval {}..{}", path, to_string(start),
+                                 to_string(from), to_string(to)));
+  }
+  MachineWord q = question_for(given, o.family, "branch", o.period, o.near);
+  refuse_others(o, given.file, false, {});
+  q.machine = at(start);
+  const MachineWordOrbits found = find_word_orbits(q);
+  report::machines::Branches result{
+      q, path, from, to, start, {}, found.seen, found.interrupted, origin(given)};
+  if (o.orbit && static_cast<std::size_t>(*o.orbit) > found.orbits.size()) {
+    throw UsageError(fmt::format("orbit: there is no orbit {} through {} at {} = {}, there are {}", *o.orbit,
+                                 q.word.letters(), path, to_string(start), found.orbits.size()));
+  }
+  for (std::size_t k = 0; k < found.orbits.size(); ++k) {
+    const bool wanted = o.orbit ? k + 1 == static_cast<std::size_t>(*o.orbit)
+                                : o.all || found.orbits[k].admissible.truth == Truth::proved;
+    if (wanted) {
+      result.branches.push_back(
+          follow_machine_branch({at, from, to, start, guess_of(found.orbits[k], q.machine), q.digits}));
+      result.interrupted = result.interrupted || result.branches.back().interrupted;
+    }
+  }
+  return result;
+}
+
+report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
+                                const std::function<bool(double)>& go_on,
+                                const std::function<void(const SampleOfMachine&)>& take) {
+  refuse_others(o, given.file, true, {{"--orbit", !o.orbit.empty()}, {"--plot", o.plot.has_value()}});
+  if (!o.state) {
+    throw UsageError(
+        fmt::format("the start is missing: --state, the positions of all masses of {} and then their "
+                    "velocities",
+                    given.file));
+  }
+  report::machines::Motion result;
+  result.machine = given.read.machine;
+  result.origin = origin(given);
+  const auto oscillator = oscillator_as<double>(result.machine);
+  const bool autonomous = oscillator.is_autonomous();
+  result.start = state_for(given, "state", *o.state);
+  if (o.perturb) {
+    result.start += state_for(given, "perturb", *o.perturb);
+  }
+  const auto phi = o.parameters.find("phi");
+  if (phi != o.parameters.end()) {
+    result.theta = number("phi", phi->second);
+  }
+  if (autonomous && (o.periods || !o.duration || phi != o.parameters.end())) {
+    throw UsageError(
+        fmt::format("{} has no load that varies: --time T says how long, and neither --periods nor "
+                    "--phi goes with it",
+                    given.file));
+  }
+  if (o.periods && o.duration) {
+    throw UsageError("--periods and --time do not go together");
+  }
+  const double period = autonomous ? *o.duration : 2 * numeric::scalars::pi<double>() / oscillator.omega;
+  result.duration = o.duration.value_or(period * o.periods.value_or(SimulateOptions::default_periods));
+  if (take) {
+    result.every = o.every.value_or(period / SimulateOptions::samples_in_period);
+  }
+  result.record = numeric::simulation::record_motion(oscillator, result.theta, result.start,
+                                                     {result.duration, result.every}, go_on, take);
+  return result;
+}
+
+ExitCode exit_of(const report::machines::Attractors& result) {
+  const bool decided = std::ranges::all_of(result.list.attractors, [](const MachineAttractor& a) {
+    return a.kind != numeric::attractors::Kind::periodic || (a.orbit && is_decided(*a.orbit));
+  });
+  return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+}
+
+ExitCode exit_of(const report::machines::WordOrbits& result) {
+  const bool decided = !result.list.orbits.empty() && std::ranges::all_of(result.list.orbits, is_decided);
+  return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+}
+
+ExitCode exit_of(const report::machines::Branches& result) {
+  const bool decided = !result.branches.empty() &&
+                       std::ranges::all_of(result.branches, [](const auto& b) { return b.resolved(); });
+  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+}
+
+namespace {
+
+bool is_decided(const SteadySliding& state) {
+  return state.existence.truth == Truth::refuted ||
+         (state.existence.truth == Truth::proved &&
+          state.stability != numeric::motion::StabilityKind::undecided);
+}
+
+}  // namespace
+
+ExitCode exit_of(const report::machines::Steady& result) {
+  return is_decided(result.state) ? exit_decided : exit_undecided;
+}
+
+ExitCode exit_of(const report::machines::SteadyBranch& result) {
+  const bool decided =
+      std::ranges::all_of(result.along.samples, [](const auto& s) { return is_decided(s.state); });
+  return decided ? exit_decided : exit_undecided;
+}
+
+}  // namespace stickslip::cli

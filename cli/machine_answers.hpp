@@ -1,0 +1,47 @@
+// What commands answer about a machine in tables: for the program and for the Python module. Each throws
+// UsageError for options that do not go with one, and as the search does.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "cli/arguments.hpp"
+#include "cli/machine_tables.hpp"
+#include "core/error.hpp"
+#include "report/machines/results.hpp"
+
+namespace stickslip::cli {
+
+// A machine and the text that it was read from.
+struct GivenInTables {
+  std::string file, text;
+  MachineInTables read;
+};
+
+// Nothing if no file is given, or the file is none of these.
+[[nodiscard]] std::optional<GivenInTables> given_in_tables(const GivenMachine& options);
+
+[[nodiscard]] report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o);
+// Of a word.
+[[nodiscard]] report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o);
+// Of S: steady sliding, without a load that varies, and along a number of the file.
+[[nodiscard]] report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsOptions& o);
+[[nodiscard]] report::machines::SteadyBranch steady_answer(const GivenInTables& given,
+                                                           const BranchOptions& o);
+// The branches of its orbits at --at, by default at what the file says, or in the middle where that is not in
+// the interval.
+[[nodiscard]] report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o);
+// Each sample is handed on; the motion goes on as long as it is asked to.
+using SampleOfMachine = numeric::simulation::SampleOf<numeric::simulation::AnyState>;
+[[nodiscard]] report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
+                                              const std::function<bool(double)>& go_on,
+                                              const std::function<void(const SampleOfMachine&)>& take);
+
+// exit_interrupted, exit_undecided where something is, else exit_decided.
+[[nodiscard]] ExitCode exit_of(const report::machines::Attractors& result);
+[[nodiscard]] ExitCode exit_of(const report::machines::WordOrbits& result);
+[[nodiscard]] ExitCode exit_of(const report::machines::Branches& result);
+[[nodiscard]] ExitCode exit_of(const report::machines::Steady& result);
+[[nodiscard]] ExitCode exit_of(const report::machines::SteadyBranch& result);
+
+}  // namespace stickslip::cli

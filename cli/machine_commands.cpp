@@ -1,0 +1,126 @@
+// The commands about motions, of a machine in tables.
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "cli/answer.hpp"
+#include "cli/commands.hpp"
+#include "cli/machine_answers.hpp"
+#include "core/interruption.hpp"
+#include "report/tools/files.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+template <class Result>
+void print_told(const Result& result, bool json) {
+  print(json ? report::tools::to_text(report::machines::to_json(result))
+             : report::machines::terminal_report(result, terminal_style()));
+}
+
+template <class Options>
+auto answered(const GivenInTables& given, const Options& o, const char * doing) {
+  const Interruptible scope;
+  const Progress progress(doing);
+  return answer(given, o);
+}
+
+template <class Options>
+ExitCode told(const GivenInTables& given, const Options& o, const char * doing) {
+  const Jobs limit = jobs(o.jobs);
+  require_outputs(o);
+  const auto result = answered(given, o, doing);
+  if constexpr (std::is_same_v<Options, BranchOptions>) {
+    if (o.csv) {
+      report::tools::write_file(*o.csv, report::machines::to_csv(result));
+    }
+    if (o.plot) {
+      draw(*o.plot, report::machines::plot_script(result, report::tools::plot_format(*o.plot)));
+    }
+  }
+  if (o.out) {
+    const Progress progress("making the page ...");
+    report::tools::write_files(*o.out, report::machines::pages(result));
+  }
+  print_told(result, o.json);
+  if (o.out) {
+    tell(fmt::format("The report is in {}: index.html.", *o.out));
+  }
+  return exit_of(result);
+}
+
+}  // namespace
+
+std::optional<ExitCode> run_in_tables(const AttractorsOptions& o) {
+  const auto given = given_in_tables(o);
+  return given ? std::optional(told(*given, o, "following the starts ...")) : std::nullopt;
+}
+
+namespace {
+
+// S or O, for ever.
+template <class Options>
+ExitCode steady(const GivenInTables& given, const Options& o) {
+  const auto result = steady_answer(given, o);
+  print_told(result, o.json);
+  return exit_of(result);
+}
+
+bool is_steady(const std::string& word) {
+  return word == "S" || word == "O";
+}
+
+}  // namespace
+
+std::optional<ExitCode> run_in_tables(const OrbitsOptions& o) {
+  const auto given = given_in_tables(o);
+  if (given && is_steady(o.family)) {
+    return steady(*given, o);
+  }
+  return given ? std::optional(told(*given, o, "searching for orbits ...")) : std::nullopt;
+}
+
+std::optional<ExitCode> run_in_tables(const BranchOptions& o) {
+  const auto given = given_in_tables(o);
+  if (given && is_steady(o.family)) {
+    return steady(*given, o);
+  }
+  return given ? std::optional(told(*given, o, "following branches ...")) : std::nullopt;
+}
+
+std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
+  const auto given = given_in_tables(o);
+  if (!given) {
+    return std::nullopt;
+  }
+  require_outputs(o);
+  std::optional<report::tools::PendingFile> file;
+  if (o.csv) {
+    file.emplace(*o.csv);
+  }
+  report::machines::Motion names;
+  names.machine = given->read.machine;
+  names.origin = {given->file, given->read.in_SI};
+  if (file) {
+    file->append(report::machines::csv_names(names));
+  }
+  const auto take = [&](const SampleOfMachine& sample) { file->append(report::machines::csv_line(sample)); };
+  const report::machines::Motion result = [&] {
+    const Interruptible scope;
+    const Progress progress("simulating ...");
+    return answer(
+        *given, o, [](double) { return !interrupted(); },
+        file ? std::function<void(const SampleOfMachine&)>(take) : nullptr);
+  }();
+  if (file) {
+    file->complete();
+    file->take_place();
+  }
+  print_told(result, o.json);
+  return result.record.interrupted ? exit_interrupted : exit_decided;
+}
+
+}  // namespace stickslip::cli

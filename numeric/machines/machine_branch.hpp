@@ -1,0 +1,67 @@
+// The branch of a periodic motion of a machine over an interval of one of its data.
+//
+// It is followed in floating point from one value to the next, and at each of them the motion is proved on
+// its own, with its conditions and its stability; where two neighbours differ in what is proved, the values
+// are halved until they are close. So what is said of values is proved, what is said between them is not. At
+// a fold, where the branch turns back, it is followed on.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "numeric/branches/end.hpp"
+#include "numeric/branches/state.hpp"
+#include "numeric/machines/machine_orbit.hpp"
+
+namespace stickslip::numeric::machines {
+
+struct MachineBranchQuestion {
+  std::function<Machine(const Rational&)> at;  // the machine at a value of the datum
+  Rational from, to;                           // from < to
+  Rational start;                              // in between: the guess is of the machine there
+  MachineGuess guess;
+  int digits = 20;
+};
+
+// The motion at one value, proved.
+struct MachineSample {
+  Rational value;
+  branches::State state = branches::State::undecided;
+  MachineOrbit orbit;
+  bool beside_fold = false;  // a neighbour is on the other side of one, and it, too, is said to be so
+};
+
+// Between these values, those of neighbours in the list of samples, the state changes; of a fold, the values
+// on both sides of it, beyond which it lies.
+struct MachineChange {
+  branches::ChangeKind kind = branches::ChangeKind::condition;
+  Rational first, last;
+  std::string words;
+};
+
+struct MachineBranchEnd {
+  Rational at;
+  branches::End kind = branches::End::stopped;
+  std::string words;
+};
+
+struct MachineBranch {
+  Verdict existence;                   // of the motion at the start; what follows needs it proved
+  std::vector<MachineSample> samples;  // along the branch, in which the start's values rise
+  std::vector<MachineChange> changes;  // likewise
+  MachineBranchEnd first, last;
+  bool interrupted = false;
+
+  // Whether every sample is decided, and the branch ends for a reason.
+  [[nodiscard]] bool resolved() const;
+};
+
+// Changes are enclosed to this share of the interval.
+inline constexpr double branch_resolution = 0x1p-20;
+
+// Throws as prove_machine_orbit does, for the machines at both ends, too; UsageError unless from < to with
+// the start in between.
+[[nodiscard]] MachineBranch follow_machine_branch(const MachineBranchQuestion& question);
+
+}  // namespace stickslip::numeric::machines

@@ -1,0 +1,181 @@
+#include "numeric/machines/steady_sliding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/decimal.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "numeric/words/sweep.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+
+namespace stickslip::numeric::machines {
+
+using motion::ComplexBall;
+using motion::PhaseKind;
+using motion::StabilityKind;
+
+namespace {
+
+constexpr std::size_t values = 65;  // at first, of a datum
+constexpr double resolution = 0x1p-30;
+
+// The one that has the relative velocity inside, or nothing at an end of one.
+std::optional<int> piece_inside(const model::FrictionLaw<Rational>& law, const Rational& velocity) {
+  for (std::size_t k = law.sliding.size(); k-- > 0;) {
+    if (velocity > law.sliding[k].from) {
+      return static_cast<int>(k);
+    }
+    if (velocity == law.sliding[k].from) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+void decide(SteadySliding& state, const Matrix& A) {
+  const auto found = motion::eigenvalues(A);
+  if (!found) {
+    state.reason = "the eigenvalues could not be enclosed";
+    return;
+  }
+  state.eigenvalues = *found;
+  std::ranges::stable_sort(state.eigenvalues, std::greater<>(),
+                           [](const ComplexBall& mu) { return mu.re.approximate(); });
+  const auto negative = [](const ComplexBall& mu) { return mu.re.is_negative(); };
+  const auto positive = [](const ComplexBall& mu) { return mu.re.is_positive(); };
+  if (std::ranges::all_of(state.eigenvalues, negative)) {
+    state.stability = StabilityKind::stable;
+  } else if (std::ranges::any_of(state.eigenvalues, positive)) {
+    state.stability = StabilityKind::unstable;
+  } else {
+    state.reason = "an eigenvalue may lie on the imaginary axis";
+  }
+}
+
+}  // namespace
+
+SteadySliding steady_sliding(const Machine& machine, int digits) {
+  require_machine(machine, true);
+  const model::FrictionOscillator<Rational>& exact = machine.oscillator;
+  SteadySliding state;
+  if (!exact.is_autonomous()) {
+    state.existence = Verdict::refuted("a load varies");
+    return state;
+  }
+  if (exact.V == 0) {
+    state.existence = Verdict::refuted("the belt stands still");
+    return state;
+  }
+  const WorkingPrecision scope(scalars::bits_for(digits) + 64);
+  const auto o = oscillator_as<Ball>(machine);
+  const auto n = static_cast<Eigen::Index>(o.size());
+  const auto j = static_cast<Eigen::Index>(o.rubbing);
+  const int side = exact.V > 0 ? 1 : -1;
+  const Rational velocity = abs(exact.V);
+  const std::optional<int> inside = piece_inside(exact.law(side), velocity);
+  // At an end of two pieces both say what the friction is.
+  int number = 0;
+  for (std::size_t k = 0; k < exact.law(side).sliding.size(); ++k) {
+    number = exact.law(side).sliding[k].from <= velocity ? static_cast<int>(k) : number;
+  }
+  state.piece = {side > 0 ? PhaseKind::slip : PhaseKind::overshoot, number};
+  const model::SlidingPiece<Ball>& piece = o.law(side).sliding[static_cast<std::size_t>(number)];
+  state.friction = piece.force + piece.slope * (Ball(velocity) - piece.from);
+  Vector forces = Vector::Constant(n, Ball(0));
+  for (const model::HarmonicForce<Ball>& load : o.loads) {
+    forces(static_cast<Eigen::Index>(load.mass)) += load.cosine;
+  }
+  forces(j) += Ball(side) * state.friction;
+  const auto near = zeros::row_combinations(o.stiffness);
+  const auto inverse = near ? words::enclosed_inverse(o.stiffness, *near) : std::nullopt;
+  if (!inverse) {
+    state.existence = Verdict::undecided("K may be singular: the machine is free to move");
+    return state;
+  }
+  state.x = zeros::product(*inverse, forces);
+  state.existence = Verdict::proved();
+  if (!inside) {
+    state.reason = fmt::format("the relative velocity {} is where two pieces of the friction law meet",
+                               to_string(velocity));
+    return state;
+  }
+  Matrix A = Matrix::Constant(2 * n, 2 * n, Ball(0));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Ball& m = o.masses[static_cast<std::size_t>(i)];
+    A(i, n + i) = Ball(1);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      A(n + i, k) = -o.stiffness(i, k) / m;
+      A(n + i, n + k) = -o.damping(i, k) / m;
+    }
+  }
+  A(n + j, n + j) -= piece.slope / o.masses[o.rubbing];
+  decide(state, A);
+  return state;
+}
+
+SteadyAlong steady_sliding_along(const std::function<Machine(const Rational&)>& at, const Rational& from,
+                                 const Rational& to, int digits) {
+  if (from >= to) {
+    throw UsageError(fmt::format("{}..{} does not rise: A..B needs A < B", to_string(from), to_string(to)));
+  }
+  using Sample = SteadyAlong::Sample;
+  const auto sample = [&](const Rational& value) { return Sample{value, steady_sliding(at(value), digits)}; };
+  const auto kind = [](const Sample& s) { return s.state.stability; };
+  const auto is_known = [&](const Sample& s) {
+    return kind(s) == StabilityKind::stable || kind(s) == StabilityKind::unstable;
+  };
+  SteadyAlong result;
+  for (const Sample& one : parallel_map(values, [&](std::size_t k) {
+         return sample(from + (to - from) * Rational(static_cast<long>(k)) / static_cast<long>(values - 1));
+       })) {
+    result.samples.push_back(one);
+  }
+  // Between neighbours that differ, as close as they get; where nothing is known, beside it.
+  std::vector<Sample> more;
+  const Sample * last = nullptr;
+  for (const Sample& next : result.samples) {
+    if (!is_known(next)) {
+      continue;
+    }
+    std::optional<Sample> a = last != nullptr ? std::optional(*last) : std::nullopt;
+    Sample b = next;
+    while (a && kind(*a) != kind(b) && b.value - a->value > (to - from) * Rational(resolution)) {
+      std::optional<Sample> m;
+      for (const int sixteenths : {8, 7, 9}) {
+        m = sample(a->value + (b.value - a->value) * sixteenths / 16);
+        if (is_known(*m)) {
+          break;
+        }
+      }
+      if (!is_known(*m)) {
+        break;
+      }
+      more.push_back(*m);
+      (kind(*m) == kind(*a) ? *a : b) = *m;
+    }
+    last = &next;
+  }
+  result.samples.insert(result.samples.end(), more.begin(), more.end());
+  std::ranges::sort(result.samples, {}, &Sample::value);
+  const Sample * before = nullptr;
+  for (const Sample& s : result.samples) {
+    if (!is_known(s)) {
+      continue;
+    }
+    if (before != nullptr && kind(*before) != kind(s)) {
+      const bool lost = kind(s) == StabilityKind::unstable;
+      const std::vector<ComplexBall>& mu = (lost ? s : *before).state.eigenvalues;
+      result.changes.push_back(
+          {before->value, s.value, lost, before->state.piece != s.state.piece, std::nullopt});
+      if (!mu.front().im.contains_zero()) {
+        result.changes.back().frequency = abs(mu.front().im);
+      }
+    }
+    before = &s;
+  }
+  return result;
+}
+
+}  // namespace stickslip::numeric::machines

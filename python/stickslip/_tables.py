@@ -1,0 +1,117 @@
+"""Machines of any number of masses, in tables."""
+
+from __future__ import annotations
+
+import json as _json
+import os as _os
+import threading as _threading
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._exact import Ball, ComplexBall, Exact, exact
+from ._machine import interval
+
+if TYPE_CHECKING:
+    import numpy
+
+_Number = Union[Exact, float]
+
+
+class Record(Mapping[str, Any]):
+    """An object of a result, as the program's JSON has it (doc/formats.md): keys are attributes, too.
+
+    Balls are Ball, pairs of them ComplexBall, lists tuples, other objects records.
+    """
+
+    def __init__(self, data: Dict[str, Any]) -> None:
+        self._data = {key: _value(value) for key, value in data.items()}
+
+    def __getitem__(self, key: str) -> Any:
+        return self._data[key]
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._data:
+            raise AttributeError(f"there is no {name}: {', '.join(self.__dict__.get('_data', {}))}")
+        return self._data[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._data)
+
+    def __len__(self) -> int:
+        return len(self._data)
+
+    def __dir__(self) -> Sequence[str]:
+        return [*super().__dir__(), *self._data]
+
+    def __repr__(self) -> str:
+        inside = ", ".join(f"{key}={value!r}" for key, value in self._data.items()
+                           if isinstance(value, (str, int, float, bool, Ball)))
+        return f"Record({inside})"
+
+
+def _value(data: Any) -> Any:
+    if isinstance(data, list):
+        return tuple(map(_value, data))
+    if not isinstance(data, dict):
+        return data
+    if data.keys() == {"mid", "rad"}:
+        return Ball(**data)
+    if data.keys() == {"re", "im"}:
+        return ComplexBall(_value(data["re"]), _value(data["im"]))
+    return Record(data)
+
+
+def _text(value: Optional[_Number]) -> Optional[str]:
+    return None if value is None else repr(value) if isinstance(value, float) else exact("a number", value)
+
+
+def _state(state: Optional[Sequence[_Number]]) -> Optional[str]:
+    return None if state is None else ",".join(str(_text(x)) for x in state)
+
+
+class MachineInTables:
+    """A machine with any number of masses, dashpots, friction that changes with the velocity, several loads or none.
+
+    file: TOML, as doc/any_machine.md says. States are positions and then velocities of all masses, at load phase 0.
+    All methods raise InputOutputError, UsageError and DomainError as the program does, KeyboardInterrupt after Ctrl-C.
+    """
+
+    def __init__(self, file: Union[str, "_os.PathLike[str]"]) -> None:
+        self.file = _os.fspath(file)
+        _core.require_tables(self.file)
+
+    def __repr__(self) -> str:
+        return f"MachineInTables({self.file!r})"
+
+    def attractors(self, starts: int = 500, seed: int = 1, most_periods: int = 20000, digits: int = 20,
+                   jobs: Optional[int] = None) -> Record:
+        """What random starts end on, each periodic motion proved."""
+        return self._asked(_core.attractors_in_tables, starts, seed, most_periods, digits, jobs=jobs)
+
+    def orbits(self, word: str, period: Optional[int] = None, near: Optional[Sequence[_Number]] = None,
+               digits: int = 20, jobs: Optional[int] = None) -> Record:
+        """The orbits through a word's phases that random starts end on, or that near one state, each proved."""
+        return self._asked(_core.orbits_in_tables, word, period, _state(near), digits, jobs=jobs)
+
+    def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,
+               period: Optional[int] = None, orbit: Optional[int] = None,
+               near: Optional[Sequence[_Number]] = None, all: bool = False, jobs: Optional[int] = None) -> Record:
+        """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08")."""
+        path, first, last = along
+        return self._asked(_core.branch_in_tables, word, [path, interval("along", (first, last))],
+                           None if at is None else exact("at", at), period, orbit, _state(near), all, jobs=jobs)
+
+    def simulate(self, state: Sequence[_Number], time: Optional[_Number] = None, periods: Optional[_Number] = None,
+                 every: Optional[_Number] = None, phi: Optional[_Number] = None) -> Tuple[Record, "numpy.ndarray"]:
+        """A motion in double: the record, and its samples in rows t, x, x', r, u, E. It proves nothing."""
+        conduct = _core.Conduct(None, _in_main_thread())
+        told, samples = _core.simulate_in_tables(self.file, _state(state), _text(time), _text(periods), _text(every),
+                                                 _text(phi), conduct)
+        return Record(_json.loads(told)), samples
+
+    def _asked(self, function: Any, *arguments: Any, jobs: Optional[int]) -> Record:
+        return Record(_json.loads(function(self.file, *arguments, _core.Conduct(jobs, _in_main_thread()))))
+
+
+def _in_main_thread() -> bool:
+    return _threading.current_thread() is _threading.main_thread()

@@ -1,0 +1,345 @@
+#include "core/decimal.hpp"
+#include "numeric/words/word.hpp"
+#include "report/machines/results.hpp"
+#include "report/machines/rows.hpp"
+#include "report/orbits/parts.hpp"
+
+namespace stickslip::report::machines {
+
+using namespace numeric;
+using namespace numeric::machines;
+using namespace tools;
+using orbits::ball_text;
+
+namespace {
+
+// ---- parts
+
+const char * const state_words = "x1, …, xn, x1', …, xn' of the n masses.";
+
+std::vector<std::vector<Rational>> rows_of(const model::MatrixX<Rational>& A) {
+  std::vector<std::vector<Rational>> rows;
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    rows.emplace_back(A.row(i).begin(), A.row(i).end());
+  }
+  return rows;
+}
+
+void write_law(Object& json, const model::FrictionLaw<Rational>& law) {
+  json.has("at_rest", law.at_rest);
+  json.list(
+      "sliding", law.sliding,
+      [](Object& to, const model::SlidingPiece<Rational>& piece) {
+        to.has("from", piece.from);
+        to.has("force", piece.force);
+        to.has("slope", piece.slope);
+      },
+      "Pieces of the law, force + slope (v - from) for relative velocities v from there on.");
+}
+
+void write_machine(Object& json, const Machine& machine, const Origin& origin) {
+  const model::FrictionOscillator<Rational>& o = machine.oscillator;
+  json.object("machine", [&](Object& to) {
+    to.has("units", std::string(origin.in_SI ? "SI" : "none"), one_of({"SI", "none"}));
+    to.has("masses", o.masses);
+    to.has("stiffness", rows_of(o.stiffness), "K, by rows.");
+    to.has("damping", rows_of(o.damping), "C, by rows.");
+    to.object("belt", [&](Object& belt) {
+      belt.has("mass", o.rubbing + 1, "The one on it, from 1.");
+      belt.has("velocity", o.V);
+    });
+    to.object(
+        "friction", [&](Object& law) { write_law(law, o.forward); }, "Where the belt is the faster one.");
+    to.object(
+        "friction_overshoot", [&](Object& law) { write_law(law, o.backward); },
+        "Where the mass is the faster one.");
+    to.list(
+        "loads", o.loads,
+        [](Object& one, const model::HarmonicForce<Rational>& load) {
+          one.has("mass", load.mass + 1, "From 1.");
+          one.has("multiple", load.k, with({{"minimum", 0}}, "Of the frequency; 0: a constant force."));
+          one.has("cosine", load.cosine);
+          one.has("sine", load.sine);
+        },
+        "Forces cosine cos(multiple theta) + sine sin(multiple theta).");
+    const bool varies = !o.is_autonomous();
+    to.has("frequency", varies && machine.in_turns ? std::optional(o.omega) : std::nullopt,
+           "Of theta, in turns per time.");
+    to.has("angular_frequency", varies && !machine.in_turns ? std::optional(o.omega) : std::nullopt,
+           "Of theta, in radians per time.");
+  });
+}
+
+void write_orbit(Object& json, const MachineOrbit& o, int digits) {
+  json.has("word", word_of(o.pieces), orbits::like_word());
+  json.has("pieces", word_of(o.pieces, true),
+           "Phases with the pieces of the friction law that they are on: S2 a slip on the second.");
+  json.has("periods", o.periods, with({{"minimum", 1}}, "Of the load; 1 without one."));
+  json.has("verdict", o.existence.truth, "On: exactly one such motion closes near here.");
+  json.has("reason", orbits::if_any(o.existence.reason));
+  json.keys_if(o.existence.truth == Truth::proved ? std::optional(o) : std::nullopt, [digits](
+                                                                                         Object& to,
+                                                                                         const MachineOrbit&
+                                                                                             proved) {
+    to.has("period", ball_text(proved.period, digits), "A time.");
+    to.has("theta", ball_text(proved.load, digits), "The load's phase when the first phase begins.");
+    to.list("phases", proved.phases, [digits](Object& one, const MachinePhase& phase) {
+      one.has("phase", phase.piece.kind, names_through(motion::PhaseKind::stick));
+      one.has("piece", phase.piece.number + 1, with({{"minimum", 1}}, "Of the friction law; 1 for a stick."));
+      one.has("begins", ball_text(phase.start, digits));
+      one.has("lasts", ball_text(phase.duration, digits));
+      std::vector<BallText> state;
+      for (const Ball& x : phase.state) {
+        state.push_back(ball_text(x, digits));
+      }
+      one.has("state", state, state_words);
+    });
+    orbits::write_admissible(to, proved.admissible);
+    orbits::write_stability(to, proved.stability, proved.conditions, digits);
+    to.list("conditions", proved.conditions, orbits::write_condition);
+  });
+}
+
+void write_steady(Object& json, const SteadySliding& state, int digits) {
+  json.has("verdict", state.existence.truth, "On: there is exactly one motion of the kind.");
+  json.has("reason", orbits::if_any(state.existence.reason));
+  json.keys_if(state.existence.truth == Truth::proved ? std::optional(state) : std::nullopt,
+               [digits](Object& to, const SteadySliding& known) {
+                 to.has("phase", known.piece.kind, names_through(motion::PhaseKind::stick));
+                 to.has("piece", known.piece.number + 1, with({{"minimum", 1}}, "Of the friction law."));
+                 std::vector<BallText> x;
+                 for (const Ball& place : known.x) {
+                   x.push_back(ball_text(place, digits));
+                 }
+                 to.has("x", x, "x1, …, xn.");
+                 to.has("friction", ball_text(known.friction, digits));
+                 to.has("stability", known.stability, names_through(motion::StabilityKind::undecided));
+                 to.has("stability_reason", orbits::if_any(known.reason));
+                 to.list(
+                     "eigenvalues", known.eigenvalues,
+                     [digits](Object& one, const motion::ComplexBall& mu) {
+                       one.has("re", ball_text(mu.re, digits));
+                       one.has("im", ball_text(mu.im, digits));
+                     },
+                     "Per time.");
+               });
+}
+
+// ---- results
+
+void write(Object& json, const Attractors& result) {
+  const MachineStarts& q = result.list.question;
+  write_provenance(json, command_of(result));
+  write_machine(json, q.machine, result.origin);
+  json.has("starts", q.starts, {{"minimum", 1}});
+  json.has("seed", q.seed);
+  json.has("most_periods", q.most_periods,
+           with({{"minimum", 1}}, "That a start is followed for; without a load, events."));
+  json.has("interrupted", result.list.interrupted);
+  json.list("attractors", result.list.attractors, [&](Object& to, const MachineAttractor& a) {
+    to.has("kind", a.kind, names_through(attractors::Kind::unsettled));
+    to.has("share", a.share, {{"minimum", 0}, {"maximum", 1}});
+    to.has("share_interval", std::array{a.least, a.most}, "Wilson's interval of 95 %.");
+    to.has("count", a.count, with({{"minimum", 1}}, "Of the starts."));
+    to.has("state", a.state, state_words);
+    to.object_if(
+        "orbit", a.orbit, [&](Object& one, const MachineOrbit& orbit) { write_orbit(one, orbit, q.digits); },
+        "Of a periodic motion: what is proved.");
+  });
+  json.object_if(
+      "steady_sliding", result.list.steady,
+      [&](Object& to, const SteadySliding& state) { write_steady(to, state, q.digits); },
+      "Without a load that varies.");
+}
+
+void write_word(Object& json, const MachineWord& q, const Origin& origin) {
+  write_machine(json, q.machine, origin);
+  json.has("word", q.word.letters(), orbits::like_word());
+  json.has("periods", q.periods, with({{"minimum", 1}}, "Of the load, if they were given."));
+}
+
+void write(Object& json, const WordOrbits& result) {
+  write_provenance(json, command_of(result));
+  write_word(json, result.list.question, result.origin);
+  json.list("orbits", result.list.orbits, [&](Object& to, const MachineOrbit& orbit) {
+    write_orbit(to, orbit, result.list.question.digits);
+  });
+  json.has("seen", orbits::if_any(result.list.seen), "What was met in place of an orbit of the word.");
+  json.has("interrupted", result.list.interrupted);
+}
+
+void write_end(Object& json, const MachineBranchEnd& end) {
+  json.has("at", end.at);
+  json.has("kind", end.kind, names_through(branches::End::stopped));
+  json.has("words", end.words);
+}
+
+void write_branch(Object& json, const MachineBranch& branch, int digits) {
+  json.object("first", [&](Object& to) { write_end(to, branch.first); });
+  json.object("last", [&](Object& to) { write_end(to, branch.last); });
+  json.list("changes", branch.changes, [](Object& to, const MachineChange& change) {
+    to.has("kind", change.kind, names_through(branches::ChangeKind::resonance));
+    to.has("from", change.first);
+    to.has("to", change.last);
+    to.has("words", change.words);
+  });
+  json.list(
+      "samples", branch.samples,
+      [digits](Object& to, const MachineSample& sample) {
+        to.has("value", sample.value);
+        to.has("state", sample.state, names_through(branches::State::undecided));
+        to.object("orbit", [&](Object& one) { write_orbit(one, sample.orbit, digits); });
+      },
+      "By rising values; each is proved on its own.");
+}
+
+void write(Object& json, const Branches& result) {
+  write_provenance(json, command_of(result));
+  write_word(json, result.question, result.origin);
+  json.has("parameter", result.parameter, "The path of a number in the file.");
+  json.has("from", result.from);
+  json.has("to", result.to);
+  json.has("at", result.start, "Where the orbits are looked for whose branches are followed.");
+  json.list("branches", result.branches, [&](Object& to, const MachineBranch& branch) {
+    write_branch(to, branch, result.question.digits);
+  });
+  json.has("seen", orbits::if_any(result.seen), "What was met in place of an orbit of the word.");
+  json.has("interrupted", result.interrupted);
+}
+
+void write(Object& json, const Steady& result) {
+  write_provenance(json, command_of(result));
+  write_machine(json, result.machine, result.origin);
+  json.object("steady_sliding", [&](Object& to) { write_steady(to, result.state, result.digits); });
+}
+
+void write(Object& json, const SteadyBranch& result) {
+  write_provenance(json, command_of(result));
+  write_machine(json, result.machine, result.origin);
+  json.has("parameter", result.parameter, "The path of a number in the file.");
+  json.has("from", result.from);
+  json.has("to", result.to);
+  json.list(
+      "samples", result.along.samples,
+      [&](Object& to, const SteadyAlong::Sample& sample) {
+        to.has("value", sample.value);
+        to.object("steady_sliding", [&](Object& one) { write_steady(one, sample.state, result.digits); });
+      },
+      "By rising values.");
+  json.list("changes", result.along.changes, [&](Object& to, const SteadyAlong::Change& change) {
+    to.has("from", change.first);
+    to.has("to", change.last);
+    to.has("lost", change.is_lost, "The stability; else it is gained.");
+    to.has("corner", change.is_corner, "Two pieces of the friction law meet there.");
+    to.has("frequency", ball_text(change.frequency, result.digits),
+           "Of the pair of eigenvalues that crosses.");
+  });
+}
+
+using AnyTransition = simulation::TransitionOf<simulation::AnyState>;
+
+void write_event(Object& json, const AnyTransition& e) {
+  json.has("t", e.time);
+  json.has("from", e.before, names_through(motion::PhaseKind::stick));
+  json.has("to", e.after, names_through(motion::PhaseKind::stick));
+  json.has("from_piece", e.piece_before + 1, {{"minimum", 1}});
+  json.has("to_piece", e.piece_after + 1, {{"minimum", 1}});
+  json.has("r", e.r);
+  json.has("state", e.X, state_words);
+}
+
+void write(Object& json, const Motion& result) {
+  const auto& record = result.record;
+  write_provenance(json, command_of(result));
+  write_machine(json, result.machine, result.origin);
+  json.has("start", result.start, state_words);
+  json.has("theta", result.theta, "Of the load at the start.");
+  json.has("duration", result.duration, with({{"exclusiveMinimum", 0}}, "That was asked for."));
+  json.has("done", record.done);
+  json.has("interrupted", record.interrupted);
+  json.object("end", [&](Object& to) {
+    to.has("phase", record.end.phase, names_through(motion::PhaseKind::stick));
+    to.has("state", record.end.X, state_words);
+    to.has("r", record.end.r);
+    to.has("u", record.end.u);
+    to.has("energy", record.end.energy);
+  });
+  json.object(
+      "shares",
+      [&](Object& to) {
+        for (const motion::PhaseKind kind :
+             {motion::PhaseKind::slip, motion::PhaseKind::overshoot, motion::PhaseKind::stick}) {
+          to.has(to_string(kind), record.time_in.at(static_cast<std::size_t>(kind)) / record.done);
+        }
+      },
+      "Of the time.");
+  json.object("events", [&](Object& to) {
+    const Json few = {{"maxItems", record.shown}};
+    to.has("count", record.events, {{"minimum", 0}});
+    to.list("first", record.first_events, write_event, few);
+    to.list("last", record.last_events, write_event, few);
+  });
+}
+
+// What schemas are made with.
+Machine sample_machine() {
+  Machine machine;
+  model::FrictionOscillator<Rational>& o = machine.oscillator;
+  o.masses = {1};
+  o.damping = o.stiffness = model::MatrixX<Rational>::Constant(1, 1, Rational(1));
+  o.rubbing = 0;
+  o.forward = o.backward = {Rational(2), {{Rational(0), Rational(1), Rational(0)}}};
+  o.loads = {{0, 1, Rational(1), Rational(0)}};
+  o.omega = 1;
+  return machine;
+}
+
+constexpr auto writer = [](Object& json, const auto& result) { write(json, result); };
+
+}  // namespace
+
+Json to_json(const Attractors& result) {
+  return written(result, writer);
+}
+Json to_json(const WordOrbits& result) {
+  return written(result, writer);
+}
+Json to_json(const Branches& result) {
+  return written(result, writer);
+}
+Json to_json(const Steady& result) {
+  return written(result, writer);
+}
+Json to_json(const SteadyBranch& result) {
+  return written(result, writer);
+}
+Json to_json(const Motion& result) {
+  return written(result, writer);
+}
+
+std::vector<File> schemas() {
+  const Machine machine = sample_machine();
+  const MachineWord word{machine, words::Word::parse("ST"), {}, {}};
+  const Attractors attractors{{{.machine = machine}, {}, {}, false}, {}};
+  const WordOrbits of_word{{word, {}, {}}, {}};
+  const Branches branches{word, "belt.velocity", 0, 1, 0, {}, {}, false, {}};
+  Motion motion;
+  motion.machine = machine;
+  return {
+      schema_file("machine_attractors", "stickslip attractors of a machine in tables: what it does, proved",
+                  schema_by(attractors, writer)),
+      schema_file("machine_words", "stickslip orbits WORD of a machine in tables, each proved",
+                  schema_by(of_word, writer)),
+      schema_file("machine_branches",
+                  "stickslip branch WORD of a machine in tables: orbits over one of its numbers, proved",
+                  schema_by(branches, writer)),
+      schema_file("machine_steady", "stickslip orbits S of a machine in tables: steady sliding, proved",
+                  schema_by(Steady{machine, {}, 20, {}}, writer)),
+      schema_file("machine_steady_branch",
+                  "stickslip branch S of a machine in tables: steady sliding over one of its numbers, proved",
+                  schema_by(SteadyBranch{machine, "belt.velocity", 0, 1, {}, 20, {}}, writer)),
+      schema_file("machine_simulation", "stickslip simulate of a machine in tables: a motion, in double",
+                  schema_by(motion, writer))};
+}
+
+}  // namespace stickslip::report::machines

@@ -1,0 +1,104 @@
+// What commands say about machines of any number of masses (numeric/machines): for readers, for programs, as
+// pages and pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/machines/machine_attractors.hpp"
+#include "numeric/machines/machine_branch.hpp"
+#include "numeric/machines/steady_sliding.hpp"
+#include "numeric/simulation/record.hpp"
+#include "report/tools/files.hpp"
+#include "report/tools/layout.hpp"
+#include "report/tools/plot.hpp"
+#include "report/tools/schema.hpp"
+
+namespace stickslip::report::machines {
+
+// Where a machine comes from, and its units.
+struct Origin {
+  std::string file;   // as it was given
+  bool in_SI = true;  // kg, N, m, s; else numbers without units
+};
+
+// A result with the machine that it is about.
+struct Attractors {
+  numeric::machines::MachineAttractors list;
+  Origin origin;
+};
+struct WordOrbits {
+  numeric::machines::MachineWordOrbits list;
+  Origin origin;
+};
+// Of the branches of a word's orbits along one of the file's numbers.
+struct Branches {
+  numeric::machines::MachineWord question;  // with the machine at `start`
+  std::string parameter;                    // its path in the file
+  Rational from, to, start;
+  std::vector<numeric::machines::MachineBranch> branches;
+  std::string seen;  // what was met at the start in place of an orbit
+  bool interrupted = false;
+  Origin origin;
+};
+// Steady sliding, and along one of the file's numbers; `machine` is the file's.
+struct Steady {
+  numeric::machines::Machine machine;
+  numeric::machines::SteadySliding state;
+  int digits = 20;
+  Origin origin;
+};
+struct SteadyBranch {
+  numeric::machines::Machine machine;
+  std::string parameter;
+  Rational from, to;
+  numeric::machines::SteadyAlong along;
+  int digits = 20;
+  Origin origin;
+};
+struct Motion {
+  numeric::machines::Machine machine;
+  Eigen::VectorXd start;  // (x, x')
+  double theta = 0;       // of the load at the start
+  double duration = 0;    // that was asked for
+  std::optional<double> every;
+  numeric::simulation::RecordOf<numeric::simulation::AnyState> record;
+  Origin origin;
+};
+
+[[nodiscard]] std::string terminal_report(const Attractors& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const WordOrbits& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const Branches& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const Steady& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const SteadyBranch& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const Motion& result, const tools::Style& style);
+
+[[nodiscard]] tools::Json to_json(const Attractors& result);
+[[nodiscard]] tools::Json to_json(const WordOrbits& result);
+[[nodiscard]] tools::Json to_json(const Branches& result);
+[[nodiscard]] tools::Json to_json(const Steady& result);
+[[nodiscard]] tools::Json to_json(const SteadyBranch& result);
+[[nodiscard]] tools::Json to_json(const Motion& result);
+[[nodiscard]] std::vector<tools::File> schemas();
+
+// A line of names, then a line for each orbit that was proved on its own: the number, the branch, the state,
+// the period, how long each phase lasts, x and x' when the first begins; with 17 digits.
+[[nodiscard]] std::string to_csv(const Branches& result);
+// Names with units; t, phase, x, x', r, u, E; numbers with 17 digits.
+[[nodiscard]] std::string csv_names(const Motion& motion);
+[[nodiscard]] std::string csv_line(
+    const numeric::simulation::SampleOf<numeric::simulation::AnyState>& sample);
+
+// The position of the mass on the belt where the first phase begins against the parameter; empty when there
+// is nothing to draw.
+[[nodiscard]] std::string plot_script(const Branches& result, tools::PlotFormat format,
+                                      tools::PlotShape shape = tools::PlotShape::wide);
+
+// The files of one directory: index.html with its style sheets, the JSON, pictures. Throw InputOutputError if
+// a program that draws is missing or fails.
+[[nodiscard]] std::vector<tools::File> pages(const Attractors& result);
+[[nodiscard]] std::vector<tools::File> pages(const WordOrbits& result);
+[[nodiscard]] std::vector<tools::File> pages(const Branches& result);
+
+}  // namespace stickslip::report::machines

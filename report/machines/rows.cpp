@@ -1,0 +1,296 @@
+#include "report/machines/rows.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/decimal.hpp"
+#include "numeric/words/word.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/orbits/parts.hpp"
+#include "report/tools/numbers.hpp"
+
+namespace stickslip::report::machines {
+
+using namespace numeric;
+using namespace numeric::machines;
+using namespace tools;
+using attractors::Kind;
+
+namespace {
+
+constexpr std::size_t most_phases = 16;  // in a table
+constexpr int short_digits = 10;
+constexpr int digits_in_change = 8;
+
+std::string law(const Seen& seen, const model::FrictionLaw<Rational>& law) {
+  std::vector<std::string> points;
+  for (const model::SlidingPiece<Rational>& piece : law.sliding) {
+    points.push_back(fmt::format("{} from {}", to_string(piece.force), to_string(piece.from)));
+  }
+  return fmt::format("{} at rest; sliding {}{}", seen.with(law.at_rest, "N"), fmt::join(points, ", "),
+                     seen.in_SI ? " (N, m/s)" : "");
+}
+
+std::string numbers(const Eigen::VectorXd& X) {
+  std::string text;
+  for (const double x : X) {
+    text += fmt::format("{}{:.17g}", text.empty() ? "" : ",", x);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string Seen::unit(const char * name) const {
+  return in_SI ? std::string(" in ") + name : "";
+}
+
+std::string Seen::with(const Rational& value, const char * name) const {
+  return to_string(value) + (in_SI ? std::string(" ") + name : "");
+}
+
+std::string Seen::name(const Piece& piece) const {
+  const bool several = piece.side() != 0 && oscillator().law(piece.side()).sliding.size() > 1;
+  return words::letter(piece.kind) + (several ? std::to_string(piece.number + 1) : "");
+}
+
+std::vector<std::size_t> Seen::shown_masses() const {
+  std::vector<std::size_t> masses{oscillator().rubbing};
+  if (oscillator().size() > 1) {
+    masses.push_back(oscillator().rubbing == 0 ? 1 : 0);
+  }
+  return masses;
+}
+
+std::vector<Row> machine_rows(const Seen& seen) {
+  const model::FrictionOscillator<Rational>& o = seen.oscillator();
+  std::vector<std::string> masses;
+  for (const Rational& m : o.masses) {
+    masses.push_back(seen.with(m, "kg"));
+  }
+  bool damped = false;
+  for (Eigen::Index i = 0; i < o.damping.size(); ++i) {
+    damped = damped || o.damping.data()[i] != 0;
+  }
+  std::vector<Row> rows{
+      {{"masses"}, {fmt::format("{}{}", fmt::join(masses, ", "), damped ? "; with dashpots" : "")}},
+      {{"belt"}, {fmt::format("under mass {}, {}", o.rubbing + 1, seen.with(o.V, "m/s"))}},
+      {{"friction"}, {law(seen, o.forward)}}};
+  if (law(seen, o.backward) != law(seen, o.forward)) {
+    rows.push_back({{"  overshooting"}, {law(seen, o.backward)}});
+  }
+  const bool in_turns = seen.machine.in_turns;
+  for (const model::HarmonicForce<Rational>& load : o.loads) {
+    const std::string sine = load.sine == 0 ? "" : fmt::format(" and {} of sin", seen.with(load.sine, "N"));
+    rows.push_back(
+        {{"load"},
+         {load.k == 0 ? fmt::format("{} on mass {}", seen.with(load.cosine, "N"), load.mass + 1)
+                      : fmt::format("{}{} on mass {}, {} {}", seen.with(load.cosine, "N"), sine,
+                                    load.mass + 1, in_turns ? "frequency" : "angular frequency",
+                                    seen.with(Rational(load.k * o.omega), in_turns ? "Hz" : "rad/s"))}});
+  }
+  return rows;
+}
+
+std::string remark(const MachineOrbit& orbit) {
+  if (orbit.existence.truth != Truth::proved) {
+    return "not proved: " + orbit.existence.reason;
+  }
+  if (orbit.admissible.truth != Truth::proved) {
+    return fmt::format("closes, proved; {}: {}", to_string(orbit.admissible.truth), orbit.admissible.reason);
+  }
+  if (!orbit.stability) {
+    return "proved";
+  }
+  const motion::Stability& s = *orbit.stability;
+  const std::string radius =
+      s.multipliers.empty() ? "" : fmt::format(", |mu| = {}", orbits::spectral_radius(s));
+  return fmt::format("proved, {}{}{}", to_string(s.kind), s.reason.empty() ? "" : ": " + s.reason, radius);
+}
+
+std::string remark(const MachineAttractor& a, bool autonomous) {
+  switch (a.kind) {
+    case Kind::periodic:
+      return a.orbit ? remark(*a.orbit) : "not proved";
+    case Kind::slides:
+      return "no contact with the belt any more, and no event";
+    case Kind::stuck:
+      return "does not leave the belt any more";
+    case Kind::irregular:
+      return "neighbours leave it exponentially, a check";
+    case Kind::quasi_periodic:
+      return "does not return, and neighbours stay beside it, a check";
+    default:
+      return autonomous ? "within the events allowed" : "within the periods allowed";
+  }
+}
+
+std::string name_of(const MachineOrbit& orbit, bool autonomous) {
+  const std::string word = orbits::shortened(word_of(orbit.pieces));
+  return autonomous ? word : fmt::format("{}, period {}", word, orbit.periods);
+}
+
+std::vector<Row> orbit_rows(const MachineOrbit& orbit, const Seen& seen, int digits) {
+  const model::FrictionOscillator<Rational>& o = seen.oscillator();
+  std::vector<Row> rows{{{"  period"}, {rounded(orbit.period, digits) + (seen.in_SI ? " s" : "")}}};
+  if (!o.is_autonomous()) {
+    const bool several =
+        std::any_of(o.loads.begin(), o.loads.end(), [](const auto& load) { return load.k > 1; });
+    rows.push_back({{""},
+                    {fmt::format("{} {} of the load{}", orbit.periods,
+                                 orbit.periods == 1 ? "period" : "periods", several ? "s together" : "")}});
+  }
+  if (orbit.stability) {
+    rows.push_back({{"  stability"}, {to_string(orbit.stability->kind)}});
+    for (const motion::ComplexBall& mu : orbit.stability->multipliers) {
+      rows.push_back({{"  multiplier"}, {orbits::complex_text(mu, short_digits)}});
+    }
+  }
+  return rows;
+}
+
+std::vector<Row> phase_rows(const MachineOrbit& orbit, const Seen& seen) {
+  const model::FrictionOscillator<Rational>& o = seen.oscillator();
+  const std::vector<std::size_t> masses = seen.shown_masses();
+  std::vector<Row> rows{{{"  phase"}, {"begins at t" + seen.unit("s")}, {"lasts" + seen.unit("s")}}};
+  for (const std::size_t mass : masses) {
+    rows[0].push_back({fmt::format("x{}{}", mass + 1, seen.unit("m"))});
+    rows[0].push_back({fmt::format("x{}'{}", mass + 1, seen.unit("m/s"))});
+  }
+  for (std::size_t k = 0; k < std::min(orbit.phases.size(), most_phases); ++k) {
+    const MachinePhase& f = orbit.phases[k];
+    Row row{{fmt::format("  {} {}", seen.name(f.piece), to_string(f.piece.kind))},
+            {k == 0 ? "0" : rounded(f.start, short_digits)},
+            {rounded(f.duration, short_digits)}};
+    for (const std::size_t mass : masses) {
+      row.push_back({rounded(f.state(static_cast<Eigen::Index>(mass)), short_digits)});
+      row.push_back({rounded(f.state(static_cast<Eigen::Index>(o.size() + mass)), short_digits)});
+    }
+    rows.push_back(row);
+  }
+  if (orbit.phases.size() > most_phases) {
+    rows.push_back({{"  ..."}, {fmt::format("{} more", orbit.phases.size() - most_phases)}});
+    rows.back().resize(rows[0].size(), {""});
+  }
+  return rows;
+}
+
+std::string command_of(const Attractors& result) {
+  const MachineStarts& q = result.list.question;
+  return fmt::format("stickslip attractors --params {} --starts {} --seed {} --most-periods {} --digits {}",
+                     result.origin.file, q.starts, q.seed, q.most_periods, q.digits);
+}
+
+namespace {
+
+std::string of_word(const MachineWord& q, const std::string& file) {
+  return q.word.letters() + " --params " + file + (q.periods ? fmt::format(" --period {}", *q.periods) : "") +
+         (q.near ? " --near=" + numbers(*q.near) : "");
+}
+
+}  // namespace
+
+std::string command_of(const WordOrbits& result) {
+  return fmt::format("stickslip orbits {} --digits {}", of_word(result.list.question, result.origin.file),
+                     result.list.question.digits);
+}
+
+std::string command_of(const Branches& result) {
+  return fmt::format("stickslip branch {} --along {} {}..{} --at {}",
+                     of_word(result.question, result.origin.file), result.parameter, to_string(result.from),
+                     to_string(result.to), to_string(result.start));
+}
+
+std::string command_of(const Motion& result) {
+  return fmt::format("stickslip simulate --params {} --state={}{} --time={:.17g}{}", result.origin.file,
+                     numbers(result.start),
+                     result.theta == 0 ? "" : fmt::format(" --phi={:.17g}", result.theta), result.duration,
+                     result.every ? fmt::format(" --every={:.17g}", *result.every) : "");
+}
+
+BranchRows rows_of(const MachineBranch& branch) {
+  const auto number = [](const Rational& x) { return rounded(Ball(x), short_digits); };
+  BranchRows rows{fmt::format("From {}, {}, to {}, {}: {} motions on the way, each proved on its own.",
+                              number(branch.first.at), branch.first.words, number(branch.last.at),
+                              branch.last.words, branch.samples.size()),
+                  {},
+                  {}};
+  for (auto now = branch.samples.begin(); now != branch.samples.end();) {
+    const auto next = std::find_if(now, branch.samples.end(),
+                                   [&](const MachineSample& s) { return s.state != now->state; });
+    rows.pieces.push_back({{number(now->value)},
+                           {number(std::prev(next)->value)},
+                           {std::to_string(next - now)},
+                           {to_string(now->state)}});
+    now = next;
+  }
+  for (const MachineChange& change : branch.changes) {
+    rows.changes.push_back({{rounded(Ball::from_interval(std::min(change.first, change.last),
+                                                         std::max(change.first, change.last)),
+                                     digits_in_change)},
+                            {to_string(change.kind)},
+                            {change.words}});
+  }
+  return rows;
+}
+
+std::string parameter_of(const std::string& path, const Origin& origin) {
+  const std::string last = path.substr(path.rfind('.') + 1);
+  const char * unit = last == "m"                                  ? "kg"
+                      : last == "k"                                ? "N/m"
+                      : last == "c"                                ? "N s/m"
+                      : last == "velocity"                         ? "m/s"
+                      : last == "frequency"                        ? "Hz"
+                      : last == "angular_frequency"                ? "rad/s"
+                      : path.find("sliding.") != std::string::npos ? (last == "1" ? "m/s" : "N")
+                                                                   : "N";
+  return origin.in_SI ? path + " in " + unit : path;
+}
+
+std::string command_of(const Steady& result) {
+  return fmt::format("stickslip orbits S --params {} --digits {}", result.origin.file, result.digits);
+}
+
+std::string command_of(const SteadyBranch& result) {
+  return fmt::format("stickslip branch S --params {} --along {} {}..{}", result.origin.file, result.parameter,
+                     to_string(result.from), to_string(result.to));
+}
+
+std::vector<Row> rows_of(const SteadySliding& state, const Seen& seen, int digits) {
+  if (state.existence.truth != Truth::proved) {
+    return {{{"steady sliding"},
+             {fmt::format("{}: {}", state.existence.truth == Truth::refuted ? "none" : "undecided",
+                          state.existence.reason)}}};
+  }
+  std::vector<Row> rows{{{"steady sliding"}, {fmt::format("{}, proved", seen.name(state.piece))}},
+                        {{"  friction"}, {rounded(state.friction, digits) + (seen.in_SI ? " N" : "")}}};
+  for (Eigen::Index i = 0; i < state.x.size(); ++i) {
+    rows.push_back({{fmt::format("  x{}", i + 1)}, {rounded(state.x(i), digits) + (seen.in_SI ? " m" : "")}});
+  }
+  rows.push_back(
+      {{"  stability"}, {to_string(state.stability) + (state.reason.empty() ? "" : ": " + state.reason)}});
+  for (const motion::ComplexBall& mu : state.eigenvalues) {
+    rows.push_back(
+        {{"  eigenvalue"}, {orbits::complex_text(mu, short_digits) + (seen.in_SI ? " per s" : "")}});
+  }
+  return rows;
+}
+
+std::vector<Row> rows_of(const SteadyAlong& along, const Seen& seen) {
+  std::vector<Row> rows;
+  for (const SteadyAlong::Change& change : along.changes) {
+    std::string words = change.is_lost ? "stability is lost" : "stability is gained";
+    if (change.is_corner) {
+      words += ", where two pieces of the friction law meet";
+    } else if (change.frequency) {
+      words += fmt::format(": a pair of eigenvalues crosses the imaginary axis near {}i{}",
+                           rounded(*change.frequency, 6), seen.in_SI ? " per s" : "");
+    }
+    rows.push_back({{rounded(Ball::from_interval(change.first, change.last), short_digits)}, {words}});
+  }
+  return rows;
+}
+
+}  // namespace stickslip::report::machines

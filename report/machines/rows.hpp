@@ -1,0 +1,62 @@
+// Sentences and rows on machines that texts and pages share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/machines/results.hpp"
+
+namespace stickslip::report::machines {
+
+// A machine as its reader sees it.
+struct Seen {
+  const numeric::machines::Machine& machine;
+  bool in_SI;
+
+  [[nodiscard]] const model::FrictionOscillator<Rational>& oscillator() const { return machine.oscillator; }
+  // " in s", or nothing without units.
+  [[nodiscard]] std::string unit(const char * name) const;
+  // A number with its unit.
+  [[nodiscard]] std::string with(const Rational& value, const char * name) const;
+  // "S", or where the friction law has several pieces "S2".
+  [[nodiscard]] std::string name(const numeric::machines::Piece& piece) const;
+  // The mass on the belt and, if there is one, another: of which tables and pictures tell.
+  [[nodiscard]] std::vector<std::size_t> shown_masses() const;
+};
+
+// Masses, belt, friction, loads: a label and a sentence each.
+[[nodiscard]] std::vector<tools::Row> machine_rows(const Seen& seen);
+// Of a periodic motion: period, stability, multipliers; its phases, names first.
+[[nodiscard]] std::vector<tools::Row> orbit_rows(const numeric::machines::MachineOrbit& orbit,
+                                                 const Seen& seen, int digits);
+[[nodiscard]] std::vector<tools::Row> phase_rows(const numeric::machines::MachineOrbit& orbit,
+                                                 const Seen& seen);
+// What is known: "proved, stable, |mu| = 0.78".
+[[nodiscard]] std::string remark(const numeric::machines::MachineOrbit& orbit);
+[[nodiscard]] std::string remark(const numeric::machines::MachineAttractor& attractor, bool autonomous);
+// "OTS, period 1", or what kind of motion it is.
+[[nodiscard]] std::string name_of(const numeric::machines::MachineOrbit& orbit, bool autonomous);
+
+[[nodiscard]] std::string command_of(const Attractors& result);
+[[nodiscard]] std::string command_of(const WordOrbits& result);
+[[nodiscard]] std::string command_of(const Branches& result);
+[[nodiscard]] std::string command_of(const Motion& result);
+[[nodiscard]] std::string command_of(const Steady& result);
+[[nodiscard]] std::string command_of(const SteadyBranch& result);
+
+// Of a branch: how it begins and ends; from, to, how many motions and their state where it is one; place,
+// kind and name of each change.
+struct BranchRows {
+  std::string heading;
+  std::vector<tools::Row> pieces, changes;
+};
+[[nodiscard]] BranchRows rows_of(const numeric::machines::MachineBranch& branch);
+// The path, with its unit where it is known.
+[[nodiscard]] std::string parameter_of(const std::string& path, const Origin& origin);
+// Of steady sliding: positions, friction, stability, eigenvalues.
+[[nodiscard]] std::vector<tools::Row> rows_of(const numeric::machines::SteadySliding& state, const Seen& seen,
+                                              int digits);
+// Where its stability changes: place, and what.
+[[nodiscard]] std::vector<tools::Row> rows_of(const numeric::machines::SteadyAlong& along, const Seen& seen);
+
+}  // namespace stickslip::report::machines

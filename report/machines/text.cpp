@@ -1,0 +1,293 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/decimal.hpp"
+#include "report/machines/results.hpp"
+#include "report/machines/rows.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/orbits/parts.hpp"
+#include "report/tools/numbers.hpp"
+
+namespace stickslip::report::machines {
+
+using namespace numeric;
+using namespace numeric::machines;
+using namespace tools;
+using attractors::Kind;
+
+namespace {
+
+std::string heading(const std::string& words, const Style& style) {
+  return columns_of({{{words, orbits::bold(style)}}}, style.width);
+}
+
+std::string orbit_text(const MachineOrbit& orbit, const Seen& seen, int digits, std::size_t number,
+                       const Style& style) {
+  const Row title{{fmt::format("Orbit {}:", number), orbits::bold(style)},
+                  {orbit.admissible.truth == Truth::proved ? "admissible" : to_string(orbit.admissible.truth),
+                   orbits::colour_of(orbit.admissible.truth, style)}};
+  return "\n" + columns_of({title}, style.width) + columns_of(orbit_rows(orbit, seen, digits), style.width) +
+         "\n" + columns_of(phase_rows(orbit, seen), style.width) + "\n" +
+         orbits::condition_rows(orbits::worst(orbit.conditions), style);
+}
+
+std::string margins(const Seen& seen, const Style& style) {
+  return labelled(0, "margin",
+                  fmt::format("the least distance from a violation, along a phase divided by the time to an "
+                              "end where it is zero by itself{}",
+                              seen.in_SI ? "; N, m/s and s" : ""),
+                  style.width);
+}
+
+std::vector<Row> starts_row(const MachineAttractors& list) {
+  const bool autonomous = list.question.machine.oscillator.is_autonomous();
+  return {{{"starts"},
+           {fmt::format("{} at random, seed {}, each followed until it has settled or for {} {}{}",
+                        list.question.starts, list.question.seed, list.question.most_periods,
+                        autonomous ? "events" : "periods of the load",
+                        list.interrupted ? "; interrupted: the shares say nothing" : "")}}};
+}
+
+std::string machine_text(const Seen& seen, const Style& style, const std::vector<Row>& more) {
+  std::vector<Row> rows = machine_rows(seen);
+  rows.insert(rows.end(), more.begin(), more.end());
+  return columns_of(rows, style.width);
+}
+
+std::string state_of(const Eigen::VectorXd& X, const Seen& seen) {
+  std::string text;
+  const Eigen::Index n = X.size() / 2;
+  for (Eigen::Index i = 0; i < X.size(); ++i) {
+    text += fmt::format("{}x{}{} = {:.9g}", text.empty() ? "" : ", ", i % n + 1, i < n ? "" : "'", X(i));
+  }
+  return text + seen.unit("m and m/s");
+}
+
+}  // namespace
+
+std::string terminal_report(const Attractors& result, const Style& style) {
+  const MachineAttractors& list = result.list;
+  const Seen seen{list.question.machine, result.origin.in_SI};
+  const bool autonomous = seen.oscillator().is_autonomous();
+  std::vector<Row> rows{
+      {{"   "}, {"share"}, {"95 %"}, {"motion"}, {"period" + seen.unit("s")}, {"word"}, {""}}};
+  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
+    const MachineAttractor& a = list.attractors[i];
+    const bool known = a.orbit && a.orbit->existence.truth == Truth::proved;
+    rows.push_back({{std::to_string(i + 1)},
+                    {fmt::format("{:.1f} %", 100 * a.share)},
+                    {fmt::format("{:.1f}-{:.1f}", 100 * a.least, 100 * a.most)},
+                    {to_string(a.kind)},
+                    {known ? rounded(a.orbit->period, 8) : ""},
+                    {orbits::shortened(a.word)},
+                    {remark(a, autonomous)}});
+  }
+  std::string text = heading("What the machine does", style) + machine_text(seen, style, starts_row(list)) +
+                     "\n" + columns_of(rows, style.width);
+  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
+    const MachineAttractor& a = list.attractors[i];
+    if (a.orbit && a.orbit->existence.truth == Truth::proved) {
+      text += orbit_text(*a.orbit, seen, list.question.digits, i + 1, style);
+    }
+  }
+  if (list.steady) {
+    text += "\n" + columns_of(rows_of(*list.steady, seen, list.question.digits), style.width);
+  }
+  return text + "\n" +
+         labelled(
+             0, "share",
+             "of the starts, with Wilson's interval of 95 %; what is said to be proved is, of the machine "
+             "exactly as it is given; everything else is a check in floating point",
+             style.width) +
+         margins(seen, style);
+}
+
+std::string terminal_report(const WordOrbits& result, const Style& style) {
+  const MachineWordOrbits& list = result.list;
+  const Seen seen{list.question.machine, result.origin.in_SI};
+  const auto& q = list.question;
+  std::vector<Row> more{
+      {{"orbits"},
+       {fmt::format("{}{}{}", list.orbits.empty() ? "none was found" : std::to_string(list.orbits.size()),
+                    list.orbits.empty() && !list.seen.empty() ? ": " + list.seen : "",
+                    list.interrupted ? "; interrupted" : "")}}};
+  std::string text = heading(fmt::format("Orbits through {}{}", q.word.letters(),
+                                         q.periods ? fmt::format(", period {}", *q.periods) : ""),
+                             style) +
+                     machine_text(seen, style, more);
+  for (std::size_t k = 0; k < list.orbits.size(); ++k) {
+    text += orbit_text(list.orbits[k], seen, q.digits, k + 1, style);
+  }
+  return text + (list.orbits.empty() ? "" : "\n" + margins(seen, style));
+}
+
+std::string terminal_report(const Branches& result, const Style& style) {
+  const Seen seen{result.question.machine, result.origin.in_SI};
+  std::vector<Row> more{{{"branches"},
+                         {fmt::format("{} from {} = {}{}{}", result.branches.size(), result.parameter,
+                                      to_string(result.start), result.seen.empty() ? "" : "; " + result.seen,
+                                      result.interrupted ? "; interrupted" : "")}}};
+  std::string text = heading(fmt::format("{} along {} from {} to {}", result.question.word.letters(),
+                                         parameter_of(result.parameter, result.origin),
+                                         to_string(result.from), to_string(result.to)),
+                             style) +
+                     machine_text(seen, style, more);
+  for (std::size_t k = 0; k < result.branches.size(); ++k) {
+    BranchRows rows = rows_of(result.branches[k]);
+    text +=
+        "\n" + heading(fmt::format("Branch {}", k + 1), style) + labelled(2, "", rows.heading, style.width);
+    rows.pieces.insert(rows.pieces.begin(), {{"from"}, {"to"}, {"motions"}, {"they are"}});
+    for (Row& row : rows.pieces) {
+      row[0].text = "  " + row[0].text;
+    }
+    text += columns_of(rows.pieces, style.width);
+    if (!rows.changes.empty()) {
+      rows.changes.insert(rows.changes.begin(), {{"at " + result.parameter}, {"change"}, {""}});
+      for (Row& row : rows.changes) {
+        row[0].text = "  " + row[0].text;
+      }
+      text += columns_of(rows.changes, style.width);
+    }
+  }
+  return text;
+}
+
+std::string terminal_report(const Steady& result, const Style& style) {
+  const Seen seen{result.machine, result.origin.in_SI};
+  return heading("Steady sliding", style) + machine_text(seen, style, {}) + "\n" +
+         columns_of(rows_of(result.state, seen, result.digits), style.width);
+}
+
+std::string terminal_report(const SteadyBranch& result, const Style& style) {
+  const Seen seen{result.machine, result.origin.in_SI};
+  std::vector<Row> rows{{{"from"}, {"to"}, {"values"}, {"steady sliding is"}}};
+  const auto& samples = result.along.samples;
+  const auto name = [](const SteadySliding& state) {
+    return state.existence.truth == Truth::proved ? to_string(state.stability) : state.existence.reason;
+  };
+  for (auto now = samples.begin(); now != samples.end();) {
+    const auto next =
+        std::find_if(now, samples.end(), [&](const auto& s) { return name(s.state) != name(now->state); });
+    rows.push_back({{rounded(Ball(now->value), 10)},
+                    {rounded(Ball(std::prev(next)->value), 10)},
+                    {std::to_string(next - now)},
+                    {name(now->state)}});
+    now = next;
+  }
+  std::string text = heading(fmt::format("Steady sliding along {} from {} to {}",
+                                         parameter_of(result.parameter, result.origin),
+                                         to_string(result.from), to_string(result.to)),
+                             style) +
+                     machine_text(seen, style, {}) + "\n" + columns_of(rows, style.width);
+  std::vector<Row> changes = rows_of(result.along, seen);
+  if (!changes.empty()) {
+    changes.insert(changes.begin(), {{"at " + result.parameter}, {"change"}});
+    text += columns_of(changes, style.width);
+  }
+  return text;
+}
+
+std::string terminal_report(const Motion& result, const Style& style) {
+  const Seen seen{result.machine, result.origin.in_SI};
+  const auto& record = result.record;
+  std::string shares;
+  for (const motion::PhaseKind kind :
+       {motion::PhaseKind::slip, motion::PhaseKind::overshoot, motion::PhaseKind::stick}) {
+    shares += fmt::format("{}{} {:.3f} %", shares.empty() ? "" : ", ", to_string(kind),
+                          100 * record.time_in[static_cast<std::size_t>(kind)] / record.done);
+  }
+  std::vector<Row> rows{
+      {{"start"}, {state_of(result.start, seen)}},
+      {{"simulated"},
+       {fmt::format("t = {:.9g}{}{}", record.done, seen.in_SI ? " s" : "",
+                    record.interrupted ? "; interrupted" : "")}},
+      {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X, seen))}},
+      {{"shares"}, {shares}},
+      {{"energy"}, {fmt::format("{:.6g}{} at the end", record.end.energy, seen.in_SI ? " J" : "")}},
+      {{"events"}, {fmt::format("{}", record.events)}}};
+  std::string text = heading("A motion of the machine", style) + machine_text(seen, style, rows);
+  std::vector<Row> events{{{"  event at t" + seen.unit("s")}, {"from"}, {"to"}, {"r" + seen.unit("N")}}};
+  for (const std::size_t mass : seen.shown_masses()) {
+    events[0].push_back({fmt::format("x{}{}", mass + 1, seen.unit("m"))});
+  }
+  const auto piece = [](motion::PhaseKind kind, int number) {
+    return number == 0 ? to_string(kind) : fmt::format("{}, piece {}", to_string(kind), number + 1);
+  };
+  const auto add = [&](const auto& some) {
+    for (const auto& e : some) {
+      events.push_back({{fmt::format("  {:.9g}", e.time)},
+                        {piece(e.before, e.piece_before)},
+                        {piece(e.after, e.piece_after)},
+                        {fmt::format("{:.6g}", e.r)}});
+      for (const std::size_t mass : seen.shown_masses()) {
+        events.back().push_back({fmt::format("{:.6g}", e.X(static_cast<Eigen::Index>(mass)))});
+      }
+    }
+  };
+  add(record.first_events);
+  const long left_out = record.events - static_cast<long>(record.first_events.size()) -
+                        static_cast<long>(record.last_events.size());
+  if (left_out > 0) {
+    events.push_back({{"  ..."}, {fmt::format("{} more", left_out)}});
+    events.back().resize(events[0].size(), {""});
+  }
+  add(record.last_events);
+  return record.events == 0 ? text : text + "\n" + columns_of(events, style.width);
+}
+
+std::string to_csv(const Branches& result) {
+  const std::size_t n = result.question.machine.oscillator.size();
+  std::string text = result.parameter + ",branch,state,period";
+  std::size_t phases = 0;
+  for (const MachineBranch& branch : result.branches) {
+    for (const MachineSample& s : branch.samples) {
+      phases = std::max(phases, s.orbit.phases.size());
+    }
+  }
+  for (std::size_t k = 0; k < phases; ++k) {
+    text += fmt::format(",tau{}", k + 1);
+  }
+  for (const char * dash : {"", "'"}) {
+    for (std::size_t i = 0; i < n; ++i) {
+      text += fmt::format(",x{}{}", i + 1, dash);
+    }
+  }
+  text += "\n";
+  for (std::size_t b = 0; b < result.branches.size(); ++b) {
+    for (const MachineSample& s : result.branches[b].samples) {
+      text += fmt::format("{:.17g},{},{},{:.17g}", s.value.get_d(), b + 1, to_string(s.state),
+                          s.orbit.period.approximate());
+      for (std::size_t k = 0; k < phases; ++k) {
+        text += k < s.orbit.phases.size() ? fmt::format(",{:.17g}", s.orbit.phases[k].duration.approximate())
+                                          : ",";
+      }
+      for (const Ball& x : s.orbit.phases.front().state) {
+        text += fmt::format(",{:.17g}", x.approximate());
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string csv_names(const Motion& motion) {
+  const Seen seen{motion.machine, motion.origin.in_SI};
+  std::string text = "t" + seen.unit("s") + ",phase";
+  for (const auto& [dash, unit] : {std::pair("", "m"), std::pair("'", "m/s")}) {
+    for (std::size_t i = 0; i < seen.oscillator().size(); ++i) {
+      text += fmt::format(",x{}{}{}", i + 1, dash, seen.unit(unit));
+    }
+  }
+  return text + fmt::format(",r{0},u{0},E{1}\n", seen.unit("N"), seen.unit("J"));
+}
+
+std::string csv_line(const simulation::SampleOf<simulation::AnyState>& s) {
+  std::string text = fmt::format("{:.17g},{}", s.time, to_string(s.phase));
+  for (const double x : s.X) {
+    text += fmt::format(",{:.17g}", x);
+  }
+  return text + fmt::format(",{:.17g},{:.17g},{:.17g}\n", s.r, s.u, s.energy);
+}
+
+}  // namespace stickslip::report::machines

@@ -1,0 +1,90 @@
+"""Machines of any number of masses from Python."""
+
+import json
+from fractions import Fraction
+
+import numpy
+import pytest
+
+import stickslip
+
+MACHINE = """
+[[mass]]
+m = 2.5
+[[mass]]
+m = 0.8
+[[spring]]
+between = [0, 1]
+k = 1200
+c = 0.6
+[[spring]]
+between = [1, 2]
+k = 450
+[belt]
+mass = 2
+velocity = 0.05
+[friction]
+at_rest = 13.5
+sliding = [[0, 9], [0.05, 7.5], [0.3, 6]]
+[[load]]
+mass = 2
+amplitude = 12
+frequency = 3.6
+"""
+
+
+@pytest.fixture(name="machine")
+def fixture_machine(tmp_path):
+    file = tmp_path / "machine.toml"
+    file.write_text(MACHINE)
+    return stickslip.MachineInTables(file)
+
+
+def test_what_it_does_is_proved(machine):
+    found = machine.attractors(starts=10)
+    assert found.machine.masses == ("5/2", "4/5")
+    orbit = found.attractors[0].orbit
+    assert orbit.word == "OTS" and orbit.stability == "stable" and orbit.admissible
+    assert orbit.period.contains(Fraction(5, 9))
+    assert found.attractors[0].count == 10
+    assert machine.attractors(starts=10, jobs=1).attractors[0].orbit.period == orbit.period
+
+
+def test_an_orbit_is_where_a_simulation_returns_to(machine):
+    orbit = machine.orbits("OTS").orbits[0]
+    start = [x.approximate for x in orbit.phases[0].state]
+    record, samples = machine.simulate(start, time=orbit.period.approximate, phi=orbit.theta.approximate)
+    assert samples.shape[1] == 8
+    assert numpy.allclose(samples[-1, 1:5], start, atol=1e-7)
+    assert record.events.count == len(orbit.phases) or record.events.count == len(orbit.phases) - 1
+
+
+def test_a_branch_has_changes_and_samples(machine):
+    found = machine.branch("OTS", ("load.1.frequency", "3.58", "3.6"))
+    branch = found.branches[0]
+    assert [change.kind for change in branch.changes] == ["condition"]
+    assert "stick.upper" in branch.changes[0].words
+    assert branch.samples[-1].orbit.verdict == "proved"
+    assert branch.last.kind == "interval"
+
+
+def test_what_is_wrong_is_said(machine, tmp_path):
+    with pytest.raises(stickslip.UsageError, match="nothing stands at belt.speed"):
+        machine.branch("OTS", ("belt.speed", 1, 2))
+    with pytest.raises(stickslip.UsageError, match="4 numbers, not 2"):
+        machine.simulate([0, 0], time=1)
+    flat = tmp_path / "flat.toml"
+    flat.write_text("chi = 0.5\n")
+    with pytest.raises(stickslip.UsageError, match="no machine in tables"):
+        stickslip.MachineInTables(flat)
+    with pytest.raises(stickslip.InputOutputError):
+        stickslip.MachineInTables(tmp_path / "none.toml")
+    with pytest.raises(AttributeError, match="there is no wrd"):
+        machine.orbits("OTS").wrd
+
+
+def test_records_are_mappings(machine):
+    found = machine.orbits("OTS", period=2)
+    assert dict(found)["word"] == found.word == found["word"] == "OTS"
+    assert "orbits" in dir(found) and "OTS" in repr(found)
+    assert json.loads(json.dumps(found.machine.belt["velocity"])) == "1/20"
