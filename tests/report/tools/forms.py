@@ -80,12 +80,33 @@ FORMS = {
         "atlas nonsticking --params RANGES --resolution 1 --out ATLAS4",
         "atlas nonsticking --params RANGES --along k1 1..1.1 --resolution 1 --out ATLAS5"
     ],
+    "machine_attractors": [
+        "attractors --params TABLES --starts 5", "attractors --params FREE --starts 5 --digits 30 --seed 2",
+        "attractors --params DRILL --starts 3"
+    ],
+    "machine_words": [
+        "orbits OTS --params TABLES", "orbits OTS --params TABLES --period 2 --digits 40",
+        "orbits OSOT --params TABLES", "orbits OTS --params TABLES --near=-0.02,0.01,0.1,0.05", "orbits ST --params FREE"
+    ],
+    "machine_steady": ["orbits S --params TABLES", "orbits S --params FREE", "orbits O --params DRILL"],
+    "machine_branches": [
+        "branch OTS --params TABLES --along load.1.frequency 3.58..3.6",
+        "branch ST --params FREE --along belt.velocity 1.2..1.3 --at 1.25",
+        "branch OSOT --params TABLES --along frequency 3.58..3.6"
+    ],
+    "machine_steady_branch": [
+        "branch S --params FREE --along spring.1.c 0..0.2", "branch S --params TABLES --along belt.velocity 0..1"
+    ],
+    "machine_simulation": [
+        "simulate --params TABLES --state=0,0,0,0", "simulate --params TABLES --state=0,0,0,0 --phi 1 --time 2 --csv SAMPLES",
+        "simulate --params FREE --state=0,0 --time 100"
+    ],
     "verification": ["atlas --verify ATLAS --sample 5", "atlas --verify ATLAS5 --sample 2"],
 }
 
 # Keys that are there only where they apply.
 OPTIONAL = {
-    "at", "energy", "forced", "machine", "pure_slip", "reason", "remarks", "room", "seen", "settles", "stability",
+    "at", "energy", "periods", "steady_sliding", "forced", "machine", "pure_slip", "reason", "remarks", "room", "seen", "settles", "stability",
     "units"
 }
 
@@ -114,6 +135,9 @@ def main():
                   for name in ("MACHINE", "FORCES", "SAMPLES", "ATLAS", "ATLAS1", "ATLAS2", "ATLAS3", "ATLAS4", "ATLAS5",
                                "RANGES")}
         pathlib.Path(places["MACHINE"]).write_text(MACHINE)
+        examples = pathlib.Path(__file__).resolve().parents[3] / "examples" / "machines"
+        places |= {"TABLES": str(examples / "engineer.toml"), "FREE": str(examples / "stribeck.toml"),
+                   "DRILL": str(examples / "drill_string.toml")}
         pathlib.Path(places["FORCES"]).write_text(FORCES)
         pathlib.Path(places["RANGES"]).write_text(MACHINE.replace("load_frequency = 0.5", 'load_frequency = "0.5+-0.001"'))
         for name, forms in FORMS.items():

@@ -85,6 +85,8 @@ TEST_CASE("each form of JSON has one schema, named by its file") {
     CHECK_FALSE(schema.at("title").get<std::string>().empty());
     names.push_back(file.name.substr(0, file.name.find('.')));
   }
-  CHECK(names == std::vector<std::string>{"atlas", "verification", "audit", "orbits", "words", "pure",
+  CHECK(names == std::vector<std::string>{"atlas", "verification", "machine_attractors", "machine_words",
+                                          "machine_branches", "machine_steady", "machine_steady_branch",
+                                          "machine_simulation", "audit", "orbits", "words", "pure",
                                           "branches", "attractors", "simulation"});
 }
