@@ -245,7 +245,7 @@ std::string Script::sign(const Theorem& theorem, const Scope& scope) {
   text += bounds_opened(theorem, scope);
   // The widest range is halved where it has to be: Coq's sine knows less of wide intervals than Arb's.
   std::string along;
-  Rational widest(1, 1000000);
+  Rational widest = orbits::wide;
   const std::vector<Term>& data = theorem.derivation().data;
   for (std::size_t i = 2; i + 2 < data.size(); i += 3) {
     const Rational width = data[i + 2].value() - data[i + 1].value();

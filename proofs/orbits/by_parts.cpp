@@ -37,6 +37,11 @@ class Parts {
                             relation, opened);
   }
 
+  Known bounds(const Term& number) {
+    Definitions opened;
+    return bounds_of(number, lettered(number, opened), opened);
+  }
+
  private:
   // With a letter for each number that a definition stands for; those of matrices are looked into.
   Term lettered(Term term, Definitions& opened) {
@@ -58,17 +63,23 @@ class Parts {
     }
     Definitions opened{applied.definition()};
     const Term body = lettered(applied.definition().unfolded(applied.parts()), opened);
-    const Known one = bounded(body, ranges_, places);
-    const auto said = [&](const Formula& inequality, const Theorem& theorem) {
-      return Theorem::convert(settled(theorem, letters_), inequality, opened);
-    };
+    const Known known = bounds_of(applied, body, opened);
     const Variable name{fmt::format("part {}", names_.size() + 1)};
-    letters_.emplace(name, Known{applied, one.range, said(at_most(one.range.first, applied), one.lower),
-                                 said(at_most(applied, one.range.second), one.upper)});
-    ranges_.emplace(name, one.range);
+    letters_.emplace(name, known);
+    ranges_.emplace(name, known.range);
     names_.emplace(applied, name);
     values_.emplace(name, applied);
     return name;
+  }
+
+  // Of a number, in letters once these definitions are opened.
+  [[nodiscard]] Known bounds_of(const Term& number, const Term& in_letters, const Definitions& opened) const {
+    const Known one = bounded(in_letters, ranges_, places);
+    const auto said = [&](const Formula& inequality, const Theorem& theorem) {
+      return Theorem::convert(settled(theorem, letters_), inequality, opened);
+    };
+    return {number, one.range, said(at_most(one.range.first, number), one.lower),
+            said(at_most(number, one.range.second), one.upper)};
   }
 
   Ranges ranges_;  // of the variables, and of the letters
@@ -81,6 +92,10 @@ class Parts {
 
 Theorem sign_by_parts(const Formula& relation, const Ranges& ranges) {
   return Parts(ranges).sign(relation);
+}
+
+Known bounded_by_parts(const Term& number, const Ranges& ranges) {
+  return Parts(ranges).bounds(number);
 }
 
 Theorem for_all_in(const Theorem& theorem, const std::vector<Variable>& variables, const Ranges& ranges) {

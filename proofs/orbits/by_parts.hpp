@@ -10,6 +10,9 @@ namespace stickslip::proofs::orbits {
 // differ. Throws KernelError where the bounds do not decide it.
 [[nodiscard]] kernel::Theorem sign_by_parts(const kernel::Formula& relation, const Ranges& ranges);
 
+// Of ranges as there, ⊢ that a number lies between bounds that are as near as they allow.
+[[nodiscard]] Known bounded_by_parts(const kernel::Term& number, const Ranges& ranges);
+
 // ⊢ for all x between its ends …: C, of these variables in turn, the first outermost; from ranges ⊢ C.
 [[nodiscard]] kernel::Theorem for_all_in(const kernel::Theorem& theorem,
                                          const std::vector<kernel::Variable>& variables,

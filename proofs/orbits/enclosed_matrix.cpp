@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "proofs/tactics/estimate.hpp"
@@ -33,6 +34,8 @@ Interval enclosed(const Term& term, const Ranges& ranges, const Rational& width)
   for (const auto& [variable, range] : ranges) {
     middle.emplace(variable, (range.first.value() + range.second.value()) / 2);
   }
+  const bool halves = std::ranges::any_of(
+      ranges, [](const auto& one) { return one.second.second.value() - one.second.first.value() > wide; });
   const double near = estimated(term, middle);
   const auto lies_in = [&](const Interval& bounds) {
     try {
@@ -44,11 +47,20 @@ Interval enclosed(const Term& term, const Ranges& ranges, const Rational& width)
     }
   };
   if (std::isfinite(near)) {
+    const auto about = [&](const Rational& radius) {
+      return Interval{Rational(near) - radius, Rational(near) + radius};
+    };
     for (Rational radius = width / 4; radius < 1; radius *= 4) {
-      const Interval bounds{Rational(near) - radius, Rational(near) + radius};
-      if (lies_in(bounds)) {
-        return bounds;
+      if (!lies_in(about(radius))) {
+        continue;
       }
+      if (halves && radius > width) {
+        for (Rational step = radius / 2; step > radius / 16; step /= 2) {
+          radius -= lies_in(about(radius - step)) ? step : Rational(0);
+        }
+        radius *= Rational(5, 4);  // Coq's interval arithmetic is another, and finds it, too
+      }
+      return about(radius);
     }
   }
   return enclosure(term, ranges, width);

@@ -20,6 +20,9 @@ using Letters = std::map<kernel::Variable, Known>;
 // Of the ranges those of what occurs.
 [[nodiscard]] Ranges ranges_in(const kernel::Term& term, const Ranges& ranges);
 
+// Ranges that are wider are halved in certificates where that gives closer bounds.
+inline const Rational wide(1, 1000000);
+
 // ranges ⊢ l <= term, term <= u, with l and u near: multiples of 2^-places. Throws KernelError where a
 // divisor may be zero.
 [[nodiscard]] Known bounded(const kernel::Term& term, const Ranges& ranges, int places = 28);

@@ -34,6 +34,17 @@ TEST_CASE("a sign is decided with what its definitions are, and says so of the d
   CHECK_THROWS_AS(static_cast<void>(sign_by_parts(less(value, Term(9) + y), about_one(x))), KernelError);
 }
 
+TEST_CASE("bounds of a number are near to what it can be, through its definitions") {
+  const Known known = bounded_by_parts(twice(twice(x)), about_one(x));  // 4 x
+  CHECK(known.lower.conclusion() == at_most(known.range.first, twice(twice(x))));
+  CHECK(known.upper.conclusion() == at_most(twice(twice(x)), known.range.second));
+  CHECK(known.range.first.value() <= Rational(3996, 1000));
+  CHECK(known.range.second.value() >= Rational(4004, 1000));
+  CHECK(known.range.first.value() >= Rational(3980, 1000));
+  CHECK(known.range.second.value() <= Rational(4020, 1000));
+  CHECK_THROWS_AS(static_cast<void>(bounded_by_parts(twice(y), about_one(x))), KernelError);
+}
+
 TEST_CASE("what holds in ranges holds for all in them, and of nothing else") {
   const Theorem theorem = sign_by_parts(less(twice(x), 3), about_one(x));
   const Theorem all = for_all_in(theorem, {x}, about_one(x));
