@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <map>
 
-#include "model/appendix3.hpp"
 #include "model/waves.hpp"
-#include "proofs/methods/reading.hpp"
 #include "proofs/orbits/by_parts.hpp"
 #include "proofs/pascal2012/claims.hpp"
+#include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/pascal2012/mean_value.hpp"
 #include "proofs/pascal2012/printed_closing.hpp"
 #include "proofs/symbols/closing.hpp"
-#include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -40,45 +37,9 @@ Claim number(const std::string& id, Origin origin, const std::string& words, Pro
 
 // --- (21)-(24) at the printed values ---
 
-// (47)-(51) at these times, in the kernel's symbols for the entries of H, Gamma, ….
-model::ClosingCoefficients<tactics::Symbolic> coefficients(const kernel::Term& tau, const kernel::Term& tau1,
-                                                           model::Reading reading) {
-  using kernel::Variable;
-  using tactics::Symbolic;
-  const ExactParameters& a = printed().data;
-  const kernel::Term T = kernel::Term(2) * kernel::pi() / kernel::Term(a.omega) - tau - tau1;
-  Reader read;
-  const auto number = [&](const Term& symbol) -> Symbolic {
-    return substitute(read(symbol), {{Variable{"tau"}, tau},
-                                     {Variable{"tau1"}, tau1},
-                                     {Variable{"T"}, T},
-                                     {Variable{"omega"}, a.omega},
-                                     {Variable{"p"}, a.p},
-                                     {Variable{"us"}, a.us}});
-  };
-  const auto entries = [&](const char * name) {
-    return model::Matrix4<Symbolic>(model::Matrix4<Symbolic>::NullaryExpr([&](auto i, auto j) {
-      return number(Entries{name}(static_cast<int>(i) + 1, static_cast<int>(j) + 1));
-    }));
-  };
-  namespace v = symbols::vocabulary;
-  const Symbolic omega = kernel::Term(a.omega), phi = kernel::Term(*printed().phi);
-  return model::appendix3<Symbolic>({entries("H"),
-                                     entries("h"),
-                                     entries("Htilde"),
-                                     entries("Gamma"),
-                                     {number(v::q1), number(v::q2)},
-                                     {number(v::d01), number(v::d02)},
-                                     omega,
-                                     kernel::Term(a.V),
-                                     T,
-                                     phi,
-                                     omega * Symbolic(tau) + phi,
-                                     omega * (Symbolic(tau) + Symbolic(tau1)) + phi},
-                                    reading);
-}
+const kernel::Variable tau_{"tau"}, tau1_{"tau1"};
 
-// Theorems on these, with tau, tau1 and whatever else is printed in the intervals that the decimals stand
+// Theorems on (21)-(23), with tau, tau1 and whatever else is printed in the intervals that the decimals stand
 // for.
 struct Interval {
   kernel::Variable name;
@@ -95,16 +56,6 @@ kernel::Theorem over_intervals(const std::vector<Interval>& intervals,
     return orbits::for_all_in(theorem(ranges), names, ranges);
   });
 }
-const kernel::Variable tau_{"tau"}, tau1_{"tau1"};
-
-model::ClosingCoefficients<Ball> coefficients(const Ball& tau, const Ball& tau1, model::Reading reading) {
-  const model::Oscillator<Ball>& o = printed_orbit(printed()).motion.oscillator;
-  const Ball rest = Ball(2) * Ball::pi() / o.data.omega - tau - tau1;
-  return model::appendix3<Ball>(
-      model::appendix3_letters<Ball>(o.data.chi, o.modes, o.Q, o.d0, o.data.omega, o.data.V,
-                                     Ball(*printed().phi), tau, tau1, rest),
-      reading);
-}
 
 Decimal decimal(const std::string& name) {
   return printed().result(name).value;
@@ -113,45 +64,9 @@ Ball exactly(const std::string& name) {
   return Ball(printed_decimal(printed(), name));
 }
 
-// F_1 and F_2 are not both zero: a sum of both is negative, which depends on tau hardly at all.
+// F_1 and F_2 are not both zero.
 kernel::Theorem not_compatible() {
-  using kernel::Term;
-  using kernel::Theorem;
-  const auto F = model::compatibility<tactics::Symbolic>(coefficients(tau_, tau1_, model::Reading::derived));
-  const kernel::Formula first = equal(F[0].term, 0), second = equal(F[1].term, 0),
-                        both = kernel::all({first, second});
-  const Term share(Rational(-729, 100)), sum = F[0].term + share * F[1].term;
-  // In letters: none of the terms need be looked into.
-  const kernel::Variable x{"x"}, y{"y"}, z{"z"};
-  const auto assumed = [](const kernel::Formula& formula) { return Theorem::assume(formula); };
-  Theorem zero =
-      Theorem::instantiate(Theorem::combination(equal(Term(x) + share * y, 0),
-                                                {{assumed(equal(x, 0))}, {assumed(equal(y, 0)), share}}),
-                           {{x, F[0].term}, {y, F[1].term}});
-  for (const std::size_t side : {0, 1}) {
-    zero = Theorem::cut(tactics::part(assumed(both), side), zero);
-  }
-  const MeanValue by_tau("sum_of_F", sum, tau_), by_tau1("sum_of_F_by_tau1", sum, tau1_);
-  return over_intervals({{tau_, decimal("tau")}, {tau1_, decimal("tau1")}}, [&](const orbits::Ranges&
-                                                                                    ranges) {
-    return orbits::in_pieces(tau_, ranges, [&](const orbits::Ranges& here) {
-      const MeanValue over_tau = by_tau.in(here);
-      const Rational e1 = over_tau.reach();
-      const Term there = substitute(sum, {{tau_, over_tau.middle()}});
-      const MeanValue over_tau1 = by_tau1.in(here, {{tau_, over_tau.middle()}});
-      const Rational e2 = over_tau1.reach();
-      const Term centre = substitute(there, {{tau1_, over_tau1.middle()}});
-      const Theorem below = orbits::sign_by_parts(less(centre, Rational(-e1 - e2)), here);
-      const Theorem falls = Theorem::order(less(x, 0), {{{assumed(at_most(x, Term(y) + Term(e1)))}},
-                                                        {{assumed(at_most(y, Term(z) + Term(e2)))}},
-                                                        {{assumed(less(z, Rational(-e1 - e2)))}}});
-      Theorem negative = Theorem::instantiate(tactics::different(falls), {{x, sum}, {y, there}, {z, centre}});
-      for (const Theorem& known : {over_tau.above(e1), over_tau1.above(e2), below}) {
-        negative = Theorem::cut(known, negative);
-      }
-      return Theorem::consequence({Theorem::discharge(zero, both), negative}, negation(both));
-    });
-  });
+  return over_intervals({{tau_, decimal("tau")}, {tau1_, decimal("tau1")}}, incompatible);
 }
 
 Claim printed_times() {
@@ -161,9 +76,9 @@ Claim printed_times() {
       [](Prover&, const Claim&) {
         Outcome outcome = at_the_data(
             printed(),
-            "a sum of $F_1$ and $F_2$ is negative over the printed intervals, in balls, by its slopes");
+            "a sum of $F_1$ and $F_2$ is not zero over the printed intervals, in balls, by slopes");
         const auto F = model::compatibility<Ball>(
-            coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived));
+            closing_of_O(exactly("tau"), exactly("tau1"), model::Reading::derived));
         outcome.verdict = Verdict::refuted(
             "$F_1$ and $F_2$ are not both zero in the printed intervals; at the printed decimals they are " +
             residuals({F[0], F[1]}));
@@ -180,7 +95,7 @@ Decimal signed_decimal(const std::string& name) {
 kernel::Theorem belt_not_met() {
   using kernel::Variable;
   const Variable z10{"z10"}, z20{"z20"}, zdot10{"zdot10"};
-  const auto k = coefficients(tau_, tau1_, model::Reading::derived);
+  const auto k = closing_of_O(tau_, tau1_, model::Reading::derived);
   const tactics::Symbolic speed = k.a[3] * z10 + k.b[3] * z20 + k.c[3] * zdot10 + k.d[3];
   return over_intervals({{tau_, decimal("tau")},
                          {z10, signed_decimal("z10")},
@@ -225,11 +140,11 @@ Claim by_22(const std::string& name,
       where(), name, "(22) with $T = Theta - tau - tau_1$",
       [of_balls] {
         return of_balls(
-            model::cramer<Ball>(coefficients(exactly("tau"), exactly("tau1"), model::Reading::derived)));
+            model::cramer<Ball>(closing_of_O(exactly("tau"), exactly("tau1"), model::Reading::derived)));
       },
       [member](const Decimal& decimal, bool it_is) {
         const auto at = [](const char * time) { return kernel::Term(printed_decimal(printed(), time)); };
-        const auto c = model::cramer<Symbolic>(coefficients(at("tau"), at("tau1"), model::Reading::derived));
+        const auto c = model::cramer<Symbolic>(closing_of_O(at("tau"), at("tau1"), model::Reading::derived));
         return over_intervals({}, [&](const orbits::Ranges& ranges) {
           return rounds_to(decimal, (c.*member / c.Delta).term, it_is, ranges);
         });
@@ -239,7 +154,7 @@ Claim by_22(const std::string& name,
 // The printed c_1 takes F_1 farther from zero than the derived one.
 kernel::Theorem farther_from_zero() {
   const auto square = [](model::Reading reading) {
-    return power(model::compatibility<tactics::Symbolic>(coefficients(tau_, tau1_, reading))[0].term, 2);
+    return power(model::compatibility<tactics::Symbolic>(closing_of_O(tau_, tau1_, reading))[0].term, 2);
   };
   return over_intervals(
       {{tau_, decimal("tau")}, {tau1_, decimal("tau1")}}, [&](const orbits::Ranges& ranges) {
@@ -274,7 +189,7 @@ std::vector<Claim> origins() {
              [](Prover&, const Claim&) {
                const Ball tau = printed_interval(decimal("tau")), tau1 = printed_interval(decimal("tau1"));
                const auto F_1 = [&](model::Reading reading) {
-                 return abs(model::compatibility<Ball>(coefficients(tau, tau1, reading))[0]);
+                 return abs(model::compatibility<Ball>(closing_of_O(tau, tau1, reading))[0]);
                };
                Outcome outcome = at_the_data(printed(), "(23) in balls over the printed intervals");
                const Ball more = F_1(model::Reading::printed) - F_1(model::Reading::derived);

@@ -305,6 +305,19 @@ TEST_CASE("every theorem of a claim stands in its file, letter by letter") {
   }
 }
 
+TEST_CASE("a long statement whose parts have names has a certificate, which speaks of these") {
+  const certificates::Certificates all = certificates::certificates(claims(), {"O.23"});
+  CHECK(all.uncertified.empty());
+  const std::string text = text_of(all, "Claim_O_23.v"), said = text_of(all, "Statements.v");
+  CHECK(text.size() < 3'000'000);
+  const std::size_t from = said.find("Definition claim_O_23_1 : Prop :=");
+  REQUIRE(from != std::string::npos);
+  CHECK(said.size() - from < 8000);
+  CHECK(said.find("9817 / 2000 <= tau <= 9819 / 2000", from) != std::string::npos);
+  CHECK(said.find("O_a_4 omega1 omega2 tau", from) != std::string::npos);
+  CHECK(said.find("Definition O_Htilde13_is") < from);
+}
+
 TEST_CASE("an unknown id is no silence") {
   CHECK_THROWS_AS((void)certificates::certificates(claims(), {"40", "no such claim"}),
                   stickslip::InternalError);
