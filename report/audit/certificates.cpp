@@ -115,7 +115,8 @@ class Compared {
       if (fingerprint_of(directory_ / name) != one->at("text")) {
         return name + " is not the one that Coq was asked about";
       }
-      const std::string compiled = one->at("compiled");
+      // No claim loads the statements: `certify --record` alone compiles them, and apart from the directory.
+      const std::string compiled = name == certificates::statements_name ? "" : one->at("compiled");
       if (!compiled.empty() && fingerprint_of((directory_ / name).replace_extension(".vo")) != compiled) {
         return "what was compiled of " + name + " is not what Coq was asked about";
       }
