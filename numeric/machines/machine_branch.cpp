@@ -31,7 +31,7 @@ constexpr std::size_t most_samples = 5000;
 constexpr double most_astray = 0.05;
 // At a fold the branch is a parabola through three motions at least so far from it, and from each other, as
 // powers of two in parts of the interval.
-constexpr std::array fold_distances{12, 15};
+constexpr std::array fold_distances{16, 19};
 constexpr int most_folds = 8;
 
 State state_of(const MachineOrbit& orbit) {
@@ -117,6 +117,10 @@ MachineGuess with_numbers(MachineGuess guess, const Eigen::VectorXd& all) {
   return guess;
 }
 
+bool is_fold(const MachineSample& a, const MachineSample& b) {
+  return (a.before_fold && b.after_fold) || (a.after_fold && b.before_fold);
+}
+
 class Walk {
  public:
   Walk(const MachineBranchQuestion& question, const MachineSample& start)
@@ -151,8 +155,15 @@ class Walk {
       }
       Rational next = here.value + direction * unit_ / (1L << step);
       next = direction > 0 ? std::min(next, limit) : std::max(next, limit);
+      // Round a fold it may come back to where it began.
+      const bool passes = folds > 0 && (start_.value - here.value) * (start_.value - next) <= 0 &&
+                          start_.value != here.value;
+      next = passes ? start_.value : next;
       if (const auto found = sample(next, all.size() > since_fold + 1 ? all[all.size() - 2] : here, here)) {
         all.push_back(*found);
+        if (passes && is_same(found->orbit, start_.orbit)) {
+          return ended(End::closed, "where it began");
+        }
         if (++successes >= 2 && step > longest_step) {
           --step;
           successes = 0;
@@ -169,7 +180,12 @@ class Walk {
       if (!beyond_fold) {
         return ended(End::stopped, why_no_further(here));
       }
-      all.back().beside_fold = true;
+      // Beyond, it is what it was, begun later: at this end that is no other motion.
+      const auto before = std::ranges::find(all, beyond_fold->value, &MachineSample::value);
+      if (before != all.end() && is_same_begun_later(before->orbit, beyond_fold->orbit)) {
+        return ended(End::absent, "a shorter motion taken several times, whose period multiplies there");
+      }
+      all.back().before_fold = true;
       all.push_back(*beyond_fold);
       since_fold = all.size() - 1;
       direction = -direction;
@@ -181,7 +197,7 @@ class Walk {
   // Samples between two that differ, until they are close, in their order, without these two.
   [[nodiscard]] std::vector<MachineSample> between(MachineSample a, MachineSample b) const {
     std::vector<MachineSample> found;
-    if (a.beside_fold && b.beside_fold) {
+    if (is_fold(a, b)) {
       return found;
     }
     const bool rises = a.value < b.value;
@@ -257,7 +273,7 @@ class Walk {
     for (Eigen::Index i = 0; i < numbers.size(); ++i) {
       numbers(i) = at(place, [&](std::size_t l) { return y.at(l)(i); });
     }
-    if (!numbers.allFinite() || !((fold - x[0]) * (x[0] - x[2]) > 0)) {
+    if (!numbers.allFinite() || !(std::abs(fold - x[0]) < std::abs(x[0] - x[2]) / 2)) {
       return std::nullopt;
     }
     const Machine machine = q_.at(three[2]->value);
@@ -267,16 +283,26 @@ class Walk {
         is_same(orbit, three[2]->orbit)) {
       return std::nullopt;
     }
-    return MachineSample{three[2]->value, state_of(orbit), orbit, true};
+    return MachineSample{three[2]->value, state_of(orbit), orbit, false, true};
   }
 
-  [[nodiscard]] static bool is_same(const MachineOrbit& a, const MachineOrbit& b) {
+  // As far as their durations tell; `shift`: begun with so many phases later.
+  [[nodiscard]] static bool is_same(const MachineOrbit& a, const MachineOrbit& b, std::size_t shift = 0) {
     for (std::size_t i = 0; i < a.phases.size(); ++i) {
-      if (!a.phases[i].duration.overlaps(b.phases[i].duration)) {
+      const MachinePhase& other = b.phases[(i + shift) % b.phases.size()];
+      if (a.phases[i].piece != other.piece || !a.phases[i].duration.overlaps(other.duration)) {
         return false;
       }
     }
     return true;
+  }
+  [[nodiscard]] static bool is_same_begun_later(const MachineOrbit& a, const MachineOrbit& b) {
+    for (std::size_t shift = 1; shift < a.phases.size(); ++shift) {
+      if (is_same(a, b, shift)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // With the multiplier nearest to 1, which a fold has.
@@ -316,12 +342,13 @@ std::optional<MachineChange> change_between(const MachineSample& a, const Machin
   const auto change = [&](ChangeKind kind, const std::string& words) {
     return MachineChange{kind, a.value, b.value, words};
   };
-  if (a.beside_fold && b.beside_fold) {
-    return change(ChangeKind::fold, a.state == b.state
-                                        ? "the branch turns back"
-                                        : fmt::format("the branch turns back: {} on one side, {} on "
-                                                      "the other",
-                                                      to_string(a.state), to_string(b.state)));
+  if (is_fold(a, b)) {
+    const Rational& at = a.before_fold ? a.value : b.value;
+    const std::string sides =
+        a.state == b.state
+            ? ""
+            : fmt::format(": {} on one side, {} on the other", to_string(a.state), to_string(b.state));
+    return MachineChange{ChangeKind::fold, at, at, "the branch turns back" + sides};
   }
   if (a.state == b.state || a.state == State::undecided || b.state == State::undecided) {
     return std::nullopt;
@@ -369,11 +396,14 @@ MachineBranch follow_machine_branch(const MachineBranchQuestion& question) {
   const MachineSample start{question.start, state_of(orbit), orbit};
   const Walk walk(question, start);
   auto ways = parallel_map(2, [&](std::size_t k) { return walk.follow(k == 0 ? -1 : 1); });
+  if (ways[1].end.kind == End::closed) {
+    ways[0] = {{start}, ways[1].end};
+  }
   branch.first = ways[0].end;
   branch.last = ways[1].end;
   std::ranges::reverse(ways[0].samples);
   std::vector<MachineSample> all = std::move(ways[0].samples);
-  all.back().beside_fold = all.back().beside_fold || ways[1].samples.front().beside_fold;
+  all.back().before_fold = all.back().before_fold || ways[1].samples.front().before_fold;
   all.insert(all.end(), ways[1].samples.begin() + 1, ways[1].samples.end());
   const auto more =
       parallel_map(all.size() - 1, [&](std::size_t k) { return walk.between(all[k], all[k + 1]); });

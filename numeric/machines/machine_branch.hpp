@@ -29,11 +29,11 @@ struct MachineSample {
   Rational value;
   branches::State state = branches::State::undecided;
   MachineOrbit orbit;
-  bool beside_fold = false;  // a neighbour is on the other side of one, and it, too, is said to be so
+  bool before_fold = false, after_fold = false;  // neighbours of which one is each have a fold between them
 };
 
-// Between these values, those of neighbours in the list of samples, the state changes; of a fold, the values
-// on both sides of it, beyond which it lies.
+// Between these values, those of neighbours in the list of samples, the state changes. A fold lies a little
+// beyond a value, which is both.
 struct MachineChange {
   branches::ChangeKind kind = branches::ChangeKind::condition;
   Rational first, last;

@@ -181,13 +181,13 @@ TEST_CASE("the machines that are shown are read, and what they do is proved") {
            here.parent_path().parent_path().parent_path() / "examples" / "machines")) {
     CAPTURE(entry.path());
     const Run result = stickslip_program(
-        {"attractors", "--params", entry.path(), "--starts", "60", "--most-periods", "3000"});
+        {"attractors", "--params", entry.path(), "--starts", "40", "--most-periods", "3000"});
     CHECK(result.code == exit_decided);
     CHECK(result.out.find("proved, stable") != std::string::npos);
     CHECK(result.out.find("not proved") == std::string::npos);
     ++count;
   }
-  CHECK(count == 4);
+  CHECK(count == 7);
 }
 
 TEST_CASE("a number of the file by its path takes another value, and nothing else changes") {
