@@ -1,6 +1,7 @@
 #include "cli/numbers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -78,7 +79,7 @@ State state(const std::string& name, const std::string& text) {
 
 std::array<double, 4> of_two_masses(const std::string& name, const State& state) {
   if (state.size() != 4) {
-    throw UsageError(fmt::format("{}: x1,x2,x1',x2' are four numbers, not {}", name, state.size()));
+    throw UsageError(fmt::format("{}: '{}' is not four numbers x1,x2,x1',x2'", name, fmt::join(state, ",")));
   }
   return {state[0], state[1], state[2], state[3]};
 }

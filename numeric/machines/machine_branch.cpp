@@ -156,8 +156,8 @@ class Walk {
       Rational next = here.value + direction * unit_ / (1L << step);
       next = direction > 0 ? std::min(next, limit) : std::max(next, limit);
       // Round a fold it may come back to where it began.
-      const bool passes = folds > 0 && (start_.value - here.value) * (start_.value - next) <= 0 &&
-                          start_.value != here.value;
+      const bool passes =
+          folds > 0 && (start_.value - here.value) * (start_.value - next) <= 0 && start_.value != here.value;
       next = passes ? start_.value : next;
       if (const auto found = sample(next, all.size() > since_fold + 1 ? all[all.size() - 2] : here, here)) {
         all.push_back(*found);
@@ -344,10 +344,9 @@ std::optional<MachineChange> change_between(const MachineSample& a, const Machin
   };
   if (is_fold(a, b)) {
     const Rational& at = a.before_fold ? a.value : b.value;
-    const std::string sides =
-        a.state == b.state
-            ? ""
-            : fmt::format(": {} on one side, {} on the other", to_string(a.state), to_string(b.state));
+    const std::string sides = a.state == b.state ? ""
+                                                 : fmt::format(": {} on one side, {} on the other",
+                                                               to_string(a.state), to_string(b.state));
     return MachineChange{ChangeKind::fold, at, at, "the branch turns back" + sides};
   }
   if (a.state == b.state || a.state == State::undecided || b.state == State::undecided) {

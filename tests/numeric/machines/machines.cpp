@@ -370,7 +370,8 @@ TEST_CASE("a branch that folds twice has a jump, and one of a doubled period end
   two.oscillator.stiffness(0, 0) = 1;
   two.oscillator.damping(0, 0) = Rational("1/50");
   two.oscillator.V = Rational("3/5");
-  two.oscillator.forward = two.oscillator.backward = {Rational("4/5"), {{Rational(0), Rational("1/2"), Rational(0)}}};
+  two.oscillator.forward =
+      two.oscillator.backward = {Rational("4/5"), {{Rational(0), Rational("1/2"), Rational(0)}}};
   two.oscillator.loads = {{0, 1, Rational("2/5"), Rational(0)}, {0, 3, Rational("1/5"), Rational("1/10")}};
   const auto at = [&](const Rational& omega) {
     Machine machine = two;
