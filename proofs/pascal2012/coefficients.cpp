@@ -33,16 +33,12 @@ std::vector<Equal> computed(Derivation& derivation) {
 
 }  // namespace
 
-Claim computed_coefficients() {
-  return {.id = "51.formulas",
-          .kind = Kind::identity,
-          .origin = Origin::auxiliary,
-          .words = "the program computes with the printed coefficients, but for the sign in $c_1$",
-          .prove = [](Prover& prover, const Claim& claim) {
-            return compared(
-                "the formulas that the program computes with and the printed ones have the same normal form",
-                prover, claim, computed);
-          }};
+Proofs computed_coefficients() {
+  return {{"51.formulas", [](Prover& prover, const Claim& claim) {
+             return compared(
+                 "the formulas that the program computes with and the printed ones have the same normal form",
+                 prover, claim, computed);
+           }}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

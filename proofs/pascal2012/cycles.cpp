@@ -24,20 +24,19 @@ using namespace symbols;
 namespace {
 
 // "Such orbits exist": the example of the paper is one.
-Claim exists(const std::string& id, const std::string& example, const std::string& words) {
-  const std::string orbit = example + ".orbit";
-  return {.id = id, .kind = Kind::theorem, .words = words, .prove = [=](Prover& prover, const Claim&) {
-            Outcome outcome =
-                at_the_data(example_named(example),
-                            "the orbit of the example, with every condition along the motion, in balls");
-            outcome.uses = {orbit};
-            outcome.verdict = printed_orbit(example_named(example)).admissible;
-            if (outcome.verdict.truth == Truth::proved) {
-              outcome.theorems = prover.prove(orbit).outcome.theorems;
-              outcome.by_kernel = !outcome.theorems.empty();
-            }
-            return outcome;
-          }};
+Proof exists(const std::string& example) {
+  return [=](Prover& prover, const Claim&) {
+    const std::string orbit = example + ".orbit";
+    Outcome outcome = at_the_data(
+        example_named(example), "the orbit of the example, with every condition along the motion, in balls");
+    outcome.uses = {orbit};
+    outcome.verdict = printed_orbit(example_named(example)).admissible;
+    if (outcome.verdict.truth == Truth::proved) {
+      outcome.theorems = prover.prove(orbit).outcome.theorems;
+      outcome.by_kernel = !outcome.theorems.empty();
+    }
+    return outcome;
+  };
 }
 
 // The first on a moving belt of which every condition is proved.
@@ -58,7 +57,7 @@ kernel::Theorem of_moving_belt(
   return theorem(orbits::orbit_theorem(known, motion), known);
 }
 
-Outcome only_at_rest() {
+Outcome only_at_rest(Prover&, const Claim&) {
   Outcome outcome = at_the_data(on_a_moving_belt(), {});
   const std::vector<Coordinate> point = std::exchange(outcome.at, {});
   outcome.uses = {"28.reduced"};
@@ -80,142 +79,86 @@ Outcome only_at_rest() {
 }
 
 // The title: limit cycles.
-Claim isolated() {
-  std::vector<std::string> parts;
-  for (const char * figure : {"Fig. 2", "Fig. 3", "Fig. 4"}) {
-    parts.push_back(fmt::format(
-        "the equations by which phases in closed form fit together at the data of {}, a characteristic "
-        "polynomial for both frequencies among them, have exactly one solution in a box about that of the "
-        "orbit",
-        figure));
+Outcome isolated(Prover& prover, const Claim&) {
+  Outcome outcome;
+  outcome.route = "each orbit is the only one in a box, by Krawczyk's test";
+  outcome.verdict = Verdict::proved();
+  for (const char * name : {"S", "O", "P"}) {
+    const std::string orbit = name + std::string(".orbit");
+    outcome.uses.insert(orbit);
+    const std::vector<kernel::Theorem>& theorems = prover.prove(orbit).outcome.theorems;
+    if (theorems.size() < 2) {
+      return {.verdict = Verdict::undecided(orbit + " is not proved to be locally unique")};
+    }
+    outcome.theorems.push_back(theorems.back());
   }
-  return {.id = "7.cycles",
-          .kind = Kind::theorem,
-          .words =
-              "title: the orbits of the three figures are limit cycles, that is, isolated: at their data no "
-              "other orbit of the family is near",
-          .prove =
-              [](Prover& prover, const Claim&) {
-                Outcome outcome;
-                outcome.route = "each orbit is the only one in a box, by Krawczyk's test";
-                outcome.verdict = Verdict::proved();
-                for (const char * name : {"S", "O", "P"}) {
-                  const std::string orbit = name + std::string(".orbit");
-                  outcome.uses.insert(orbit);
-                  const std::vector<kernel::Theorem>& theorems = prover.prove(orbit).outcome.theorems;
-                  if (theorems.size() < 2) {
-                    outcome = {.verdict = Verdict::undecided(orbit + " is not proved to be locally unique")};
-                    return outcome;
-                  }
-                  outcome.theorems.push_back(theorems.back());
-                }
-                outcome.by_kernel = true;
-                return outcome;
-              },
-          .parts = parts};
+  outcome.by_kernel = true;
+  return outcome;
 }
 
 // Among all motions of the load's period: a family of them through the orbit would have a multiplier 1.
-Claim isolated_among_all() {
-  return {
-      .id = "7.isolated",
-      .kind = Kind::theorem,
-      .words =
-          "title: isolated among all motions of the load's period, too: no Floquet multiplier of the "
-          "orbits of the three figures is 1",
-      .prove = [](Prover&, const Claim&) {
-        Outcome outcome;
-        outcome.route =
-            "the multipliers in balls; the phases of motions nearby are the same, as the "
-            "conditions of (4) hold strictly";
-        std::vector<Verdict> each;
-        for (const char * name : {"S", "O", "P"}) {
-          outcome.uses.insert(name + std::string(".stability"));
-          const Orbit& orbit = printed_orbit(example_named(name));
-          each.push_back(orbit.admissible);
-          const bool none_is_1 =
-              orbit.stability && std::ranges::all_of(orbit.stability->multipliers, [](const ComplexBall& mu) {
-                return (mu.re - Ball(1)).is_nonzero() || mu.im.is_nonzero();
-              });
-          each.push_back(none_is_1 ? Verdict::proved()
-                                   : Verdict::undecided(fmt::format("a multiplier of {} may be 1", name)));
-        }
-        outcome.verdict = all_of(each);
-        return outcome;
-      }};
+Outcome isolated_among_all(Prover&, const Claim&) {
+  Outcome outcome;
+  outcome.route =
+      "the multipliers in balls; the phases of motions nearby are the same, as the conditions of (4) hold "
+      "strictly";
+  std::vector<Verdict> each;
+  for (const char * name : {"S", "O", "P"}) {
+    outcome.uses.insert(name + std::string(".stability"));
+    const Orbit& orbit = printed_orbit(example_named(name));
+    each.push_back(orbit.admissible);
+    const bool none_is_1 =
+        orbit.stability && std::ranges::all_of(orbit.stability->multipliers, [](const ComplexBall& mu) {
+          return (mu.re - Ball(1)).is_nonzero() || mu.im.is_nonzero();
+        });
+    each.push_back(none_is_1 ? Verdict::proved()
+                             : Verdict::undecided(fmt::format("a multiplier of {} may be 1", name)));
+  }
+  outcome.verdict = all_of(each);
+  return outcome;
 }
 
 // What the response settles on attracts.
-Claim steady() {
-  return {.id = "7.steady",
-          .kind = Kind::theorem,
-          .origin = Origin::reading,
-          .words =
-              "conclusion: the orbits of the three figures are steady-state responses, that is, they attract",
-          .prove = [](Prover& prover, const Claim&) {
-            const Example& example = example_named("S");
-            Outcome outcome = at_the_data(example,
-                                          "a Floquet multiplier of the orbit is larger than 1, in "
-                                          "balls: motions that begin near it leave it");
-            outcome.uses = {"S.stability", "O.stability", "P.stability"};
-            const auto kind_of = [](const char * name) {
-              const std::optional<Stability>& found = printed_orbit(example_named(name)).stability;
-              return found ? found->kind : StabilityKind::undecided;
-            };
-            const bool others_attract =
-                kind_of("O") == StabilityKind::stable && kind_of("P") == StabilityKind::stable;
-            if (kind_of("S") != StabilityKind::unstable || !others_attract) {
-              outcome.verdict = Verdict::undecided("the stability of the orbits is not that");
-              return outcome;
-            }
-            const ComplexBall& largest = printed_orbit(example).stability->multipliers.front();
-            outcome.verdict = Verdict::refuted(Witness{outcome.at,
-                                                       {},
-                                                       sqrt(largest.squared_modulus()),
-                                                       Ball(1),
-                                                       "the modulus of the multiplier",
-                                                       "what it exceeds"});
-            outcome.theorems = prover.prove("S.stability").outcome.theorems;
-            outcome.by_kernel = !outcome.theorems.empty();
-            return outcome;
-          }};
+Outcome steady(Prover& prover, const Claim&) {
+  const Example& example = example_named("S");
+  Outcome outcome = at_the_data(example,
+                                "a Floquet multiplier of the orbit is larger than 1, in balls: motions that "
+                                "begin near it leave it");
+  outcome.uses = {"S.stability", "O.stability", "P.stability"};
+  const auto kind_of = [](const char * name) {
+    const std::optional<Stability>& found = printed_orbit(example_named(name)).stability;
+    return found ? found->kind : StabilityKind::undecided;
+  };
+  const bool others_attract = kind_of("O") == StabilityKind::stable && kind_of("P") == StabilityKind::stable;
+  if (kind_of("S") != StabilityKind::unstable || !others_attract) {
+    outcome.verdict = Verdict::undecided("the stability of the orbits is not that");
+    return outcome;
+  }
+  const ComplexBall& largest = printed_orbit(example).stability->multipliers.front();
+  outcome.verdict = Verdict::refuted(Witness{outcome.at,
+                                             {},
+                                             sqrt(largest.squared_modulus()),
+                                             Ball(1),
+                                             "the modulus of the multiplier",
+                                             "what it exceeds"});
+  outcome.theorems = prover.prove("S.stability").outcome.theorems;
+  outcome.by_kernel = !outcome.theorems.empty();
+  return outcome;
+}
+
+Outcome as_one_motion(Prover&, const Claim&) {
+  return proved_by(
+      at_the_data(on_a_moving_belt(), "the motions of its phases, joined at their ends and continued"), {},
+      [] { return of_moving_belt(orbits::one_motion); });
 }
 
 }  // namespace
 
-Claim motion_on_moving_belt() {
-  return {.id = "V.motion",
-          .kind = Kind::numbers,
-          .origin = Origin::auxiliary,
-          .words =
-              "the orbit of 7.only as one motion $X$, $X(t + Theta) = X(t)$ for all $t$, that obeys (2) and "
-              "(4) during each phase, ends included",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(on_a_moving_belt(),
-                                          "the motions of its phases, joined at their ends and continued");
-            outcome.verdict = Verdict::proved();
-            prove(outcome, [] { return of_moving_belt(orbits::one_motion); });
-            return outcome;
-          }};
-}
-
-std::vector<Claim> cycles() {
-  return {isolated(),
-          isolated_among_all(),
-          steady(),
-          attractors_claim(example_named("S"), 40, false),
-          attractors_claim(example_named("O"), 10, true),
-          attractors_claim(example_named("P"), 500, false),
-          exists("7.overshoot", "O",
-                 "abstract: periodic orbits exist on which the mass overtakes the belt for a time"),
-          exists("7.rest", "P", "abstract: orbits that never stick exist for a belt at rest"),
-          {.id = "7.only",
-           .kind = Kind::theorem,
-           .origin = Origin::reading,
-           .words = "Section 6: orbits that never stick exist only for $V = 0$, whatever their slips last",
-           .prove = [](Prover&, const Claim&) { return only_at_rest(); }},
-          only_at_rest_by_halves(),
-          orbits_over_the_belts_speed()};
+Proofs cycles() {
+  return {{"7.cycles", isolated},     {"7.isolated", isolated_among_all},
+          {"7.steady", steady},       {"7.overshoot", exists("O")},
+          {"7.rest", exists("P")},    {"7.only", only_at_rest},
+          {"V.motion", as_one_motion}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

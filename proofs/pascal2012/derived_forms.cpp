@@ -121,30 +121,28 @@ Proof by_ginac(const std::string& route, const Compare& derive) {
 
 }  // namespace
 
-std::vector<Claim> derived_forms() {
+Proofs derived_forms() {
   return {
-      {.id = "39.derived",
-       .prove = by_ginac(
-           "Vieta's equations for $det(K - s^2 I)$ solved for $chi$ and $eta$, the eigenvectors by "
-           "elimination",
-           [](Derivation& derivation) -> std::vector<Equal> {
-             const algebra::Inverted solution = vieta();
-             return {{eigenvector_slopes(), derivation.read(symbols::column({lambda1, lambda2}))},
-                     {column_of(solution.chi, solution.eta), derivation.read(symbols::column({chi, eta}))}};
-           })},
-      {.id = "6.H",
-       .prove = by_ginac(
-           "$H(t)$ equals the matrix exponential, found from the resolvent of the first-order system",
-           [](Derivation& derivation) -> std::vector<Equal> {
-             return {{slip_exponential(), derivation.read(H(t))}};
-           })},
-      {.id = "7",
-       .prove = by_ginac("the linear system $(K - omega^2 I) Q = (0, p)$ solved by elimination",
-                         [](Derivation& derivation) -> std::vector<Equal> {
-                           return {{forced_amplitudes(), derivation.read(Q)}};
-                         })},
-      {.id = "10.Gamma",
-       .prove = by_ginac(
+      {"39.derived",
+       by_ginac("Vieta's equations for $det(K - s^2 I)$ solved for $chi$ and $eta$, the eigenvectors by "
+                "elimination",
+                [](Derivation& derivation) -> std::vector<Equal> {
+                  const algebra::Inverted solution = vieta();
+                  return {
+                      {eigenvector_slopes(), derivation.read(symbols::column({lambda1, lambda2}))},
+                      {column_of(solution.chi, solution.eta), derivation.read(symbols::column({chi, eta}))}};
+                })},
+      {"6.H",
+       by_ginac("$H(t)$ equals the matrix exponential, found from the resolvent of the first-order system",
+                [](Derivation& derivation) -> std::vector<Equal> {
+                  return {{slip_exponential(), derivation.read(H(t))}};
+                })},
+      {"7", by_ginac("the linear system $(K - omega^2 I) Q = (0, p)$ solved by elimination",
+                     [](Derivation& derivation) -> std::vector<Equal> {
+                       return {{forced_amplitudes(), derivation.read(Q)}};
+                     })},
+      {"10.Gamma",
+       by_ginac(
            "$Gamma(t)$ equals the matrix exponential, found from the resolvent of the first-order system",
            [](Derivation& derivation) -> std::vector<Equal> {
              return {{stick_exponential(), derivation.read(Gamma(t))}};

@@ -42,12 +42,7 @@ Data data() {
 }
 
 Outcome at_the_data(const std::string& route) {
-  const Data d = data();
-  Outcome outcome;
-  outcome.route = route;
-  outcome.at = {{"chi", d.a.chi}, {"eta", d.a.eta},     {"us", d.a.us}, {"ur", d.ur},
-                {"V", d.a.V},     {"omega", d.a.omega}, {"p", d.a.p}};
-  return outcome;
+  return {.route = route, .at = coordinates(data().a, data().ur)};
 }
 
 // (35), cos(phi) > 0, nearly.
@@ -153,45 +148,24 @@ kernel::Theorem not_symmetric(const kernel::Theorem& orbits) {
   });
 }
 
-}  // namespace
-
-Claim even_resonance() {
-  return {.id = "33.even.orbits",
-          .kind = Kind::theorem,
-          .origin = Origin::new_result,
-          .words =
-              "with $omega_1 = 7/10$, $omega_2 = 13/10$, $omega = 7/20$, $u_s = 0.1$, $u_r = 0.12$, $p = 3$, "
-              "$V = 0$ these motions are orbits of the friction law for all $epsilon$ from $-1/20$ to "
-              "$1/20$: a whole family at one and the same machine",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(
-                "in closed form the motions solve all equations at the ends of both slips, by normal form; "
-                "(25), (26) and the sign of $x2'$ for all times and all $epsilon$, by signs in balls");
-            outcome.uses = {"33.even", "33.even.speed", "33.even.start"};
-            outcome.verdict = Verdict::proved();
-            prove(outcome, all_obey);
-            return outcome;
-          }};
+Outcome family_of_orbits(Prover&, const Claim&) {
+  return proved_by(
+      at_the_data("in closed form the motions solve all equations at the ends of both slips, by normal form; "
+                  "(25), (26) and the sign of $x2'$ for all times and all $epsilon$, by signs in balls"),
+      {"33.even", "33.even.speed", "33.even.start"}, all_obey);
 }
 
-Claim not_always_symmetric() {
-  return {.id = "7.exception",
-          .kind = Kind::theorem,
-          .origin = Origin::new_result,
-          .words =
-              "with the belt at rest there is an orbit that never sticks and is not symmetric in space, at "
-              "resonance",
-          .prove = [](Prover& prover, const Claim&) {
-            const WorkingPrecision precision(bits);
-            Outcome outcome = at_the_data("$x_1(tau)$ is not $-x_1(0)$ on the orbit with $epsilon = 1/20$");
-            outcome.uses = {"33.even.orbits", "33.even.places"};
-            outcome.verdict = prover.prove("33.even.orbits").outcome.verdict;
-            if (outcome.verdict.truth != Truth::proved) {
-              return outcome;
-            }
-            prove(outcome, [&] { return not_symmetric(prover.theorem("33.even.orbits")); });
-            return outcome;
-          }};
+Outcome not_always_symmetric(Prover& prover, const Claim&) {
+  const WorkingPrecision precision(bits);
+  return proved_by(at_the_data("$x_1(tau)$ is not $-x_1(0)$ on the orbit with $epsilon = 1/20$"),
+                   {"33.even.orbits", "33.even.places"},
+                   [&] { return not_symmetric(prover.theorem("33.even.orbits")); });
+}
+
+}  // namespace
+
+Proofs even_resonance() {
+  return {{"33.even.orbits", family_of_orbits}, {"7.exception", not_always_symmetric}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "numeric/attractors/attractors.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -32,9 +33,7 @@ std::string shown(const Attractor& one) {
                      one.family.empty() ? "" : ", of the paper's families");
 }
 
-}  // namespace
-
-Claim attractors_claim(const Example& example, long starts, bool attracts) {
+Claim attractors_of(const Example& example, long starts, bool attracts) {
   return {
       .id = example.name + ".attractors",
       .kind = methods::Kind::check,
@@ -64,6 +63,13 @@ Claim attractors_claim(const Example& example, long starts, bool attracts) {
                                            : Verdict::undecided("they end on other motions");
         return outcome;
       }};
+}
+
+}  // namespace
+
+std::vector<Claim> attractors() {
+  return {attractors_of(example_named("S"), 40, false), attractors_of(example_named("O"), 10, true),
+          attractors_of(example_named("P"), 500, false)};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -35,10 +35,6 @@ struct ListTheorem {
 [[nodiscard]] std::vector<methods::Claim> orbit_claims(const PrintedPlace& where,
                                                        const ListTheorem& list = {});
 
-// "P.attractors": what motions from so many random starts end on, and whether most of all on the figure's
-// orbit, or none: a check.
-[[nodiscard]] methods::Claim attractors_claim(const methods::Example& example, long starts, bool attracts);
-
 // The printed decimal of that name, exactly; with the sign of the proved value where the source has lost it.
 [[nodiscard]] Rational printed_decimal(const methods::Example& example, const std::string& name);
 

@@ -78,29 +78,20 @@ kernel::Theorem does_not_close(const kernel::Theorem& zeros, const kernel::Theor
   });
 }
 
-Claim printed_values_close() {
-  return {
-      .id = "S.16",
-      .kind = Kind::numbers,
-      .origin = Origin::reading,
-      .words =
-          "the printed $tau$, $z_1(0)$, $z_2(0)$, $z_1'(0)$, each within half a unit of its last place, "
-          "solve (16)",
-      .prove = [](Prover& prover, const Claim&) {
-        const auto value = [](const char * name) {
-          return as_printed(printed().result(name), printed_orbit(printed()).value(name));
-        };
-        const PrintedClosing<4> zero =
-            printed_zero_of_16(printed().data, {value("tau"), value("z10"), value("z20"), value("zdot10")});
-        Outcome outcome = at_the_data(
-            printed(), "the determinant of (16) over the printed interval of $tau$, by signs in balls");
-        outcome.uses = {"16.zeros", "16.det"};
-        outcome.verdict =
-            Verdict::refuted("no solution of (16) has the printed $tau$; at the printed decimals it leaves " +
-                             residuals(components(zero.at_points)));
-        prove(outcome, [&] { return does_not_close(prover.theorem("16.zeros"), prover.theorem("16.det")); });
-        return outcome;
-      }};
+Outcome printed_values_close(Prover& prover, const Claim&) {
+  const auto value = [](const char * name) {
+    return as_printed(printed().result(name), printed_orbit(printed()).value(name));
+  };
+  const PrintedClosing<4> zero =
+      printed_zero_of_16(printed().data, {value("tau"), value("z10"), value("z20"), value("zdot10")});
+  Outcome outcome =
+      at_the_data(printed(), "the determinant of (16) over the printed interval of $tau$, by signs in balls");
+  outcome.uses = {"16.zeros", "16.det"};
+  outcome.verdict =
+      Verdict::refuted("no solution of (16) has the printed $tau$; at the printed decimals it leaves " +
+                       residuals(components(zero.at_points)));
+  prove(outcome, [&] { return does_not_close(prover.theorem("16.zeros"), prover.theorem("16.det")); });
+  return outcome;
 }
 
 // z10 and zdot10 as the first two of (16), which are linear in them, give them.
@@ -153,19 +144,20 @@ std::vector<Claim> origins() {
 
 }  // namespace
 
-std::vector<Claim> example_S() {
+Proofs printed_values_of_S() {
+  return {{"S.16", printed_values_close}};
+}
+
+std::vector<Claim> values_of_S() {
   const Claim existence =
       existence_claim(where(),
                       "an orbit with the data of Fig. 2 exists: a slip and a stick that close, with the "
                       "paper's time lag, and obey the friction law at all times");
-  return joined({{existence},
-                 printed_values(where(), {"tau", "T", "Theta", "z10", "z20", "zdot10", "ur"}),
-                 {printed_values_close()},
-                 data_of_S(),
-                 friction_of_S(),
-                 printed_orbits_of_S(),
-                 origins(),
-                 orbit_claims(where(), list_of_S())});
+  return joined({{existence}, printed_values(where(), {"tau", "T", "Theta", "z10", "z20", "zdot10", "ur"})});
+}
+
+std::vector<Claim> orbit_of_S() {
+  return joined({origins(), orbit_claims(where(), list_of_S())});
 }
 
 }  // namespace stickslip::proofs::pascal2012

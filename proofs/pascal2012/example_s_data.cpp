@@ -117,56 +117,34 @@ std::string of_the_other_phase() {
                      admissible, fmt::join(other, "; "));
 }
 
-Claim lag_claim() {
-  return {.id = "S.lag",
-          .kind = Kind::numbers,
-          .origin = Origin::auxiliary,
-          .words =
-              "at the data of Fig. 2 there is no slip, however long in the period, that leaves the load's "
-              "phase free (4.lag.needed): the list of orbits, which has both phases of the time lag, is "
-              "that of all orbits that obey (13)",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(
-                printed(),
-                "at each time up to $Theta$, $omega_j tan(omega_j tau/2)$ is not $omega tan(omega tau/2)$ "
-                "for one of the two $j$, by signs in balls; the load acts on both modes, by 7.modal");
-            outcome.uses = {"4.lag.needed", "7.modal"};
-            outcome.verdict = Verdict::proved();
-            outcome.found = of_the_other_phase();
-            prove(outcome,
-                  [] { return at_frequencies(printed().data.chi, printed().data.eta, phase_is_fixed); });
-            return outcome;
-          }};
+Outcome lag(Prover&, const Claim&) {
+  Outcome outcome = proved_by(
+      at_the_data(printed(),
+                  "at each time up to $Theta$, $omega_j tan(omega_j tau/2)$ is not $omega tan(omega tau/2)$ "
+                  "for one of the two $j$, by signs in balls; the load acts on both modes, by 7.modal"),
+      {"4.lag.needed", "7.modal"},
+      [] { return at_frequencies(printed().data.chi, printed().data.eta, phase_is_fixed); });
+  outcome.found = of_the_other_phase();
+  return outcome;
 }
 
-Claim lag_is_no_consequence() {
-  return {.id = "4.lag.only",
-          .kind = Kind::theorem,
-          .origin = Origin::reading,
-          .words = "the time lag is a consequence: on every orbit of this family $phi = (pi - omega tau)/2$",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(printed(), "an orbit that has another phase, as a theorem");
-            const std::vector<Orbit>& all = orbits_of(printed()).list.orbits;
-            const auto other = std::ranges::find_if(all, [](const Orbit& orbit) {
-              return orbit.admissible.truth == Truth::proved && has_the_other_phase(orbit);
-            });
-            if (other == all.end()) {
-              outcome.verdict = Verdict::undecided("no orbit with another phase is proved at the data");
-              return outcome;
-            }
-            outcome.route += ": " + told_apart(*other, *printed().family);
-            outcome.verdict = Verdict::refuted(Witness{outcome.at,
-                                                       {},
-                                                       other->phi(),
-                                                       lag_of(*other),
-                                                       "the phase $phi$ of the load",
-                                                       "$(pi - omega tau)/2$"});
-            prove(outcome, [&] {
-              return orbits::orbit_theorem(orbits::question_of(question_of(printed()), other->motion),
-                                           other->motion);
-            });
-            return outcome;
-          }};
+Outcome lag_is_no_consequence(Prover&, const Claim&) {
+  Outcome outcome = at_the_data(printed(), "an orbit that has another phase, as a theorem");
+  const std::vector<Orbit>& all = orbits_of(printed()).list.orbits;
+  const auto other = std::ranges::find_if(all, [](const Orbit& orbit) {
+    return orbit.admissible.truth == Truth::proved && has_the_other_phase(orbit);
+  });
+  if (other == all.end()) {
+    outcome.verdict = Verdict::undecided("no orbit with another phase is proved at the data");
+    return outcome;
+  }
+  outcome.route += ": " + told_apart(*other, *printed().family);
+  outcome.verdict = Verdict::refuted(Witness{
+      outcome.at, {}, other->phi(), lag_of(*other), "the phase $phi$ of the load", "$(pi - omega tau)/2$"});
+  prove(outcome, [&] {
+    return orbits::orbit_theorem(orbits::question_of(question_of(printed()), other->motion), other->motion);
+  });
+  return outcome;
 }
 
 // Z(tau) is not E Z_0.
@@ -178,67 +156,52 @@ Verdict not_symmetric(const Motion& motion) {
              : Verdict::undecided("the places at both ends of the slip may be opposite");
 }
 
-Claim asymmetric_claim() {
-  return {
-      .id = "S.asymmetric",
-      .kind = Kind::theorem,
-      .origin = Origin::new_result,
-      .words =
-          "at the data of Fig. 2, $u_r = 0.1607$ included, exactly two orbits of one slip and one stick in "
-          "a period of the load exist; they obey every condition, and are not symmetric",
-      .prove = [](Prover&, const Claim&) {
-        const Rational ur = printed().result("ur").value.value;
-        const words::WordList list =
-            words::all_orbits({.data = printed().data, .ur = ur, .digits = 20}, words::Word::parse("ST"), 1);
-        Outcome outcome = at_the_data(printed(), "exhaustive search in balls; the slips last");
-        outcome.at.push_back({"ur", ur});
-        std::vector<Verdict> each;
-        std::vector<std::string> slips;
-        for (const words::WordOrbit& found : list.orbits) {
-          const Motion& motion = found.orbit.motion;
-          const auto slip = std::ranges::find(motion.phases, PhaseKind::slip,
-                                              [](const Phase& phase) { return phase.kind; });
-          outcome.route += (each.empty() ? " " : " and ") + shown(slip->duration);
-          slips.push_back(fmt::format("$tau = {}$", digits_of(slip->duration)));
-          each.insert(each.end(), {found.existence, found.orbit.admissible, not_symmetric(motion)});
-        }
-        outcome.verdict = !list.unresolved.empty() ? Verdict::undecided("the list is not complete")
-                          : list.orbits.size() != 2
-                              ? Verdict::refuted(fmt::format("there are {}", list.orbits.size()))
-                              : all_of(each);
-        outcome.found = fmt::format("their slips last {}", fmt::join(slips, " and "));
-        return outcome;
-      }};
+words::WordList slip_and_stick(const Rational& ur, int digits) {
+  return words::all_orbits({.data = printed().data, .ur = ur, .digits = digits}, words::Word::parse("ST"), 1);
+}
+
+Outcome asymmetric(Prover&, const Claim&) {
+  const Rational ur = printed().result("ur").value.value;
+  const words::WordList list = slip_and_stick(ur, 20);
+  Outcome outcome = at_the_data(printed(), "exhaustive search in balls; the slips last");
+  outcome.at.push_back({"ur", ur});
+  std::vector<Verdict> each;
+  std::vector<std::string> slips;
+  for (const words::WordOrbit& found : list.orbits) {
+    const Motion& motion = found.orbit.motion;
+    const auto slip = std::ranges::find(motion.phases, PhaseKind::slip, &Phase::kind);
+    outcome.route += (each.empty() ? " " : " and ") + shown(slip->duration);
+    slips.push_back(fmt::format("$tau = {}$", digits_of(slip->duration)));
+    each.insert(each.end(), {found.existence, found.orbit.admissible, not_symmetric(motion)});
+  }
+  outcome.verdict = !list.unresolved.empty() ? Verdict::undecided("the list is not complete")
+                    : list.orbits.size() != 2
+                        ? Verdict::refuted(fmt::format("there are {}", list.orbits.size()))
+                        : all_of(each);
+  outcome.found = fmt::format("their slips last {}", fmt::join(slips, " and "));
+  return outcome;
 }
 
 // Between these the two orbits of S.asymmetric meet.
-Claim fold_claim() {
-  return {.id = "S.fold",
-          .kind = Kind::numbers,
-          .origin = Origin::new_result,
-          .words =
-              "at the other data of Fig. 2 there is no orbit of one slip and one stick in a period of the "
-              "load for $u_r = 0.155$, and there are two for $u_r = 0.16$",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(printed(), "exhaustive searches in balls");
-            outcome.verdict = Verdict::proved();
-            for (const auto& [ur, count] : {std::pair(Rational(31, 200), 0), {Rational(4, 25), 2}}) {
-              const words::WordList list = words::all_orbits({.data = printed().data, .ur = ur, .digits = 10},
-                                                             words::Word::parse("ST"), 1);
-              if (!list.unresolved.empty()) {
-                outcome.verdict = Verdict::undecided("a list is not complete");
-              } else if (std::ssize(list.orbits) != count) {
-                outcome.verdict = Verdict::refuted(fmt::format("there are {}", list.orbits.size()));
-              }
-            }
-            return outcome;
-          }};
+Outcome fold(Prover&, const Claim&) {
+  Outcome outcome = at_the_data(printed(), "exhaustive searches in balls");
+  outcome.verdict = Verdict::proved();
+  for (const auto& [ur, count] : {std::pair(Rational(31, 200), 0), {Rational(4, 25), 2}}) {
+    const words::WordList list = slip_and_stick(ur, 10);
+    if (!list.unresolved.empty()) {
+      outcome.verdict = Verdict::undecided("a list is not complete");
+    } else if (std::ssize(list.orbits) != count) {
+      outcome.verdict = Verdict::refuted(fmt::format("there are {}", list.orbits.size()));
+    }
+  }
+  return outcome;
 }
 
 }  // namespace
 
-std::vector<Claim> data_of_S() {
-  return {lag_claim(), lag_is_no_consequence(), asymmetric_claim(), fold_claim()};
+Proofs data_of_S() {
+  return {
+      {"S.lag", lag}, {"4.lag.only", lag_is_no_consequence}, {"S.asymmetric", asymmetric}, {"S.fold", fold}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -125,48 +125,40 @@ kernel::Theorem at_both(const OrbitList& list,
 }
 
 // Fig. 2 gives u_r as a datum, beside the others.
-Claim friction_claim() {
-  return {.id = "S.data",
-          .kind = Kind::theorem,
-          .origin = Origin::reading,
-          .words = "Fig. 2: $u_r = 0.1607$ belongs to the data of a symmetric orbit",
-          .prove = [](Prover&, const Claim&) {
-            const OrbitList& list = orbits_of(printed()).list;
-            const Decimal given = printed().result("ur").value;
-            Outcome outcome =
-                at_the_data(printed(), "the $u_r$ of each orbit in the complete list, in balls");
-            outcome.uses = {"S.list", "S.lag"};
-            outcome.verdict = Verdict::undecided("the list is not complete");
-            if (!list.complete() || list.orbits.empty()) {
-              return outcome;
-            }
-            const Ball stated = Ball::hull(Ball(given.lower()), Ball(given.upper()));
-            if (std::ranges::any_of(list.orbits,
-                                    [&](const Orbit& orbit) { return orbit.ur().overlaps(stated); })) {
-              outcome.verdict = Verdict::undecided("some orbit may have this u_r");
-              return outcome;
-            }
-            outcome.verdict = Verdict::refuted(Witness{outcome.at,
-                                                       {},
-                                                       printed_orbit(printed()).value("ur"),
-                                                       Ball(given.value),
-                                                       "$u_r$ of the orbit",
-                                                       "the printed one"});
-            prove(outcome, [&] {
-              return at_both(list, [](const SymmetricEquations& e, const SymmetricList& found, int phase,
-                                      const orbits::Ranges& frequencies) {
-                return at_all_solutions(e, found, is_not_printed("ur", substitute(e.ur, {{e.sigma, phase}})),
-                                        frequencies);
-              });
-            });
-            return outcome;
-          }};
+Outcome friction_is_no_datum(Prover&, const Claim&) {
+  const OrbitList& list = orbits_of(printed()).list;
+  const Decimal given = printed().result("ur").value;
+  Outcome outcome = at_the_data(printed(), "the $u_r$ of each orbit in the complete list, in balls");
+  outcome.uses = {"S.list", "S.lag"};
+  outcome.verdict = Verdict::undecided("the list is not complete");
+  if (!list.complete() || list.orbits.empty()) {
+    return outcome;
+  }
+  const Ball stated = Ball::hull(Ball(given.lower()), Ball(given.upper()));
+  if (std::ranges::any_of(list.orbits, [&](const Orbit& orbit) { return orbit.ur().overlaps(stated); })) {
+    outcome.verdict = Verdict::undecided("some orbit may have this u_r");
+    return outcome;
+  }
+  outcome.verdict = Verdict::refuted(Witness{outcome.at,
+                                             {},
+                                             printed_orbit(printed()).value("ur"),
+                                             Ball(given.value),
+                                             "$u_r$ of the orbit",
+                                             "the printed one"});
+  prove(outcome, [&] {
+    return at_both(list, [](const SymmetricEquations& e, const SymmetricList& found, int phase,
+                            const orbits::Ranges& frequencies) {
+      return at_all_solutions(e, found, is_not_printed("ur", substitute(e.ur, {{e.sigma, phase}})),
+                              frequencies);
+    });
+  });
+  return outcome;
 }
 
 }  // namespace
 
-std::vector<Claim> friction_of_S() {
-  return {friction_claim()};
+Proofs friction_of_S() {
+  return {{"S.data", friction_is_no_datum}};
 }
 
 ListTheorem list_of_S() {

@@ -10,6 +10,7 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/orbit_with.hpp"
 #include "proofs/orbits/with_zero.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/tactics.hpp"
 
@@ -201,60 +202,43 @@ Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
   return orbits::with_zero(result, unknowns, equations, box);
 }
 
-Claim frequencies_exist() {
-  return {.id = "39.frequencies",
-          .kind = methods::Kind::theorem,
-          .origin = Origin::auxiliary,
-          .words =
-              "for all $0 < chi < 1$ and $eta > 0$ there are frequencies $0 < omega_1 < 1 < omega_2$ that "
-              "give these $chi$ and $eta$: what is proved for all such frequencies, as everything here, "
-              "is proved for all parameters",
-          .prove = by_theorem("their squares are half of $1 + chi eta$ less and more the root of the "
-                              "discriminant, which lies between $|1 - chi eta|$ and $1 + chi eta$",
-                              Frequencies::exist)};
-}
+namespace {
 
-Claim said_of_data() {
+// Theorems of others, with the frequencies that chi and eta have.
+Outcome said_of_data(Prover& prover, const Claim&) {
   static const std::vector<std::string> ids{"33.V",        "37.sharp",  "A5.theorem",
                                             "A5.symmetry", "A5.unique", "A5.longer"};
-  std::vector<std::string> parts;
-  for (const std::string& id : ids) {
-    parts.push_back("for all $0 < chi < 1$ and $eta > 0$ there are frequencies that give them, with which " +
-                    id + " holds for all values of everything else");
+  Outcome outcome{.verdict = Verdict::proved(),
+                  .route = "what is proved for all frequencies is so for those of 39.frequencies",
+                  .uses = {ids.begin(), ids.end()},
+                  .by_kernel = true};
+  outcome.uses.insert("39.frequencies");
+  try {
+    const Theorem exist = prover.theorem("39.frequencies");
+    for (const std::string& id : ids) {
+      const Theorem closed = closed_but_frequencies(prover.theorem(id));
+      outcome.theorems.push_back(orbits::orbit_with(exist, [&](const Theorem& there) {
+        Theorem theorem = closed;
+        for (std::size_t i = 0; i < there.conclusion().parts().size(); ++i) {
+          theorem = Theorem::cut(part(there, i), theorem);
+        }
+        return theorem;
+      }));
+    }
+    return outcome;
+  } catch (const KernelError& error) {
+    return {.verdict = Verdict::undecided(error.what())};
   }
-  return {.id = "39.data",
-          .kind = methods::Kind::theorem,
-          .origin = Origin::auxiliary,
-          .words =
-              "33.V, 37.sharp and the theorems of Appendix 5 for all $0 < chi < 1$ and $eta > 0$, with the "
-              "frequencies that these have by 39.frequencies",
-          .prove =
-              [](Prover& prover, const Claim&) {
-                Outcome outcome;
-                outcome.route = "what is proved for all frequencies is so for those of 39.frequencies";
-                outcome.uses = {ids.begin(), ids.end()};
-                outcome.uses.insert("39.frequencies");
-                outcome.verdict = Verdict::proved();
-                outcome.by_kernel = true;
-                try {
-                  const Theorem exist = prover.theorem("39.frequencies");
-                  for (const std::string& id : ids) {
-                    const Theorem closed = closed_but_frequencies(prover.theorem(id));
-                    outcome.theorems.push_back(orbits::orbit_with(exist, [&](const Theorem& there) {
-                      Theorem theorem = closed;
-                      for (std::size_t i = 0; i < there.conclusion().parts().size(); ++i) {
-                        theorem = Theorem::cut(part(there, i), theorem);
-                      }
-                      return theorem;
-                    }));
-                  }
-                } catch (const KernelError& error) {
-                  outcome = {};
-                  outcome.verdict = Verdict::undecided(error.what());
-                }
-                return outcome;
-              },
-          .parts = parts};
+}
+
+}  // namespace
+
+Proofs frequencies() {
+  return {
+      {"39.frequencies", by_theorem("their squares are half of $1 + chi eta$ less and more the root of the "
+                                    "discriminant, which lies between $|1 - chi eta|$ and $1 + chi eta$",
+                                    Frequencies::exist)},
+      {"39.data", said_of_data}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

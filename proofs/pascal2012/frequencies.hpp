@@ -8,12 +8,6 @@
 
 namespace stickslip::proofs::pascal2012 {
 
-// "39.frequencies": there are frequencies for all chi and eta.
-[[nodiscard]] methods::Claim frequencies_exist();
-
-// "39.data": theorems of others, said of chi and eta.
-[[nodiscard]] methods::Claim said_of_data();
-
 // For all values of the other variables: all hypotheses that are not of omega1 and omega2 alone imply what it
 // says.
 [[nodiscard]] kernel::Theorem closed_but_frequencies(kernel::Theorem theorem);

@@ -94,10 +94,10 @@ Theorem longer_than_half(Derivation& derivation, std::size_t which) {
 
 }  // namespace
 
-std::vector<Claim> longer_slip() {
-  return {{.id = "A5.tan", .prove = by_kernel("mean value theorem", slope_of_chord)},
-          {.id = "A5.longer",
-           .prove = by_kernel("each other case contradicts A5.turn, A5.falls and A5.tan", longer_than_half)}};
+Proofs longer_slip() {
+  return {
+      {"A5.tan", by_kernel("mean value theorem", slope_of_chord)},
+      {"A5.longer", by_kernel("each other case contradicts A5.turn, A5.falls and A5.tan", longer_than_half)}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -27,13 +27,11 @@ Claim claim_of(const std::string& id, const Met& met) {
                    fmt::format("{}", fmt::join(met.ids, ", ")),
           .prove =
               [met](Prover& prover, const Claim&) {
-                Outcome outcome = at_the_data(example_of(met),
-                                              "each assumption, from what " + met.example + ".motion says");
-                outcome.uses = {met.premises.begin(), met.premises.end()};
-                outcome.uses.insert(met.example + ".motion");
-                outcome.verdict = Verdict::proved();
-                prove(outcome, [&] { return met_theorem(prover, met); });
-                return outcome;
+                std::set<std::string> uses(met.premises.begin(), met.premises.end());
+                uses.insert(met.example + ".motion");
+                return proved_by(at_the_data(example_of(met),
+                                             "each assumption, from what " + met.example + ".motion says"),
+                                 uses, [&] { return met_theorem(prover, met); });
               },
           .meets = met.ids};
 }
@@ -68,10 +66,7 @@ Claim claim_of(const std::string& id, const std::string& words, const std::vecto
                    fmt::format("{}", fmt::join(ids, ", ")),
           .prove =
               [ids, scene](Prover& prover, const Claim&) {
-                Outcome outcome;
-                outcome.route = "values, and the motion in closed form";
-                outcome.verdict = Verdict::proved();
-                prove(outcome, [&] {
+                return proved_by({.route = "values, and the motion in closed form"}, {}, [&] {
                   std::vector<symbols::Statement> holding;
                   for (const std::string& one : ids) {
                     for (const Assumption& assumption : prover.claim(one).assumptions) {
@@ -80,7 +75,6 @@ Claim claim_of(const std::string& id, const std::string& words, const std::vecto
                   }
                   return refutation(prover, scene, holding, {});
                 });
-                return outcome;
               },
           .meets = ids};
 }

@@ -59,38 +59,6 @@ kernel::Theorem orbit() {
   return orbits::one_motion(kernel::Theorem::cut(nothing_between, orbit), question);
 }
 
-}  // namespace
-
-Claim only_at_rest_by_halves() {
-  return {.id = "7.only.half",
-          .kind = Kind::theorem,
-          .origin = Origin::reading,
-          .words =
-              "Section 6: orbits that never stick, with $tau = Theta/2$, are obtained only for $V = 0$; "
-              "33.V without $det H_3 != 0$",
-          .prove = [](Prover&, const Claim&) {
-            Outcome outcome;
-            outcome.route =
-                "a counterexample in closed form, where $omega_1 = 2 omega$: the orbit for a belt at rest, "
-                "and a free motion of the first mode with $x2' = V cos(omega_1 t)$, which has the load's "
-                "period; its speed against the belt's by signs in balls, and by mean values at the ends";
-            outcome.verdict = Verdict::refuted(Witness{{{"chi", data.chi},
-                                                        {"eta", data.eta},
-                                                        {"us", data.us},
-                                                        {"ur", friction},
-                                                        {"V", data.V},
-                                                        {"omega", data.omega},
-                                                        {"p", data.p}},
-                                                       {},
-                                                       Ball(data.V),
-                                                       Ball(0),
-                                                       "the velocity of the belt, $V$,",
-                                                       "what the paper asks for"});
-            prove(outcome, [] { return orbit(); });
-            return outcome;
-          }};
-}
-
 // "stable for $V$ from 0 to 0.229523…".
 std::string followed(const numeric::branches::Branch& branch) {
   using numeric::branches::State;
@@ -105,30 +73,48 @@ std::string followed(const numeric::branches::Branch& branch) {
   return fmt::format("{}", fmt::join(pieces, "; "));
 }
 
-Claim orbits_over_the_belts_speed() {
-  return {
-      .id = "P.belt",
-      .kind = Kind::numbers,
-      .origin = Origin::new_result,
-      .words = "the orbit of Fig. 4 with $u_r = 0.25$, followed over the velocity of the belt from 0 to 0.3",
-      .prove = [](Prover&, const Claim&) {
-        const Example& example = example_named("P");
-        Outcome outcome = at_the_data(example, "all branches, of which every piece is proved in balls");
-        numeric::branches::BranchQuestion question{
-            .orbits = question_of(example), .parameter = "V", .from = 0, .to = Rational(3, 10), .at = {}};
-        question.orbits.ur = Range{Rational(1, 4)};
-        const numeric::branches::BranchList list = numeric::branches::list_branches(question);
-        const auto good = std::ranges::find_if(list.branches, [](const numeric::branches::Branch& one) {
-          return numeric::branches::is_admissible(one.pieces.front().state);
-        });
-        if (!list.complete || !list.resolved() || good == list.branches.end()) {
-          outcome.verdict = Verdict::undecided("not all orbits are known");
-          return outcome;
-        }
-        outcome.found = followed(*good);
-        outcome.verdict = Verdict::proved();
-        return outcome;
-      }};
+Outcome over_the_belts_speed(Prover&, const Claim&) {
+  Outcome outcome = at_the_data(example_named("P"), "all branches, of which every piece is proved in balls");
+  numeric::branches::BranchQuestion question{.orbits = question_of(example_named("P")),
+                                             .parameter = "V",
+                                             .from = 0,
+                                             .to = Rational(3, 10),
+                                             .at = {}};
+  question.orbits.ur = Range{Rational(1, 4)};
+  const numeric::branches::BranchList list = numeric::branches::list_branches(question);
+  const auto good = std::ranges::find_if(list.branches, [](const numeric::branches::Branch& one) {
+    return numeric::branches::is_admissible(one.pieces.front().state);
+  });
+  if (!list.complete || !list.resolved() || good == list.branches.end()) {
+    outcome.verdict = Verdict::undecided("not all orbits are known");
+    return outcome;
+  }
+  outcome.found = followed(*good);
+  outcome.verdict = Verdict::proved();
+  return outcome;
+}
+
+Outcome only_at_rest_by_halves(Prover&, const Claim&) {
+  Outcome outcome;
+  outcome.route =
+      "a counterexample in closed form, where $omega_1 = 2 omega$: the orbit for a belt at rest, and a free "
+      "motion of the first mode with $x2' = V cos(omega_1 t)$, which has the load's period; its speed "
+      "against "
+      "the belt's by signs in balls, and by mean values at the ends";
+  outcome.verdict = Verdict::refuted(Witness{coordinates(data, friction),
+                                             {},
+                                             Ball(data.V),
+                                             Ball(0),
+                                             "the velocity of the belt, $V$,",
+                                             "what the paper asks for"});
+  prove(outcome, orbit);
+  return outcome;
+}
+
+}  // namespace
+
+Proofs moving_belt() {
+  return {{"7.only.half", only_at_rest_by_halves}, {"P.belt", over_the_belts_speed}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

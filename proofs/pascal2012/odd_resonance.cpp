@@ -58,8 +58,8 @@ Theorem never_closes(Derivation& derivation, std::size_t) {
 
 }  // namespace
 
-Claim odd_resonance() {
-  return {.id = "31.odd", .prove = by_kernel("31.modes and 31.rest, in each of both cases", never_closes)};
+Proofs odd_resonance() {
+  return {{"31.odd", by_kernel("31.modes and 31.rest, in each of both cases", never_closes)}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

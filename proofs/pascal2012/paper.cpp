@@ -3,10 +3,8 @@
 #include "proofs/pascal2012/abbreviations.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/examples.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"
 #include "proofs/pascal2012/source.hpp"
-#include "proofs/pascal2012/units.hpp"
 #include "proofs/text/claims_file.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -15,20 +13,19 @@ using namespace methods;
 
 namespace {
 
-// What the entries `program` of the text stand for.
 text::Programs programs() {
-  text::Programs result{
-      {"3.Omega", unit_of_time()}, {"39.frequencies", {frequencies_exist(), said_of_data()}},
-      {"cycles", cycles()},        {"met by orbits", met_by_orbits()},
-      {"example S", example_S()},  {"example O", example_O()},
-      {"example P", example_P()},  {"reduced", reduced()}};
-  for (const std::vector<Claim>& more :
-       {derived_forms(), longer_slip(),
-        std::vector<Claim>{quantities_of_3(), zeros_of_16_at_S(), odd_resonance(), even_resonance(),
-                           not_always_symmetric(), motion_on_moving_belt(), computed_coefficients()}}) {
-    for (const Claim& one : more) {
-      result.insert_or_assign(one.id, std::vector<Claim>{one});
-    }
+  text::Programs result{{{"values of S", values_of_S()},
+                         {"orbit of S", orbit_of_S()},
+                         {"example O", example_O()},
+                         {"values of P", values_of_P()},
+                         {"orbit of P", orbit_of_P()},
+                         {"attractors", attractors()},
+                         {"met by orbits", met_by_orbits()}}};
+  for (Proofs some :
+       {derived_forms(), computed_coefficients(), reduced(), quantities(), frequencies(), data_of_S(),
+        friction_of_S(), printed_orbits_of_S(), printed_values_of_S(), zeros_of_16_at_S(), data_of_P(),
+        odd_resonance(), even_resonance(), moving_belt(), longer_slip(), cycles()}) {
+    result.proofs.merge(some);
   }
   return result;
 }
@@ -51,7 +48,8 @@ Paper assembled() {
   for (const auto& [file, claims] : claims_text()) {
     all += claims;
   }
-  paper = text::read_claims(all, "pascal2012", paper, programs());
+  const text::Programs made = programs();
+  paper = text::read_claims(all, "pascal2012", paper, &made);
   for (std::size_t i = 0; i < paper.sections.size(); ++i) {
     const std::string& file = claims_text().at(i).first;
     paper.sections[i].program = file.substr(0, file.find('.'));

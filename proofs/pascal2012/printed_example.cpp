@@ -49,6 +49,19 @@ void prove(Outcome& outcome, const std::function<kernel::Theorem()>& theorem) {
   }
 }
 
+std::vector<Coordinate> coordinates(const ExactParameters& a, const Rational& ur) {
+  return {{"chi", a.chi}, {"eta", a.eta},     {"us", a.us}, {"ur", ur},
+          {"V", a.V},     {"omega", a.omega}, {"p", a.p}};
+}
+
+Outcome proved_by(Outcome outcome, const std::set<std::string>& uses,
+                  const std::function<kernel::Theorem()>& theorem) {
+  outcome.uses = uses;
+  outcome.verdict = Verdict::proved();
+  prove(outcome, theorem);
+  return outcome;
+}
+
 void prove_of_orbit(
     Outcome& outcome, Prover& prover, const PrintedPlace& where,
     const std::function<kernel::Theorem(const kernel::Theorem&, const orbits::Question&)>& theorem) {

@@ -28,6 +28,13 @@ struct PrintedPlace {
   std::string route;  // how its values were found
 };
 
+// Data and u_r.
+[[nodiscard]] std::vector<Coordinate> coordinates(const numeric::motion::ExactParameters& a,
+                                                  const Rational& ur);
+
+// Proved by this theorem, which takes these claims; undecided, with the reason, where it throws KernelError.
+[[nodiscard]] methods::Outcome proved_by(methods::Outcome outcome, const std::set<std::string>& uses,
+                                         const std::function<kernel::Theorem()>& theorem);
 // Makes of what was decided in balls this theorem; undecided, with the reason, where it throws KernelError.
 void prove(methods::Outcome& outcome, const std::function<kernel::Theorem()>& theorem);
 

@@ -178,36 +178,24 @@ Theorem has_not(const char * name, const Theorem& halves, const OrbitList& list,
   return closed_but_frequencies(result);
 }
 
-Claim no_orbit_has(const char * name, const std::string& printed_name) {
-  return {.id = std::string("S.none.") + name,
-          .kind = Kind::numbers,
-          .origin = Origin::new_result,
-          .words = fmt::format(
-              "no orbit of the family at the data of Fig. 2, with the paper's time lag, has a ${}$ that "
-              "rounds to the "
-              "printed one: whatever its other values, and whether or not it obeys the inequalities",
-              printed_name),
-          .prove = [=](Prover& prover, const Claim&) {
-            const OrbitList& list = orbits_of(printed()).list;
-            Outcome outcome =
-                at_the_data(printed(), "each of them is one of the complete list, of which none has it");
-            outcome.uses = {"S.list", "15", "16.halves"};
-            outcome.verdict = Verdict::proved();
-            prove(outcome, [&] {
-              const Theorem halves = Theorem::cut(prover.theorem("15"), prover.theorem("16.halves"));
-              return at_frequencies(printed().data.chi, printed().data.eta,
-                                    [&](const orbits::Ranges& frequencies) {
-                                      return has_not(name, halves, list, frequencies);
-                                    });
-            });
-            return outcome;
-          }};
+Proof no_orbit_has(const char * name) {
+  return [=](Prover& prover, const Claim&) {
+    const OrbitList& list = orbits_of(printed()).list;
+    return proved_by(at_the_data(printed(), "each of them is one of the complete list, of which none has it"),
+                     {"S.list", "15", "16.halves"}, [&] {
+                       const Theorem halves = Theorem::cut(prover.theorem("15"), prover.theorem("16.halves"));
+                       return at_frequencies(printed().data.chi, printed().data.eta,
+                                             [&](const orbits::Ranges& frequencies) {
+                                               return has_not(name, halves, list, frequencies);
+                                             });
+                     });
+  };
 }
 
 }  // namespace
 
-std::vector<Claim> printed_orbits_of_S() {
-  return {no_orbit_has("tau", "tau"), no_orbit_has("ur", "u_r")};
+Proofs printed_orbits_of_S() {
+  return {{"S.none.tau", no_orbit_has("tau")}, {"S.none.ur", no_orbit_has("ur")}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -22,11 +22,12 @@ std::vector<Equal> modal_forms(Flows& flows) {
 
 }  // namespace
 
-std::vector<Claim> reduced() {
-  return joined({{reduced("7.modal", "$Q$ and $d_0$ by their modes", modal_forms, off_load_resonance())},
-                 symmetric_claims(),
-                 overshooting_claims(),
-                 nonsticking_claims()});
+Proofs reduced() {
+  Proofs result{{"7.modal", reduction::reduced(modal_forms)}};
+  for (Proofs some : {of_symmetric(), of_overshooting(), of_nonsticking()}) {
+    result.merge(some);
+  }
+  return result;
 }
 
 }  // namespace stickslip::proofs::pascal2012

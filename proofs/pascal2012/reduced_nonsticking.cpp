@@ -10,8 +10,6 @@ using namespace symbols;
 
 namespace {
 
-namespace v = symbols::vocabulary;
-
 // friction_speed divides by sinc(delta) + sinc(pi - delta), which is not 0 where sin(delta) = sin(pi - delta)
 // is not.
 kernel::Theorem sum_of_sincs_differs() {
@@ -70,34 +68,12 @@ std::vector<Equal> one_response(Flows& flows) {
   return {{flows.derivation.read(stated), product.term}};
 }
 
-std::vector<Assumption> two_slips_apart() {
-  const Term delta = scalar("delta");
-  std::vector<Assumption> result = durations({delta, delta - pi(), sin(delta)});
-  for (const Term& omega_j : {v::omega1, v::omega2}) {
-    result.push_back(nonzero("resonance", sin(pi() * omega_j / v::omega)));
-  }
-  return result;
-}
-
 }  // namespace
 
-std::vector<Claim> nonsticking_claims() {
-  std::vector<Claim> claims{
-      reduced(
-          "28.reduced",
-          "where the two reduced equations hold the motion closes as in (28), with $z2' = V$ at 0 and $tau$",
-          two_slips_close, two_slips_apart()),
-      reduced(
-          "28.poles",
-          "without their poles the two reduced equations are the same times what has no zero off resonance",
-          without_poles, two_slips_apart()),
-      reduced("28.unique",
-              "off resonance there is one response of period $Theta$: $det(H(Theta) - I)$ is not 0",
-              one_response),
-  };
-  claims.back().parts = {
-      "$det(H(Theta) - I) = (2 - 2 cos(omega_1 Theta))(2 - 2 cos(omega_2 Theta))$ for $Theta = 2 pi/omega$"};
-  return claims;
+Proofs of_nonsticking() {
+  return {{"28.reduced", reduced(two_slips_close)},
+          {"28.poles", reduced(without_poles)},
+          {"28.unique", reduced(one_response)}};
 }
 
 }  // namespace stickslip::proofs::pascal2012::reduction

@@ -1,7 +1,6 @@
 // (18) and (20) against the rows odd, even and turn in (a, C, D, psi).
 #include "model/overshooting_closing.hpp"
 #include "proofs/pascal2012/reduction.hpp"
-#include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012::reduction {
 
@@ -9,8 +8,6 @@ using namespace methods;
 using namespace symbols;
 
 namespace {
-
-namespace v = symbols::vocabulary;
 
 model::OvershootingData<Symbolic> overshooting_data() {
   return {symbol("chi"), symbol("eta"),   modes(),     symbol("us"),
@@ -111,17 +108,11 @@ std::vector<Equal> overshooting_turn(Flows& flows) {
 
 }  // namespace
 
-std::vector<Claim> overshooting_claims() {
-  return {
-      reduced("20.stick",
-              "the states by amplitudes $(a, C, D)$ are all states with $z2' = V$ that a stick joins",
-              overshooting_stick),
-      reduced("20.reduced", "the four rows odd and even give $Z(Theta) = Z_0$ (20)", overshooting_sufficient,
-              durations({v::tau + scalar("tau1")})),
-      reduced("20.reduced.converse", "(20) gives the four rows", overshooting_necessary),
-      reduced("18.reduced", "the row turn is the difference of the mean accelerations on both sides of $tau$",
-              overshooting_turn, durations({v::tau, scalar("tau1")})),
-  };
+Proofs of_overshooting() {
+  return {{"20.stick", reduced(overshooting_stick)},
+          {"20.reduced", reduced(overshooting_sufficient)},
+          {"20.reduced.converse", reduced(overshooting_necessary)},
+          {"18.reduced", reduced(overshooting_turn)}};
 }
 
 }  // namespace stickslip::proofs::pascal2012::reduction

@@ -1,15 +1,11 @@
 #include "proofs/pascal2012/reduction.hpp"
 
-#include "proofs/symbols/vocabulary.hpp"
-
 namespace stickslip::proofs::pascal2012::reduction {
 
 using namespace methods;
 using namespace symbols;
 
 namespace {
-
-namespace v = symbols::vocabulary;
 
 // Q and d0 by their modes: what (0, p) and (0, eta us) contribute to each.
 Vector2 by_modes(const Symbolic& force, const Symbolic& shift) {
@@ -77,43 +73,20 @@ Vector2 frequencies() {
   return {symbol("omega1"), symbol("omega2")};
 }
 
-Assumption nonzero(const std::string& id, const Term& term) {
-  return {id, {term, 0, Relation::not_equal}};
-}
-
-std::vector<Assumption> off_load_resonance() {
-  return {nonzero("resonance", v::omega - v::omega1), nonzero("resonance", v::omega - v::omega2)};
-}
-
-std::vector<Assumption> durations(const std::vector<Term>& terms) {
-  std::vector<Assumption> result = off_load_resonance();
-  for (const Term& term : terms) {
-    result.push_back(nonzero("duration", term));
-  }
-  return result;
-}
-
-Claim reduced(const std::string& id, const std::string& words, Compare compare,
-              const std::vector<Assumption>& assumptions) {
-  return {.id = id,
-          .kind = Kind::step,
-          .origin = Origin::auxiliary,
-          .words = words,
-          .assumptions = assumptions,
-          .prove = [compare](Prover& prover, const Claim& claim) {
-            std::set<std::string> used;
-            Outcome outcome = compared(
-                "the model's own formulas compared in the kernel, for all values of "
-                "the symbols",
-                prover, claim, [&](Derivation& derivation) {
-                  Flows flows{derivation};
-                  std::vector<Equal> pairs = compare(flows);
-                  used = flows.used;
-                  return pairs;
-                });
-            outcome.uses.merge(used);
-            return outcome;
-          }};
+Proof reduced(Compare compare) {
+  return [compare](Prover& prover, const Claim& claim) {
+    std::set<std::string> used;
+    Outcome outcome =
+        compared("the model's own formulas compared in the kernel, for all values of the symbols", prover,
+                 claim, [&](Derivation& derivation) {
+                   Flows flows{derivation};
+                   std::vector<Equal> pairs = compare(flows);
+                   used = flows.used;
+                   return pairs;
+                 });
+    outcome.uses.merge(used);
+    return outcome;
+  };
 }
 
 }  // namespace stickslip::proofs::pascal2012::reduction

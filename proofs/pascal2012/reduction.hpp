@@ -8,6 +8,7 @@
 
 #include "model/flows.hpp"
 #include "proofs/methods/derivation.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/tactics/model_terms.hpp"
 
 namespace stickslip::proofs::pascal2012::reduction {
@@ -54,20 +55,12 @@ template <class Left, class Right>
 [[nodiscard]] Vector2 frequencies();
 [[nodiscard]] Vector2 half_angles(const Symbolic& duration);
 
-// A claim that every pair that `compare` builds from the model's own formulas is equal.
-[[nodiscard]] methods::Claim reduced(const std::string& id, const std::string& words, Compare compare,
-                                     const std::vector<methods::Assumption>& assumptions = {});
+// That every pair that `compare` builds from the model's own formulas is equal.
+[[nodiscard]] methods::Proof reduced(Compare compare);
 
-// "term is not 0"; that the load is not at resonance, where (7) has no Q; that, and that no term is 0. Both
-// sides are continuous where a duration is zero (the numeric code computes sin(x)/x there as 1): the identity
-// extends to it.
-[[nodiscard]] methods::Assumption nonzero(const std::string& id, const symbols::Term& term);
-[[nodiscard]] std::vector<methods::Assumption> off_load_resonance();
-[[nodiscard]] std::vector<methods::Assumption> durations(const std::vector<symbols::Term>& terms);
-
-// The claims of Sections 4, 5 and 6.
-[[nodiscard]] std::vector<methods::Claim> symmetric_claims();
-[[nodiscard]] std::vector<methods::Claim> overshooting_claims();
-[[nodiscard]] std::vector<methods::Claim> nonsticking_claims();
+// Of the claims about Sections 4, 5 and 6.
+[[nodiscard]] Proofs of_symmetric();
+[[nodiscard]] Proofs of_overshooting();
+[[nodiscard]] Proofs of_nonsticking();
 
 }  // namespace stickslip::proofs::pascal2012::reduction

@@ -1,7 +1,7 @@
-#include "proofs/pascal2012/units.hpp"
-
+// The quantities of (3), and the unit of time.
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/tactics.hpp"
 
@@ -11,8 +11,6 @@ using namespace kernel;
 using namespace tactics;
 using kernel::Positive;
 using methods::by_theorem;
-using methods::Claim;
-using methods::Origin;
 
 namespace {
 
@@ -110,41 +108,17 @@ Theorem quantities_exist(const Theorem& frequencies) {
 
 }  // namespace
 
-Claim quantities_of_3() {
-  return {
-      .id = "3.exist",
-      .kind = methods::Kind::theorem,
-      .origin = Origin::auxiliary,
-      .words =
-          "for all positive masses and stiffnesses there are frequencies $0 < omega_1 < 1 < omega_2$ that "
-          "give $chi = k_2/(k_1 + k_2)$ and $eta = m_1/m_2$, and there is $Omega$ with $Omega^2 = (k_1 + "
-          "k_2)/m_1$: (3) names what exists",
-      .prove = [](methods::Prover& prover, const Claim&) {
-        methods::Outcome outcome;
-        outcome.route = "39.frequencies at these ratios, and a square root";
-        outcome.uses = {"39.frequencies"};
-        outcome.verdict = Verdict::proved();
-        prove(outcome, [&] { return quantities_exist(prover.theorem("39.frequencies")); });
-        return outcome;
-      }};
-}
-
-std::vector<Claim> unit_of_time() {
-  return {
-      {.id = "3.Omega",
-       .kind = methods::Kind::theorem,
-       .origin = Origin::auxiliary,
-       .words =
-           "$Omega = sqrt((k_1 + k_2)/m_1)$ is exactly one positive number, for all positive stiffnesses "
-           "and masses",
-       .prove = by_theorem("a positive number has a root, and positive numbers are ordered as their squares",
-                           one_unit)},
-      {.id = "3.rates",
-       .kind = methods::Kind::theorem,
-       .origin = Origin::auxiliary,
-       .words = "with $t = Omega$ times time, d/dt of time is $Omega$ d/d$t$: velocities are multiplied by "
-                "$Omega$ and accelerations by $Omega^2$, as (2) and $V$ have it",
-       .prove = by_theorem("the chain rule, twice", rates)}};
+Proofs quantities() {
+  return {{"3.exist",
+           [](methods::Prover& prover, const methods::Claim&) {
+             return proved_by({.route = "39.frequencies at these ratios, and a square root"},
+                              {"39.frequencies"},
+                              [&] { return quantities_exist(prover.theorem("39.frequencies")); });
+           }},
+          {"3.Omega",
+           by_theorem("a positive number has a root, and positive numbers are ordered as their squares",
+                      one_unit)},
+          {"3.rates", by_theorem("the chain rule, twice", rates)}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

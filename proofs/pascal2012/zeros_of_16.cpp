@@ -320,45 +320,41 @@ std::vector<std::vector<Ball>> near_zeros(const Example& example) {
   return result;
 }
 
+Outcome zeros_of_the_determinant(Prover& prover, const Claim&) {
+  const Example& example = example_named("S");
+  const WorkingPrecision precision(128);
+  Outcome outcome =
+      at_the_data(example, "all zeros of each factor, by signs and slopes in balls; the cosines vanish at");
+  outcome.uses = {"16.det", "16.orbits", "S.list"};
+  std::vector<std::vector<Rational>> nearly;
+  std::size_t all = 0;
+  for (const std::vector<Ball>& times : near_zeros(example)) {
+    all += times.size();
+    nearly.emplace_back();
+    for (const Ball& time : times) {
+      nearly.back().push_back(orbits::near(time));
+      outcome.route += nearly.size() < 4 ? fmt::format(" $tau = {}$;", shown(time)) : "";
+    }
+  }
+  outcome.route += " the other factor is not zero there";
+  outcome.verdict = all == 8 && nearly.back().size() == 2
+                        ? Verdict::proved()
+                        : Verdict::undecided(fmt::format("{} zeros are near, {} of them of orbits", all,
+                                                         nearly.back().size()));
+  if (outcome.verdict.truth == Truth::proved) {
+    prove(outcome, [&] {
+      return at_frequencies(example.data.chi, example.data.eta, [&](const orbits::Ranges& ranges) {
+        return AtTheData(example, ranges).theorem(prover.theorem("16.det"), nearly);
+      });
+    });
+  }
+  return outcome;
+}
+
 }  // namespace
 
-Claim zeros_of_16_at_S() {
-  return {.id = "S.det",
-          .kind = Kind::numbers,
-          .origin = Origin::new_result,
-          .words =
-              "at the data of Fig. 2 the determinant of (16) vanishes at eight $tau$ between 0 and $Theta$; "
-              "two are orbits, and at the six others a cosine is zero and there is no orbit",
-          .prove = [](Prover& prover, const Claim&) {
-            const Example& example = example_named("S");
-            const WorkingPrecision precision(128);
-            Outcome outcome = at_the_data(
-                example, "all zeros of each factor, by signs and slopes in balls; the cosines vanish at");
-            outcome.uses = {"16.det", "16.orbits", "S.list"};
-            std::vector<std::vector<Rational>> nearly;
-            std::size_t all = 0;
-            for (const std::vector<Ball>& times : near_zeros(example)) {
-              all += times.size();
-              nearly.emplace_back();
-              for (const Ball& time : times) {
-                nearly.back().push_back(orbits::near(time));
-                outcome.route += nearly.size() < 4 ? fmt::format(" $tau = {}$;", shown(time)) : "";
-              }
-            }
-            outcome.route += " the other factor is not zero there";
-            outcome.verdict = all == 8 && nearly.back().size() == 2
-                                  ? Verdict::proved()
-                                  : Verdict::undecided(fmt::format("{} zeros are near, {} of them of orbits",
-                                                                   all, nearly.back().size()));
-            if (outcome.verdict.truth == Truth::proved) {
-              prove(outcome, [&] {
-                return at_frequencies(example.data.chi, example.data.eta, [&](const orbits::Ranges& ranges) {
-                  return AtTheData(example, ranges).theorem(prover.theorem("16.det"), nearly);
-                });
-              });
-            }
-            return outcome;
-          }};
+Proofs zeros_of_16_at_S() {
+  return {{"S.det", zeros_of_the_determinant}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -110,7 +110,7 @@ const std::vector<Statement>& form_of(const Claim& claim) {
 
 class Reading {
  public:
-  Reading(std::string name, const Paper& known, const Programs& programs)
+  Reading(std::string name, const Paper& known, const Programs * programs)
       : name_(std::move(name)), programs_(programs) {
     paper_ = known;
     names_ = symbols::names_of(symbols::symbol_table());
@@ -567,21 +567,22 @@ class Reading {
 
   // Claims that the program makes itself, in this place.
   void program(const std::string& rest, const Entry&) {
-    if (!programs_.contains(rest)) {
-      fail(fmt::format("there is no program '{}'", rest));
-    }
-    for (Claim one : programs_.at(rest)) {
+    for (Claim one : programmed(&Programs::claims, rest)) {
       one.place = section_.id;
       context_->said.emplace(one.id, form_of(one));
       paper_.claims.push_back(std::move(one));
     }
   }
-  [[nodiscard]] const Claim& programmed(const std::string& id) const {
-    const auto made = programs_.find(id);
-    if (made == programs_.end() || made->second.size() != 1) {
-      fail(fmt::format("there is no program that proves '{}'", id));
+  template <class Made>
+  [[nodiscard]] const Made& programmed(std::map<std::string, Made> Programs::*kind,
+                                       const std::string& name) const {
+    static const Programs none;
+    const auto& known = (programs_ != nullptr ? *programs_ : none).*kind;
+    const auto made = known.find(name);
+    if (made == known.end()) {
+      fail(fmt::format("there is no program '{}'", name));
     }
-    return made->second.front();
+    return made->second;
   }
 
   void claim(const std::string& rest, const Entry& entry) {
@@ -627,11 +628,11 @@ class Reading {
       }
     }
     line_ = entry.head.number;
-    if (claim.printed.empty() && claim.kind != Kind::model && programs_.empty()) {
+    if (claim.printed.empty() && claim.kind != Kind::model && programs_ == nullptr) {
       fail(fmt::format("the claim {} states nothing", claim.id));
     }
     const std::size_t stated = claim.printed.size() + claim.corrected.size();
-    if (!claim.parts.empty() && claim.parts.size() != stated) {
+    if (!claim.parts.empty() && claim.parts.size() != stated && (stated > 0 || programs_ == nullptr)) {
       fail(fmt::format("the claim {} has words for {} parts, and states {} things", claim.id,
                        claim.parts.size(), stated));
     }
@@ -649,7 +650,8 @@ class Reading {
        : word == "conversely by" ? claim.prove_converse
                                  : claim.prove_corrected) = proof(claim, line.text);
     }
-    const bool is_given = claim.kind == Kind::model || (claim.kind == Kind::definition && !programs_.empty());
+    const bool is_given =
+        claim.kind == Kind::model || (claim.kind == Kind::definition && programs_ != nullptr);
     if (!claim.prove && !is_given) {
       claim.prove = proof_of({claim, *context_}, "");
     }
@@ -658,11 +660,11 @@ class Reading {
     }
   }
   [[nodiscard]] Proof proof(const Claim& claim, const std::string& line) const {
-    if (programs_.empty()) {
+    if (programs_ == nullptr) {
       return here([&] { return proof_of({claim, *context_}, line); });
     }
     if (line == "program") {
-      return programmed(claim.id).prove;
+      return programmed(&Programs::proofs, claim.id);
     }
     // Read when it is needed, for there are many; then all claims are known. A line that is of another claim
     // than this, or cannot be read, proves nothing.
@@ -750,7 +752,7 @@ class Reading {
 
   // Words go into pages and LaTeX: no commands, and formulas between dollars that belong together.
   [[nodiscard]] std::string checked_words(const std::string& words) const {
-    if (programs_.empty() && words.find_first_of("\\<>{}&") != std::string::npos) {
+    if (programs_ == nullptr && words.find_first_of("\\<>{}&") != std::string::npos) {
       fail(fmt::format("'{}': words have no \\, <, >, {{, }} or &", words));
     }
     if (std::ranges::count(words, '$') % 2 != 0) {
@@ -813,7 +815,7 @@ class Reading {
   std::map<std::string, std::string> passages_;
   std::string part_;
   std::vector<PrintedStatement> statements_;
-  const Programs& programs_;
+  const Programs * programs_;
 
   Section section_{"own", "Claims", "own"};
   bool begun_ = false, alone_ = false;
@@ -822,7 +824,7 @@ class Reading {
 }  // namespace
 
 Paper read_claims(const std::string& content, const std::string& name, const Paper& known,
-                  const Programs& programs) {
+                  const Programs * programs) {
   return Reading(name, known, programs).read(content);
 }
 

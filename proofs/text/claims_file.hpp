@@ -22,15 +22,17 @@
 
 namespace stickslip::proofs::text {
 
-// Claims that are made in C++, by the names under which entries `program NAME` of a text call them; or of one
-// its proof, which a line `by program` calls by the id of its claim.
-using Programs = std::map<std::string, std::vector<methods::Claim>>;
+// What is made in C++.
+struct Programs {
+  std::map<std::string, std::vector<methods::Claim>> claims = {};  // that an entry `program NAME` stands for
+  std::map<std::string, methods::Proof> proofs = {};  // of claims with a line `by program`, by their ids
+};
 
 // Without an entry `paper` the file stands on the known paper: its symbols and claims, to which those of the
 // file are added, are at hand. A text with programs is a part of this program: its proofs may use claims that
 // follow, and its words are printed as they are. Throws UsageError, or symbols::ParseError, that begins with
 // `name` and the number of the line.
 [[nodiscard]] methods::Paper read_claims(const std::string& content, const std::string& name,
-                                         const methods::Paper& known, const Programs& programs = {});
+                                         const methods::Paper& known, const Programs * programs = nullptr);
 
 }  // namespace stickslip::proofs::text
