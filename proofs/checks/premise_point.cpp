@@ -4,7 +4,8 @@
 #include <optional>
 #include <set>
 
-#include "proofs/checks/linear_value.hpp"
+#include "proofs/checks/with_unknowns.hpp"
+#include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
 
@@ -140,18 +141,24 @@ struct PremisePoint::Point {
   // Solves the equations; whether that came out.
   [[nodiscard]] bool solve() {
     const std::vector<std::string>& names = solved_for();
-    LinearValues values(premises, [this](const std::string& name) { return free(name); });
+    Sample<WithUnknowns> scalars_here(premises.values, [&](const std::string& name) {
+      const auto unknown = std::ranges::find(names, name);
+      return unknown == names.end()
+                 ? WithUnknowns(free(name))
+                 : WithUnknowns::unknown(static_cast<std::size_t>(unknown - names.begin()));
+    });
     std::vector<Column> A;
     Column constant;
     for (const Statement& one : premises.equations) {
-      const LinearValue value = values(one.right.is_zero()  ? one.left
-                                       : one.left.is_zero() ? -one.right
-                                                            : one.left - one.right);
-      for (Eigen::Index i = 0; i < value.constant.size(); ++i) {
-        constant.push_back(value.constant.data()[i]);
+      const auto side = [&](const Term& here, const Term& other) {
+        return evaluate_beside<WithUnknowns>(here, other, scalars_here.lookup());
+      };
+      const Value<WithUnknowns> difference = side(one.left, one.right) - side(one.right, one.left);
+      for (const WithUnknowns& entry : difference.reshaped()) {
+        constant.push_back(entry.at_zero);
         A.emplace_back(names.size(), Ball(0));
-        for (const auto& [unknown, slope] : value.slopes) {
-          A.back()[unknown] = slope.data()[i];
+        for (const auto& [unknown, value] : entry.at_one) {
+          A.back()[unknown] = value - entry.at_zero;
         }
       }
     }

@@ -12,15 +12,6 @@
 #include "proofs/tactics/model_terms.hpp"
 #include "proofs/tactics/tactics.hpp"
 
-namespace stickslip::proofs::tactics {
-
-// Among the functions of time that are formulas of the model.
-inline Symbolic absolute_value(const Symbolic&) {
-  throw symbols::NoValue("an absolute value has no reading");
-}
-
-}  // namespace stickslip::proofs::tactics
-
 namespace stickslip::proofs::methods {
 
 using namespace kernel;

@@ -57,13 +57,12 @@ const Matrices<S>& matrices() {
 }
 
 template <class S>
-Series<S> absolute_value(const Series<S>& value) {
-  if constexpr (requires { S(abs(value[0])); }) {
-    if (value.size() == 1) {
-      return S(abs(value[0]));
-    }
+S absolute_value(const S& value) {
+  if constexpr (requires { S(abs(value)); }) {
+    return S(abs(value));
+  } else {
+    throw NoValue("an absolute value has no derivative, and no exact value");
   }
-  throw NoValue("an absolute value has no derivative, and no exact value");
 }
 
 template <class S>
@@ -278,7 +277,10 @@ Value<S> value_of(const Term& term, const Lookup<S>& scalar) {
     case Op::negate:
       return value_of<S>(term.arguments().front(), scalar) * S(-1);
     case Op::derivative:
-      return derivative_of(term.arguments().front(), scalar);
+      if constexpr (requires { derivative_of(term, scalar); }) {
+        return derivative_of(term.arguments().front(), scalar);
+      }
+      break;
     case Op::block:
       return evaluate_block<S>(term, scalar);
     case Op::determinant:
@@ -289,9 +291,16 @@ Value<S> value_of(const Term& term, const Lookup<S>& scalar) {
 
 }  // namespace detail
 
-// Over numbers: by series in the time of as many orders as there are derivatives in the term.
+[[nodiscard]] inline bool has_derivative(const Term& term) {
+  return term.op() == Op::derivative || std::ranges::any_of(term.arguments(), has_derivative);
+}
+
+// Over numbers; where there are derivatives in the term, by series in the time of as many orders.
 template <class S>
 Value<S> evaluate(const Term& term, const Lookup<S>& scalar) {
+  if (!has_derivative(term)) {
+    return detail::value_of<S>(term, scalar);
+  }
   using Series = numeric::scalars::Series<S>;
   const Lookup<Series> lifted = [&](const std::string& name) { return Series(scalar(name)); };
   return detail::value_of<Series>(term, lifted).unaryExpr([](const Series& e) { return e[0]; });

@@ -1,9 +1,11 @@
-#include "proofs/checks/linear_value.hpp"
+#include "proofs/checks/with_unknowns.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
+#include "proofs/checks/premises.hpp"
+#include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -30,6 +32,14 @@ std::size_t place_of(const std::string& name) {
                                   solved_for().begin());
 }
 
+Value<WithUnknowns> value_of(const Term& term, const Premises& premises = {}) {
+  Sample<WithUnknowns> sample(premises.values, [](const std::string& name) {
+    const std::size_t place = place_of(name);
+    return place < solved_for().size() ? WithUnknowns::unknown(place) : WithUnknowns(free_value(name));
+  });
+  return evaluate<WithUnknowns>(term, sample.lookup());
+}
+
 TEST_CASE("what is linear in unknowns has their values by its constant and its slopes") {
   Premises premises;
   premises.values.emplace("tau1", tau + 2 * z10);
@@ -44,12 +54,13 @@ TEST_CASE("what is linear in unknowns has their values by its constant and its s
         block(2, {z10, tau, 3, V - us}), derivative(cos(t) * Z0 + t * ZB), inverse(K) * z0, 0 * z10 + pi(),
         determinant(block(2, {omega, z1B, 2, chi}))}) {
     CAPTURE(text(term));
-    LinearValues values(premises, free_value);
-    const LinearValue found = values(term);
-    Value<Ball> sum = found.constant;
-    for (const auto& [place, slope] : found.slopes) {
-      sum += slope * unknown(place);
-    }
+    const Value<Ball> sum = value_of(term, premises).unaryExpr([&](const WithUnknowns& entry) {
+      Ball total = entry.at_zero;
+      for (const auto& [place, value] : entry.at_one) {
+        total += (value - entry.at_zero) * unknown(place);
+      }
+      return total;
+    });
     Sample<Ball> sample(premises.values, there);
     const Value<Ball> expected = evaluate<Ball>(term, sample.lookup());
     REQUIRE(sum.rows() == expected.rows());
@@ -61,15 +72,15 @@ TEST_CASE("what is linear in unknowns has their values by its constant and its s
   }
 }
 
-TEST_CASE("what has no unknown has no slopes, and a product of two is told where one of them is 1") {
-  const Premises premises;
-  LinearValues values(premises, free_value);
-  CHECK(values(H(tau) * F0).slopes.empty());
-  CHECK(values(delta0).slopes.size() == 1);  // us
-  const LinearValue product = values((z10 + 2) * (z10 + 3));
-  CHECK(product.constant(0, 0).overlaps(Ball(6)));
-  CHECK(product.slopes.at(place_of("z10"))(0, 0).overlaps(Ball(6)));  // 3 * 4 - 6
-  CHECK_THROWS_AS((void)values(Z(tau)), NoValue);
+TEST_CASE("what has no unknown is the same everywhere, and a product of two is told where one of them is 1") {
+  for (const WithUnknowns& entry : value_of(H(tau) * F0).reshaped()) {
+    CHECK(entry.at_one.empty());
+  }
+  CHECK(value_of(delta0)(0, 0).at_one.size() == 1);  // us
+  const WithUnknowns product = value_of((z10 + 2) * (z10 + 3))(0, 0);
+  CHECK(product.at_zero.overlaps(Ball(6)));
+  CHECK(product.at_one.at(place_of("z10")).overlaps(Ball(12)));
+  CHECK_THROWS_AS((void)value_of(Z(tau)), NoValue);
 }
 
 }  // namespace
