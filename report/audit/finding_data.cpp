@@ -1,7 +1,6 @@
 #include "report/audit/finding_data.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "report/audit/findings.hpp"
 
@@ -93,23 +92,6 @@ Json& group_of(Json& groups, const std::string& heading) {
   return *std::ranges::find_if(groups, [&](const Json& one) { return one.at("title") == heading; });
 }
 
-// Remarks in their order, then all else in the paper's.
-std::vector<std::pair<const Record *, Json>> by_weight(const Paper& paper,
-                                                       const proofs::methods::Audit& audit,
-                                                       const std::vector<Json>& claims) {
-  std::vector<std::pair<const Record *, Json>> all;
-  for (const Json& claim : claims) {
-    const auto record = std::ranges::find_if(
-        audit.records, [&](const Record& one) { return one.claim.id == claim.at("id"); });
-    all.emplace_back(&*record, claim);
-  }
-  const auto rank = [&](const std::pair<const Record *, Json>& one) {
-    return std::ranges::find(paper.remarks, one.first->claim.id, &Remark::claim) - paper.remarks.begin();
-  };
-  std::ranges::stable_sort(all, std::less<>(), rank);
-  return all;
-}
-
 }  // namespace
 
 Json finding_data(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
@@ -122,13 +104,15 @@ Json finding_data(const Paper& paper, const proofs::methods::Audit& audit, const
   for (const HypothesisGroup& g : hypothesis_groups(audit)) {
     add(facts(g.status()).heading, "hypotheses_groups", hypothesis_group(paper, audit, g));
   }
-  for (auto& [record, claim] : by_weight(paper, audit, claims)) {
-    if (!facts(record->status).finding || needs_something(*record)) {
+  for (const Record * record : findings_by_weight(paper, audit)) {
+    if (needs_something(*record)) {
       continue;
     }
+    const Json& claim =
+        *std::ranges::find_if(claims, [&](const Json& one) { return one.at("id") == record->claim.id; });
     const Remark * remark = remark_on(paper, record->claim.id);
     const bool number = record->status == Status::digits_off && compares(claim);
-    add(heading_of(*record, remark), number ? "numbers" : "claims", std::move(claim));
+    add(heading_of(*record, remark), number ? "numbers" : "claims", claim);
   }
   std::erase_if(groups.get_ref<Json::array_t&>(), [](const Json& one) { return one.at("count") == 0; });
   return groups;

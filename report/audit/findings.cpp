@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "proofs/methods/prover.hpp"
@@ -113,6 +114,22 @@ std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
     result += fmt::format(", the others what {} takes for granted", source_of(audit));
   }
   return result + ".";
+}
+
+std::vector<const Record *> findings_by_weight(const Paper& paper, const Audit& audit) {
+  std::vector<const Record *> found;
+  for (const Record& record : audit.records) {
+    if (is_finding(record)) {
+      found.push_back(&record);
+    }
+  }
+  const auto last = static_cast<std::ptrdiff_t>(paper.remarks.size());
+  std::ranges::stable_sort(found, std::less<>(), [&](const Record * record) {
+    const Remark * remark = remark_on(paper, record->claim.id);
+    const bool taken_for_granted = remark && !facts(record->claim.origin).source;
+    return !remark ? last : remark - paper.remarks.data() + (taken_for_granted ? last + 1 : 0);
+  });
+  return found;
 }
 
 Status HypothesisGroup::status() const {

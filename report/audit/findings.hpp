@@ -25,6 +25,11 @@ namespace stickslip::report::audit {
 [[nodiscard]] std::string sentence_of_findings(const proofs::methods::Paper& paper,
                                                const proofs::methods::Audit& audit);
 
+// Those with remarks first, in the order of their weight, except for what the paper does not say, which is
+// last. Points into the audit.
+[[nodiscard]] std::vector<const proofs::methods::Record *> findings_by_weight(
+    const proofs::methods::Paper& paper, const proofs::methods::Audit& audit);
+
 // The same things that must not vanish, brought in by the proofs of some claims and inherited by others.
 struct HypothesisGroup {
   std::vector<proofs::methods::Hypothesis> hypotheses;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <vector>
 
 #include "proofs/methods/prover.hpp"
@@ -138,24 +137,6 @@ std::string tables_by_place(const Paper& paper, const Audit& audit, const Style&
     result += heading(place.title, style) + columns_of(rows, style.width) + "\n";
   }
   return result;
-}
-
-// Those with remarks first, in the order of their weight, except for what the paper does not say, which is
-// last.
-std::vector<const Record *> findings_by_weight(const Paper& paper, const Audit& audit) {
-  std::vector<const Record *> found;
-  for (const Record& record : audit.records) {
-    if (is_finding(record)) {
-      found.push_back(&record);
-    }
-  }
-  const auto last = static_cast<std::ptrdiff_t>(paper.remarks.size());
-  std::ranges::stable_sort(found, std::less<>(), [&](const Record * record) {
-    const Remark * remark = remark_on(paper, record->claim.id);
-    const bool taken_for_granted = remark && !facts(record->claim.origin).source;
-    return !remark ? last : remark - paper.remarks.data() + (taken_for_granted ? last + 1 : 0);
-  });
-  return found;
 }
 
 std::string findings(const Paper& paper, const Audit& audit, const Style& style) {
