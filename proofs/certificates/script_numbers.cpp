@@ -10,81 +10,24 @@
 #include "proofs/certificates/identities.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/tactics/model_terms.hpp"
+#include "proofs/tactics/estimate.hpp"
 #include "proofs/tactics/text.hpp"
 
 namespace stickslip::proofs::certificates {
 
 using namespace kernel;
-using tactics::Symbolic;
 
 namespace {
 
 using Real = long double;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-// The partial derivative of a number by a variable.
-Symbolic partial(const Term& term, const Variable& x) {
-  if (!term.variables().contains(x)) {
-    return 0;
-  }
-  const std::vector<Term>& parts = term.parts();
-  switch (term.kind()) {
-    case Kind::variable:
-      return 1;
-    case Kind::sum: {
-      Symbolic total;
-      for (const Term& one : parts) {
-        total += partial(one, x);
-      }
-      return total;
-    }
-    case Kind::product:
-      return partial(parts[0], x) * parts[1] + Symbolic(parts[0]) * partial(parts[1], x);
-    case Kind::power: {
-      const long n = term.value().get_num().get_si();
-      const Symbolic rest = n == 1 ? Term(1) : n == 2 ? parts[0] : power(parts[0], n - 1);
-      return Symbolic(Term(n)) * rest * partial(parts[0], x);
-    }
-    case Kind::cosine:
-      return -(Symbolic(kernel::sin(parts[0])) * partial(parts[0], x));
-    case Kind::sine:
-      return Symbolic(kernel::cos(parts[0])) * partial(parts[0], x);
-    default:
-      throw KernelError("such a derivative has no form in Coq yet: " + to_string(term));
-  }
-}
-
-// In floating point: what Coq is told to try.
-Real estimated(const Term& term, const std::map<Variable, Real>& values) {
-  const auto part = [&](std::size_t i) { return estimated(term.parts()[i], values); };
-  switch (term.kind()) {
-    case Kind::number:
-      return static_cast<Real>(term.value().get_d());
-    case Kind::pi:
-      return std::numbers::pi_v<Real>;
-    case Kind::variable:
-      return values.at({term.name(), term.type()});
-    case Kind::sum: {
-      Real total = 0;
-      for (std::size_t i = 0; i < term.parts().size(); ++i) {
-        total += part(i);
-      }
-      return total;
-    }
-    case Kind::product:
-      return part(0) * part(1);
-    case Kind::power:
-      return std::pow(part(0), static_cast<Real>(term.value().get_d()));
-    case Kind::inverse:
-      return 1 / part(0);
-    case Kind::cosine:
-      return std::cos(part(0));
-    case Kind::sine:
-      return std::sin(part(0));
-    default:
-      throw KernelError("no number in Coq yet: " + to_string(term));
-  }
+// Whether Coq differentiates it.
+bool has_slopes(const Term& term) {
+  const bool known = term.kind() == Kind::variable || term.kind() == Kind::sum ||
+                     term.kind() == Kind::product || term.kind() == Kind::power ||
+                     term.kind() == Kind::cosine || term.kind() == Kind::sine;
+  return term.variables().empty() || (known && std::ranges::all_of(term.parts(), has_slopes));
 }
 
 // Made of rational numbers alone.
@@ -284,7 +227,7 @@ std::string Script::one_zero(const Theorem& theorem) {
   const std::string name = fresh(file_ + "_zero");
   std::vector<Variable> x;
   std::vector<Rational> middle;
-  std::map<Variable, Real> values;
+  tactics::Point values;
   const auto end = [&](int i, int which) {
     return step.data[static_cast<std::size_t>(3 + 2 * i + which)].value();
   };
@@ -293,7 +236,7 @@ std::string Script::one_zero(const Theorem& theorem) {
   for (int i = 0; i < n; ++i) {
     x.push_back({fmt::format("x{}", i)});
     middle.emplace_back((end(i, 0) + end(i, 1)) / 2);
-    values.emplace(x.back(), static_cast<Real>(middle.back().get_d()));
+    values.emplace(x.back(), middle.back());
     if ((end(i, 1) - end(i, 0)) / 2 != radius) {
       throw KernelError("a box whose sides differ has no counterpart in Coq yet");
     }
@@ -312,8 +255,13 @@ std::string Script::one_zero(const Theorem& theorem) {
     sides.push_back(fmt::format("({}, {})", coq(Term(end(i, 0))), coq(Term(end(i, 1)))));
     const Term& one = f.parts()[number(i)];
     functions.push_back(coq(one));
+    if (!has_slopes(one)) {
+      throw KernelError("such a derivative has no form in Coq yet: " + to_string(one));
+    }
     for (int j = 0; j < n; ++j) {
-      slopes(i, j) = estimated(partial(one, x[number(j)]).term, values);
+      const Variable& by = x[number(j)];
+      slopes(i, j) =
+          tactics::estimated(Theorem::differentiate(lambda(by, one), by).conclusion().parts()[2], values);
     }
   }
   const std::string numbers = fmt::format("{0} {1}_g {1}_b {1}_r {2}%Z {1}_Y {1}_M {3}%Z {4}%Z", n, name,

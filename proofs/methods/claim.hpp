@@ -134,8 +134,6 @@ struct Claim {
   std::vector<symbols::Statement> printed = {};  // as printed: all of them are claimed
   std::string words = {};                        // one plain sentence: what it says
   std::vector<Assumption> assumptions = {};      // "if", as the paper states it
-  // Of a claim in words: what these suppose and no assumption says. Its theorems may rest on that.
-  kernel::Formulas supposed = {};
   Proof prove = {};  // none for a model equation; of several claims at a time, each in a thread of its own
   // The other direction, where the paper presents what it deduces as equivalent: the premises from the
   // printed.

@@ -78,9 +78,9 @@ class Gate {
   }
 
   // Hypotheses that are assumed, of the domain, or d ≠ 0, which the outcome reports; of a claim in words also
-  // what these suppose, and ranges of letters, which its theorem states.
+  // ranges of letters, which its theorem states.
   void rests_on_what_is_said(const Theorem& theorem) {
-    Formulas more = form_.empty() ? claim_.supposed : Formulas{};
+    Formulas more;
     for (const Formula& one : theorem.hypotheses()) {
       if (form_.empty() && is_inequality(one)) {
         more.insert(one);

@@ -11,9 +11,9 @@ namespace stickslip::proofs::methods {
 //
 // Proved: a theorem for each statement, in their order, whose conclusion is what the statement says; of a
 // claim in words, theorems. Hypotheses are formulas that the claim assumes, the parameters' domain, or d ≠ 0
-// of something divided by, which the outcome has to report; of a claim in words, what these suppose and
-// ranges of letters, too. Refuted: a theorem that there are values, in the domain, with all that the claim
-// assumes, and with which one of the statements fails; of a claim in words, that there are values.
+// of something divided by, which the outcome has to report; of a claim in words, ranges of letters, too.
+// Refuted: a theorem that there are values, in the domain, with all that the claim assumes, and with which
+// one of the statements fails; of a claim in words, that there are values.
 //
 // Throws InternalError, naming the claim and what is not so. What was decided in balls outside the kernel,
 // and has no theorem, passes: its status says so.

@@ -64,30 +64,27 @@ Theorem supplied_with(Derivation& derivation, Theorem theorem, const Formulas& a
       equations.push_back(Theorem::assume(one));
     }
   }
-  const Formulas hypotheses = theorem.hypotheses();
-  for (const Formula& one : hypotheses) {
+  return derivation.settled(settled_by(theorem, [&](const Formula& one) -> std::optional<Theorem> {
     const auto said = std::ranges::find_if(supplied, [&](const Theorem& s) { return s.conclusion() == one; });
-    std::optional<Theorem> lemma;
     if (said != supplied.end()) {
-      lemma = *said;
-    } else if (assumed.contains(one)) {
-      continue;
-    } else if (one.kind() == kernel::Kind::equal) {
+      return *said;
+    }
+    if (assumed.contains(one)) {
+      return std::nullopt;
+    }
+    if (one.kind() == kernel::Kind::equal) {
       Theorems alike;
       std::ranges::copy_if(equations, std::back_inserter(alike), [&](const Theorem& e) {
         return e.conclusion().parts()[0].type() == one.parts()[0].type();
       });
-      lemma = sum_of(one, alike);
-    } else {
-      for (const Formula& longer : assumed) {
-        lemma = lemma ? lemma : of_shorter(derivation, one, longer);
-      }
+      return sum_of(one, alike);
     }
-    if (lemma) {
-      theorem = Theorem::cut(*lemma, theorem);
+    std::optional<Theorem> lemma;
+    for (const Formula& longer : assumed) {
+      lemma = lemma ? lemma : of_shorter(derivation, one, longer);
     }
-  }
-  return derivation.settled(theorem);
+    return lemma;
+  }));
 }
 
 }  // namespace

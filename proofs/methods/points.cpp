@@ -85,10 +85,8 @@ class Draw {
   std::mt19937 random_{1};
 };
 
-using Values = std::map<Variable, Rational, Before>;
-
 // Whether it holds nearly there; nothing where that cannot be said.
-std::optional<bool> holds_nearly(const Formula& formula, const Values& values) {
+std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& values) {
   constexpr double fault = 1e-9;
   const auto gap = [&] { return tactics::estimated(formula.parts()[1] - formula.parts()[0], values); };
   switch (formula.kind()) {
@@ -251,7 +249,7 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
       break;
     }
     for (std::size_t k = 0; k < draws && result.size() < most; ++k) {
-      Values values;
+      tactics::Point values;
       Scene scene{.values = open->values};
       for (const Variable& name : open->drawn) {
         scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});

@@ -13,21 +13,6 @@ using namespace tactics;
 
 namespace {
 
-Rational rounded_down(const Rational& value, long unit) {
-  mpz_class whole;
-  const Rational scaled = value * unit;
-  mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-  Rational result(whole, unit);
-  result.canonicalize();
-  return result;
-}
-
-// What contradicts itself is not so: from Γ, A ⊢ 0 < 0.
-Theorem impossible(const Theorem& contradiction, const Formula& a) {
-  return Theorem::consequence(
-      {Theorem::discharge(contradiction, a), Theorem::trichotomy(0, 0), Theorem::reflexive(0)}, negation(a));
-}
-
 class Zeros {
  public:
   Zeros(const Differentiable& f, const std::vector<Term>& others, const Variable& t, const Interval& ends,
@@ -64,7 +49,7 @@ class Zeros {
       const Near near = about(zeros_[k], lower, upper);
       append(so_far, reached, near.from, goal);
       const Theorem here = Theorem::consequence({near.is_it}, goal);
-      so_far = so_far ? either(*so_far, here, near.from) : here;
+      so_far = so_far ? either_side(*so_far, here, t_, near.from) : here;
       reached = near.to;
     }
     append(so_far, reached, ends_.second, goal);
@@ -93,9 +78,6 @@ class Zeros {
   [[nodiscard]] Term value(const Term& x) const { return with(f_.value, x); }
   [[nodiscard]] Term slope(const Term& x) const { return with(f_.slope, x); }
   [[nodiscard]] Term function(bool rises) const { return lambda(s_, rises ? value(s_) : -value(s_)); }
-  [[nodiscard]] Theorem sign(const Formula& relation, const Ranges& ranges) const {
-    return Theorem::sign(relation, ranges_in(relation, ranges));
-  }
   [[nodiscard]] bool holds(const Formula& relation) const {
     try {
       static_cast<void>(sign(relation, ranges_));
@@ -104,15 +86,8 @@ class Zeros {
       return false;
     }
   }
-  // Less what it divides by.
-  [[nodiscard]] Theorem discharged(Theorem theorem) const {
-    const Formulas hypotheses = theorem.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (is_divisor(one)) {
-        theorem = Theorem::cut(sign(one, ranges_), theorem);
-      }
-    }
-    return theorem;
+  [[nodiscard]] Theorem discharged(const Theorem& theorem) const {
+    return without_divisors(theorem, ranges_);
   }
 
   // By the intermediate value, between decimals of nine places.
@@ -191,7 +166,7 @@ class Zeros {
                                                  {{part(there, 1), direction},
                                                   {Theorem::assume(equal(value(y), 0)), -direction},
                                                   {Theorem::assume(equal(value(x), 0)), direction}});
-    return impossible(Theorem::choose(mean, c, contradiction), before.conclusion());
+    return impossible(before.conclusion(), Theorem::choose(mean, c, contradiction));
   }
 
   // from <= t, t <= to, f(t) = 0 ⊢ the goal, as f(t) is not zero there.
@@ -206,7 +181,7 @@ class Zeros {
     const Theorem away = in_pieces(t_, here, [&](const Ranges& piece) {
       return Theorem::consequence({different(away_from_zero(piece)), vanishes}, goal);
     });
-    so_far = so_far ? either(*so_far, away, from) : away;
+    so_far = so_far ? either_side(*so_far, away, t_, from) : away;
   }
 
   // That the function is above zero, or that it is below.
@@ -216,13 +191,6 @@ class Zeros {
     } catch (const KernelError&) {
       return sign(less(value(t_), 0), piece);
     }
-  }
-
-  // From what holds for t <= at and what holds for at <= t.
-  [[nodiscard]] Theorem either(const Theorem& before, const Theorem& after, const Rational& at) const {
-    return Theorem::consequence({Theorem::discharge(before, at_most(t_, at)),
-                                 Theorem::discharge(after, at_most(at, t_)), Theorem::trichotomy(t_, at)},
-                                before.conclusion());
   }
 
   const Differentiable& f_;
@@ -252,6 +220,16 @@ Theorem within_bounds(const EnclosedZero& zero, Theorem theorem) {
   const auto& [lower, upper] = zero.bounds;
   theorem = Theorem::cut(Theorem::order(at_most(lower, zero.x), {{{part(there, 0)}}}), theorem);
   return Theorem::cut(Theorem::order(at_most(zero.x, upper), {{{part(there, 1)}}}), theorem);
+}
+
+Theorem there_are(const std::vector<EnclosedZero>& zeros, Theorem theorem) {
+  for (auto zero = zeros.rbegin(); zero != zeros.rend(); ++zero) {
+    theorem = Theorem::witness(theorem, exists(zero->x, theorem.conclusion()), zero->x);
+  }
+  for (const EnclosedZero& zero : zeros) {
+    theorem = Theorem::choose(zero.exists, zero.x, theorem);
+  }
+  return theorem;
 }
 
 AllZeros all_zeros(const Differentiable& f, const std::vector<Term>& others, const Variable& t,

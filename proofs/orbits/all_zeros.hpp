@@ -22,6 +22,9 @@ struct EnclosedZero {
 };
 // The theorem with what is said of the zero in place of its bounds l <= x, x <= u.
 [[nodiscard]] kernel::Theorem within_bounds(const EnclosedZero& zero, kernel::Theorem theorem);
+// ⊢ there are these zeros, in their order: what the theorem says, from what is said of each.
+[[nodiscard]] kernel::Theorem there_are(const std::vector<EnclosedZero>& zeros, kernel::Theorem theorem);
+
 struct AllZeros {
   std::vector<EnclosedZero> zeros;  // as they were given
   // ranges, what is said of each zero, from <= t, t <= to, f(t) = 0 ⊢ t = x1 or t = x2 or ….

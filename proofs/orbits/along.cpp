@@ -10,23 +10,8 @@ using Wave = model::Wave<Symbolic>;
 
 namespace {
 
-constexpr long bits = 64;
+constexpr long few_bits = 64;
 constexpr int most_halvings = 24;
-
-// Of the ranges those of what occurs.
-Ranges of(const Formula& formula, const Ranges& ranges) {
-  Ranges result;
-  for (const auto& [variable, range] : ranges) {
-    if (formula.variables().contains(variable)) {
-      result.emplace(variable, range);
-    }
-  }
-  return result;
-}
-
-Theorem sign(const Formula& inequality, const Ranges& ranges) {
-  return Theorem::sign(inequality, of(inequality, ranges), bits);
-}
 
 // The theorem without the hypothesis, which is what the lemma says.
 Theorem given(const Theorem& lemma, const Theorem& theorem) {
@@ -48,13 +33,7 @@ Theorem halved(const Variable& x, Ranges ranges, const std::function<Theorem(con
   const Theorem left = halved(x, ranges, decide, depth - 1);
   ranges[x] = {middle, whole.second};
   const Theorem right = halved(x, ranges, decide, depth - 1);
-  return Theorem::consequence({Theorem::discharge(left, at_most(x, middle)),
-                               Theorem::discharge(right, at_most(middle, x)), Theorem::trichotomy(x, middle)},
-                              left.conclusion());
-}
-
-Rational dyadic(const Rational& value) {
-  return kernel::Number(Rational(mpz_class(value * 4096), 4096));
+  return either_side(left, right, x, middle);
 }
 
 // f(b) - f(a) = f'(c) (b - a) for some a < c < b, f being the wave: gives the goal from a < c < b and that.
@@ -82,7 +61,7 @@ class Along {
 
   Theorem operator()() {
     // Where one of the ends is near, the slope decides; between them, the value.
-    const Rational whole = dyadic(length_.first);
+    const Rational whole = rounded_down(length_.first, 4096);
     const Rational from = q_.meets_at_start ? found([&](const Rational&d) { return rising(-1, 0, d); }, whole)
                                             : Rational(0),
                    to =
@@ -95,9 +74,9 @@ class Along {
     here[s_] = {from, to};
     Theorem result = in_pieces(goal(), s_, here);  // from <= s <= to
     if (q_.meets_at_start) {
-      result = either(near_start(from), result, from);
+      result = either_side(near_start(from), result, s_, from);
     }
-    result = q_.meets_at_end ? either(result, near_end(to), to) : given(before_end(to), result);
+    result = q_.meets_at_end ? either_side(result, near_end(to), s_, to) : given(before_end(to), result);
     return result;
   }
 
@@ -106,7 +85,7 @@ class Along {
   // s <= u from s <= duration.
   [[nodiscard]] Theorem before_end(const Rational& to) const {
     return Theorem::order(at_most(s_, to), {{{Theorem::assume(at_most(s_, q_.duration))}},
-                                            {{sign(less(q_.duration, to), ranges_)}}});
+                                            {{sign(less(q_.duration, to), ranges_, few_bits)}}});
   }
 
   // The slope has this sign in the range.
@@ -121,7 +100,7 @@ class Along {
   // The largest of the durations whole/2, whole/4, … for which it works.
   template <class Try>
   [[nodiscard]] static Rational found(const Try& attempt, const Rational& whole) {
-    Rational duration = dyadic(whole / 4);
+    Rational duration = rounded_down(whole / 4, 4096);
     for (;;) {
       try {
         static_cast<void>(attempt(duration));
@@ -153,19 +132,12 @@ class Along {
         q_.wave, s_, q_.duration, before, [&](const Term& c, const Theorem& where, const Theorem& mean) {
           Theorem rises = rising(1, d, length_.second);
           rises = given(Theorem::order(at_most(d, c), {{{part(where, 0)}}, {{late}}}), rises);
-          rises = given(
-              Theorem::order(at_most(c, length_.second),
-                             {{{part(where, 1)}}, {{sign(less(q_.duration, length_.second), ranges_)}}}),
-              rises);
+          rises = given(Theorem::order(at_most(c, length_.second),
+                                       {{{part(where, 1)}},
+                                        {{sign(less(q_.duration, length_.second), ranges_, few_bits)}}}),
+                        rises);
           return Theorem::order(goal(), {{{rises, before}}}, {{mean}, {*q_.meets_at_end, -1}});
         });
-  }
-
-  // From what holds for s <= at and what holds for at <= s.
-  [[nodiscard]] Theorem either(const Theorem& before, const Theorem& after, const Rational& at) const {
-    return Theorem::consequence({Theorem::discharge(before, at_most(s_, at)),
-                                 Theorem::discharge(after, at_most(at, s_)), Theorem::trichotomy(s_, at)},
-                                goal());
   }
 
   const Below& q_;
@@ -176,10 +148,39 @@ class Along {
 
 }  // namespace
 
+Ranges ranges_in(const Term& term, const Ranges& ranges) {
+  Ranges result;
+  for (const Variable& variable : term.variables()) {
+    if (const auto known = ranges.find(variable); known != ranges.end()) {
+      result.insert(*known);
+    }
+  }
+  return result;
+}
+
+Theorem sign(const Formula& relation, const Ranges& ranges, long bits) {
+  return Theorem::sign(relation, ranges_in(relation, ranges), bits);
+}
+
+Theorem without_divisors(const Theorem& theorem, const Ranges& ranges) {
+  return settled_by(theorem, [&](const Formula& one) {
+    return is_divisor(one) ? std::optional(sign(one, ranges)) : std::nullopt;
+  });
+}
+
+Rational rounded_down(const Rational& value, const mpz_class& unit) {
+  mpz_class whole;
+  const Rational scaled = value * unit;
+  mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  Rational result(whole, unit);
+  result.canonicalize();
+  return result;
+}
+
 Interval enclosure(const Term& term, const Ranges& ranges, const Rational& width) {
   const auto holds = [&](const Term& a, const Term& b) {
     try {
-      static_cast<void>(sign(less(a, b), ranges));
+      static_cast<void>(sign(less(a, b), ranges, few_bits));
       return true;
     } catch (const KernelError&) {
       return false;
@@ -210,8 +211,13 @@ Interval enclosure(const Term& term, const Ranges& ranges, const Rational& width
   return {low, high};
 }
 
+Rational above(const Term& term, const Ranges& ranges) {
+  const Rational least(1, 1024);
+  return rounded_down(enclosure(term, ranges_in(term, ranges), least).second, 1024) + least;
+}
+
 Theorem in_pieces(const Formula& inequality, const Variable& x, const Ranges& ranges) {
-  return in_pieces(x, ranges, [&](const Ranges& here) { return sign(inequality, here); });
+  return in_pieces(x, ranges, [&](const Ranges& here) { return sign(inequality, here, few_bits); });
 }
 
 Theorem in_pieces(const Variable& x, const Ranges& ranges,

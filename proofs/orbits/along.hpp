@@ -13,10 +13,24 @@ namespace stickslip::proofs::orbits {
 
 using kernel::Ranges;  // intervals that hold numbers
 
+// Of the ranges those of what occurs.
+[[nodiscard]] Ranges ranges_in(const kernel::Term& term, const Ranges& ranges);
+
+// The sign rule from these ranges, of which there may be more than occur.
+[[nodiscard]] kernel::Theorem sign(const kernel::Formula& relation, const Ranges& ranges, long bits = 128);
+// The theorem less what it divides by: by signs in these ranges.
+[[nodiscard]] kernel::Theorem without_divisors(const kernel::Theorem& theorem, const Ranges& ranges);
+
+// The largest multiple of 1/unit that is not above.
+[[nodiscard]] Rational rounded_down(const Rational& value, const mpz_class& unit);
+
 // Bounds of what the term can be, strict and no farther apart than that where the ranges allow. Throws
 // KernelError where a divisor may be zero.
 [[nodiscard]] kernel::Interval enclosure(const kernel::Term& term, const Ranges& ranges,
                                          const Rational& width);
+
+// A multiple of 1/1024 above it, and not far.
+[[nodiscard]] Rational above(const kernel::Term& term, const Ranges& ranges);
 
 // l <= x, x <= u of the ranges ⊢ the inequality, or what `decide` always says, for x in pieces as small as it
 // takes. Throws KernelError where that does not end.

@@ -21,12 +21,10 @@ class Condition {
   explicit Condition(const Question& question) : q_(question), said_(question) {}
 
   [[nodiscard]] Theorem operator()(const Requirement& requirement, const Theorem& body) const {
-    Theorem result = Theorem::instantiate(proved(requirement), {{said_.omega(), q_.data.omega}});
-    const Formulas hypotheses = result.hypotheses();
-    for (const Formula& one : hypotheses) {
-      result = Theorem::cut(is_divisor(one) ? certainly(one) : Theorem::consequence({body}, one), result);
-    }
-    return result;
+    return settled_by(Theorem::instantiate(proved(requirement), {{said_.omega(), q_.data.omega}}),
+                      [&](const Formula& one) {
+                        return is_divisor(one) ? certainly(one) : Theorem::consequence({body}, one);
+                      });
   }
 
  private:

@@ -20,23 +20,19 @@ constexpr long bits = matrix_bits;
 // Outwards to multiples of 2^-places, and one of them more.
 Interval rounded(const Interval& range, int places) {
   const mpz_class unit = mpz_class(1) << places;
-  const auto multiple = [&](const Rational& value, int direction) {
-    mpz_class whole;
-    mpz_fdiv_q(whole.get_mpz_t(), mpz_class(value.get_num() * unit).get_mpz_t(), value.get_den_mpz_t());
-    return Rational(whole + (direction > 0 ? 2 : -1), unit);
-  };
-  return {multiple(range.first, -1), multiple(range.second, 1)};
+  return {Rational(rounded_down(range.first, unit) - Rational(1, unit)),
+          Rational(rounded_down(range.second, unit) + Rational(2, unit))};
 }
 
 // Bounds about what the term is nearly, as close as the ranges allow; else as they are found without that.
 Interval enclosed(const Term& term, const Ranges& ranges, const Rational& width) {
-  std::map<Variable, Rational, Before> middle;
+  Point middle;
   for (const auto& [variable, range] : ranges) {
     middle.emplace(variable, (range.first.value() + range.second.value()) / 2);
   }
   const bool halves = std::ranges::any_of(
       ranges, [](const auto& one) { return one.second.second.value() - one.second.first.value() > wide; });
-  const double near = estimated(term, middle);
+  const auto near = static_cast<double>(estimated(term, middle));
   const auto lies_in = [&](const Interval& bounds) {
     try {
       static_cast<void>(Theorem::sign(less(bounds.first, term), ranges, bits));
@@ -68,21 +64,34 @@ Interval enclosed(const Term& term, const Ranges& ranges, const Rational& width)
 
 }  // namespace
 
-Ranges ranges_in(const Term& term, const Ranges& ranges) {
-  Ranges result;
-  for (const Variable& variable : term.variables()) {
-    if (const auto known = ranges.find(variable); known != ranges.end()) {
-      result.insert(*known);
-    }
-  }
-  return result;
-}
-
 Known bounded(const Term& term, const Ranges& ranges, int places) {
   const Ranges here = ranges_in(term, ranges);
   const Interval range = rounded(enclosed(term, here, Rational(1, 1L << places)), places);
   return {term, range, Theorem::sign(at_most(range.first, term), here, bits),
           Theorem::sign(at_most(term, range.second), here, bits)};
+}
+
+std::map<Term, Known> bounds_said(const Theorem& theorem) {
+  const auto weaker = [&](const Formula& order) {
+    return Theorem::order(at_most(order.parts()[0], order.parts()[1]),
+                          {Positive{{Theorem::consequence({theorem}, order)}}});
+  };
+  std::map<Term, Known> result;
+  for (const Formula& one : theorem.conclusion().parts()) {
+    if (one.kind() != Kind::less || one.parts()[0].kind() != Kind::number) {
+      continue;
+    }
+    const Term& term = one.parts()[1];
+    for (const Formula& other : theorem.conclusion().parts()) {
+      if (other.kind() == Kind::less && other.parts()[0] == term && other.parts()[1].kind() == Kind::number &&
+          !result.contains(term)) {
+        result.emplace(
+            term,
+            Known{term, {one.parts()[0].value(), other.parts()[1].value()}, weaker(one), weaker(other)});
+      }
+    }
+  }
+  return result;
 }
 
 Theorem settled(const Theorem& theorem, const Letters& letters) {
@@ -93,14 +102,10 @@ Theorem settled(const Theorem& theorem, const Letters& letters) {
     known.emplace(one.lower.conclusion(), one.lower);
     known.emplace(one.upper.conclusion(), one.upper);
   }
-  Theorem result = Theorem::instantiate(theorem, values);
-  const Formulas hypotheses = result.hypotheses();
-  for (const Formula& one : hypotheses) {
-    if (const auto lemma = known.find(one); lemma != known.end()) {
-      result = Theorem::cut(lemma->second, result);
-    }
-  }
-  return result;
+  return settled_by(Theorem::instantiate(theorem, values), [&](const Formula& one) {
+    const auto lemma = known.find(one);
+    return lemma != known.end() ? std::optional(lemma->second) : std::nullopt;
+  });
 }
 
 Ranges ranges_of(const Letters& letters) {

@@ -17,8 +17,6 @@ struct Known {
 // Letters that stand for numbers, each with what it stands for.
 using Letters = std::map<kernel::Variable, Known>;
 [[nodiscard]] Ranges ranges_of(const Letters& letters);
-// Of the ranges those of what occurs.
-[[nodiscard]] Ranges ranges_in(const kernel::Term& term, const Ranges& ranges);
 
 // Ranges that are wider are halved in certificates where that gives closer bounds.
 inline const Rational wide(1, 1000000);
@@ -26,6 +24,9 @@ inline const Rational wide(1, 1000000);
 // ranges ⊢ l <= term, term <= u, with l and u near: multiples of 2^-places. Throws KernelError where a
 // divisor may be zero.
 [[nodiscard]] Known bounded(const kernel::Term& term, const Ranges& ranges, int places = 28);
+// What the theorem, a conjunction, bounds by numbers, l < term and term < u: each by the first that it says.
+[[nodiscard]] std::map<kernel::Term, Known> bounds_said(const kernel::Theorem& theorem);
+
 // The theorem with the letters' values in their place, and without the hypotheses on their ranges.
 [[nodiscard]] kernel::Theorem settled(const kernel::Theorem& theorem, const Letters& letters);
 

@@ -51,17 +51,18 @@ class Orbit {
     Theorem result = solved(Theorem::instantiate(exists(), known_->values), known_->between);
     result =
         solved(Theorem::instantiate(result, known_->numbers), substitute(known_->between, known_->numbers));
-    const Formulas hypotheses = result.hypotheses();
-    for (const Formula& one : hypotheses) {
+    return settled_by(result, [&](const Formula& one) -> std::optional<Theorem> {
       if (one.variables().empty()) {
-        result = Theorem::cut(certainly(one), result);
-      } else if (one.kind() == Kind::at_most && !is_range(one)) {
-        result = Theorem::cut(Theorem::sign(one, ranges_in(one, known_->parameters)), result);
-      } else if (one.kind() == Kind::equal && one != substitute(known_->between, known_->numbers)) {
+        return certainly(one);
+      }
+      if (one.kind() == Kind::at_most && !is_range(one)) {
+        return orbits::sign(one, known_->parameters);
+      }
+      if (one.kind() == Kind::equal && one != substitute(known_->between, known_->numbers)) {
         throw KernelError("the closed form does not solve " + to_string(one));
       }
-    }
-    return result;
+      return std::nullopt;
+    });
   }
   [[nodiscard]] Theorem unique() const {
     return exactly_one_zero(phases_.unknowns(), phases_.equations(), box_, at_value());
@@ -73,23 +74,21 @@ class Orbit {
     ranges_.emplace(phases_.omega(), Interval{omega, omega});
   }
   // The theorem less its equations, as far as they hold identically or by the one between the parameters.
-  [[nodiscard]] static Theorem solved(Theorem theorem, const Formula& between) {
-    const Formulas hypotheses = theorem.hypotheses();
-    for (const Formula& one : hypotheses) {
+  [[nodiscard]] static Theorem solved(const Theorem& theorem, const Formula& between) {
+    return settled_by(theorem, [&](const Formula& one) -> std::optional<Theorem> {
       for (const int factor : {0, 1, -1}) {
         if (one.kind() != Kind::equal || one == between) {
           break;
         }
         try {
           const std::vector<Multiple> because(factor == 0 ? 0 : 1, {Theorem::assume(between), factor});
-          theorem = Theorem::cut(Theorem::combination(one, because), theorem);
-          break;
+          return Theorem::combination(one, because);
         } catch (const KernelError&) {
           continue;
         }
       }
-    }
-    return theorem;
+      return std::nullopt;
+    });
   }
   [[nodiscard]] bool is_range(const Formula& formula) const {
     return std::ranges::any_of(known_->parameters, [&](const auto& one) {
@@ -152,13 +151,7 @@ class Orbit {
   }
 
   [[nodiscard]] Theorem sign(const Formula& inequality) const {
-    Ranges here;
-    for (const auto& [variable, range] : ranges_) {
-      if (inequality.variables().contains(variable)) {
-        here.emplace(variable, range);
-      }
-    }
-    return Theorem::sign(inequality, here, 96);
+    return orbits::sign(inequality, ranges_, matrix_bits);
   }
 
   // An inequality of numbers, in the names, by signs in balls.
@@ -204,15 +197,8 @@ class Orbit {
     mpz_class unit;
     mpz_ui_pow_ui(unit.get_mpz_t(), 10, 9);
     const Interval bounds = enclosure(term, ranges_, Rational(1, unit * 4));
-    const auto rounded = [&](const Rational& value, int direction) {
-      const Rational scaled = value * unit;
-      mpz_class whole;
-      mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-      Rational result(whole + (direction > 0 ? 1 : 0), unit);
-      result.canonicalize();
-      return result;
-    };
-    return {rounded(bounds.first, -1), rounded(bounds.second, 1)};
+    return {rounded_down(bounds.first, unit),
+            Rational(rounded_down(bounds.second, unit) + Rational(1, unit))};
   }
 
   void phase(std::size_t k) {

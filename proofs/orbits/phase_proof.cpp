@@ -56,24 +56,18 @@ Term PhaseProof::speed(const Term& s) const {
 Theorem PhaseProof::at_time(const Variable& s, const Variable& t, const Theorem& theorem,
                             const Formula& inside) const {
   const Term since = Term(t) - phases_.start(k_);
-  Theorem result = Theorem::instantiate(theorem, {{s, since}});
   const Theorem here = Theorem::assume(inside);
-  const Formulas hypotheses = result.hypotheses();
-  for (const Formula& one : hypotheses) {
-    if (one.variables().contains(t)) {
-      for (std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-        try {
-          result = Theorem::cut(Theorem::order(one, {Positive{{part(here, i)}}}), result);
-          break;
-        } catch (const KernelError&) {
-          if (i == 1) {
-            throw;
-          }
-        }
-      }
-    }
-  }
-  return result;
+  return settled_by(Theorem::instantiate(theorem, {{s, since}}),
+                    [&](const Formula& one) -> std::optional<Theorem> {
+                      if (!one.variables().contains(t)) {
+                        return std::nullopt;
+                      }
+                      try {
+                        return as(one, part(here, 0));
+                      } catch (const KernelError&) {
+                        return as(one, part(here, 1));
+                      }
+                    });
 }
 
 Theorem PhaseProof::obeys(const Variable& t, const Formula& rate) const {

@@ -12,6 +12,7 @@
 #include "proofs/orbits/along.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
+#include "proofs/orbits/names.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/orbits/orbit_with.hpp"
 #include "proofs/orbits/with_zero.hpp"
@@ -79,7 +80,8 @@ Theorem judged(const Variable& M, const std::vector<Interval>& bounds) {
 
 class Multipliers {
  public:
-  Multipliers(const Question& question, const Theorem& body) : q_(question), body_(body), phases_(question) {
+  Multipliers(const Question& question, const Theorem& body)
+      : q_(question), body_(body), said_(bounds_said(body)), names_(question), phases_(question) {
     for (std::size_t k = 0; k < count(); ++k) {
       require_phase(k);
     }
@@ -87,8 +89,8 @@ class Multipliers {
     for (const std::string& name : q_.durations) {
       add_known(Variable{name}, Variable{name});
     }
-    if (!q_.phi) {
-      add_known(Variable{"phi"}, Variable{"phi"});
+    if (names_.phi().kind() == Kind::variable) {
+      add_known(Variable{"phi"}, names_.phi());
     }
   }
 
@@ -144,10 +146,10 @@ class Multipliers {
       data.emplace_back(a.us);
     }
     data.insert(data.end(), {a.V, a.omega, a.p});
-    const Variable X{fmt::format("X{}", k + 1), motion_type};
     for (const Formula& one : body_.conclusion().parts()) {
       if (one.kind() == Kind::defined && one.definition() == phase_definition(q_.phases[k]) &&
-          one.parts()[0] == Term(X) && std::equal(data.begin(), data.end(), one.parts().begin() + 3)) {
+          one.parts()[0] == Term(Names::motion(k)) &&
+          std::equal(data.begin(), data.end(), one.parts().begin() + 3)) {
         return;
       }
     }
@@ -182,23 +184,12 @@ class Multipliers {
 
   // What the orbit's theorem bounds.
   void add_known(const Variable& letter, const Term& value) {
-    const auto decimal = [&](bool below) {
-      for (const Formula& one : body_.conclusion().parts()) {
-        if (one.kind() == Kind::less && one.parts()[below ? 1 : 0] == value &&
-            one.parts()[below ? 0 : 1].kind() == Kind::number && one.parts()[below ? 0 : 1] != Term(0)) {
-          return one;
-        }
-      }
+    const auto said = said_.find(value);
+    if (said == said_.end()) {
       throw KernelError("the orbit's theorem has no bounds of " + to_string(value));
-    };
-    const auto weaker = [&](const Formula& one) {
-      return Theorem::order(at_most(one.parts()[0], one.parts()[1]),
-                            {Positive{{Theorem::consequence({body_}, one)}}});
-    };
-    const Formula below = decimal(true), above = decimal(false);
-    const Interval range{below.parts()[0].value(), above.parts()[1].value()};
-    known_.emplace(letter, Known{value, range, weaker(below), weaker(above)});
-    ranges_.emplace(letter, range);
+    }
+    known_.emplace(letter, said->second);
+    ranges_.emplace(letter, said->second.range);
   }
 
   // ---- The equations of variation.
@@ -299,13 +290,8 @@ class Multipliers {
     if (sticks(next)) {
       return {landing(), {}, {}};
     }
-    Symbolic start;
-    for (std::size_t i = 0; i < next; ++i) {
-      start += Symbolic(Variable{q_.durations[i]});
-    }
-    const Term phi = q_.phi ? Term(*q_.phi) : Variable{"phi"};
-    const Term X = apply(Variable{fmt::format("X{}", next + 1), motion_type}, start.term);
-    const std::vector<Term> here{X, start.term, q_.data.chi, q_.data.eta, q_.data.omega, q_.data.p, phi};
+    const Term start = names_.start(next), X = Names::state(next, start);
+    const std::vector<Term> here{X, start, q_.data.chi, q_.data.eta, q_.data.omega, q_.data.p, names_.phi()};
     const Term r = friction()(here);
     const auto acceleration = [&](PhaseKind kind) {
       const Rational u = kind == PhaseKind::slip ? q_.data.us : Rational(-q_.data.us);
@@ -339,10 +325,7 @@ class Multipliers {
         {event.definition});
     Ranges ranges = ranges_;
     ranges.merge(ranges_of(event.letters));
-    const Formulas divisors = same.hypotheses();
-    for (const Formula& one : divisors) {
-      same = Theorem::cut(Theorem::sign(one, ranges_in(one, ranges), matrix_bits), same);
-    }
+    same = settled_by(same, [&](const Formula& one) { return sign(one, ranges, matrix_bits); });
     return matrix_of(entries, ranges, event.letters, settled(same, event.letters));
   }
 
@@ -379,6 +362,8 @@ class Multipliers {
 
   const Question& q_;
   const Theorem& body_;
+  std::map<Term, Known> said_;
+  Names names_;
   Phases phases_;
   std::vector<Variable> letters_;
   std::vector<Term> system_;

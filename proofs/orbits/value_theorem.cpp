@@ -32,34 +32,14 @@ Term named_value(const Question& question, const std::string& name) {
   return Variable{name, real_number};
 }
 
-// What the theorem bounds, each between numbers: l < term, term < u.
-std::map<Term, Interval> bounded_by(const Theorem& orbit) {
-  std::map<Term, Interval> result;
-  for (const Formula& one : orbit.conclusion().parts()) {
-    if (one.kind() == Kind::less && one.parts()[0].kind() == Kind::number) {
-      for (const Formula& other : orbit.conclusion().parts()) {
-        if (other.kind() == Kind::less && other.parts()[0] == one.parts()[1] &&
-            other.parts()[1].kind() == Kind::number) {
-          result.emplace(one.parts()[1], Interval{one.parts()[0].value(), other.parts()[1].value()});
-        }
-      }
-    }
-  }
-  return result;
-}
-
 // Decided by these bounds.
 Theorem decided(const Formula& inequality, const Theorem& orbit) {
   const Formula opened = unfold(inequality, {friction()});
   Formula here = opened;
   Letters letters;
-  for (const auto& [term, range] : bounded_by(orbit)) {
+  for (const auto& [term, known] : bounds_said(orbit)) {
     const Variable letter{"value " + std::to_string(letters.size())};
-    const auto at_most_said = [&](const Term& a, const Term& b) {
-      return Theorem::order(at_most(a, b), {Positive{{Theorem::consequence({orbit}, less(a, b))}}});
-    };
-    letters.emplace(letter,
-                    Known{term, range, at_most_said(range.first, term), at_most_said(term, range.second)});
+    letters.emplace(letter, known);
     here = replaced(here, term, letter);
   }
   const Theorem lemma = Theorem::sign(here, ranges_in(here, ranges_of(letters)));

@@ -53,23 +53,16 @@ Theorem with_zero(const Theorem& theorem, const std::vector<Variable>& unknowns,
   const Term system = column.system(terms);  // with the letters of at_value; then at their values
   const Theorem existence = part(exactly_one_zero(unknowns, terms, box, at_value), 0);
   const Theorem found = Theorem::assume(all({inside(Y, box), equal(system, zero(Y.type))}));
-  Theorem result = Theorem::instantiate(theorem, entries);
-  const Formulas hypotheses = result.hypotheses();
-  for (const Formula& one : hypotheses) {
-    if (one.variables().contains(Y)) {
-      result = Theorem::cut(one.kind() == Kind::equal ? row(one, terms, part(found, 1), entries)
-                                                      : Theorem::consequence({found}, one),
-                            result);
-    }
-  }
-  result = Theorem::instantiate(result, at_value);
-  const Formulas values = result.hypotheses();
-  for (const Formula& one : values) {
-    if (one.variables().empty()) {
-      result = Theorem::cut(certainly(one), result);
-    }
-  }
-  return Theorem::choose(existence, Y, result);
+  const Theorem of_column =
+      settled_by(Theorem::instantiate(theorem, entries), [&](const Formula& one) -> std::optional<Theorem> {
+        return !one.variables().contains(Y) ? std::nullopt
+               : one.kind() == Kind::equal  ? std::optional(row(one, terms, part(found, 1), entries))
+                                            : std::optional(Theorem::consequence({found}, one));
+      });
+  return Theorem::choose(existence, Y,
+                         settled_by(Theorem::instantiate(of_column, at_value), [](const Formula& one) {
+                           return one.variables().empty() ? std::optional(certainly(one)) : std::nullopt;
+                         }));
 }
 
 }  // namespace stickslip::proofs::orbits

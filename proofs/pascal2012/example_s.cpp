@@ -52,16 +52,14 @@ kernel::Theorem does_not_close(const kernel::Theorem& zeros, const kernel::Theor
                                            {{"V"}, a.V},
                                            {{"zdot20"}, a.V}});
     std::vector<Formula> solved;
-    const kernel::Formulas hypotheses = result.hypotheses();
-    for (const Formula& one : hypotheses) {
+    result = tactics::settled_by(result, [&](const Formula& one) -> std::optional<Theorem> {
       if (one.variables().contains(unknowns[0])) {
         solved.push_back(one);
-      } else if (one.kind() == kernel::Kind::equal) {
-        result = Theorem::cut(Theorem::reflexive(one.parts()[0]), result);
-      } else {
-        result = Theorem::cut(Theorem::sign(one, orbits::ranges_in(one, ranges)), result);
+        return std::nullopt;
       }
-    }
+      return one.kind() == kernel::Kind::equal ? Theorem::reflexive(one.parts()[0])
+                                               : orbits::sign(one, ranges);
+    });
     ranges.emplace(tau, kernel::Interval{decimal.lower(), decimal.upper()});
     const Formula both = kernel::all(solved);
     for (std::size_t i = 0; i < solved.size(); ++i) {

@@ -44,13 +44,6 @@ Theorem slope_of_chord(Derivation& derivation, std::size_t which) {
       derivation.order(goal, {Positive{{positive, c_positive, sine}}}, {Multiple{tactics::part(there, 1)}}));
 }
 
-// Γ, case ⊢ 0 < 0 gives Γ ⊢ not the case.
-Theorem excluded(const kernel::Formula& one, const Theorem& contradiction) {
-  return Theorem::consequence(
-      {Theorem::discharge(contradiction, one), Theorem::trichotomy(0, 0), Theorem::reflexive(0)},
-      negation(one));
-}
-
 // Theta/2 < tau, as each of the other cases gives 0 < 0.
 Theorem longer_than_half(Derivation& derivation, std::size_t which) {
   const kernel::Formula goal = derivation.read(derivation.claim().printed[which]),
@@ -78,7 +71,7 @@ Theorem longer_than_half(Derivation& derivation, std::size_t which) {
   const Theorem cosine = derivation.order(
       kernel::less(0, kernel::cos(q)),
       {Positive{{tactics::detach(Theorem::sine_is_positive(turn - q), tactics::both({gap, within}))}}});
-  const Theorem not_shorter = excluded(
+  const Theorem not_shorter = tactics::impossible(
       shorter,
       derivation.order(absurd, {Positive{{frequency, cosine, falls_short}}, Positive{{moves, chord}, 2}},
                        {Multiple{balance}}));
@@ -86,9 +79,9 @@ Theorem longer_than_half(Derivation& derivation, std::size_t which) {
   const kernel::Formula as_long = equal(half_period, slip);
   const Theorem quarter_turn = derivation.combination(
       equal(q, turn), {Multiple{Theorem::assume(as_long), -w / 2}, Multiple{load, w / 4}});
-  const Theorem not_as_long =
-      excluded(as_long, derivation.order(absurd, {Positive{{moves}, 2}},
-                                         {Multiple{tactics::by_rewriting(balance, quarter_turn)}}));
+  const Theorem not_as_long = tactics::impossible(
+      as_long, derivation.order(absurd, {Positive{{moves}, 2}},
+                                {Multiple{tactics::by_rewriting(balance, quarter_turn)}}));
   return Theorem::consequence({not_shorter, not_as_long, Theorem::trichotomy(half_period, slip)}, goal);
 }
 

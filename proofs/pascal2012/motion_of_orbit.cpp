@@ -208,14 +208,11 @@ class MotionOf {
     return kernel::KernelError("of this motion it is not known: " + to_string(formula));
   }
   // The theorem without hypotheses: they hold.
-  [[nodiscard]] Theorem discharged(Theorem theorem) const {
-    const kernel::Formulas hypotheses = theorem.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (!said_.hypotheses().contains(one) && !is_of_data(one) && !is_range(one)) {
-        theorem = Theorem::cut(holds(one), theorem);
-      }
-    }
-    return theorem;
+  [[nodiscard]] Theorem discharged(const Theorem& theorem) const {
+    return tactics::settled_by(theorem, [&](const Formula& one) {
+      return said_.hypotheses().contains(one) || is_of_data(one) || is_range(one) ? std::nullopt
+                                                                                  : std::optional(holds(one));
+    });
   }
 
   // chi = …, eta = …: what the frequencies give.

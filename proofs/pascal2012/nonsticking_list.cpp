@@ -78,14 +78,7 @@ class List {
     const Theorem all_are =
         for_every(delta, inside, for_every(mu, turn, Theorem::discharge(both({middle, only}), hold)));
     parts.push_back(all_are);
-    Theorem theorem = both(parts);
-    for (auto zero = found.zeros.rbegin(); zero != found.zeros.rend(); ++zero) {
-      theorem = Theorem::witness(theorem, exists(zero->x, theorem.conclusion()), zero->x);
-    }
-    for (const orbits::EnclosedZero& zero : found.zeros) {
-      theorem = Theorem::choose(zero.exists, zero.x, theorem);
-    }
-    return theorem;
+    return orbits::there_are(found.zeros, both(parts));
   }
 
  private:
@@ -95,17 +88,9 @@ class List {
   [[nodiscard]] Theorem opened_row(std::size_t j, const Theorem& holds) const {
     return Theorem::convert(part(holds, j), unfold(row(j, delta, mu), {rows_[j]}), {rows_[j]});
   }
-  [[nodiscard]] Theorem sign(const Formula& relation) const {
-    return Theorem::sign(relation, orbits::ranges_in(relation, ranges_));
-  }
-  [[nodiscard]] Theorem discharged(Theorem theorem) const {
-    const Formulas hypotheses = theorem.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (is_divisor(one)) {
-        theorem = Theorem::cut(sign(one), theorem);
-      }
-    }
-    return theorem;
+  [[nodiscard]] Theorem sign(const Formula& relation) const { return orbits::sign(relation, ranges_); }
+  [[nodiscard]] Theorem discharged(const Theorem& theorem) const {
+    return orbits::without_divisors(theorem, ranges_);
   }
 
   // The friction's speed at the ends of a phase, times sin(delta), and the load's largest at cos(mu) = kappa.
@@ -150,8 +135,8 @@ class List {
     Domain domain{part(during, 0), part(during, 1),
                   different(detach(Theorem::sine_is_positive(delta), during))};
     for (const Variable& omega_j : {omega1, omega2}) {
-      const kernel::Number below(Rational(mpz_class(ranges_.at(omega_j).first.value() * 4096), 4096)),
-          above(below + Rational(1, 1024));
+      const Rational below = orbits::rounded_down(ranges_.at(omega_j).first, 4096),
+                     above = below + Rational(1, 1024);
       domain.push_back(sign(less(below, omega_j)));
       domain.push_back(sign(less(omega_j, above)));
       domain.push_back(sign(differ((sin(Symbolic(omega_j) / data_.omega * pi())).term, 0)));

@@ -103,16 +103,15 @@ class OrbitAtData {
     const Term minus = -Term(omega_);  // at the data -1 times a number, which is no number
     result = tactics::by_rewriting(
         result, Theorem::combination(equal(at_data(minus), Rational(-printed().data.omega))));
-    const kernel::Formulas hypotheses = result.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if ((is_inequality(one) || tactics::is_divisor(one)) && !one.variables().contains(e_.tau)) {
-        result = Theorem::cut(Theorem::sign(one, orbits::ranges_in(one, frequencies_)), result);
-      }
-    }
+    result = tactics::settled_by(result, [&](const Formula& one) {
+      return (is_inequality(one) || tactics::is_divisor(one)) && !one.variables().contains(e_.tau)
+                 ? std::optional(orbits::sign(one, frequencies_))
+                 : std::nullopt;
+    });
     tactics::Domain domain{tactics::above(0, e_.tau)};
     for (const Variable& omega_j : {e_.omega1, e_.omega2}) {
       for (const Formula& one : {kernel::less(0, omega_j), differ(omega_j, printed().data.omega)}) {
-        domain.push_back(Theorem::sign(one, orbits::ranges_in(one, frequencies_)));
+        domain.push_back(orbits::sign(one, frequencies_));
       }
     }
     return tactics::nonzero(result, domain);
@@ -125,12 +124,11 @@ class OrbitAtData {
                                                    {{"V"}, a.V},
                                                    {{"T"}, Term(Theta_) - e_.tau},
                                                    {{"phi"}, (kernel::pi() - Term(omega_) * e_.tau) / 2}});
-    const kernel::Formulas hypotheses = result.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (one.kind() == kernel::Kind::equal && one.parts()[0] == one.parts()[1]) {
-        result = Theorem::cut(Theorem::reflexive(one.parts()[0]), result);
-      }
-    }
+    result = tactics::settled_by(result, [](const Formula& one) {
+      return one.kind() == kernel::Kind::equal && one.parts()[0] == one.parts()[1]
+                 ? std::optional(Theorem::reflexive(one.parts()[0]))
+                 : std::nullopt;
+    });
     kernel::Definitions opened = openings({result.conclusion()}).all();
     std::erase_if(opened, [](const kernel::Definition& one) { return one.name() == "chi"; });
     result = Theorem::convert(result, unfold(result.conclusion(), opened), opened);
@@ -166,16 +164,12 @@ Theorem has_not(const char * name, const Theorem& halves, const OrbitList& list,
   if (of_friction) {
     result = tactics::by_rewriting(result, orbit.friction(value));
   }
-  const kernel::Formulas hypotheses = result.hypotheses();
-  for (const Formula& one : hypotheses) {
-    if (tactics::is_divisor(one) || one.kind() == kernel::Kind::less) {
-      const orbits::Ranges here = orbits::ranges_in(one, frequencies);
-      if (here.size() == one.variables().size()) {
-        result = Theorem::cut(Theorem::sign(one, here), result);
-      }
-    }
-  }
-  return closed_but_frequencies(result);
+  return closed_but_frequencies(tactics::settled_by(result, [&](const Formula& one) {
+    const bool may_be = tactics::is_divisor(one) || one.kind() == kernel::Kind::less;
+    return may_be && orbits::ranges_in(one, frequencies).size() == one.variables().size()
+               ? std::optional(orbits::sign(one, frequencies))
+               : std::nullopt;
+  }));
 }
 
 Proof no_orbit_has(const char * name) {

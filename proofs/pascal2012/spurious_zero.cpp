@@ -197,7 +197,7 @@ class Halved {
   // By halving in floating point.
   [[nodiscard]] Rational near_zero() const {
     const auto value = [&](const Rational& h) {
-      std::map<Variable, Rational, Before> known;
+      Point known;
       for (const auto& [frequency, range] : ranges_) {
         known.emplace(frequency, (range.first + range.second) / 2);
       }
@@ -235,14 +235,10 @@ class Halved {
         Theorem::instantiate(product, {{a, at(row, h)}, {f, at(factor, h)}, {e, at(determinant_, h)}});
     return Theorem::cut(vanishes, Theorem::cut(without_divisors(multiple), result));
   }
-  [[nodiscard]] Theorem without_divisors(Theorem theorem) const {
-    const Formulas hypotheses = theorem.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (is_divisor(one)) {
-        theorem = Theorem::cut(sign(one), theorem);
-      }
-    }
-    return theorem;
+  [[nodiscard]] Theorem without_divisors(const Theorem& theorem) const {
+    return settled_by(theorem, [&](const Formula& one) {
+      return is_divisor(one) ? std::optional(sign(one)) : std::nullopt;
+    });
   }
 
   [[nodiscard]] Theorem at_zero(const Term& h, const Theorem& vanishes) const {

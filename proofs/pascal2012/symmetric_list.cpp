@@ -127,8 +127,8 @@ class List {
         arguments_{e.omega1, e.omega2, phase} {
     Domain domain{above(0, e.tau)};
     for (const Variable& omega_j : {e.omega1, e.omega2}) {
-      const kernel::Number below(Rational(mpz_class(ranges.at(omega_j).first.value() * 4096), 4096));
-      domain.push_back(Theorem::sign(less(below, omega_j), {{omega_j, ranges.at(omega_j)}}));
+      domain.push_back(
+          orbits::sign(less(orbits::rounded_down(ranges.at(omega_j).first, 4096), omega_j), ranges));
     }
     for (const Row& row : rows_of(example, e)) {
       transfers_.push_back(nonzero(Theorem::combination(equal(row.D * row.T, row.N)), domain));
@@ -137,7 +137,7 @@ class List {
   }
 
   SymmetricList operator()(const std::vector<Rational>& nearly) {
-    const kernel::Number last(Rational(mpz_class(enclosed(e_.Theta).second.value() * 1024 + 1), 1024));
+    const Rational last = orbits::above(e_.Theta, ranges_);
     const orbits::AllZeros found =
         orbits::all_zeros(orbits::differentiable(eliminant_), arguments_, e_.tau, {0, last}, ranges_, nearly);
     SymmetricList result{{}, {}, {}, found.only};
@@ -186,9 +186,6 @@ class List {
   [[nodiscard]] static Term eliminant(const std::vector<Row>& rows) {
     return rows[1].scaled_left() * rows[0].scaled_right() - rows[0].scaled_left() * rows[1].scaled_right();
   }
-  [[nodiscard]] Interval enclosed(const Term& term) const {
-    return orbits::enclosure(term, orbits::ranges_in(term, ranges_), Rational(1, 1024));
-  }
   [[nodiscard]] Formula vanishes(const Term& tau) const {
     std::vector<Term> arguments = arguments_;
     arguments.push_back(tau);
@@ -211,9 +208,7 @@ class List {
     orbits::Ranges here = ranges_;
     here[zero.x] = zero.bounds;
     const std::vector<Row> rows{rows_[0].at({{e_.tau, zero.x}}), rows_[1].at({{e_.tau, zero.x}})};
-    const auto differs = [&](const Term& term) {
-      return Theorem::sign(differ(term, 0), orbits::ranges_in(term, here));
-    };
+    const auto differs = [&](const Term& term) { return orbits::sign(differ(term, 0), here); };
     for (const std::size_t j : {0, 1}) {
       const Term left = rows[j].scaled_left();
       try {
@@ -258,7 +253,7 @@ class List {
     for (std::size_t i = 0; i < 2; ++i) {
       Theorem row = letters_.unscaled(rows[i], known.value);
       row = Theorem::cut(Theorem::cut(divides, solved[i]), row);
-      row = Theorem::cut(Theorem::sign(differ(rows[i].D, 0), orbits::ranges_in(rows[i].D, ranges_)), row);
+      row = Theorem::cut(orbits::sign(differ(rows[i].D, 0), ranges_), row);
       parts.push_back(Theorem::convert(Theorem::cut(transfer(i, zero.x), row),
                                        rows_hold(zero.x, known.value).parts()[i], {e_.rows[i]}));
     }
@@ -316,7 +311,7 @@ class List {
                                            equation.conclusion()));
     }
     Theorem result = Theorem::consequence(because, goal(taus, amplitudes));
-    const kernel::Number last(Rational(mpz_class(enclosed(e_.Theta).second.value() * 1024 + 1), 1024));
+    const Rational last = orbits::above(e_.Theta, ranges_);
     for (const Theorem& known :
          {part(inside, 0), Theorem::order(at_most(0, e_.tau), {{{part(inside, 0)}}}),
           Theorem::order(at_most(e_.tau, last),

@@ -109,8 +109,7 @@ class AtTheData {
   // that is zero the equations without the cosines have a solution.
   [[nodiscard]] Theorem theorem(const Theorem& factorized, const std::vector<std::vector<Rational>>& nearly) {
     factorized_ = given(Theorem::instantiate(with_last_factor(factorized), data_));
-    const kernel::Number last(Rational(
-        mpz_class(orbits::enclosure(Theta_, {}, Rational(1, 1024)).second.value() * 1024 + 1), 1024));
+    const Rational last = orbits::above(Theta_, {});
     std::vector<orbits::EnclosedZero> zeros;
     std::vector<Theorem> parts, cases{one_factor_vanishes()};
     std::vector<Formula> those;
@@ -134,14 +133,7 @@ class AtTheData {
                                       {{{tactics::part(inside, 1)}}, {{Theorem::sign(less(Theta_, last))}}}),
                        all);
     parts.push_back(tactics::for_every(tau_, during, Theorem::discharge(all, vanishes)));
-    Theorem result = tactics::both(parts);
-    for (auto zero = zeros.rbegin(); zero != zeros.rend(); ++zero) {
-      result = Theorem::witness(result, exists(zero->x, result.conclusion()), zero->x);
-    }
-    for (const orbits::EnclosedZero& zero : zeros) {
-      result = Theorem::choose(zero.exists, zero.x, result);
-    }
-    return result;
+    return orbits::there_are(zeros, tactics::both(parts));
   }
 
  private:
@@ -152,18 +144,13 @@ class AtTheData {
   [[nodiscard]] Formula determinant_vanishes(const kernel::Term& tau) const {
     return equal(at(wholes_.back(), tau), 0);
   }
-  [[nodiscard]] Theorem sign(const Formula& relation, const orbits::Ranges& ranges) const {
-    return Theorem::sign(relation, orbits::ranges_in(relation, ranges));
-  }
   // The theorem less what it assumes of the frequencies and of divisors.
-  [[nodiscard]] Theorem given(Theorem theorem) const {
-    const kernel::Formulas hypotheses = theorem.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (tactics::is_divisor(one) || one.kind() == kernel::Kind::less) {
-        theorem = Theorem::cut(sign(one, ranges_), theorem);
-      }
-    }
-    return theorem;
+  [[nodiscard]] Theorem given(const Theorem& theorem) const {
+    return tactics::settled_by(theorem, [&](const Formula& one) {
+      return tactics::is_divisor(one) || one.kind() == kernel::Kind::less
+                 ? std::optional(orbits::sign(one, ranges_))
+                 : std::nullopt;
+    });
   }
   // The determinant by its last factor without matrices.
   [[nodiscard]] Theorem with_last_factor(const Theorem& factorized) const {
@@ -240,7 +227,8 @@ class AtTheData {
     return here;
   }
   [[nodiscard]] Theorem no_orbit(const orbits::EnclosedZero& zero) const {
-    return orbits::within_bounds(zero, sign(differ(at(factors_.back(), zero.x), 0), ranges_with(zero)));
+    return orbits::within_bounds(zero,
+                                 orbits::sign(differ(at(factors_.back(), zero.x), 0), ranges_with(zero)));
   }
   // There are z1(0), z2(0), z1'(0) that solve the equations without the cosines.
   [[nodiscard]] Theorem solved(const orbits::EnclosedZero& zero, const Theorem& vanishes) const {
@@ -260,12 +248,11 @@ class AtTheData {
     }
     result = Theorem::convert(
         result, equal(at(matrix, zero.x) * kernel::matrix(4, 1, {x[0], x[1], x[2], 1}), nothing), {matrix});
-    const kernel::Formulas hypotheses = result.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (tactics::is_divisor(one)) {
-        result = Theorem::cut(orbits::within_bounds(zero, sign(one, ranges_with(zero))), result);
-      }
-    }
+    result = tactics::settled_by(result, [&](const Formula& one) {
+      return tactics::is_divisor(one)
+                 ? std::optional(orbits::within_bounds(zero, orbits::sign(one, ranges_with(zero))))
+                 : std::nullopt;
+    });
     const std::vector<kernel::Variable> z{{"z10"}, {"z20"}, {"zdot10"}};
     Formula says = equal(at(matrix, zero.x) * kernel::matrix(4, 1, {z[0], z[1], z[2], 1}), nothing);
     for (std::size_t k = z.size(); k-- > 0;) {

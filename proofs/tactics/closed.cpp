@@ -150,11 +150,7 @@ Theorem certainly_not(const Formula& formula) {
 }
 
 Theorem without_hypotheses(Theorem theorem) {
-  const Formulas hypotheses = theorem.hypotheses();
-  for (const Formula& one : hypotheses) {
-    theorem = Theorem::cut(certainly(one), theorem);
-  }
-  return theorem;
+  return settled_by(std::move(theorem), certainly);
 }
 
 }  // namespace stickslip::proofs::tactics

@@ -13,7 +13,7 @@ namespace stickslip::proofs::tactics {
 [[nodiscard]] bool seems_zero(const std::vector<kernel::Term>& parts, const kernel::Definitions& unfolded);
 
 // A number nearly, all definitions opened, where these variables have these values, and all others made up.
-[[nodiscard]] double estimated(const kernel::Term& number,
-                               const std::map<kernel::Variable, Rational, kernel::Before>& values);
+using Point = std::map<kernel::Variable, Rational, kernel::Before>;
+[[nodiscard]] long double estimated(const kernel::Term& number, const Point& values);
 
 }  // namespace stickslip::proofs::tactics

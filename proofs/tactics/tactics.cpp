@@ -51,6 +51,27 @@ Theorem by_rewriting(const Theorem& theorem, const Theorem& equation) {
   return Theorem::replace(equation, place, replaced(theorem.conclusion(), a, place), theorem);
 }
 
+Theorem settled_by(Theorem theorem, const Lemma& lemma) {
+  const Formulas hypotheses = theorem.hypotheses();
+  for (const Formula& one : hypotheses) {
+    if (const std::optional<Theorem> known = lemma(one)) {
+      theorem = Theorem::cut(*known, theorem);
+    }
+  }
+  return theorem;
+}
+
+Theorem either_side(const Theorem& before, const Theorem& after, const Term& x, const Term& c) {
+  return Theorem::consequence({Theorem::discharge(before, at_most(x, c)),
+                               Theorem::discharge(after, at_most(c, x)), Theorem::trichotomy(x, c)},
+                              before.conclusion());
+}
+
+Theorem impossible(const Formula& a, const Theorem& contradiction) {
+  return Theorem::consequence(
+      {Theorem::discharge(contradiction, a), Theorem::trichotomy(0, 0), Theorem::reflexive(0)}, negation(a));
+}
+
 Theorem different(const Theorem& inequality) {
   const Term a = inequality.conclusion().parts().at(0), b = inequality.conclusion().parts().at(1);
   const Theorem cases = Theorem::trichotomy(a, b);

@@ -2,6 +2,7 @@
 // with KernelError, it cannot make a false theorem.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,13 @@ using Domain = std::vector<Theorem>;
 [[nodiscard]] Theorem for_every(const Variable& t, const Formula& a, const Theorem& theorem);
 // a = b in Γ ⊢ C: every a of C becomes b.
 [[nodiscard]] Theorem by_rewriting(const Theorem& theorem, const Theorem& equation);
+// The theorem less those of its hypotheses of which there is such a lemma.
+using Lemma = std::function<std::optional<Theorem>(const Formula& hypothesis)>;
+[[nodiscard]] Theorem settled_by(Theorem theorem, const Lemma& lemma);
+// x ≤ c ⊢ C and c ≤ x ⊢ C give C.
+[[nodiscard]] Theorem either_side(const Theorem& before, const Theorem& after, const Term& x, const Term& c);
+// Γ, A ⊢ 0 < 0 gives Γ ⊢ not A.
+[[nodiscard]] Theorem impossible(const Formula& a, const Theorem& contradiction);
 // 0 < d or d < 0 gives d ≠ 0.
 [[nodiscard]] Theorem different(const Theorem& inequality);
 // not for all x: A(x), from a theorem not A(t).
