@@ -42,7 +42,8 @@ struct MachineChange {
 
 struct MachineBranchEnd {
   Rational at;
-  branches::End kind = branches::End::stopped;
+  branches::End kind =
+      branches::End::stopped;  // absent also where it is a shorter motion taken several times
   std::string words;
 };
 
