@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -134,12 +135,14 @@ TEST_CASE(
       4, {"branch", "overshooting", "--example", "O", "--ur", "0.4585", "--omega", "0.355..0.49", "--json"});
   CHECK(list.at("interrupted") == true);
   CHECK(list.at("complete") == false);
-  // Hundreds of boxes.
+  // Hundreds of boxes, on both sides of a resonance; beside them places where branches that are followed so
+  // far may turn.
   const Json& open = list.at("unresolved");
-  CHECK(open.size() >= 1);
-  CHECK(open.size() <= 8);
-  CHECK(open.dump().find("there may be orbits that are on no branch: the search was interrupted") !=
-        std::string::npos);
+  const auto interrupted = std::count_if(open.begin(), open.end(), [](const Json& part) {
+    return part.at("reason") == "there may be orbits that are on no branch: the search was interrupted";
+  });
+  CHECK(interrupted >= 1);
+  CHECK(interrupted <= 2);
 }
 
 TEST_CASE("a list of four phases has what simulations find before all is searched") {
