@@ -184,7 +184,7 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
   q.machine = at(start);
   const MachineWordOrbits found = find_word_orbits(q);
   report::machines::Branches result{
-      q, path, from, to, start, {}, found.seen, found.interrupted, origin(given)};
+      q, path, from, to, start, o.orbit, o.all, {}, found.seen, found.interrupted, origin(given)};
   if (o.orbit && static_cast<std::size_t>(*o.orbit) > found.orbits.size()) {
     throw UsageError(fmt::format("orbit: there is no orbit {} through {} at {} = {}, there are {}", *o.orbit,
                                  q.word.letters(), path, to_string(start), found.orbits.size()));

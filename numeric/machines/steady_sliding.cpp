@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
@@ -34,6 +36,19 @@ std::optional<int> piece_inside(const model::FrictionLaw<Rational>& law, const R
   return std::nullopt;
 }
 
+// Whether the forces on some mass vary: where nothing but the belt moves they could not be balanced.
+bool forces_vary(const model::FrictionOscillator<Rational>& o) {
+  std::map<std::pair<std::size_t, int>, std::pair<Rational, Rational>> sums;
+  for (const model::HarmonicForce<Rational>& load : o.loads) {
+    auto& [cosine, sine] = sums[{load.mass, load.k}];
+    cosine += load.cosine;
+    sine += load.k == 0 ? Rational(0) : load.sine;
+  }
+  return std::ranges::any_of(sums, [](const auto& one) {
+    return one.first.second != 0 && (one.second.first != 0 || one.second.second != 0);
+  });
+}
+
 void decide(SteadySliding& state, const Matrix& A) {
   const auto found = motion::eigenvalues(A);
   if (!found) {
@@ -60,7 +75,7 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
   require_machine(machine, true);
   const model::FrictionOscillator<Rational>& exact = machine.oscillator;
   SteadySliding state;
-  if (!exact.is_autonomous()) {
+  if (forces_vary(exact)) {
     state.existence = Verdict::refuted("a load varies");
     return state;
   }
@@ -85,7 +100,7 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
   state.friction = piece.force + piece.slope * (Ball(velocity) - piece.from);
   Vector forces = Vector::Constant(n, Ball(0));
   for (const model::HarmonicForce<Ball>& load : o.loads) {
-    forces(static_cast<Eigen::Index>(load.mass)) += load.cosine;
+    forces(static_cast<Eigen::Index>(load.mass)) += load.k == 0 ? load.cosine : Ball(0);
   }
   forces(j) += Ball(side) * state.friction;
   const auto near = zeros::row_combinations(o.stiffness);

@@ -30,13 +30,13 @@ struct SteadySliding {
   std::vector<motion::ComplexBall> eigenvalues;  // per time, by falling real part; empty if not enclosed
 };
 
-// Refuted with a load that varies, and for V = 0, where the mass rests on the belt; undecided where K may be
-// singular. The stability is undecided where |V| is an end of a piece. Throws as require_machine
-// does.
+// Refuted where the loads on a mass vary together, and for V = 0, where the mass rests on the belt; undecided
+// where K may be singular. The stability is undecided where |V| is an end of a piece. Throws as
+// require_machine does.
 [[nodiscard]] SteadySliding steady_sliding(const Machine& machine, int digits = 20);
 
-// Steady sliding over an interval of one datum: what is proved at values so close that, between those at
-// which it differs, nothing but the change is left.
+// Steady sliding over an interval of one datum: proved at some values, and between those at which it differs
+// at more, until these are close. What is between two values at which it is the same is not looked at.
 struct SteadyAlong {
   struct Sample {
     Rational value;

@@ -23,12 +23,14 @@ Ctrl-C ends it.
 from __future__ import annotations
 
 import os as _os
-import threading as _threading
 import warnings as _warnings
-from numbers import Integral as _Integral
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _core
+from ._arguments import conduct as _conduct
+from ._arguments import count as _count
+from ._arguments import number as _number
+from ._arguments import whole as _whole
 from ._core import DomainError, Error, InputOutputError, InternalError, UsageError
 from ._exact import Ball, ComplexBall, Exact, exact
 from ._machine import Along, Machine, interval, read_machine
@@ -56,11 +58,6 @@ InternalError.__doc__ = "Engines disagree, or a rule of this program is broken; 
 _data = ("chi", "eta", "us", "V", "omega", "p")
 
 
-def _conduct(jobs: Optional[int]) -> _core.Conduct:
-    threads = None if jobs is None else _whole("jobs", jobs, 1, 1024)
-    return _core.Conduct(threads, _threading.current_thread() is _threading.main_thread())
-
-
 def _given(parameters: Dict[str, Optional[Along]], needed: Sequence[str], example: Optional[str],
            machine: Optional[Machine] = None, units: Optional[str] = None) -> _core.Given:
     """What a question is given. Raises UsageError for what is missing without an example and a machine."""
@@ -81,21 +78,6 @@ def _told(found: Any) -> Any:
 def _warn(sentences: Sequence[str], frames: int = 4) -> None:
     for sentence in sentences:
         _warnings.warn(sentence, stacklevel=frames)
-
-
-def _whole(name: str, value: int, least: int, most: int) -> int:
-    if not isinstance(value, _Integral) or not least <= value <= most:
-        raise UsageError(f"{name}: {value!r} is not a whole number from {least} to {most}")
-    return int(value)
-
-
-def _number(name: str, value: Union[Exact, float]) -> str:
-    """As text; of what a proof does not need exactly, a float, too."""
-    return repr(value) if isinstance(value, float) else exact(name, value)
-
-
-def _count(name: str, value: Optional[int], most: int) -> Optional[int]:
-    return None if value is None else _whole(name, value, 1, most)
 
 
 def _state(name: str, state: Optional[Sequence[Union[Exact, float]]]) -> Optional[str]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json as _json
 import os as _os
-import threading as _threading
 from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._exact import Ball, ComplexBall, Exact, exact
+from ._arguments import conduct, count, number, whole
+from ._exact import Ball, Exact, exact
 from ._machine import interval
+from ._results import _value as _ball
 
 if TYPE_CHECKING:
     import numpy
@@ -54,19 +55,16 @@ def _value(data: Any) -> Any:
         return tuple(map(_value, data))
     if not isinstance(data, dict):
         return data
-    if data.keys() == {"mid", "rad"}:
-        return Ball(**data)
-    if data.keys() == {"re", "im"}:
-        return ComplexBall(_value(data["re"]), _value(data["im"]))
-    return Record(data)
+    found = _ball(data)
+    return Record(data) if found is data else found
 
 
-def _text(value: Optional[_Number]) -> Optional[str]:
-    return None if value is None else repr(value) if isinstance(value, float) else exact("a number", value)
+def _text(name: str, value: Optional[_Number]) -> Optional[str]:
+    return None if value is None else number(name, value)
 
 
-def _state(state: Optional[Sequence[_Number]]) -> Optional[str]:
-    return None if state is None else ",".join(str(_text(x)) for x in state)
+def _state(name: str, state: Optional[Sequence[_Number]]) -> Optional[str]:
+    return None if state is None else ",".join(number(name, x) for x in state)
 
 
 class MachineInTables:
@@ -86,12 +84,14 @@ class MachineInTables:
     def attractors(self, starts: int = 500, seed: int = 1, most_periods: int = 20000, digits: int = 20,
                    jobs: Optional[int] = None) -> Record:
         """What random starts end on, each periodic motion proved."""
-        return self._asked(_core.attractors_in_tables, starts, seed, most_periods, digits, jobs=jobs)
+        return self._asked(_core.attractors_in_tables, count("starts", starts, 100000), count("seed", seed, 10**9),
+                           count("most_periods", most_periods, 10**9), whole("digits", digits, 1, 2000), jobs=jobs)
 
     def orbits(self, word: str, period: Optional[int] = None, near: Optional[Sequence[_Number]] = None,
                digits: int = 20, jobs: Optional[int] = None) -> Record:
         """The orbits through a word's phases that random starts end on, or that near one state, each proved."""
-        return self._asked(_core.orbits_in_tables, word, period, _state(near), digits, jobs=jobs)
+        return self._asked(_core.orbits_in_tables, word, count("period", period, 100000), _state("near", near),
+                           whole("digits", digits, 1, 2000), jobs=jobs)
 
     def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,
                period: Optional[int] = None, orbit: Optional[int] = None,
@@ -99,19 +99,16 @@ class MachineInTables:
         """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08")."""
         path, first, last = along
         return self._asked(_core.branch_in_tables, word, [path, interval("along", (first, last))],
-                           None if at is None else exact("at", at), period, orbit, _state(near), all, jobs=jobs)
+                           None if at is None else exact("at", at), count("period", period, 100000),
+                           count("orbit", orbit, 10**6), _state("near", near), bool(all), jobs=jobs)
 
     def simulate(self, state: Sequence[_Number], time: Optional[_Number] = None, periods: Optional[_Number] = None,
                  every: Optional[_Number] = None, phi: Optional[_Number] = None) -> Tuple[Record, "numpy.ndarray"]:
         """A motion in double: the record, and its samples in rows t, x, x', r, u, E. It proves nothing."""
-        conduct = _core.Conduct(None, _in_main_thread())
-        told, samples = _core.simulate_in_tables(self.file, _state(state), _text(time), _text(periods), _text(every),
-                                                 _text(phi), conduct)
+        told, samples = _core.simulate_in_tables(
+            self.file, _state("state", state), _text("time", time), _text("periods", periods), _text("every", every),
+            _text("phi", phi), conduct(None))
         return Record(_json.loads(told)), samples
 
     def _asked(self, function: Any, *arguments: Any, jobs: Optional[int]) -> Record:
-        return Record(_json.loads(function(self.file, *arguments, _core.Conduct(jobs, _in_main_thread()))))
-
-
-def _in_main_thread() -> bool:
-    return _threading.current_thread() is _threading.main_thread()
+        return Record(_json.loads(function(self.file, *arguments, conduct(jobs))))

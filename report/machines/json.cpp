@@ -3,6 +3,7 @@
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/parts.hpp"
+#include "report/orbits/record_json.hpp"
 
 namespace stickslip::report::machines {
 
@@ -84,7 +85,7 @@ void write_orbit(Object& json, const MachineOrbit& o, int digits) {
     to.has("period", ball_text(proved.period, digits), "A time.");
     to.has("theta", ball_text(proved.load, digits), "The load's phase when the first phase begins.");
     to.list("phases", proved.phases, [digits](Object& one, const MachinePhase& phase) {
-      one.has("phase", phase.piece.kind, names_through(motion::PhaseKind::stick));
+      one.has("phase", phase.piece.kind, orbits::phase_names());
       one.has("piece", phase.piece.number + 1, with({{"minimum", 1}}, "Of the friction law; 1 for a stick."));
       one.has("begins", ball_text(phase.start, digits));
       one.has("lasts", ball_text(phase.duration, digits));
@@ -105,7 +106,7 @@ void write_steady(Object& json, const SteadySliding& state, int digits) {
   json.has("reason", orbits::if_any(state.existence.reason));
   json.keys_if(state.existence.truth == Truth::proved ? std::optional(state) : std::nullopt,
                [digits](Object& to, const SteadySliding& known) {
-                 to.has("phase", known.piece.kind, names_through(motion::PhaseKind::stick));
+                 to.has("phase", known.piece.kind, orbits::phase_names());
                  to.has("piece", known.piece.number + 1, with({{"minimum", 1}}, "Of the friction law."));
                  std::vector<BallText> x;
                  for (const Ball& place : known.x) {
@@ -240,8 +241,8 @@ using AnyTransition = simulation::TransitionOf<simulation::AnyState>;
 
 void write_event(Object& json, const AnyTransition& e) {
   json.has("t", e.time);
-  json.has("from", e.before, names_through(motion::PhaseKind::stick));
-  json.has("to", e.after, names_through(motion::PhaseKind::stick));
+  json.has("from", e.before, orbits::phase_names());
+  json.has("to", e.after, orbits::phase_names());
   json.has("from_piece", e.piece_before + 1, {{"minimum", 1}});
   json.has("to_piece", e.piece_after + 1, {{"minimum", 1}});
   json.has("r", e.r);
@@ -257,28 +258,8 @@ void write(Object& json, const Motion& result) {
   json.has("duration", result.duration, with({{"exclusiveMinimum", 0}}, "That was asked for."));
   json.has("done", record.done);
   json.has("interrupted", record.interrupted);
-  json.object("end", [&](Object& to) {
-    to.has("phase", record.end.phase, names_through(motion::PhaseKind::stick));
-    to.has("state", record.end.X, state_words);
-    to.has("r", record.end.r);
-    to.has("u", record.end.u);
-    to.has("energy", record.end.energy);
-  });
-  json.object(
-      "shares",
-      [&](Object& to) {
-        for (const motion::PhaseKind kind :
-             {motion::PhaseKind::slip, motion::PhaseKind::overshoot, motion::PhaseKind::stick}) {
-          to.has(to_string(kind), record.time_in.at(static_cast<std::size_t>(kind)) / record.done);
-        }
-      },
-      "Of the time.");
-  json.object("events", [&](Object& to) {
-    const Json few = {{"maxItems", record.shown}};
-    to.has("count", record.events, {{"minimum", 0}});
-    to.list("first", record.first_events, write_event, few);
-    to.list("last", record.last_events, write_event, few);
-  });
+  orbits::write_end(json, record, state_words);
+  orbits::write_events(json, record, write_event);
 }
 
 // What schemas are made with.
@@ -322,7 +303,7 @@ std::vector<File> schemas() {
   const MachineWord word{machine, words::Word::parse("ST"), {}, {}};
   const Attractors attractors{{{.machine = machine}, {}, {}, false}, {}};
   const WordOrbits of_word{{word, {}, {}}, {}};
-  const Branches branches{word, "belt.velocity", 0, 1, 0, {}, {}, false, {}};
+  const Branches branches{word, "belt.velocity", 0, 1, 0, {}, false, {}, {}, false, {}};
   Motion motion;
   motion.machine = machine;
   return {

@@ -37,6 +37,8 @@ struct Branches {
   numeric::machines::MachineWord question;  // with the machine at `start`
   std::string parameter;                    // its path in the file
   Rational from, to, start;
+  std::optional<int> orbit;  // of those at the start, from 1; nothing: all
+  bool all = false;          // that are not admissible, too
   std::vector<numeric::machines::MachineBranch> branches;
   std::string seen;  // what was met at the start in place of an orbit
   bool interrupted = false;

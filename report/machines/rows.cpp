@@ -198,9 +198,10 @@ std::string command_of(const WordOrbits& result) {
 }
 
 std::string command_of(const Branches& result) {
-  return fmt::format("stickslip branch {} --along {} {}..{} --at {}",
-                     of_word(result.question, result.origin.file), result.parameter, to_string(result.from),
-                     to_string(result.to), to_string(result.start));
+  return fmt::format(
+      "stickslip branch {} --along {} {}..{} --at {}{}{}", of_word(result.question, result.origin.file),
+      result.parameter, to_string(result.from), to_string(result.to), to_string(result.start),
+      result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "", result.all ? " --all" : "");
 }
 
 std::string command_of(const Motion& result) {

@@ -3,6 +3,7 @@
 #include "model/named_data.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/parts.hpp"
+#include "report/orbits/record_json.hpp"
 #include "report/orbits/simulation.hpp"
 
 namespace stickslip::report::orbits {
@@ -22,16 +23,12 @@ std::vector<std::pair<std::string, double>> values_of(const Start& s) {
   return values;
 }
 
-Json phases() {
-  return names_through(PhaseKind::stick);
-}
-
 constexpr const char * state_words = "x1, x2, x1', x2'.";
 
 void write_event(Object& json, const Transition& e) {
   json.has("t", e.time);
-  json.has("from", e.before, phases());
-  json.has("to", e.after, phases());
+  json.has("from", e.before, phase_names());
+  json.has("to", e.after, phase_names());
   json.has("r", e.r);
   json.has("state", e.X, state_words);
 }
@@ -61,21 +58,7 @@ void write_simulation(Object& json, const Simulated& simulated) {
     to.has("t", record.done);
   });
   json.has("interrupted", record.interrupted);
-  json.object("end", [&](Object& to) {
-    to.has("phase", record.end.phase, phases());
-    to.has("state", record.end.X, state_words);
-    to.has("r", record.end.r);
-    to.has("u", record.end.u);
-    to.has("energy", record.end.energy);
-  });
-  json.object(
-      "shares",
-      [&](Object& to) {
-        for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
-          to.has(to_string(kind), record.time_in.at(static_cast<std::size_t>(kind)) / record.done);
-        }
-      },
-      "Of the time.");
+  write_end(json, record, state_words);
   json.has("samples", record.samples, with({{"minimum", 0}}, "Written elsewhere."));
   json.object_if(
       "energy", record.energy,
@@ -84,12 +67,7 @@ void write_simulation(Object& json, const Simulated& simulated) {
         to.has("greatest", energy.greatest);
       },
       "Of the samples.");
-  json.object("events", [&](Object& to) {
-    const Json few = {{"maxItems", Record::shown}};
-    to.has("count", record.events, {{"minimum", 0}});
-    to.list("first", record.first_events, write_event, few);
-    to.list("last", record.last_events, write_event, few);
-  });
+  write_events(json, record, write_event);
   json.object_if(
       "settles", simulated.settles,
       [](Object& to, const numeric::attractors::Attractor& a) {

@@ -2,42 +2,19 @@
 
 import json
 from fractions import Fraction
+from pathlib import Path
 
 import numpy
 import pytest
 
 import stickslip
 
-MACHINE = """
-[[mass]]
-m = 2.5
-[[mass]]
-m = 0.8
-[[spring]]
-between = [0, 1]
-k = 1200
-c = 0.6
-[[spring]]
-between = [1, 2]
-k = 450
-[belt]
-mass = 2
-velocity = 0.05
-[friction]
-at_rest = 13.5
-sliding = [[0, 9], [0.05, 7.5], [0.3, 6]]
-[[load]]
-mass = 2
-amplitude = 12
-frequency = 3.6
-"""
+MACHINE = Path(__file__).resolve().parents[2] / "examples" / "machines" / "engineer.toml"
 
 
 @pytest.fixture(name="machine")
-def fixture_machine(tmp_path):
-    file = tmp_path / "machine.toml"
-    file.write_text(MACHINE)
-    return stickslip.MachineInTables(file)
+def fixture_machine():
+    return stickslip.MachineInTables(MACHINE)
 
 
 def test_what_it_does_is_proved(machine):
@@ -73,6 +50,11 @@ def test_what_is_wrong_is_said(machine, tmp_path):
         machine.branch("OTS", ("belt.speed", 1, 2))
     with pytest.raises(stickslip.UsageError, match="4 numbers, not 2"):
         machine.simulate([0, 0], time=1)
+    for wrong in (dict(starts=-5), dict(starts=0), dict(jobs=0), dict(digits=0), dict(most_periods=1.5)):
+        with pytest.raises(stickslip.UsageError, match="is not a whole number from 1 to"):
+            machine.attractors(**wrong)
+    with pytest.raises(stickslip.UsageError, match="is not a whole number from 1 to"):
+        machine.orbits("OTS", period=-1)
     flat = tmp_path / "flat.toml"
     flat.write_text("chi = 0.5\n")
     with pytest.raises(stickslip.UsageError, match="no machine in tables"):

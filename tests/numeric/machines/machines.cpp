@@ -412,10 +412,13 @@ TEST_CASE("orbits of a word are found by random starts and near a state, or what
     CHECK(find_word_orbits(none).orbits.empty());
     CHECK(find_word_orbits(none).seen.find("OTS with the period 1") != std::string::npos);
   }
-  const Machine row = row_of_masses(1);
+  const Machine row = row_of_masses(3);
   const MachineWordOrbits cycle = find_word_orbits({row, words::Word::parse("ST"), {}, {}});
-  CHECK(cycle.orbits.size() + (cycle.seen.empty() ? 0 : 1) >= 1);
-  CHECK_THROWS_AS((void)over_periods(row, Eigen::VectorXd::Zero(2), 1), UsageError);
+  REQUIRE(cycle.orbits.size() == 2);  // two cycles, not one twice
+  CHECK_FALSE(cycle.orbits[0].period.overlaps(cycle.orbits[1].period));
+  CHECK(word_of(cycle.orbits[0].pieces) == "ST");
+  CHECK(find_word_orbits({row, words::Word::parse("OS"), {}, {}}).seen.find("ST") != std::string::npos);
+  CHECK_THROWS_AS((void)over_periods(row, Eigen::VectorXd::Zero(6), 1), UsageError);
 }
 
 TEST_CASE("steady sliding: where it is, when it is stable, and where that is lost") {
@@ -448,6 +451,13 @@ TEST_CASE("steady sliding: where it is, when it is stable, and where that is los
   o.loads = {{0, 1, Rational(1), Rational(0)}};
   o.omega = 1;
   CHECK(steady_sliding(machine).existence.truth == Truth::refuted);
+  // Loads that take each other away, or of no amplitude, do not vary.
+  o.loads.push_back({0, 1, Rational(-1), Rational(0)});
+  CHECK(steady_sliding(machine).existence.truth == Truth::proved);
+  o.loads[1].sine = 1;
+  CHECK(steady_sliding(machine).existence.truth == Truth::refuted);
+  o.loads = {{0, 1, Rational(0), Rational(0)}, {0, 0, Rational(2), Rational(0)}};
+  CHECK((steady_sliding(machine).x(0) * Ball(o.stiffness(0, 0)) - Ball(Rational("27/8"))).contains_zero());
   o.loads.clear();
   o.stiffness(0, 0) = 0;
   CHECK(steady_sliding(machine).existence.truth == Truth::undecided);
