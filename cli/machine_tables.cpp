@@ -71,7 +71,7 @@ class Reader {
     if (path_ && !found_) {
       throw UsageError(fmt::format("{}: {} is no number that can vary", file_, *path_));
     }
-    require_machine(result.machine, true);
+    require_machine(result.machine);
     return result;
   }
 
@@ -267,11 +267,26 @@ class Reader {
     add(o.damping, "c");
   }
 
+  [[nodiscard]] model::SmoothFriction<Rational> smooth_friction(const toml::table& in) const {
+    require_keys(in, "sliding", {"falls", "from", "to", "over", "viscous"});
+    const toml::node * falls = in.get("falls");
+    const auto * text = falls == nullptr ? nullptr : falls->as_string();
+    if (text == nullptr || (text->get() != "exponentially" && text->get() != "hyperbolically")) {
+      refuse(in, "sliding falls = \"exponentially\" or \"hyperbolically\"");
+    }
+    return {text->get() == "exponentially" ? model::Fall::exponential : model::Fall::hyperbolic,
+            number(in, "sliding", "from"), number(in, "sliding", "to"), number(in, "sliding", "over"),
+            number_or_zero(in, "sliding", "viscous")};
+  }
+
   [[nodiscard]] model::FrictionLaw<Rational> law(const toml::table& in) const {
     model::FrictionLaw<Rational> law{number(in, "friction", "at_rest"), {}};
     const toml::node * sliding = in.get("sliding");
     if (sliding == nullptr) {
       refuse(in, "sliding is missing in friction");
+    }
+    if (sliding->is_table()) {
+      return numeric::machines::smooth_law(law.at_rest, smooth_friction(*sliding->as_table()));
     }
     if (!sliding->is_array()) {
       law.sliding.push_back({Rational(0), number(*sliding, "sliding"), Rational(0)});
@@ -280,7 +295,7 @@ class Reader {
     for (const toml::node& point : *sliding->as_array()) {
       const toml::array * pair = point.as_array();
       if (pair == nullptr || pair->size() != 2) {
-        refuse(point, "sliding is a force or a list of pairs [relative velocity, force]");
+        refuse(point, "sliding is a force, a list of pairs [relative velocity, force] or a smooth law");
       }
       law.sliding.push_back(
           {number((*pair)[0], "a relative velocity"), number((*pair)[1], "a force"), Rational(0)});

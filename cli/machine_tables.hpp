@@ -10,7 +10,8 @@
 //   [friction]
 //   at_rest = 13.5                # in N
 //   sliding = [[0, 9], [0.05, 7.5], [0.3, 6]]   # relative velocity and force, linear between, then constant;
-//                                 # or one force
+//                                 # or one force, or a + (b - a) s(v/c) + d v, s(y) = exp(-y) or 1/(1 + y):
+//   # sliding = {falls = "exponentially", from = b, to = a, over = c, viscous = d}   # or "hyperbolically"
 //   [friction.overshoot]          # where the mass is faster than the belt, if it is another one
 //   [[load]]
 //   mass = 1

@@ -100,6 +100,10 @@ class Ball {
     arb_tan(a.value_, a.value_, WorkingPrecision::bits());
     return a;
   }
+  friend Ball exp(Ball a) {
+    arb_exp(a.value_, a.value_, WorkingPrecision::bits());
+    return a;
+  }
   friend Ball sqrt(Ball a) {
     arb_sqrt(a.value_, a.value_, WorkingPrecision::bits());
     return a;

@@ -1,5 +1,5 @@
 // Any number of masses with springs and dashpots, one of which rubs on a moving belt: linear but for a
-// friction that depends piecewise linearly on the relative velocity.
+// friction that depends on the relative velocity, piecewise linearly or smoothly.
 //
 //   m_i x_i'' + (C x')_i + (K x)_i = F_i(t) + u at the rubbing mass j, with the belt's velocity V and
 //   the friction at rest r = (C x' + K x)_j - F_j(t):
@@ -11,6 +11,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "model/parameters.hpp"
@@ -28,11 +30,34 @@ struct SlidingPiece {
   S from, force, slope;
 };
 
+// A friction that changes smoothly with the relative velocity v: last + (first - last) s(v/scale) + viscous
+// v, s(y) = exp(-y) or 1/(1 + y).
+enum class Fall { exponential, hyperbolic };
+template <class S>
+struct SmoothFriction {
+  Fall fall;
+  S first, last, scale, viscous;
+
+  [[nodiscard]] S shape(const S& v) const {
+    using std::exp;
+    return fall == Fall::exponential ? S(exp(S(-v / scale))) : S(scale / S(scale + v));
+  }
+  [[nodiscard]] S force(const S& v) const { return last + (first - last) * shape(v) + viscous * v; }
+  [[nodiscard]] S slope(const S& v) const {
+    const S y = shape(v);
+    return viscous - (first - last) / scale * (fall == Fall::exponential ? y : S(y * y));
+  }
+};
+
 // The friction when the mass slides to one side.
 template <class S>
 struct FrictionLaw {
   S at_rest;                             // |r| up to which it sticks
   std::vector<SlidingPiece<S>> sliding;  // at least one, the first from 0, `from` increasing
+  // If there is one, it is the law, and the pieces are near it: motions are simulated on these.
+  std::optional<SmoothFriction<S>> smooth = {};
+
+  [[nodiscard]] std::size_t pieces() const { return smooth ? 1 : sliding.size(); }
 };
 
 // cosine cos(k theta) + sine sin(k theta) on a mass, theta the phase of the load; k = 0 is a constant force.
@@ -77,7 +102,11 @@ template <class S>
   return twice / S(2);
 }
 
-// The oscillator whose numbers are f of these.
+// The law, the oscillator whose numbers are f of these.
+template <class T, class S, class F>
+[[nodiscard]] SmoothFriction<T> mapped(const SmoothFriction<S>& law, const F& f) {
+  return {law.fall, f(law.first), f(law.last), f(law.scale), f(law.viscous)};
+}
 template <class T, class S, class F>
 [[nodiscard]] FrictionOscillator<T> mapped(const FrictionOscillator<S>& o, const F& f) {
   const auto all = [&](const auto& A) {
@@ -88,9 +117,12 @@ template <class T, class S, class F>
     return B;
   };
   const auto law = [&](const FrictionLaw<S>& given) {
-    FrictionLaw<T> result{f(given.at_rest), {}};
+    FrictionLaw<T> result{f(given.at_rest), {}, {}};
     for (const SlidingPiece<S>& piece : given.sliding) {
       result.sliding.push_back({f(piece.from), f(piece.force), f(piece.slope)});
+    }
+    if (given.smooth) {
+      result.smooth = mapped<T>(*given.smooth, f);
     }
     return result;
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/machines/smooth_phase.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -13,6 +14,7 @@ namespace {
 
 // More than what is lost below the range of doubles.
 constexpr double tiny = 1e-290;
+constexpr std::array<int, 5> factorial{1, 1, 2, 6, 24};
 
 // The largest size, from above.
 Ball largest(const Vector& v, const Vector& weights) {
@@ -27,14 +29,34 @@ Ball largest(const Vector& v, const Vector& weights) {
 }  // namespace
 
 Watched::Watched(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T, bool reversed)
-    : watch_(phases.watch(piece, reversed)), drift_(phases.drift(piece)), reversed_(reversed) {
+    : drift_(phases.drift(piece)), reversed_(reversed), covers_(false) {
+  if (phases.is_smooth(piece)) {
+    follow(phases, piece, w, T);
+    return;
+  }
+  watch_ = &phases.watch(piece, reversed);
   constexpr double most_stretches = 1e7;
-  const double stretches = std::ceil(T.approximate() / watch_.length * (1 + 1e-9));
+  const double stretches = std::ceil(T.approximate() / watch_->length * (1 + 1e-9));
   if (stretches > 1 && stretches < most_stretches) {
     count_ = static_cast<std::size_t>(stretches);
   }
-  covers_ = !(Ball(static_cast<double>(count_) * watch_.length) - T).lower().is_negative();
-  stretches_.push_back({w, {}, {}, {}});
+  covers_ = !(Ball(static_cast<double>(count_) * watch_->length) - T).lower().is_negative();
+  stretches_.push_back({0, watch_->length, w, {}, {}, {}});
+}
+
+void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T) {
+  const SmoothPhase phase(phases, piece.side(), w, T, reversed_, false);
+  const Eigen::Index speed = phases.masses() + phases.rubbing();
+  for (const SmoothPhase::Step& step : phase.steps()) {
+    stretches_.push_back({step.start, step.length * SmoothPhase::longer, {}, {}, {}, {}});
+    for (const Vector& coefficient : step.w) {
+      stretches_.back().terms.push_back(coefficient(speed));
+      stretches_.back().guess.push_back(coefficient(speed).approximate());
+    }
+  }
+  count_ = stretches_.size();
+  covers_ = count_ > 0 &&
+            !(Ball(stretches_.back().start) + Ball(stretches_.back().length) - T).lower().is_negative();
 }
 
 const Watched::Stretch& Watched::stretch(std::size_t k) const {
@@ -42,11 +64,14 @@ const Watched::Stretch& Watched::stretch(std::size_t k) const {
   constexpr std::size_t most_in_a_row = 16;
   while (stretches_.size() <= k) {
     const std::size_t n = stretches_.size();
-    const Ball t(static_cast<double>(n) * watch_.length);
+    const double start = static_cast<double>(n) * watch_->length;
+    const Ball t(start);
     stretches_.push_back(
-        {n % most_in_a_row == 0
+        {start,
+         watch_->length,
+         n % most_in_a_row == 0
              ? Vector(product(exponential(drift_ * (reversed_ ? Ball(-t) : t)), stretches_[0].w))
-             : Vector(product(watch_.flow, stretches_.back().w)),
+             : Vector(product(watch_->flow, stretches_.back().w)),
          {},
          {},
          {}});
@@ -55,7 +80,7 @@ const Watched::Stretch& Watched::stretch(std::size_t k) const {
   if (!found.terms.empty()) {
     return found;
   }
-  for (const Vector& row : watch_.rows) {
+  for (const Vector& row : watch_->rows) {
     Ball sum(0);
     for (Eigen::Index i = 0; i < row.size(); ++i) {
       if (!is_zero(row(i))) {
@@ -65,76 +90,93 @@ const Watched::Stretch& Watched::stretch(std::size_t k) const {
     found.terms.push_back(sum);
     found.guess.push_back(sum.approximate());
   }
-  const Ball of_w = watch_.size * largest(found.w, watch_.balance);
+  const Ball of_w = watch_->size * largest(found.w, watch_->balance);
   for (std::size_t i = 0; i < found.rest.size(); ++i) {
-    found.rest[i] = Ball(of_w * watch_.rest[i]).upper();
+    found.rest[i] = Ball(of_w * watch_->rest[i]).upper();
   }
   return found;
 }
 
 std::size_t Watched::stretch_of(double s) const {
-  const double k = std::floor(s / watch_.length);
+  if (watch_ == nullptr) {
+    const auto after = std::ranges::upper_bound(stretches_, s, {}, &Stretch::start);
+    return after == stretches_.begin() ? 0 : static_cast<std::size_t>(after - stretches_.begin()) - 1;
+  }
+  const double k = std::floor(s / watch_->length);
   return k > 0 ? std::min(static_cast<std::size_t>(k), count_ - 1) : 0;
 }
 
-std::array<Ball, 4> Watched::at(double s) const {
-  const std::size_t k = stretch_of(s);
-  const Stretch& here = stretch(k);
-  // Exact: the length is a power of two.
-  const Ball r = Ball(s) - Ball(static_cast<long>(k)) * Ball(watch_.length);
-  std::array<Ball, 4> d;
-  for (std::size_t m = here.terms.size(); m-- > 0;) {
-    for (std::size_t i = 3; i > 0; --i) {
-      d[i] = d[i] * r + d[i - 1];
+std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative) const {
+  std::array<Ball, 4 + most_derivatives> d;
+  const std::size_t count = 4 + derivative;
+  const bool known = count_ > 0;
+  bool is_inside = false;
+  if (known) {
+    const Stretch& here = stretch(stretch_of(s.approximate()));
+    const Ball r = s - Ball(here.start);
+    is_inside = !r.lower().is_negative() && !(Ball(here.length) - r).lower().is_negative();
+    for (std::size_t m = here.terms.size(); m-- > 0;) {
+      for (std::size_t i = count - 1; i > 0; --i) {
+        d[i] = d[i] * r + d[i - 1];
+      }
+      d[0] = d[0] * r + here.terms[m];
     }
-    d[0] = d[0] * r + here.terms[m];
+    for (std::size_t i = 0; i < count; ++i) {
+      d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-here.rest[i], here.rest[i]);
+    }
   }
-  const bool is_inside = !r.lower().is_negative() && !(Ball(watch_.length) - r).lower().is_negative();
-  constexpr std::array<int, 4> factorial{1, 1, 2, 6};
+  std::array<Ball, 4> result;
   for (std::size_t i = 0; i < 4; ++i) {
-    d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-here.rest[i], here.rest[i]);
+    result[i] = d[i + derivative];
     if (!is_inside) {
-      arb_indeterminate(d[i].raw());
+      arb_indeterminate(result[i].raw());
     }
   }
-  return d;
+  return result;
 }
 
-std::array<double, 4> Watched::guess_at(double s) const {
-  const std::size_t k = stretch_of(s);
-  const Stretch& here = stretch(k);
-  const double r = s - static_cast<double>(k) * watch_.length;
-  std::array<double, 4> d{};
-  for (std::size_t m = here.guess.size(); m-- > 0;) {
-    for (std::size_t i = 3; i > 0; --i) {
-      d[i] = d[i] * r + d[i - 1];
+std::array<double, 4> Watched::guess_at(double s, std::size_t derivative) const {
+  std::array<double, 4 + most_derivatives> d{};
+  if (count_ > 0) {
+    const Stretch& here = stretch(stretch_of(s));
+    const double r = s - here.start;
+    for (std::size_t m = here.guess.size(); m-- > 0;) {
+      for (std::size_t i = d.size() - 1; i > 0; --i) {
+        d[i] = d[i] * r + d[i - 1];
+      }
+      d[0] = d[0] * r + here.guess[m];
     }
-    d[0] = d[0] * r + here.guess[m];
   }
-  return {d[0], d[1], 2 * d[2], 6 * d[3]};
+  std::array<double, 4> result{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    result[i] = d[i + derivative] * factorial[i + derivative];
+  }
+  return result;
 }
 
-motion::DerivativeBounds Watched::bounds() const {
+motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
   motion::DerivativeBounds unknown;
   arb_indeterminate(unknown.third.raw());
   arb_indeterminate(unknown.fourth.raw());
   if (!covers_) {
     return unknown;
   }
+  const std::size_t lowest = 3 + derivative;
   // Sums of positive numbers in double, each a little more than it is.
   constexpr double rounding = 1 + 1e-12;
-  const long exponent = std::lround(std::log2(watch_.length));
   double third = 0, fourth = 0;
   for (std::size_t k = 0; k < count_; ++k) {
     const Stretch& here = stretch(k);
-    double of_third = here.rest[3].approximate(), of_fourth = here.rest[4].approximate();
-    for (std::size_t m = 3; m < here.terms.size(); ++m) {
-      const auto n = static_cast<double>(m);
-      Ball term = abs(here.terms[m]).upper();  // times length^(m - 3)
-      arb_mul_2exp_si(term.raw(), term.raw(), static_cast<long>(m - 3) * exponent);
-      const double size = term.approximate() * n * (n - 1) * (n - 2);
+    Ball power(1);  // length^(m - lowest)
+    double of_third = here.rest[lowest].approximate(), of_fourth = here.rest[lowest + 1].approximate();
+    for (std::size_t m = lowest; m < here.terms.size(); ++m) {
+      double size = Ball(abs(here.terms[m]).upper() * power).approximate();
+      for (std::size_t i = 0; i < lowest; ++i) {
+        size *= static_cast<double>(m - i);
+      }
       of_third += size;
-      of_fourth += m > 3 ? size * (n - 3) / watch_.length : 0;
+      of_fourth += size * static_cast<double>(m - lowest) / here.length;
+      power *= Ball(here.length);
     }
     if (!std::isfinite(of_third) || !std::isfinite(of_fourth)) {
       return unknown;
@@ -146,18 +188,22 @@ motion::DerivativeBounds Watched::bounds() const {
 }
 
 std::array<Ball, 4> AffineCourse::at(double s) const {
-  std::array<Ball, 4> d = f_.at(s);
+  std::array<Ball, 4> d = f_.at(Ball(view_.origin) + Ball(view_.direction * s), view_.derivative);
+  int sign = sign_;
   for (Ball& number : d) {
-    number *= Ball(sign_);
+    number *= Ball(sign);
+    sign *= view_.direction;
   }
   d[0] += offset_;
   return d;
 }
 
 std::array<double, 4> AffineCourse::guess_at(double s) const {
-  std::array<double, 4> d = f_.guess_at(s);
+  std::array<double, 4> d = f_.guess_at(view_.origin + view_.direction * s, view_.derivative);
+  int sign = sign_;
   for (double& number : d) {
-    number *= sign_;
+    number *= sign;
+    sign *= view_.direction;
   }
   d[0] += offset_.approximate();
   return d;

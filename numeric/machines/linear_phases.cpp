@@ -47,8 +47,8 @@ constexpr int most_terms = 1000;
 // Exponentials of a piece: one for each of its phases in most words.
 constexpr std::size_t most_kept = 64;
 
-// Powers of two that bring rows and columns of S B S⁻¹ to sums of one size: any S is right, this one makes
-// short work.
+}  // namespace
+
 Vector balance(const Matrix& B) {
   const Eigen::Index n = B.rows();
   const Eigen::MatrixXd A = zeros::in_double(B).cwiseAbs();
@@ -71,21 +71,6 @@ Vector balance(const Matrix& B) {
   }
   return s.unaryExpr([](double x) { return Ball(x); });
 }
-
-// a b, for an a with many zeros.
-Matrix sparse_product(const Matrix& a, const Matrix& b) {
-  Matrix product = Matrix::Constant(a.rows(), b.cols(), Ball(0));
-  for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    for (Eigen::Index l = 0; l < a.cols(); ++l) {
-      for (Eigen::Index k = 0; !is_zero(a(i, l)) && k < b.cols(); ++k) {
-        add_product(product(i, k), a(i, l), b(l, k));
-      }
-    }
-  }
-  return product;
-}
-
-}  // namespace
 
 Matrix exponential(const Matrix& A) {
   ArbMatrix a(A);
@@ -165,15 +150,18 @@ Matrix LinearPhases::make_drift(Piece piece) const {
     return B;
   }
   // m x_j'' = u - r, u = side (force + slope (side (V - x_j') - from)).
-  const auto& all = oscillator_.law(piece.side()).sliding;
-  if (piece.number < 0 || static_cast<std::size_t>(piece.number) >= all.size()) {
+  if (piece.number < 0 || static_cast<std::size_t>(piece.number) >= oscillator_.law(piece.side()).pieces()) {
     throw InternalError("the friction law has no such piece");
   }
-  const model::SlidingPiece<Ball>& law = all[static_cast<std::size_t>(piece.number)];
   const Ball& m = oscillator_.masses[oscillator_.rubbing];
   for (Eigen::Index k = 0; k < size_; ++k) {
     B(n_ + j, k) = -r_(k) / m;
   }
+  if (is_smooth(piece)) {
+    return B;
+  }
+  const model::SlidingPiece<Ball>& law =
+      oscillator_.law(piece.side()).sliding[static_cast<std::size_t>(piece.number)];
   B(n_ + j, n_ + j) -= law.slope / m;
   B(n_ + j, 2 * n_) +=
       (Ball(piece.side()) * (law.force - law.slope * law.from) + law.slope * oscillator_.V) / m;

@@ -38,6 +38,11 @@ class LinearPhases {
   [[nodiscard]] Eigen::Index masses() const { return n_; }
   [[nodiscard]] Eigen::Index rubbing() const { return static_cast<Eigen::Index>(oscillator_.rubbing); }
 
+  // Whether the friction on the piece follows a smooth law: then it is no part of B, and what is said of
+  // flows and watches does not hold (smooth_phase.hpp).
+  [[nodiscard]] bool is_smooth(Piece piece) const {
+    return piece.side() != 0 && oscillator_.law(piece.side()).smooth;
+  }
   // B of the piece. Throws InternalError when the law has no such piece.
   [[nodiscard]] const Matrix& drift(Piece piece) const;
   // exp(B h), for all members of h. Those that Arb computed are kept, and serve those beside them.
@@ -46,6 +51,7 @@ class LinearPhases {
   // What ends the piece, r on a stick and x_j' else, f = row w, and how its Taylor polynomials are bounded.
   // With the sizes of the numbers of w balanced by S, diagonal, and nu = |S B S⁻¹| in the norm of row sums,
   // the term of order m at r is at most |row S⁻¹| |S w| (nu r)^m/m!.
+  using Rest = std::array<Ball, 6>;
   struct Watch {
     std::vector<Vector> rows;  // row B^m/m!, as many as the working precision sees
     Vector balance;            // S
@@ -53,7 +59,7 @@ class LinearPhases {
     double length;             // of a stretch, a power of two: nu length <= 2 or so
     // What the rows leave out of the derivative number i of f on a stretch is at most |S w| size times this;
     // not finite unless nu length is small beside the number of rows.
-    std::array<Ball, 5> rest;
+    Rest rest;
     Matrix flow;  // over a stretch
   };
   // Kept. `reversed`: with -B in place of B, for what is seen from the end of a phase.
@@ -85,5 +91,23 @@ class LinearPhases {
 
 // exp(A), by Arb.
 [[nodiscard]] Matrix exponential(const Matrix& A);
+
+// S, powers of two that bring rows and columns of S B S⁻¹ to sums of one size: any S is right where one is
+// asked for, this one makes short work.
+[[nodiscard]] Vector balance(const Matrix& B);
+
+// a b, for an a with many zeros.
+template <class M>
+[[nodiscard]] M sparse_product(const Matrix& a, const M& b) {
+  M product = M::Constant(a.rows(), b.cols(), Ball(0));
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    for (Eigen::Index l = 0; l < a.cols(); ++l) {
+      for (Eigen::Index k = 0; !is_zero(a(i, l)) && k < b.cols(); ++k) {
+        add_product(product(i, k), a(i, l), b(l, k));
+      }
+    }
+  }
+  return product;
+}
 
 }  // namespace stickslip::numeric::machines

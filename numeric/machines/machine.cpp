@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 
@@ -29,8 +31,18 @@ void require_symmetric(const model::MatrixX<Rational>& A, std::size_t n, const c
   }
 }
 
-void require_law(const model::FrictionLaw<Rational>& law, bool strict) {
+void require_smooth(const model::SmoothFriction<Rational>& law) {
+  require(law.first >= 0, "the sliding friction at 0", law.first, "a force >= 0");
+  require(law.last >= 0, "the sliding friction at high velocities", law.last, "a force >= 0");
+  require(law.scale > 0, "the velocity over which sliding friction falls", law.scale, "> 0");
+  require(law.viscous >= 0, "the viscous part of sliding friction", law.viscous, ">= 0");
+}
+
+void require_law(const model::FrictionLaw<Rational>& law) {
   require(law.at_rest > 0, "the friction at rest", law.at_rest, "a force > 0");
+  if (law.smooth) {
+    require_smooth(*law.smooth);
+  }
   if (law.sliding.empty()) {
     throw DomainError("the sliding friction", "nothing", "at least one piece, from relative velocity 0");
   }
@@ -51,14 +63,34 @@ void require_law(const model::FrictionLaw<Rational>& law, bool strict) {
         fmt::format("{}, which the piece before reaches at {}", to_string(reached), to_string(piece.from)));
   }
   const Rational& first = law.sliding.front().force;
-  require(
-      strict ? first < law.at_rest : first <= law.at_rest, "the sliding friction at 0", first,
-      fmt::format("{} than the friction at rest, {}", strict ? "less" : "no more", to_string(law.at_rest)));
+  require(first <= law.at_rest, "the sliding friction at 0", first,
+          "no more than the friction at rest, " + to_string(law.at_rest));
 }
 
 }  // namespace
 
-void require_machine(const Machine& machine, bool strict) {
+// Between points at a distance d a chord is away from the law by d²/8 times its curvature: by one size where
+// the points are equally far apart in the integral of the curvature's root, exp(-y/2) or (1 + y)^(-1/2).
+model::FrictionLaw<Rational> smooth_law(const Rational& at_rest,
+                                        const model::SmoothFriction<Rational>& friction) {
+  require_smooth(friction);
+  const auto f = model::mapped<double>(friction, [](const Rational& x) { return x.get_d(); });
+  model::FrictionLaw<Rational> law{at_rest, {}, friction};
+  for (int k = 0; k < smooth_pieces; ++k) {
+    const double left = 1 - static_cast<double>(k) / smooth_pieces;
+    const double y = friction.fall == model::Fall::exponential ? -2 * std::log(left) : 1 / (left * left) - 1;
+    const double v = y * f.scale;
+    law.sliding.push_back({Rational(v), k == 0 ? friction.first : Rational(f.force(v)), friction.viscous});
+  }
+  for (std::size_t k = 0; k + 1 < law.sliding.size(); ++k) {
+    model::SlidingPiece<Rational>& piece = law.sliding[k];
+    const model::SlidingPiece<Rational>& next = law.sliding[k + 1];
+    piece.slope = Rational((next.force - piece.force) / (next.from - piece.from));
+  }
+  return law;
+}
+
+void require_machine(const Machine& machine) {
   const model::FrictionOscillator<Rational>& o = machine.oscillator;
   if (o.masses.empty()) {
     throw DomainError("the machine", "without mass", "at least one mass");
@@ -82,8 +114,8 @@ void require_machine(const Machine& machine, bool strict) {
   if (!o.is_autonomous()) {
     require(o.omega > 0, "the load's frequency", o.omega, "> 0");
   }
-  require_law(o.forward, strict);
-  require_law(o.backward, strict);
+  require_law(o.forward);
+  require_law(o.backward);
 }
 
 }  // namespace stickslip::numeric::machines

@@ -22,10 +22,15 @@ template <class S>
   return result;
 }
 
+// The law with pieces near a smooth one: they meet it at so many points, with errors in between of one size.
+[[nodiscard]] model::FrictionLaw<Rational> smooth_law(const Rational& at_rest,
+                                                      const model::SmoothFriction<Rational>& friction);
+inline constexpr int smooth_pieces = 32;
+
 // Throws DomainError unless there is a mass, all are > 0, C and K are symmetric and as large, the rubbing
 // mass is one of them, omega > 0 where a load varies, and the friction of each side is a law: > 0 at rest,
-// pieces that begin at 0, each after the one before, together continuous and >= 0 where they begin, and below
-// the friction at rest at first: at most it, where motions are only followed (`strict` false).
-void require_machine(const Machine& machine, bool strict);
+// pieces that begin at 0, each after the one before, together continuous and >= 0 where they begin, and at
+// most the friction at rest at first; of a smooth one all forces >= 0 and the velocity > 0.
+void require_machine(const Machine& machine);
 
 }  // namespace stickslip::numeric::machines

@@ -102,7 +102,7 @@ MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
 }
 
 MachineAttractors find_attractors(const MachineStarts& question) {
-  require_machine(question.machine, true);
+  require_machine(question.machine);
   MachineAttractors result{question, {}, {}, false};
   if (question.machine.oscillator.is_autonomous()) {
     result.steady = steady_sliding(question.machine, question.digits);
@@ -189,7 +189,7 @@ MachineWordOrbits from_start(const MachineWord& q) {
 }  // namespace
 
 MachineWordOrbits find_word_orbits(const MachineWord& question) {
-  require_machine(question.machine, true);
+  require_machine(question.machine);
   if (question.near) {
     return from_start(question);
   }

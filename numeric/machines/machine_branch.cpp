@@ -383,7 +383,7 @@ MachineBranch follow_machine_branch(const MachineBranchQuestion& question) {
         to_string(question.from), to_string(question.to), to_string(question.start)));
   }
   for (const Rational& end : {question.from, question.to}) {
-    require_machine(question.at(end), true);
+    require_machine(question.at(end));
   }
   MachineBranch branch;
   const MachineOrbit orbit =

@@ -1,6 +1,7 @@
 #include "numeric/machines/machine_chain.hpp"
 
 #include "core/error.hpp"
+#include "numeric/machines/smooth_phase.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -23,12 +24,26 @@ Ball dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
+// On a smooth law rounding grows along a phase: so many bits more are kept there.
+constexpr long more_bits = 64;
+
+LinearPhases phases_of(const MachineQuestion& question) {
+  const WorkingPrecision scope(WorkingPrecision::bits() + more_bits);
+  LinearPhases phases(oscillator_as<Ball>(question.machine));
+  for (const Piece& piece : question.pieces) {
+    if (phases.is_smooth(piece)) {
+      (void)phases.drift(piece);  // kept, with these bits
+    }
+  }
+  return phases;
+}
+
 }  // namespace
 
 MachineChain::MachineChain(const MachineQuestion& question)
     : autonomous_(question.machine.oscillator.is_autonomous()),
       pieces_(question.pieces),
-      phases_(oscillator_as<Ball>(question.machine)) {
+      phases_(phases_of(question)) {
   const model::FrictionOscillator<Ball>& o = phases_.oscillator();
   if (!autonomous_) {
     turn_ = Ball(2 * question.periods) * Ball::pi() / o.omega;
@@ -103,9 +118,28 @@ Vector MachineChain::event(std::size_t i) const {
   return phases_.friction_at_rest() + phases_.one() * (slips ? Ball(-o.forward.at_rest) : o.backward.at_rest);
 }
 
+MachineChain::Course MachineChain::course(const Nodes& nodes, std::size_t i, bool with_derivative) const {
+  const Eigen::Index states = 2 * phases_.masses();
+  const Ball h = duration(nodes, i);
+  if (phases_.is_smooth(pieces_[i])) {
+    const WorkingPrecision scope(WorkingPrecision::bits() + more_bits);
+    const Vector start = beginning(nodes, i);
+    const int side = pieces_[i].side();
+    const SmoothPhase phase(phases_, side, start, h, false, with_derivative);
+    const Vector reached = phase.end();
+    return {reached, smooth_rate(phases_, side, start), smooth_rate(phases_, side, reached),
+            with_derivative ? phase.derivative() : Matrix()};
+  }
+  const Vector start = beginning(nodes, i);
+  const Matrix& B = phases_.drift(pieces_[i]);
+  const Matrix flow = phases_.flow(pieces_[i], h);
+  const Vector reached = product(flow, start);
+  return {reached, product(B, start), product(B, reached), flow.topLeftCorner(states, states)};
+}
+
 Node MachineChain::conditions(const Nodes& nodes, std::size_t i) const {
   const Eigen::Index n = phases_.masses();
-  const Vector reached = product(phases_.flow(pieces_[i], duration(nodes, i)), beginning(nodes, i));
+  const Vector reached = course(nodes, i, false).reached;
   Node F(2 * n);
   F.head(2 * n - 1) = next(nodes, i).tail(2 * n - 1) - without(reached);
   F(2 * n - 1) = dot(event(i), reached);
@@ -115,11 +149,7 @@ Node MachineChain::conditions(const Nodes& nodes, std::size_t i) const {
 Link MachineChain::link(const Nodes& nodes, std::size_t i) const {
   const Eigen::Index n = phases_.masses();
   const Eigen::Index j = n + phases_.rubbing();
-  const Matrix& B = phases_.drift(pieces_[i]);
-  const Vector start = beginning(nodes, i);
-  const Matrix flow = phases_.flow(pieces_[i], duration(nodes, i));
-  const Vector leaves = product(B, start);
-  const Vector arrives = product(B, Vector(product(flow, start)));
+  const auto [reached, leaves, arrives, H] = course(nodes, i, true);
   const Vector D = event(i);
   Link link;
   link.end_velocity.resize(2 * n);
@@ -127,7 +157,6 @@ Link MachineChain::link(const Nodes& nodes, std::size_t i) const {
   link.end_velocity.tail(2 * n - 1) = without(arrives);
   link.rate = dot(D, arrives);
   link.M = Matrix::Constant(2 * n, 2 * n, Ball(0));
-  const auto H = flow.topLeftCorner(2 * n, 2 * n);
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     if (k == 0 && autonomous_) {
       continue;

@@ -37,6 +37,12 @@ class MachineChain : public words::Chain {
 
  private:
   [[nodiscard]] words::Node next(const words::Nodes& nodes, std::size_t i) const;
+  // Phase i from its node: w and w' at its ends, and where it is asked for the derivative of (x, x').
+  struct Course {
+    Vector reached, leaves, arrives;
+    Matrix derivative;
+  };
+  [[nodiscard]] Course course(const words::Nodes& nodes, std::size_t i, bool with_derivative) const;
   // Zero where phase i ends, as a row.
   [[nodiscard]] Vector event(std::size_t i) const;
   // Without x_j'.

@@ -44,8 +44,8 @@ Nodes nodes_of(const MachineGuess& guess, const Machine& machine) {
 // The orbit's distances from what would end its phases, and where they are zero.
 class Judge {
  public:
-  Judge(const MachineChain& chain, const Nodes& nodes, const std::vector<Piece>& pieces)
-      : chain_(chain), nodes_(nodes), pieces_(pieces) {}
+  Judge(const MachineChain& chain, const Nodes& nodes, const MachineQuestion& question)
+      : chain_(chain), nodes_(nodes), machine_(question.machine.oscillator), pieces_(question.pieces) {}
 
   std::vector<Condition> conditions(const std::vector<MachinePhase>& phases) {
     for (i_ = 0; i_ < pieces_.size(); ++i_) {
@@ -72,9 +72,43 @@ class Judge {
 
   void along(const char * id, const std::string& statement, int sign, const Ball& offset, Touches touches,
              const char * premise) {
+    along(id, statement, sign, offset, touches, premise, 0);
+  }
+  // From a time on.
+  void along(const char * id, const std::string& statement, int sign, const Ball& offset, Touches touches,
+             const char * premise, double from) {
     add(id, statement);
-    judge_along(list_.back(), {AffineCourse(*forward_, sign, offset), AffineCourse(*backward_, sign, offset),
-                               bounds_, phase_->start, phase_->duration, touches, premise, true});
+    judge_along(list_.back(),
+                {AffineCourse(*forward_, sign, offset, {0, from, 1}), AffineCourse(*backward_, sign, offset),
+                 bounds_, phase_->start + Ball(from), phase_->duration - Ball(from), touches, premise, true});
+  }
+
+  // Where the friction drops by nothing the mass leaves the belt with x'' = 0: the distance grows as the
+  // square of the time. Until the time that is returned its rate is judged in its place.
+  double leaves_slowly(int side) {
+    constexpr int parts = 64;
+    const double T = phase_->duration.approximate();
+    double turns = T / parts;
+    while (turns < T && -side * forward_->guess_at(turns)[1] > 0) {
+      turns += T / parts;
+    }
+    const double until = turns / 2;
+    add("leaves", "the mass falls behind the belt, or gets ahead of it, faster and faster at first");
+    const AffineCourse rate(*forward_, -side, Ball(0), {1, 0, 1});
+    const AffineCourse reversed(*forward_, -side, Ball(0), {1, until, -1});
+    judge_along(list_.back(), {rate,
+                               reversed,
+                               forward_->bounds(1),
+                               phase_->start,
+                               Ball(until),
+                               {true, false},
+                               "$r = ur$ at the end of the stick",
+                               true});
+    if (list_.back().verdict.truth == Truth::refuted) {
+      list_.back().verdict = Verdict::undecided("its velocity turns early: " + list_.back().verdict.reason);
+      list_.back().violation.reset();
+    }
+    return until;
   }
 
   void stick() {
@@ -114,11 +148,14 @@ class Judge {
         "the velocity of the belt or of the law's next piece at an end of the phase";
     const int side = piece.side();
     const Ball V = Ball(side) * o.V;
+    const model::FrictionLaw<Rational>& exact = machine_.law(side);
+    const bool slowly = before().kind == PhaseKind::stick && exact.sliding.front().force == exact.at_rest;
+    const double from = slowly ? leaves_slowly(side) : 0;
     along(slips ? "slip" : "overshoot",
           number == 0 ? (slips ? "$x' < V$ while it slips" : "$x' > V$ while it overshoots")
                       : fmt::format("the relative velocity is above that where piece {} begins", number + 1),
-          -side, V - law[number].from, {!is_above(before()), !is_above(after())}, premise);
-    if (number + 1 < law.size()) {
+          -side, V - law[number].from, {!slowly && !is_above(before()), !is_above(after())}, premise, from);
+    if (number + 1 < o.law(side).pieces()) {
       along(slips ? "slip.piece" : "overshoot.piece",
             fmt::format("the relative velocity is below that where piece {} begins", number + 2), side,
             law[number + 1].from - V, {is_above(before()), is_above(after())}, premise);
@@ -127,6 +164,7 @@ class Judge {
 
   const MachineChain& chain_;
   const Nodes& nodes_;
+  const model::FrictionOscillator<Rational>& machine_;
   const std::vector<Piece>& pieces_;
   std::size_t i_ = 0;
   const MachinePhase * phase_ = nullptr;
@@ -208,7 +246,7 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
     orbit.existence = Verdict::undecided("the motion may be a shorter one taken several times");
     return;
   }
-  orbit.conditions = Judge(chain, proof.nodes, question.pieces).conditions(orbit.phases);
+  orbit.conditions = Judge(chain, proof.nodes, question).conditions(orbit.phases);
   orbit.admissible = admissible(orbit.conditions);
   if (orbit.admissible.truth == Truth::proved) {
     const bool sticks = std::any_of(question.pieces.begin(), question.pieces.end(),
@@ -243,7 +281,7 @@ std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
 
 MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess, int digits,
                                  long most_bits) {
-  require_machine(machine, true);
+  require_machine(machine);
   if (guess.events.size() < 2) {
     throw DomainError("a guess of a periodic motion", fmt::format("{} events", guess.events.size()),
                       "at least two");

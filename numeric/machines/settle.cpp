@@ -33,12 +33,19 @@ double distance(const Eigen::VectorXd& X, const Eigen::VectorXd& Y) {
          std::max({X.lpNorm<Eigen::Infinity>(), Y.lpNorm<Eigen::Infinity>(), 1e-300});
 }
 
+// On a smooth law there is one piece to a side, where the simulation goes through many.
 template <class Transition>
-MachineGuess guess_of(const std::vector<Transition>& log, double begin) {
+MachineGuess guess_of(const model::FrictionOscillator<double>& o, const std::vector<Transition>& log,
+                      double begin) {
   MachineGuess guess;
   for (const Transition& t : log) {
-    if (t.changes()) {
-      guess.events.push_back({t.time - begin, t.X, {t.after, t.piece_after}});
+    Piece piece{t.after, t.piece_after};
+    const bool smooth = piece.side() != 0 && o.law(piece.side()).smooth;
+    if (smooth) {
+      piece.number = 0;
+    }
+    if (smooth ? t.before != t.after : t.changes()) {
+      guess.events.push_back({t.time - begin, t.X, piece});
     }
   }
   return guess;
@@ -97,7 +104,7 @@ Settled without_events(const Simulation& simulation) {
 }
 
 template <class Simulation>
-Settled with_load(Simulation simulation, long most_periods) {
+Settled with_load(const model::FrictionOscillator<double>& o, Simulation simulation, long most_periods) {
   Eigen::VectorXd mark = simulation.state();
   long marked = 0;
   for (long k = 1; k <= most_periods && !interrupted(); ++k) {
@@ -109,7 +116,7 @@ Settled with_load(Simulation simulation, long most_periods) {
       for (long i = 0; i < k - marked; ++i) {
         simulation.advance(simulation.period(), &log);
       }
-      MachineGuess guess = guess_of(log, begin);
+      MachineGuess guess = guess_of(o, log, begin);
       guess.periods = k - marked;
       guess.duration = static_cast<double>(guess.periods) * simulation.period();
       return guess.events.size() < 2
@@ -129,7 +136,7 @@ Settled with_load(Simulation simulation, long most_periods) {
 }
 
 template <class Simulation>
-Settled without_load(Simulation simulation, long most_events) {
+Settled without_load(const model::FrictionOscillator<double>& o, Simulation simulation, long most_events) {
   using Transition = typename Simulation::Transition;
   std::optional<Transition> mark;
   std::vector<Transition> since, log;
@@ -152,7 +159,7 @@ Settled without_load(Simulation simulation, long most_events) {
         return distance(other.X, mark->X) > least_size;
       });
       if (returns) {
-        MachineGuess guess = guess_of(since, mark->time);
+        MachineGuess guess = guess_of(o, since, mark->time);
         guess.duration = t.time - mark->time;
         return moves && guess.events.size() >= 2 ? Settled{Kind::periodic, rotated(once(guess, false)), t.X}
                                                  : without_events(simulation);
@@ -174,7 +181,7 @@ namespace {
 using AnySimulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
 
 void require_state(const Machine& machine, const Eigen::VectorXd& X) {
-  require_machine(machine, false);
+  require_machine(machine);
   const auto size = static_cast<Eigen::Index>(2 * machine.oscillator.size());
   if (X.size() != size) {
     throw DomainError("the state", fmt::format("{} numbers", X.size()),
@@ -188,16 +195,16 @@ Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_perio
   require_state(machine, X);
   const model::FrictionOscillator<double> o = oscillator_as<double>(machine);
   if (machine.oscillator.is_autonomous()) {
-    return without_load(AnySimulation(o, 0, X), most_periods);
+    return without_load(o, AnySimulation(o, 0, X), most_periods);
   }
   const auto varying = [](const auto& load) { return load.k != 0; };
   const auto first = std::find_if(o.loads.begin(), o.loads.end(), varying);
   const bool one_frequency = std::all_of(
       o.loads.begin(), o.loads.end(), [&](const auto& load) { return !varying(load) || load.k == first->k; });
   if (o.size() == 2 && one_frequency) {
-    return with_load(simulation::SimulationOf<2, 1>(o, 0, X), most_periods);
+    return with_load(o, simulation::SimulationOf<2, 1>(o, 0, X), most_periods);
   }
-  return with_load(AnySimulation(o, 0, X), most_periods);
+  return with_load(o, AnySimulation(o, 0, X), most_periods);
 }
 
 MachineGuess over_periods(const Machine& machine, const Eigen::VectorXd& X, long n) {
@@ -205,12 +212,13 @@ MachineGuess over_periods(const Machine& machine, const Eigen::VectorXd& X, long
   if (machine.oscillator.is_autonomous()) {
     throw UsageError("periods of the load are counted where there is a load that varies");
   }
-  AnySimulation simulation(oscillator_as<double>(machine), 0, X);
+  const model::FrictionOscillator<double> o = oscillator_as<double>(machine);
+  AnySimulation simulation(o, 0, X);
   std::vector<AnySimulation::Transition> log;
   for (long k = 0; k < n; ++k) {
     simulation.advance(simulation.period(), &log);
   }
-  MachineGuess guess = guess_of(log, 0);
+  MachineGuess guess = guess_of(o, log, 0);
   guess.periods = n;
   guess.duration = static_cast<double>(n) * simulation.period();
   return rotated(guess);

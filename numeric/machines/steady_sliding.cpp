@@ -23,17 +23,24 @@ namespace {
 constexpr std::size_t values = 65;  // at first, of a datum
 constexpr double resolution = 0x1p-30;
 
-// The one that has the relative velocity inside, or nothing at an end of one.
-std::optional<int> piece_inside(const model::FrictionLaw<Rational>& law, const Rational& velocity) {
-  for (std::size_t k = law.sliding.size(); k-- > 0;) {
-    if (velocity > law.sliding[k].from) {
-      return static_cast<int>(k);
-    }
-    if (velocity == law.sliding[k].from) {
-      return std::nullopt;
-    }
+// The friction at a relative velocity, and how it changes there: not at an end of two pieces of the law.
+struct Friction {
+  int piece = 0;
+  Ball force;
+  std::optional<Ball> slope;
+};
+Friction friction_at(const model::FrictionLaw<Rational>& exact, const model::FrictionLaw<Ball>& law,
+                     const Rational& velocity) {
+  if (law.smooth) {
+    return {0, law.smooth->force(Ball(velocity)), law.smooth->slope(Ball(velocity))};
   }
-  return std::nullopt;
+  std::size_t k = law.sliding.size() - 1;
+  while (k > 0 && exact.sliding[k].from > velocity) {
+    --k;
+  }
+  const model::SlidingPiece<Ball>& piece = law.sliding[k];
+  return {static_cast<int>(k), piece.force + piece.slope * (Ball(velocity) - piece.from),
+          velocity == exact.sliding[k].from ? std::nullopt : std::optional(piece.slope)};
 }
 
 // Whether the forces on some mass vary: where nothing but the belt moves they could not be balanced.
@@ -72,7 +79,7 @@ void decide(SteadySliding& state, const Matrix& A) {
 }  // namespace
 
 SteadySliding steady_sliding(const Machine& machine, int digits) {
-  require_machine(machine, true);
+  require_machine(machine);
   const model::FrictionOscillator<Rational>& exact = machine.oscillator;
   SteadySliding state;
   if (forces_vary(exact)) {
@@ -89,15 +96,9 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
   const auto j = static_cast<Eigen::Index>(o.rubbing);
   const int side = exact.V > 0 ? 1 : -1;
   const Rational velocity = abs(exact.V);
-  const std::optional<int> inside = piece_inside(exact.law(side), velocity);
-  // At an end of two pieces both say what the friction is.
-  int number = 0;
-  for (std::size_t k = 0; k < exact.law(side).sliding.size(); ++k) {
-    number = exact.law(side).sliding[k].from <= velocity ? static_cast<int>(k) : number;
-  }
-  state.piece = {side > 0 ? PhaseKind::slip : PhaseKind::overshoot, number};
-  const model::SlidingPiece<Ball>& piece = o.law(side).sliding[static_cast<std::size_t>(number)];
-  state.friction = piece.force + piece.slope * (Ball(velocity) - piece.from);
+  const Friction friction = friction_at(exact.law(side), o.law(side), velocity);
+  state.piece = {side > 0 ? PhaseKind::slip : PhaseKind::overshoot, friction.piece};
+  state.friction = friction.force;
   Vector forces = Vector::Constant(n, Ball(0));
   for (const model::HarmonicForce<Ball>& load : o.loads) {
     forces(static_cast<Eigen::Index>(load.mass)) += load.k == 0 ? load.cosine : Ball(0);
@@ -111,7 +112,7 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
   }
   state.x = zeros::product(*inverse, forces);
   state.existence = Verdict::proved();
-  if (!inside) {
+  if (!friction.slope) {
     state.reason = fmt::format("the relative velocity {} is where two pieces of the friction law meet",
                                to_string(velocity));
     return state;
@@ -125,7 +126,7 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
       A(n + i, n + k) = -o.damping(i, k) / m;
     }
   }
-  A(n + j, n + j) -= piece.slope / o.masses[o.rubbing];
+  A(n + j, n + j) -= *friction.slope / o.masses[o.rubbing];
   decide(state, A);
   return state;
 }

@@ -35,7 +35,22 @@ void write_law(Object& json, const model::FrictionLaw<Rational>& law) {
         to.has("force", piece.force);
         to.has("slope", piece.slope);
       },
-      "Pieces of the law, force + slope (v - from) for relative velocities v from there on.");
+      "Pieces of the law, force + slope (v - from) for relative velocities v from there on; beside a smooth "
+      "law "
+      "those that motions are simulated on.");
+  json.object_if(
+      "smooth", law.smooth,
+      [](Object& to, const model::SmoothFriction<Rational>& f) {
+        to.has("falls", std::string(f.fall == model::Fall::exponential ? "exponentially" : "hyperbolically"),
+               one_of({"exponentially", "hyperbolically"}));
+        to.has("from", f.first);
+        to.has("to", f.last);
+        to.has("over", f.scale);
+        to.has("viscous", f.viscous);
+      },
+      "The law, where it is a smooth one: to + (from - to) s(v/over) + viscous v, s(y) = exp(-y) or 1/(1 + "
+      "y). "
+      "What is proved is proved of it.");
 }
 
 void write_machine(Object& json, const Machine& machine, const Origin& origin) {

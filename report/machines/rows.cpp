@@ -25,6 +25,15 @@ constexpr int short_digits = 10;
 constexpr int digits_in_change = 8;
 
 std::string law(const Seen& seen, const model::FrictionLaw<Rational>& law) {
+  if (law.smooth) {
+    const model::SmoothFriction<Rational>& f = *law.smooth;
+    const std::string viscous =
+        f.viscous == 0 ? "" : ", and " + seen.with(f.viscous, "N s/m") + " of viscous friction";
+    return fmt::format("{} at rest; sliding from {} to {}, {} over {}{}", seen.with(law.at_rest, "N"),
+                       to_string(f.first), seen.with(f.last, "N"),
+                       f.fall == model::Fall::exponential ? "exponentially" : "hyperbolically",
+                       seen.with(f.scale, "m/s"), viscous);
+  }
   std::vector<std::string> points;
   for (const model::SlidingPiece<Rational>& piece : law.sliding) {
     points.push_back(fmt::format("{} from {}", to_string(piece.force), to_string(piece.from)));
@@ -52,7 +61,7 @@ std::string Seen::with(const Rational& value, const char * name) const {
 }
 
 std::string Seen::name(const Piece& piece) const {
-  const bool several = piece.side() != 0 && oscillator().law(piece.side()).sliding.size() > 1;
+  const bool several = piece.side() != 0 && oscillator().law(piece.side()).pieces() > 1;
   return words::letter(piece.kind) + (several ? std::to_string(piece.number + 1) : "");
 }
 
@@ -245,6 +254,8 @@ std::string parameter_of(const std::string& path, const Origin& origin) {
                       : last == "velocity"                         ? "m/s"
                       : last == "frequency"                        ? "Hz"
                       : last == "angular_frequency"                ? "rad/s"
+                      : last == "over"                             ? "m/s"
+                      : last == "viscous"                          ? "N s/m"
                       : path.find("sliding.") != std::string::npos ? (last == "1" ? "m/s" : "N")
                                                                    : "N";
   return origin.in_SI ? path + " in " + unit : path;

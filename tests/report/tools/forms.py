@@ -82,7 +82,7 @@ FORMS = {
     ],
     "machine_attractors": [
         "attractors --params TABLES --starts 5", "attractors --params FREE --starts 5 --digits 30 --seed 2",
-        "attractors --params DRILL --starts 3"
+        "attractors --params DRILL --starts 3", "attractors --params SMOOTH --starts 3"
     ],
     "machine_words": [
         "orbits OTS --params TABLES", "orbits OTS --params TABLES --period 2 --digits 40",
@@ -144,6 +144,7 @@ def main():
         pathlib.Path(places["MACHINE"]).write_text(MACHINE)
         examples = pathlib.Path(__file__).resolve().parents[3] / "examples" / "machines"
         places |= {"TABLES": str(examples / "engineer.toml"), "FREE": str(examples / "stribeck.toml"),
+                   "SMOOTH": str(examples / "smooth_stribeck.toml"),
                    "DRILL": str(examples / "drill_string.toml")}
         pathlib.Path(places["FORCES"]).write_text(FORCES)
         pathlib.Path(places["RANGES"]).write_text(MACHINE.replace("load_frequency = 0.5", 'load_frequency = "0.5+-0.001"'))
