@@ -102,7 +102,7 @@ struct AttractorsOptions : GivenMachine, Outputs {
   std::optional<int> starts, seed, most_periods, digits;
   std::vector<std::string> along;  // a parameter and A..B, or nothing
   std::optional<int> values, pixels;
-  std::optional<std::array<int, 2>> plane;
+  std::optional<std::string> plane;
   std::optional<State> through;
 
   static constexpr int default_starts = 500;

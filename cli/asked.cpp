@@ -187,6 +187,48 @@ Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Paper& paper) {
 
 // ---- attractors
 
+void require_sense(const AttractorsOptions& o) {
+  const bool along = !o.along.empty();
+  if (along && o.plane) {
+    throw UsageError("--along and --plane are two questions: give one of them");
+  }
+  const bool picture = along || o.plane;
+  for (const auto& [name, given, fits] :
+       {std::tuple("--values", o.values.has_value(), along),
+        std::tuple("--pixels", o.pixels.has_value(), !along),
+        std::tuple("--through", o.through.has_value(), !along), std::tuple("--csv", o.csv.has_value(), true),
+        std::tuple("--plot", o.plot.has_value(), true)}) {
+    if (given && !picture) {
+      throw UsageError(fmt::format("{} is for --along and --plane", name));
+    }
+    if (given && !fits) {
+      throw UsageError(fmt::format("{} is not for {}", name, along ? "--along" : "--plane"));
+    }
+  }
+  for (const auto& [name, given] :
+       {std::pair("--starts", o.starts.has_value()), std::pair("--seed", o.seed.has_value())}) {
+    if (given && o.plane) {
+      throw UsageError(fmt::format("{} is not for --plane", name));
+    }
+  }
+}
+
+int values_of(const AttractorsOptions& o) {
+  const int values = o.values.value_or(AttractorsOptions::default_values);
+  if (values < 2) {
+    throw UsageError("values: a diagram needs at least 2");
+  }
+  return values;
+}
+
+int pixels_of(const AttractorsOptions& o) {
+  const int pixels = o.pixels.value_or(AttractorsOptions::default_pixels);
+  if (pixels < 2) {
+    throw UsageError("pixels: a picture needs at least 2");
+  }
+  return pixels;
+}
+
 namespace {
 
 using Attracted = AttractorsOptions;
@@ -194,22 +236,6 @@ using Attracted = AttractorsOptions;
 AttractorQuestion about(const words::WordQuestion& machine, const Attracted& o, int starts) {
   return {machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
           o.most_periods.value_or(Attracted::default_most_periods)};
-}
-
-void require_sense(const Attracted& o) {
-  const bool along = !o.along.empty();
-  if (along && o.plane) {
-    throw UsageError("--along and --plane are two questions: give one of them");
-  }
-  for (const auto& [name, given, fits] : {std::tuple("--values", o.values.has_value(), along),
-                                          std::tuple("--pixels", o.pixels.has_value(), !along),
-                                          std::tuple("--through", o.through.has_value(), !along),
-                                          std::tuple("--starts", o.starts.has_value(), along),
-                                          std::tuple("--seed", o.seed.has_value(), along)}) {
-    if (given && !fits) {
-      throw UsageError(fmt::format("{} is not for {}", name, along ? "--along" : "--plane"));
-    }
-  }
 }
 
 // The machine from which those of a diagram differ in a value, and those of a picture in their starts.
@@ -254,15 +280,7 @@ std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, cons
 }  // namespace
 
 Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Paper& paper) {
-  for (const auto& [name, given] : {std::pair("--values", o.values.has_value()),
-                                    {"--pixels", o.pixels.has_value()},
-                                    {"--through", o.through.has_value()},
-                                    {"--csv", o.csv.has_value()},
-                                    {"--plot", o.plot.has_value()}}) {
-    if (given) {
-      throw UsageError(fmt::format("{} is for --along and --plane", name));
-    }
-  }
+  require_sense(o);
   Asked<words::WordQuestion> given = asked_machine(o, paper);
   return {std::move(given.file), std::move(given.units), about(given.question, o, Attracted::default_starts)};
 }
@@ -271,21 +289,15 @@ Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
   Asked<AttractorQuestion> given = asked_machines(o, paper);
   auto taken = machine_along(o, given.file);
   const auto [from, to] = interval(o.along[0], with_along({}, o.along).begin()->second);
-  const int values = o.values.value_or(Attracted::default_values);
-  if (values < 2) {
-    throw UsageError("values: a diagram needs at least 2");
-  }
+  const int values = values_of(o);
   DiagramQuestion asked{given.question, o.along[0], from, to, values, std::move(taken)};
   return {std::move(given.file), std::move(given.units), std::move(asked)};
 }
 
 Asked<BasinsQuestion> asked_basins(const Attracted& o, const Paper& paper) {
   Asked<AttractorQuestion> given = asked_machines(o, paper);
-  BasinsQuestion asked{given.question, o.plane.value(), {}, {}};
-  const long pixels = o.pixels.value_or(Attracted::default_pixels);
-  if (pixels < 2) {
-    throw UsageError("pixels: a picture needs at least 2");
-  }
+  BasinsQuestion asked{given.question, plane("plane", o.plane.value(), 2), {}, {}};
+  const long pixels = pixels_of(o);
   asked.pixels = {pixels, pixels};
   if (o.through) {
     asked.through = in_data("through", *o.through, given.units);

@@ -36,6 +36,12 @@ struct Asked {
 [[nodiscard]] Asked<numeric::branches::BranchQuestion> asked_branch(const BranchOptions& options,
                                                                     const proofs::methods::Paper& paper);
 
+// Whether the options of --along and --plane go together, and with neither of them; what these ask by
+// default. Throw UsageError.
+void require_sense(const AttractorsOptions& options);
+[[nodiscard]] int values_of(const AttractorsOptions& options);
+[[nodiscard]] int pixels_of(const AttractorsOptions& options);
+
 // Without --along and --plane; with one of them.
 [[nodiscard]] Asked<numeric::attractors::AttractorQuestion> asked_attractors(
     const AttractorsOptions& options, const proofs::methods::Paper& paper);

@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "cli/asked.hpp"
+#include "cli/numbers.hpp"
 #include "core/decimal.hpp"
 #include "numeric/machines/machine_branch.hpp"
 #include "report/tools/files.hpp"
@@ -81,13 +83,13 @@ struct Along {
   std::function<Machine(const Rational&)> at;
 };
 
-Along along_of(const GivenInTables& given, const BranchOptions& o) {
-  if (o.along.size() != 2) {
+Along along_of(const GivenInTables& given, const std::vector<std::string>& along) {
+  if (along.size() != 2) {
     throw UsageError(fmt::format(
         "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
   }
-  const auto [from, to] = interval(o.along[0], o.along[1]);
-  return {o.along[0], from, to, [given, path = o.along[0]](const Rational& value) {
+  const auto [from, to] = interval(along[0], along[1]);
+  return {along[0], from, to, [given, path = along[0]](const Rational& value) {
             return machine_in_tables(given.text, given.file, Datum{path, value})->machine;
           }};
 }
@@ -113,21 +115,44 @@ std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
   return read ? std::optional(GivenInTables{options.file.name, text, *read}) : std::nullopt;
 }
 
+namespace {
+
+MachineStarts starts_of(const GivenInTables& given, const AttractorsOptions& o, int starts) {
+  refuse_others(o, given.file, false, {});
+  require_sense(o);
+  return {given.read.machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
+          o.most_periods.value_or(AttractorsOptions::default_most_periods),
+          o.digits.value_or(OrbitsOptions::default_digits)};
+}
+
+}  // namespace
+
 report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o) {
-  refuse_others(o, given.file, false,
-                {{"--along", !o.along.empty()},
-                 {"--values", o.values.has_value()},
-                 {"--plane", o.plane.has_value()},
-                 {"--pixels", o.pixels.has_value()},
-                 {"--through", o.through.has_value()},
-                 {"--csv", o.csv.has_value()},
-                 {"--plot", o.plot.has_value()}});
-  using Options = AttractorsOptions;
-  return {find_attractors({given.read.machine, o.starts.value_or(Options::default_starts),
-                           static_cast<std::uint64_t>(o.seed.value_or(1)),
-                           o.most_periods.value_or(Options::default_most_periods),
-                           o.digits.value_or(OrbitsOptions::default_digits)}),
-          origin(given)};
+  return {find_attractors(starts_of(given, o, AttractorsOptions::default_starts)), origin(given)};
+}
+
+report::machines::Diagram diagram_answer(const GivenInTables& given, const AttractorsOptions& o) {
+  MachineDiagram diagram;
+  diagram.question = starts_of(given, o, AttractorsOptions::default_starts_at_value);
+  const auto [path, from, to, at] = along_of(given, o.along);
+  (void)value_in_tables(given.text, given.file, path);
+  diagram.at = at;
+  diagram.from = from;
+  diagram.to = to;
+  diagram.values = values_of(o);
+  return {along(std::move(diagram)), path, origin(given)};
+}
+
+report::machines::Basins basins_answer(const GivenInTables& given, const AttractorsOptions& o) {
+  MachineBasins basins;
+  basins.question = starts_of(given, o, 1);
+  basins.across = plane("plane", o.plane.value(), given.read.machine.oscillator.size());
+  const long pixels = pixels_of(o);
+  basins.pixels = {pixels, pixels};
+  if (o.through) {
+    basins.through = state_for(given, "through", *o.through);
+  }
+  return {in_plane(std::move(basins)), origin(given)};
 }
 
 report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o) {
@@ -164,14 +189,14 @@ report::machines::SteadyBranch steady_answer(const GivenInTables& given, const B
                  {"--csv", o.csv.has_value()},
                  {"--plot", o.plot.has_value()},
                  {"--out", o.out.has_value()}});
-  const auto [path, from, to, at] = along_of(given, o);
+  const auto [path, from, to, at] = along_of(given, o.along);
   const int digits = OrbitsOptions::default_digits;
   return {given.read.machine, path, from, to, steady_sliding_along(at, from, to, digits), digits,
           origin(given)};
 }
 
 report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o) {
-  const auto [path, from, to, at] = along_of(given, o);
+  const auto [path, from, to, at] = along_of(given, o.along);
   const Rational in_file = value_in_tables(given.text, given.file, path);
   const Rational middle = (from + to) / 2;
   const Rational start = o.at.value_or(from <= in_file && in_file <= to ? in_file : middle);
@@ -248,6 +273,14 @@ ExitCode exit_of(const report::machines::Attractors& result) {
     return a.kind != numeric::attractors::Kind::periodic || (a.orbit && is_decided(*a.orbit));
   });
   return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+}
+
+ExitCode exit_of(const report::machines::Diagram& result) {
+  return result.diagram.interrupted ? exit_interrupted : exit_decided;
+}
+
+ExitCode exit_of(const report::machines::Basins& result) {
+  return result.basins.interrupted ? exit_interrupted : exit_decided;
 }
 
 ExitCode exit_of(const report::machines::WordOrbits& result) {

@@ -22,6 +22,10 @@ struct GivenInTables {
 [[nodiscard]] std::optional<GivenInTables> given_in_tables(const GivenMachine& options);
 
 [[nodiscard]] report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o);
+// With --along; with --plane.
+[[nodiscard]] report::machines::Diagram diagram_answer(const GivenInTables& given,
+                                                       const AttractorsOptions& o);
+[[nodiscard]] report::machines::Basins basins_answer(const GivenInTables& given, const AttractorsOptions& o);
 // Of a word.
 [[nodiscard]] report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o);
 // Of S: steady sliding, without a load that varies, and along a number of the file.
@@ -39,6 +43,8 @@ using SampleOfMachine = numeric::simulation::SampleOf<numeric::simulation::AnySt
 
 // exit_interrupted, exit_undecided where something is, else exit_decided.
 [[nodiscard]] ExitCode exit_of(const report::machines::Attractors& result);
+[[nodiscard]] ExitCode exit_of(const report::machines::Diagram& result);
+[[nodiscard]] ExitCode exit_of(const report::machines::Basins& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::WordOrbits& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::Branches& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::Steady& result);

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <type_traits>
 
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
@@ -21,19 +20,16 @@ void print_told(const Result& result, bool json) {
              : report::machines::terminal_report(result, terminal_style()));
 }
 
-template <class Options>
-auto answered(const GivenInTables& given, const Options& o, const char * doing) {
-  const Interruptible scope;
-  const Progress progress(doing);
-  return answer(given, o);
-}
-
-template <class Options>
-ExitCode told(const GivenInTables& given, const Options& o, const char * doing) {
+template <class Options, class Answer>
+ExitCode told(const GivenInTables& given, const Options& o, const char * doing, const Answer& answer_to) {
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
-  const auto result = answered(given, o, doing);
-  if constexpr (std::is_same_v<Options, BranchOptions>) {
+  const auto result = [&] {
+    const Interruptible scope;
+    const Progress progress(doing);
+    return answer_to(given, o);
+  }();
+  if constexpr (requires { report::machines::to_csv(result); }) {
     if (o.csv) {
       report::tools::write_file(*o.csv, report::machines::to_csv(result));
     }
@@ -52,11 +48,19 @@ ExitCode told(const GivenInTables& given, const Options& o, const char * doing) 
   return exit_of(result);
 }
 
+constexpr auto answered = [](const GivenInTables& given, const auto& o) { return answer(given, o); };
+
 }  // namespace
 
 std::optional<ExitCode> run_in_tables(const AttractorsOptions& o) {
   const auto given = given_in_tables(o);
-  return given ? std::optional(told(*given, o, "following the starts ...")) : std::nullopt;
+  if (!given) {
+    return std::nullopt;
+  }
+  constexpr const char * doing = "following the starts ...";
+  return o.plane            ? told(*given, o, doing, basins_answer)
+         : !o.along.empty() ? told(*given, o, doing, diagram_answer)
+                            : told(*given, o, doing, answered);
 }
 
 namespace {
@@ -80,7 +84,7 @@ std::optional<ExitCode> run_in_tables(const OrbitsOptions& o) {
   if (given && is_steady(o.family)) {
     return steady(*given, o);
   }
-  return given ? std::optional(told(*given, o, "searching for orbits ...")) : std::nullopt;
+  return given ? std::optional(told(*given, o, "searching for orbits ...", answered)) : std::nullopt;
 }
 
 std::optional<ExitCode> run_in_tables(const BranchOptions& o) {
@@ -88,7 +92,7 @@ std::optional<ExitCode> run_in_tables(const BranchOptions& o) {
   if (given && is_steady(o.family)) {
     return steady(*given, o);
   }
-  return given ? std::optional(told(*given, o, "following branches ...")) : std::nullopt;
+  return given ? std::optional(told(*given, o, "following branches ...", answered)) : std::nullopt;
 }
 
 std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {

@@ -195,15 +195,17 @@ void add_attractors(CLI::App& program, Request& request, const PaperInHelp& pape
         fmt::format("Periods of the load that a start is followed for at most:\n{} by default",
                     Attracted::default_most_periods));
   c.app
-      .add_option("--along", o.along,
-                  "At each of many values of a parameter, such as ur 0.1..0.5, or\nload_frequency 2..4 of a "
-                  "machine in SI units: a table; --csv and\n--plot have the states once a period of the load")
+      .add_option(
+          "--along", o.along,
+          "At each of many values of a parameter, such as ur 0.1..0.5, of a\nmachine in SI units, "
+          "load_frequency 2..4, or of one in tables,\nbelt.velocity 0.1..0.2: a table; --csv and --plot "
+          "have the states\nonce a period of the load")
       ->expected(2)
       ->type_name("NAME A..B");
   c.add("--values", o.values, Attracted::most_values,
         fmt::format("Of the parameter, ends included: {} by default, with {} starts each",
                     Attracted::default_values, Attracted::default_starts_at_value));
-  c.add("--plane", o.plane, "X,Y", "Starts in a plane, by two of x1, x2, x1', x2': what each ends on", plane);
+  c.add("--plane", o.plane, "X,Y", "Starts in a plane, by two of x1, x2, x1', x2': what each ends on");
   c.add("--pixels", o.pixels, Attracted::most_pixels,
         fmt::format("N x N of them: {} by default", Attracted::default_pixels));
   c.add("--through", o.through, "X", "A state x1,x2,x1',x2' in the middle of the plane", state);

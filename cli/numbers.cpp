@@ -84,14 +84,19 @@ std::array<double, 4> of_two_masses(const std::string& name, const State& state)
   return {state[0], state[1], state[2], state[3]};
 }
 
-std::array<int, 2> plane(const std::string& name, const std::string& text) {
-  constexpr std::array<std::string_view, 4> names{"x1", "x2", "x1'", "x2'"};
+std::array<int, 2> plane(const std::string& name, const std::string& text, std::size_t masses) {
+  std::vector<std::string> names;
+  for (const char * kind : {"", "'"}) {
+    for (std::size_t i = 1; i <= masses; ++i) {
+      names.push_back(fmt::format("x{}{}", i, kind));
+    }
+  }
   const std::size_t comma = std::min(text.find(','), text.size());
-  const std::string_view all = text;
-  const auto * const first = std::ranges::find(names, all.substr(0, comma));
-  const auto * const second = std::ranges::find(names, all.substr(std::min(comma + 1, all.size())));
+  const auto first = std::ranges::find(names, text.substr(0, comma));
+  const auto second = std::ranges::find(names, text.substr(std::min(comma + 1, text.size())));
   if (first == names.end() || second == names.end()) {
-    throw UsageError(fmt::format("{}: '{}' is not two of x1, x2, x1', x2', such as x1,x2", name, text));
+    throw UsageError(fmt::format("{}: '{}' is not two of {}, such as {},{}", name, text,
+                                 fmt::join(names, ", "), names[0], names[1]));
   }
   if (first == second) {
     throw UsageError(fmt::format("{}: '{}' names one coordinate twice", name, text));

@@ -29,7 +29,7 @@ using State = std::vector<double>;
 [[nodiscard]] std::array<double, 4> of_two_masses(const std::string& name, const State& state);
 
 // Two of x1, x2, x1', x2', 0 to 3, of "x1,x2".
-[[nodiscard]] std::array<int, 2> plane(const std::string& name, const std::string& text);
+[[nodiscard]] std::array<int, 2> plane(const std::string& name, const std::string& text, std::size_t masses);
 
 // Of --units: true for "si". Throws UsageError for any other text.
 [[nodiscard]] bool is_si(const std::string& text);

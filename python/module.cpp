@@ -310,6 +310,19 @@ struct Following {
   std::optional<std::string> through;
 };
 
+void add(cli::AttractorsOptions& o, const Following& how, const std::vector<std::string>& along,
+         const std::optional<std::string>& plane) {
+  o.starts = how.starts;
+  o.seed = how.seed;
+  o.most_periods = how.most_periods;
+  o.digits = how.digits;
+  o.values = how.values;
+  o.pixels = how.pixels;
+  o.through = state_of("through", how.through);
+  o.along = along;
+  o.plane = plane;
+}
+
 template <class Ask, class Find>
 auto where_starts_end(const Given& g, const Following& how, const std::vector<std::string>& along,
                       const std::optional<std::string>& plane, const Ask& ask, const Find& find,
@@ -318,17 +331,7 @@ auto where_starts_end(const Given& g, const Following& how, const std::vector<st
       conduct,
       [&] {
         auto o = options_of<cli::AttractorsOptions>(g);
-        o.starts = how.starts;
-        o.seed = how.seed;
-        o.most_periods = how.most_periods;
-        o.digits = how.digits;
-        o.values = how.values;
-        o.pixels = how.pixels;
-        o.through = state_of("through", how.through);
-        o.along = along;
-        if (plane) {
-          o.plane = cli::plane("plane", *plane);
-        }
+        add(o, how, along, plane);
         return answered(ask(o, paper_for(g.example)), find);
       },
       g.file);
@@ -604,15 +607,17 @@ std::pair<GivenInTables, Options> in_tables(const std::string& file) {
   return {*given, o};
 }
 
-std::string attractors_in_tables(const std::string& file, int starts, int seed, int most_periods, int digits,
-                                 const Conduct& conduct) {
+std::string attractors_in_tables(const std::string& file, const Following& how,
+                                 const std::vector<std::string>& along,
+                                 const std::optional<std::string>& plane, const Conduct& conduct) {
   return carried_out(conduct, [&] {
     auto [given, o] = in_tables<cli::AttractorsOptions>(file);
-    o.starts = starts;
-    o.seed = seed;
-    o.most_periods = most_periods;
-    o.digits = digits;
-    return report::machines::to_json(cli::answer(given, o)).dump();
+    add(o, how, along, plane);
+    using report::machines::to_json;
+    return (plane            ? to_json(cli::basins_answer(given, o))
+            : !along.empty() ? to_json(cli::diagram_answer(given, o))
+                             : to_json(cli::answer(given, o)))
+        .dump();
   });
 }
 

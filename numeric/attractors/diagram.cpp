@@ -60,64 +60,30 @@ std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, c
 
 Diagram diagram_of(const DiagramQuestion& question) {
   Diagram result{question, {}, false};
-  std::optional<DomainError> outside;
-  bool any = false;
-  for (long k = 0; k < question.values; ++k) {
-    DiagramPoint point;
-    Rational share(k, question.values - 1);
-    share.canonicalize();
-    point.value = question.from + (question.to - question.from) * share;
-    AttractorQuestion here = question.machine;
-    try {
-      here.machine = machine_at(question, point);
-      const AttractorList list = find_attractors(here);
-      if (list.interrupted) {
-        result.interrupted = true;
-        return result;
-      }
-      point.attractors = list.attractors;
-      for (const Attractor& a : list.attractors) {
-        point.once.push_back(once_a_period(here.machine, a));
-      }
-      any = true;
-    } catch (const DomainError& error) {
-      outside = error;
-      point.outside = error.what();
-    }
-    result.points.push_back(std::move(point));
-  }
-  if (!any && outside) {
-    throw DomainError(*outside);
-  }
+  result.points =
+      points_along<DiagramPoint>(question.from, question.to, question.values, [&](DiagramPoint& point) {
+        AttractorQuestion here = question.machine;
+        here.machine = machine_at(question, point);
+        const AttractorList list = find_attractors(here);
+        point.attractors = list.attractors;
+        for (const Attractor& a : list.attractors) {
+          point.once.push_back(once_a_period(here.machine, a));
+        }
+        result.interrupted = list.interrupted;
+        return !list.interrupted;
+      });
   return result;
 }
 
 Basins basins_of(const BasinsQuestion& question) {
   const StartBox box = start_box(motion::parameters_as<double>(question.machine.machine.data));
   Basins result{question, {}, {}, {}, false};
-  const auto [i, j] = question.across;
-  const Vector4<double> middle = question.through.value_or(box.middle);
-  const auto at = [&](int axis, long pixel, long count) {
-    return middle(axis) +
-           box.half(axis) * (2 * (static_cast<double>(pixel) + 0.5) / static_cast<double>(count) - 1);
-  };
-  for (long row = 0; row < question.pixels[1]; ++row) {
-    for (long column = 0; column < question.pixels[0]; ++column) {
-      Vector4<double> X = middle;
-      X(i) = at(i, column, question.pixels[0]);
-      X(j) = at(j, row, question.pixels[1]);
-      result.starts.push_back(X);
-    }
-  }
+  result.starts = starts_in_plane<Vector4<double>>(question.through.value_or(box.middle), box.half,
+                                                   question.across, question.pixels);
   const AttractorList list = find_attractors_from(question.machine, result.starts);
   result.attractors = list.attractors;
   result.interrupted = list.interrupted;
-  result.at.resize(result.starts.size());
-  for (std::size_t a = 0; a < list.attractors.size(); ++a) {
-    for (const std::size_t start : list.attractors[a].members) {
-      result.at[start] = a;
-    }
-  }
+  result.at = ends_of(list.attractors, result.starts.size());
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numeric/attractors/attractors.hpp"
+#include "numeric/attractors/many_starts.hpp"
 #include "numeric/machine.hpp"
 
 namespace stickslip::numeric::attractors {
@@ -22,14 +23,10 @@ struct DiagramQuestion {
   std::function<DataTaken(const Rational&)> taken = {};
 };
 
-struct DiagramPoint {
-  Rational value;
-  std::string outside;             // of the domain, in one sentence; nothing else is known then
+// Of each attractor states at load phase 0, one period apart: its n, but at most most_once; of one that is
+// not periodic so many.
+struct DiagramPoint : PointAlong<Attractor, model::Vector4<double>> {
   std::optional<DataTaken> taken;  // if the question has it
-  std::vector<Attractor> attractors;
-  // Of each of them states at load phase 0, one period apart: its n, but at most most_once; of one that is
-  // not periodic so many.
-  std::vector<std::vector<model::Vector4<double>>> once;
 };
 inline constexpr long most_once = 200;
 

@@ -103,19 +103,27 @@ MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
 
 MachineAttractors find_attractors(const MachineStarts& question) {
   require_machine(question.machine);
-  MachineAttractors result{question, {}, {}, false};
+  MachineAttractors result = find_attractors_from(
+      question, random_starts(oscillator_as<double>(question.machine), question.starts, question.seed));
   if (question.machine.oscillator.is_autonomous()) {
     result.steady = steady_sliding(question.machine, question.digits);
   }
-  const std::vector<Eigen::VectorXd> starts =
-      random_starts(oscillator_as<double>(question.machine), question.starts, question.seed);
+  return result;
+}
+
+MachineAttractors find_attractors_from(const MachineStarts& question,
+                                       const std::vector<Eigen::VectorXd>& starts) {
+  require_machine(question.machine);
+  MachineAttractors result{question, {}, {}, false};
+  result.question.starts = static_cast<long>(starts.size());
   const std::vector<Settled> ends = parallel_map(starts.size(), [&](std::size_t i) {
     return interrupted() ? Settled{Kind::unsettled, {}, starts[i]}
                          : settle(question.machine, starts[i], question.most_periods);
   });
   result.interrupted = interrupted();
   std::vector<const Settled *> first;  // of each attractor
-  for (const Settled& end : ends) {
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Settled& end = ends[i];
     std::size_t k = 0;
     while (k < first.size() && !(first[k]->kind == end.kind &&
                                  (end.kind != Kind::periodic || is_same(first[k]->guess, end.guess)))) {
@@ -127,6 +135,7 @@ MachineAttractors find_attractors(const MachineStarts& question) {
       result.attractors.back().kind = end.kind;
       result.attractors.back().state = end.state;
     }
+    result.attractors[k].members.push_back(i);
     ++result.attractors[k].count;
   }
   const auto orbits = parallel_map(first.size(), [&](std::size_t k) -> std::optional<MachineOrbit> {
@@ -137,8 +146,8 @@ MachineAttractors find_attractors(const MachineStarts& question) {
   });
   for (std::size_t k = 0; k < first.size(); ++k) {
     MachineAttractor& a = result.attractors[k];
-    const attractors::Interval interval = attractors::wilson(a.count, question.starts);
-    a.share = static_cast<double>(a.count) / static_cast<double>(question.starts);
+    const attractors::Interval interval = attractors::wilson(a.count, result.question.starts);
+    a.share = static_cast<double>(a.count) / static_cast<double>(result.question.starts);
     a.least = interval.least;
     a.most = interval.most;
     a.orbit = orbits[k];
@@ -147,6 +156,66 @@ MachineAttractors find_attractors(const MachineStarts& question) {
   std::stable_sort(result.attractors.begin(), result.attractors.end(),
                    [](const auto& a, const auto& b) { return a.count > b.count; });
   return result;
+}
+
+namespace {
+
+std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttractor& a) {
+  std::vector<Eigen::VectorXd> states{a.state};
+  if (machine.oscillator.is_autonomous()) {
+    if (a.orbit && a.orbit->existence.truth == Truth::proved) {
+      states.clear();
+      motion::PhaseKind before = a.orbit->phases.back().piece.kind;
+      for (const MachinePhase& phase : a.orbit->phases) {
+        if (phase.piece.kind != before) {
+          states.emplace_back(phase.state.unaryExpr([](const Ball& x) { return x.approximate(); }));
+        }
+        before = phase.piece.kind;
+      }
+    }
+    return states;
+  }
+  const bool moves = a.kind != Kind::stuck && a.kind != Kind::unsettled;
+  const long count = a.kind == Kind::periodic && a.orbit ? std::min(a.orbit->periods, most_once)
+                     : moves                             ? most_once
+                                                         : 1;
+  simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic> motion(oscillator_as<double>(machine), 0, a.state);
+  while (static_cast<long>(states.size()) < count && !interrupted()) {
+    motion.advance(motion.period());
+    states.emplace_back(motion.state());
+  }
+  return states;
+}
+
+}  // namespace
+
+MachineDiagram along(MachineDiagram diagram) {
+  using Point = attractors::PointAlong<MachineAttractor, Eigen::VectorXd>;
+  diagram.points =
+      attractors::points_along<Point>(diagram.from, diagram.to, diagram.values, [&](Point& point) {
+        MachineStarts here = diagram.question;
+        here.machine = diagram.at(point.value);
+        const MachineAttractors list = find_attractors(here);
+        point.attractors = list.attractors;
+        for (const MachineAttractor& a : list.attractors) {
+          point.once.push_back(states_of(here.machine, a));
+        }
+        diagram.interrupted = list.interrupted;
+        return !list.interrupted;
+      });
+  return diagram;
+}
+
+MachineBasins in_plane(MachineBasins basins) {
+  require_machine(basins.question.machine);
+  const MachineStartBox box = start_box(oscillator_as<double>(basins.question.machine));
+  basins.starts = attractors::starts_in_plane<Eigen::VectorXd>(basins.through.value_or(box.middle), box.half,
+                                                               basins.across, basins.pixels);
+  const MachineAttractors list = find_attractors_from(basins.question, basins.starts);
+  basins.attractors = list.attractors;
+  basins.interrupted = list.interrupted;
+  basins.ends = attractors::ends_of(list.attractors, basins.starts.size());
+  return basins;
 }
 
 namespace {

@@ -1,11 +1,14 @@
 // What a machine does: the motions that many starts end on, each periodic one proved.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "numeric/attractors/many_starts.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/machines/steady_sliding.hpp"
 #include "numeric/words/word.hpp"
@@ -22,7 +25,8 @@ struct MachineStarts {
 
 struct MachineAttractor {
   attractors::Kind kind = attractors::Kind::unsettled;
-  long count = 0;                         // of the starts
+  std::vector<std::size_t> members;       // which starts end on it
+  long count = 0;                         // how many
   double share = 0, least = 0, most = 0;  // with Wilson's interval of 95 %
   std::string word;                       // periodic: its letters, in the first rotation
   std::optional<MachineOrbit> orbit;      // periodic: what is proved; its existence may be undecided
@@ -47,6 +51,40 @@ struct MachineStartBox {
 
 // The same seed gives the same starts everywhere. Throws as require_machine does.
 [[nodiscard]] MachineAttractors find_attractors(const MachineStarts& question);
+
+// What the motions from these starts at load phase 0 settle on; the question's number of starts and seed say
+// nothing, steady sliding is not looked at. Throws likewise.
+[[nodiscard]] MachineAttractors find_attractors_from(const MachineStarts& question,
+                                                     const std::vector<Eigen::VectorXd>& starts);
+
+// What a machine does while one of its numbers varies. Drawn are of each attractor, with a load, states at
+// load phase 0, one period apart: n of a periodic one, but at most most_once, so many of one that is not;
+// without a load states where a phase begins, a slip, an overshoot or a stick.
+struct MachineDiagram {
+  MachineStarts question;  // at each value; its machine is at none of them
+  std::function<Machine(const Rational&)> at;
+  Rational from, to;  // from < to
+  long values = 41;   // at least 2, equally far apart, both ends among them
+  std::vector<attractors::PointAlong<MachineAttractor, Eigen::VectorXd>> points;
+  bool interrupted = false;  // there are fewer points than were asked for
+};
+inline constexpr long most_once = 200;
+// Fills in the points. Throws as find_attractors does when no value is in the domain.
+[[nodiscard]] MachineDiagram along(MachineDiagram diagram);
+
+// Which starts in a plane end on what.
+struct MachineBasins {
+  MachineStarts question;                  // its starts and seed say nothing
+  std::array<int, 2> across{0, 1};         // the two of (x, x') that vary
+  std::optional<Eigen::VectorXd> through;  // the plane goes through it; else the middle of random starts
+  std::array<long, 2> pixels{60, 60};      // columns and rows
+  std::vector<Eigen::VectorXd> starts;     // the middle of each pixel, row by row, across[0] rises first
+  std::vector<MachineAttractor> attractors;
+  std::vector<std::size_t> ends;  // on which of them each start ends
+  bool interrupted = false;
+};
+// Fills in what comes after the pixels. The window is as wide as the box of random starts. Throws likewise.
+[[nodiscard]] MachineBasins in_plane(MachineBasins basins);
 
 // Orbits through given phases.
 struct MachineWord {

@@ -63,6 +63,10 @@ def _text(name: str, value: Optional[_Number]) -> Optional[str]:
     return None if value is None else number(name, value)
 
 
+def _range(along: Optional[Tuple[str, Exact, Exact]]) -> Sequence[str]:
+    return [] if along is None else [along[0], interval("along", along[1:])]
+
+
 def _state(name: str, state: Optional[Sequence[_Number]]) -> Optional[str]:
     return None if state is None else ",".join(number(name, x) for x in state)
 
@@ -81,11 +85,22 @@ class MachineInTables:
     def __repr__(self) -> str:
         return f"MachineInTables({self.file!r})"
 
-    def attractors(self, starts: int = 500, seed: int = 1, most_periods: int = 20000, digits: int = 20,
-                   jobs: Optional[int] = None) -> Record:
-        """What random starts end on, each periodic motion proved."""
-        return self._asked(_core.attractors_in_tables, count("starts", starts, 100000), count("seed", seed, 10**9),
-                           count("most_periods", most_periods, 10**9), whole("digits", digits, 1, 2000), jobs=jobs)
+    def attractors(self, starts: Optional[int] = None, seed: Optional[int] = None, most_periods: int = 20000,
+                   digits: int = 20, along: Optional[Tuple[str, Exact, Exact]] = None, values: Optional[int] = None,
+                   plane: Optional[Tuple[str, str]] = None, pixels: Optional[int] = None,
+                   through: Optional[Sequence[_Number]] = None, jobs: Optional[int] = None) -> Record:
+        """What random starts end on, by default 500, each periodic motion proved.
+
+        along: one of the file's numbers and its interval, ("belt.velocity", "0.03", "0.08"): what 50 starts end on at
+        so many values of it, by default 41. plane: two of "x1", ..., "x1'", ...: where pixels x pixels starts in that
+        plane end, by default 60 x 60, through a state, by default in the middle of the random starts.
+        """
+        following = _core.Following(count("starts", starts, 100000), count("seed", seed, 10**9),
+                                    count("most_periods", most_periods, 10**9), whole("digits", digits, 1, 2000),
+                                    count("values", values, 10000), count("pixels", pixels, 1000),
+                                    _state("through", through))
+        return self._asked(_core.attractors_in_tables, following, _range(along),
+                           None if plane is None else ",".join(plane), jobs=jobs)
 
     def orbits(self, word: str, period: Optional[int] = None, near: Optional[Sequence[_Number]] = None,
                digits: int = 20, jobs: Optional[int] = None) -> Record:
@@ -97,8 +112,7 @@ class MachineInTables:
                period: Optional[int] = None, orbit: Optional[int] = None,
                near: Optional[Sequence[_Number]] = None, all: bool = False, jobs: Optional[int] = None) -> Record:
         """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08")."""
-        path, first, last = along
-        return self._asked(_core.branch_in_tables, word, [path, interval("along", (first, last))],
+        return self._asked(_core.branch_in_tables, word, _range(along),
                            None if at is None else exact("at", at), count("period", period, 100000),
                            count("orbit", orbit, 10**6), _state("near", near), bool(all), jobs=jobs)
 

@@ -2,6 +2,7 @@
 #include "numeric/words/word.hpp"
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
+#include "report/orbits/diagram.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/record_json.hpp"
 
@@ -143,29 +144,84 @@ void write_steady(Object& json, const SteadySliding& state, int digits) {
 
 // ---- results
 
+void write_attractor(Object& json, const MachineAttractor& a, int digits) {
+  json.has("kind", a.kind, names_through(attractors::Kind::unsettled));
+  json.has("share", a.share, {{"minimum", 0}, {"maximum", 1}});
+  json.has("share_interval", std::array{a.least, a.most}, "Wilson's interval of 95 %.");
+  json.has("count", a.count, with({{"minimum", 1}}, "Of the starts."));
+  json.has("state", a.state, state_words);
+  json.object_if(
+      "orbit", a.orbit, [&](Object& one, const MachineOrbit& orbit) { write_orbit(one, orbit, digits); },
+      "Of a periodic motion: what is proved.");
+}
+
+void write_most_periods(Object& json, const MachineStarts& q) {
+  json.has("most_periods", q.most_periods,
+           with({{"minimum", 1}}, "That a start is followed for; without a load, events."));
+}
+
+void write_starts(Object& json, const MachineStarts& q) {
+  json.has("starts", q.starts, {{"minimum", 1}});
+  json.has("seed", q.seed);
+  write_most_periods(json, q);
+}
+
 void write(Object& json, const Attractors& result) {
   const MachineStarts& q = result.list.question;
   write_provenance(json, command_of(result));
   write_machine(json, q.machine, result.origin);
-  json.has("starts", q.starts, {{"minimum", 1}});
-  json.has("seed", q.seed);
-  json.has("most_periods", q.most_periods,
-           with({{"minimum", 1}}, "That a start is followed for; without a load, events."));
+  write_starts(json, q);
   json.has("interrupted", result.list.interrupted);
-  json.list("attractors", result.list.attractors, [&](Object& to, const MachineAttractor& a) {
-    to.has("kind", a.kind, names_through(attractors::Kind::unsettled));
-    to.has("share", a.share, {{"minimum", 0}, {"maximum", 1}});
-    to.has("share_interval", std::array{a.least, a.most}, "Wilson's interval of 95 %.");
-    to.has("count", a.count, with({{"minimum", 1}}, "Of the starts."));
-    to.has("state", a.state, state_words);
-    to.object_if(
-        "orbit", a.orbit, [&](Object& one, const MachineOrbit& orbit) { write_orbit(one, orbit, q.digits); },
-        "Of a periodic motion: what is proved.");
-  });
+  json.list("attractors", result.list.attractors,
+            [&](Object& to, const MachineAttractor& a) { write_attractor(to, a, q.digits); });
   json.object_if(
       "steady_sliding", result.list.steady,
       [&](Object& to, const SteadySliding& state) { write_steady(to, state, q.digits); },
       "Without a load that varies.");
+}
+
+void write(Object& json, const Diagram& result) {
+  const MachineDiagram& d = result.diagram;
+  const int digits = d.question.digits;
+  write_provenance(json, command_of(result));
+  write_machine(json, d.question.machine, result.origin);
+  json.has("along", result.parameter, "The path of a number in the file.");
+  json.has("from", d.from);
+  json.has("to", d.to);
+  write_starts(json, d.question);
+  json.has("interrupted", d.interrupted, "Fewer points than were asked for.");
+  using Point = attractors::PointAlong<MachineAttractor, Eigen::VectorXd>;
+  json.list("points", d.points, [digits](Object& here, const Point& point) {
+    here.has("value", point.value);
+    std::vector<std::pair<MachineAttractor, std::vector<Eigen::VectorXd>>> found;
+    for (std::size_t k = 0; k < point.attractors.size(); ++k) {
+      found.emplace_back(point.attractors[k], point.once[k]);
+    }
+    here.list("attractors", found, [digits](Object& one, const auto& attractor) {
+      write_attractor(one, attractor.first, digits);
+      one.has("once", attractor.second,
+              "States when the load's phase is 0, one period apart; without a load where a phase begins.");
+    });
+    here.has("outside", orbits::if_any(point.outside),
+             "Of the domain, in one sentence; nothing else is known then.");
+  });
+}
+
+void write(Object& json, const Basins& result) {
+  const MachineBasins& b = result.basins;
+  const Seen seen{b.question.machine, result.origin.in_SI};
+  write_provenance(json, command_of(result));
+  write_machine(json, b.question.machine, result.origin);
+  json.has("plane", std::array{coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false)},
+           "Two of x1, …, xn, x1', …, xn'.");
+  json.has("pixels", b.pixels, with({{"items", {{"type", "integer"}, {"minimum", 2}}}}, "Columns and rows."));
+  json.has("from", b.starts.front(), "The first start.");
+  json.has("to", b.starts.back(), "The last one.");
+  write_most_periods(json, b.question);
+  json.has("interrupted", b.interrupted, "Fewer starts than were asked for.");
+  json.list("attractors", b.attractors,
+            [&](Object& to, const MachineAttractor& a) { write_attractor(to, a, b.question.digits); });
+  json.has("at", orbits::rows_of_pixels(b.ends, b.pixels[0]), orbits::pixels_schema());
 }
 
 void write_word(Object& json, const MachineWord& q, const Origin& origin) {
@@ -297,6 +353,12 @@ constexpr auto writer = [](Object& json, const auto& result) { write(json, resul
 Json to_json(const Attractors& result) {
   return written(result, writer);
 }
+Json to_json(const Diagram& result) {
+  return written(result, writer);
+}
+Json to_json(const Basins& result) {
+  return written(result, writer);
+}
 Json to_json(const WordOrbits& result) {
   return written(result, writer);
 }
@@ -317,13 +379,20 @@ std::vector<File> schemas() {
   const Machine machine = sample_machine();
   const MachineWord word{machine, words::Word::parse("ST"), {}, {}};
   const Attractors attractors{{{.machine = machine}, {}, {}, false}, {}};
+  Diagram diagram;
+  diagram.diagram.question.machine = machine;
+  Basins basins;
+  basins.basins.question.machine = machine;
+  basins.basins.starts = {Eigen::VectorXd::Zero(2)};
   const WordOrbits of_word{{word, {}, {}}, {}};
   const Branches branches{word, "belt.velocity", 0, 1, 0, {}, false, {}, {}, false, {}};
   Motion motion;
   motion.machine = machine;
   return {
-      schema_file("machine_attractors", "stickslip attractors of a machine in tables: what it does, proved",
-                  schema_by(attractors, writer)),
+      schema_file("machine_attractors",
+                  "stickslip attractors of a machine in tables: what it does; with --along, with --plane",
+                  one_of_schemas({schema_by(attractors, writer), schema_by(diagram, writer),
+                                  schema_by(basins, writer)})),
       schema_file("machine_words", "stickslip orbits WORD of a machine in tables, each proved",
                   schema_by(of_word, writer)),
       schema_file("machine_branches",

@@ -157,15 +157,14 @@ AnyState first_state(const MachineOrbit& orbit) {
 
 }  // namespace
 
-std::vector<File> pages(const Attractors& result) {
-  const MachineAttractors& list = result.list;
-  const Seen seen{list.question.machine, result.origin.in_SI};
+namespace {
+
+void add_attractors(Json& data, std::vector<File>& files, const Seen& seen,
+                    const std::vector<MachineAttractor>& attractors, int digits) {
+  constexpr std::size_t most = 24;
   const bool autonomous = seen.oscillator().is_autonomous();
-  Json data = frame("What the machine does", command_of(result), seen, list.question.digits);
-  std::vector<File> files;
-  const std::size_t count = std::min<std::size_t>(list.attractors.size(), 24);
-  add(data, files, parallel_map(count, [&](std::size_t i) {
-        const MachineAttractor& a = list.attractors[i];
+  add(data, files, parallel_map(std::min(attractors.size(), most), [&](std::size_t i) {
+        const MachineAttractor& a = attractors[i];
         const bool periodic = a.kind == Kind::periodic && a.orbit;
         return drawn(seen, i + 1, periodic ? name_of(*a.orbit, autonomous) : to_string(a.kind),
                      periodic ? &*a.orbit : nullptr, periodic ? tone_of(*a.orbit) : "checked",
@@ -173,11 +172,52 @@ std::vector<File> pages(const Attractors& result) {
                      {{{"starts"},
                        {fmt::format("{}: {:.1f} %, within {:.1f} and {:.1f} %", a.count, 100 * a.share,
                                     100 * a.least, 100 * a.most)}}},
-                     a.state, 0, list.question.digits);
+                     a.state, 0, digits);
       }));
-  data["data_file"] = "attractors.json";
-  files.push_back({"attractors.json", to_text(to_json(result))});
+}
+
+template <class Result>
+std::vector<File> with_json(Json& data, std::vector<File> files, const char * name, const Result& result) {
+  data["data_file"] = name;
+  files.push_back({name, to_text(to_json(result))});
   return orbits::with_page("attractors.html", data, std::move(files));
+}
+
+}  // namespace
+
+std::vector<File> pages(const Attractors& result) {
+  const MachineAttractors& list = result.list;
+  const Seen seen{list.question.machine, result.origin.in_SI};
+  Json data = frame("What the machine does", command_of(result), seen, list.question.digits);
+  std::vector<File> files;
+  add_attractors(data, files, seen, list.attractors, list.question.digits);
+  return with_json(data, std::move(files), "attractors.json", result);
+}
+
+std::vector<File> pages(const Diagram& result) {
+  const MachineStarts& q = result.diagram.question;
+  const Seen seen{q.machine, result.origin.in_SI};
+  Json data = frame("What the machine does along " + result.parameter, command_of(result), seen, q.digits);
+  data["along"] = along_data(result);
+  std::vector<File> files;
+  if (const std::string script = plot_script(result, PlotFormat::svg); !script.empty()) {
+    data["along"]["picture"] = "diagram.svg";
+    files.push_back({"diagram.svg", gnuplot(script)});
+  }
+  return with_json(data, std::move(files), "diagram.json", result);
+}
+
+std::vector<File> pages(const Basins& result) {
+  const MachineBasins& b = result.basins;
+  const Seen seen{b.question.machine, result.origin.in_SI};
+  Json data = frame("Where starts in a plane end", command_of(result), seen, b.question.digits);
+  std::vector<File> files;
+  add_attractors(data, files, seen, b.attractors, b.question.digits);
+  if (const std::string script = plot_script(result, PlotFormat::svg); !script.empty()) {
+    data["basins"] = basins_data(result);
+    files.push_back({"basins.svg", gnuplot(script)});
+  }
+  return with_json(data, std::move(files), "basins.json", result);
 }
 
 std::vector<File> pages(const WordOrbits& result) {
@@ -191,9 +231,7 @@ std::vector<File> pages(const WordOrbits& result) {
         return drawn(seen, i + 1, name_of(orbit, seen.oscillator().is_autonomous()), &orbit, tone_of(orbit),
                      remark(orbit), {}, first_state(orbit), orbit.load.approximate(), list.question.digits);
       }));
-  data["data_file"] = "orbits.json";
-  files.push_back({"orbits.json", to_text(to_json(result))});
-  return orbits::with_page("attractors.html", data, std::move(files));
+  return with_json(data, std::move(files), "orbits.json", result);
 }
 
 std::string plot_script(const Branches& result, PlotFormat format, PlotShape shape) {

@@ -28,6 +28,16 @@ struct Attractors {
   numeric::machines::MachineAttractors list;
   Origin origin;
 };
+// Along one of the file's numbers, by its path; where starts in a plane end.
+struct Diagram {
+  numeric::machines::MachineDiagram diagram;
+  std::string parameter;
+  Origin origin;
+};
+struct Basins {
+  numeric::machines::MachineBasins basins;
+  Origin origin;
+};
 struct WordOrbits {
   numeric::machines::MachineWordOrbits list;
   Origin origin;
@@ -70,6 +80,8 @@ struct Motion {
 };
 
 [[nodiscard]] std::string terminal_report(const Attractors& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const Diagram& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const Basins& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const WordOrbits& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Branches& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Steady& result, const tools::Style& style);
@@ -77,6 +89,8 @@ struct Motion {
 [[nodiscard]] std::string terminal_report(const Motion& result, const tools::Style& style);
 
 [[nodiscard]] tools::Json to_json(const Attractors& result);
+[[nodiscard]] tools::Json to_json(const Diagram& result);
+[[nodiscard]] tools::Json to_json(const Basins& result);
 [[nodiscard]] tools::Json to_json(const WordOrbits& result);
 [[nodiscard]] tools::Json to_json(const Branches& result);
 [[nodiscard]] tools::Json to_json(const Steady& result);
@@ -87,6 +101,13 @@ struct Motion {
 // A line of names, then a line for each orbit that was proved on its own: the number, the branch, the state,
 // the period, how long each phase lasts, x and x' when the first begins; with 17 digits.
 [[nodiscard]] std::string to_csv(const Branches& result);
+// Names with units, then a line for each state that is drawn of each attractor: the parameter, attractor (1,
+// 2,
+// ... at this value), share, kind, periods, word, stable (yes, no or empty), the state; a value outside the
+// domain has its own line with that as the kind. And a line for each start: the state, attractor, kind,
+// periods, word.
+[[nodiscard]] std::string to_csv(const Diagram& result);
+[[nodiscard]] std::string to_csv(const Basins& result);
 // Names with units; t, phase, x, x', r, u, E; numbers with 17 digits.
 [[nodiscard]] std::string csv_names(const Motion& motion);
 [[nodiscard]] std::string csv_line(
@@ -97,9 +118,16 @@ struct Motion {
 [[nodiscard]] std::string plot_script(const Branches& result, tools::PlotFormat format,
                                       tools::PlotShape shape = tools::PlotShape::wide);
 
+// The position of the mass on the belt against the parameter: with a load once a period, without where phases
+// begin; and the plane in a colour for each attractor.
+[[nodiscard]] std::string plot_script(const Diagram& result, tools::PlotFormat format);
+[[nodiscard]] std::string plot_script(const Basins& result, tools::PlotFormat format);
+
 // The files of one directory: index.html with its style sheets, the JSON, pictures. Throw InputOutputError if
 // a program that draws is missing or fails.
 [[nodiscard]] std::vector<tools::File> pages(const Attractors& result);
+[[nodiscard]] std::vector<tools::File> pages(const Diagram& result);
+[[nodiscard]] std::vector<tools::File> pages(const Basins& result);
 [[nodiscard]] std::vector<tools::File> pages(const WordOrbits& result);
 [[nodiscard]] std::vector<tools::File> pages(const Branches& result);
 

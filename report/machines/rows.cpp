@@ -42,6 +42,8 @@ std::string law(const Seen& seen, const model::FrictionLaw<Rational>& law) {
                      seen.in_SI ? " (N, m/s)" : "");
 }
 
+}  // namespace
+
 std::string numbers(const Eigen::VectorXd& X) {
   std::string text;
   for (const double x : X) {
@@ -49,8 +51,6 @@ std::string numbers(const Eigen::VectorXd& X) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string Seen::unit(const char * name) const {
   return in_SI ? std::string(" in ") + name : "";
@@ -184,6 +184,41 @@ std::vector<Row> phase_rows(const MachineOrbit& orbit, const Seen& seen) {
     rows.back().resize(rows[0].size(), {""});
   }
   return rows;
+}
+
+std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit) {
+  const auto n = static_cast<Eigen::Index>(seen.oscillator().size());
+  return fmt::format("x{}{}", k % n + 1, k < n ? "" : "'") +
+         (with_unit ? seen.unit(k < n ? "m" : "m/s") : "");
+}
+
+std::string short_name(const MachineAttractor& a, bool autonomous) {
+  if (a.kind != Kind::periodic) {
+    return to_string(a.kind);
+  }
+  const std::string word = orbits::shortened(a.word);
+  return autonomous || !a.orbit ? word : fmt::format("{} ({})", word, a.orbit->periods);
+}
+
+std::string command_of(const Diagram& result) {
+  const MachineDiagram& d = result.diagram;
+  const MachineStarts& q = d.question;
+  return fmt::format(
+      "stickslip attractors --params {} --along {} {}..{} --values {} --starts {} --seed {} --most-periods "
+      "{} "
+      "--digits {}",
+      result.origin.file, result.parameter, to_string(d.from), to_string(d.to), d.values, q.starts, q.seed,
+      q.most_periods, q.digits);
+}
+
+std::string command_of(const Basins& result) {
+  const MachineBasins& b = result.basins;
+  const Seen seen{b.question.machine, result.origin.in_SI};
+  return fmt::format(
+      "stickslip attractors --params {} --plane \"{},{}\" --pixels {}{} --most-periods {} --digits {}",
+      result.origin.file, coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false),
+      b.pixels[0], b.through ? " --through=" + numbers(*b.through) : "", b.question.most_periods,
+      b.question.digits);
 }
 
 std::string command_of(const Attractors& result) {

@@ -24,6 +24,11 @@ struct Seen {
   [[nodiscard]] std::vector<std::size_t> shown_masses() const;
 };
 
+// Numbers between commas, with 17 digits.
+[[nodiscard]] std::string numbers(const Eigen::VectorXd& X);
+// "x1", …, "x1'", …, with units: of coordinate k of (x, x').
+[[nodiscard]] std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit);
+
 // Masses, belt, friction, loads: a label and a sentence each.
 [[nodiscard]] std::vector<tools::Row> machine_rows(const Seen& seen);
 // Of a periodic motion: period, stability, multipliers; its phases, names first.
@@ -34,15 +39,23 @@ struct Seen {
 // What is known: "proved, stable, |mu| = 0.78".
 [[nodiscard]] std::string remark(const numeric::machines::MachineOrbit& orbit);
 [[nodiscard]] std::string remark(const numeric::machines::MachineAttractor& attractor, bool autonomous);
+// "OTS (2)", or what kind of motion it is; without a load "OTS".
+[[nodiscard]] std::string short_name(const numeric::machines::MachineAttractor& attractor, bool autonomous);
 // "OTS, period 1", or what kind of motion it is.
 [[nodiscard]] std::string name_of(const numeric::machines::MachineOrbit& orbit, bool autonomous);
 
 [[nodiscard]] std::string command_of(const Attractors& result);
+[[nodiscard]] std::string command_of(const Diagram& result);
+[[nodiscard]] std::string command_of(const Basins& result);
 [[nodiscard]] std::string command_of(const WordOrbits& result);
 [[nodiscard]] std::string command_of(const Branches& result);
 [[nodiscard]] std::string command_of(const Motion& result);
 [[nodiscard]] std::string command_of(const Steady& result);
 [[nodiscard]] std::string command_of(const SteadyBranch& result);
+
+// For pages: the table and the picture along a number; the picture of a plane, in words.
+[[nodiscard]] tools::Json along_data(const Diagram& result);
+[[nodiscard]] tools::Json basins_data(const Basins& result);
 
 // Of a branch: how it begins and ends; from, to, how many motions and their state where it is one; place,
 // kind and name of each change.

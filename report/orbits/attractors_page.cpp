@@ -215,12 +215,16 @@ std::vector<File> pages(const Diagram& diagram, const PageFrame& frame) {
   Json data =
       frame_data(frame, "What the machine does along " + parameter, command, q.machine.machine.digits);
   data["tables"].push_back(table("question", "Question", rows_of(diagram)));
-  data["along"] = {{"heading", "Along " + parameter},
-                   {"parameter", parameter_of(q)},
-                   {"picture", nullptr},
-                   {"points", list_of(lines_of(diagram), [](const DiagramLine& line) {
-                      return Json{{"value", line.value}, {"ends", line.ends}};
-                    })}};
+  data["along"] = {
+      {"heading", "Along " + parameter},
+      {"parameter", parameter_of(q)},
+      {"picture", nullptr},
+      {"what_is_drawn",
+       "<tex>x_2</tex> at each value, once in each period of the load, of each motion that starts "
+       "end on."},
+      {"points", list_of(lines_of(diagram), [](const DiagramLine& line) {
+         return Json{{"value", line.value}, {"ends", line.ends}};
+       })}};
   std::vector<File> files;
   if (const std::string script = plot_script(diagram, PlotFormat::svg, frame.units); !script.empty()) {
     data["along"]["picture"] = "diagram.svg";

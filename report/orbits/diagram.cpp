@@ -163,6 +163,22 @@ std::string to_csv(const Basins& b, const Units& units) {
   return text;
 }
 
+std::vector<std::vector<std::size_t>> rows_of_pixels(const std::vector<std::size_t>& ends, long columns) {
+  std::vector<std::vector<std::size_t>> rows;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (k % static_cast<std::size_t>(columns) == 0) {
+      rows.emplace_back();
+    }
+    rows.back().push_back(ends[k] + 1);
+  }
+  return rows;
+}
+
+Json pixels_schema() {
+  return with({{"items", {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}}}}}},
+              "Of each row from below: on which attractor, 1, 2, ..., each start ends.");
+}
+
 namespace {
 
 void write_diagram(Object& json, const Diagram& d) {
@@ -206,16 +222,7 @@ void write_basins(Object& json, const Basins& b) {
   json.has("interrupted", b.interrupted, "Fewer starts than were asked for.");
   json.list("attractors", b.attractors,
             [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.machine.digits); });
-  std::vector<std::vector<std::size_t>> rows;
-  for (std::size_t k = 0; k < b.at.size(); ++k) {
-    if (k % static_cast<std::size_t>(q.pixels[0]) == 0) {
-      rows.emplace_back();
-    }
-    rows.back().push_back(b.at[k] + 1);
-  }
-  json.has("at", rows,
-           with({{"items", {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}}}}}},
-                "Of each row from below: on which attractor, 1, 2, ..., each start ends."));
+  json.has("at", rows_of_pixels(b.at, q.pixels[0]), pixels_schema());
 }
 
 }  // namespace
@@ -238,21 +245,13 @@ File attractors_schema() {
                                      schema_by(plane, write_basins)}));
 }
 
-std::string plot_script(const Diagram& d, PlotFormat format, const Units& units) {
+std::string plot_script(const DrawnDiagram& d, PlotFormat format) {
   Json data = {{"terminal", terminal(format, 1000, 600)}};
   data["kinds"] = Json::array();
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     std::string table;
-    for (const DiagramPoint& point : d.points) {
-      const Units here = units_at(point, units);
-      for (std::size_t i = 0; i < point.attractors.size(); ++i) {
-        if (point.attractors[i].kind != kinds[k]) {
-          continue;
-        }
-        for (const Vector4<double>& X : point.once[i]) {
-          table += fmt::format("{:.8g} {:.8g}\n", point.value.get_d(), here.state(X)(1));
-        }
-      }
+    for (const DrawnDiagram::State& state : d.states) {
+      table += state.kind == kinds[k] ? fmt::format("{:.8g} {:.8g}\n", state.value, state.place) : "";
     }
     if (!table.empty()) {
       const bool dense = kinds[k] == Kind::irregular || kinds[k] == Kind::quasi_periodic;
@@ -267,53 +266,86 @@ std::string plot_script(const Diagram& d, PlotFormat format, const Units& units)
   if (data["kinds"].empty()) {
     return "";
   }
-  data["parameter"] = parameter_of(d.question);
-  data["parameters"] = d.question.taken ? units_at(d, units).machine_or("the machine", d.question.parameter)
-                                        : in_greek(others(d.question));
-  data["x2"] = units_at(d, units).labelled("x2", "m");
-  data["from"] = fmt::format("{:.8g}", d.question.from.get_d());
-  data["to"] = fmt::format("{:.8g}", d.question.to.get_d());
+  data["parameter"] = d.parameter;
+  data["title"] = d.title;
+  data["place"] = d.place;
+  data["from"] = fmt::format("{:.8g}", d.from);
+  data["to"] = fmt::format("{:.8g}", d.to);
   return render_file("diagram.gp", data, plain_format);
 }
 
-std::string plot_script(const Basins& b, PlotFormat format, const Units& units) {
+std::string plot_script(const Diagram& d, PlotFormat format, const Units& units) {
+  DrawnDiagram drawn;
+  for (const DiagramPoint& point : d.points) {
+    const Units here = units_at(point, units);
+    for (std::size_t i = 0; i < point.attractors.size(); ++i) {
+      for (const Vector4<double>& X : point.once[i]) {
+        drawn.states.push_back({point.attractors[i].kind, point.value.get_d(), here.state(X)(1)});
+      }
+    }
+  }
+  drawn.parameter = parameter_of(d.question);
+  drawn.title = "x2 once a period of the load, at " +
+                (d.question.taken ? units_at(d, units).machine_or("the machine", d.question.parameter)
+                                  : in_greek(others(d.question)));
+  drawn.place = units_at(d, units).labelled("x2", "m");
+  drawn.from = d.question.from.get_d();
+  drawn.to = d.question.to.get_d();
+  return plot_script(drawn, format);
+}
+
+std::string plot_script(const DrawnBasins& b, PlotFormat format) {
   if (b.attractors.empty()) {
     return "";
   }
-  const BasinsQuestion& q = b.question;
-  const auto [i, j] = q.across;
   Json data = {{"terminal", terminal(format, 900, 760)}};
   std::string table;
   for (std::size_t k = 0; k < b.starts.size(); ++k) {
-    const Vector4<double> X = units.state(b.starts[k]);
-    table += fmt::format("{:.8g} {:.8g} {}\n", X(i), X(j), b.at[k]);
+    table += fmt::format("{:.8g} {:.8g} {}\n", b.starts[k][0], b.starts[k][1], b.ends[k]);
   }
   data["table"] = table;
   data["attractors"] = Json::array();
   std::string palette;
   for (std::size_t k = 0; k < b.attractors.size(); ++k) {
-    data["attractors"].push_back(
-        {{"colour", colour(k)},
-         {"words", fmt::format("{:.1f} % {}", 100 * b.attractors[k].share, short_name(b.attractors[k]))}});
+    data["attractors"].push_back({{"colour", colour(k)}, {"words", b.attractors[k]}});
     palette += fmt::format("{}{} \"{}\"", k == 0 ? "" : ", ", k, colour(k));
   }
   // A palette has two colours at least.
   data["palette"] = b.attractors.size() == 1 ? palette + fmt::format(", 1 \"{}\"", colour(0)) : palette;
   data["count"] = std::max<std::size_t>(b.attractors.size(), 2);
   data["last"] = fmt::format("{}.5", std::max<std::size_t>(b.attractors.size(), 2) - 1);
-  data["parameters"] = units.machine_or(in_greek(parameter_list(q.machine.machine)));
-  data["x"] = units.labelled(coordinates[static_cast<std::size_t>(i)], i < 2 ? "m" : "m/s");
-  data["y"] = units.labelled(coordinates[static_cast<std::size_t>(j)], j < 2 ? "m" : "m/s");
-  const Vector4<double> first = units.state(b.starts.front()), last = units.state(b.starts.back());
+  data["parameters"] = b.machine;
+  data["x"] = b.x;
+  data["y"] = b.y;
   // To the outer edges of the pixels.
-  const auto margin = [&](std::size_t k, int axis) {
-    return (last(axis) - first(axis)) / static_cast<double>(std::max(q.pixels[k] - 1, 1L)) / 2;
+  const auto margin = [&](std::size_t k) {
+    return (b.starts.back()[k] - b.starts.front()[k]) / static_cast<double>(std::max(b.pixels[k] - 1, 1L)) /
+           2;
   };
-  data["left"] = fmt::format("{:.8g}", first(i) - margin(0, i));
-  data["right"] = fmt::format("{:.8g}", last(i) + margin(0, i));
-  data["bottom"] = fmt::format("{:.8g}", first(j) - margin(1, j));
-  data["top"] = fmt::format("{:.8g}", last(j) + margin(1, j));
+  data["left"] = fmt::format("{:.8g}", b.starts.front()[0] - margin(0));
+  data["right"] = fmt::format("{:.8g}", b.starts.back()[0] + margin(0));
+  data["bottom"] = fmt::format("{:.8g}", b.starts.front()[1] - margin(1));
+  data["top"] = fmt::format("{:.8g}", b.starts.back()[1] + margin(1));
   return render_file("basins.gp", data, plain_format);
+}
+
+std::string plot_script(const Basins& b, PlotFormat format, const Units& units) {
+  const BasinsQuestion& q = b.question;
+  const auto [i, j] = q.across;
+  DrawnBasins drawn;
+  for (const Vector4<double>& start : b.starts) {
+    const Vector4<double> X = units.state(start);
+    drawn.starts.push_back({X(i), X(j)});
+  }
+  drawn.ends = b.at;
+  for (const Attractor& a : b.attractors) {
+    drawn.attractors.push_back(fmt::format("{:.1f} % {}", 100 * a.share, short_name(a)));
+  }
+  drawn.machine = units.machine_or(in_greek(parameter_list(q.machine.machine)));
+  drawn.x = units.labelled(coordinates[static_cast<std::size_t>(i)], i < 2 ? "m" : "m/s");
+  drawn.y = units.labelled(coordinates[static_cast<std::size_t>(j)], j < 2 ? "m" : "m/s");
+  drawn.pixels = q.pixels;
+  return plot_script(drawn, format);
 }
 
 std::string options_along(const DiagramQuestion& q) {

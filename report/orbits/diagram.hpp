@@ -30,6 +30,11 @@ namespace stickslip::report::orbits {
 // Names, then a line for each start: x1, x2, x1', x2', attractor (1, 2, ...), kind, period, word.
 [[nodiscard]] std::string to_csv(const numeric::attractors::Basins& basins, const Units& units = {});
 
+// The attractors on which starts in rows end, counted from 1, and what the schema says of that.
+[[nodiscard]] std::vector<std::vector<std::size_t>> rows_of_pixels(const std::vector<std::size_t>& ends,
+                                                                   long columns);
+[[nodiscard]] tools::Json pixels_schema();
+
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Diagram& diagram);
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Basins& basins);
 // Of these, and of attractors.hpp.
@@ -41,6 +46,26 @@ namespace stickslip::report::orbits {
                                       const Units& units = {});
 [[nodiscard]] std::string plot_script(const numeric::attractors::Basins& basins, tools::PlotFormat format,
                                       const Units& units = {});
+
+// What the pictures are made of, for any oscillator.
+struct DrawnDiagram {
+  struct State {
+    numeric::attractors::Kind kind;
+    double value, place;  // of the parameter, and what is drawn
+  };
+  std::vector<State> states;
+  std::string title, parameter, place;  // names with units
+  double from, to;
+};
+struct DrawnBasins {
+  std::vector<std::array<double, 2>> starts;  // row by row
+  std::vector<std::size_t> ends;              // on which attractor each of them ends, from 0
+  std::vector<std::string> attractors;        // in words
+  std::string machine, x, y;                  // names with units
+  std::array<long, 2> pixels;
+};
+[[nodiscard]] std::string plot_script(const DrawnDiagram& diagram, tools::PlotFormat format);
+[[nodiscard]] std::string plot_script(const DrawnBasins& basins, tools::PlotFormat format);
 
 // "0.1, 54 % OTS (1), 46 % quasi-periodic": the value and what the starts end on there.
 struct DiagramLine {

@@ -12,6 +12,7 @@
 
 #include "cli/machine_tables.hpp"
 #include "core/error.hpp"
+#include "report/tools/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/report/temporary.hpp"
 
@@ -228,6 +229,63 @@ TEST_CASE("the machines that are shown are read, and what they do is proved") {
   CHECK(count == 8);
 }
 
+TEST_CASE("what starts end on along a number of the file, and in a plane") {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "machine.toml";
+  std::ofstream(file) << good;
+  const auto run = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"attractors", "--params", file};
+    all.insert(all.end(), words.begin(), words.end());
+    return stickslip_program(all);
+  };
+  const std::string csv = directory / "all.csv";
+  const Run along = run({"--along", "spring.1.k", "-100..1200", "--values", "3", "--starts", "4", "--json",
+                         "--csv", csv, "--out", directory / "along"});
+  CHECK(along.code == exit_decided);
+  const Json json = Json::parse(along.out);
+  REQUIRE(json["points"].size() == 3);
+  CHECK(json["points"][0]["outside"].get<std::string>().find("k = -100") != std::string::npos);
+  CHECK(json["points"][0]["attractors"].empty());
+  // At the file's value it is what is said of the file.
+  const Json alone = Json::parse(run({"--starts", "4", "--json"}).out);
+  const Json& last = json["points"][2]["attractors"];
+  REQUIRE(last.size() == alone["attractors"].size());
+  CHECK(last[0]["orbit"] == alone["attractors"][0]["orbit"]);
+  CHECK(last[0]["once"].size() == last[0]["orbit"]["periods"].get<std::size_t>());
+  const std::string table = stickslip::report::tools::read_file(csv);
+  CHECK(table.starts_with("spring.1.k in N/m,attractor,share,kind,periods,word,stable,x1 in m,x2 in m,"));
+  CHECK(table.find("-100,,,outside the domain,,,") != std::string::npos);
+  CHECK(table.find(",1,1,periodic,2,OTS,yes,") != std::string::npos);
+  CHECK(std::filesystem::exists(directory / "along/diagram.svg"));
+  // In a plane each start ends where it ends alone, in the order that the file says.
+  const Run plane =
+      run({"--plane", "x2,x1'", "--pixels", "3", "--json", "--csv", csv, "--out", directory / "plane"});
+  CHECK(plane.code == exit_decided);
+  const Json basins = Json::parse(plane.out);
+  CHECK(basins["plane"] == Json{"x2", "x1'"});
+  REQUIRE(basins["at"].size() == 3);
+  CHECK(basins["at"][2].size() == 3);
+  CHECK(basins["from"][0] == basins["to"][0]);
+  CHECK(basins["from"][1].get<double>() < basins["to"][1].get<double>());
+  CHECK(basins["from"][2].get<double>() < basins["to"][2].get<double>());
+  CHECK(basins["from"][3] == basins["to"][3]);
+  const std::string starts = stickslip::report::tools::read_file(csv);
+  CHECK(std::count(starts.begin(), starts.end(), '\n') == 10);
+  CHECK(std::filesystem::exists(directory / "plane/basins.svg"));
+  for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--plane", "x3,x1"}, "'x3,x1' is not two of x1, x2, x1', x2'"},
+           {{"--plane", "x1,x2", "--starts", "3"}, "--starts is not for --plane"},
+           {{"--plane", "x1,x2", "--through", "1,2"}, "are 4 numbers, not 2"},
+           {{"--plane", "x1,x2", "--along", "belt.velocity", "0..1"}, "two questions"},
+           {{"--values", "3"}, "--values is for --along and --plane"},
+           {{"--along", "belt.speed", "0..1"}, "nothing stands at belt.speed"},
+           {{"--along", "spring.1.k", "-3..-1", "--values", "2"}, "k = -1 is outside"}}) {
+    const Run refused = run(words);
+    CHECK(refused.code >= exit_usage);
+    CHECK(refused.err.find(said) != std::string::npos);
+  }
+}
+
 TEST_CASE("a number of the file by its path takes another value, and nothing else changes") {
   const auto with = [](const char * path, const Rational& value) {
     return cli::machine_in_tables(good, "m.toml", cli::Datum{path, value})->machine.oscillator;
@@ -390,7 +448,7 @@ TEST_CASE("what does not go with a machine in tables is refused in a sentence") 
         exit_usage,
         "--periods and --time do not go together"},
        {{"simulate", "--state=0,0,0,0", "--units", "si"}, exit_usage, "says what its units are"},
-       {{"attractors", "--plane", "x1,x2"}, exit_usage, "--plane does not go with a machine in tables"},
+       {{"attractors", "--plane", "x1,x3"}, exit_usage, "is not two of x1, x2, x1', x2'"},
        {{"attractors", "--chi", "0.5"}, exit_usage, "--chi does not go with it"},
        {{"branch", "OTS"}, exit_usage, "what varies is missing: --along PATH A..B"},
        {{"branch", "OTS", "--along", "belt.speed", "1..2"}, exit_usage, "nothing stands at belt.speed"},

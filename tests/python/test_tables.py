@@ -45,6 +45,22 @@ def test_a_branch_has_changes_and_samples(machine):
     assert branch.last.kind == "interval"
 
 
+def test_what_starts_end_on_along_a_number_and_in_a_plane(machine):
+    found = machine.attractors(starts=3, along=("load.1.frequency", "3.5", "3.6"), values=3)
+    assert [point.value for point in found.points] == ["3.5", "3.55", "3.6"]
+    last = found.points[-1].attractors[0]
+    assert last.orbit.word == "OTS" and last.count == 3 and len(last.once) == last.orbit.periods == 2
+    plane = machine.attractors(plane=("x2", "x1'"), pixels=4, through=[0, 0, 0, 0])
+    assert plane.plane == ("x2", "x1'") and [len(row) for row in plane.at] == [4] * 4
+    assert sum(one.count for one in plane.attractors) == 16
+    middle = [(first + last) / 2 for first, last in zip(plane["from"], plane.to)]
+    assert numpy.allclose(middle, 0)
+    with pytest.raises(stickslip.UsageError, match="two questions"):
+        machine.attractors(plane=("x1", "x2"), along=("belt.velocity", 1, 2))
+    with pytest.raises(stickslip.UsageError, match="is not two of x1, x2, x1', x2'"):
+        machine.attractors(plane=("x1", "x3"))
+
+
 def test_what_is_wrong_is_said(machine, tmp_path):
     with pytest.raises(stickslip.UsageError, match="nothing stands at belt.speed"):
         machine.branch("OTS", ("belt.speed", 1, 2))

@@ -82,7 +82,10 @@ FORMS = {
     ],
     "machine_attractors": [
         "attractors --params TABLES --starts 5", "attractors --params FREE --starts 5 --digits 30 --seed 2",
-        "attractors --params DRILL --starts 3", "attractors --params SMOOTH --starts 3"
+        "attractors --params DRILL --starts 3", "attractors --params SMOOTH --starts 3",
+        "attractors --params TABLES --along belt.velocity -0.01..0.05 --values 3 --starts 3",
+        "attractors --params FREE --along spring.1.k -1..1 --values 3 --starts 3",
+        "attractors --params TABLES --plane x2,x1' --pixels 3", "attractors --params FREE --plane x1,x1' --pixels 3"
     ],
     "machine_words": [
         "orbits OTS --params TABLES", "orbits OTS --params TABLES --period 2 --digits 40",

@@ -1,0 +1,90 @@
+// Starts by the many, for any oscillator: what they end on while one datum varies, and where in a plane they
+// begin.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/rational.hpp"
+
+namespace stickslip::numeric::attractors {
+
+// At one value of the datum.
+template <class Attractor, class State>
+struct PointAlong {
+  Rational value;
+  std::string outside;  // of the domain, in one sentence; nothing else is known then
+  std::vector<Attractor> attractors;
+  std::vector<std::vector<State>> once;  // of each of them, states to be drawn
+};
+
+// The points at so many values from `from` to `to`, both among them; `look` fills in one that has its value,
+// and says whether it was not interrupted: else there are no more. Throws DomainError when no value is in the
+// domain.
+template <class Point, class Look>
+[[nodiscard]] std::vector<Point> points_along(const Rational& from, const Rational& to, long values,
+                                              const Look& look) {
+  std::vector<Point> points;
+  std::optional<DomainError> outside;
+  bool any = false;
+  for (long k = 0; k < values; ++k) {
+    Point point;
+    Rational share(k, values - 1);
+    share.canonicalize();
+    point.value = from + (to - from) * share;
+    try {
+      if (!look(point)) {
+        return points;
+      }
+      any = true;
+    } catch (const DomainError& error) {
+      outside = error;
+      point.outside = error.what();
+    }
+    points.push_back(std::move(point));
+  }
+  if (!any && outside) {
+    throw DomainError(*outside);
+  }
+  return points;
+}
+
+// The middles of columns and rows of pixels of a window that is `half` to each side of the middle, row by
+// row; the first coordinate rises first.
+template <class State>
+[[nodiscard]] std::vector<State> starts_in_plane(const State& middle, const State& half,
+                                                 const std::array<int, 2>& across,
+                                                 const std::array<long, 2>& pixels) {
+  std::vector<State> starts;
+  const auto at = [&](int axis, long pixel, long count) {
+    return middle(axis) +
+           half(axis) * (2 * (static_cast<double>(pixel) + 0.5) / static_cast<double>(count) - 1);
+  };
+  for (long row = 0; row < pixels[1]; ++row) {
+    for (long column = 0; column < pixels[0]; ++column) {
+      State X = middle;
+      X(across[0]) = at(across[0], column, pixels[0]);
+      X(across[1]) = at(across[1], row, pixels[1]);
+      starts.push_back(X);
+    }
+  }
+  return starts;
+}
+
+// On which of the attractors each start ends.
+template <class Attractor>
+[[nodiscard]] std::vector<std::size_t> ends_of(const std::vector<Attractor>& attractors, std::size_t starts) {
+  std::vector<std::size_t> at(starts);
+  for (std::size_t a = 0; a < attractors.size(); ++a) {
+    for (const std::size_t start : attractors[a].members) {
+      at[start] = a;
+    }
+  }
+  return at;
+}
+
+}  // namespace stickslip::numeric::attractors
