@@ -122,7 +122,8 @@ MachineChain::Course MachineChain::course(const Nodes& nodes, std::size_t i, boo
   const Eigen::Index states = 2 * phases_.masses();
   const Ball h = duration(nodes, i);
   if (phases_.is_smooth(pieces_[i])) {
-    const WorkingPrecision scope(WorkingPrecision::bits() + more_bits);
+    // Of a derivative Newton's method does not ask that much.
+    const WorkingPrecision scope(WorkingPrecision::bits() + (with_derivative ? 0 : more_bits));
     const Vector start = beginning(nodes, i);
     const int side = pieces_[i].side();
     const SmoothPhase phase(phases_, side, start, h, false, with_derivative);

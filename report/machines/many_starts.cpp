@@ -56,16 +56,6 @@ std::string kind_of(const MachineAttractor& a) {
   return fmt::format("{},{},{}", to_string(a.kind), a.orbit ? std::to_string(a.orbit->periods) : "", a.word);
 }
 
-std::vector<Row> question_rows(const Diagram& result) {
-  const MachineDiagram& d = result.diagram;
-  return {{{"along"},
-           {fmt::format("{} from {} to {}, {} values", parameter_of(result.parameter, result.origin),
-                        to_string(d.from), to_string(d.to), d.values)}},
-          {{"starts"},
-           {fmt::format("{} at random, seed {}, at each value{}", d.question.starts, d.question.seed,
-                        d.interrupted ? "; interrupted" : "")}}};
-}
-
 std::string plane_in_words(const Basins& result) {
   const MachineBasins& b = result.basins;
   const Seen seen = seen_in(result);
@@ -89,6 +79,16 @@ std::vector<Line> lines_of(const Diagram& result) {
 }
 
 }  // namespace
+
+std::vector<Row> question_rows(const Diagram& result) {
+  const MachineDiagram& d = result.diagram;
+  return {{{"along"},
+           {fmt::format("{} from {} to {}, {} values", parameter_of(result.parameter, result.origin),
+                        to_string(d.from), to_string(d.to), d.values)}},
+          {{"starts"},
+           {fmt::format("{} at random, seed {}, at each value{}", d.question.starts, d.question.seed,
+                        d.interrupted ? "; interrupted" : "")}}};
+}
 
 std::string terminal_report(const Diagram& result, const Style& style) {
   std::vector<Row> head = machine_rows(seen_in(result));

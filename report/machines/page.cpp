@@ -198,6 +198,7 @@ std::vector<File> pages(const Diagram& result) {
   const MachineStarts& q = result.diagram.question;
   const Seen seen{q.machine, result.origin.in_SI};
   Json data = frame("What the machine does along " + result.parameter, command_of(result), seen, q.digits);
+  data["tables"].push_back(orbits::table("question", "Question", question_rows(result)));
   data["along"] = along_data(result);
   std::vector<File> files;
   if (const std::string script = plot_script(result, PlotFormat::svg); !script.empty()) {

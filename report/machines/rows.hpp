@@ -53,6 +53,8 @@ struct Seen {
 [[nodiscard]] std::string command_of(const Steady& result);
 [[nodiscard]] std::string command_of(const SteadyBranch& result);
 
+// What was asked along a number: its interval, the starts.
+[[nodiscard]] std::vector<tools::Row> question_rows(const Diagram& result);
 // For pages: the table and the picture along a number; the picture of a plane, in words.
 [[nodiscard]] tools::Json along_data(const Diagram& result);
 [[nodiscard]] tools::Json basins_data(const Basins& result);
