@@ -2,17 +2,127 @@
 
 #include <fmt/format.h>
 
-#include "cli/command_line.hpp"
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <type_traits>
+
+#include "cli/help.hpp"
+#include "cli/refusals.hpp"
 #include "core/error.hpp"
 
 namespace stickslip::cli {
 namespace {
 
-constexpr const char * exit_codes =
-    "stickslip COMMAND --help says more about a command.\n\n"
-    "Exit codes: 0 asked and decided, 1 check met a refuted statement, 2 something is\n"
-    "undecided, 64 the command line is not understood, 65 parameters outside the domain,\n"
-    "70 fault of the program or out of memory, 74 input or output failed, 130 interrupted.";
+// What the texts of the help leave open: the paper's words, and what is taken by default.
+Wording wording_of(const PaperInHelp& paper) {
+  using Attracted = AttractorsOptions;
+  const auto text = [](const auto& number) { return fmt::format("{}", number); };
+  return {{"examples", paper.examples},
+          {"family_names", paper.family_names},
+          {"families", paper.families},
+          {"part", paper.part},
+          {"equation", paper.equation()},
+          {"places", paper.places},
+          {"first_place", paper.places.substr(0, paper.places.find(','))},
+          {"digits", text(OrbitsOptions::default_digits)},
+          {"most_digits", text(OrbitsOptions::most_digits)},
+          {"digits_of_latex", text(LatexOptions::default_digits)},
+          {"starts", text(Attracted::default_starts)},
+          {"starts_at_value", text(Attracted::default_starts_at_value)},
+          {"most_periods", text(Attracted::default_most_periods)},
+          {"values", text(Attracted::default_values)},
+          {"pixels", text(Attracted::default_pixels)},
+          {"resolution", text(AtlasOptions::default_resolution)},
+          {"sample", text(AtlasOptions::default_sample)},
+          {"periods", text(SimulateOptions::default_periods)},
+          {"samples_in_period", text(SimulateOptions::samples_in_period)}};
+}
+
+// A command and its options; parsing it fills these, `check` looks at them, and they are the request. What
+// the help says of each stands in cli/help/.
+template <class Options>
+class Command {
+  CommandHelp help_;
+  std::shared_ptr<Options> kept_ = std::make_shared<Options>();  // as long as the command
+  CLI::App& app_;
+
+ public:
+  Options& options = *kept_;
+
+  Command(
+      CLI::App& program, Request& request, const Wording& wording, const std::string& name,
+      const std::function<void(Options&)>& check = [](Options&) {})
+      : help_(help_of(name, wording)), app_(*program.add_subcommand(name, help_.words)) {
+    app_.footer(help_.details);
+    app_.callback([kept = kept_, &request, check] {
+      check(*kept);
+      request = *kept;
+    });
+  }
+
+  // An option or a place for a text, or for several; a flag.
+  template <class T>
+  CLI::Option * add(const std::string& name, T& value) {
+    const auto& [type, words] = help_.entries.at(name);
+    if constexpr (std::is_same_v<T, bool>) {
+      return app_.add_flag(name, value, words);
+    } else {
+      return app_.add_option(name, value, words)->type_name(type);
+    }
+  }
+  // An option whose value `take` is given, with the option's name without dashes; it throws UsageError.
+  using Take = std::function<void(const std::string& bare, const std::string& text)>;
+  CLI::Option * add_read(const std::string& name, const Take& take) {
+    const auto& [type, words] = help_.entries.at(name);
+    const auto take_it = [take, bare = name.substr(2)](const std::string& text) { take(bare, text); };
+    return app_.add_option_function<std::string>(name, take_it, words)->type_name(type);
+  }
+  // One that may be left out, as `read` reads it: a number of a range, a state.
+  template <class T, class Read>
+  CLI::Option * add(const std::string& name, std::optional<T>& value, const Read& read) {
+    return add_read(
+        name, [&value, read](const std::string& bare, const std::string& text) { value = read(bare, text); });
+  }
+  CLI::Option * add(const std::string& name, std::optional<std::string>& text) {
+    return add(name, text, [](const std::string&, const std::string& typed) { return typed; });
+  }
+  // A whole number from 1 to `most`.
+  CLI::Option * add(const std::string& name, std::optional<int>& number, int most) {
+    return add(name, number, [most](const std::string& bare, const std::string& text) {
+      return whole_number(bare, text, most);
+    });
+  }
+  void add_units() {
+    add_read("--units",
+             [&si = options.si](const std::string&, const std::string& text) { si = is_si(text); });
+  }
+  void add_jobs() { add("--jobs", options.jobs, most_jobs); }
+
+  // --chi, --eta, ... for those of a machine, whose load is cos(omega t); the same and --phi; --example and
+  // --params.
+  void add_machine() {
+    for (const char * name : {"chi", "eta", "us", "V", "omega", "p", "ur"}) {
+      add_parameter(name);
+    }
+  }
+  void add_parameters() {
+    add_machine();
+    add_parameter("phi");
+  }
+  void add_sources() {
+    add("--example", options.example);
+    add("--params", options.file.name);
+  }
+
+ private:
+  void add_parameter(const std::string& name) {
+    add_read("--" + name, [&all = options.parameters](const std::string& bare, const std::string& text) {
+      all[bare] = text;
+    });
+  }
+};
 
 // A file of claims among words that name claims: the first that ends so.
 void take_file(std::vector<std::string>& words, std::string& file) {
@@ -24,185 +134,188 @@ void take_file(std::vector<std::string>& words, std::string& file) {
   }
 }
 
-void add_audit(CLI::App& program, Request& request, const PaperInHelp& /*paper*/) {
-  Command<AuditOptions> c(program, request, "audit", "Examine every statement of the paper and report",
-                          [](AuditOptions& o) {
-                            if (!o.claims.empty() && !o.claims.ends_with(".claims")) {
-                              throw UsageError("stickslip audit does not know what to do with '" + o.claims +
-                                               "': a file of claims is called NAME.claims");
-                            }
-                          });
+void add_audit(CLI::App& program, Request& request, const Wording& wording) {
+  Command<AuditOptions> c(program, request, wording, "audit", [](AuditOptions& o) {
+    if (!o.claims.empty() && !o.claims.ends_with(".claims")) {
+      throw UsageError("stickslip audit does not know what to do with '" + o.claims +
+                       "': a file of claims is called NAME.claims");
+    }
+  });
   AuditOptions& o = c.options;
-  c.app.footer(
-      "Prints a table of all statements with their status, then the findings with their\n"
-      "reasons, then the printed numbers beside the proved ones.\n\n"
-      "Exit code: 0 everything is decided, also if the paper has misprints;\n"
-      "1 with --mutants: a wrong statement is proved;\n"
-      "2 something is undecided;\n"
-      "130 after Ctrl-C, which ends it: what is done is printed, and no report written.");
-  c.add("FILE", o.claims, "",
-        "A paper of your own: a file of claims, NAME.claims; the paper\nif none is given");
-  c.add("--out", o.out, "DIR",
-        "Also write the report into DIR: pages for a browser that begin\n"
-        "with index.html, audit.pdf where there is TeX, audit.tex and\n"
-        "audit.json. DIR is created if only its last part is missing");
+  c.add("FILE", o.claims);
+  c.add("--out", o.out);
   c.add_jobs();
-  c.app.add_flag("--json", o.json, "Print the results as JSON instead of the table");
-  CLI::Option * mutants = c.app.add_flag("--mutants", o.mutants,
-                                         "Also put wrong statements to the proofs, made by single edits\n"
-                                         "of all formulas, and say what became of them: takes minutes");
+  c.add("--json", o.json);
+  CLI::Option * mutants = c.add("--mutants", o.mutants);
   constexpr int most = AttractorsOptions::greatest_number;
-  c.add("--one-in", o.one_in, most, "Take a random sample of them, one in N")->needs(mutants);
-  c.add("--seed", o.seed, most, "The seed of that sample")->needs(mutants);
-  c.add("--certificates", o.certificates, "DIR",
-        "The directory in which script/certify had Coq check the\nproofs: say of each claim whether it is "
-        "certified");
+  c.add("--one-in", o.one_in, most)->needs(mutants);
+  c.add("--seed", o.seed, most)->needs(mutants);
+  c.add("--certificates", o.certificates);
 }
 
-void add_check(CLI::App& program, Request& request, const PaperInHelp& paper) {
-  Command<CheckOptions> c(program, request, "check", "Prove single statements, equations or sections",
+void add_check(CLI::App& program, Request& request, const Wording& wording) {
+  Command<CheckOptions> c(program, request, wording, "check",
                           [](CheckOptions& o) { take_file(o.words, o.claims); });
   CheckOptions& o = c.options;
-  c.app.footer(
-      "Exit code: 0 every statement asked for holds, possibly corrected or under the hypotheses\n"
-      "listed;\n"
-      "1 one of them is refuted;\n"
-      "2 none is refuted, one is undecided.");
-  c.app
-      .add_option(
-          "ID", o.words,
-          fmt::format("What to check: a statement ({}), an equation with all its\nparts ({}), a "
-                      "place in the paper\n({}),\na kind (theorem, condition, ...), an origin "
-                      "(paper, new,\n...), a status (refuted, digits_off, ...); everything if none is "
-                      "given.\nA file NAME.claims among them: its claims in the place of the paper's",
-                      paper.part, paper.equation(), paper.places))
-      ->type_name("");
-  CLI::Option * list = c.app.add_flag("--list", o.list, "Only list the statements, without proving them");
-  c.app.add_flag(
-      "--explain", o.explain,
-      "Say all about each: formula, assumptions, proof, hypotheses,\nwhat it uses and what uses it");
+  c.add("ID", o.words);
+  CLI::Option * list = c.add("--list", o.list);
+  c.add("--explain", o.explain);
   c.add_jobs();
-  list->excludes(c.app.add_flag("--json", o.json, "Print the results as JSON"));
+  list->excludes(c.add("--json", o.json));
 }
 
-void add_prove(CLI::App& program, Request& request, const PaperInHelp& /*paper*/) {
-  Command<ProveOptions> c(program, request, "prove", "Prove or refute a statement of your own");
+void add_prove(CLI::App& program, Request& request, const Wording& wording) {
+  Command<ProveOptions> c(program, request, wording, "prove");
   ProveOptions& o = c.options;
-  c.app.footer(
-      "The notation is that in which check prints statements:\n"
-      "  stickslip prove \"H1(t)^2 - I = H2(t) H3(t)\"\n"
-      "  stickslip prove \"Theta = tau + T\" \"omega Theta = 2 pi\" \"T = 2 pi/omega - tau\"\n"
-      "  stickslip prove \"a^2 + b^2 >= 2 a b\" --symbols a,b\n"
-      "Greek letters, subscripts, powers and relations may also be typed as such: \u03c9\u2081\u00b2 \u2264 "
-      "\u03c9\u2082\u00b2.\n"
-      "\n"
-      "Exit code: 0 it is proved, perhaps under the hypotheses listed; 1 it is refuted;\n"
-      "2 undecided.");
-  c.add("STATEMENT", o.statement, "",
-        "An equation or an inequality in the paper's symbols (check --list\nnames where they occur)")
-      ->required();
-  c.app.add_option("ASSUMPTION", o.assumptions, "What it assumes")->type_name("");
-  c.app.add_option("--symbols", o.symbols, "Names of further numbers, with commas between them")
-      ->type_name("NAMES")
-      ->delimiter(',');
-  CLI::Option * explain = c.app.add_flag("--explain", o.explain, "Say all about its proof");
-  c.add("--certificate", o.certificate, "DIR", "Write its proof for the proof assistant Coq");
-  explain->excludes(c.app.add_flag("--json", o.json, "Print the result as JSON"));
+  c.add("STATEMENT", o.statement)->required();
+  c.add("ASSUMPTION", o.assumptions);
+  c.add("--symbols", o.symbols)->delimiter(',');
+  CLI::Option * explain = c.add("--explain", o.explain);
+  c.add("--certificate", o.certificate);
+  explain->excludes(c.add("--json", o.json));
 }
 
-void add_certify(CLI::App& program, Request& request, const PaperInHelp& paper) {
-  Command<CertifyOptions> c(program, request, "certify", "Write proofs that the proof assistant Coq checks",
-                            [](CertifyOptions& o) {
-                              take_file(o.words, o.claims);
-                              if (o.out.empty() && o.record.empty()) {
-                                throw UsageError("stickslip certify needs --out DIR, or --record DIR");
-                              }
-                            });
+void add_certify(CLI::App& program, Request& request, const Wording& wording) {
+  Command<CertifyOptions> c(program, request, wording, "certify", [](CertifyOptions& o) {
+    take_file(o.words, o.claims);
+    if (o.out.empty() && o.record.empty()) {
+      throw UsageError("stickslip certify needs --out DIR, or --record DIR");
+    }
+  });
   CertifyOptions& o = c.options;
-  c.app.footer(
-      "Writes a file for each statement, with its theorem in full and the proof, what they stand\n"
-      "on, and a Makefile: make -k -j in DIR has Coq check them. script/certify does all of it.\n\n"
-      "Exit code: 0 every statement asked for that the kernel proves has a certificate;\n"
-      "1 with --record: one is not accepted;\n"
-      "2 one has none.");
-  CLI::Option * ids =
-      c.app
-          .add_option(
-              "ID", o.words,
-              fmt::format("What to certify: as for check ({}, {}, {}, ...); everything if\nnone is given",
-                          paper.part, paper.equation(), paper.places.substr(0, paper.places.find(','))))
-          ->type_name("");
-  CLI::Option * out = c.add("--out", o.out, "DIR",
-                            "Where to: a new directory, an empty one, or one with\ncertificates, which are "
-                            "kept; files that are the same stay\nas they are");
-  c.add("--record", o.record, "DIR",
-        "Instead: look at what Coq said of the certificates in DIR,\nprint it, and write it to "
-        "DIR/certificates.json")
-      ->excludes(out)
-      ->excludes(ids);
+  CLI::Option * ids = c.add("ID", o.words);
+  CLI::Option * out = c.add("--out", o.out);
+  c.add("--record", o.record)->excludes(out)->excludes(ids);
 }
 
-void add_latex(CLI::App& program, Request& request, const PaperInHelp& paper) {
-  Command<LatexOptions> c(
-      program, request, "latex", "Print derived expressions as LaTeX", [](LatexOptions& o) {
-        take_file(o.names, o.claims);  // a file goes with them, a name does not
-        if (!o.names.empty() && (o.errata || !o.theorem.empty())) {
-          throw UsageError(
-              fmt::format("NAME and {} do not go together", o.errata ? "--errata" : "--theorem"));
-        }
-      });
+void add_latex(CLI::App& program, Request& request, const Wording& wording) {
+  Command<LatexOptions> c(program, request, wording, "latex", [](LatexOptions& o) {
+    take_file(o.names, o.claims);  // a file goes with them, a name does not
+    if (!o.names.empty() && (o.errata || !o.theorem.empty())) {
+      throw UsageError(fmt::format("NAME and {} do not go together", o.errata ? "--errata" : "--theorem"));
+    }
+  });
   LatexOptions& o = c.options;
-  c.app.footer(
-      "Displayed equations for a document with the amsmath package: stickslip latex H > H.tex\n"
-      "Every formula is printed from the one that the proofs are about; two runs print the\n"
-      "same characters.");
-  CLI::Option * names =
-      c.app
-          .add_option(
-              "NAME", o.names,
-              fmt::format("What to print: a derived expression (H, Gamma, Q, ...), with its\nvalues where "
-                          "parameters are given; or a statement as it is proved\n({}, {}, ...); all "
-                          "derived expressions if none is given.\nAfter NAME.claims: statements of that file",
-                          paper.equation(), paper.part))
-          ->type_name("");
-  CLI::Option * list = c.app.add_flag("--list", o.list, "List the names, with equation numbers");
-  CLI::Option * bare = c.app.add_flag("--bare", o.bare,
-                                      "The formulas alone, without headings and \\[ \\]: lines for an\n"
-                                      "environment of your own, such as gather*");
-  CLI::Option * errata =
-      c.app.add_flag("--errata", o.errata,
-                     "A document with the errata of the paper and the hypotheses\nto be added, after proving "
-                     "everything");
-  CLI::Option * theorem =
-      c.add("--theorem", o.theorem, "ID",
-            "A result of the audit as a theorem, with the idea of its proof,\nafter proving it");
-  CLI::Option * in =
-      c.app
-          .add_option_function<std::string>(
-              "--in",
-              [&o](const std::string& word) {
-                if (word != "chi" && word != "omega") {
-                  throw UsageError("in: '" + word + "' is neither chi nor omega");
-                }
-                o.in_frequencies = word == "omega";
-              },
-              "chi (the default): with chi, eta and the abbreviations omega_j,\nlambda_j; omega: with the "
-              "natural "
-              "frequencies alone")
-          ->type_name("WORD");
-  CLI::Option * orbit =
-      c.add("--orbit", o.orbit, "FAMILY:K",
-            "The closed forms of orbit K of a family, phase by phase, with its\nnumbers, at the parameters "
-            "below: " +
-                paper.family_names);
+  CLI::Option * names = c.add("NAME", o.names);
+  CLI::Option * list = c.add("--list", o.list);
+  CLI::Option * bare = c.add("--bare", o.bare);
+  CLI::Option * errata = c.add("--errata", o.errata);
+  CLI::Option * theorem = c.add("--theorem", o.theorem);
+  CLI::Option * in = c.add_read("--in", [&o](const std::string&, const std::string& word) {
+    if (word != "chi" && word != "omega") {
+      throw UsageError("in: '" + word + "' is neither chi nor omega");
+    }
+    o.in_frequencies = word == "omega";
+  });
+  CLI::Option * orbit = c.add("--orbit", o.orbit);
   errata->excludes(list);
   theorem->excludes(list)->excludes(errata);
   orbit->excludes(list)->excludes(names)->excludes(errata)->excludes(theorem)->excludes(in);
   bare->excludes(list)->excludes(errata)->excludes(theorem)->excludes(orbit);
-  add_parameters(c.app, o.parameters);
-  add_sources(c.app, o, paper);
-  c.add("--digits", o.digits, OrbitsOptions::most_digits,
-        fmt::format("Significant digits of numbers: {} by default", LatexOptions::default_digits));
+  c.add_parameters();
+  c.add_sources();
+  c.add("--digits", o.digits, OrbitsOptions::most_digits);
+}
+
+void add_orbits(CLI::App& program, Request& request, const Wording& wording) {
+  Command<OrbitsOptions> c(program, request, wording, "orbits");
+  OrbitsOptions& o = c.options;
+  c.add("FAMILY", o.family);
+  c.add_parameters();
+  c.add("--period", o.period, OrbitsOptions::most_periods_of_word);
+  c.add("--near", o.near, state);
+  c.add_sources();
+  c.add("--digits", o.digits, OrbitsOptions::most_digits);
+  c.add_units();
+  c.add("--cells", o.cells, OrbitsOptions::most_cells);
+  c.add("--time", o.time, positive);
+  c.add_jobs();
+  c.add("--all", o.all);
+  c.add("--json", o.json);
+  c.add("--plot", o.plot);
+  c.add("--out", o.out);
+  c.add("--certify", o.certify);
+}
+
+void add_branch(CLI::App& program, Request& request, const Wording& wording) {
+  Command<BranchOptions> c(program, request, wording, "branch");
+  BranchOptions& o = c.options;
+  c.add("FAMILY", o.family);
+  c.add_parameters();
+  c.add_sources();
+  c.add("--along", o.along)->expected(2);
+  c.add_units();
+  c.add("--at", o.at, exact_number);
+  c.add("--period", o.period, OrbitsOptions::most_periods_of_word);
+  CLI::Option * orbit = c.add("--orbit", o.orbit, OrbitsOptions::most_orbits);
+  CLI::Option * near = c.add("--near", o.near, state);
+  c.add("--all", o.all)->excludes(orbit)->excludes(near);
+  orbit->excludes(near);
+  c.add("--csv", o.csv);
+  c.add("--plot", o.plot);
+  c.add("--out", o.out);
+  c.add_jobs();
+  c.add("--json", o.json);
+}
+
+void add_attractors(CLI::App& program, Request& request, const Wording& wording) {
+  using Attracted = AttractorsOptions;
+  Command<Attracted> c(program, request, wording, "attractors");
+  Attracted& o = c.options;
+  c.add_machine();
+  c.add_sources();
+  c.add("--starts", o.starts, Attracted::most_starts);
+  c.add("--seed", o.seed, Attracted::greatest_number);
+  c.add("--most-periods", o.most_periods, Attracted::greatest_number);
+  c.add("--along", o.along)->expected(2);
+  c.add("--values", o.values, Attracted::most_values);
+  c.add("--plane", o.plane);
+  c.add("--pixels", o.pixels, Attracted::most_pixels);
+  c.add("--through", o.through, state);
+  c.add("--csv", o.csv);
+  c.add("--plot", o.plot);
+  c.add("--out", o.out);
+  c.add("--digits", o.digits, OrbitsOptions::most_digits);
+  c.add_units();
+  c.add_jobs();
+  c.add("--json", o.json);
+}
+
+void add_atlas(CLI::App& program, Request& request, const Wording& wording) {
+  Command<AtlasOptions> c(program, request, wording, "atlas");
+  AtlasOptions& o = c.options;
+  c.add("FAMILY", o.family);
+  c.add_parameters();
+  c.add_sources();
+  c.add("--along", o.along)->allow_extra_args(false);
+  c.add_units();
+  c.add("--resolution", o.resolution, AtlasOptions::most_resolution);
+  c.add("--out", o.out);
+  c.add("--resume", o.resume);
+  c.add("--time-limit", o.time_limit, positive);
+  c.add("--csv", o.csv);
+  c.add("--plot", o.plot);
+  c.add_jobs();
+  c.add("--verify", o.verify);
+  c.add("--sample", o.sample, std::numeric_limits<int>::max());
+  c.add("--json", o.json);
+}
+
+void add_simulate(CLI::App& program, Request& request, const Wording& wording) {
+  Command<SimulateOptions> c(program, request, wording, "simulate");
+  SimulateOptions& o = c.options;
+  c.add_parameters();
+  c.add_sources();
+  CLI::Option * orbit = c.add("--orbit", o.orbit);
+  c.add("--state", o.state, state)->excludes(orbit);
+  c.add("--perturb", o.perturb, state);
+  c.add("--periods", o.periods, positive);
+  c.add("--time", o.duration, positive);
+  c.add("--every", o.every, positive);
+  c.add("--csv", o.csv);
+  c.add("--plot", o.plot);
+  c.add_units();
+  c.add("--json", o.json);
 }
 
 // A statement that begins with a minus sign is no option: it is typed for the parser's other minus sign.
@@ -217,16 +330,18 @@ std::string as_statement(const std::string& word) {
 Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   Request request;
   CLI::App program(paper.about, "stickslip");
-  program.footer(exit_codes);
+  const CommandHelp help = help_of("stickslip");
+  program.footer(help.details);
   program.set_version_flag(
-      "--version", [] { return std::string(); }, "Print the versions of the program and of its libraries");
+      "--version", [] { return std::string(); }, help.entries.at("--version").words);
   std::string directory_of_manual;
   program.add_option("--manual", directory_of_manual)->group("");
   program.require_subcommand(0, 1);
   program.get_formatter()->column_width(16);
+  const Wording wording = wording_of(paper);
   for (const auto add : {add_audit, add_check, add_prove, add_certify, add_latex, add_orbits, add_branch,
                          add_attractors, add_atlas, add_simulate}) {
-    add(program, request, paper);
+    add(program, request, wording);
   }
   program.allow_extras();
   std::vector<std::string> words(argv + 1, argv + argc);

@@ -67,7 +67,9 @@ std::string families() {
   for (const numeric::Family * family : numeric::all_families()) {
     rows.push_back({{family->name}, {given_and_found(*family)}});
   }
-  return report::tools::columns_of(rows, width_of_help);
+  std::string lines = report::tools::columns_of(rows, width_of_help);
+  lines.pop_back();  // the end of the last one
+  return lines;
 }
 
 Completions completions() {

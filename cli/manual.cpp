@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/help.hpp"
 #include "cli/typed_parameters.hpp"
 
 namespace stickslip::cli {
@@ -45,51 +46,12 @@ std::string option_entry(const CLI::Option& option) {
                      roff(option.get_description()));
 }
 
-struct Sample {
-  const char * command;  // of the program
-  const char *words, *line;
-};
-constexpr Sample samples[] = {
-    {"audit", "Examine the paper and write a report that begins with audit/index.html:",
-     "stickslip audit --out audit"},
-    {"check", "All about equation (44), and Appendix 1:", "stickslip check 44 A1 --explain"},
-    {"check", "What is wrong in the paper, for a program:", "stickslip check refuted --json"},
-    {"certify", "Proofs for Coq of equation (44), then checked by it:", "stickslip certify 44 --out proofs"},
-    {"certify", "", "make -C proofs -k -j"},
-    {"latex",
-     "A derived expression with its values at some parameters:", "stickslip latex H2 --chi 0.3 --eta 4"},
-    {"latex",
-     "Formulas alone, for an environment of your own:", "stickslip latex cramer --bare > cramer.tex"},
-    {"latex",
-     "The closed forms of an orbit, phase by phase:", "stickslip latex --orbit overshooting:2 --example O"},
-    {"orbits", "All orbits of a family at your parameters:",
-     "stickslip orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --V 0.1 --omega 0.6 --p 1"},
-    {"orbits", "Orbits of a machine in SI units through overshoot, stick and slip:",
-     "stickslip orbits OTS --params machine.toml --units si"},
-    {"orbits",
-     "A picture of an example of the paper:", "stickslip orbits symmetric --example S --plot orbits.png"},
-    {"branch", "Orbits over the frequency of the load, drawn:",
-     "stickslip branch symmetric --example S --omega 0.58..0.61 --plot branches.pdf"},
-    {"attractors",
-     "What a machine does, in SI units:", "stickslip attractors --params machine.toml --units si"},
-    {"attractors", "The same over the frequency of its load, in Hz:",
-     "stickslip attractors --params machine.toml --along load_frequency 5..6 --plot along.png"},
-    {"atlas", "Count orbits over a range of a parameter, then prove some of its boxes again:",
-     "stickslip atlas symmetric --example S --p 0..0.2 --out a.h5"},
-    {"atlas", "", "stickslip atlas --verify a.h5"},
-    {"simulate", "The motion of a machine from rest, as a table:",
-     "stickslip simulate --params machine.toml --units si --state 0,0,0,0 --csv motion.csv"},
-    {"simulate",
-     "From an orbit, drawn:", "stickslip simulate --orbit symmetric:1 --example S --plot motion.png"},
-};
-
 std::string examples_of(const CLI::App& command) {
+  std::istringstream lines(help_of(command.get_name()).examples);
   std::string entries;
-  for (const Sample& sample : samples) {
-    if (command.get_name() == sample.command) {
-      entries += fmt::format("{}.PP\n.RS\n.nf\n{}.fi\n.RE\n",
-                             *sample.words == '\0' ? "" : ".PP\n" + roff(sample.words), roff(sample.line));
-    }
+  for (std::string line; std::getline(lines, line);) {
+    entries += line.starts_with("  ") ? fmt::format(".PP\n.RS\n.nf\n{}.fi\n.RE\n", roff(line.substr(2)))
+                                      : ".PP\n" + roff(line);
   }
   return entries.empty() ? "" : ".SH EXAMPLES\n" + entries;
 }
@@ -177,7 +139,7 @@ std::vector<ManualFile> manual(const CLI::App& program, const Completions& compl
         {of_command + ".1", page(*command, of_command, words,
                                  fmt::format("\\fB{} {}\\fR [OPTION]...\n", name, command->get_name()), "")});
   }
-  files.push_back({name + ".1", page(program, name, "audits a paper on dry-friction oscillators\n",
+  files.push_back({name + ".1", page(program, name, help_of(name).words + "\n",
                                      fmt::format("\\fB{}\\fR COMMAND [OPTION]...\n", name),
                                      ".SH DESCRIPTION\n" + roff(program.get_description()) + list)});
   files.push_back({name + ".bash", completion(program, completions)});

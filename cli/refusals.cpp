@@ -1,12 +1,11 @@
-// What is said to a command line that is not understood.
+#include "cli/refusals.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
-
-#include "cli/command_line.hpp"
 
 namespace stickslip::cli {
 namespace {
