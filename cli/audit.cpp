@@ -19,7 +19,7 @@
 #include "report/audit/mutants.hpp"
 #include "report/audit/pages.hpp"
 #include "report/audit/summary.hpp"
-#include "report/orbits/pictures.hpp"
+#include "report/orbits/page.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {

@@ -10,13 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/named_orbit.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "proofs/methods/prover.hpp"
 #include "report/audit/pages.hpp"
 #include "report/orbits/object_values.hpp"
-#include "report/orbits/orbit_latex.hpp"
 #include "report/tools/prose.hpp"
 #include "symbolic/objects/objects.hpp"
 

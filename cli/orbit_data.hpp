@@ -1,6 +1,7 @@
 // From what the user types to the question that numeric/orbits.hpp answers.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "cli/machine_file.hpp"
@@ -71,5 +72,20 @@ struct Followed {
 // intervals.
 [[nodiscard]] numeric::words::WordQuestion machine(const proofs::methods::Paper& paper,
                                                    const ParameterFile& file, int digits);
+
+// An orbit as the user names it: FAMILY:K.
+
+struct NamedOrbit {
+  numeric::OrbitList list;  // that it is in
+  std::size_t index = 0;    // from 0
+
+  [[nodiscard]] const numeric::Orbit& orbit() const { return list.orbits[index]; }
+};
+
+// Orbit K, from 1, of those that `stickslip orbits FAMILY` lists at the parameters, of which the family's
+// results are left out. Searches for the orbits. Throws UsageError for what is no such name, for a missing
+// parameter, for an interval and for an orbit that there is not, DomainError as list_orbits does.
+[[nodiscard]] NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& paper,
+                                     ParameterFile& file, int digits);
 
 }  // namespace stickslip::cli

@@ -16,8 +16,8 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "report/audit/pages.hpp"
-#include "report/orbits/orbits_plot.hpp"
-#include "report/orbits/pictures.hpp"
+#include "report/orbits/orbits.hpp"
+#include "report/orbits/page.hpp"
 
 namespace stickslip::cli {
 

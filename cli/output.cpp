@@ -13,7 +13,7 @@
 
 #include "proofs/methods/progress.hpp"
 #include "report/audit/summary.hpp"
-#include "report/orbits/pictures.hpp"
+#include "report/orbits/page.hpp"
 
 namespace stickslip::cli {
 namespace {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/named_orbit.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/interruption.hpp"

@@ -34,7 +34,6 @@
 #include "report/orbits/branches.hpp"
 #include "report/orbits/diagram.hpp"
 #include "report/orbits/orbits.hpp"
-#include "report/orbits/orbits_plot.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/pure_word.hpp"
 #include "report/orbits/simulation.hpp"

@@ -13,10 +13,8 @@
 #include "core/error.hpp"
 #include "proofs/certificates/statement_files.hpp"
 #include "report/audit/certificate_record.hpp"
-#include "report/audit/coq_output.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/process.hpp"
-#include "report/tools/workshop.hpp"
 
 namespace stickslip::report::audit {
 

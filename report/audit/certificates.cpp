@@ -7,7 +7,7 @@
 
 #include "proofs/certificates/prelude.hpp"
 #include "proofs/certificates/statement_files.hpp"
-#include "report/audit/coq_output.hpp"
+#include "report/audit/certificate_record.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/versions.hpp"

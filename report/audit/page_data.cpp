@@ -7,9 +7,6 @@
 #include <set>
 
 #include "core/decimal.hpp"
-#include "report/audit/errata_data.hpp"
-#include "report/audit/finding_data.hpp"
-#include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/layout.hpp"

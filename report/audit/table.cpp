@@ -10,7 +10,6 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/text.hpp"
-#include "report/audit/findings.hpp"
 #include "report/audit/summary.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/layout.hpp"

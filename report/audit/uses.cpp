@@ -1,4 +1,4 @@
-#include "report/audit/uses.hpp"
+#include "report/audit/page_data.hpp"
 
 #include <algorithm>
 #include <array>
@@ -65,7 +65,7 @@ std::string without_subject(const std::string& title) {
 }
 
 // 1 for one claim, 2 for two or three, 3 for four to seven, 4 for more.
-int weight(std::size_t count) {
+int shade(std::size_t count) {
   return std::min(4, static_cast<int>(std::bit_width(count)));
 }
 
@@ -82,7 +82,7 @@ Json uses_of_places(const Paper& paper, const Audit& audit) {
       const std::size_t count = found == uses.end() ? 0 : found->second;
       row.push_back({{"short", without_subject(used.title)},
                      {"count", count == 0 ? "" : std::to_string(count)},
-                     {"weight", weight(count)}});
+                     {"weight", shade(count)}});
       if (count > 0) {
         rests_on.push_back({{"id", used.id}, {"title", used.title}});
       }

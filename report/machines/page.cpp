@@ -10,7 +10,6 @@
 #include "report/orbits/branches.hpp"
 #include "report/orbits/page.hpp"
 #include "report/orbits/parts.hpp"
-#include "report/orbits/pictures.hpp"
 #include "report/orbits/portraits.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/templates.hpp"

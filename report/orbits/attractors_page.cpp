@@ -1,4 +1,3 @@
-#include "report/orbits/attractors_page.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +8,8 @@
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/diagram.hpp"
 #include "report/orbits/orbit_words.hpp"
+#include "report/orbits/page.hpp"
 #include "report/orbits/parts.hpp"
-#include "report/orbits/pictures.hpp"
 #include "report/orbits/portraits.hpp"
 #include "report/tools/numbers.hpp"
 

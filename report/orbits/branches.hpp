@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "numeric/branches/branches.hpp"
+#include "report/orbits/page.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
 #include "report/tools/schema.hpp"
@@ -92,5 +93,13 @@ class BranchCurves {
 
 // What gives the same result again.
 [[nodiscard]] std::string command_of(const numeric::branches::BranchQuestion& question);
+
+// Branches of orbits as a page for the browser, with the bifurcation diagram.
+
+// The files of one directory: index.html with its style sheets, branches.json and branches.csv, and the
+// diagram if there is something to draw, as branches.svg, branches-narrow.svg and branches.pdf. Throws
+// InputOutputError if a program that draws is missing or fails.
+[[nodiscard]] std::vector<tools::File> pages(const numeric::branches::BranchList& list,
+                                             const PageFrame& frame = {});
 
 }  // namespace stickslip::report::orbits

@@ -1,4 +1,3 @@
-#include "report/orbits/branches_page.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +5,7 @@
 
 #include "numeric/families/family.hpp"
 #include "report/orbits/branches.hpp"
-#include "report/orbits/pictures.hpp"
+#include "report/orbits/page.hpp"
 
 namespace stickslip::report::orbits {
 

@@ -1,11 +1,13 @@
 // Derived expressions at the parameters of a machine, for papers.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "core/rational.hpp"
+#include "numeric/orbits.hpp"
 #include "symbolic/objects/objects.hpp"
 
 namespace stickslip::report::orbits {
@@ -25,5 +27,13 @@ using GivenParameters = std::map<std::string, Rational>;  // by the names of the
 // parameters_of() must be given.
 [[nodiscard]] std::string values_latex(const symbolic::objects::Object& object, const GivenParameters& given,
                                        int digits);
+
+// One orbit for a paper.
+
+// Orbit `index` of a list that is none of a box, as LaTeX for a document with amsmath: a comment with the
+// command that lists it, its data, its values, what is proved of it, and phase by phase the closed forms of
+// x_1 and x_2, (5), (8) or (10), with its numbers: to at most so many significant digits, each of them right
+// to one unit of the last one.
+[[nodiscard]] std::string orbit_latex(const numeric::OrbitList& list, std::size_t index, int digits);
 
 }  // namespace stickslip::report::orbits

@@ -1,4 +1,4 @@
-#include "report/orbits/orbits_plot.hpp"
+#include "report/orbits/orbits.hpp"
 
 #include <fmt/format.h>
 

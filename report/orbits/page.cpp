@@ -4,14 +4,22 @@
 #include <iterator>
 #include <utility>
 
-#include "report/orbits/pictures.hpp"
+#include "numeric/families/family.hpp"
+#include "report/orbits/orbit_words.hpp"
+#include "report/orbits/orbits.hpp"
+#include "report/orbits/parts.hpp"
 #include "report/tools/katex.hpp"
+#include "report/tools/layout.hpp"
+#include "report/tools/numbers.hpp"
+#include "report/tools/plot.hpp"
 #include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
 
 namespace stickslip::report::orbits {
 
 using namespace tools;
+using namespace numeric;
+using namespace numeric::motion;
 
 Json rows_data(const std::vector<Row>& rows) {
   return list_of(rows, [](const Row& row) {
@@ -49,6 +57,138 @@ std::vector<File> with_page(const std::string& page, const Json& data, std::vect
   all.push_back({"style.css", templates().at("style.css")});
   std::ranges::move(files, std::back_inserter(all));
   return all;
+}
+
+namespace {
+
+// cairo dates every PDF, and no setting of it leaves that out; spaces in its place keep all offsets.
+std::string undated(std::string pdf) {
+  const std::string key = "/CreationDate (";
+  for (std::size_t start = pdf.find(key); start != std::string::npos; start = pdf.find(key, start)) {
+    const std::size_t end = pdf.find(')', start) + 1;
+    pdf.replace(start, end - start, end - start, ' ');
+  }
+  return pdf;
+}
+
+}  // namespace
+
+std::vector<File> screen_pictures(const ScriptOf& script, const std::string& stem) {
+  const std::string wide = script(PlotFormat::svg, PlotShape::wide);
+  if (wide.empty()) {
+    return {};
+  }
+  return {{stem + ".svg", gnuplot(wide)},
+          {stem + "-narrow.svg", gnuplot(script(PlotFormat::svg, PlotShape::narrow))}};
+}
+
+std::vector<File> pictures(const ScriptOf& script, const std::string& stem) {
+  std::vector<File> files = screen_pictures(script, stem);
+  if (!files.empty()) {
+    files.push_back({stem + ".pdf", undated(gnuplot(script(PlotFormat::pdf, PlotShape::wide)))});
+  }
+  return files;
+}
+
+std::vector<File> pictures(const OrbitList& list, const std::string& stem, std::optional<std::size_t> only) {
+  return pictures([&](PlotFormat format, PlotShape shape) { return plot_script(list, format, shape, only); },
+                  stem);
+}
+
+void require_page_tools() {
+  require_katex();
+  require_gnuplot();
+}
+
+Json drawn_by() {
+  return {{{"name", "gnuplot"}, {"version", gnuplot_version()}}};
+}
+
+namespace {
+
+constexpr int short_digits = 15;
+constexpr int multiplier_digits = 8;
+
+std::string latex_of(const Range& range) {
+  std::string text = notation(range);
+  const std::size_t sign = text.find("+-");
+  return sign == std::string::npos ? text : text.replace(sign, 2, "\\pm ");
+}
+
+Json value(const NamedBall& named, int digits) {
+  const BallText text = to_text(named.value, known_digits(named.value, digits));
+  return {{"latex", latex_of_value(named.name)},
+          {"mid", text.mid},
+          {"rad", text.rad},
+          {"unit", unit_of(named.name)},
+          {"short", to_string(named.value, known_digits(named.value, std::min(digits, short_digits)))}};
+}
+
+Json condition(const Condition& c) {
+  const bool decided = c.verdict.truth == Truth::proved || c.verdict.truth == Truth::refuted;
+  return {{"id", c.id},
+          {"statement", c.statement},
+          {"verdict", to_string(c.verdict.truth)},
+          {"verdict_words", spaced(to_string(c.verdict.truth))},
+          {"margin", shown(c.margin)},
+          {"at", shown(c.at)},
+          {"reason_if_open", decided ? Json(nullptr) : Json(c.verdict.reason)}};
+}
+
+void add_stability(Json& json, const std::optional<Stability>& stability) {
+  json["stability"] = nullptr;
+  json["multipliers"] = Json::array();
+  if (stability) {
+    json["stability"] = {{"kind", to_string(stability->kind)}, {"reason", stability->reason}};
+    json["multipliers"] = list_of(stability->multipliers,
+                                  [](const ComplexBall& mu) { return complex_text(mu, multiplier_digits); });
+  }
+}
+
+Json orbit(const OrbitList& list, std::size_t i) {
+  const Orbit& o = list.orbits[i];
+  Json json = {
+      {"number", i + 1},
+      {"total", list.orbits.size()},
+      {"verdict", to_string(o.admissible.truth)},
+      {"tell", verdict_on(o)},
+      {"split", o.split.empty() ? Json(nullptr) : Json(o.split)},
+      {"split_latex", latex_of_value(o.split)},
+      {"values",
+       list_of(o.values, [&](const NamedBall& named) { return value(named, list.question.digits); })},
+      {"conditions", list_of(o.conditions, condition)}};
+  add_stability(json, o.stability);
+  return json;
+}
+
+Json unresolved(const Unresolved& part) {
+  const auto value = [](const NamedBall& named) -> Json {
+    return {{"latex", latex_of_value(named.name)}, {"value", to_string(named.value, 8)}};
+  };
+  return {{"where", list_of(part.where, value)}, {"reason", part.reason}};
+}
+
+}  // namespace
+
+Json orbit_data(const OrbitList& list) {
+  const auto parameter = [](const auto& one) -> Json {
+    return {{"latex", latex_of_value(one.first)}, {"value_latex", latex_of(one.second)}};
+  };
+  Json json = {{"title", list.question.family->title},
+               {"searched", searched(list.question)},
+               {"result", result_of_search(list)},
+               {"command", command_of(list.question)},
+               {"parameters", list_of(named_parameters(list.question), parameter)},
+               {"remarks", list_of(list.remarks, describe)},
+               {"unresolved", list_of(list.unresolved, unresolved)},
+               {"orbits", Json::array()}};
+  if (const std::string on_ur = remark_on_ur(list); !on_ur.empty()) {
+    json["remarks"].push_back(on_ur);
+  }
+  for (std::size_t i = 0; i < list.orbits.size(); ++i) {
+    json["orbits"].push_back(orbit(list, i));
+  }
+  return json;
 }
 
 }  // namespace stickslip::report::orbits

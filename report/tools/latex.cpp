@@ -7,7 +7,6 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "report/tools/process.hpp"
-#include "report/tools/workshop.hpp"
 
 namespace stickslip::report::tools {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/verdict.hpp"
-#include "report/tools/unicode.hpp"
+#include "report/tools/escape.hpp"
 
 namespace stickslip::report::tools {
 namespace {

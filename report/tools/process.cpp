@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <spawn.h>
+#include <stdlib.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,13 +16,15 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "report/tools/files.hpp"
 
 extern "C" char ** environ;  // NOLINT: POSIX's
 
 namespace stickslip::report::tools {
-namespace {
 
 namespace fs = std::filesystem;
+
+namespace {
 
 struct Close {
   void operator()(std::FILE * file) const { std::fclose(file); }
@@ -184,6 +187,24 @@ std::string run(const Tool& tool, const std::vector<std::string>& arguments, con
         fmt::format("cannot {}: {} failed: {}", tool.purpose, tool.program, first_line(ran.complaints)));
   }
   return ran.output;
+}
+
+Workshop::Workshop(const std::string& purpose) {
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "stickslip-XXXXXX").string();
+  if (error || ::mkdtemp(name.data()) == nullptr) {
+    throw InputOutputError(fmt::format("cannot {}: there is no temporary directory to do it in", purpose));
+  }
+  path_ = name;
+}
+
+Workshop::~Workshop() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string Workshop::content(const std::string& file) const {
+  return fs::exists(path_ / file) ? read_file(path_ / file) : "";
 }
 
 }  // namespace stickslip::report::tools

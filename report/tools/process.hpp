@@ -38,4 +38,23 @@ struct Ran {
 // The version in what a program says about itself: from the first digit to the end of the line.
 [[nodiscard]] std::string version_in(const std::string& text);
 
+// A directory for other programs to work in.
+
+// A directory of its own, gone with all that is in it.
+class Workshop {
+ public:
+  // Throws InputOutputError, which says what it was for ("compile LaTeX"), if none can be made.
+  explicit Workshop(const std::string& purpose);
+  ~Workshop();
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  // Of a file in it; empty if it is not there.
+  [[nodiscard]] std::string content(const std::string& file) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
 }  // namespace stickslip::report::tools

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "report/tools/json.hpp"
 #include "report/tools/versions.hpp"
 
 namespace stickslip::report::tools {
+
 namespace {
 
 Json with_more(Json schema, const Json& more) {
@@ -159,6 +161,10 @@ File schema_file(const std::string& name, const std::string& title, const Json& 
                     {"title", title}};
   published.update(schema);
   return {file, to_text(published)};
+}
+
+std::string to_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace stickslip::report::tools

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
-#include "report/audit/coq_output.hpp"
+#include "report/audit/certificate_record.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/table.hpp"
 #include "tests/report/audit/sample.hpp"

@@ -1,11 +1,10 @@
-#include "report/audit/findings.hpp"
 
 #include <doctest/doctest.h>
 
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
+#include "report/audit/page_data.hpp"
 #include "report/audit/summary.hpp"
-#include "report/audit/uses.hpp"
 #include "tests/report/audit/sample.hpp"
 
 using namespace stickslip;

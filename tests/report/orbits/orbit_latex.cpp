@@ -1,6 +1,6 @@
 // An orbit printed for a paper is read back as a reader would, and evaluated.
-#include "report/orbits/orbit_latex.hpp"
 #include "numeric/families/family.hpp"
+#include "report/orbits/object_values.hpp"
 
 #include <doctest/doctest.h>
 

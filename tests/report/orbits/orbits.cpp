@@ -11,8 +11,8 @@
 #include "proofs/pascal2012/examples.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/orbits/orbit_words.hpp"
+#include "report/tools/escape.hpp"
 #include "report/tools/numbers.hpp"
-#include "report/tools/unicode.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;

@@ -1,5 +1,5 @@
 // Pictures of orbits.
-#include "report/orbits/orbits_plot.hpp"
+#include "report/orbits/orbits.hpp"
 
 #include <doctest/doctest.h>
 
