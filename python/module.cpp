@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -106,26 +107,22 @@ const Paper& paper_for(const std::string& example) {
   return example.empty() ? none : proofs::pascal2012::paper();
 }
 
-// What every question about a machine is given.
-using Given = cli::GivenMachine;
-
-Given given(TypedParameters parameters, std::string example, const std::string& machine,
-            std::optional<TypedParameters> values, const std::string& units) {
-  Given all{std::move(parameters), machine, std::move(example), !units.empty() && cli::is_si(units)};
-  all.file.values = std::move(values);
-  return all;
-}
+// A question as it is typed behind the program's name, "orbits", "OTS", "--ur=0.2", …, and the values of a
+// machine in SI units that stands in no file.
+struct Asking {
+  std::vector<std::string> words;
+  std::optional<TypedParameters> machine;
+};
 
 template <class Options>
-Options options_of(const Given& g) {
-  Options o;
-  static_cast<Given&>(o) = g;
+Options options_of(const Asking& asking) {
+  std::vector<const char *> argv{"stickslip"};
+  for (const std::string& word : asking.words) {
+    argv.push_back(word.c_str());
+  }
+  auto o = std::get<Options>(cli::parse(static_cast<int>(argv.size()), argv.data(), {}));
+  o.file.values = asking.machine;
   return o;
-}
-
-// A state that may not be given.
-std::optional<cli::State> state_of(const char * name, const std::optional<std::string>& text) {
-  return text ? std::optional(cli::state(name, *text)) : std::nullopt;
 }
 
 // The values of a machine in SI units, as they stand in its file.
@@ -172,16 +169,12 @@ std::vector<std::string> left_out(const Told<Answer>& t) {
   return t.file.left_out;
 }
 
-Told<OrbitList> orbits(const Given& g, const std::string& family, int digits, const Conduct& conduct) {
+// What `find` answers to the question that `ask` reads from the options.
+template <class Options, auto ask, auto find>
+auto found(const Asking& asking, const Conduct& conduct) {
+  const auto o = options_of<Options>(asking);
   return carried_out(
-      conduct,
-      [&] {
-        auto o = options_of<cli::OrbitsOptions>(g);
-        o.family = family;
-        o.digits = digits;
-        return answered(cli::asked_orbits(o, paper_for(g.example)), list_orbits);
-      },
-      g.file);
+      conduct, [&] { return answered(ask(o, paper_for(o.example)), find); }, o.file);
 }
 
 // Of a list all but its orbits.
@@ -240,115 +233,20 @@ std::string conditions(const Told<OrbitList>& t, std::size_t number) {
   return json.dump();
 }
 
-Told<attractors::WordOrbits> word_orbits(const Given& g, const std::string& word, std::optional<int> period,
-                                         const std::optional<std::string>& near, int digits,
-                                         const Conduct& conduct) {
-  return carried_out(
-      conduct,
-      [&] {
-        auto o = options_of<cli::OrbitsOptions>(g);
-        o.family = word;
-        o.period = period;
-        o.near = state_of("near", near);
-        o.digits = digits;
-        return answered(cli::asked_word(o, paper_for(g.example)), attractors::find_word_orbits);
-      },
-      g.file);
-}
-
 using report::orbits::PureWord;
 
-Told<PureWord> pure_word(const Given& g, const std::string& word, std::optional<int> period,
-                         const std::optional<std::string>& near, int digits, const Conduct& conduct) {
+Told<PureWord> pure_word(const Asking& asking, const Conduct& conduct) {
+  const auto o = options_of<cli::OrbitsOptions>(asking);
+  const auto word_of = [&](const words::WordQuestion& machine) {
+    return PureWord{machine, words::kind_of(o.family).value()};
+  };
   return carried_out(
-      conduct,
-      [&] {
-        auto o = options_of<cli::OrbitsOptions>(g);
-        o.family = word;
-        o.period = period;
-        o.near = state_of("near", near);
-        o.digits = digits;
-        return answered(cli::asked_pure_word(o, paper_for(g.example)),
-                        [&](const words::WordQuestion& machine) {
-                          return PureWord{machine, words::kind_of(word).value()};
-                        });
-      },
-      g.file);
+      conduct, [&] { return answered(cli::asked_pure_word(o, paper_for(o.example)), word_of); }, o.file);
 }
 
 std::string fields_of_pure_word(const Told<PureWord>& t) {
   const WorkingPrecision precision(bits_for(t.answer.machine.digits));
   return in_these(report::orbits::to_json(t.answer, t.units), t.units);
-}
-
-Told<branches::BranchList> branch(const Given& g, const std::string& family,
-                                  const std::vector<std::string>& along, const std::optional<std::string>& at,
-                                  std::optional<int> period, std::optional<int> orbit,
-                                  const std::optional<std::string>& near, bool all, const Conduct& conduct) {
-  return carried_out(
-      conduct,
-      [&] {
-        auto o = options_of<cli::BranchOptions>(g);
-        o.family = family;
-        o.along = along;
-        if (at) {
-          o.at = cli::exact_number("at", *at);
-        }
-        o.period = period;
-        o.orbit = orbit;
-        o.near = state_of("near", near);
-        o.all = all;
-        return answered(cli::asked_branch(o, paper_for(g.example)), branches::list_branches);
-      },
-      g.file);
-}
-
-// How starts are followed, and which, and the values of a diagram.
-struct Following {
-  std::optional<int> starts, seed, most_periods, digits, values, pixels;
-  std::optional<std::string> through;
-};
-
-void add(cli::AttractorsOptions& o, const Following& how, const std::vector<std::string>& along,
-         const std::optional<std::string>& plane) {
-  o.starts = how.starts;
-  o.seed = how.seed;
-  o.most_periods = how.most_periods;
-  o.digits = how.digits;
-  o.values = how.values;
-  o.pixels = how.pixels;
-  o.through = state_of("through", how.through);
-  o.along = along;
-  o.plane = plane;
-}
-
-template <class Ask, class Find>
-auto where_starts_end(const Given& g, const Following& how, const std::vector<std::string>& along,
-                      const std::optional<std::string>& plane, const Ask& ask, const Find& find,
-                      const Conduct& conduct) {
-  return carried_out(
-      conduct,
-      [&] {
-        auto o = options_of<cli::AttractorsOptions>(g);
-        add(o, how, along, plane);
-        return answered(ask(o, paper_for(g.example)), find);
-      },
-      g.file);
-}
-
-Told<attractors::AttractorList> find_attractors(const Given& g, const Following& how,
-                                                const Conduct& conduct) {
-  return where_starts_end(g, how, {}, {}, cli::asked_attractors, attractors::find_attractors, conduct);
-}
-
-Told<attractors::Diagram> diagram(const Given& g, const Following& how, const std::vector<std::string>& along,
-                                  const std::optional<std::string>& plane, const Conduct& conduct) {
-  return where_starts_end(g, how, along, plane, cli::asked_diagram, attractors::diagram_of, conduct);
-}
-
-Told<attractors::Basins> basins(const Given& g, const Following& how, const std::string& plane,
-                                const Conduct& conduct) {
-  return where_starts_end(g, how, {}, plane, cli::asked_basins, attractors::basins_of, conduct);
 }
 
 // Of a machine whose values vary: those that stay. Else what the program's JSON says.
@@ -381,21 +279,12 @@ struct Followed {
   std::vector<int> phases;
 };
 
-Told<Followed> simulate(const Given& g, const std::string& orbit, const std::optional<std::string>& state,
-                        const std::optional<std::string>& perturb, const std::string& periods,
-                        const std::optional<std::string>& every, bool settle, const Conduct& conduct) {
+Told<Followed> simulate(const Asking& asking, bool settle, const Conduct& conduct) {
+  const auto o = options_of<cli::SimulateOptions>(asking);
   return carried_out(
       conduct,
       [&] {
-        auto o = options_of<cli::SimulateOptions>(g);
-        o.orbit = orbit;
-        o.state = state_of("state", state);
-        o.perturb = state_of("perturb", perturb);
-        o.periods = cli::positive("periods", periods);
-        if (every) {
-          o.every = cli::positive("every", *every);
-        }
-        auto asked = cli::asked_motion(o, paper_for(g.example));
+        auto asked = cli::asked_motion(o, paper_for(o.example));
         if (!asked.question.from.leaves.empty()) {
           asked.file.left_out.push_back(asked.question.from.leaves);
         }
@@ -417,7 +306,7 @@ Told<Followed> simulate(const Given& g, const std::string& orbit, const std::opt
           return followed;
         });
       },
-      g.file);
+      o.file);
 }
 
 Told<report::orbits::Simulated> simulation_of(const Told<Followed>& t) {
@@ -475,23 +364,16 @@ std::string latex(const std::string& name, bool in_frequencies, const Conduct& c
 }
 
 // A theorem, an orbit or errata, and sentences for what was left out of the parameters.
-std::pair<std::string, std::vector<std::string>> latex_text(const Given& g, const std::string& theorem,
-                                                            const std::string& orbit, bool errata,
-                                                            std::optional<int> digits,
-                                                            const Conduct& conduct) {
+std::pair<std::string, std::vector<std::string>> latex_text(const Asking& asking, const Conduct& conduct) {
+  const auto o = options_of<cli::LatexOptions>(asking);
   const cli::LatexText made = carried_out(
       conduct,
       [&] {
-        auto o = options_of<cli::LatexOptions>(g);
-        o.theorem = theorem;
-        o.orbit = orbit;
-        o.errata = errata;
-        o.digits = digits;
         return cli::latex_text(o, proofs::pascal2012::paper(), [](const auto& claims, const auto& ids) {
           return proofs::methods::audit(claims, ids, [](const std::string&, std::size_t, std::size_t) {});
         });
       },
-      g.file);
+      o.file);
   return {made.text, made.left_out};
 }
 
@@ -511,18 +393,13 @@ struct Atlas {
   std::vector<std::string> left_out;
 };
 
-Atlas make_atlas(const Given& g, const std::string& family,
-                 const std::vector<std::pair<std::string, std::string>>& along, int resolution,
-                 const Conduct& conduct) {
+Atlas make_atlas(const Asking& asking, const Conduct& conduct) {
   using namespace numeric::atlas;
+  const auto o = options_of<cli::AtlasOptions>(asking);
   return carried_out(
       conduct,
       [&] {
-        auto o = options_of<cli::AtlasOptions>(g);
-        o.family = family;
-        o.along = along;
-        o.resolution = resolution;
-        const auto asked = cli::asked_atlas(o, paper_for(g.example));
+        const auto asked = cli::asked_atlas(o, paper_for(o.example));
         Archive archive{asked.question, report::tools::program_version(), {}};
         work_on_all(
             asked.question, gaps({}), [] { return interrupted(); },
@@ -532,7 +409,7 @@ Atlas make_atlas(const Given& g, const std::string& family,
         put_in_order(archive.question, archive.leaves);
         return Atlas{std::move(archive), asked.file.left_out};
       },
-      g.file);
+      o.file);
 }
 
 Atlas read_atlas(const std::string& file, const Conduct& conduct) {
@@ -596,79 +473,40 @@ std::string script_of(const Atlas& a) {
 using cli::GivenInTables;
 
 template <class Options>
-std::pair<GivenInTables, Options> in_tables(const std::string& file) {
-  Options o;
-  o.file = file;
-  const auto given = cli::given_in_tables(o);
+GivenInTables in_tables(const Options& o) {
+  auto given = cli::given_in_tables(o);
   if (!given) {
-    throw UsageError(file + " is no machine in tables: it has no [[mass]]");
+    throw UsageError(o.file.name + " is no machine in tables: it has no [[mass]]");
   }
-  return {*given, o};
+  return *std::move(given);
 }
 
-std::string attractors_in_tables(const std::string& file, const Following& how,
-                                 const std::vector<std::string>& along,
-                                 const std::optional<std::string>& plane, const Conduct& conduct) {
+template <class Options>
+std::string told_in_tables(const Asking& asking, const Conduct& conduct) {
+  const auto o = options_of<Options>(asking);
   return carried_out(conduct, [&] {
-    auto [given, o] = in_tables<cli::AttractorsOptions>(file);
-    add(o, how, along, plane);
+    const GivenInTables given = in_tables(o);
     using report::machines::to_json;
-    return (plane            ? to_json(cli::basins_answer(given, o))
-            : !along.empty() ? to_json(cli::diagram_answer(given, o))
-                             : to_json(cli::answer(given, o)))
-        .dump();
+    if constexpr (std::is_same_v<Options, AttractorsOptions>) {
+      if (o.plane) {
+        return to_json(cli::basins_answer(given, o)).dump();
+      }
+      if (!o.along.empty()) {
+        return to_json(cli::diagram_answer(given, o)).dump();
+      }
+    }
+    return to_json(cli::answer(given, o)).dump();
   });
 }
 
-std::string orbits_in_tables(const std::string& file, const std::string& word, std::optional<int> period,
-                             const std::optional<std::string>& near, int digits, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    auto [given, o] = in_tables<cli::OrbitsOptions>(file);
-    o.family = word;
-    o.period = period;
-    o.near = state_of("near", near);
-    o.digits = digits;
-    return report::machines::to_json(cli::answer(given, o)).dump();
-  });
-}
-
-std::string branch_in_tables(const std::string& file, const std::string& word,
-                             const std::vector<std::string>& along, const std::optional<std::string>& at,
-                             std::optional<int> period, std::optional<int> orbit,
-                             const std::optional<std::string>& near, bool all, const Conduct& conduct) {
-  return carried_out(conduct, [&] {
-    auto [given, o] = in_tables<cli::BranchOptions>(file);
-    o.family = word;
-    o.along = along;
-    o.at = at ? std::optional(cli::exact_number("at", *at)) : std::nullopt;
-    o.period = period;
-    o.orbit = orbit;
-    o.near = state_of("near", near);
-    o.all = all;
-    return report::machines::to_json(cli::answer(given, o)).dump();
-  });
-}
-
-std::tuple<std::string, py::array_t<double>> simulate_in_tables(
-    const std::string& file, const std::optional<std::string>& state, const std::optional<std::string>& time,
-    const std::optional<std::string>& periods, const std::optional<std::string>& every,
-    const std::optional<std::string>& phi, const Conduct& conduct) {
+std::tuple<std::string, py::array_t<double>> simulate_in_tables(const Asking& asking,
+                                                                const Conduct& conduct) {
+  const auto o = options_of<cli::SimulateOptions>(asking);
   std::vector<double> numbers;
   std::size_t rows = 0;
   const std::string told = carried_out(conduct, [&] {
-    auto [given, o] = in_tables<cli::SimulateOptions>(file);
-    const auto number = [](const char * name, const std::optional<std::string>& text) {
-      return text ? std::optional(cli::positive(name, *text)) : std::nullopt;
-    };
-    o.state = state_of("state", state);
-    o.duration = number("time", time);
-    o.periods = number("periods", periods);
-    o.every = number("every", every);
-    if (phi) {
-      o.parameters["phi"] = *phi;
-    }
     const auto motion = cli::answer(
-        given, o, [](double) { return !interrupted(); },
+        in_tables(o), o, [](double) { return !interrupted(); },
         [&](const cli::SampleOfMachine& s) {
           ++rows;
           numbers.push_back(s.time);
@@ -709,10 +547,8 @@ PYBIND11_MODULE(_core, m) {
 
   py::class_<Conduct>(m, "Conduct").def(py::init<std::optional<std::size_t>, bool>());
   py::class_<Enclosure>(m, "Ball").def("decimals", &decimals);
-  py::class_<Given>(m, "Given").def(py::init(&given));
-  py::class_<Following>(m, "Following")
-      .def(py::init<std::optional<int>, std::optional<int>, std::optional<int>, std::optional<int>,
-                    std::optional<int>, std::optional<int>, std::optional<std::string>>());
+  py::class_<Asking>(m, "Asking")
+      .def(py::init<std::vector<std::string>, std::optional<cli::TypedParameters>>());
   told<numeric::OrbitList>(m, "OrbitList")
       .def("without_orbits", &without_orbits)
       .def("__len__", [](const Told<numeric::OrbitList>& t) { return t.answer.orbits.size(); })
@@ -746,21 +582,23 @@ PYBIND11_MODULE(_core, m) {
       .def("script", &script_of)
       .def("columns", &columns)
       .def("box", &box);
-  m.def("orbits", &orbits);
-  m.def("word_orbits", &word_orbits);
+  using cli::AttractorsOptions;
+  m.def("orbits", &found<cli::OrbitsOptions, cli::asked_orbits, numeric::list_orbits>);
+  m.def("word_orbits", &found<cli::OrbitsOptions, cli::asked_word, numeric::attractors::find_word_orbits>);
   m.def("pure_word", &pure_word);
-  m.def("branch", &branch);
+  m.def("branch", &found<cli::BranchOptions, cli::asked_branch, numeric::branches::list_branches>);
   m.def("atlas", &read_atlas);
   m.def("make_atlas", &make_atlas);
-  m.def("attractors", &find_attractors);
-  m.def("diagram", &diagram);
-  m.def("basins", &basins);
+  m.def("attractors", &found<AttractorsOptions, cli::asked_attractors, numeric::attractors::find_attractors>);
+  m.def("diagram", &found<AttractorsOptions, cli::asked_diagram, numeric::attractors::diagram_of>);
+  m.def("basins", &found<AttractorsOptions, cli::asked_basins, numeric::attractors::basins_of>);
   m.def("simulate", &simulate);
   m.def("machine_values", &machine_values);
-  m.def("require_tables", [](const std::string& file) { (void)in_tables<cli::OrbitsOptions>(file); });
-  m.def("attractors_in_tables", &attractors_in_tables);
-  m.def("orbits_in_tables", &orbits_in_tables);
-  m.def("branch_in_tables", &branch_in_tables);
+  m.def("require_tables",
+        [](const Asking& asking) { (void)in_tables(options_of<cli::OrbitsOptions>(asking)); });
+  m.def("attractors_in_tables", &told_in_tables<AttractorsOptions>);
+  m.def("orbits_in_tables", &told_in_tables<cli::OrbitsOptions>);
+  m.def("branch_in_tables", &told_in_tables<cli::BranchOptions>);
   m.def("simulate_in_tables", &simulate_in_tables);
   m.def("check", &check);
   m.def("prove", [](const std::string& statement, const std::vector<std::string>& assumptions,

@@ -31,6 +31,7 @@ from ._arguments import conduct as _conduct
 from ._arguments import count as _count
 from ._arguments import number as _number
 from ._arguments import whole as _whole
+from ._arguments import words as _words
 from ._core import DomainError, Error, InputOutputError, InternalError, UsageError
 from ._exact import Ball, ComplexBall, Exact, exact
 from ._machine import Along, Machine, interval, read_machine
@@ -58,15 +59,16 @@ InternalError.__doc__ = "Engines disagree, or a rule of this program is broken; 
 _data = ("chi", "eta", "us", "V", "omega", "p")
 
 
-def _given(parameters: Dict[str, Optional[Along]], needed: Sequence[str], example: Optional[str],
-           machine: Optional[Machine] = None, units: Optional[str] = None) -> _core.Given:
-    """What a question is given. Raises UsageError for what is missing without an example and a machine."""
+def _asking(command: str, *places: str, parameters: Dict[str, Optional[Along]], needed: Sequence[str],
+            example: Optional[str], machine: Optional[Machine] = None, **options: Any) -> _core.Asking:
+    """What is asked. Raises UsageError for what is missing without an example and a machine."""
     texts = {name: interval(name, value) for name, value in parameters.items() if value is not None}
     missing = [name for name in needed if name not in texts]
     if missing and example is None and machine is None:
         raise UsageError(f"missing: {', '.join(missing)}; or take the data of the paper's example='S', 'O' or 'P'")
-    values = None if machine is None else machine.values()
-    return _core.Given(texts, example or "", "" if machine is None else machine.name, values, units or "")
+    typed = _words(command, *places, **texts, example=example or None,
+                   params=None if machine is None else machine.name, **options)
+    return _core.Asking(typed, None if machine is None else machine.values())
 
 
 def _told(found: Any) -> Any:
@@ -88,13 +90,13 @@ def _state(name: str, state: Optional[Sequence[Union[Exact, float]]]) -> Optiona
     return ",".join(_number(name, x) for x in state)
 
 
-def _range(along: Optional[Tuple[str, Exact, Exact]]) -> List[str]:
+def _range(along: Optional[Tuple[str, Exact, Exact]]) -> List[Tuple[str, str]]:
     """A name and A..B, or nothing. Raises UsageError for anything else."""
     if along is None:
         return []
     if not isinstance(along, tuple) or len(along) != 3 or not isinstance(along[0], str):
         raise UsageError(f"along: {along!r} is not a name and two numbers, such as ('load_frequency', 7, 8)")
-    return [along[0], interval("along", along[1:])]
+    return [(along[0], interval("along", along[1:]))]
 
 
 def _is_word(family: str) -> bool:
@@ -122,19 +124,18 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     Raises UsageError for what is missing, malformed or not given for the family, DomainError for data outside
     the domain, TypeError for a float, KeyboardInterrupt after Ctrl-C.
     """
-    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur), _data, example, machine, units)
-    conduct = _conduct(jobs)
-    wanted = _whole("digits", digits, 1, 2000)
-    if family in ("S", "O", "T"):
-        return PureWord._from(_told(
-            _core.pure_word(given, family, None if period == 1 else _count("period", period, 100000),
-                            _state("near", near), wanted, conduct)))
-    if _is_word(family):
-        return Orbits._later(_told(
-            _core.word_orbits(given, family, _count("period", period, 100000), _state("near", near), wanted, conduct)))
-    if near is not None or period != 1:
+    is_word = _is_word(family)
+    if not is_word and (near is not None or period != 1):
         raise UsageError(f"period and near are for words of phases, not for the family '{family}'")
-    return Orbits._later(_told(_core.orbits(given, family, wanted, conduct)))
+    is_default = period == 1 and (not is_word or len(family) == 1)
+    asking = _asking("orbits", family, needed=_data, example=example, machine=machine, units=units,
+                     parameters=dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
+                     digits=_whole("digits", digits, 1, 2000), near=_state("near", near),
+                     period=None if is_default else _count("period", period, 100000))
+    conduct = _conduct(jobs)
+    if family in ("S", "O", "T"):
+        return PureWord._from(_told(_core.pure_word(asking, conduct)))
+    return Orbits._later(_told((_core.word_orbits if is_word else _core.orbits)(asking, conduct)))
 
 
 def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = None, us: Optional[Along] = None,
@@ -158,12 +159,12 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
 
     Raises as orbits does.
     """
-    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
-                   () if along else _data, example, machine, units)
-    which = (_range(along), None if at is None else _number("at", at),
-             None if period == 1 else _count("period", period, 100000), _count("orbit", orbit, 10**6),
-             _state("near", near), bool(all))
-    return Branches._from(_told(_core.branch(given, family, *which, _conduct(jobs))))
+    asking = _asking("branch", family, needed=() if along else _data, example=example, machine=machine, units=units,
+                     parameters=dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
+                     along=_range(along), at=None if at is None else _number("at", at),
+                     period=None if period == 1 else _count("period", period, 100000),
+                     orbit=_count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all))
+    return Branches._from(_told(_core.branch(asking, _conduct(jobs))))
 
 
 def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None, eta: Optional[Along] = None,
@@ -186,14 +187,14 @@ def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None,
     was built without HDF5.
     """
     data = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
-    ranges = [_range(one) for one in ((along,) if along and isinstance(along[0], str) else along)]
+    ranges = [_range(one)[0] for one in ((along,) if along and isinstance(along[0], str) else along)]
     if _os.fspath(what) not in ("symmetric", "nonsticking", "overshooting"):
         if ranges or example or machine or any(value is not None for value in data.values()):
             raise UsageError(f"parameters are for an atlas that is made, of a family: '{_os.fspath(what)}' is read")
         return Atlas._from(_core.atlas(_os.fspath(what), _conduct(jobs)))
-    given = _given(data, () if ranges else _data, example, machine)
-    return Atlas._from(_told(_core.make_atlas(given, _os.fspath(what), [(name, ends) for name, ends in ranges],
-                                              _whole("resolution", resolution, 1, 60), _conduct(jobs))))
+    asking = _asking("atlas", _os.fspath(what), parameters=data, needed=() if ranges else _data, example=example,
+                     machine=machine, along=ranges, resolution=_whole("resolution", resolution, 1, 60))
+    return Atlas._from(_told(_core.make_atlas(asking, _conduct(jobs))))
 
 
 def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: Optional[Exact] = None,
@@ -220,18 +221,19 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
 
     Raises as orbits does.
     """
-    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur), (*_data, "ur"), example, machine, units)
-    following = _core.Following(_count("starts", starts, 100000), _count("seed", seed, 10**9),
-                                _count("most_periods", most_periods, 10**9), _count("digits", digits, 2000),
-                                _count("values", values, 10000), _count("pixels", pixels, 1000),
-                                _state("through", through))
-    conduct = _conduct(jobs)
     across = None if plane is None else ",".join(plane)
+    asking = _asking("attractors", parameters=dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur),
+                     needed=(*_data, "ur"), example=example, machine=machine, units=units,
+                     starts=_count("starts", starts, 100000), seed=_count("seed", seed, 10**9),
+                     most_periods=_count("most_periods", most_periods, 10**9), digits=_count("digits", digits, 2000),
+                     values=_count("values", values, 10000), pixels=_count("pixels", pixels, 1000),
+                     through=_state("through", through), along=_range(along), plane=across)
+    conduct = _conduct(jobs)
     if along is not None:
-        return Diagram._from(_told(_core.diagram(given, following, _range(along), across, conduct)))
+        return Diagram._from(_told(_core.diagram(asking, conduct)))
     if across is not None:
-        return Basins._from(_told(_core.basins(given, following, across, conduct)))
-    return Attractors._from(_told(_core.attractors(given, following, conduct)))
+        return Basins._from(_told(_core.basins(asking, conduct)))
+    return Attractors._from(_told(_core.attractors(asking, conduct)))
 
 
 def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Optional[Exact] = None,
@@ -257,13 +259,13 @@ def simulate(state: Optional[Sequence[Union[Exact, float]]] = None, *, chi: Opti
     from_state = state is not None and machine is None and example is None and orbit is None
     if from_state and phi is None:
         phi = 0
-    given = _given(dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur, phi=phi),
-                   (*_data, "ur") if from_state else (), example, machine, units)
     if state is not None and orbit is not None:
         raise UsageError("state and orbit do not go together")
-    return Simulation._from(_told(
-        _core.simulate(given, orbit or "", _state("state", state), _state("perturb", perturb), _number("periods", periods),
-                       None if every is None else _number("every", every), bool(settle), _conduct(None))))
+    asking = _asking("simulate", parameters=dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur, phi=phi),
+                     needed=(*_data, "ur") if from_state else (), example=example, machine=machine, units=units,
+                     orbit=orbit or None, state=_state("state", state), perturb=_state("perturb", perturb),
+                     periods=_number("periods", periods), every=None if every is None else _number("every", every))
+    return Simulation._from(_told(_core.simulate(asking, bool(settle), _conduct(None))))
 
 
 def check(*ids: str, file: Union[str, "_os.PathLike[str]", None] = None, jobs: Optional[int] = None) -> Check:
@@ -314,13 +316,13 @@ def latex(name: Optional[str] = None, *, unknowns: str = "chi", theorem: Optiona
     if unknowns not in ("chi", "omega"):
         raise UsageError(f"unknowns: '{unknowns}' is neither chi nor omega")
     data = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
-    given = _given(data, () if orbit is None else _data, example, machine)
     if name is not None:
         if any(value is not None for value in (*data.values(), example, machine, digits)):
             raise UsageError("parameters and digits are for an orbit: an expression is for all parameters")
         return _core.latex(name, unknowns == "omega", _conduct(None))
-    text, left_out = _core.latex_text(given, theorem or "", orbit or "", errata, _count("digits", digits, 2000),
-                                      _conduct(None))
+    asking = _asking("latex", parameters=data, needed=() if orbit is None else _data, example=example, machine=machine,
+                     theorem=theorem, orbit=orbit, errata=errata, digits=_count("digits", digits, 2000))
+    text, left_out = _core.latex_text(asking, _conduct(None))
     _warn(left_out, 3)
     return text
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading as _threading
 from numbers import Integral as _Integral
-from typing import Optional, Union
+from typing import Any, List, Optional, Sequence, Union
 
 from . import _core
 from ._core import UsageError
@@ -29,3 +29,15 @@ def number(name: str, value: Union[Exact, float]) -> str:
 
 def count(name: str, value: Optional[int], most: int) -> Optional[int]:
     return None if value is None else whole(name, value, 1, most)
+
+
+def words(command: str, *places: str, along: Sequence[Sequence[str]] = (), **options: Any) -> List[str]:
+    """What is typed behind the program's name: options under their names, unless they are None or False."""
+    typed = [command, *places]
+    for name, value in options.items():
+        if value is not None and value is not False:
+            option = "--" + name.replace("_", "-")
+            typed.append(option if value is True else f"{option}={value}")
+    for name, ends in along:
+        typed += ["--along", name, ends]
+    return typed

@@ -7,7 +7,7 @@ import os as _os
 from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._arguments import conduct, count, number, whole
+from ._arguments import conduct, count, number, whole, words
 from ._exact import Ball, Exact, exact
 from ._machine import interval
 from ._results import _value as _ball
@@ -63,8 +63,8 @@ def _text(name: str, value: Optional[_Number]) -> Optional[str]:
     return None if value is None else number(name, value)
 
 
-def _range(along: Optional[Tuple[str, Exact, Exact]]) -> Sequence[str]:
-    return [] if along is None else [along[0], interval("along", along[1:])]
+def _range(along: Optional[Tuple[str, Exact, Exact]]) -> Sequence[Tuple[str, str]]:
+    return [] if along is None else [(along[0], interval("along", along[1:]))]
 
 
 def _state(name: str, state: Optional[Sequence[_Number]]) -> Optional[str]:
@@ -80,7 +80,7 @@ class MachineInTables:
 
     def __init__(self, file: Union[str, "_os.PathLike[str]"]) -> None:
         self.file = _os.fspath(file)
-        _core.require_tables(self.file)
+        _core.require_tables(self._asking("orbits"))
 
     def __repr__(self) -> str:
         return f"MachineInTables({self.file!r})"
@@ -95,34 +95,36 @@ class MachineInTables:
         so many values of it, by default 41. plane: two of "x1", ..., "x1'", ...: where pixels x pixels starts in that
         plane end, by default 60 x 60, through a state, by default in the middle of the random starts.
         """
-        following = _core.Following(count("starts", starts, 100000), count("seed", seed, 10**9),
-                                    count("most_periods", most_periods, 10**9), whole("digits", digits, 1, 2000),
-                                    count("values", values, 10000), count("pixels", pixels, 1000),
-                                    _state("through", through))
-        return self._asked(_core.attractors_in_tables, following, _range(along),
-                           None if plane is None else ",".join(plane), jobs=jobs)
+        asking = self._asking("attractors", starts=count("starts", starts, 100000), seed=count("seed", seed, 10**9),
+                              most_periods=count("most_periods", most_periods, 10**9),
+                              digits=whole("digits", digits, 1, 2000), along=_range(along),
+                              values=count("values", values, 10000), plane=None if plane is None else ",".join(plane),
+                              pixels=count("pixels", pixels, 1000), through=_state("through", through))
+        return Record(_json.loads(_core.attractors_in_tables(asking, conduct(jobs))))
 
     def orbits(self, word: str, period: Optional[int] = None, near: Optional[Sequence[_Number]] = None,
                digits: int = 20, jobs: Optional[int] = None) -> Record:
         """The orbits through a word's phases that random starts end on, or that near one state, each proved."""
-        return self._asked(_core.orbits_in_tables, word, count("period", period, 100000), _state("near", near),
-                           whole("digits", digits, 1, 2000), jobs=jobs)
+        asking = self._asking("orbits", word, period=count("period", period, 100000), near=_state("near", near),
+                              digits=whole("digits", digits, 1, 2000))
+        return Record(_json.loads(_core.orbits_in_tables(asking, conduct(jobs))))
 
     def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,
                period: Optional[int] = None, orbit: Optional[int] = None,
                near: Optional[Sequence[_Number]] = None, all: bool = False, jobs: Optional[int] = None) -> Record:
         """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08")."""
-        return self._asked(_core.branch_in_tables, word, _range(along),
-                           None if at is None else exact("at", at), count("period", period, 100000),
-                           count("orbit", orbit, 10**6), _state("near", near), bool(all), jobs=jobs)
+        asking = self._asking("branch", word, along=_range(along),
+                              at=None if at is None else exact("at", at), period=count("period", period, 100000),
+                              orbit=count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all))
+        return Record(_json.loads(_core.branch_in_tables(asking, conduct(jobs))))
 
     def simulate(self, state: Sequence[_Number], time: Optional[_Number] = None, periods: Optional[_Number] = None,
                  every: Optional[_Number] = None, phi: Optional[_Number] = None) -> Tuple[Record, "numpy.ndarray"]:
         """A motion in double: the record, and its samples in rows t, x, x', r, u, E. It proves nothing."""
-        told, samples = _core.simulate_in_tables(
-            self.file, _state("state", state), _text("time", time), _text("periods", periods), _text("every", every),
-            _text("phi", phi), conduct(None))
+        asking = self._asking("simulate", state=_state("state", state), time=_text("time", time),
+                              periods=_text("periods", periods), every=_text("every", every), phi=_text("phi", phi))
+        told, samples = _core.simulate_in_tables(asking, conduct(None))
         return Record(_json.loads(told)), samples
 
-    def _asked(self, function: Any, *arguments: Any, jobs: Optional[int]) -> Record:
-        return Record(_json.loads(function(self.file, *arguments, conduct(jobs))))
+    def _asking(self, command: str, *places: str, **options: Any) -> _core.Asking:
+        return _core.Asking(words(command, *places, params=self.file, **options), None)
