@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "proofs/certificates/identities.hpp"
+#include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/script.hpp"
 
 namespace stickslip::proofs::certificates {

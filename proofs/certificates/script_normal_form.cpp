@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "proofs/certificates/identities.hpp"
+#include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/phases.hpp"
 #include "proofs/certificates/script.hpp"
 

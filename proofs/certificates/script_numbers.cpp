@@ -7,10 +7,10 @@
 #include <numbers>
 #include <optional>
 
-#include "proofs/certificates/identities.hpp"
+#include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/text.hpp"
 
 namespace stickslip::proofs::certificates {

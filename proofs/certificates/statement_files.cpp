@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include "proofs/certificates/coq_terms.hpp"
-#include "proofs/certificates/shortened.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -146,6 +146,128 @@ std::string final_file(const std::vector<Proved>& proved) {
   return "From Stickslip Require Matrices Statements.\n" + files + checks +
          "Lemma every : Stickslip.Matrices.proved.\nProof.\n" + all +
          "exact Stickslip.Matrices.no_more.\nQed.\nPrint Assumptions every.\n";
+}
+
+namespace {
+
+const char * const rules =
+    R"(# make -k -j: has Coq check the certificates that were asked for; what it says of each is in NAME.log.
+# make Final.vo: then has it compare their theorems with Statements.v, and say in Final.log on what they rest. A file may take TIMEOUT seconds of processor time.
+SHELL = /bin/bash
+TIMEOUT ?= 600
+# The heaps of OCaml: a tenth less time, and less memory, than with Coq's own choice.
+export OCAMLRUNPARAM ?= s=8M,o=400
+ifeq (,$(shell command -v coqc))
+$(error there is no coqc here: install Debian's coq, libcoq-coquelicot and libcoq-interval)
+endif
+all: $(ASKED:=.vo)
+%.vo: %.v
+	@TIMEFORMAT='seconds %U'; ulimit -S -t $(TIMEOUT); \
+	{ time coqc -w none -Q . Stickslip $< ; } > $*.log 2>&1 \
+	  || { [ $$? = 152 ] && echo 'no end within $(TIMEOUT) seconds' >> $*.log; rm -f $@; echo "$*: Coq does not accept it: see $*.log"; exit 1; }
+.PHONY: all
+Matrices.vo:
+Sentences.vo:
+Programs.vo:
+Reading.vo:
+Polynomials.vo: Matrices.vo
+Fractions.vo: Polynomials.vo
+Algebra.vo: Sentences.vo Fractions.vo Reading.vo
+Calculus.vo Inverses.vo: Algebra.vo
+Numbers.vo: Algebra.vo Programs.vo
+Krawczyk.vo Stability.vo Definitions.vo: Calculus.vo
+Zeros.vo: Krawczyk.vo Numbers.vo
+Auxiliary.vo Statements.vo: Definitions.vo
+)";
+
+}  // namespace
+
+std::string makefile(const std::vector<Certificate>& certificates,
+                     const std::map<std::string, std::size_t>& sizes) {
+  // The longest first, so that in the end no process waits for another.
+  std::vector<std::pair<std::size_t, std::string>> asked;
+  std::set<std::string> names;
+  for (const Certificate& certificate : certificates) {
+    if (certificate.asked && names.insert(certificate.name).second) {
+      asked.emplace_back(sizes.at(certificate.name), certificate.name);
+    }
+  }
+  std::ranges::sort(asked, std::greater{});
+  std::string text = "ASKED =";
+  for (const auto& [size, name] : asked) {
+    text += " " + name;
+  }
+  text += std::string("\n") + rules;
+  names.clear();
+  for (const Certificate& certificate : certificates) {
+    if (!names.insert(certificate.name).second) {
+      continue;
+    }
+    text += fmt::format("{}.vo: Inverses.vo Zeros.vo Stability.vo Auxiliary.vo", certificate.name);
+    for (const std::string& import : certificate.imports) {
+      text += fmt::format(" {}.vo", import);
+    }
+    text += "\n";
+  }
+  return text + "Final.vo: Statements.vo $(ASKED:=.vo)\n";
+}
+
+namespace {
+
+// Arguments with which the body may be the term: a proposal.
+bool propose(const Term& body, const Variables& parameters, const Term& term, Substitution& arguments) {
+  if (body.kind() == Kind::variable && parameters.contains({body.name(), body.type()})) {
+    return term.is_closed() && term.type() == body.type() &&
+           arguments.emplace(Variable{body.name(), body.type()}, term).first->second == term;
+  }
+  return body.kind() == term.kind() && body.type() == term.type() &&
+         body.parts().size() == term.parts().size() &&
+         std::ranges::equal(body.parts(), term.parts(), [&](const Term& a, const Term& b) {
+           return propose(a, parameters, b, arguments);
+         });
+}
+
+// The definition applied so that it unfolds to the term.
+std::optional<Term> folded(const Definition& definition, const Term& term) {
+  const Variables parameters(definition.parameters().begin(), definition.parameters().end());
+  Substitution arguments;
+  if (!propose(definition.body(), parameters, term, arguments)) {
+    return std::nullopt;
+  }
+  std::vector<Term> values;
+  for (const Variable& parameter : definition.parameters()) {
+    const auto value = arguments.find(parameter);
+    if (value == arguments.end()) {
+      return std::nullopt;
+    }
+    values.push_back(value->second);
+  }
+  return definition.unfolded(values) == term ? std::optional(definition(values)) : std::nullopt;
+}
+
+// The first part, from outside, that the definition stands for, and how.
+std::optional<std::pair<Term, Term>> found(const Definition& definition, const Term& term) {
+  if (const auto whole = folded(definition, term)) {
+    return std::pair{term, *whole};
+  }
+  for (const Term& part : term.parts()) {
+    if (const auto inside = found(definition, part)) {
+      return inside;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Term shortened(const Term& term, const std::vector<Definition>& abbreviations) {
+  Term result = term;
+  for (const Definition& definition : abbreviations) {
+    while (const auto one = found(definition, result)) {
+      result = replaced(result, one->first, one->second);
+    }
+  }
+  return result;
 }
 
 }  // namespace stickslip::proofs::certificates

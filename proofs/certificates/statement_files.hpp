@@ -2,10 +2,13 @@
 // statements mean depends on these and on the prelude alone.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "proofs/certificates/certificates.hpp"
 #include "proofs/certificates/statements.hpp"
+#include "proofs/kernel/theorem.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -35,5 +38,21 @@ struct Proved {
 // what all of them rest on. A line for each file, and after these for each theorem, so that the number of the
 // line that Coq refuses says which it is.
 [[nodiscard]] std::string final_file(const std::vector<Proved>& proved);
+
+// How make has Coq check a directory of certificates.
+
+// make -k -j: has coqc compile the certificates that were asked for and the statements, each file in a
+// process of its own, the longest first; what it says of each is in NAME.log, with the seconds. make
+// Final.vo: compiles Final.v, after all others. The sizes of files are in characters, by their names without
+// ".v".
+[[nodiscard]] std::string makefile(const std::vector<Certificate>& certificates,
+                                   const std::map<std::string, std::size_t>& sizes);
+
+// Statements with names for what is long and stands in many of them.
+
+// The term with each part that is the body of one of these definitions, of whatever arguments, as that
+// definition applied. It unfolds to the term.
+[[nodiscard]] kernel::Term shortened(const kernel::Term& term,
+                                     const std::vector<kernel::Definition>& abbreviations);
 
 }  // namespace stickslip::proofs::certificates

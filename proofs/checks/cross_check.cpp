@@ -9,7 +9,6 @@
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/kernel/entrywise.hpp"
 #include "proofs/methods/assumptions.hpp"
-#include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
 
 namespace stickslip::proofs::checks {

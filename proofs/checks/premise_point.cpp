@@ -6,7 +6,6 @@
 
 #include "proofs/checks/with_unknowns.hpp"
 #include "proofs/symbols/evaluate.hpp"
-#include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
 
 namespace stickslip::proofs::checks {

@@ -11,7 +11,6 @@
 #include "proofs/checks/premises.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/not_negative.hpp"
 #include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/parse.hpp"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/verdict.hpp"
@@ -59,7 +60,7 @@ struct Hypothesis {
   std::string text;       // "omega - omega1 != 0"
   std::string latex;      // the same
   std::string origin;     // the id of the claim whose proof divided by it
-  // Whether who reads the formulas sees it (visible.hpp). Filled in by the Prover.
+  // Whether who reads the formulas sees it (is_seen). Filled in by the Prover.
   bool visible = false;
 };
 
@@ -180,22 +181,25 @@ enum class Tone { quiet, good, notable, bad };
 // All that is known about a status. The words are those that reports say.
 struct StatusFacts {
   Status status;
-  const char * name;     // "as_printed": in data, on the command line, as a class on pages
-  const char * meaning;  // "proved as printed"
-  const char * one;      // of one statement: "is proved exactly as printed"
-  const char * many;     // of several
-  const char * lead;     // what a paper comes to in which nothing is worse
+  std::string name;          // "as_printed": in data, on the command line, as a class on pages
+  std::string meaning = {};  // "proved as printed"
+  std::string one = {};      // of one statement: "is proved exactly as printed"
+  std::string many = {};     // of several
+  std::string lead = {};     // what a paper comes to in which nothing is worse
   Tone tone;
-  bool stands = false;        // others may rest on it
-  bool of_claims = true;      // a claim can have it, and not a statement of the paper alone
-  bool decided = true;        // the question about the statement is answered, one way or the other
-  bool finding = true;        // worth a reader's attention
-  bool fails = false;         // refuted (printed digits included) without a corrected form that is proved
-  const char * heading = "";  // of the findings of this status; empty where they have none
-  const char * explanation = "";
+  bool stands;               // others may rest on it
+  bool of_claims;            // a claim can have it, and not a statement of the paper alone
+  bool decided;              // the question about the statement is answered, one way or the other
+  bool finding;              // worth a reader's attention
+  bool fails;                // refuted (printed digits included) without a corrected form that is proved
+  std::string heading = {};  // of the findings of this status; empty where they have none
+  std::string explanation = {};
 };
 
-// From the best to the worst.
+// From the best to the worst: statuses.txt, which is a part of the program, as pairs of a name and a text.
+// There "NAME: TONE, FLAG, ..." stands before meaning, one, many, lead, heading and explanation, each in a
+// line.
+[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& statuses_text();
 [[nodiscard]] const std::vector<StatusFacts>& statuses();
 [[nodiscard]] const StatusFacts& facts(Status status);
 [[nodiscard]] std::string to_string(Status status);

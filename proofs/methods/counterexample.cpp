@@ -9,7 +9,6 @@
 #include "proofs/methods/points.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/evaluate.hpp"
-#include "proofs/symbols/point.hpp"
 #include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/openings.hpp"
 #include "proofs/methods/reading.hpp"
@@ -48,7 +49,7 @@ class Derivation {
   // An inequality or an equation, or several, from what the claim assumes.
   [[nodiscard]] kernel::Theorem follows(const kernel::Formula& formula);
   // An equation between numbers as a combination of those that the claim assumes, which is looked for
-  // (membership.hpp).
+  // (letters.hpp).
   [[nodiscard]] kernel::Theorem combined(const kernel::Formula& equation);
   // All definitions in these formulas, to be looked into.
   [[nodiscard]] kernel::Definitions open(const std::vector<kernel::Formula>& formulas);
@@ -126,5 +127,11 @@ using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 // Whether the part stands somewhere in the term.
 [[nodiscard]] bool occurs(const kernel::Term& part, const kernel::Term& term);
 [[nodiscard]] bool is_inequality(const kernel::Formula& formula);
+
+// Products that are not negative.
+
+// 0 ≤ a, for the kernel's rule `order`: a as a positive number times a square times what is positive. All
+// definitions are looked into. Throws KernelError where the sign of a factor is not known.
+[[nodiscard]] kernel::Positive not_negative(Derivation& derivation, const kernel::Term& a);
 
 }  // namespace stickslip::proofs::methods

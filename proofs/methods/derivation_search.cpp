@@ -4,9 +4,8 @@
 #include <optional>
 
 #include "proofs/methods/derivation.hpp"
-#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
-#include "proofs/tactics/membership.hpp"
 
 namespace stickslip::proofs::methods {
 

@@ -10,7 +10,6 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/not_negative.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/letters.hpp"

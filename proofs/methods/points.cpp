@@ -9,7 +9,7 @@
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 
 namespace stickslip::proofs::methods {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::orbits {
 

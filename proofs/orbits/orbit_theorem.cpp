@@ -4,7 +4,6 @@
 
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/orbits/names.hpp"
 #include "proofs/orbits/phase_proof.hpp"
 #include "proofs/orbits/with_zero.hpp"
 #include "proofs/tactics/closed.hpp"

@@ -12,9 +12,7 @@
 #include "proofs/orbits/along.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/orbits/names.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/orbits/orbit_with.hpp"
 #include "proofs/orbits/with_zero.hpp"
 
 namespace stickslip::proofs::orbits {

@@ -1,6 +1,7 @@
 // Unknowns that are known only as a zero of a system.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "proofs/kernel/theorem.hpp"
@@ -21,5 +22,15 @@ namespace stickslip::proofs::orbits {
                                         const std::vector<kernel::Variable>& unknowns,
                                         const std::vector<kernel::Term>& terms, const kernel::Box& box,
                                         const kernel::Substitution& at_value = {});
+
+// What else is true of an orbit that a theorem says to exist.
+
+// From ⊢ there are …: B, and B ⊢ C by `more`: ⊢ there are those of them that C speaks of: C.
+[[nodiscard]] kernel::Theorem of_orbit(const kernel::Theorem& orbit,
+                                       const std::function<kernel::Theorem(const kernel::Theorem&)>& more);
+
+// From ⊢ there are …: B, and B ⊢ C by `more`: ⊢ there are …: B and C.
+[[nodiscard]] kernel::Theorem orbit_with(const kernel::Theorem& orbit,
+                                         const std::function<kernel::Theorem(const kernel::Theorem&)>& more);
 
 }  // namespace stickslip::proofs::orbits

@@ -5,12 +5,12 @@
 #include <map>
 
 #include "model/waves.hpp"
-#include "proofs/orbits/by_parts.hpp"
+#include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/pascal2012/printed_closing.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/symbols/closing.hpp"
 
 namespace stickslip::proofs::pascal2012 {

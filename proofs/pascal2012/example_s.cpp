@@ -1,16 +1,13 @@
 // Section 4, example S: the orbit of Fig. 2, and the numbers that are printed for it.
 #include <array>
 
-#include <array>
-#include "model/symmetric.hpp"
-
 #include "model/symmetric.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/orbits/by_parts.hpp"
+#include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/pascal2012/printed_closing.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -8,7 +8,6 @@
 #include "proofs/methods/openings.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
-#include "proofs/orbits/orbit_with.hpp"
 #include "proofs/orbits/with_zero.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/symbols/vocabulary.hpp"

@@ -1,5 +1,10 @@
 #include "proofs/pascal2012/reduction.hpp"
 
+#include "model/nonsticking.hpp"
+#include "model/overshooting_closing.hpp"
+#include "model/symmetric_closing.hpp"
+#include "proofs/symbols/vocabulary.hpp"
+
 namespace stickslip::proofs::pascal2012::reduction {
 
 using namespace methods;
@@ -87,6 +92,285 @@ Proof reduced(Compare compare) {
     outcome.uses.merge(used);
     return outcome;
   };
+}
+
+// (13) and (15) against the reduced equations in (tau, C).
+
+namespace {
+
+Vector4 reversed(const Vector4& Z) {
+  return model::reversal<Symbolic>() * Z;
+}
+
+model::SymmetricData<Symbolic> symmetric_data(int sigma) {
+  return {symbol("chi"), modes(), symbol("V"), symbol("omega"), symbol("p"), period(), Symbolic(sigma)};
+}
+
+// (13) at the state that (tau, C) stands for.
+struct SymmetricSlip {
+  Vector4 residual;  // Z(tau) - E Z0
+  Vector2 reduced;
+};
+
+SymmetricSlip symmetric_slip(Flows& flows, int sigma) {
+  const auto a = symmetric_data(sigma);
+  const Symbolic tau = symbol("tau");
+  const Symbolic C = symbol("C");
+  const Vector4 Z0 = model::symmetric_start<Symbolic>(a, tau, C);
+  const Symbolic phi = model::symmetric_phase<Symbolic>(a, half_turn(), tau);
+  return {flows.slip(Z0, phi, tau) - reversed(Z0), model::symmetric_closing<Symbolic>(a, tau, C)};
+}
+
+// The residual that the rows make: mode j is (2 cos(alpha_j)/omega_j, -2 sin(alpha_j)) times row j over
+// ±(lambda_2 - lambda_1).
+Vector4 symmetric_residual_of(const Vector2& rows) {
+  const Vector2 alpha = half_angles(symbol("tau"));
+  Vector2 y, ydot;
+  for (int j = 0; j < 2; ++j) {
+    const Symbolic part = rows(j) / row_scale()(j);
+    y(j) = 2 * cos(alpha(j)) / frequencies()(j) * part;
+    ydot(j) = -2 * sin(alpha(j)) * part;
+  }
+  return from_modes(y, ydot);
+}
+
+Vector2 symmetric_rows_of(const Vector4& residual) {
+  const Vector2 alpha = half_angles(symbol("tau"));
+  const Vector2 y = to_modes(residual.head<2>());
+  const Vector2 ydot = to_modes(residual.tail<2>());
+  Vector2 rows;
+  for (int j = 0; j < 2; ++j) {
+    rows(j) = row_scale()(j) * (frequencies()(j) * cos(alpha(j)) * y(j) - sin(alpha(j)) * ydot(j)) / 2;
+  }
+  return rows;
+}
+
+std::vector<Equal> symmetric_sufficient(Flows& flows) {
+  std::vector<Equal> result;
+  for (const int sigma : {1, -1}) {
+    const SymmetricSlip slip = symmetric_slip(flows, sigma);
+    result.push_back(same(slip.residual, symmetric_residual_of(slip.reduced)));
+  }
+  return result;
+}
+
+std::vector<Equal> symmetric_necessary(Flows& flows) {
+  flows.used.insert("16.reduced");
+  const Vector2 rows{symbol("r1"), symbol("r2")};
+  return {same(rows, symmetric_rows_of(symmetric_residual_of(rows)))};
+}
+
+std::vector<Equal> symmetric_stick(Flows& flows) {
+  const auto a = symmetric_data(1);
+  const Symbolic tau = symbol("tau");
+  const Vector4 Z0 = model::symmetric_start<Symbolic>(a, tau, symbol("C"));
+  return {same(flows.stick(reversed(Z0), a.Theta - tau), Z0)};
+}
+
+// Any state with z2' = V differs from that of its own C by a multiple of the residual of (15).
+std::vector<Equal> symmetric_all_sticks(Flows& flows) {
+  const auto a = symmetric_data(1);
+  const Symbolic tau = symbol("tau");
+  const Symbolic half = (a.Theta - tau) / 2;
+  const Vector4 Z0{symbol("z10"), symbol("z20"), symbol("zdot10"), a.V};
+  const Vector4 r = flows.stick(reversed(Z0), a.Theta - tau) - Z0;
+  const Symbolic u = Z0(0) - a.chi * Z0(1);
+  const Symbolic v = Z0(2) - a.chi * a.V;
+  const Symbolic C = u * sin(half) + v * cos(half);
+  const Symbolic b = (sin(half) * r(2) - cos(half) * (r(0) - a.chi * r(1))) / 2;
+  const Symbolic second = -r(1) / 2;
+  const Vector4 multiple{Symbolic(cos(half) * b + a.chi * second), second, Symbolic(-sin(half) * b),
+                         Symbolic(0)};
+  return {same(Z0 - model::symmetric_start<Symbolic>(a, tau, C), multiple)};
+}
+
+}  // namespace
+
+Proofs of_symmetric() {
+  return {{"16.reduced", reduced(symmetric_sufficient)},
+          {"16.reduced.converse", reduced(symmetric_necessary)},
+          {"15.reduced", reduced(symmetric_stick)},
+          {"15.reduced.converse", reduced(symmetric_all_sticks)}};
+}
+
+// (28) for any tau and V against the two reduced equations.
+
+namespace {
+
+// friction_speed divides by sinc(delta) + sinc(pi - delta), which is not 0 where sin(delta) = sin(pi - delta)
+// is not.
+kernel::Theorem sum_of_sincs_differs() {
+  using kernel::Theorem;
+  const kernel::Term delta = kernel::Variable{"delta"}, sine = sin(delta),
+                     sum = delta * sin(kernel::pi() - delta) - delta * sine + kernel::pi() * sine;
+  const kernel::Formula vanishes = kernel::equal(sum, 0);
+  const Theorem sine_vanishes = tactics::nonzero(
+      Theorem::combination(kernel::equal(sine, 0), {{Theorem::assume(vanishes), inverse(kernel::pi())}}), {});
+  return Theorem::consequence(
+      {Theorem::discharge(sine_vanishes, vanishes), Theorem::assume(kernel::differ(sine, 0))},
+      kernel::differ(sum, 0));
+}
+
+std::vector<Equal> two_slips_close(Flows& flows) {
+  flows.derivation.know(sum_of_sincs_differs());
+  const Symbolic omega = symbol("omega");
+  const Symbolic delta = symbol("delta");
+  const Symbolic mu = symbol("mu");
+  const Symbolic V = symbol("V");
+  const Vector2 c = model::modal_rest<Symbolic>(modes(), rest());
+  const model::Parameters<Symbolic> a{symbol("chi"), symbol("eta"), symbol("us"), V, omega, symbol("p")};
+  const Vector2 rows = model::two_slips<Symbolic>(a, modes(), load()(1), c, half_turn(), delta, mu);
+  const auto states = model::two_slips_states<Symbolic>(V, modes(), load(), c, omega, half_turn(), delta, mu);
+  // The response's own speeds z2' at 0 and tau, less V, are combinations of the rows.
+  Vector4 Z0 = states.Z0;
+  Vector4 ZB = states.ZB;
+  Z0(3) += sin(delta) * rows(1) - rows(0);
+  ZB(3) += -sin(delta) * rows(1) - rows(0);
+  const Symbolic tau = 2 * delta / omega;
+  return {same(flows.slip(Z0, mu - delta, tau), ZB),
+          same(flows.overshoot(ZB, mu + delta, period() - tau), Z0)};
+}
+
+// What is searched over a range of the load's frequency, resonances among it.
+std::vector<Equal> without_poles(Flows& flows) {
+  flows.derivation.know(sum_of_sincs_differs());
+  const Symbolic omega = symbol("omega"), omega1 = symbol("omega1"), omega2 = symbol("omega2");
+  const Symbolic delta = symbol("delta"), mu = symbol("mu"), pi = half_turn();
+  const model::Parameters<Symbolic> a{symbol("chi"), symbol("eta"), symbol("us"),
+                                      symbol("V"),   omega,         symbol("p")};
+  const Vector2 c = model::modal_rest<Symbolic>(modes(), rest());
+  const Vector2 rows = model::two_slips<Symbolic>(a, modes(), load()(1), c, pi, delta, mu);
+  const Vector2 entire = model::two_slips_without_poles<Symbolic>(a, modes(), c, pi, delta, mu);
+  const auto D = [&](const Symbolic& omega_j) { return omega * omega - omega_j * omega_j; };
+  const auto sine = [&](const Symbolic& omega_j) { return sin(pi * omega_j / omega); };
+  return {{entire(0).term, (rows(0) * (D(omega1) * D(omega2))).term},
+          {entire(1).term, (rows(1) * (sine(omega1) * sine(omega2))).term}};
+}
+
+// det(H(Theta) - I) = (2 - 2 cos(omega_1 Theta))(2 - 2 cos(omega_2 Theta)).
+std::vector<Equal> one_response(Flows& flows) {
+  const Symbolic Theta = period();
+  const Symbolic product = (2 - 2 * cos(symbol("omega1") * Theta)) * (2 - 2 * cos(symbol("omega2") * Theta));
+  const Term stated = determinant(vocabulary::H(2 * pi() / vocabulary::omega) - vocabulary::I4);
+  return {{flows.derivation.read(stated), product.term}};
+}
+
+}  // namespace
+
+Proofs of_nonsticking() {
+  return {{"28.reduced", reduced(two_slips_close)},
+          {"28.poles", reduced(without_poles)},
+          {"28.unique", reduced(one_response)}};
+}
+
+// (18) and (20) against the rows odd, even and turn in (a, C, D, psi).
+
+namespace {
+
+model::OvershootingData<Symbolic> overshooting_data() {
+  return {symbol("chi"), symbol("eta"),   modes(),     symbol("us"),
+          symbol("V"),   symbol("omega"), symbol("p"), period()};
+}
+
+Symbolic row_value(const model::OvershootingRow<Symbolic>& r) {
+  return r.a * symbol("a") + r.C * symbol("C") + r.D * symbol("D") + r.cos_psi * cos(symbol("psi")) +
+         r.sin_psi * sin(symbol("psi")) + r.one;
+}
+
+struct Overshooting {
+  model::OvershootingData<Symbolic> data = overshooting_data();
+  Symbolic tau = symbol("tau");
+  Symbolic tau1 = symbol("tau1");
+  Symbolic T = period() - tau - tau1;
+  Symbolic phi = symbol("psi") - data.omega * (tau + tau1) / 2;
+  Vector4 Z0 = start(T);
+  Vector4 ZC = start(-T);
+
+  [[nodiscard]] Vector4 start(const Symbolic& duration) const {
+    return model::overshooting_start<Symbolic>(data, duration, symbol("a"), symbol("C"), symbol("D"));
+  }
+  // What the slip and the overshoot make of Z0, less Z_C.
+  [[nodiscard]] Vector4 residual(Flows& flows) const {
+    const Vector4 ZB = flows.slip(Z0, phi, tau);
+    return flows.overshoot(ZB, phi + data.omega * tau, tau1) - ZC;
+  }
+  [[nodiscard]] Vector2 odd() const {
+    const auto rows = model::overshooting_odd<Symbolic>(data, tau, tau1);
+    return {row_value(rows[0]), row_value(rows[1])};
+  }
+  [[nodiscard]] Vector2 even() const {
+    const auto rows = model::overshooting_even<Symbolic>(data, tau, tau1);
+    return {row_value(rows[0]), row_value(rows[1])};
+  }
+};
+
+std::vector<Equal> overshooting_stick(Flows& flows) {
+  const Overshooting o;
+  const Symbolic half = o.T / 2;
+  const Symbolic u = symbol("z10") - o.data.chi * symbol("z20");
+  const Symbolic v = symbol("zdot10") - o.data.chi * o.data.V;
+  const Vector4 any{symbol("z10"), symbol("z20"), symbol("zdot10"), o.data.V};
+  const Vector4 amplitudes =
+      model::overshooting_start<Symbolic>(o.data, -o.T, symbol("z20") + o.data.V * half,
+                                          -u * sin(half) + v * cos(half), u * cos(half) + v * sin(half));
+  return {same(flows.stick(o.ZC, o.T), o.Z0), same(amplitudes, any)};
+}
+
+// The residual that the rows odd_j and even_j make, mode by mode.
+Vector4 overshooting_residual_of(const Vector2& odd, const Vector2& even) {
+  const Vector2 alpha = half_angles(symbol("tau") + symbol("tau1"));
+  Vector2 y, ydot;
+  for (int j = 0; j < 2; ++j) {
+    const Symbolic scale = row_scale()(j);
+    y(j) = 2 * (cos(alpha(j)) * odd(j) - sin(alpha(j)) * even(j)) / (scale * frequencies()(j));
+    ydot(j) = -2 * (cos(alpha(j)) * even(j) + sin(alpha(j)) * odd(j)) / scale;
+  }
+  return from_modes(y, ydot);
+}
+
+// (odd_1, odd_2, even_1, even_2).
+Vector4 overshooting_rows_of(const Vector4& residual) {
+  const Vector2 alpha = half_angles(symbol("tau") + symbol("tau1"));
+  const Vector2 y = to_modes(residual.head<2>());
+  const Vector2 ydot = to_modes(residual.tail<2>());
+  Vector4 rows;
+  for (int j = 0; j < 2; ++j) {
+    const Symbolic scale = row_scale()(j) / 2;
+    const Symbolic w = frequencies()(j);
+    rows(j) = scale * (w * cos(alpha(j)) * y(j) - sin(alpha(j)) * ydot(j));
+    rows(j + 2) = -scale * (w * sin(alpha(j)) * y(j) + cos(alpha(j)) * ydot(j));
+  }
+  return rows;
+}
+
+std::vector<Equal> overshooting_sufficient(Flows& flows) {
+  const Overshooting o;
+  return {same(o.residual(flows), overshooting_residual_of(o.odd(), o.even()))};
+}
+
+std::vector<Equal> overshooting_necessary(Flows& flows) {
+  flows.used.insert("20.reduced");
+  const Vector4 rows{symbol("r1"), symbol("r2"), symbol("r3"), symbol("r4")};
+  return {same(rows, overshooting_rows_of(overshooting_residual_of(rows.head<2>(), rows.tail<2>())))};
+}
+
+// The slip seen from its beginning, the overshoot from its end.
+std::vector<Equal> overshooting_turn(Flows& flows) {
+  const Overshooting o;
+  const Symbolic forward = flows.slip(o.Z0, o.phi, o.tau)(3);
+  const Symbolic backward = flows.overshoot(o.ZC, o.phi + o.data.omega * (o.tau + o.tau1), -o.tau1)(3);
+  const Symbolic turn = row_value(model::overshooting_turn<Symbolic>(o.data, o.tau, o.tau1));
+  const Symbolic difference = (o.data.V - forward) / o.tau - (backward - o.data.V) / o.tau1;
+  return {{turn.term, ((modes().lambda2 - modes().lambda1) * difference).term}};
+}
+
+}  // namespace
+
+Proofs of_overshooting() {
+  return {{"20.stick", reduced(overshooting_stick)},
+          {"20.reduced", reduced(overshooting_sufficient)},
+          {"20.reduced.converse", reduced(overshooting_necessary)},
+          {"18.reduced", reduced(overshooting_turn)}};
 }
 
 }  // namespace stickslip::proofs::pascal2012::reduction

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "proofs/symbols/parse_sizes.hpp"
 #include "proofs/symbols/parse_tree.hpp"
 
 namespace stickslip::proofs::symbols {

@@ -1,4 +1,4 @@
-#include "proofs/symbols/parse_sizes.hpp"
+#include "proofs/symbols/parse_tree.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "proofs/symbols/parse_tokens.hpp"
+#include "proofs/symbols/parse_tree.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "core/decimal.hpp"
-#include "proofs/symbols/parse_tokens.hpp"
 
 namespace stickslip::proofs::symbols::parsing {
 namespace {

@@ -8,8 +8,23 @@
 #include <vector>
 
 #include "proofs/symbols/parse.hpp"
+#include "proofs/symbols/parse_tree.hpp"
 
 namespace stickslip::proofs::symbols::parsing {
+
+// The words and signs of a line. For parse.cpp.
+
+enum class Kind { number, name, sign, end };
+
+struct Token {
+  Kind kind = Kind::end;
+  std::string text = {};
+  std::size_t at = 0;  // in the line
+  bool apart = true;   // a blank or nothing stands before it
+};
+
+// Of the line in plain characters: omega1 for ω₁, ^2 for ². The last one is the end. Throws ParseError.
+[[nodiscard]] std::vector<Token> tokens_of(std::string_view line);
 
 struct Node {
   Op op = Op::number;
@@ -31,5 +46,14 @@ struct Relations {
 // Throw ParseError. What they return points into the names.
 [[nodiscard]] Relations relations_in(std::string_view line, const Names& names);
 [[nodiscard]] Node expression_in(std::string_view line, const Names& names);
+
+// Trees of lines as terms: 0, I and what stands about them take the sizes that fit. For parse.cpp.
+
+// The two sides of a relation, of one size; a number; any term. Throw ParseError.
+[[nodiscard]] std::pair<Term, Term> sides_of(const Node& left, const Node& right, std::string_view line,
+                                             const Names& names);
+[[nodiscard]] Term number_of(const Node& node, std::string_view line, const Names& names);
+[[nodiscard]] Term term_of(const Node& node, std::string_view line, const Names& names,
+                           const std::optional<Shape>& shape = {});
 
 }  // namespace stickslip::proofs::symbols::parsing

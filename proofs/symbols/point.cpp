@@ -1,4 +1,4 @@
-#include "proofs/symbols/point.hpp"
+#include "proofs/symbols/sample.hpp"
 
 #include "core/error.hpp"
 #include "proofs/symbols/derived.hpp"

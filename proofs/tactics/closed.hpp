@@ -2,6 +2,9 @@
 // normal form.
 #pragma once
 
+#include <map>
+
+#include "proofs/kernel/term.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::tactics {
@@ -15,5 +18,16 @@ namespace stickslip::proofs::tactics {
 // The theorem less those of its hypotheses that are of this kind and hold. Throws KernelError where one of
 // the hypotheses is not decided.
 [[nodiscard]] Theorem without_hypotheses(Theorem theorem);
+
+// Terms in floating point at a point that is made up: what is not even nearly zero there need not be tried.
+
+// Whether the sum of the terms, of one shape, is nearly zero once these definitions are opened, beside the
+// largest of them. Variables, and applications of functions and of all other definitions, have values that
+// depend on nothing but their name and arguments. True proves nothing; false only advises against a proof.
+[[nodiscard]] bool seems_zero(const std::vector<kernel::Term>& parts, const kernel::Definitions& unfolded);
+
+// A number nearly, all definitions opened, where these variables have these values, and all others made up.
+using Point = std::map<kernel::Variable, Rational, kernel::Before>;
+[[nodiscard]] long double estimated(const kernel::Term& number, const Point& values);
 
 }  // namespace stickslip::proofs::tactics

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "proofs/tactics/closed.hpp"
-#include "proofs/tactics/estimate.hpp"
 #include "proofs/tactics/signs.hpp"
 
 namespace stickslip::proofs::tactics {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/kernel/quotient.hpp"
+#include "proofs/kernel/term.hpp"
 
 namespace stickslip::proofs::tactics {
 
@@ -57,5 +58,13 @@ struct Factored {
 
 // a/b without common factors. Throws as Letters::fraction() does.
 [[nodiscard]] kernel::Term quotient(const kernel::Term& a, const kernel::Term& b);
+
+// Equations that follow from others as polynomials do.
+
+// Factors m_k with goal = m_1 given_1 + m_2 given_2 + …, all of them numbers, as rational functions of what
+// is not rational in them, where cos(x)² + sin(x)² = 1; by a Gröbner basis of the numerators, lexicographic,
+// in bounded work. Nothing where it finds none. A proposal: the kernel decides.
+[[nodiscard]] std::optional<std::vector<kernel::Term>> multipliers(const kernel::Term& goal,
+                                                                   const std::vector<kernel::Term>& given);
 
 }  // namespace stickslip::proofs::tactics

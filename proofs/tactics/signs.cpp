@@ -2,7 +2,7 @@
 #include <map>
 #include <optional>
 
-#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 #include "proofs/tactics/signs.hpp"
 #include "proofs/tactics/tactics.hpp"

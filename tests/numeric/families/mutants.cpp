@@ -6,7 +6,7 @@
 #include "numeric/zeros/elimination.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/search.hpp"
-#include "proofs/pascal2012/printed_closing.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "numeric/zeros/inflation.hpp"
-#include "proofs/pascal2012/printed_closing.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 

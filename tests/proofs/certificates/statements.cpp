@@ -5,7 +5,6 @@
 
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/script.hpp"
-#include "proofs/certificates/shortened.hpp"
 #include "proofs/certificates/statement_files.hpp"
 
 using namespace stickslip::proofs;

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/edits.hpp"
-#include "proofs/checks/repair.hpp"
+#include "proofs/checks/mutants.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/refutation.hpp"

@@ -12,7 +12,7 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/parse.hpp"
-#include "proofs/symbols/point.hpp"
+#include "proofs/symbols/sample.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs;

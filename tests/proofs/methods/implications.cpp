@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
-#include "proofs/checks/repair.hpp"
+#include "proofs/checks/mutants.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 

@@ -1,4 +1,4 @@
-#include "proofs/orbits/by_parts.hpp"
+#include "proofs/orbits/by_slopes.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Variables, and ranges of them, for the tests of this folder.
 #pragma once
 
-#include "proofs/orbits/by_parts.hpp"
+#include "proofs/orbits/by_slopes.hpp"
 
 namespace stickslip::proofs::orbits::letters {
 

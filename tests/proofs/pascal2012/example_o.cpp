@@ -1,11 +1,11 @@
 #include <doctest/doctest.h>
 
 #include "proofs/methods/example_orbits.hpp"
-#include "proofs/orbits/by_parts.hpp"
+#include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
-#include "proofs/tactics/estimate.hpp"
+#include "proofs/tactics/closed.hpp"
 #include "tests/proofs/checks/decided.hpp"
 
 using namespace stickslip;

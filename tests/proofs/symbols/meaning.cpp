@@ -6,7 +6,7 @@
 #include "proofs/checks/premises.hpp"
 #include "proofs/kernel/entrywise.hpp"
 #include "proofs/methods/reading.hpp"
-#include "proofs/symbols/point.hpp"
+#include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
