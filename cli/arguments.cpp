@@ -56,7 +56,14 @@ class Command {
       const std::function<void(Options&)>& check = [](Options&) {})
       : help_(help_of(name, wording)), app_(*program.add_subcommand(name, help_.words)) {
     app_.footer(help_.details);
-    app_.callback([kept = kept_, &request, check] {
+    app_.callback([kept = kept_, &app = app_, &request, check] {
+      if constexpr (std::is_base_of_v<GivenMachine, Options>) {
+        for (const CLI::Option * option : app.get_options()) {
+          if (option->count() > 0) {
+            kept->typed.insert(option->get_name());
+          }
+        }
+      }
       check(*kept);
       request = *kept;
     });

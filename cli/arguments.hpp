@@ -3,11 +3,12 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "cli/manual.hpp"
+#include "cli/help.hpp"
 #include "cli/numbers.hpp"
 #include "cli/typed_parameters.hpp"
 
@@ -50,6 +51,7 @@ struct GivenMachine {
   GivenFile file;
   std::string example;
   bool si = false;
+  std::set<std::string> typed;  // the names of all options that are given
 };
 
 struct LatexOptions : GivenMachine {

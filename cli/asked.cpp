@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -16,6 +15,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/attractors/settle.hpp"
+#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/scalars/scalars.hpp"
 #include "report/orbits/diagram.hpp"
@@ -93,8 +93,56 @@ Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
 
 namespace {
 
-Along along_of(TypedParameters typed) {
-  return along_interval(typed);
+// The parameter that a branch is along.
+struct Along {
+  std::string parameter;
+  Rational from, to;
+};
+
+// The one parameter that is typed as an interval "A..B". Throws UsageError when none or several are
+// intervals, and as exact_number.
+Along along_of(const TypedParameters& typed) {
+  Along found;
+  for (const auto& [name, text] : typed) {
+    if (text.find("..") == std::string::npos) {
+      continue;
+    }
+    if (!found.parameter.empty()) {
+      throw UsageError(
+          fmt::format("{} and {} are both intervals: a branch is along one", found.parameter, name));
+    }
+    const auto [from, to] = interval(name, text);
+    found = {name, from, to};
+  }
+  if (found.parameter.empty()) {
+    throw UsageError(
+        "a branch needs one parameter as an interval A..B, such as --omega 0.5..0.6, or --along "
+        "load_frequency 7..8 of a machine in SI units");
+  }
+  return found;
+}
+
+// What is typed with what --along NAME A..B says, if it says anything. Throws UsageError for a name that is
+// neither a parameter's nor a machine's in SI units.
+TypedParameters with_along(TypedParameters typed, const std::vector<std::string>& along) {
+  if (along.empty()) {
+    return typed;
+  }
+  const std::string& name = along[0];
+  if (!is_parameter(name) && !is_in_SI(name)) {
+    throw UsageError(fmt::format("along: '{}' is none of {}; or, of a machine in SI units, {}", name,
+                                 fmt::join(parameter_names, ", "), fmt::join(names_in_SI, ", ")));
+  }
+  if (along[1].find("..") == std::string::npos) {
+    throw UsageError(fmt::format("along: '{}' is not an interval A..B, such as 0.1..0.5", along[1]));
+  }
+  typed[name] = along[1];
+  return typed;
+}
+
+// The value `at`, or the middle of the interval.
+Rational value_at(const Along& along, const std::optional<Rational>& at) {
+  return at.value_or(Rational((along.from + along.to) / 2));
 }
 
 // The file, of a machine in SI units as it is at the value that `at` says or in the middle. Ranges in it are
@@ -137,7 +185,10 @@ ParameterFile file_of(const BranchOptions& o, FrictionAtRest at_rest) {
 }
 
 // Along a value of a machine in SI units: the path of its data. The list says all of the machine.
-Asked<BranchQuestion> along_machine(ParameterFile file, BranchQuestion q) {
+Asked<BranchQuestion> along_machine(ParameterFile file, BranchQuestion q, const Along& along) {
+  q.parameter = along.parameter;
+  q.from = along.from;
+  q.to = along.to;
   if (file.machine && is_in_SI(q.parameter)) {
     q.machine = machine_between(file, q.parameter, q.from, q.to);
     q.machine_file = file.name;
@@ -163,20 +214,47 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper
   }
   ParameterFile file = file_of(o, FrictionAtRest::optional);
   leave_results_out(file, family);
-  BranchQuestion asked = branch_question(paper, family, file, o.at);
-  return along_machine(std::move(file), std::move(asked));
+  const Along along = along_of(file.typed);
+  ParameterFile at_first = file;
+  at_first.typed[along.parameter] = to_string(along.from);
+  BranchQuestion asked;
+  asked.orbits = question(paper, family, at_first, OrbitsOptions::default_digits);
+  asked.at = o.at;
+  return along_machine(std::move(file), std::move(asked), along);
 }
 
 Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& paper) {
   const words::Word word = words::Word::parse(o.family);
   ParameterFile file = file_of(o, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  Followed followed{o.all, o.orbit, {}};
+  const Along along = along_of(file.typed);
+  const Rational value = value_at(along, o.at);
+  ParameterFile there = file;
+  there.typed[along.parameter] = to_string(value);
+  const words::WordQuestion known_at = machine(paper, there, OrbitsOptions::default_digits);
+  WordSearch search{known_at, word, o.period.value_or(1), {}, o.all || o.orbit};
   if (o.near) {
-    followed.near = in_data("near", *o.near, units_of(o.si, file, false));
+    search.near = in_data("near", *o.near, units_of(o.si, file, false));
   }
-  BranchQuestion asked = word_branch_question(paper, word, o.period.value_or(1), file, o.at, followed);
-  return along_machine(std::move(file), std::move(asked));
+  std::vector<words::WordOrbit> known = find_word_orbits(search).orbits;
+  if (o.orbit) {
+    const auto k = static_cast<std::size_t>(*o.orbit);
+    if (k > known.size()) {
+      throw UsageError(fmt::format("--orbit {}: of {} there are {} orbits at {} = {}", k, word.letters(),
+                                   known.size(), along.parameter, to_string(value)));
+    }
+    known = {known[k - 1]};
+  }
+  std::size_t not_admissible = 0;
+  if (!o.all && !o.orbit && !o.near) {
+    not_admissible = std::erase_if(known, [](const words::WordOrbit& one) {
+      return one.existence.truth == Truth::proved && one.orbit.admissible.truth == Truth::refuted;
+    });
+  }
+  BranchQuestion asked = branches::word_question(known_at, word, o.period.value_or(1), known);
+  asked.word->not_admissible = not_admissible;
+  asked.at = value;
+  return along_machine(std::move(file), std::move(asked), along);
 }
 
 }  // namespace
@@ -193,22 +271,17 @@ void require_sense(const AttractorsOptions& o) {
     throw UsageError("--along and --plane are two questions: give one of them");
   }
   const bool picture = along || o.plane;
-  for (const auto& [name, given, fits] :
-       {std::tuple("--values", o.values.has_value(), along),
-        std::tuple("--pixels", o.pixels.has_value(), !along),
-        std::tuple("--through", o.through.has_value(), !along), std::tuple("--csv", o.csv.has_value(), true),
-        std::tuple("--plot", o.plot.has_value(), true)}) {
-    if (given && !picture) {
+  for (const char * name : {"--values", "--pixels", "--through", "--csv", "--plot"}) {
+    if (!picture && o.typed.contains(name)) {
       throw UsageError(fmt::format("{} is for --along and --plane", name));
     }
-    if (given && !fits) {
-      throw UsageError(fmt::format("{} is not for {}", name, along ? "--along" : "--plane"));
-    }
   }
-  for (const auto& [name, given] :
-       {std::pair("--starts", o.starts.has_value()), std::pair("--seed", o.seed.has_value())}) {
-    if (given && o.plane) {
-      throw UsageError(fmt::format("{} is not for --plane", name));
+  const auto others = along     ? std::vector{"--pixels", "--through"}
+                      : o.plane ? std::vector{"--values", "--starts", "--seed"}
+                                : std::vector<const char *>{};
+  for (const char * name : others) {
+    if (o.typed.contains(name)) {
+      throw UsageError(fmt::format("{} is not for {}", name, along ? "--along" : "--plane"));
     }
   }
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
 
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
@@ -35,6 +34,21 @@ ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const pr
   const report::orbits::PureWord word{machine, kind};
   print_result(word, file, options.json, units);
   return report::orbits::exists(word).truth == Truth::undecided ? exit_undecided : exit_decided;
+}
+
+// stickslip attractors --along and --plane.
+
+template <class Question, class Answer>
+ExitCode answer(const AttractorsOptions& o, const Asked<Question>& asked, const Answer& answer_to) {
+  const Jobs limit = jobs(o.jobs);
+  require_outputs(o);
+  const auto result = [&] {
+    const Interruptible scope;
+    const Progress progress("following the starts ...");
+    return answer_to(asked.question);
+  }();
+  write_outputs(o, result, asked.file, asked.units);
+  return result.interrupted ? exit_interrupted : exit_decided;
 }
 
 }  // namespace
@@ -105,25 +119,6 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   const bool answered = list.searched ? list.complete() : !list.orbits.empty();
   return decided && answered ? exit_decided : exit_undecided;
 }
-
-// stickslip attractors --along and --plane.
-
-namespace {
-
-template <class Question, class Answer>
-ExitCode answer(const AttractorsOptions& o, const Asked<Question>& asked, const Answer& answer_to) {
-  const Jobs limit = jobs(o.jobs);
-  require_outputs(o);
-  const auto result = [&] {
-    const Interruptible scope;
-    const Progress progress("following the starts ...");
-    return answer_to(asked.question);
-  }();
-  write_outputs(o, result, asked.file, asked.units);
-  return result.interrupted ? exit_interrupted : exit_decided;
-}
-
-}  // namespace
 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& paper) {
   return o.plane ? answer(o, asked_basins(o, paper), basins_of)

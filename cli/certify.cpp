@@ -48,35 +48,6 @@ report::tools::Json recorded(const fs::path& directory) {
   }
 }
 
-}  // namespace
-
-void write_certificates(const fs::path& directory, const Certificates& certificates) {
-  std::vector<report::tools::File> changed;
-  std::set<std::string> names;
-  std::error_code ignored;
-  for (const proofs::certificates::File& file : certificates.files) {
-    names.insert(file.name);
-    const fs::path path = directory / file.name;
-    if (!fs::exists(path, ignored) || report::tools::read_file(path) != file.text) {
-      changed.push_back({file.name, file.text});
-    }
-  }
-  changed.push_back({certificate_record,
-                     report::tools::to_text(report::audit::record_of(certificates, recorded(directory)))});
-  report::tools::write_files(directory, changed);
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-    const fs::path& path = entry.path();
-    if (path.filename().string().starts_with("Claim") && path.extension() == ".v" &&
-        !names.contains(path.filename().string())) {
-      for (const char * extension : {".v", ".vo", ".vok", ".vos", ".glob", ".log"}) {
-        fs::remove(fs::path(path).replace_extension(extension), ignored);
-      }
-    }
-  }
-}
-
-namespace {
-
 std::set<std::string> ids_of(const std::vector<proofs::methods::Claim>& claims,
                              const std::vector<std::string>& words) {
   std::set<std::string> ids;
@@ -107,6 +78,31 @@ ExitCode record(const fs::path& directory) {
 }
 
 }  // namespace
+
+void write_certificates(const fs::path& directory, const Certificates& certificates) {
+  std::vector<report::tools::File> changed;
+  std::set<std::string> names;
+  std::error_code ignored;
+  for (const proofs::certificates::File& file : certificates.files) {
+    names.insert(file.name);
+    const fs::path path = directory / file.name;
+    if (!fs::exists(path, ignored) || report::tools::read_file(path) != file.text) {
+      changed.push_back({file.name, file.text});
+    }
+  }
+  changed.push_back({certificate_record,
+                     report::tools::to_text(report::audit::record_of(certificates, recorded(directory)))});
+  report::tools::write_files(directory, changed);
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    const fs::path& path = entry.path();
+    if (path.filename().string().starts_with("Claim") && path.extension() == ".v" &&
+        !names.contains(path.filename().string())) {
+      for (const char * extension : {".v", ".vo", ".vok", ".vos", ".glob", ".log"}) {
+        fs::remove(fs::path(path).replace_extension(extension), ignored);
+      }
+    }
+  }
+}
 
 ExitCode run(const CertifyOptions& options, const proofs::methods::Paper& paper) {
   if (!options.record.empty()) {

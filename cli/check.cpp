@@ -15,6 +15,8 @@
 
 namespace stickslip::cli {
 
+namespace methods = proofs::methods;
+
 namespace {
 
 // What the words name: statements, and statuses, which are known only when everything is proved.
@@ -65,6 +67,15 @@ std::string command_line(const CheckOptions& options) {
   return command;
 }
 
+std::string answer(const ProveOptions& options, const methods::Paper& paper, const methods::Audit& audit) {
+  if (options.json) {
+    const std::string command = fmt::format("stickslip prove '{}'", options.statement);
+    return report::tools::to_text(report::audit::to_json(paper, audit, command));
+  }
+  return options.explain ? report::audit::terminal_explanations(paper, audit, terminal_style())
+                         : report::audit::terminal_answer(audit.records.front(), terminal_style());
+}
+
 }  // namespace
 
 ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper) {
@@ -90,21 +101,6 @@ ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper) {
 }
 
 // stickslip prove: a statement of one's own.
-
-namespace methods = proofs::methods;
-
-namespace {
-
-std::string answer(const ProveOptions& options, const methods::Paper& paper, const methods::Audit& audit) {
-  if (options.json) {
-    const std::string command = fmt::format("stickslip prove '{}'", options.statement);
-    return report::tools::to_text(report::audit::to_json(paper, audit, command));
-  }
-  return options.explain ? report::audit::terminal_explanations(paper, audit, terminal_style())
-                         : report::audit::terminal_answer(audit.records.front(), terminal_style());
-}
-
-}  // namespace
 
 ExitCode run(const ProveOptions& options, const methods::Paper& paper) {
   methods::Paper with_own = paper;

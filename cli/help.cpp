@@ -1,8 +1,15 @@
 #include "cli/help.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
 #include <sstream>
 
+#include "cli/typed_parameters.hpp"
+
 namespace stickslip::cli {
+
 namespace {
 
 std::string worded(std::string text, const Wording& wording) {
@@ -53,6 +60,141 @@ CommandHelp help_of(const std::string& command, const Wording& wording) {
   CommandHelp help = read(worded(help_texts().at(command + ".txt"), wording));
   help.entries.merge(read(worded(help_texts().at("common.txt"), wording)).entries);
   return help;
+}
+
+namespace {
+
+// As roff reads it: a line must not begin with a dot or an apostrophe, a hyphen is to stay one.
+std::string roff(const std::string& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('.') || line.starts_with('\'')) {
+      result += "\\&";
+    }
+    for (const char c : line) {
+      result += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+    }
+    result += '\n';
+  }
+  return result;
+}
+
+std::vector<const CLI::App *> commands_of(const CLI::App& program) {
+  return program.get_subcommands([](const CLI::App *) { return true; });
+}
+
+std::vector<const CLI::Option *> options_of(const CLI::App& command) {
+  return command.get_options([](const CLI::Option * option) { return !option->get_group().empty(); });
+}
+
+std::string option_entry(const CLI::Option& option) {
+  const bool positional = option.get_positional();
+  std::string name = roff(option.get_name(positional, !positional));
+  name.pop_back();
+  const std::string type = positional || option.get_type_size() == 0 ? "" : option.get_type_name();
+  return fmt::format(".TP\n\\fB{}\\fR{}\n{}", name, type.empty() ? "" : " \\fI" + type + "\\fR",
+                     roff(option.get_description()));
+}
+
+std::string examples_of(const CLI::App& command) {
+  std::istringstream lines(help_of(command.get_name()).examples);
+  std::string entries;
+  for (std::string line; std::getline(lines, line);) {
+    entries += line.starts_with("  ") ? fmt::format(".PP\n.RS\n.nf\n{}.fi\n.RE\n", roff(line.substr(2)))
+                                      : ".PP\n" + roff(line);
+  }
+  return entries.empty() ? "" : ".SH EXAMPLES\n" + entries;
+}
+
+std::string files_of(const CLI::App& command) {
+  if (command.get_option_no_throw("--params") == nullptr) {
+    return "";
+  }
+  std::string entries;
+  for (const model::MachineValue& value : model::machine_values) {
+    entries += fmt::format(".TP\n\\fB{}\\fR\n{}", value.name, roff(value.words));
+  }
+  return fmt::format(
+      ".SH FILES\nThe TOML file of \\fB\\-\\-params\\fR has lines such as\n.PP\n.RS\nchi = 0.5\n.RE\n.PP\n"
+      "with the keys {}, which are those of the options, in the dimensionless data of the paper; or those of "
+      "a "
+      "machine in SI units, as it is, without damping and with one frequency of the load:\n{}",
+      fmt::join(parameter_names, ", "), entries);
+}
+
+std::string page(const CLI::App& command, const std::string& name, const std::string& words,
+                 const std::string& synopsis, const std::string& body) {
+  std::string options;
+  for (const CLI::Option * option : options_of(command)) {
+    options += option_entry(*option);
+  }
+  return fmt::format(
+      ".TH {} 1 \"\" stickslip\n.SH NAME\n{} \\- {}.SH SYNOPSIS\n{}{}.SH OPTIONS\n{}.SH "
+      "DETAILS\n.nf\n{}.fi\n{}{}.SH SEE ALSO\nThe manual, in share/doc/stickslip/doc where the program is "
+      "installed; it begins with index.md.\n",
+      name, name, words, synopsis, body, options, roff(command.get_footer()), files_of(command),
+      examples_of(command));
+}
+
+std::string completion(const CLI::App& program, const Completions& completions) {
+  const auto words_of = [&completions](const CLI::App& command) {
+    std::vector<std::string> words;
+    for (const CLI::Option * option : options_of(command)) {
+      for (const std::string& name : option->get_lnames()) {
+        words.push_back("--" + name);
+      }
+      const auto place = completions.find(option->get_positional() ? option->get_name(true) : "");
+      if (place != completions.end()) {
+        words.insert(words.end(), place->second.begin(), place->second.end());
+      }
+    }
+    return fmt::format("{}", fmt::join(words, " "));
+  };
+  std::string names, cases, values;
+  for (const auto& [option, words] : completions) {
+    if (option.starts_with("-")) {
+      values += fmt::format("    {}) words=\"{}\" ;;\n", option, fmt::join(words, " "));
+    }
+  }
+  for (const CLI::App * command : commands_of(program)) {
+    names += command->get_name() + " ";
+    cases += fmt::format("    1:{}) words=\"{}\" ;;\n", command->get_name(), words_of(*command));
+  }
+  return fmt::format(
+      "# Completion of stickslip in bash: commands, options, what has a name, files.\n"
+      "_stickslip() {{\n"
+      "  local words\n"
+      "  case $((COMP_CWORD > 1)):${{COMP_WORDS[1]}} in\n"
+      "    0:*) words=\"{}{}\" ;;\n{}"
+      "  esac\n"
+      "  case ${{COMP_WORDS[COMP_CWORD-1]}} in\n{}"
+      "  esac\n"
+      "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"${{COMP_WORDS[COMP_CWORD]}}\")\n"
+      "}}\n"
+      "complete -o default -F _stickslip stickslip\n",
+      names, words_of(program), cases, values);
+}
+
+}  // namespace
+
+std::vector<ManualFile> manual(const CLI::App& program, const Completions& completions) {
+  const std::string name = program.get_name();
+  std::vector<ManualFile> files;
+  std::string list = ".SH COMMANDS\n";
+  for (const CLI::App * command : commands_of(program)) {
+    const std::string of_command = fmt::format("{}-{}", name, command->get_name());
+    const std::string words = roff(command->get_description());
+    list += fmt::format(".TP\n\\fB{}\\fR(1)\n{}", of_command, words);
+    files.push_back(
+        {of_command + ".1", page(*command, of_command, words,
+                                 fmt::format("\\fB{} {}\\fR [OPTION]...\n", name, command->get_name()), "")});
+  }
+  files.push_back({name + ".1", page(program, name, help_of(name).words + "\n",
+                                     fmt::format("\\fB{}\\fR COMMAND [OPTION]...\n", name),
+                                     ".SH DESCRIPTION\n" + roff(program.get_description()) + list)});
+  files.push_back({name + ".bash", completion(program, completions)});
+  return files;
 }
 
 }  // namespace stickslip::cli

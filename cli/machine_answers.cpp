@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "cli/asked.hpp"
 #include "cli/numbers.hpp"
@@ -20,9 +20,9 @@ using numeric::words::Word;
 
 namespace {
 
-// Beside the file nothing says anything about the machine.
+// Beside the file nothing says anything about the machine; nor do these options go with it.
 void refuse_others(const GivenMachine& o, const std::string& file, bool takes_phi,
-                   std::initializer_list<std::pair<const char *, bool>> options) {
+                   const std::vector<std::string>& options) {
   for (const auto& [name, text] : o.parameters) {
     if (!takes_phi || name != "phi") {
       throw UsageError(fmt::format(
@@ -35,8 +35,8 @@ void refuse_others(const GivenMachine& o, const std::string& file, bool takes_ph
   if (o.si) {
     throw UsageError(fmt::format("{} says what its units are: --units does not go with it", file));
   }
-  for (const auto& [name, given] : options) {
-    if (given) {
+  for (const std::string& name : options) {
+    if (o.typed.contains(name)) {
       throw UsageError(fmt::format("{} does not go with a machine in tables, {}", name, file));
     }
   }
@@ -77,13 +77,13 @@ MachineWord question_for(const GivenInTables& given, const std::string& text, co
   return q;
 }
 
-struct Along {
+struct AlongPath {
   std::string path;
   Rational from, to;
   std::function<Machine(const Rational&)> at;
 };
 
-Along along_of(const GivenInTables& given, const std::vector<std::string>& along) {
+AlongPath along_path(const GivenInTables& given, const std::vector<std::string>& along) {
   if (along.size() != 2) {
     throw UsageError(fmt::format(
         "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
@@ -134,7 +134,7 @@ report::machines::Attractors answer(const GivenInTables& given, const Attractors
 report::machines::Diagram diagram_answer(const GivenInTables& given, const AttractorsOptions& o) {
   MachineDiagram diagram;
   diagram.question = starts_of(given, o, AttractorsOptions::default_starts_at_value);
-  const auto [path, from, to, at] = along_of(given, o.along);
+  const auto [path, from, to, at] = along_path(given, o.along);
   (void)value_in_tables(given.text, given.file, path);
   diagram.at = at;
   diagram.from = from;
@@ -157,46 +157,28 @@ report::machines::Basins basins_answer(const GivenInTables& given, const Attract
 
 report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o) {
   MachineWord q = question_for(given, o.family, "orbits", o.period, o.near);
-  refuse_others(o, given.file, false,
-                {{"--cells", o.cells.has_value()},
-                 {"--time", o.time.has_value()},
-                 {"--certify", !o.certify.empty()},
-                 {"--all", o.all},
-                 {"--plot", o.plot.has_value()}});
+  refuse_others(o, given.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
   q.digits = o.digits.value_or(OrbitsOptions::default_digits);
   return {find_word_orbits(q), origin(given)};
 }
 
 report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsOptions& o) {
   refuse_others(o, given.file, false,
-                {{"--period", o.period.has_value()},
-                 {"--near", o.near.has_value()},
-                 {"--cells", o.cells.has_value()},
-                 {"--time", o.time.has_value()},
-                 {"--certify", !o.certify.empty()},
-                 {"--plot", o.plot.has_value()},
-                 {"--out", o.out.has_value()}});
+                {"--period", "--near", "--cells", "--time", "--certify", "--plot", "--out"});
   const int digits = o.digits.value_or(OrbitsOptions::default_digits);
   return {given.read.machine, steady_sliding(given.read.machine, digits), digits, origin(given)};
 }
 
 report::machines::SteadyBranch steady_answer(const GivenInTables& given, const BranchOptions& o) {
-  refuse_others(o, given.file, false,
-                {{"--period", o.period.has_value()},
-                 {"--near", o.near.has_value()},
-                 {"--orbit", o.orbit.has_value()},
-                 {"--at", o.at.has_value()},
-                 {"--csv", o.csv.has_value()},
-                 {"--plot", o.plot.has_value()},
-                 {"--out", o.out.has_value()}});
-  const auto [path, from, to, at] = along_of(given, o.along);
+  refuse_others(o, given.file, false, {"--period", "--near", "--orbit", "--at", "--csv", "--plot", "--out"});
+  const auto [path, from, to, at] = along_path(given, o.along);
   const int digits = OrbitsOptions::default_digits;
   return {given.read.machine, path, from, to, steady_sliding_along(at, from, to, digits), digits,
           origin(given)};
 }
 
 report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o) {
-  const auto [path, from, to, at] = along_of(given, o.along);
+  const auto [path, from, to, at] = along_path(given, o.along);
   const Rational in_file = value_in_tables(given.text, given.file, path);
   const Rational middle = (from + to) / 2;
   const Rational start = o.at.value_or(from <= in_file && in_file <= to ? in_file : middle);
@@ -229,7 +211,7 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
 report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
                                 const std::function<bool(double)>& go_on,
                                 const std::function<void(const SampleOfMachine&)>& take) {
-  refuse_others(o, given.file, true, {{"--orbit", !o.orbit.empty()}, {"--plot", o.plot.has_value()}});
+  refuse_others(o, given.file, true, {"--orbit", "--plot"});
   if (!o.state) {
     throw UsageError(
         fmt::format("the start is missing: --state, the positions of all masses of {} and then their "

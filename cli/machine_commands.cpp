@@ -50,21 +50,6 @@ ExitCode told(const GivenInTables& given, const Options& o, const char * doing, 
 
 constexpr auto answered = [](const GivenInTables& given, const auto& o) { return answer(given, o); };
 
-}  // namespace
-
-std::optional<ExitCode> run_in_tables(const AttractorsOptions& o) {
-  const auto given = given_in_tables(o);
-  if (!given) {
-    return std::nullopt;
-  }
-  constexpr const char * doing = "following the starts ...";
-  return o.plane            ? told(*given, o, doing, basins_answer)
-         : !o.along.empty() ? told(*given, o, doing, diagram_answer)
-                            : told(*given, o, doing, answered);
-}
-
-namespace {
-
 // S or O, for ever.
 template <class Options>
 ExitCode steady(const GivenInTables& given, const Options& o) {
@@ -78,6 +63,17 @@ bool is_steady(const std::string& word) {
 }
 
 }  // namespace
+
+std::optional<ExitCode> run_in_tables(const AttractorsOptions& o) {
+  const auto given = given_in_tables(o);
+  if (!given) {
+    return std::nullopt;
+  }
+  constexpr const char * doing = "following the starts ...";
+  return o.plane            ? told(*given, o, doing, basins_answer)
+         : !o.along.empty() ? told(*given, o, doing, diagram_answer)
+                            : told(*given, o, doing, answered);
+}
 
 std::optional<ExitCode> run_in_tables(const OrbitsOptions& o) {
   const auto given = given_in_tables(o);

@@ -14,7 +14,6 @@
 #include "cli/cluster.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_file.hpp"
-#include "cli/out_of_memory.hpp"
 #include "cli/output.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/orbits.hpp"

@@ -10,8 +10,6 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "model/named_data.hpp"
-#include "numeric/attractors/word_search.hpp"
-#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 #include "proofs/methods/example_orbits.hpp"
 
@@ -109,93 +107,6 @@ OrbitQuestion question(const Paper& paper, const Family& family, const Parameter
   require_data(all, family);
   return {&family, model::data_by_name([&](const char * name) { return parse_range(name, all.at(name)); }),
           optional_range(all, "phi"), optional_range(all, "ur"), digits};
-}
-
-Along along_interval(TypedParameters& typed) {
-  Along found;
-  for (auto& [name, text] : typed) {
-    if (text.find("..") == std::string::npos) {
-      continue;
-    }
-    if (!found.parameter.empty()) {
-      throw UsageError(
-          fmt::format("{} and {} are both intervals: a branch is along one", found.parameter, name));
-    }
-    const auto [from, to] = interval(name, text);
-    found = {name, from, to};
-    text = to_string(found.from);
-  }
-  if (found.parameter.empty()) {
-    throw UsageError(
-        "a branch needs one parameter as an interval A..B, such as --omega 0.5..0.6, or --along "
-        "load_frequency 7..8 of a machine in SI units");
-  }
-  return found;
-}
-
-TypedParameters with_along(TypedParameters typed, const std::vector<std::string>& along) {
-  if (along.empty()) {
-    return typed;
-  }
-  const std::string& name = along[0];
-  if (!is_parameter(name) && !is_in_SI(name)) {
-    throw UsageError(fmt::format("along: '{}' is none of {}; or, of a machine in SI units, {}", name,
-                                 fmt::join(parameter_names, ", "), fmt::join(names_in_SI, ", ")));
-  }
-  if (along[1].find("..") == std::string::npos) {
-    throw UsageError(fmt::format("along: '{}' is not an interval A..B, such as 0.1..0.5", along[1]));
-  }
-  typed[name] = along[1];
-  return typed;
-}
-
-Rational value_at(const Along& along, const std::optional<Rational>& at) {
-  return at.value_or(Rational((along.from + along.to) / 2));
-}
-
-branches::BranchQuestion branch_question(const Paper& paper, const Family& family, ParameterFile file,
-                                         const std::optional<Rational>& at) {
-  branches::BranchQuestion asked;
-  const Along along = along_interval(file.typed);
-  asked.orbits = question(paper, family, file, OrbitsOptions::default_digits);
-  asked.parameter = along.parameter;
-  asked.from = along.from;
-  asked.to = along.to;
-  asked.at = at;
-  return asked;
-}
-
-branches::BranchQuestion word_branch_question(const Paper& paper, const words::Word& word, int periods,
-                                              ParameterFile file, const std::optional<Rational>& at,
-                                              const Followed& followed) {
-  const Along along = along_interval(file.typed);
-  const Rational value = value_at(along, at);
-  file.typed[along.parameter] = to_string(value);
-  const words::WordQuestion there = machine(paper, file, OrbitsOptions::default_digits);
-  const bool all = followed.all || followed.orbit;
-  std::vector<words::WordOrbit> known =
-      attractors::find_word_orbits({there, word, periods, followed.near, all}).orbits;
-  if (followed.orbit) {
-    const auto k = static_cast<std::size_t>(*followed.orbit);
-    if (k > known.size()) {
-      throw UsageError(fmt::format("--orbit {}: of {} there are {} orbits at {} = {}", k, word.letters(),
-                                   known.size(), along.parameter, to_string(value)));
-    }
-    known = {known[k - 1]};
-  }
-  std::size_t not_admissible = 0;
-  if (!all && !followed.near) {
-    not_admissible = std::erase_if(known, [](const words::WordOrbit& one) {
-      return one.existence.truth == Truth::proved && one.orbit.admissible.truth == Truth::refuted;
-    });
-  }
-  branches::BranchQuestion asked = branches::word_question(there, word, periods, known);
-  asked.word->not_admissible = not_admissible;
-  asked.parameter = along.parameter;
-  asked.from = along.from;
-  asked.to = along.to;
-  asked.at = value;
-  return asked;
 }
 
 words::WordQuestion machine(const Paper& paper, const ParameterFile& file, int digits) {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "cli/machine_file.hpp"
-#include "numeric/branches/branches.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/words/word_orbit.hpp"
 #include "proofs/methods/paper.hpp"
@@ -26,48 +25,7 @@ void require_given(const TypedParameters& parameters, const std::vector<std::str
                                               const numeric::Family& family, const ParameterFile& file,
                                               int digits);
 
-// The parameter that a branch is along.
-struct Along {
-  std::string parameter;
-  Rational from, to;
-};
-
-// The one parameter that is typed as an interval "A..B"; its lower end stands for it from then on. Throws
-// UsageError when none or several are intervals, and as exact_number.
-[[nodiscard]] Along along_interval(TypedParameters& typed);
-
-// What is typed with what --along NAME A..B says, if it says anything. Throws UsageError for a name that is
-// neither a parameter's nor a machine's in SI units.
-[[nodiscard]] TypedParameters with_along(TypedParameters typed, const std::vector<std::string>& along);
-
-// The value `at`, or the middle of the interval.
-[[nodiscard]] Rational value_at(const Along& along, const std::optional<Rational>& at);
-
-// The question about the family's orbits over the one parameter that is typed as an interval "A..B": all of
-// them, or the branches of the orbits at the value `at` if there is one. Throws likewise, and when none
-// or several of the parameters are intervals.
-[[nodiscard]] numeric::branches::BranchQuestion branch_question(const proofs::methods::Paper& paper,
-                                                                const numeric::Family& family,
-                                                                ParameterFile file,
-                                                                const std::optional<Rational>& at);
-
-// Which orbits of a word are followed: the admissible ones that are found, of words of four phases and more
-// by simulation alone; or all that `stickslip orbits WORD` lists, the K-th of these, or the one near a state.
-struct Followed {
-  bool all = false;
-  std::optional<int> orbit;                    // K
-  std::optional<model::Vector4<double>> near;  // (x1, x2, x1', x2') at load phase 0
-};
-
-// The same about the orbits through a word, over so many periods of the load, that are found at the value
-// `at`, or in the middle of the interval.
-[[nodiscard]] numeric::branches::BranchQuestion word_branch_question(const proofs::methods::Paper& paper,
-                                                                     const numeric::words::Word& word,
-                                                                     int periods, ParameterFile file,
-                                                                     const std::optional<Rational>& at,
-                                                                     const Followed& followed = {});
-
-// The machine whose motions are asked for: the same, with ur in any case, that of the example's own orbit to
+// The machine whose motions are asked for: its data, with ur in any case, that of the example's own orbit to
 // 17 digits when none is given, and without phi, for the load is cos(omega t). Throws likewise, also for
 // intervals.
 [[nodiscard]] numeric::words::WordQuestion machine(const proofs::methods::Paper& paper,

@@ -1,6 +1,8 @@
 #include "cli/output.hpp"
 
+#include <flint/flint.h>
 #include <fmt/format.h>
+#include <gmp.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -9,13 +11,16 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <system_error>
 
+#include "core/error.hpp"
 #include "proofs/methods/progress.hpp"
 #include "report/audit/summary.hpp"
 #include "report/orbits/page.hpp"
 
 namespace stickslip::cli {
+
 namespace {
 
 std::string_view variable(const char * name) {
@@ -83,6 +88,14 @@ void Progress::show(const std::string& line) {
   line_ = line;
 }
 
+void Progress::show(const char * doing, double share) {
+  const auto now = std::chrono::steady_clock::now();
+  if (terminal_ && now - last_ >= beat) {
+    last_ = now;
+    show(fmt::format("{} {:.0f} %", doing, 100 * share));
+  }
+}
+
 void tell_left_out(const ParameterFile& file) {
   for (const std::string& sentence : file.left_out) {
     tell(sentence);
@@ -135,6 +148,49 @@ report::tools::Style terminal_style() {
   }
   style.colour = ::isatty(STDOUT_FILENO) != 0 && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
   return style;
+}
+
+namespace {
+
+[[noreturn]] void end() {
+  tell(out_of_memory);
+  ::_exit(exit_internal);
+}
+
+// NOLINTBEGIN(cppcoreguidelines-owning-memory): what malloc and free are called by
+extern "C" {
+
+void * allocate(std::size_t size) {
+  void * block = std::malloc(size);
+  return block != nullptr || size == 0 ? block : (end(), nullptr);
+}
+void * allocate_zeros(std::size_t count, std::size_t size) {
+  void * block = std::calloc(count, size);
+  return block != nullptr || count == 0 || size == 0 ? block : (end(), nullptr);
+}
+void * reallocate(void * block, std::size_t size) {
+  void * larger = std::realloc(block, size);
+  return larger != nullptr || size == 0 ? larger : (end(), nullptr);
+}
+void * reallocate_known(void * block, std::size_t /*old_size*/, std::size_t size) {
+  return reallocate(block, size);
+}
+void release(void * block) {
+  std::free(block);
+}
+void release_known(void * block, std::size_t /*size*/) {
+  std::free(block);
+}
+
+}  // extern "C"
+// NOLINTEND(cppcoreguidelines-owning-memory)
+
+}  // namespace
+
+void end_in_words_without_memory() {
+  mp_set_memory_functions(allocate, reallocate_known, release_known);
+  __flint_set_memory_functions(allocate, allocate_zeros, reallocate, release);
+  std::set_new_handler(end);  // mimalloc throws nothing, it ends the program without a word
 }
 
 }  // namespace stickslip::cli

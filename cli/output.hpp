@@ -1,6 +1,7 @@
 // Standard output, checked to the last byte; progress on standard error.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <set>
@@ -36,13 +37,15 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Another line in its place.
+  // Another line in its place; one with the share of the work that is done, no more often than it is written.
   void show(const std::string& line);
+  void show(const char * doing, double share);
 
  private:
   bool terminal_;
   bool shown_ = false;
   std::string line_;
+  std::chrono::steady_clock::time_point last_{};  // when a share was shown
   std::mutex lock_;
   std::condition_variable_any over_;
   std::jthread writer_;
@@ -73,5 +76,14 @@ void require_page(const std::string& directory);
 // As wide as the terminal, within bounds, eighty columns elsewhere; coloured on a terminal, unless NO_COLOR
 // is set to something or the terminal is dumb.
 [[nodiscard]] report::tools::Style terminal_style();
+
+// The C libraries below know no exceptions: where they find no memory, they would abort. So does the
+// allocator.
+
+inline constexpr const char * out_of_memory = "stickslip: out of memory.";
+
+// From now on `new`, GMP and FLINT, with Arb and CLN on top of GMP, end the program with a sentence and
+// exit_internal when there is no memory left. To be called before any number is made.
+void end_in_words_without_memory();
 
 }  // namespace stickslip::cli

@@ -1,13 +1,8 @@
 // stickslip simulate: the motion under the friction law from any state.
-#include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
@@ -27,38 +22,6 @@ using report::orbits::Simulated;
 using report::orbits::Units;
 
 namespace {
-
-// A bar on a terminal's standard error.
-class Bar {
- public:
-  Bar() : shown_(::isatty(STDERR_FILENO) != 0) {}
-  ~Bar() {
-    if (drawn_) {
-      std::fputs("\r\x1b[K", stderr);
-    }
-  }
-  Bar(const Bar&) = delete;
-  Bar& operator=(const Bar&) = delete;
-
-  void show(double share) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!shown_ || now - last_ < std::chrono::milliseconds(100)) {
-      return;
-    }
-    constexpr int width = 40;
-    const auto done = static_cast<std::size_t>(share * width);
-    fmt::print(stderr, "\rsimulating [{}{}] {:3.0f} %", std::string(done, '#'),
-               std::string(width - done, '.'), 100 * share);
-    std::fflush(stderr);
-    last_ = now;
-    drawn_ = true;
-  }
-
- private:
-  bool shown_;
-  bool drawn_ = false;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // What becomes of the samples while the motion is followed.
 class Samples {
@@ -155,11 +118,11 @@ Simulated simulate(const MotionAsked& asked, const SimulateOptions& options, con
   if (samples.wanted()) {
     simulated.every = asked.every;
   }
-  Bar bar;
+  Progress progress("simulating ...");
   simulated.record = record_motion(
       asked.from.start, {simulated.periods * asked.period(), simulated.every},
-      [&bar](double share) {
-        bar.show(share);
+      [&progress](double share) {
+        progress.show("simulating:", share);
         return !interrupted();
       },
       [&samples](const Sample& sample) { samples.add(sample); });

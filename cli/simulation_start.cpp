@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <vector>
 
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"

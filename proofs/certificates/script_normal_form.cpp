@@ -129,10 +129,6 @@ Formulas divisors_of(const Term& term) {
   return vanishing ? vanishing->hypotheses() : Formulas{};
 }
 
-}  // namespace
-
-namespace {
-
 // How often each entry of a matrix stands in its inverse, written out by cofactors, about.
 double repeated_by(const Term& term) {
   double times = 1;

@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "proofs/certificates/coq_terms.hpp"
@@ -62,10 +61,6 @@ std::string in_units(const Matrix& matrix) {
   }
   return list(rows) + "%Z";
 }
-
-}  // namespace
-
-namespace {
 
 // "  cbv beta delta [H z0].", or nothing.
 std::string opened_in(const Term& term) {

@@ -206,6 +206,18 @@ void add_subject(Gate& gate, const Subject& subject) {
   });
 }
 
+Outcome outcome_on(Prover& prover, Claim claim, const Statement& statement) {
+  claim.printed = {statement};
+  return claim.prove(prover, claim);
+}
+
+// Whether the proof has refuted an edited statement by the theorem that refutes the printed one: it does not
+// look at what is printed.
+bool same_refutation(const Outcome& edited, const Outcome& printed) {
+  return edited.theorems.size() == 1 && printed.theorems.size() == 1 &&
+         edited.theorems.front().conclusion() == printed.theorems.front().conclusion();
+}
+
 }  // namespace
 
 std::string to_string(Fate fate) {
@@ -229,22 +241,6 @@ Gate mutant_gate(const std::vector<Claim>& claims, const std::set<std::string>& 
   }
   return gate;
 }
-
-namespace {
-
-Outcome outcome_on(Prover& prover, Claim claim, const Statement& statement) {
-  claim.printed = {statement};
-  return claim.prove(prover, claim);
-}
-
-// Whether the proof has refuted an edited statement by the theorem that refutes the printed one: it does not
-// look at what is printed.
-bool same_refutation(const Outcome& edited, const Outcome& printed) {
-  return edited.theorems.size() == 1 && printed.theorems.size() == 1 &&
-         edited.theorems.front().conclusion() == printed.theorems.front().conclusion();
-}
-
-}  // namespace
 
 std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement& statement,
                             const Outcome& refuted) {

@@ -93,6 +93,20 @@ bool is_small(const Ball& x) {
   return x.is_finite() && (x.radius() * Ball(1L << 40) - Ball(1) - abs(x)).is_negative();
 }
 
+// The inequalities between what is not solved for.
+std::vector<Statement> without_unknowns(const Premises& premises) {
+  std::vector<Statement> result;
+  for (const Statement& one : premises.inequalities) {
+    std::set<std::string> names = premises.reached(one.left);
+    names.merge(premises.reached(one.right));
+    if (std::none_of(solved_for().begin(), solved_for().end(),
+                     [&](const std::string& name) { return names.contains(name); })) {
+      result.push_back(one);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 struct PremisePoint::Point {
@@ -234,24 +248,6 @@ struct PremisePoint::Point {
                        [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });
   }
 };
-
-namespace {
-
-// The inequalities between what is not solved for.
-std::vector<Statement> without_unknowns(const Premises& premises) {
-  std::vector<Statement> result;
-  for (const Statement& one : premises.inequalities) {
-    std::set<std::string> names = premises.reached(one.left);
-    names.merge(premises.reached(one.right));
-    if (std::none_of(solved_for().begin(), solved_for().end(),
-                     [&](const std::string& name) { return names.contains(name); })) {
-      result.push_back(one);
-    }
-  }
-  return result;
-}
-
-}  // namespace
 
 std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t wanted) {
   const auto draws = static_cast<unsigned>(50 * wanted);

@@ -27,6 +27,24 @@ const Assumption& assumption_of(const Claim& claim, const std::string& id) {
   return *found;
 }
 
+// All that is divided by in the term, or below the bar of a tangent.
+std::vector<Term> divisors_in(const Term& term) {
+  std::vector<Term> all;
+  const std::vector<Term>& parts = term.arguments();
+  if (term.op() == Op::quotient) {
+    all.push_back(parts.at(1));
+  } else if (term.op() == Op::power && term.number() < 0) {
+    all.push_back(term.shape().is_scalar() ? parts.at(0) : determinant(parts.at(0)));
+  } else if (term.op() == Op::function && term.name() == "tan") {
+    all.push_back(cos(parts.at(0)));
+  }
+  for (const Term& part : parts) {
+    const std::vector<Term> deeper = divisors_in(part);
+    all.insert(all.end(), deeper.begin(), deeper.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 bool is_substitution(const Assumption& assumption) {
@@ -98,28 +116,6 @@ void record_definitions(Outcome& outcome, const Claim& claim, const Term& term) 
     }
   }
 }
-
-namespace {
-
-// All that is divided by in the term, or below the bar of a tangent.
-std::vector<Term> divisors_in(const Term& term) {
-  std::vector<Term> all;
-  const std::vector<Term>& parts = term.arguments();
-  if (term.op() == Op::quotient) {
-    all.push_back(parts.at(1));
-  } else if (term.op() == Op::power && term.number() < 0) {
-    all.push_back(term.shape().is_scalar() ? parts.at(0) : determinant(parts.at(0)));
-  } else if (term.op() == Op::function && term.name() == "tan") {
-    all.push_back(cos(parts.at(0)));
-  }
-  for (const Term& part : parts) {
-    const std::vector<Term> deeper = divisors_in(part);
-    all.insert(all.end(), deeper.begin(), deeper.end());
-  }
-  return all;
-}
-
-}  // namespace
 
 bool is_seen(const Hypothesis& hypothesis, const Claim& needing, const Claim& origin) {
   if (origin.id != needing.id && facts(origin.origin).source == nullptr) {

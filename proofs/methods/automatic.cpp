@@ -313,10 +313,6 @@ void look_for_point(Outcome& outcome, Prover& prover, const Claim& claim) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 void add(Outcome& whole, const Outcome& part) {
   whole.hypotheses = joined(whole.hypotheses, part.hypotheses);
   whole.uses.insert(part.uses.begin(), part.uses.end());
@@ -325,6 +321,30 @@ void add(Outcome& whole, const Outcome& part) {
   std::set<std::string> free(whole.free.begin(), whole.free.end());
   free.insert(part.free.begin(), part.free.end());
   whole.free.assign(free.begin(), free.end());
+}
+
+symbols::Names names_with(const std::vector<std::string>& further) {
+  symbols::Names names = symbols::names_of(symbols::symbol_table());
+  for (const std::string& name : further) {
+    const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+                         std::ranges::all_of(name, [](char c) {
+                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+                         });
+    if (!is_name || name == "I" || name == "det" || name == "for" || name == "but") {
+      throw UsageError(
+          fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
+    }
+    const bool is_open = checks::stands_for_itself(symbols::scalar(name)) &&
+                         std::ranges::none_of(parameters(), [&](const Theorem& one) {
+                           return one.conclusion().variables().contains(Variable{name});
+                         });
+    if (names.functions.contains(name) || !is_open ||
+        names.quantities.emplace(name, symbols::Shape{}).first->second != symbols::Shape{}) {
+      throw UsageError(
+          fmt::format("'{}' has a meaning already: take another name for a symbol of your own", name));
+    }
+  }
+  return names;
 }
 
 }  // namespace
@@ -354,34 +374,6 @@ Proof automatically() {
     return outcome;
   };
 }
-
-namespace {
-
-symbols::Names names_with(const std::vector<std::string>& further) {
-  symbols::Names names = symbols::names_of(symbols::symbol_table());
-  for (const std::string& name : further) {
-    const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-                         std::ranges::all_of(name, [](char c) {
-                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-                         });
-    if (!is_name || name == "I" || name == "det" || name == "for" || name == "but") {
-      throw UsageError(
-          fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
-    }
-    const bool is_open = checks::stands_for_itself(symbols::scalar(name)) &&
-                         std::ranges::none_of(parameters(), [&](const Theorem& one) {
-                           return one.conclusion().variables().contains(Variable{name});
-                         });
-    if (names.functions.contains(name) || !is_open ||
-        names.quantities.emplace(name, symbols::Shape{}).first->second != symbols::Shape{}) {
-      throw UsageError(
-          fmt::format("'{}' has a meaning already: take another name for a symbol of your own", name));
-    }
-  }
-  return names;
-}
-
-}  // namespace
 
 Claim own_claim(const OwnStatement& own) {
   const symbols::Names names = names_with(own.symbols);

@@ -41,6 +41,18 @@ std::size_t opened_size(const Term& term, const Definitions& definitions) {
 }
 constexpr std::size_t longest_looked_into = 30000, longest_of_inequalities = 400;
 
+bool is_zero(const Term& number) {
+  try {
+    if (seems_zero({number}, {})) {
+      static_cast<void>(Theorem::combination(equal(number, 0)));
+      return true;
+    }
+    return false;
+  } catch (const KernelError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), claim_(claim) {
@@ -232,22 +244,6 @@ Term Derivation::with_values(Term term) const {
   }
   return term;
 }
-
-namespace {
-
-bool is_zero(const Term& number) {
-  try {
-    if (seems_zero({number}, {})) {
-      static_cast<void>(Theorem::combination(equal(number, 0)));
-      return true;
-    }
-    return false;
-  } catch (const KernelError&) {
-    return false;
-  }
-}
-
-}  // namespace
 
 void Derivation::record(Outcome& outcome, const Theorem& theorem, const Formulas& allowed) {
   outcome.uses.insert(uses_.begin(), uses_.end());

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "numeric/orbits.hpp"
 #include "proofs/methods/paper.hpp"

@@ -77,19 +77,6 @@ kernel::Formula printed_formula(Derivation& derivation, std::size_t which) {
   return derivation.read(derivation.claim().printed[which]);
 }
 
-}  // namespace
-
-Proof by_combination(std::vector<std::vector<Multiple>> combinations) {
-  return by_kernel("each equation is a combination of the premises, identically",
-                   [combinations = std::move(combinations)](Derivation& derivation, std::size_t which) {
-                     require_count(derivation.claim(), combinations.size());
-                     return derivation.combination(printed_formula(derivation, which),
-                                                   multiples_of(derivation, combinations[which]));
-                   });
-}
-
-namespace {
-
 // ⊢ 0 < coefficients, or 0 ≤ if that is enough, and the premises, as factors of one product.
 kernel::Positive positive_of(Derivation& derivation, const Positive& product, bool strictly = true) {
   kernel::Positive result{{}};
@@ -167,6 +154,15 @@ kernel::Theorem in_squares(Derivation& derivation, const kernel::Formula& printe
 }
 
 }  // namespace
+
+Proof by_combination(std::vector<std::vector<Multiple>> combinations) {
+  return by_kernel("each equation is a combination of the premises, identically",
+                   [combinations = std::move(combinations)](Derivation& derivation, std::size_t which) {
+                     require_count(derivation.claim(), combinations.size());
+                     return derivation.combination(printed_formula(derivation, which),
+                                                   multiples_of(derivation, combinations[which]));
+                   });
+}
 
 Proof by_positive_combination(std::vector<Certificate> certificates, std::optional<Premise> positive_side) {
   const auto derive = [certificates = std::move(certificates), positive_side = std::move(positive_side)](

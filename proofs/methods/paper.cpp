@@ -38,39 +38,6 @@ const Record * record_of(const Audit& audit, const std::string& id) {
   return found == audit.records.end() ? nullptr : &*found;
 }
 
-}  // namespace
-
-bool is_whole(const Paper& paper, const Audit& audit) {
-  return std::ranges::all_of(paper.claims,
-                             [&](const Claim& claim) { return record_of(audit, claim.id) != nullptr; });
-}
-
-bool is_stated(const Paper& paper, const std::string& claim) {
-  return std::ranges::any_of(paper.statements, [&](const PrintedStatement& statement) {
-    return std::ranges::find(statement.claims, claim) != statement.claims.end();
-  });
-}
-
-std::vector<std::string> stating(const PrintedStatement& statement) {
-  std::vector<std::string> all = statement.claims;
-  all.insert(all.end(), statement.or_read.begin(), statement.or_read.end());
-  return all;
-}
-
-std::vector<const PrintedStatement *> statements_in(const Paper& paper, const Audit& audit) {
-  const auto known = [&](const std::string& id) { return record_of(audit, id) != nullptr; };
-  const bool whole = is_whole(paper, audit);
-  std::vector<const PrintedStatement *> statements;
-  for (const PrintedStatement& statement : paper.statements) {
-    if (whole || (!statement.claims.empty() && std::ranges::all_of(stating(statement), known))) {
-      statements.push_back(&statement);
-    }
-  }
-  return statements;
-}
-
-namespace {
-
 // Whether all that the claim's proof needs beyond what it assumes holds at the data of the example.
 bool all_hold_at(const Example& example, const Record& record) {
   const std::vector<Coordinate> data = data_of(example);
@@ -103,6 +70,35 @@ Status worst_of(const Paper& paper, const PrintedStatement& statement, const std
 }
 
 }  // namespace
+
+bool is_whole(const Paper& paper, const Audit& audit) {
+  return std::ranges::all_of(paper.claims,
+                             [&](const Claim& claim) { return record_of(audit, claim.id) != nullptr; });
+}
+
+bool is_stated(const Paper& paper, const std::string& claim) {
+  return std::ranges::any_of(paper.statements, [&](const PrintedStatement& statement) {
+    return std::ranges::find(statement.claims, claim) != statement.claims.end();
+  });
+}
+
+std::vector<std::string> stating(const PrintedStatement& statement) {
+  std::vector<std::string> all = statement.claims;
+  all.insert(all.end(), statement.or_read.begin(), statement.or_read.end());
+  return all;
+}
+
+std::vector<const PrintedStatement *> statements_in(const Paper& paper, const Audit& audit) {
+  const auto known = [&](const std::string& id) { return record_of(audit, id) != nullptr; };
+  const bool whole = is_whole(paper, audit);
+  std::vector<const PrintedStatement *> statements;
+  for (const PrintedStatement& statement : paper.statements) {
+    if (whole || (!statement.claims.empty() && std::ranges::all_of(stating(statement), known))) {
+      statements.push_back(&statement);
+    }
+  }
+  return statements;
+}
 
 Status status_of(const Paper& paper, const PrintedStatement& statement, const Audit& audit) {
   if (statement.claims.empty()) {

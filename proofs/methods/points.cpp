@@ -183,6 +183,27 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
   return result;
 }
 
+// The first scene at which the kernel says so, with its theorem: all of `holding`, and not `failing`.
+std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Claim& claim,
+                                                       const std::vector<Statement>& holding,
+                                                       const std::optional<Statement>& failing,
+                                                       const std::optional<Statement>& doubted = {}) {
+  constexpr std::size_t most_attempts = 12;
+  const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
+  try {
+    for (const Scene& scene : scenes(prover, claim, doubted ? doubted : failing, most_attempts)) {
+      try {
+        return std::pair(scene, refutation(prover, scene, holding, failed));
+      } catch (const KernelError&) {
+        continue;
+      }
+    }
+  } catch (const KernelError&) {  // no floating point says where to look
+  } catch (const symbols::NoValue&) {
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::vector<Theorem>> solved_in_turn(Derivation& derivation, std::size_t choice,
@@ -264,31 +285,6 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
   }
   return result;
 }
-
-namespace {
-
-// The first scene at which the kernel says so, with its theorem: all of `holding`, and not `failing`.
-std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Claim& claim,
-                                                       const std::vector<Statement>& holding,
-                                                       const std::optional<Statement>& failing,
-                                                       const std::optional<Statement>& doubted = {}) {
-  constexpr std::size_t most_attempts = 12;
-  const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
-  try {
-    for (const Scene& scene : scenes(prover, claim, doubted ? doubted : failing, most_attempts)) {
-      try {
-        return std::pair(scene, refutation(prover, scene, holding, failed));
-      } catch (const KernelError&) {
-        continue;
-      }
-    }
-  } catch (const KernelError&) {  // no floating point says where to look
-  } catch (const symbols::NoValue&) {
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
                                         const std::optional<Statement>& where,

@@ -95,6 +95,37 @@ bool says_contradiction(const std::vector<Statement>& form) {
          (form[0].relation == Relation::less || form[0].relation == Relation::greater);
 }
 
+// Proves all claims of a list, or those asked for.
+
+Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progress& progress) {
+  Audit result;
+  for (const std::string& id : ids) {
+    progress(id, result.records.size(), ids.size());
+    try {
+      const Record& record = prover.prove(id);
+      if (interrupted()) {
+        break;  // what this claim rests on may have been cut short
+      }
+      result.records.push_back(record);
+    } catch (const Error&) {
+      if (!interrupted()) {
+        throw;
+      }
+      break;
+    }
+  }
+  for (Record& record : result.records) {
+    for (const Record& other : result.records) {
+      if (other.outcome.uses.contains(record.claim.id) ||
+          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
+          (other.converse && other.converse->uses.contains(record.claim.id))) {
+        record.used_by.insert(other.claim.id);
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Prover::Prover(const std::vector<Claim>& claims) {
@@ -361,41 +392,6 @@ std::vector<Hypothesis> joined(std::vector<Hypothesis> a, const std::vector<Hypo
           a.end());
   return a;
 }
-
-// Proves all claims of a list, or those asked for.
-
-namespace {
-
-Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progress& progress) {
-  Audit result;
-  for (const std::string& id : ids) {
-    progress(id, result.records.size(), ids.size());
-    try {
-      const Record& record = prover.prove(id);
-      if (interrupted()) {
-        break;  // what this claim rests on may have been cut short
-      }
-      result.records.push_back(record);
-    } catch (const Error&) {
-      if (!interrupted()) {
-        throw;
-      }
-      break;
-    }
-  }
-  for (Record& record : result.records) {
-    for (const Record& other : result.records) {
-      if (other.outcome.uses.contains(record.claim.id) ||
-          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
-          (other.converse && other.converse->uses.contains(record.claim.id))) {
-        record.used_by.insert(other.claim.id);
-      }
-    }
-  }
-  return result;
-}
-
-}  // namespace
 
 Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids, const Progress& progress) {
   Prover prover(claims);

@@ -1,7 +1,5 @@
 #include "proofs/orbits/along.hpp"
 
-#include <cmath>
-
 namespace stickslip::proofs::orbits {
 
 using namespace kernel;

@@ -89,31 +89,6 @@ class Parts {
   Substitution values_;  // of the letters
 };
 
-}  // namespace
-
-Theorem sign_by_parts(const Formula& relation, const Ranges& ranges) {
-  return Parts(ranges).sign(relation);
-}
-
-Known bounded_by_parts(const Term& number, const Ranges& ranges) {
-  return Parts(ranges).bounds(number);
-}
-
-Theorem for_all_in(const Theorem& theorem, const std::vector<Variable>& variables, const Ranges& ranges) {
-  Theorem result = theorem;
-  for (auto x = variables.rbegin(); x != variables.rend(); ++x) {
-    const auto& [lower, upper] = ranges.at(*x);
-    const Formula here = within(lower, *x, upper);
-    for (std::size_t side : {0, 1}) {
-      result = Theorem::cut(part(Theorem::assume(here), side), result);
-    }
-    result = for_every(*x, here, result);
-  }
-  return result;
-}
-
-namespace {
-
 // The numbers in a term that definitions stand for and that depend on t, none within another.
 void collect(const Term& term, const Variable& t, std::vector<Term>& found) {
   if (!term.variables().contains(t) || std::ranges::find(found, term) != found.end()) {
@@ -309,6 +284,27 @@ class Varying {
 };
 
 }  // namespace
+
+Theorem sign_by_parts(const Formula& relation, const Ranges& ranges) {
+  return Parts(ranges).sign(relation);
+}
+
+Known bounded_by_parts(const Term& number, const Ranges& ranges) {
+  return Parts(ranges).bounds(number);
+}
+
+Theorem for_all_in(const Theorem& theorem, const std::vector<Variable>& variables, const Ranges& ranges) {
+  Theorem result = theorem;
+  for (auto x = variables.rbegin(); x != variables.rend(); ++x) {
+    const auto& [lower, upper] = ranges.at(*x);
+    const Formula here = within(lower, *x, upper);
+    for (std::size_t side : {0, 1}) {
+      result = Theorem::cut(part(Theorem::assume(here), side), result);
+    }
+    result = for_every(*x, here, result);
+  }
+  return result;
+}
 
 Known bounded_by_slopes(const Term& number, const std::vector<Variable>& along, const Ranges& ranges) {
   for (const Variable& x : along) {

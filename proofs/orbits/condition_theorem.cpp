@@ -167,14 +167,6 @@ class Condition {
   Names said_;
 };
 
-}  // namespace
-
-Theorem condition_theorem(const Theorem& orbit, const Question& question, const Requirement& requirement) {
-  return orbit_with(orbit, [&](const Theorem& body) { return Condition(question)(requirement, body); });
-}
-
-namespace {
-
 // In what the orbit theorem bounds.
 Term named_value(const Question& question, const std::string& name) {
   const model::Parameters<Rational>& a = question.data;
@@ -212,6 +204,10 @@ Theorem decided(const Formula& inequality, const Theorem& orbit) {
 }
 
 }  // namespace
+
+Theorem condition_theorem(const Theorem& orbit, const Question& question, const Requirement& requirement) {
+  return orbit_with(orbit, [&](const Theorem& body) { return Condition(question)(requirement, body); });
+}
 
 Theorem value_theorem(const Theorem& orbit, const Question& question, const std::string& name,
                       const Rational& lower, const Rational& upper, bool outside) {

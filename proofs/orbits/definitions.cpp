@@ -19,18 +19,6 @@ struct Alphabet {
   Variable x{"x", state_type}, t{"t"};
 };
 
-}  // namespace
-
-const Definition& friction() {
-  static const Alphabet l;
-  static const Definition definition(
-      "friction_at_rest", {l.x, l.t, l.chi, l.eta, l.omega, l.p, l.phi},
-      Term(l.chi) * (entry(l.x, 1) - entry(l.x, 0)) - Term(l.p) / l.eta * cos(Term(l.omega) * l.t + l.phi));
-  return definition;
-}
-
-namespace {
-
 // A of X' = A X + …: of (2), of (9).
 Term rates(bool slips, const Term& chi, const Term& eta) {
   const Term zero = 0, one = 1, stiffness = chi * eta;
@@ -64,16 +52,6 @@ Definition sticking() {
                for_all(l.t, implies(all({at_most(l.a, l.t), less(l.t, l.b)}),
                                     all({equal(entry(x, 3), l.V), less(-Term(l.ur), r), less(r, l.ur)})))})};
 }
-
-}  // namespace
-
-const Definition& phase_definition(PhaseKind kind) {
-  static const Definition slips = slipping("slips", 1), overshoots = slipping("overshoots", -1),
-                          sticks = sticking();
-  return kind == PhaseKind::slip ? slips : kind == PhaseKind::overshoot ? overshoots : sticks;
-}
-
-namespace {
 
 Definition varying(const std::string& name, bool slips) {
   const Alphabet l;
@@ -120,6 +98,20 @@ Term principal_minors(const Term& M, std::size_t n) {
 }
 
 }  // namespace
+
+const Definition& friction() {
+  static const Alphabet l;
+  static const Definition definition(
+      "friction_at_rest", {l.x, l.t, l.chi, l.eta, l.omega, l.p, l.phi},
+      Term(l.chi) * (entry(l.x, 1) - entry(l.x, 0)) - Term(l.p) / l.eta * cos(Term(l.omega) * l.t + l.phi));
+  return definition;
+}
+
+const Definition& phase_definition(PhaseKind kind) {
+  static const Definition slips = slipping("slips", 1), overshoots = slipping("overshoots", -1),
+                          sticks = sticking();
+  return kind == PhaseKind::slip ? slips : kind == PhaseKind::overshoot ? overshoots : sticks;
+}
 
 const Definition& variation(PhaseKind kind) {
   static const Definition slipping = varying("varies_slipping", true),

@@ -80,30 +80,6 @@ Coefficients changed(const Coefficients& k, const Change& change) {
   return result;
 }
 
-}  // namespace
-
-Coefficients closing_of_O(const Term& tau, const Term& tau1, model::Reading reading) {
-  const auto at_times = [&](const std::string& name, const Term& number) {
-    return substitute(named(name, number), {{tau_, tau}, {tau1_, tau1}});
-  };
-  Coefficients k = changed(in_entries(model::Reading::derived), at_times);
-  if (reading == model::Reading::printed) {
-    k.c[0] = at_times("c_1_printed", in_entries(reading).c[0].term);
-  }
-  return k;
-}
-
-model::ClosingCoefficients<Ball> closing_of_O(const Ball& tau, const Ball& tau1, model::Reading reading) {
-  const model::Oscillator<Ball>& o = printed_orbit(printed()).motion.oscillator;
-  const Ball rest = Ball(2) * Ball::pi() / o.data.omega - tau - tau1;
-  return model::appendix3<Ball>(
-      model::appendix3_letters<Ball>(o.data.chi, o.modes, o.Q, o.d0, o.data.omega, o.data.V,
-                                     Ball(*printed().phi), tau, tau1, rest),
-      reading);
-}
-
-namespace {
-
 // With it F_1 + share F_2 depends on tau hardly at all.
 const Rational share(-729, 100);
 
@@ -177,6 +153,26 @@ Bordered bordered(const model::Matrix4<Symbolic>& matrix, const orbits::Ranges& 
 }
 
 }  // namespace
+
+Coefficients closing_of_O(const Term& tau, const Term& tau1, model::Reading reading) {
+  const auto at_times = [&](const std::string& name, const Term& number) {
+    return substitute(named(name, number), {{tau_, tau}, {tau1_, tau1}});
+  };
+  Coefficients k = changed(in_entries(model::Reading::derived), at_times);
+  if (reading == model::Reading::printed) {
+    k.c[0] = at_times("c_1_printed", in_entries(reading).c[0].term);
+  }
+  return k;
+}
+
+model::ClosingCoefficients<Ball> closing_of_O(const Ball& tau, const Ball& tau1, model::Reading reading) {
+  const model::Oscillator<Ball>& o = printed_orbit(printed()).motion.oscillator;
+  const Ball rest = Ball(2) * Ball::pi() / o.data.omega - tau - tau1;
+  return model::appendix3<Ball>(
+      model::appendix3_letters<Ball>(o.data.chi, o.modes, o.Q, o.d0, o.data.omega, o.data.V,
+                                     Ball(*printed().phi), tau, tau1, rest),
+      reading);
+}
 
 Theorem incompatible(const orbits::Ranges& ranges) {
   // In letters for the coefficients: none of them need be looked into.

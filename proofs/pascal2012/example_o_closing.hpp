@@ -2,7 +2,6 @@
 #pragma once
 
 #include "model/appendix3.hpp"
-#include "numeric/scalars/scalars.hpp"
 #include "proofs/orbits/along.hpp"
 #include "proofs/tactics/model_terms.hpp"
 

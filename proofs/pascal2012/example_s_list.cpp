@@ -1,6 +1,5 @@
 // Section 4, example S: the list of all solutions of the reduced equations, and the u_r that is printed among
 // the data of Fig. 2 against it.
-#include <fmt/format.h>
 
 #include <algorithm>
 

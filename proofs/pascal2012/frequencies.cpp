@@ -132,6 +132,33 @@ class Frequencies {
   }
 };
 
+// Theorems of others, with the frequencies that chi and eta have.
+Outcome said_of_data(Prover& prover, const Claim&) {
+  static const std::vector<std::string> ids{"33.V",        "37.sharp",  "A5.theorem",
+                                            "A5.symmetry", "A5.unique", "A5.longer"};
+  Outcome outcome{.verdict = Verdict::proved(),
+                  .route = "what is proved for all frequencies is so for those of 39.frequencies",
+                  .uses = {ids.begin(), ids.end()},
+                  .by_kernel = true};
+  outcome.uses.insert("39.frequencies");
+  try {
+    const Theorem exist = prover.theorem("39.frequencies");
+    for (const std::string& id : ids) {
+      const Theorem closed = closed_but_frequencies(prover.theorem(id));
+      outcome.theorems.push_back(orbits::orbit_with(exist, [&](const Theorem& there) {
+        Theorem theorem = closed;
+        for (std::size_t i = 0; i < there.conclusion().parts().size(); ++i) {
+          theorem = Theorem::cut(part(there, i), theorem);
+        }
+        return theorem;
+      }));
+    }
+    return outcome;
+  } catch (const KernelError& error) {
+    return {.verdict = Verdict::undecided(error.what())};
+  }
+}
+
 }  // namespace
 
 Theorem closed_but_frequencies(Theorem theorem) {
@@ -200,37 +227,6 @@ Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
   }
   return orbits::with_zero(result, unknowns, equations, box);
 }
-
-namespace {
-
-// Theorems of others, with the frequencies that chi and eta have.
-Outcome said_of_data(Prover& prover, const Claim&) {
-  static const std::vector<std::string> ids{"33.V",        "37.sharp",  "A5.theorem",
-                                            "A5.symmetry", "A5.unique", "A5.longer"};
-  Outcome outcome{.verdict = Verdict::proved(),
-                  .route = "what is proved for all frequencies is so for those of 39.frequencies",
-                  .uses = {ids.begin(), ids.end()},
-                  .by_kernel = true};
-  outcome.uses.insert("39.frequencies");
-  try {
-    const Theorem exist = prover.theorem("39.frequencies");
-    for (const std::string& id : ids) {
-      const Theorem closed = closed_but_frequencies(prover.theorem(id));
-      outcome.theorems.push_back(orbits::orbit_with(exist, [&](const Theorem& there) {
-        Theorem theorem = closed;
-        for (std::size_t i = 0; i < there.conclusion().parts().size(); ++i) {
-          theorem = Theorem::cut(part(there, i), theorem);
-        }
-        return theorem;
-      }));
-    }
-    return outcome;
-  } catch (const KernelError& error) {
-    return {.verdict = Verdict::undecided(error.what())};
-  }
-}
-
-}  // namespace
 
 Proofs frequencies() {
   return {

@@ -3,7 +3,6 @@
 
 #include <functional>
 
-#include "proofs/methods/claim.hpp"
 #include "proofs/orbits/along.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -1,4 +1,4 @@
-#include "proofs/pascal2012/nonsticking_list.hpp"
+#include "proofs/pascal2012/symmetric_list.hpp"
 
 #include "model/load.hpp"
 #include "model/nonsticking.hpp"

@@ -105,6 +105,19 @@ Claim printed_value(const PrintedPlace& where, const std::string& name) {
           }};
 }
 
+template <std::size_t N>
+Vector points(const std::array<Decimal, N>& printed) {
+  Vector x(static_cast<int>(N));
+  std::transform(printed.begin(), printed.end(), x.begin(), [](const Decimal& d) { return Ball(d.value); });
+  return x;
+}
+template <std::size_t N>
+Vector intervals(const std::array<Decimal, N>& printed) {
+  Vector x(static_cast<int>(N));
+  std::transform(printed.begin(), printed.end(), x.begin(), printed_interval);
+  return x;
+}
+
 }  // namespace
 
 std::vector<Claim> printed_values(const PrintedPlace& where, const std::vector<std::string>& names) {
@@ -122,23 +135,6 @@ std::string residuals(const std::vector<Ball>& values) {
   }
   return fmt::format("{}", fmt::join(shown, ", "));
 }
-
-namespace {
-
-template <std::size_t N>
-Vector points(const std::array<Decimal, N>& printed) {
-  Vector x(static_cast<int>(N));
-  std::transform(printed.begin(), printed.end(), x.begin(), [](const Decimal& d) { return Ball(d.value); });
-  return x;
-}
-template <std::size_t N>
-Vector intervals(const std::array<Decimal, N>& printed) {
-  Vector x(static_cast<int>(N));
-  std::transform(printed.begin(), printed.end(), x.begin(), printed_interval);
-  return x;
-}
-
-}  // namespace
 
 Equations16 equations_16(const ExactParameters& a, LoadPhase phase) {
   const model::SymmetricData<Ball> data = symmetric_data(a, phase);

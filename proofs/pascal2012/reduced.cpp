@@ -26,19 +26,7 @@ std::vector<Equal> modal_forms(Flows& flows) {
   return {same(model::Q<Symbolic>(a, modes()), load()), same(model::d0<Symbolic>(a.chi, a.us), rest())};
 }
 
-}  // namespace
-
-Proofs reduced() {
-  Proofs result{{"7.modal", reduction::reduced(modal_forms)}};
-  for (Proofs some : {of_symmetric(), of_overshooting(), of_nonsticking()}) {
-    result.merge(some);
-  }
-  return result;
-}
-
 // model/appendix3.hpp says the same as the twenty coefficients (47)-(51) that are printed.
-
-namespace {
 
 std::vector<Equal> computed(Derivation& derivation) {
   using tactics::Symbolic;
@@ -58,6 +46,14 @@ std::vector<Equal> computed(Derivation& derivation) {
 }
 
 }  // namespace
+
+Proofs reduced() {
+  Proofs result{{"7.modal", reduction::reduced(modal_forms)}};
+  for (Proofs some : {of_symmetric(), of_overshooting(), of_nonsticking()}) {
+    result.merge(some);
+  }
+  return result;
+}
 
 Proofs computed_coefficients() {
   return {{"51.formulas", [](Prover& prover, const Claim& claim) {

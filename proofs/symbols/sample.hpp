@@ -1,7 +1,6 @@
 // Scalars at a point, each computed once.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <utility>

@@ -6,6 +6,7 @@
 #include "proofs/symbols/closing.hpp"
 
 namespace stickslip::proofs::symbols {
+
 namespace {
 
 using namespace vocabulary;
@@ -216,36 +217,6 @@ void add_entries(std::vector<Symbol>& symbols, const std::string& letter, const 
   }
 }
 
-}  // namespace
-
-Symbols::Symbols(std::vector<Symbol> rows) : rows_(std::move(rows)) {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    std::vector<std::size_t>& places = places_[rows_[i].name];
-    if (std::any_of(places.begin(), places.end(), [&](std::size_t k) {
-          return rows_[k].shape == rows_[i].shape && rows_[k].of_time == rows_[i].of_time;
-        })) {
-      throw InternalError("the symbol " + rows_[i].name + " stands twice in the table");
-    }
-    places.push_back(i);
-  }
-}
-
-const Symbol * Symbols::find(const Term& term) const {
-  if (term.op() != Op::symbol && term.op() != Op::function) {
-    return nullptr;
-  }
-  const auto found = places_.find(term.name());
-  static const std::vector<std::size_t> none;
-  for (const std::size_t k : found == places_.end() ? none : found->second) {
-    if (rows_[k].shape == term.shape() && rows_[k].of_time == (term.op() == Op::function)) {
-      return &rows_[k];
-    }
-  }
-  return nullptr;
-}
-
-namespace {
-
 Symbols symbols_of_oscillator() {
   std::vector<Symbol> symbols;
   for (const Row& row : rows()) {
@@ -283,6 +254,32 @@ const Vocabulary& oscillator() {
 thread_local const Vocabulary * in_force = nullptr;
 
 }  // namespace
+
+Symbols::Symbols(std::vector<Symbol> rows) : rows_(std::move(rows)) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    std::vector<std::size_t>& places = places_[rows_[i].name];
+    if (std::any_of(places.begin(), places.end(), [&](std::size_t k) {
+          return rows_[k].shape == rows_[i].shape && rows_[k].of_time == rows_[i].of_time;
+        })) {
+      throw InternalError("the symbol " + rows_[i].name + " stands twice in the table");
+    }
+    places.push_back(i);
+  }
+}
+
+const Symbol * Symbols::find(const Term& term) const {
+  if (term.op() != Op::symbol && term.op() != Op::function) {
+    return nullptr;
+  }
+  const auto found = places_.find(term.name());
+  static const std::vector<std::size_t> none;
+  for (const std::size_t k : found == places_.end() ? none : found->second) {
+    if (rows_[k].shape == term.shape() && rows_[k].of_time == (term.op() == Op::function)) {
+      return &rows_[k];
+    }
+  }
+  return nullptr;
+}
 
 Vocabulary::Vocabulary(Symbols table, std::vector<Statement> domain, bool of_model)
     : table_(std::move(table)), domain_(std::move(domain)), of_model_(of_model) {

@@ -2,7 +2,6 @@
 // is asked here.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>

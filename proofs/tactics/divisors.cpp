@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/signs.hpp"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "proofs/tactics/closed.hpp"
@@ -8,6 +7,7 @@
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::tactics {
+
 namespace {
 
 using namespace kernel;
@@ -147,30 +147,6 @@ std::optional<Theorem> vanishes_at_root(const Term& a, const Variable& x, const 
                           Theorem::combination(equal(there, 0)));
 }
 
-}  // namespace
-
-Theorem factor_differs(const Polynomial& factor, const Letters& letters, const Domain& domain) {
-  if (const std::optional<Theorem> sign = signed_by_bounds(factor, letters, domain)) {
-    return different(*sign);
-  }
-  const Term f = letters.term(factor);
-  const Formula wanted = differ(f, 0);
-  for (const Theorem& known : domain) {
-    if (known.conclusion() == wanted && !known.hypotheses().contains(wanted)) {
-      return known;
-    }
-  }
-  for (const Theorem& known : domain) {
-    const bool of_use = is_divisor(known.conclusion()) && !known.hypotheses().contains(wanted);
-    if (const auto theorem = of_use ? differs_too(f, known) : std::nullopt) {
-      return *theorem;
-    }
-  }
-  return Theorem::assume(wanted);
-}
-
-namespace {
-
 // ⊢ 0 < s for factors s whose product is f^k up to sign.
 std::vector<Theorem> positive_factors(const Polynomial& factor, int exponent, const Letters& letters,
                                       const Domain& domain) {
@@ -195,6 +171,26 @@ std::vector<Theorem> positive_factors(const Polynomial& factor, int exponent, co
 }
 
 }  // namespace
+
+Theorem factor_differs(const Polynomial& factor, const Letters& letters, const Domain& domain) {
+  if (const std::optional<Theorem> sign = signed_by_bounds(factor, letters, domain)) {
+    return different(*sign);
+  }
+  const Term f = letters.term(factor);
+  const Formula wanted = differ(f, 0);
+  for (const Theorem& known : domain) {
+    if (known.conclusion() == wanted && !known.hypotheses().contains(wanted)) {
+      return known;
+    }
+  }
+  for (const Theorem& known : domain) {
+    const bool of_use = is_divisor(known.conclusion()) && !known.hypotheses().contains(wanted);
+    if (const auto theorem = of_use ? differs_too(f, known) : std::nullopt) {
+      return *theorem;
+    }
+  }
+  return Theorem::assume(wanted);
+}
 
 bool is_divisor(const Formula& hypothesis) {
   return hypothesis.kind() == Kind::negation && hypothesis.parts()[0].kind() == Kind::equal &&

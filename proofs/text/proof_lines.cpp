@@ -393,10 +393,6 @@ std::vector<Part> for_each_statement(const ProofPlace& place, const std::string&
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 // Exactly so many parts, between semicolons.
 std::vector<std::string> parts_of(const std::string& text, std::size_t count, const char * what) {
   const std::vector<std::string> parts = parts_of(text, ';');

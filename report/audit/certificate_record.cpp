@@ -40,6 +40,19 @@ std::map<std::string, std::string> foundations_in(const Json& record) {
   return result;
 }
 
+struct Count {
+  std::size_t theorems = 0, certified = 0, immediate = 0, again = 0;
+  void add(const Json& claim) {
+    const std::size_t count = claim.at("theorems").size();
+    theorems += count;
+    if (claim.at("accepted") == true) {
+      certified += count;
+      immediate += claim.at("immediate").get<std::size_t>();
+      again += claim.at("again") == "accepted" ? count : 0;
+    }
+  }
+};
+
 }  // namespace
 
 Json record_of(const certificates::Certificates& all, const Json& recorded_before) {
@@ -119,23 +132,6 @@ Json sealed(Json record) {
 bool is_sealed(const Json& record) {
   return record.contains("seal") && sealed(record).at("seal") == record.at("seal");
 }
-
-namespace {
-
-struct Count {
-  std::size_t theorems = 0, certified = 0, immediate = 0, again = 0;
-  void add(const Json& claim) {
-    const std::size_t count = claim.at("theorems").size();
-    theorems += count;
-    if (claim.at("accepted") == true) {
-      certified += count;
-      immediate += claim.at("immediate").get<std::size_t>();
-      again += claim.at("again") == "accepted" ? count : 0;
-    }
-  }
-};
-
-}  // namespace
 
 std::string text_of(const Json& record) {
   std::string text;

@@ -95,38 +95,6 @@ Json& group_of(Json& groups, const std::string& heading) {
   return *std::ranges::find_if(groups, [&](const Json& one) { return one.at("title") == heading; });
 }
 
-}  // namespace
-
-Json finding_data(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
-  Json groups = empty_groups();
-  const auto add = [&](const std::string& heading, const char * list, Json one) {
-    Json& found = group_of(groups, heading);
-    found[list].push_back(std::move(one));
-    found["count"] = found.at("count").get<int>() + 1;
-  };
-  for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-    add(facts(g.status()).heading, "hypotheses_groups", hypothesis_group(paper, audit, g));
-  }
-  for (const Record * record : findings_by_weight(paper, audit)) {
-    if (needs_something(*record)) {
-      continue;
-    }
-    const Json& claim =
-        *std::ranges::find_if(claims, [&](const Json& one) { return one.at("id") == record->claim.id; });
-    const Remark * remark = remark_on(paper, record->claim.id);
-    const bool number = record->status == Status::digits_off && compares(claim);
-    add(heading_of(*record, remark), number ? "numbers" : "claims", claim);
-  }
-  std::erase_if(groups.get_ref<Json::array_t&>(), [](const Json& one) { return one.at("count") == 0; });
-  return groups;
-}
-
-bool compares(const Json& claim) {
-  return !claim.at("outcome").at("comparisons").empty();
-}
-
-namespace {
-
 // The sentence without the ids of claims, which a letter does not know: "so it is (16.back)".
 std::string without_ids(const std::string& sentence) {
   static const std::regex ids(R"( \((?:[0-9A-Z]+\.[A-Za-z0-9.]+(?:, )?)+\))");
@@ -197,6 +165,34 @@ void add_erratum(Json& errata, const Json& one) {
 }
 
 }  // namespace
+
+Json finding_data(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
+  Json groups = empty_groups();
+  const auto add = [&](const std::string& heading, const char * list, Json one) {
+    Json& found = group_of(groups, heading);
+    found[list].push_back(std::move(one));
+    found["count"] = found.at("count").get<int>() + 1;
+  };
+  for (const HypothesisGroup& g : hypothesis_groups(audit)) {
+    add(facts(g.status()).heading, "hypotheses_groups", hypothesis_group(paper, audit, g));
+  }
+  for (const Record * record : findings_by_weight(paper, audit)) {
+    if (needs_something(*record)) {
+      continue;
+    }
+    const Json& claim =
+        *std::ranges::find_if(claims, [&](const Json& one) { return one.at("id") == record->claim.id; });
+    const Remark * remark = remark_on(paper, record->claim.id);
+    const bool number = record->status == Status::digits_off && compares(claim);
+    add(heading_of(*record, remark), number ? "numbers" : "claims", claim);
+  }
+  std::erase_if(groups.get_ref<Json::array_t&>(), [](const Json& one) { return one.at("count") == 0; });
+  return groups;
+}
+
+bool compares(const Json& claim) {
+  return !claim.at("outcome").at("comparisons").empty();
+}
 
 Json errata_data(const Paper& paper, const std::vector<Json>& claims) {
   Json errata = Json::array();

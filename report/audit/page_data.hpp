@@ -1,7 +1,6 @@
 // What the templates of an audit see.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "proofs/methods/paper.hpp"

@@ -48,6 +48,25 @@ std::string count_in_words(std::size_t total, const std::string& what,
   return fmt::format("{} {}{}{}", total, what, parts.empty() ? "" : ": ", fmt::join(parts, ", "));
 }
 
+using proofs::methods::Audit;
+using proofs::methods::Hypothesis;
+using proofs::methods::Outcome;
+using proofs::methods::Record;
+
+std::vector<Hypothesis> own_hypotheses(const Record& record) {
+  std::vector<Hypothesis> own;
+  for (const Hypothesis& hypothesis : final_outcome(record).hypotheses) {
+    if (hypothesis.origin == record.claim.id) {
+      own.push_back(hypothesis);
+    }
+  }
+  return own;
+}
+
+std::size_t weight(const HypothesisGroup& group) {
+  return group.origins.size() + group.inherited_by.size();
+}
+
 }  // namespace
 
 std::vector<StatusCount> count_statements(const Paper& paper, const Audit& audit) {
@@ -204,29 +223,6 @@ std::vector<PlaceRecords> by_place(const Paper& paper, const Audit& audit) {
   }
   return places;
 }
-
-namespace {
-
-using proofs::methods::Audit;
-using proofs::methods::Hypothesis;
-using proofs::methods::Outcome;
-using proofs::methods::Record;
-
-std::vector<Hypothesis> own_hypotheses(const Record& record) {
-  std::vector<Hypothesis> own;
-  for (const Hypothesis& hypothesis : final_outcome(record).hypotheses) {
-    if (hypothesis.origin == record.claim.id) {
-      own.push_back(hypothesis);
-    }
-  }
-  return own;
-}
-
-std::size_t weight(const HypothesisGroup& group) {
-  return group.origins.size() + group.inherited_by.size();
-}
-
-}  // namespace
 
 std::string verdict_lead(const Paper& paper, const Audit& audit) {
   Status worst = Status::as_printed;

@@ -1,7 +1,6 @@
 // An audit on a terminal.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

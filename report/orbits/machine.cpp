@@ -113,6 +113,24 @@ std::string natural_frequencies(const DataTaken& taken, int digits) {
                      rounded(modes.omega2 * taken.frequency(), digits));
 }
 
+// The values of an orbit (numeric/families/orbit.hpp), and in what each is measured.
+struct ValueOfOrbit {
+  std::string_view name;
+  const char * unit;
+  Ball (Units::*in_units)(const Ball&) const;  // null of an angle
+};
+constexpr ValueOfOrbit values_of_orbits[] = {
+    {"tau", " s", &Units::time},   {"tau1", " s", &Units::time},         {"tau2", " s", &Units::time},
+    {"T", " s", &Units::time},     {"Theta", " s", &Units::time},        {"phi", " rad", nullptr},
+    {"z10", " m", &Units::length}, {"z20", " m", &Units::length},        {"x10", " m", &Units::length},
+    {"x20", " m", &Units::length}, {"zdot10", " m/s", &Units::velocity}, {"xdot10", " m/s", &Units::velocity},
+    {"ur", " N", &Units::force},   {"ur_max", " N", &Units::force}};
+
+const ValueOfOrbit * value_named(const std::string& name) {
+  const auto * const known = std::ranges::find(values_of_orbits, name, &ValueOfOrbit::name);
+  return known == std::end(values_of_orbits) ? nullptr : known;
+}
+
 }  // namespace
 
 std::string in_unit_of(const std::string& name) {
@@ -263,28 +281,6 @@ Record Units::record(Record r) const {
   r.end = sample(r.end);
   return r;
 }
-
-namespace {
-
-// The values of an orbit (numeric/families/orbit.hpp), and in what each is measured.
-struct ValueOfOrbit {
-  std::string_view name;
-  const char * unit;
-  Ball (Units::*in_units)(const Ball&) const;  // null of an angle
-};
-constexpr ValueOfOrbit values_of_orbits[] = {
-    {"tau", " s", &Units::time},   {"tau1", " s", &Units::time},         {"tau2", " s", &Units::time},
-    {"T", " s", &Units::time},     {"Theta", " s", &Units::time},        {"phi", " rad", nullptr},
-    {"z10", " m", &Units::length}, {"z20", " m", &Units::length},        {"x10", " m", &Units::length},
-    {"x20", " m", &Units::length}, {"zdot10", " m/s", &Units::velocity}, {"xdot10", " m/s", &Units::velocity},
-    {"ur", " N", &Units::force},   {"ur_max", " N", &Units::force}};
-
-const ValueOfOrbit * value_named(const std::string& name) {
-  const auto * const known = std::ranges::find(values_of_orbits, name, &ValueOfOrbit::name);
-  return known == std::end(values_of_orbits) ? nullptr : known;
-}
-
-}  // namespace
 
 bool is_time(const std::string& name) {
   const ValueOfOrbit * const known = value_named(name);

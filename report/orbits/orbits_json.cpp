@@ -16,6 +16,18 @@ namespace {
 // Digits of margins and of their times: as many as a reader may want, however many the orbit has.
 constexpr int margin_digits = 20;
 
+void write_orbit(Object& json, const Orbit& o, int digits) {
+  json.each(ball_texts(o.values, digits),
+            {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
+            {"tau1", "T", "ur", "ur_max"});
+  json.rules({{"oneOf", {{{"required", {"ur"}}}, {{"required", {"ur_max"}}}}}});
+  write_admissible(json, o.admissible);
+  json.has("split", o.split.empty() ? std::nullopt : std::optional(o.split),
+           "For a box of parameters, the one to divide first.");
+  write_stability(json, o.stability, o.conditions, digits);
+  json.list("conditions", o.conditions, write_condition, {{"minItems", 1}});
+}
+
 }  // namespace
 
 BallText ball_text(const Ball& value, int digits) {
@@ -98,22 +110,6 @@ void write_stability(Object& json, const std::optional<Stability>& known,
         "lead to another motion.");
   });
 }
-
-namespace {
-
-void write_orbit(Object& json, const Orbit& o, int digits) {
-  json.each(ball_texts(o.values, digits),
-            {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
-            {"tau1", "T", "ur", "ur_max"});
-  json.rules({{"oneOf", {{{"required", {"ur"}}}, {{"required", {"ur_max"}}}}}});
-  write_admissible(json, o.admissible);
-  json.has("split", o.split.empty() ? std::nullopt : std::optional(o.split),
-           "For a box of parameters, the one to divide first.");
-  write_stability(json, o.stability, o.conditions, digits);
-  json.list("conditions", o.conditions, write_condition, {{"minItems", 1}});
-}
-
-}  // namespace
 
 void write_orbits(Object& json, const OrbitList& list) {
   const OrbitQuestion& q = list.question;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 #include "numeric/families/family.hpp"
 #include "report/orbits/orbit_words.hpp"
@@ -71,41 +70,6 @@ std::string undated(std::string pdf) {
   return pdf;
 }
 
-}  // namespace
-
-std::vector<File> screen_pictures(const ScriptOf& script, const std::string& stem) {
-  const std::string wide = script(PlotFormat::svg, PlotShape::wide);
-  if (wide.empty()) {
-    return {};
-  }
-  return {{stem + ".svg", gnuplot(wide)},
-          {stem + "-narrow.svg", gnuplot(script(PlotFormat::svg, PlotShape::narrow))}};
-}
-
-std::vector<File> pictures(const ScriptOf& script, const std::string& stem) {
-  std::vector<File> files = screen_pictures(script, stem);
-  if (!files.empty()) {
-    files.push_back({stem + ".pdf", undated(gnuplot(script(PlotFormat::pdf, PlotShape::wide)))});
-  }
-  return files;
-}
-
-std::vector<File> pictures(const OrbitList& list, const std::string& stem, std::optional<std::size_t> only) {
-  return pictures([&](PlotFormat format, PlotShape shape) { return plot_script(list, format, shape, only); },
-                  stem);
-}
-
-void require_page_tools() {
-  require_katex();
-  require_gnuplot();
-}
-
-Json drawn_by() {
-  return {{{"name", "gnuplot"}, {"version", gnuplot_version()}}};
-}
-
-namespace {
-
 constexpr int short_digits = 15;
 constexpr int multiplier_digits = 8;
 
@@ -169,6 +133,37 @@ Json unresolved(const Unresolved& part) {
 }
 
 }  // namespace
+
+std::vector<File> screen_pictures(const ScriptOf& script, const std::string& stem) {
+  const std::string wide = script(PlotFormat::svg, PlotShape::wide);
+  if (wide.empty()) {
+    return {};
+  }
+  return {{stem + ".svg", gnuplot(wide)},
+          {stem + "-narrow.svg", gnuplot(script(PlotFormat::svg, PlotShape::narrow))}};
+}
+
+std::vector<File> pictures(const ScriptOf& script, const std::string& stem) {
+  std::vector<File> files = screen_pictures(script, stem);
+  if (!files.empty()) {
+    files.push_back({stem + ".pdf", undated(gnuplot(script(PlotFormat::pdf, PlotShape::wide)))});
+  }
+  return files;
+}
+
+std::vector<File> pictures(const OrbitList& list, const std::string& stem, std::optional<std::size_t> only) {
+  return pictures([&](PlotFormat format, PlotShape shape) { return plot_script(list, format, shape, only); },
+                  stem);
+}
+
+void require_page_tools() {
+  require_katex();
+  require_gnuplot();
+}
+
+Json drawn_by() {
+  return {{{"name", "gnuplot"}, {"version", gnuplot_version()}}};
+}
 
 Json orbit_data(const OrbitList& list) {
   const auto parameter = [](const auto& one) -> Json {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/interruption.hpp"
@@ -55,6 +54,15 @@ Extent extent_once(const Portrait& p, int component) {
   return e;
 }
 
+// The place in a state of mass k of the labels.
+int place(const PortraitLabels& labels, std::size_t k) {
+  return static_cast<int>(k + 2 - labels.masses.size());
+}
+
+std::string axis(const PortraitLabels& labels, const char * x, std::size_t mass, const char * unit) {
+  return fmt::format("{}_{}{}", x, mass + 1, labels.in_SI ? fmt::format(" in {}", unit) : "");
+}
+
 }  // namespace
 
 Portrait portrait(const words::WordQuestion& machine, const Attractor& a, const Units& units) {
@@ -74,19 +82,6 @@ Portrait portrait(const words::WordQuestion& machine, const Attractor& a, const 
   }
   return result;
 }
-
-namespace {
-
-// The place in a state of mass k of the labels.
-int place(const PortraitLabels& labels, std::size_t k) {
-  return static_cast<int>(k + 2 - labels.masses.size());
-}
-
-std::string axis(const PortraitLabels& labels, const char * x, std::size_t mass, const char * unit) {
-  return fmt::format("{}_{}{}", x, mass + 1, labels.in_SI ? fmt::format(" in {}", unit) : "");
-}
-
-}  // namespace
 
 std::string plot_script(const Portrait& p, PlotFormat format, PlotShape shape, const PortraitLabels& labels) {
   const bool narrow = shape == PlotShape::narrow;

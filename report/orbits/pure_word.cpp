@@ -67,33 +67,6 @@ std::vector<Row> which(const PureWord& word, const Units& units) {
       {{"stability"}, {"neutral, not stable: free oscillations neither grow nor decay"}}};
 }
 
-}  // namespace
-
-Verdict exists(const PureWord& word) {
-  return sticks(word) ? pure_stick(word.machine.data, word.machine.ur)
-                      : pure_slip(word.machine.data, word.kind).exists;
-}
-
-std::string terminal_report(const PureWord& word, const Style& style, const Units& units) {
-  std::vector<Row> rows{{{"parameters"}, {parameter_list(word.machine)}}, {{"result"}, {result(word)}}};
-  if (!sticks(word)) {
-    rows.push_back(
-        {{"forced"},
-         {fmt::format("|q2| omega = {}{}, the speed of mass 2 that the load forces",
-                      rounded(units.velocity(pure_slip(word.machine.data, word.kind).forced), digits),
-                      units.unit(" m/s"))}});
-  }
-  if (exists(word).truth == Truth::proved) {
-    const std::vector<Row> more = which(word, units);
-    rows.insert(rows.end(), more.begin(), more.end());
-  }
-  return columns_of({{{fmt::format("Motions that {} for ever", verb(word.kind)), bold(style)}}},
-                    style.width) +
-         columns_of(rows, style.width);
-}
-
-namespace {
-
 void write_pure(Object& json, const PureWord& word, const Units& units) {
   const WordQuestion& q = word.machine;
   const std::string letter(1, words::letter(word.kind));
@@ -120,6 +93,29 @@ void write_pure(Object& json, const PureWord& word, const Units& units) {
 }
 
 }  // namespace
+
+Verdict exists(const PureWord& word) {
+  return sticks(word) ? pure_stick(word.machine.data, word.machine.ur)
+                      : pure_slip(word.machine.data, word.kind).exists;
+}
+
+std::string terminal_report(const PureWord& word, const Style& style, const Units& units) {
+  std::vector<Row> rows{{{"parameters"}, {parameter_list(word.machine)}}, {{"result"}, {result(word)}}};
+  if (!sticks(word)) {
+    rows.push_back(
+        {{"forced"},
+         {fmt::format("|q2| omega = {}{}, the speed of mass 2 that the load forces",
+                      rounded(units.velocity(pure_slip(word.machine.data, word.kind).forced), digits),
+                      units.unit(" m/s"))}});
+  }
+  if (exists(word).truth == Truth::proved) {
+    const std::vector<Row> more = which(word, units);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  return columns_of({{{fmt::format("Motions that {} for ever", verb(word.kind)), bold(style)}}},
+                    style.width) +
+         columns_of(rows, style.width);
+}
 
 Json to_json(const PureWord& word, const Units& units) {
   return written(word, [&](Object& json, const PureWord& it) { write_pure(json, it, units); });

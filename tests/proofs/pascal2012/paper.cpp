@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/pascal2012/nonsticking_list.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 #include "tests/proofs/checks/decided.hpp"
 
