@@ -151,29 +151,19 @@ std::string completion(const CLI::App& program, const Completions& completions) 
     }
     return fmt::format("{}", fmt::join(words, " "));
   };
+  const auto line = [](const std::string& of, const std::string& words) {
+    return fmt::format("    {}) words=\"{}\" ;;\n", of, words);
+  };
   std::string names, cases, values;
   for (const auto& [option, words] : completions) {
-    if (option.starts_with("-")) {
-      values += fmt::format("    {}) words=\"{}\" ;;\n", option, fmt::join(words, " "));
-    }
+    values += option.starts_with("-") ? line(option, fmt::format("{}", fmt::join(words, " "))) : "";
   }
   for (const CLI::App * command : commands_of(program)) {
     names += command->get_name() + " ";
-    cases += fmt::format("    1:{}) words=\"{}\" ;;\n", command->get_name(), words_of(*command));
+    cases += line("1:" + command->get_name(), words_of(*command));
   }
-  return fmt::format(
-      "# Completion of stickslip in bash: commands, options, what has a name, files.\n"
-      "_stickslip() {{\n"
-      "  local words\n"
-      "  case $((COMP_CWORD > 1)):${{COMP_WORDS[1]}} in\n"
-      "    0:*) words=\"{}{}\" ;;\n{}"
-      "  esac\n"
-      "  case ${{COMP_WORDS[COMP_CWORD-1]}} in\n{}"
-      "  esac\n"
-      "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"${{COMP_WORDS[COMP_CWORD]}}\")\n"
-      "}}\n"
-      "complete -o default -F _stickslip stickslip\n",
-      names, words_of(program), cases, values);
+  return worded(help_texts().at("completion.bash"),
+                {{"commands", line("0:*", names + words_of(program)) + cases}, {"values", values}});
 }
 
 }  // namespace

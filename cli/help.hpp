@@ -1,5 +1,5 @@
 // What the help says of the commands: the texts in cli/help/, one for each command, and common.txt for
-// options that several have.
+// options that several have; completion.bash is what bash reads.
 //
 //   Write proofs that the proof assistant Coq checks      what the command does
 //
