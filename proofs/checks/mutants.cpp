@@ -9,6 +9,7 @@
 #include "proofs/checks/premise_point.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/symbols/meaning.hpp"
 
 namespace stickslip::proofs::checks {
 

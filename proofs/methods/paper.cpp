@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "proofs/symbols/sample.hpp"
 
 namespace stickslip::proofs::methods {
 
