@@ -4,11 +4,11 @@
 
 #include "core/sinc.hpp"
 #include "model/energy.hpp"
-#include "model/response.hpp"
 #include "model/saltation.hpp"
 #include "numeric/motion/infimum.hpp"
 #include "numeric/zeros/inflation.hpp"
 #include "tests/numeric/families/nest.hpp"
+#include "tests/numeric/simulation/response.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::motion;

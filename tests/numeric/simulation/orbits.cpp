@@ -4,10 +4,10 @@
 #include <Eigen/Eigenvalues>
 
 #include "model/flows.hpp"
-#include "model/response.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
+#include "tests/numeric/simulation/response.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;
@@ -113,7 +113,7 @@ TEST_CASE("the modal response is the slip (5), off resonance") {
   const Vector4<Ball> expected = model::slip_flow<Ball>(o.modes, o.Q, o.data.omega, slip.load, slip.Z, h);
   const model::Modes<Ball>& m = o.modes;
   const Ball det = m.lambda2 - m.lambda1;
-  Vector4<Ball> Z = Vector4<Ball>::Zero();
+  Vector4<Ball> Z = Vector4<Ball>::Constant(Ball(0));
   for (int j = 0; j < 2; ++j) {
     const Ball omega_j = j == 0 ? m.omega1 : m.omega2;
     const Ball lambda = j == 0 ? m.lambda1 : m.lambda2;
