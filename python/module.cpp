@@ -487,7 +487,7 @@ std::string told_in_tables(const Asking& asking, const Conduct& conduct) {
   return carried_out(conduct, [&] {
     const GivenInTables given = in_tables(o);
     using report::machines::to_json;
-    if constexpr (std::is_same_v<Options, AttractorsOptions>) {
+    if constexpr (std::is_same_v<Options, cli::AttractorsOptions>) {
       if (o.plane) {
         return to_json(cli::basins_answer(given, o)).dump();
       }
