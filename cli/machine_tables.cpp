@@ -303,6 +303,10 @@ class Reader {
     for (std::size_t i = 0; i + 1 < law.sliding.size(); ++i) {
       model::SlidingPiece<Rational>& piece = law.sliding[i];
       const model::SlidingPiece<Rational>& next = law.sliding[i + 1];
+      if (next.from <= piece.from && place_ != nullptr) {
+        throw DomainError("a relative velocity of sliding", to_string(next.from),
+                          "more than the one before, " + to_string(piece.from));
+      }
       if (next.from <= piece.from) {
         refuse(*sliding, fmt::format("the relative velocities of sliding increase: {} does not follow {}",
                                      to_string(next.from), to_string(piece.from)));

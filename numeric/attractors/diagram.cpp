@@ -43,19 +43,15 @@ words::WordQuestion machine_at(const DiagramQuestion& question, DiagramPoint& po
 
 std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, const Attractor& a,
                                            long most) {
-  std::vector<Vector4<double>> states{a.state};
   if (a.is_too_slow) {
-    return states;
+    return {a.state};
   }
-  simulation::Simulation simulation(motion::parameters_as<double>(machine.data),
-                                    scalars::scalar<double>(machine.ur), 0, a.state);
   const bool moves = a.kind != Kind::stuck && a.kind != Kind::grows && a.kind != Kind::unsettled;
   const long count = a.kind == Kind::periodic ? std::min(a.periods, most) : moves ? most : 1;
-  while (static_cast<long>(states.size()) < count && !interrupted()) {
-    simulation.advance(simulation.period());
-    states.push_back(simulation.state());
-  }
-  return states;
+  return states_once_a_period<Vector4<double>>(
+      simulation::Simulation(motion::parameters_as<double>(machine.data), scalars::scalar<double>(machine.ur),
+                             0, a.state),
+      count);
 }
 
 Diagram diagram_of(const DiagramQuestion& question) {

@@ -1,5 +1,4 @@
-// Starts by the many, for any oscillator: what they end on while one datum varies, and where in a plane they
-// begin.
+// What many starts end on, for any oscillator: while one datum varies, and over a plane that they lie in.
 #pragma once
 
 #include <array>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "core/rational.hpp"
 
 namespace stickslip::numeric::attractors {
@@ -21,6 +21,18 @@ struct PointAlong {
   std::vector<Attractor> attractors;
   std::vector<std::vector<State>> once;  // of each of them, states to be drawn
 };
+
+// The state and those that follow it one period of the load apart, so many in all; fewer after an
+// interruption.
+template <class State, class Simulation>
+[[nodiscard]] std::vector<State> states_once_a_period(Simulation simulation, long count) {
+  std::vector<State> states{simulation.state()};
+  while (static_cast<long>(states.size()) < count && !interrupted()) {
+    simulation.advance(simulation.period());
+    states.emplace_back(simulation.state());
+  }
+  return states;
+}
 
 // The points at so many values from `from` to `to`, both among them; `look` fills in one that has its value,
 // and says whether it was not interrupted: else there are no more. Throws DomainError when no value is in the

@@ -63,6 +63,10 @@ void require_law(const model::FrictionLaw<Rational>& law) {
         fmt::format("{}, which the piece before reaches at {}", to_string(reached), to_string(piece.from)));
   }
   const Rational& first = law.sliding.front().force;
+  if (law.smooth) {
+    require(law.smooth->first == first, "the sliding friction at 0", law.smooth->first,
+            to_string(first) + ", as on the pieces beside it");
+  }
   require(first <= law.at_rest, "the sliding friction at 0", first,
           "no more than the friction at rest, " + to_string(law.at_rest));
 }

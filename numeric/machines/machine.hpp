@@ -30,7 +30,8 @@ inline constexpr int smooth_pieces = 32;
 // Throws DomainError unless there is a mass, all are > 0, C and K are symmetric and as large, the rubbing
 // mass is one of them, omega > 0 where a load varies, and the friction of each side is a law: > 0 at rest,
 // pieces that begin at 0, each after the one before, together continuous and >= 0 where they begin, and at
-// most the friction at rest at first; of a smooth one all forces >= 0 and the velocity > 0.
+// most the friction at rest at first; of a smooth one all forces >= 0, the velocity > 0,
+// and the force at 0 that of its pieces.
 void require_machine(const Machine& machine);
 
 }  // namespace stickslip::numeric::machines

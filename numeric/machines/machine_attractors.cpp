@@ -20,6 +20,8 @@ namespace {
 
 // Two simulated motions nearer than this, in parts of their size, are one.
 constexpr double same_motion = 1e-6;
+// What is proved is farther from the motion that was seen, in parts of its size: it is another one.
+constexpr double most_astray = 0.05;
 
 std::vector<Eigen::VectorXd> random_starts(const model::FrictionOscillator<double>& o, long count,
                                            std::uint64_t seed) {
@@ -142,7 +144,13 @@ MachineAttractors find_attractors_from(const MachineStarts& question,
     if (first[k]->kind != Kind::periodic || interrupted()) {
       return std::nullopt;
     }
-    return prove_machine_orbit(question.machine, first[k]->guess, question.digits);
+    MachineOrbit orbit = prove_machine_orbit(question.machine, first[k]->guess, question.digits);
+    if (orbit.existence.truth == Truth::proved &&
+        !(distance(guess_of(orbit, question.machine), first[k]->guess) < most_astray)) {
+      orbit = {};
+      orbit.existence = Verdict::undecided("Newton's method leads from there to another motion");
+    }
+    return orbit;
   });
   for (std::size_t k = 0; k < first.size(); ++k) {
     MachineAttractor& a = result.attractors[k];
@@ -161,17 +169,17 @@ MachineAttractors find_attractors_from(const MachineStarts& question,
 namespace {
 
 std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttractor& a) {
-  std::vector<Eigen::VectorXd> states{a.state};
   if (machine.oscillator.is_autonomous()) {
-    if (a.orbit && a.orbit->existence.truth == Truth::proved) {
-      states.clear();
-      motion::PhaseKind before = a.orbit->phases.back().piece.kind;
-      for (const MachinePhase& phase : a.orbit->phases) {
-        if (phase.piece.kind != before) {
-          states.emplace_back(phase.state.unaryExpr([](const Ball& x) { return x.approximate(); }));
-        }
-        before = phase.piece.kind;
+    if (!a.orbit || a.orbit->existence.truth != Truth::proved) {
+      return {a.state};
+    }
+    std::vector<Eigen::VectorXd> states;
+    motion::PhaseKind before = a.orbit->phases.back().piece.kind;
+    for (const MachinePhase& phase : a.orbit->phases) {
+      if (phase.piece.kind != before) {
+        states.emplace_back(phase.state.unaryExpr([](const Ball& x) { return x.approximate(); }));
       }
+      before = phase.piece.kind;
     }
     return states;
   }
@@ -179,12 +187,9 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
   const long count = a.kind == Kind::periodic && a.orbit ? std::min(a.orbit->periods, most_once)
                      : moves                             ? most_once
                                                          : 1;
-  simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic> motion(oscillator_as<double>(machine), 0, a.state);
-  while (static_cast<long>(states.size()) < count && !interrupted()) {
-    motion.advance(motion.period());
-    states.emplace_back(motion.state());
-  }
-  return states;
+  return attractors::states_once_a_period<Eigen::VectorXd>(
+      simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>(oscillator_as<double>(machine), 0, a.state),
+      count);
 }
 
 }  // namespace

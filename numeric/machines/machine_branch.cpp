@@ -83,19 +83,6 @@ MachineGuess beyond(const MachineGuess& a, double omega_a, const MachineGuess& b
   return guess;
 }
 
-double distance(const MachineGuess& a, const MachineGuess& b) {
-  double farthest = std::abs(a.duration - b.duration) / b.duration;
-  for (std::size_t i = 0; i < a.events.size(); ++i) {
-    const auto next = [&](const MachineGuess& g) {
-      return (i + 1 < g.events.size() ? g.events[i + 1].t : g.events[0].t + g.duration) - g.events[i].t;
-    };
-    farthest = std::max({farthest, std::abs(next(a) - next(b)) / b.duration,
-                         (a.events[i].X - b.events[i].X).lpNorm<Eigen::Infinity>() /
-                             std::max(b.events[i].X.lpNorm<Eigen::Infinity>(), 1e-300)});
-  }
-  return farthest;
-}
-
 // The numbers of a guess, and a guess with these.
 Eigen::VectorXd numbers_of(const MachineGuess& guess) {
   const Eigen::Index n = guess.events[0].X.size() + 1;

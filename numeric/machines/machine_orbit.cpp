@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "numeric/machines/linear_course.hpp"
@@ -149,7 +150,8 @@ class Judge {
     const int side = piece.side();
     const Ball V = Ball(side) * o.V;
     const model::FrictionLaw<Rational>& exact = machine_.law(side);
-    const bool slowly = before().kind == PhaseKind::stick && exact.sliding.front().force == exact.at_rest;
+    const bool slowly =
+        number == 0 && before().kind == PhaseKind::stick && exact.sliding.front().force == exact.at_rest;
     const double from = slowly ? leaves_slowly(side) : 0;
     along(slips ? "slip" : "overshoot",
           number == 0 ? (slips ? "$x' < V$ while it slips" : "$x' > V$ while it overshoots")
@@ -322,6 +324,19 @@ MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine) {
                             phase.piece});
   }
   return guess;
+}
+
+double distance(const MachineGuess& a, const MachineGuess& b) {
+  double farthest = std::abs(a.duration - b.duration) / b.duration;
+  for (std::size_t i = 0; i < a.events.size(); ++i) {
+    const auto next = [&](const MachineGuess& g) {
+      return (i + 1 < g.events.size() ? g.events[i + 1].t : g.events[0].t + g.duration) - g.events[i].t;
+    };
+    farthest = std::max({farthest, std::abs(next(a) - next(b)) / b.duration,
+                         (a.events[i].X - b.events[i].X).lpNorm<Eigen::Infinity>() /
+                             std::max(b.events[i].X.lpNorm<Eigen::Infinity>(), 1e-300)});
+  }
+  return farthest;
 }
 
 }  // namespace stickslip::numeric::machines

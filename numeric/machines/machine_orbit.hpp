@@ -59,4 +59,8 @@ struct MachineOrbit {
 // A proved motion as a guess, the load's phase being 0 at t = 0.
 [[nodiscard]] MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine);
 
+// Between two motions through the same phases: the largest difference of durations and states at events, in
+// parts of the duration of the second and of its state there.
+[[nodiscard]] double distance(const MachineGuess& a, const MachineGuess& b);
+
 }  // namespace stickslip::numeric::machines

@@ -257,6 +257,11 @@ TEST_CASE("what starts end on along a number of the file, and in a plane") {
   CHECK(table.find("-100,,,outside the domain,,,") != std::string::npos);
   CHECK(table.find(",1,1,periodic,2,OTS,yes,") != std::string::npos);
   CHECK(std::filesystem::exists(directory / "along/diagram.svg"));
+  const Json points = Json::parse(
+      run({"--along", "friction.sliding.2.1", "0.1..0.4", "--values", "2", "--starts", "2", "--json"})
+          .out)["points"];
+  CHECK(points[0]["attractors"].size() == 1);
+  CHECK(points[1]["outside"].get<std::string>().find("more than the one before, 0.4") != std::string::npos);
   // In a plane each start ends where it ends alone, in the order that the file says.
   const Run plane =
       run({"--plane", "x2,x1'", "--pixels", "3", "--json", "--csv", csv, "--out", directory / "plane"});
@@ -455,7 +460,9 @@ TEST_CASE("what does not go with a machine in tables is refused in a sentence") 
        {{"branch", "OTS", "--along", "belt.velocity", "1..2", "--at", "3"},
         exit_usage,
         "at: belt.velocity = 3 is not in the interval"},
-       {{"branch", "OTS", "--along", "friction.sliding.2.1", "0.2..0.4"}, exit_usage, "does not follow"},
+       {{"branch", "OTS", "--along", "friction.sliding.2.1", "0.2..0.4"},
+        exit_domain,
+        "more than the one before"},
        {{"branch", "OTS", "--along", "friction.at_rest", "5..12"}, exit_domain, "friction at rest"},
        {{"atlas", "symmetric"}, exit_usage, "is a machine in tables: that is for stickslip orbits WORD"}},
       about(file));

@@ -250,6 +250,11 @@ TEST_CASE("the cycle on Stribeck's smooth law is proved, and pieces come near it
   REQUIRE(orbit.stability->multipliers.size() == 1);
   CHECK(orbit.stability->multipliers[0].re.contains_zero());
   CHECK(orbit.period.radius().approximate() < 1e-20);
+  // It is where the motion on the pieces was seen, not just anywhere.
+  CHECK(distance(guess_of(orbit, machine), found.guess) < 0.01);
+  MachineGuess other = found.guess;
+  other.events[0].X *= 1.2;
+  CHECK(distance(guess_of(orbit, machine), other) > 0.1);
   // As the motion leaves the belt, so it does: slowly, for the friction does not drop.
   CHECK(std::ranges::any_of(orbit.conditions, [](const auto& c) { return c.id == "leaves"; }));
   // The cycle by Odeint: r = 1 where the slip begins, from x = 1 - c V.
@@ -335,4 +340,11 @@ TEST_CASE("what is no smooth law is refused in a sentence") {
   CHECK(refusal(1, 1, 0, 0).find("the velocity over which sliding friction falls = 0") == 0);
   CHECK(refusal(1, 1, 1, -1).find("the viscous part of sliding friction = -1") == 0);
   CHECK(refusal(2, 1, 1, 0).find("the sliding friction at 0 = 2") == 0);
+  // Beside pieces of another law it would be judged by these where it begins.
+  Machine machine = one_mass(Rational(0), Rational(1));
+  machine.oscillator.forward.smooth->first = 2;
+  CHECK_THROWS_WITH_AS(
+      require_machine(machine),
+      "the sliding friction at 0 = 2 is outside the allowed range: 1, as on the pieces beside it",
+      DomainError);
 }
