@@ -173,9 +173,11 @@ const Matrix& LinearPhases::drift(Piece piece) const {
   return found != drifts_.end() ? found->second : drifts_.emplace(piece, make_drift(piece)).first->second;
 }
 
-// exp(B (m + d)) = exp(B m) (I + B d + … + (B d)^(k-1)/(k-1)! + R), in the norm of row sums, so for each
-// entry, |R| <= s^k/k! / (1 - s/(k + 1)) with s = |B| |d| < 1: from one exponential to those beside it.
-Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
+// exp(B (m + d)) X = exp(B m) (X + B d X + … + (B d)^(k-1) X/(k-1)! + R), in the norm of row sums, so for
+// each entry, |R| <= |X| s^k/k! / (1 - s/(k + 1)) with s = |B| |d| < 1: from one exponential to those beside
+// it.
+template <class M>
+M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   constexpr double near_enough = 0x1p-10;
   const Matrix& B = drift(piece);
   const Ball norm = zeros::norm(B);
@@ -196,16 +198,24 @@ Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
   const Exponential& known = *found;
   const Ball d = h - known.middle;
   if (is_zero(d)) {
-    return known.of_middle;
+    return zeros::product(known.of_middle, X);
   }
   const Ball s = Ball(norm * abs(d)).upper();
   const double radius = Ball(norm * d.radius()).approximate();
   const double enough = std::max(radius * radius, std::exp2(-static_cast<double>(WorkingPrecision::bits())));
-  Matrix near = Matrix::Identity(size_, size_), term = near;
+  Ball size(0);
+  for (Eigen::Index i = 0; i < X.rows(); ++i) {
+    Ball sum(0);
+    for (Eigen::Index k = 0; k < X.cols(); ++k) {
+      sum += abs(X(i, k));
+    }
+    size = Ball::hull(size, sum.upper()).upper();
+  }
+  M term = X;
   Ball rest = s;  // of the terms from the k-th on, if they go on as a geometric series
   for (int k = 1; k == 1 || rest.approximate() > enough; ++k) {
-    term = Matrix(sparse_product(B, term) * Ball(d / Ball(k)));
-    near += term;
+    term = M(sparse_product(B, term) * Ball(d / Ball(k)));
+    X += term;
     rest *= s / Ball(k + 1);
     if (!rest.is_finite() || k > most_terms) {
       break;
@@ -215,14 +225,20 @@ Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
   Ball R;
   arb_indeterminate(R.raw());
   if (room.is_positive()) {
-    R = Ball(rest / room).upper();
+    R = Ball(size * rest / room).upper();
   }
-  for (Eigen::Index i = 0; i < size_; ++i) {
-    for (Eigen::Index k = 0; k < size_; ++k) {
-      near(i, k) += Ball::hull(-R, R);
-    }
+  for (Eigen::Index i = 0; i < X.size(); ++i) {
+    X.data()[i] += Ball::hull(-R, R);
   }
-  return zeros::product(known.of_middle, near);
+  return zeros::product(known.of_middle, X);
+}
+
+Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
+  return moved(piece, h, Matrix(Matrix::Identity(size_, size_)));
+}
+
+Vector LinearPhases::after(Piece piece, const Ball& h, const Vector& w) const {
+  return moved(piece, h, w);
 }
 
 LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {

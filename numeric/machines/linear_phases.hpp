@@ -47,6 +47,8 @@ class LinearPhases {
   [[nodiscard]] const Matrix& drift(Piece piece) const;
   // exp(B h), for all members of h. Those that Arb computed are kept, and serve those beside them.
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
+  // That times w.
+  [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;
 
   // What ends the piece, r on a stick and x_j' else, f = row w, and how its Taylor polynomials are bounded.
   // With the sizes of the numbers of w balanced by S, diagonal, and nu = |S B S⁻¹| in the norm of row sums,
@@ -78,6 +80,8 @@ class LinearPhases {
     Matrix of_middle;
   };
   [[nodiscard]] Matrix make_drift(Piece piece) const;
+  template <class M>
+  [[nodiscard]] M moved(Piece piece, const Ball& h, M X) const;
   [[nodiscard]] Watch make_watch(Piece piece, bool reversed) const;
 
   model::FrictionOscillator<Ball> oscillator_;

@@ -20,8 +20,6 @@ namespace {
 
 // Two simulated motions nearer than this, in parts of their size, are one.
 constexpr double same_motion = 1e-6;
-// What is proved is farther from the motion that was seen, in parts of its size: it is another one.
-constexpr double most_astray = 0.05;
 
 std::vector<Eigen::VectorXd> random_starts(const model::FrictionOscillator<double>& o, long count,
                                            std::uint64_t seed) {

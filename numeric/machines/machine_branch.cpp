@@ -27,8 +27,6 @@ namespace {
 constexpr int longest_step = 7;
 constexpr int shortest_step = 30;
 constexpr std::size_t most_samples = 5000;
-// How far a motion may be from where it was expected, in parts of its size.
-constexpr double most_astray = 0.05;
 // At a fold the branch is a parabola through three motions at least so far from it, and from each other, as
 // powers of two in parts of the interval.
 constexpr std::array fold_distances{16, 19};

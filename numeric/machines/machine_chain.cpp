@@ -1,7 +1,7 @@
 #include "numeric/machines/machine_chain.hpp"
 
 #include "core/error.hpp"
-#include "numeric/machines/smooth_phase.hpp"
+#include "numeric/machines/passage.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -13,16 +13,6 @@ using words::Nodes;
 using zeros::product;
 
 namespace {
-
-Ball dot(const Vector& a, const Vector& b) {
-  Ball sum(0);
-  for (Eigen::Index i = 0; i < a.size(); ++i) {
-    if (!is_zero(a(i))) {
-      add_product(sum, a(i), b(i));
-    }
-  }
-  return sum;
-}
 
 // On a smooth law rounding grows along a phase: so many bits more are kept there.
 constexpr long more_bits = 64;
@@ -49,19 +39,8 @@ MachineChain::MachineChain(const MachineQuestion& question)
     turn_ = Ball(2 * question.periods) * Ball::pi() / o.omega;
   }
   for (std::size_t i = 0; i < size(); ++i) {
-    const Piece& piece = pieces_[i];
-    const Piece& before = pieces_[(i + size() - 1) % size()];
-    if (before.kind != piece.kind) {
-      speeds_.push_back(o.V);
-      continue;
-    }
-    const int upper = std::max(before.number, piece.number);
-    if (piece.kind == PhaseKind::stick || std::min(before.number, piece.number) + 1 != upper) {
-      throw InternalError("two phases after each other that no event separates");
-    }
-    const model::FrictionOscillator<Rational>& exact = question.machine.oscillator;
-    const Rational& from = exact.law(piece.side()).sliding.at(static_cast<std::size_t>(upper)).from;
-    speeds_.emplace_back(Rational(exact.V - piece.side() * from));
+    speeds_.push_back(
+        speed_between(question.machine.oscillator, pieces_[(i + size() - 1) % size()], pieces_[i]));
   }
 }
 
@@ -110,32 +89,16 @@ Vector MachineChain::end(const Nodes& nodes, std::size_t i) const {
 
 Vector MachineChain::event(std::size_t i) const {
   const std::size_t following = (i + 1) % size();
-  const model::FrictionOscillator<Ball>& o = phases_.oscillator();
-  if (pieces_[i].kind != PhaseKind::stick) {
-    return phases_.speed() - phases_.one() * speeds_[following];
-  }
-  const bool slips = pieces_[following].kind == PhaseKind::slip;
-  return phases_.friction_at_rest() + phases_.one() * (slips ? Ball(-o.forward.at_rest) : o.backward.at_rest);
+  return event_between(phases_, pieces_[i], pieces_[following], speeds_[following]);
 }
 
-MachineChain::Course MachineChain::course(const Nodes& nodes, std::size_t i, bool with_derivative) const {
-  const Eigen::Index states = 2 * phases_.masses();
+Passage MachineChain::course(const Nodes& nodes, std::size_t i, bool with_derivative) const {
   const Ball h = duration(nodes, i);
-  if (phases_.is_smooth(pieces_[i])) {
-    // Of a derivative Newton's method does not ask that much.
-    const WorkingPrecision scope(WorkingPrecision::bits() + (with_derivative ? 0 : more_bits));
-    const Vector start = beginning(nodes, i);
-    const int side = pieces_[i].side();
-    const SmoothPhase phase(phases_, side, start, h, false, with_derivative);
-    const Vector reached = phase.end();
-    return {reached, smooth_rate(phases_, side, start), smooth_rate(phases_, side, reached),
-            with_derivative ? phase.derivative() : Matrix()};
+  if (phases_.is_smooth(pieces_[i]) && !with_derivative) {  // of a derivative less is asked
+    const WorkingPrecision scope(WorkingPrecision::bits() + more_bits);
+    return passage(phases_, pieces_[i], beginning(nodes, i), h, false);
   }
-  const Vector start = beginning(nodes, i);
-  const Matrix& B = phases_.drift(pieces_[i]);
-  const Matrix flow = phases_.flow(pieces_[i], h);
-  const Vector reached = product(flow, start);
-  return {reached, product(B, start), product(B, reached), flow.topLeftCorner(states, states)};
+  return passage(phases_, pieces_[i], beginning(nodes, i), h, with_derivative);
 }
 
 Node MachineChain::conditions(const Nodes& nodes, std::size_t i) const {
@@ -150,22 +113,25 @@ Node MachineChain::conditions(const Nodes& nodes, std::size_t i) const {
 Link MachineChain::link(const Nodes& nodes, std::size_t i) const {
   const Eigen::Index n = phases_.masses();
   const Eigen::Index j = n + phases_.rubbing();
-  const auto [reached, leaves, arrives, H] = course(nodes, i, true);
+  const Passage course = this->course(nodes, i, true);
   const Vector D = event(i);
+  Spread node{Vector::Constant(2 * n, Ball(0)), Matrix::Constant(2 * n, 2 * n, Ball(0))};
+  if (!autonomous_) {
+    node.time(0) = Ball(1);
+  }
+  for (Eigen::Index k = 1; k < 2 * n; ++k) {
+    node.state(k - 1 < j ? k - 1 : k, k) = Ball(1);
+  }
+  const Spread reached = at_event(course, D, node);
   Link link;
   link.end_velocity.resize(2 * n);
   link.end_velocity(0) = Ball(1);
-  link.end_velocity.tail(2 * n - 1) = without(arrives);
-  link.rate = dot(D, arrives);
-  link.M = Matrix::Constant(2 * n, 2 * n, Ball(0));
+  link.end_velocity.tail(2 * n - 1) = without(course.arrives);
+  link.rate = dot(D, course.arrives);
+  link.M.resize(2 * n, 2 * n);
+  link.M.row(0) = reached.time.transpose();
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    if (k == 0 && autonomous_) {
-      continue;
-    }
-    const Eigen::Index column = k - 1 < j ? k - 1 : k;
-    const Vector w = k == 0 ? Vector(-product(H, leaves.head(2 * n))) : Vector(H.col(column));
-    link.M.col(k) = link.end_velocity * Ball(-dot(D.head(2 * n), w) / link.rate);
-    link.M.col(k).tail(2 * n - 1) += without(w);
+    link.M.col(k).tail(2 * n - 1) = without(reached.state.col(k));
   }
   return link;
 }

@@ -9,6 +9,7 @@
 
 #include "numeric/machines/linear_phases.hpp"
 #include "numeric/machines/machine.hpp"
+#include "numeric/machines/passage.hpp"
 #include "numeric/words/chain.hpp"
 
 namespace stickslip::numeric::machines {
@@ -38,11 +39,8 @@ class MachineChain : public words::Chain {
  private:
   [[nodiscard]] words::Node next(const words::Nodes& nodes, std::size_t i) const;
   // Phase i from its node: w and w' at its ends, and where it is asked for the derivative of (x, x').
-  struct Course {
-    Vector reached, leaves, arrives;
-    Matrix derivative;
-  };
-  [[nodiscard]] Course course(const words::Nodes& nodes, std::size_t i, bool with_derivative) const;
+  // Phase i from its node.
+  [[nodiscard]] Passage course(const words::Nodes& nodes, std::size_t i, bool with_derivative) const;
   // Zero where phase i ends, as a row.
   [[nodiscard]] Vector event(std::size_t i) const;
   // Without x_j'.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "numeric/machines/linear_course.hpp"
+#include "numeric/machines/judge.hpp"
 #include "numeric/words/chain_proof.hpp"
 #include "numeric/words/sweep.hpp"
 #include "numeric/words/word.hpp"
@@ -41,139 +41,6 @@ Nodes nodes_of(const MachineGuess& guess, const Machine& machine) {
   }
   return nodes;
 }
-
-// The orbit's distances from what would end its phases, and where they are zero.
-class Judge {
- public:
-  Judge(const MachineChain& chain, const Nodes& nodes, const MachineQuestion& question)
-      : chain_(chain), nodes_(nodes), machine_(question.machine.oscillator), pieces_(question.pieces) {}
-
-  std::vector<Condition> conditions(const std::vector<MachinePhase>& phases) {
-    for (i_ = 0; i_ < pieces_.size(); ++i_) {
-      phase_ = &phases[i_];
-      add("duration", "each phase lasts");
-      judge(list_.back(), phase_->duration, true, "the duration");
-      forward_.emplace(linear(), pieces_[i_], chain_.beginning(nodes_, i_), phase_->duration, false);
-      backward_.emplace(linear(), pieces_[i_], chain_.end(nodes_, i_), phase_->duration, true);
-      bounds_ = forward_->bounds();
-      pieces_[i_].kind == PhaseKind::stick ? stick() : slide();
-    }
-    return list_;
-  }
-
- private:
-  [[nodiscard]] const Piece& before() const { return pieces_[(i_ + pieces_.size() - 1) % pieces_.size()]; }
-  [[nodiscard]] const Piece& after() const { return pieces_[(i_ + 1) % pieces_.size()]; }
-  [[nodiscard]] const LinearPhases& linear() const { return chain_.phases(); }
-
-  void add(const char * id, const std::string& statement) {
-    list_.push_back({id, statement, {}, {}, {}, {}});
-    list_.back().at = phase_->start;
-  }
-
-  void along(const char * id, const std::string& statement, int sign, const Ball& offset, Touches touches,
-             const char * premise) {
-    along(id, statement, sign, offset, touches, premise, 0);
-  }
-  // From a time on.
-  void along(const char * id, const std::string& statement, int sign, const Ball& offset, Touches touches,
-             const char * premise, double from) {
-    add(id, statement);
-    judge_along(list_.back(),
-                {AffineCourse(*forward_, sign, offset, {0, from, 1}), AffineCourse(*backward_, sign, offset),
-                 bounds_, phase_->start + Ball(from), phase_->duration - Ball(from), touches, premise, true});
-  }
-
-  // Where the friction drops by nothing the mass leaves the belt with x'' = 0: the distance grows as the
-  // square of the time. Until the time that is returned its rate is judged in its place.
-  double leaves_slowly(int side) {
-    constexpr int parts = 64;
-    const double T = phase_->duration.approximate();
-    double turns = T / parts;
-    while (turns < T && -side * forward_->guess_at(turns)[1] > 0) {
-      turns += T / parts;
-    }
-    const double until = turns / 2;
-    add("leaves", "the mass falls behind the belt, or gets ahead of it, faster and faster at first");
-    const AffineCourse rate(*forward_, -side, Ball(0), {1, 0, 1});
-    const AffineCourse reversed(*forward_, -side, Ball(0), {1, until, -1});
-    judge_along(list_.back(), {rate,
-                               reversed,
-                               forward_->bounds(1),
-                               phase_->start,
-                               Ball(until),
-                               {true, false},
-                               "$r = ur$ at the end of the stick",
-                               true});
-    if (list_.back().verdict.truth == Truth::refuted) {
-      list_.back().verdict = Verdict::undecided("its velocity turns early: " + list_.back().verdict.reason);
-      list_.back().violation.reset();
-    }
-    return until;
-  }
-
-  void stick() {
-    const model::FrictionOscillator<Ball>& o = linear().oscillator();
-    constexpr const char * premise = "$r = ur$ at the end of the stick";
-    along("stick.upper", "$r < ur$ while it sticks", -1, o.forward.at_rest,
-          {false, after().kind == PhaseKind::slip}, premise);
-    along("stick.lower", "$r > -ur$ while it sticks", 1, o.backward.at_rest,
-          {false, after().kind == PhaseKind::overshoot}, premise);
-  }
-
-  void slide() {
-    const Piece& piece = pieces_[i_];
-    const bool slips = piece.kind == PhaseKind::slip;
-    const model::FrictionOscillator<Ball>& o = linear().oscillator();
-    const std::vector<model::SlidingPiece<Ball>>& law = o.law(piece.side()).sliding;
-    if (before().kind != piece.kind && before().kind != PhaseKind::stick) {
-      add("crossing", "$|r| > ur$ where a slip and an overshoot meet");
-      Ball r(0);
-      const Vector w = chain_.beginning(nodes_, i_);
-      for (Eigen::Index k = 0; k < w.size(); ++k) {
-        add_product(r, linear().friction_at_rest()(k), w(k));
-      }
-      judge(list_.back(), slips ? Ball(r - o.forward.at_rest) : Ball(-r - o.backward.at_rest), true,
-            "the distance");
-      if (list_.back().verdict.truth == Truth::refuted) {
-        list_.back().violation = Violation{phase_->start, *list_.back().margin};
-      }
-    }
-    const auto number = static_cast<std::size_t>(piece.number);
-    // Which neighbour is on the other side of the upper end of the piece; a phase of another kind is on that
-    // of the lower one.
-    const auto is_above = [&](const Piece& other) {
-      return other.kind == piece.kind && other.number > piece.number;
-    };
-    constexpr const char * premise =
-        "the velocity of the belt or of the law's next piece at an end of the phase";
-    const int side = piece.side();
-    const Ball V = Ball(side) * o.V;
-    const model::FrictionLaw<Rational>& exact = machine_.law(side);
-    const bool slowly =
-        number == 0 && before().kind == PhaseKind::stick && exact.sliding.front().force == exact.at_rest;
-    const double from = slowly ? leaves_slowly(side) : 0;
-    along(slips ? "slip" : "overshoot",
-          number == 0 ? (slips ? "$x' < V$ while it slips" : "$x' > V$ while it overshoots")
-                      : fmt::format("the relative velocity is above that where piece {} begins", number + 1),
-          -side, V - law[number].from, {!slowly && !is_above(before()), !is_above(after())}, premise, from);
-    if (number + 1 < o.law(side).pieces()) {
-      along(slips ? "slip.piece" : "overshoot.piece",
-            fmt::format("the relative velocity is below that where piece {} begins", number + 2), side,
-            law[number + 1].from - V, {is_above(before()), is_above(after())}, premise);
-    }
-  }
-
-  const MachineChain& chain_;
-  const Nodes& nodes_;
-  const model::FrictionOscillator<Rational>& machine_;
-  const std::vector<Piece>& pieces_;
-  std::size_t i_ = 0;
-  const MachinePhase * phase_ = nullptr;
-  std::optional<Watched> forward_, backward_;  // what ends the phase
-  DerivativeBounds bounds_;
-  std::vector<Condition> list_;
-};
 
 std::vector<MachinePhase> phases_of(const MachineChain& chain, const Nodes& nodes,
                                     const std::vector<Piece>& pieces) {
@@ -248,7 +115,13 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
     orbit.existence = Verdict::undecided("the motion may be a shorter one taken several times");
     return;
   }
-  orbit.conditions = Judge(chain, proof.nodes, question).conditions(orbit.phases);
+  const std::vector<Piece>& pieces = question.pieces;
+  const std::size_t count = pieces.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    judge_phase(orbit.conditions, chain.phases(), question.machine.oscillator,
+                {pieces[(i + count - 1) % count], pieces[i], pieces[(i + 1) % count], orbit.phases[i].start,
+                 orbit.phases[i].duration, chain.beginning(proof.nodes, i), chain.end(proof.nodes, i)});
+  }
   orbit.admissible = admissible(orbit.conditions);
   if (orbit.admissible.truth == Truth::proved) {
     const bool sticks = std::any_of(question.pieces.begin(), question.pieces.end(),

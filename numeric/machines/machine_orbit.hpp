@@ -62,5 +62,7 @@ struct MachineOrbit {
 // Between two motions through the same phases: the largest difference of durations and states at events, in
 // parts of the duration of the second and of its state there.
 [[nodiscard]] double distance(const MachineGuess& a, const MachineGuess& b);
+// What was proved is another motion than the one that was seen when they are farther apart than this.
+inline constexpr double most_astray = 0.05;
 
 }  // namespace stickslip::numeric::machines

@@ -33,22 +33,10 @@ double distance(const Eigen::VectorXd& X, const Eigen::VectorXd& Y) {
          std::max({X.lpNorm<Eigen::Infinity>(), Y.lpNorm<Eigen::Infinity>(), 1e-300});
 }
 
-// On a smooth law there is one piece to a side, where the simulation goes through many.
 template <class Transition>
 MachineGuess guess_of(const model::FrictionOscillator<double>& o, const std::vector<Transition>& log,
                       double begin) {
-  MachineGuess guess;
-  for (const Transition& t : log) {
-    Piece piece{t.after, t.piece_after};
-    const bool smooth = piece.side() != 0 && o.law(piece.side()).smooth;
-    if (smooth) {
-      piece.number = 0;
-    }
-    if (smooth ? t.before != t.after : t.changes()) {
-      guess.events.push_back({t.time - begin, t.X, piece});
-    }
-  }
-  return guess;
+  return {events_of(o, log, begin)};
 }
 
 // Of a motion that is a shorter one taken several times, once. With a load that is one of fewer periods.

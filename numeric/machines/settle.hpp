@@ -21,6 +21,25 @@ struct Settled {
 // so many events. Throws as require_machine does, and DomainError for a state of the wrong size.
 [[nodiscard]] Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_periods = 20000);
 
+// What a simulation met after `begin`, as events of its motion: on a smooth law there is one piece to a side,
+// where the simulation goes through many.
+template <class Transition>
+[[nodiscard]] std::vector<MachineGuess::Event> events_of(const model::FrictionOscillator<double>& o,
+                                                         const std::vector<Transition>& log, double begin) {
+  std::vector<MachineGuess::Event> events;
+  for (const Transition& t : log) {
+    Piece piece{t.after, t.piece_after};
+    const bool smooth = piece.side() != 0 && o.law(piece.side()).smooth;
+    if (smooth) {
+      piece.number = 0;
+    }
+    if (smooth ? t.before != t.after : t.changes()) {
+      events.push_back({t.time - begin, t.X, piece});
+    }
+  }
+  return events;
+}
+
 // The motion from X at theta = 0 over the next n periods of the load, as it is, closed or not. Throws
 // likewise, and UsageError without a load.
 [[nodiscard]] MachineGuess over_periods(const Machine& machine, const Eigen::VectorXd& X, long n);

@@ -17,9 +17,30 @@ bool is_finite(const Matrix& A) {
   return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
 }
 
+// The frames of all nodes. The second time round the first frame is where the first time ended, so that the
+// return map, too, is nearly triangular, as far as its eigenvalues differ in size.
+std::vector<Matrix> frames(const std::vector<Link>& links) {
+  std::vector<Eigen::MatrixXd> M;
+  for (const Link& link : links) {
+    M.emplace_back(in_double(link.M));
+  }
+  const Eigen::Index n = links.front().M.rows();
+  Eigen::MatrixXd now = Eigen::MatrixXd::Identity(n, n);
+  for (const Eigen::MatrixXd& factor : M) {
+    now = Eigen::HouseholderQR<Eigen::MatrixXd>(factor * now).householderQ();
+  }
+  std::vector<Matrix> Q;
+  for (const Eigen::MatrixXd& factor : M) {
+    Q.push_back(orthogonal(now));
+    now = factor * in_double(Q.back());
+  }
+  return Q;
+}
+
+}  // namespace
+
 // The product of the reflections I - 2 v vᵀ/(v v) that bring W to triangular form: exactly orthogonal,
-// however the vectors v were found, so its inverse is its transpose. Its first k columns span what those of W
-// do, as far as these span anything: a landing on the belt collapses a direction.
+// however the vectors v were found, so its inverse is its transpose.
 Matrix orthogonal(const Eigen::MatrixXd& W) {
   const Eigen::Index n = W.rows();
   Matrix Q = Matrix::Identity(n, n);
@@ -48,28 +69,6 @@ Matrix orthogonal(const Eigen::MatrixXd& W) {
   }
   return Q;
 }
-
-// The frames of all nodes. The second time round the first frame is where the first time ended, so that the
-// return map, too, is nearly triangular, as far as its eigenvalues differ in size.
-std::vector<Matrix> frames(const std::vector<Link>& links) {
-  std::vector<Eigen::MatrixXd> M;
-  for (const Link& link : links) {
-    M.emplace_back(in_double(link.M));
-  }
-  const Eigen::Index n = links.front().M.rows();
-  Eigen::MatrixXd now = Eigen::MatrixXd::Identity(n, n);
-  for (const Eigen::MatrixXd& factor : M) {
-    now = Eigen::HouseholderQR<Eigen::MatrixXd>(factor * now).householderQ();
-  }
-  std::vector<Matrix> Q;
-  for (const Eigen::MatrixXd& factor : M) {
-    Q.push_back(orthogonal(now));
-    now = factor * in_double(Q.back());
-  }
-  return Q;
-}
-
-}  // namespace
 
 std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
   const Eigen::Index n = A.rows();

@@ -20,6 +20,10 @@ namespace stickslip::numeric::words {
 [[nodiscard]] std::optional<model::MatrixX<Ball>> enclosed_inverse(const model::MatrixX<Ball>& A,
                                                                    const model::MatrixX<Ball>& Y);
 
+// An exactly orthogonal matrix; its first k columns nearly span what those of W do, as far as these span
+// anything: a landing on the belt collapses a direction.
+[[nodiscard]] model::MatrixX<Ball> orthogonal(const Eigen::MatrixXd& W);
+
 struct Sweep {
   // Contain the deviations at all nodes, for all members of the links and of g.
   Nodes deviations;

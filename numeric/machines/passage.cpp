@@ -1,0 +1,98 @@
+#include "numeric/machines/passage.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "numeric/machines/smooth_phase.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+
+namespace stickslip::numeric::machines {
+
+using motion::PhaseKind;
+using zeros::product;
+
+Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& h,
+                bool with_derivative) {
+  const Eigen::Index states = 2 * phases.masses();
+  if (phases.is_smooth(piece)) {
+    const SmoothPhase phase(phases, piece.side(), w, h, false, with_derivative);
+    Passage result{phase.end(), smooth_rate(phases, piece.side(), w), {}, {}, {}, {}};
+    result.arrives = smooth_rate(phases, piece.side(), result.reached);
+    if (with_derivative) {
+      // A shift in time of motion and load is none of the state after h.
+      result.derivative = phase.derivative();
+      result.by_time = result.arrives.head(states) - product(result.derivative, result.leaves.head(states));
+    }
+    return result;
+  }
+  const Matrix& B = phases.drift(piece);
+  Passage result{{}, product(B, w), {}, {}, {}, {}};
+  if (with_derivative) {
+    const Matrix& flow = result.flow = phases.flow(piece, h);
+    const Eigen::Index loads = flow.cols() - states;
+    result.reached = product(flow, w);
+    result.derivative = flow.topLeftCorner(states, states);
+    result.by_time = product(flow.topRightCorner(states, loads), result.leaves.tail(loads));
+  } else {
+    result.reached = phases.after(piece, h, w);
+  }
+  result.arrives = product(B, result.reached);
+  return result;
+}
+
+Ball speed_between(const model::FrictionOscillator<Rational>& exact, const Piece& before,
+                   const Piece& after) {
+  if (before.kind != after.kind) {
+    return Ball(exact.V);
+  }
+  const int upper = std::max(before.number, after.number);
+  if (after.kind == PhaseKind::stick || std::min(before.number, after.number) + 1 != upper) {
+    throw InternalError("two phases after each other that no event separates");
+  }
+  const Rational& from = exact.law(after.side()).sliding.at(static_cast<std::size_t>(upper)).from;
+  return Ball(Rational(exact.V - after.side() * from));
+}
+
+Vector event_between(const LinearPhases& phases, const Piece& piece, const Piece& after, const Ball& speed) {
+  const model::FrictionOscillator<Ball>& o = phases.oscillator();
+  if (piece.kind != PhaseKind::stick) {
+    return phases.speed() - phases.one() * speed;
+  }
+  const bool slips = after.kind == PhaseKind::slip;
+  return phases.friction_at_rest() + phases.one() * (slips ? Ball(-o.forward.at_rest) : o.backward.at_rest);
+}
+
+Matrix after_duration(const Passage& passage, const Spread& from) {
+  Matrix state = product(passage.derivative, from.state);
+  for (Eigen::Index k = 0; k < state.cols(); ++k) {
+    if (!is_zero(from.time(k))) {
+      state.col(k) += passage.by_time * from.time(k);
+    }
+  }
+  return state;
+}
+
+Spread at_event(const Passage& passage, const Vector& event, const Spread& from) {
+  const Eigen::Index states = from.state.rows(), loads = event.size() - states;
+  const Ball rate = dot(event, passage.arrives);
+  const Ball of_loads = dot(event.tail(loads), passage.arrives.tail(loads));
+  Spread to{from.time, after_duration(passage, from)};
+  for (Eigen::Index k = 0; k < from.time.size(); ++k) {
+    const Ball longer = -(dot(event.head(states), to.state.col(k)) + of_loads * from.time(k)) / rate;
+    to.time(k) += longer;
+    to.state.col(k) += passage.arrives.head(states) * longer;
+  }
+  return to;
+}
+
+Ball dot(const Vector& a, const Vector& b) {
+  Ball sum(0);
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    if (!is_zero(a(i))) {
+      add_product(sum, a(i), b(i));
+    }
+  }
+  return sum;
+}
+
+}  // namespace stickslip::numeric::machines

@@ -1,0 +1,42 @@
+// One phase of a machine in balls, from w where it begins: for all members, also of wide balls.
+#pragma once
+
+#include "numeric/machines/linear_phases.hpp"
+#include "numeric/machines/machine.hpp"
+
+namespace stickslip::numeric::machines {
+
+struct Passage {
+  Vector reached;          // w after h
+  Vector leaves, arrives;  // w' when it begins, and after h
+  // Of (x, x') after h, by (x, x') where it begins, and by the time at which it does so; empty unless asked
+  // for.
+  Matrix derivative;
+  Vector by_time;
+  Matrix flow;  // of w by w, likewise; none on a smooth law
+};
+// Not finite where the motion could not be enclosed.
+[[nodiscard]] Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& h,
+                              bool with_derivative);
+
+// x_j' where `before` ends and `after` begins: the belt's velocity, or that at which the law's pieces meet.
+// Throws InternalError when no event lies between the two.
+[[nodiscard]] Ball speed_between(const model::FrictionOscillator<Rational>& exact, const Piece& before,
+                                 const Piece& after);
+// The row that times w is zero where `piece` ends and `after` begins.
+[[nodiscard]] Vector event_between(const LinearPhases& phases, const Piece& piece, const Piece& after,
+                                   const Ball& speed);
+
+// How the time t of a point of a motion and (x, x') there depend on some parameters.
+struct Spread {
+  Vector time;
+  Matrix state;
+};
+// Of (x, x') after the passage, the same duration for all.
+[[nodiscard]] Matrix after_duration(const Passage& passage, const Spread& from);
+// At the event, the zero of that row, after the passage. Not finite when the row may not change there.
+[[nodiscard]] Spread at_event(const Passage& passage, const Vector& event, const Spread& from);
+
+[[nodiscard]] Ball dot(const Vector& a, const Vector& b);
+
+}  // namespace stickslip::numeric::machines

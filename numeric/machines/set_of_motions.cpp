@@ -1,0 +1,319 @@
+#include "numeric/machines/set_of_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/machines/judge.hpp"
+#include "numeric/machines/settle.hpp"
+#include "numeric/words/sweep.hpp"
+#include "numeric/zeros/krawczyk.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+
+namespace stickslip::numeric::machines {
+
+using motion::PhaseKind;
+using zeros::in_double;
+using zeros::product;
+
+namespace {
+
+// Of Newton's method for the middle motion, and for the durations of all.
+constexpr int most_newton_steps = 40;
+constexpr int most_widenings = 3;
+
+Ball symmetric(const Ball& radius) {
+  const Ball upper = abs(radius).upper();
+  return Ball::hull(-upper, upper);
+}
+
+void narrow(Ball& x, const Ball& other) {
+  x = zeros::intersection(x, other).value_or(other);
+}
+
+const Machine& required(const Machine& machine) {
+  require_machine(machine);
+  return machine;
+}
+
+// What a phase makes of a set, and how its duration depends on e.
+struct After {
+  Dependence u;
+  Vector longer;
+  Matrix longer_by;  // column l: the derivative of that by e_l
+};
+
+// The phase ends at the zero of the row `event`; without one, at a time that all have in common. `known`: a
+// row of u that does not depend on e.
+After after(const Passage& passage, const Matrix& drift, const Dependence& u, Eigen::Index known,
+            const Vector * event) {
+  const Eigen::Index rows = u.value.size(), states = rows - 1, loads = drift.rows() - states;
+  const Vector& v = passage.arrives;
+  const Ball rate = event == nullptr ? Ball(1) : dot(*event, v);
+  // By u: w after the same duration for all, the duration, and u at the end.
+  Matrix unit = Matrix::Identity(rows, rows);
+  unit(known, known) = Ball(0);
+  const Vector time = unit.row(0).transpose();
+  Matrix P(drift.rows(), rows);
+  P.topRows(states) = after_duration(passage, {time, unit.bottomRows(states)});
+  P.bottomRows(loads) = v.tail(loads) * time.transpose();
+  Vector h = -time;
+  for (Eigen::Index k = 0; event != nullptr && k < rows; ++k) {
+    h(k) = -dot(*event, P.col(k)) / rate;
+  }
+  Matrix M(rows, rows);
+  M.row(0) = (time + h).transpose();
+  M.bottomRows(states) = P.topRows(states) + Matrix(v.head(states) * h.transpose());
+
+  const Eigen::Index parameters = u.first.cols();
+  After result{{Vector(rows), product(M, u.first), {}, {}}, product(u.first.transpose(), h), {}};
+  result.u.value.tail(states) = passage.reached.head(states);
+  if (u.second.empty() || passage.flow.size() == 0) {
+    return result;
+  }
+  // The longest second derivatives lie along the frame's first axes.
+  result.u.frame = words::orthogonal(in_double(M) * in_double(u.frame));
+  const Matrix back = result.u.frame.transpose();
+  const Matrix along = product(back, Matrix(product(M, u.frame)));
+  const Vector h_along = product(u.frame.transpose(), h);
+  Vector turns = Vector::Constant(drift.rows(), Ball(0));
+  turns.tail(loads) = Vector(product(drift, passage.leaves)).tail(loads);
+  turns = product(passage.flow, turns);
+  const Vector a = product(drift, v);
+  const Matrix change = sparse_product(drift, Matrix(product(P, u.first)));
+  const Vector& longer = result.longer;
+  result.longer_by = Matrix::Constant(parameters, parameters, Ball(0));
+  result.u.second.assign(static_cast<std::size_t>(parameters), Matrix(rows, parameters));
+  for (Eigen::Index k = 0; k < parameters; ++k) {
+    const auto at_k = static_cast<std::size_t>(k);
+    const Matrix linear = product(along, u.second[at_k]);
+    const Vector of_h = product(u.second[at_k].transpose(), h_along);
+    for (Eigen::Index l = k; l < parameters; ++l) {
+      Vector y = change.col(k) * longer(l) + change.col(l) * longer(k) + a * Ball(longer(k) * longer(l));
+      if (!is_zero(u.first(0, k)) && !is_zero(u.first(0, l))) {
+        y += turns * Ball(u.first(0, k) * u.first(0, l));
+      }
+      Vector more(rows);
+      more(0) = event == nullptr ? Ball(0) : Ball(-dot(*event, y) / rate);
+      more.tail(states) = y.head(states) + v.head(states) * more(0);
+      result.longer_by(k, l) = result.longer_by(l, k) = of_h(l) + more(0);
+      const Vector second = linear.col(l) + Vector(product(back, more));
+      result.u.second[at_k].col(l) = second;
+      result.u.second[static_cast<std::size_t>(l)].col(k) = second;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Matrix Dependence::derivative_of_first(std::size_t k) const {
+  return product(frame, second[k]);
+}
+
+Ball SetOfMotions::reach(const Vector& row) const {
+  Ball sum(0);
+  for (const Ball& x : row) {
+    const Ball size = abs(x).upper();
+    sum += round ? Ball(size * size) : size;
+  }
+  return symmetric(round ? Ball(sqrt(sum)) : sum);
+}
+
+SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, const Matrix& S, bool round) {
+  const Eigen::Index rows = S.rows() + 1, parameters = S.cols();
+  SetOfMotions set{{}, piece, round, {}, {}};
+  set.middle.value.resize(rows);
+  set.middle.value << time, middle;
+  set.middle.first.resize(rows, parameters);
+  set.middle.first << Matrix::Constant(1, parameters, Ball(0)), S;
+  set.all = set.middle;
+  for (Eigen::Index i = 1; i < rows; ++i) {
+    set.all.value(i) += set.reach(set.all.first.row(i).transpose());
+  }
+  set.all.second.assign(static_cast<std::size_t>(parameters), Matrix::Constant(rows, parameters, Ball(0)));
+  set.all.frame = Matrix::Identity(rows, rows);
+  return set;
+}
+
+SetFlow::SetFlow(const Machine& machine)
+    : machine_(required(machine)),
+      phases_(oscillator_as<Ball>(machine)),
+      in_double_(oscillator_as<double>(machine)),
+      simulation_(in_double_, 0,
+                  Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * machine.oscillator.size()))) {}
+
+Vector SetFlow::whole(const Vector& u) const {
+  return phases_.whole(u.tail(u.size() - 1), phases_.oscillator().omega * u(0));
+}
+
+std::optional<Piece> SetFlow::piece_of(const Vector& states, const Ball& time) const {
+  const model::FrictionOscillator<Ball>& o = phases_.oscillator();
+  const Ball relative = o.V - states(phases_.masses() + phases_.rubbing());
+  if (is_zero(relative)) {
+    const Ball r = dot(phases_.friction_at_rest(), phases_.whole(states, o.omega * time));
+    const bool sticks = (o.forward.at_rest - r).is_positive() && (o.backward.at_rest + r).is_positive();
+    return sticks ? std::optional(Piece{}) : std::nullopt;
+  }
+  if (!relative.is_positive() && !relative.is_negative()) {
+    return std::nullopt;
+  }
+  const int side = relative.is_positive() ? 1 : -1;
+  const model::FrictionLaw<Ball>& law = o.law(side);
+  Piece piece{side > 0 ? PhaseKind::slip : PhaseKind::overshoot, 0};
+  for (std::size_t k = 1; k < law.pieces(); ++k) {
+    const Ball above = Ball(side) * relative - law.sliding[k].from;
+    if (above.is_positive()) {
+      piece.number = static_cast<int>(k);
+    } else if (!above.is_negative()) {
+      return std::nullopt;
+    }
+  }
+  return piece;
+}
+
+// At a time, the time, at an event x_j'; without a load the time does not matter, and is that of the middle.
+Eigen::Index SetFlow::known_row(const SetOfMotions& set) const {
+  return set.before ? 1 + phases_.masses() + phases_.rubbing() : 0;
+}
+
+Verdict SetFlow::judge(const SetOfMotions& set, const Ball& duration, const std::optional<Piece>& after,
+                       const SetOfMotions& end) const {
+  std::vector<motion::Condition> conditions;
+  judge_phase(
+      conditions, phases_, machine_.oscillator,
+      {set.before, set.piece, after, set.time(), duration, whole(set.all.value), whole(end.all.value)});
+  for (const motion::Condition& condition : conditions) {
+    if (condition.verdict.truth != Truth::proved) {
+      return Verdict::undecided(condition.statement + ": " + condition.verdict.reason);
+    }
+  }
+  return Verdict::proved();
+}
+
+namespace {
+
+// Once for all of them, and once for the middle one alone.
+SetOfMotions reached(const SetOfMotions& set, const After& middle, const After& all) {
+  SetOfMotions end{set.before, set.piece, set.round, middle.u, all.u};
+  for (std::size_t k = 0; k < end.all.second.size(); ++k) {
+    const Matrix second = end.all.derivative_of_first(k);
+    for (Eigen::Index i = 0; i < second.rows(); ++i) {
+      const auto column = static_cast<Eigen::Index>(k);
+      narrow(end.all.first(i, column), end.middle.first(i, column) + end.reach(second.row(i).transpose()));
+    }
+  }
+  for (Eigen::Index i = 0; i < end.middle.value.size(); ++i) {
+    narrow(end.all.value(i), end.middle.value(i) + end.reach(end.all.first.row(i).transpose()));
+  }
+  return end;
+}
+
+// A number that all have in common.
+void fix(SetOfMotions& set, Eigen::Index row, const Ball& value) {
+  for (Dependence * one : {&set.middle, &set.all}) {
+    one->value(row) = value;
+    one->first.row(row).setConstant(Ball(0));
+  }
+}
+
+}  // namespace
+
+Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about) const {
+  const Ball speed = speed_between(machine_.oscillator, set.piece, after_it);
+  const Vector event = event_between(phases_, set.piece, after_it, speed);
+  const Matrix& drift = phases_.drift(set.piece);
+  const Eigen::Index known = known_row(set);
+  // The middle one.
+  const Vector w = whole(set.middle.value);
+  const double enough = std::exp2(-0.55 * static_cast<double>(WorkingPrecision::bits()));
+  Ball h(about), distance, step;
+  for (int k = 0; k < most_newton_steps; ++k) {
+    const Passage there = passage(phases_, set.piece, w, h, false);
+    distance = dot(event, there.reached);
+    step = -distance / dot(event, there.arrives);
+    if (!(abs(step).upper().approximate() > enough * std::abs(h.approximate()))) {
+      break;
+    }
+    h = Ball(h + step).midpoint();
+  }
+  if (!step.is_finite() || !h.is_positive()) {
+    return Verdict::undecided("the event of the middle motion is not found");
+  }
+  const Ball width = symmetric(step * Ball(4));
+  const Ball near = h + width;
+  const Ball taken = h - distance / dot(event, passage(phases_, set.piece, w, near, false).arrives);
+  if (!taken.is_interior_to(near)) {
+    return Verdict::undecided("the end of a phase of the middle motion cannot be enclosed");
+  }
+  After middle = after(passage(phases_, set.piece, w, taken, true), drift, set.middle, known, &event);
+  middle.u.value(0) = set.time() + taken;
+  // All of them: the derivative of the duration is looked at so far around.
+  Ball around = set.reach(middle.longer) * Ball(Rational(9, 8)) + width;
+  for (int k = 0;; ++k) {
+    const Ball ample = taken + around;
+    After all =
+        after(passage(phases_, set.piece, whole(set.all.value), ample, true), drift, set.all, known, &event);
+    for (Eigen::Index i = 0; i < all.longer_by.rows(); ++i) {
+      narrow(all.longer(i), middle.longer(i) + set.reach(all.longer_by.row(i).transpose()));
+    }
+    const Ball durations = taken + set.reach(all.longer);
+    if (!durations.is_interior_to(ample)) {
+      if (k == most_widenings || !durations.is_finite()) {
+        return Verdict::undecided("the ends of a phase cannot be enclosed");
+      }
+      around = (durations - taken) * Ball(Rational(5, 4)) + width;
+      continue;
+    }
+    all.u.value(0) = set.all.value(0) + durations;
+    SetOfMotions end = reached(set, middle, all);
+    end.before = set.piece;
+    end.piece = after_it;
+    fix(end, 1 + phases_.masses() + phases_.rubbing(), speed);
+    Verdict verdict = judge(set, durations, after_it, end);
+    if (phases_.oscillator().is_autonomous()) {
+      fix(end, 0, end.time());  // the load has none
+    }
+    set = end;
+    return verdict;
+  }
+}
+
+Verdict SetFlow::to_time(SetOfMotions& set, const Ball& time) const {
+  const Ball durations = time - set.all.value(0);
+  if (!durations.is_positive()) {
+    return Verdict::undecided("a motion has passed the time already");
+  }
+  const Matrix& drift = phases_.drift(set.piece);
+  const Eigen::Index known = known_row(set);
+  const auto ends = [&](const Dependence& u, const Ball& duration) {
+    After end = after(passage(phases_, set.piece, whole(u.value), duration, true), drift, u, known, nullptr);
+    end.u.value(0) = time;
+    return end;
+  };
+  SetOfMotions end = reached(set, ends(set.middle, time - set.time()), ends(set.all, durations));
+  fix(end, 0, time);
+  end.before.reset();
+  if (set.piece.kind == PhaseKind::stick) {
+    fix(end, 1 + phases_.masses() + phases_.rubbing(), phases_.oscillator().V);
+  }
+  Verdict verdict = judge(set, durations, {}, end);
+  set = end;
+  return verdict;
+}
+
+Verdict SetFlow::follow(SetOfMotions& set, const Ball& time) const {
+  const double begin = set.time().approximate();
+  const Vector X = set.middle.value.tail(set.middle.value.size() - 1);
+  simulation_.restart(in_double_.omega * begin, X.unaryExpr([](const Ball& x) { return x.approximate(); }));
+  std::vector<Simulation::Transition> log;
+  simulation_.advance(Ball(time - set.time()).approximate(), &log);
+  for (const MachineGuess::Event& event : events_of(in_double_, log, 0)) {
+    const Verdict verdict = to_event(set, event.begins, begin + event.t - set.time().approximate());
+    if (verdict.truth != Truth::proved) {
+      return verdict;
+    }
+  }
+  return to_time(set, time);
+}
+
+}  // namespace stickslip::numeric::machines
