@@ -238,6 +238,7 @@ void add_orbits(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--time", o.time, positive);
   c.add_jobs();
   c.add("--all", o.all);
+  c.add("--neighbourhood", o.neighbourhood);
   c.add("--json", o.json);
   c.add("--plot", o.plot);
   c.add("--out", o.out);
@@ -279,6 +280,8 @@ void add_attractors(CLI::App& program, Request& request, const Wording& wording)
   c.add("--plane", o.plane);
   c.add("--pixels", o.pixels, Attracted::most_pixels);
   c.add("--through", o.through, state);
+  c.add("--window", o.window, state);
+  c.add("--neighbourhood", o.neighbourhood);
   c.add("--csv", o.csv);
   c.add("--plot", o.plot);
   c.add("--out", o.out);

@@ -82,7 +82,7 @@ struct OrbitsOptions : GivenMachine, Outputs {
   std::optional<int> cells;    // limits of the search
   std::optional<double> time;  // in seconds
   std::string certify;         // a directory, or nothing
-  bool all = false;
+  bool all = false, neighbourhood = false;
 
   static constexpr int most_periods_of_word = 100000;
   static constexpr int most_orbits = 1000000;
@@ -105,7 +105,8 @@ struct AttractorsOptions : GivenMachine, Outputs {
   std::vector<std::string> along;  // a parameter and A..B, or nothing
   std::optional<int> values, pixels;
   std::optional<std::string> plane;
-  std::optional<State> through;
+  std::optional<State> through, window;  // half widths: two numbers
+  bool neighbourhood = false;
 
   static constexpr int default_starts = 500;
   static constexpr int default_starts_at_value = 50;

@@ -271,12 +271,12 @@ void require_sense(const AttractorsOptions& o) {
     throw UsageError("--along and --plane are two questions: give one of them");
   }
   const bool picture = along || o.plane;
-  for (const char * name : {"--values", "--pixels", "--through", "--csv", "--plot"}) {
+  for (const char * name : {"--values", "--pixels", "--through", "--window", "--csv", "--plot"}) {
     if (!picture && o.typed.contains(name)) {
       throw UsageError(fmt::format("{} is for --along and --plane", name));
     }
   }
-  const auto others = along     ? std::vector{"--pixels", "--through"}
+  const auto others = along     ? std::vector{"--pixels", "--through", "--window", "--neighbourhood"}
                       : o.plane ? std::vector{"--values", "--starts", "--seed"}
                                 : std::vector<const char *>{};
   for (const char * name : others) {

@@ -10,6 +10,7 @@
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/interruption.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 
 namespace stickslip::cli {
 
@@ -27,8 +28,15 @@ bool is_decided(const WordOrbit& o) {
            o.orbit.stability->kind != motion::StabilityKind::undecided));
 }
 
+void surround(WordOrbit& orbit, const words::WordQuestion& machine) {
+  orbit.neighbourhood = std::make_shared<machines::Neighbourhood>(machines::neighbourhood_of(machine, orbit));
+}
+
 // Whether motions of one phase are possible, which has no events that a search could go through.
 ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+  if (options.neighbourhood) {
+    throw UsageError("--neighbourhood is for periodic orbits, not for motions of one phase");
+  }
   const auto [file, units, machine] = asked_pure_word(options, paper);
   const Jobs limit = jobs(options.jobs);
   const report::orbits::PureWord word{machine, kind};
@@ -67,7 +75,13 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   const AttractorList list = [&] {
     const Interruptible scope;
     const Progress progress("following the starts ...");
-    return find_attractors(question);
+    AttractorList found = find_attractors(question);
+    for (Attractor& a : found.attractors) {
+      if (options.neighbourhood && a.orbit) {
+        surround(*a.orbit, question.machine);
+      }
+    }
+    return found;
   }();
   std::optional<Basins> basins;
   if (options.out && !list.interrupted) {
@@ -108,7 +122,13 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   const WordOrbits list = [&] {
     const Interruptible scope;
     const Progress progress("searching for orbits ...");
-    return find_word_orbits(asked.question);
+    WordOrbits found = find_word_orbits(asked.question);
+    for (WordOrbit& orbit : found.orbits) {
+      if (options.neighbourhood) {
+        surround(orbit, asked.question.machine);
+      }
+    }
+    return found;
   }();
   print_result(list, asked.file, options.json, asked.units,
                options.all ? report::orbits::InFull::all : report::orbits::InFull::admissible);
@@ -121,6 +141,11 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
 }
 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& paper) {
+  for (const char * name : {"--neighbourhood", "--window"}) {
+    if (o.plane && o.typed.contains(name)) {
+      throw UsageError(fmt::format("{} with --plane is for a machine in tables", name));
+    }
+  }
   return o.plane ? answer(o, asked_basins(o, paper), basins_of)
                  : answer(o, asked_diagram(o, paper), diagram_of);
 }

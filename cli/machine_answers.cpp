@@ -10,6 +10,7 @@
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
 #include "numeric/machines/machine_branch.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {
@@ -98,6 +99,10 @@ report::machines::Origin origin(const GivenInTables& given) {
   return {given.file, given.read.in_SI};
 }
 
+void surround(MachineOrbit& orbit, const Machine& machine) {
+  orbit.neighbourhood = std::make_shared<Neighbourhood>(neighbourhood_of(machine, orbit));
+}
+
 bool is_decided(const MachineOrbit& orbit) {
   return orbit.existence.truth == Truth::proved &&
          (orbit.admissible.truth == Truth::refuted ||
@@ -128,7 +133,13 @@ MachineStarts starts_of(const GivenInTables& given, const AttractorsOptions& o, 
 }  // namespace
 
 report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o) {
-  return {find_attractors(starts_of(given, o, AttractorsOptions::default_starts)), origin(given)};
+  MachineAttractors list = find_attractors(starts_of(given, o, AttractorsOptions::default_starts));
+  for (MachineAttractor& a : list.attractors) {
+    if (o.neighbourhood && a.orbit) {
+      surround(*a.orbit, given.read.machine);
+    }
+  }
+  return {list, origin(given)};
 }
 
 report::machines::Diagram diagram_answer(const GivenInTables& given, const AttractorsOptions& o) {
@@ -152,6 +163,14 @@ report::machines::Basins basins_answer(const GivenInTables& given, const Attract
   if (o.through) {
     basins.through = state_for(given, "through", *o.through);
   }
+  if (o.window) {
+    const State& half = *o.window;
+    if (half.size() != 2 || !(half[0] > 0) || !(half[1] > 0)) {
+      throw UsageError("window: two numbers above 0 are wanted, how far it goes to each side of its middle");
+    }
+    basins.half = {half[0], half[1]};
+  }
+  basins.prove = o.neighbourhood;
   return {in_plane(std::move(basins)), origin(given)};
 }
 
@@ -159,12 +178,19 @@ report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOpti
   MachineWord q = question_for(given, o.family, "orbits", o.period, o.near);
   refuse_others(o, given.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
   q.digits = o.digits.value_or(OrbitsOptions::default_digits);
-  return {find_word_orbits(q), origin(given)};
+  MachineWordOrbits list = find_word_orbits(q);
+  for (MachineOrbit& orbit : list.orbits) {
+    if (o.neighbourhood) {
+      surround(orbit, given.read.machine);
+    }
+  }
+  return {list, origin(given)};
 }
 
 report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsOptions& o) {
-  refuse_others(o, given.file, false,
-                {"--period", "--near", "--cells", "--time", "--certify", "--plot", "--out"});
+  refuse_others(
+      o, given.file, false,
+      {"--period", "--near", "--cells", "--time", "--certify", "--plot", "--out", "--neighbourhood"});
   const int digits = o.digits.value_or(OrbitsOptions::default_digits);
   return {given.read.machine, steady_sliding(given.read.machine, digits), digits, origin(given)};
 }

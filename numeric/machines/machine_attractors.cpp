@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/attractors/attractors.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -20,6 +23,8 @@ namespace {
 
 // Two simulated motions nearer than this, in parts of their size, are one.
 constexpr double same_motion = 1e-6;
+// Of a pixel that is followed.
+constexpr long bits_of_pixels = 128;
 
 std::vector<Eigen::VectorXd> random_starts(const model::FrictionOscillator<double>& o, long count,
                                            std::uint64_t seed) {
@@ -209,15 +214,50 @@ MachineDiagram along(MachineDiagram diagram) {
   return diagram;
 }
 
+double proved_share(const MachineBasins& basins) {
+  const auto count = std::ranges::count(basins.proved, char{1});
+  return basins.proved.empty() ? 0 : static_cast<double>(count) / static_cast<double>(basins.proved.size());
+}
+
 MachineBasins in_plane(MachineBasins basins) {
-  require_machine(basins.question.machine);
-  const MachineStartBox box = start_box(oscillator_as<double>(basins.question.machine));
+  const Machine& machine = basins.question.machine;
+  require_machine(machine);
+  MachineStartBox box = start_box(oscillator_as<double>(machine));
+  for (std::size_t axis = 0; basins.half && axis < 2; ++axis) {
+    box.half(basins.across[axis]) = (*basins.half)[axis];
+  }
   basins.starts = attractors::starts_in_plane<Eigen::VectorXd>(basins.through.value_or(box.middle), box.half,
                                                                basins.across, basins.pixels);
   const MachineAttractors list = find_attractors_from(basins.question, basins.starts);
   basins.attractors = list.attractors;
   basins.interrupted = list.interrupted;
   basins.ends = attractors::ends_of(list.attractors, basins.starts.size());
+  if (!basins.prove) {
+    return basins;
+  }
+  std::vector<std::shared_ptr<const Neighbourhood>> all;
+  for (MachineAttractor& a : basins.attractors) {
+    if (a.orbit) {
+      a.orbit->neighbourhood = std::make_shared<Neighbourhood>(neighbourhood_of(machine, *a.orbit));
+    }
+    all.push_back(a.orbit ? a.orbit->neighbourhood : nullptr);
+  }
+  Matrix S = Matrix::Constant(box.half.size(), 2, Ball(0));
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    S(basins.across[axis], static_cast<Eigen::Index>(axis)) =
+        Ball(box.half(basins.across[axis]) / static_cast<double>(basins.pixels[axis]) * (1 + 1e-12));
+  }
+  const WorkingPrecision scope(bits_of_pixels);
+  tbb::enumerable_thread_specific<Reaching> reaching([&] { return Reaching(machine, all); });
+  const auto reached = parallel_map(basins.starts.size(), [&](std::size_t i) {
+    return interrupted() ? std::nullopt : reaching.local()(basins.starts[i].cast<Ball>(), S);
+  });
+  basins.proved.clear();
+  for (std::size_t i = 0; i < basins.starts.size(); ++i) {
+    basins.proved.push_back(reached[i] ? 1 : 0);
+    basins.ends[i] = reached[i].value_or(basins.ends[i]);
+  }
+  basins.interrupted = basins.interrupted || interrupted();
   return basins;
 }
 

@@ -74,16 +74,21 @@ inline constexpr long most_once = 200;
 
 // Which starts in a plane end on what.
 struct MachineBasins {
-  MachineStarts question;                  // its starts and seed say nothing
-  std::array<int, 2> across{0, 1};         // the two of (x, x') that vary
-  std::optional<Eigen::VectorXd> through;  // the plane goes through it; else the middle of random starts
-  std::array<long, 2> pixels{60, 60};      // columns and rows
-  std::vector<Eigen::VectorXd> starts;     // the middle of each pixel, row by row, across[0] rises first
+  MachineStarts question;                     // its starts and seed say nothing
+  std::array<int, 2> across{0, 1};            // the two of (x, x') that vary
+  std::optional<Eigen::VectorXd> through;     // the plane goes through it; else the middle of random starts
+  std::optional<std::array<double, 2>> half;  // of the window; else as wide as the box of random starts
+  bool prove = false;  // of each pixel, as far as that succeeds, that all of its starts end where one does
+  std::array<long, 2> pixels{60, 60};   // columns and rows
+  std::vector<Eigen::VectorXd> starts;  // the middle of each pixel, row by row, across[0] rises first
   std::vector<MachineAttractor> attractors;
   std::vector<std::size_t> ends;  // on which of them each start ends
+  std::vector<char> proved;       // whether that is proved, of the whole pixel; empty unless asked for
   bool interrupted = false;
 };
-// Fills in what comes after the pixels. The window is as wide as the box of random starts. Throws likewise.
+// Of the pixels, in parts of all; 0 unless asked for.
+[[nodiscard]] double proved_share(const MachineBasins& basins);
+// Fills in what comes after the question. Throws likewise.
 [[nodiscard]] MachineBasins in_plane(MachineBasins basins);
 
 // Orbits through given phases.

@@ -1,6 +1,7 @@
 // A periodic motion of a machine through given pieces, proved near a guess, with everything decided about it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct MachinePhase {
   Vector state;          // (x, x') when it begins
 };
 
+struct Neighbourhood;
+
 struct MachineOrbit {
   std::vector<Piece> pieces;
   long periods = 1;   // n
@@ -43,6 +46,8 @@ struct MachineOrbit {
   Verdict admissible;  // all of them hold: the motion obeys the friction law
   // Of the map from one passage of the first event to the next, period by period; nothing unless admissible.
   std::optional<motion::Stability> stability;
+  // Where it was asked for (neighbourhood.hpp).
+  std::shared_ptr<const Neighbourhood> neighbourhood = nullptr;
 };
 
 // Letters of the phases, as in words/word.hpp, in the first rotation; pieces of one phase are one letter, or,

@@ -172,6 +172,16 @@ bool contracts(const Matrix& A) {
   return true;
 }
 
+// Euclid's norm, from above.
+Ball norm_of(const Vector& z) {
+  Ball square(0);
+  for (const Ball& x : z) {
+    const Ball size = abs(x).upper();
+    square += size * size;
+  }
+  return sqrt(square);
+}
+
 struct Cell {
   Eigen::VectorXd middle, half;  // of z
 };
@@ -356,37 +366,39 @@ Neighbourhood found_at(const Machine& machine, const MachineOrbit& orbit, long m
     found.boxes += *boxes;
     most_boxes -= *boxes;
   }
-  // The orbit's own point.
-  const Vector away =
-      product(found.inverse, Vector(returns.without_known(Matrix(returns.proved() - returns.centre()))));
-  Ball square(0);
-  for (const Ball& x : away) {
-    const Ball size = abs(x).upper();
-    square += size * size;
-  }
-  if (!(Ball(radius * off_centre) - sqrt(square)).is_positive()) {
+  // The orbit's own point, and where the map takes c.
+  const auto is_near = [&](const Vector& state, double share) {
+    const Vector z = product(found.inverse, Vector(returns.without_known(Matrix(state - returns.centre()))));
+    return (Ball(radius * share) - norm_of(z)).is_positive();
+  };
+  if (!is_near(returns.proved(), off_centre)) {
     found.verdict = Verdict::undecided("the orbit is not known to as many digits as the set is small");
+    return found;
+  }
+  if (!is_near(beside->middle.value.tail(returns.centre().size()), 3 * off_centre)) {
+    found.verdict = Verdict::undecided("the motion does not return: it is no orbit of this machine");
     return found;
   }
   found.verdict = Verdict::proved();
   found.radius = radius * (1 - 2 * off_centre);
   found.piece = returns.piece();
   found.centre = returns.centre();
+  found.period = orbit.period.approximate();
   if (returns.is_autonomous()) {
     found.before = returns.before();
   } else {
-    const double omega = oscillator_as<double>(machine).omega;
-    found.theta = std::fmod(omega * returns.time().approximate(), 2 * std::numbers::pi);
-    found.time = returns.time().approximate() - orbit.load.approximate() / omega;
+    found.time = returns.time().approximate();
+    found.theta = std::fmod(oscillator_as<double>(machine).omega * found.time, 2 * std::numbers::pi);
   }
   // Rounded down.
   constexpr double less = 1 - 1e-12;
-  found.half_widths = (found.radius * less) * in_double(returns.with_known(found.S)).rowwise().norm();
-  const Eigen::MatrixXd back = in_double(found.inverse);
-  found.alone = Eigen::VectorXd::Zero(returns.centre().size());
   const Vector intercepts =
-      (found.radius * less * back.colwise().norm().cwiseInverse().transpose()).cast<Ball>();
+      (found.radius * less * in_double(found.inverse).colwise().norm().cwiseInverse().transpose())
+          .cast<Ball>();
   found.alone = in_double(returns.with_known(Matrix(intercepts)));
+  found.S = returns.with_known(found.S);
+  found.inverse = returns.with_known(Matrix(found.inverse.transpose())).transpose();
+  found.half_widths = found.radius * less * in_double(found.S).rowwise().norm();
   return found;
 }
 
@@ -407,6 +419,105 @@ Neighbourhood neighbourhood_of(const Machine& machine, const MachineOrbit& orbit
     }
   }
   return found;
+}
+
+Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const words::WordOrbit& orbit,
+                               long most_phases) {
+  const Machine same{model::friction_oscillator<Rational>(machine.data, machine.ur)};
+  const motion::Motion& m = orbit.orbit.motion;
+  const double omega = oscillator_as<double>(same).omega;
+  MachineGuess guess{{}, orbit.periods, 2 * std::numbers::pi * static_cast<double>(orbit.periods) / omega};
+  for (const motion::Phase& phase : m.phases) {
+    Eigen::VectorXd X(4);
+    for (int k = 0; k < 4; ++k) {
+      X(k) = Ball(k < 2 ? Ball(phase.Z(k) + m.oscillator.d0(k)) : phase.Z(k)).approximate();
+    }
+    guess.events.push_back(
+        {m.phases[0].load.approximate() / omega + phase.start.approximate(), X, {phase.kind, 0}});
+  }
+  if (guess.events.size() < 2) {
+    Neighbourhood none;
+    none.verdict = Verdict::undecided("the orbit has no event");
+    return none;
+  }
+  return neighbourhood_of(same, prove_machine_orbit(same, guess), most_phases);
+}
+
+bool Neighbourhood::holds(const SetOfMotions& set) const {
+  if (set.piece != piece || (before && set.before != before)) {
+    return false;
+  }
+  const Eigen::Index states = centre.size();
+  const Vector z = product(inverse, Vector(set.middle.value.tail(states) - centre));
+  const Matrix by_e = product(inverse, Matrix(set.all.first.bottomRows(states)));
+  Vector farthest = z;
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
+    farthest(i) += set.reach(by_e.row(i).transpose());
+  }
+  return (Ball(radius) - norm_of(farthest)).is_positive();
+}
+
+Reaching::Reaching(const Machine& machine, std::vector<std::shared_ptr<const Neighbourhood>> all)
+    : flow_(machine), autonomous_(machine.oscillator.is_autonomous()), all_(std::move(all)) {
+  for (std::shared_ptr<const Neighbourhood>& one : all_) {
+    if (one && one->verdict.truth != Truth::proved) {
+      one.reset();
+    }
+  }
+}
+
+std::optional<std::size_t> Reaching::operator()(const Vector& middle, const Matrix& S,
+                                                long most_periods) const {
+  SetOfMotions set = set_at(Ball(0), {}, middle, S, false);
+  const auto piece = flow_.piece_of(set.all.value.tail(middle.size()), Ball(0));
+  if (!piece) {
+    return std::nullopt;
+  }
+  set.piece = *piece;
+  return autonomous_ ? at_events(set, most_periods) : in_periods(set, most_periods);
+}
+
+std::optional<std::size_t> Reaching::in_periods(SetOfMotions set, long most_periods) const {
+  const Ball period = Ball(2) * Ball::pi() / flow_.phases().oscillator().omega;
+  // In the order of the phases of the load.
+  std::vector<std::pair<Ball, std::size_t>> times;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (all_[i]) {
+      const Ball turns(std::floor(all_[i]->time / period.approximate()));
+      const Ball time = Ball(all_[i]->time) - turns * period;
+      times.emplace_back(time.is_positive() ? time : Ball(time + period), i);
+    }
+  }
+  std::ranges::sort(times, {}, [](const auto& one) { return one.first.approximate(); });
+  for (long k = 0; k < most_periods; ++k) {
+    for (const auto& [time, i] : times) {
+      if (flow_.follow(set, time + Ball(k) * period).truth != Truth::proved) {
+        return std::nullopt;
+      }
+      if (all_[i]->holds(set)) {
+        return i;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Reaching::at_events(SetOfMotions set, long most_periods) const {
+  double longest = 0;
+  for (const auto& one : all_) {
+    longest = one ? std::max(longest, one->period) : longest;
+  }
+  for (const MachineGuess::Event& event : flow_.events(set, longest * static_cast<double>(most_periods))) {
+    if (flow_.to_event(set, event.begins, event.t - set.time().approximate()).truth != Truth::proved) {
+      return std::nullopt;
+    }
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (all_[i] && all_[i]->holds(set)) {
+        return i;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace stickslip::numeric::machines

@@ -4,30 +4,37 @@
 // at one phase of it, in the middle of the orbit's longest slide; without, where a slide ends, with x_j'
 // given by that event. S is such that the derivative of the return map at c contracts. It is shown that every
 // start of a somewhat larger ball comes back to the same section, and that the derivative by z there is
-// smaller than 1 in the norm of S: over the ball at once, or over each of many boxes that cover it; the map
-// is continuous, so on any way in the ball, which is convex, distances shrink. The orbit's own point lies at
-// c but for less than 1/1000 of rho, so distances from it shrink from one return to the next, and no motion
-// leaves the ball around it.
+// smaller than 1 in Euclid's norm of z: over the ball at once, or over each of many boxes that cover it; the
+// map is continuous, so on any way in the ball, which is convex, distances shrink. The orbit's own point lies
+// at c but for less than 1/1000 of rho, so distances from it shrink from one return to the next, and no
+// motion leaves the ball around it.
 #pragma once
+
+#include <memory>
 
 #include "numeric/machines/machine_orbit.hpp"
 #include "numeric/machines/set_of_motions.hpp"
+#include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric::machines {
 
 struct Neighbourhood {
   Verdict verdict;  // proved, or why there is none
-  // Where the starts lie: on `piece`; with a load at this phase of it, 0 <= theta < 2 pi, and at `time` from
-  // the beginning of the orbit's first phase; without, where the piece begins after `before`.
-  double theta = 0, time = 0;
-  std::optional<Piece> before;
+  // Where the starts lie: on `piece`; with a load at `time`, exact, the load's phase being 0 at t = 0, and
+  // there theta, 0 <= theta < 2 pi; without, where the piece begins after `before`.
   Piece piece;
-  Vector centre;                // (x, x'), exact
-  Matrix S, inverse;            // of z from (x, x') - c; without a load x_j' is no part of either
+  std::optional<Piece> before;
+  double time = 0, theta = 0;
+  double period = 0;            // from one return to the next, roughly
+  Vector centre;                // c, exact
+  Matrix S, inverse;            // z = inverse ((x, x') - c); without a load z does not tell of x_j'
   double radius = 0;            // rho
   Eigen::VectorXd half_widths;  // of the set, in each of (x, x')
   Eigen::VectorXd alone;        // how far each may be from c while the others are as there
   long boxes = 1;               // that cover the ball
+
+  // Whether all motions of a set that is where the starts lie are among them.
+  [[nodiscard]] bool holds(const SetOfMotions& set) const;
 };
 
 // As large as the derivative stays smaller than 1, with boxes whose motions go through at most so many phases
@@ -35,5 +42,28 @@ struct Neighbourhood {
 // not proved to be admissible and stable.
 [[nodiscard]] Neighbourhood neighbourhood_of(const Machine& machine, const MachineOrbit& orbit,
                                              long most_phases = 12000);
+// Of an orbit of the paper's oscillator.
+[[nodiscard]] Neighbourhood neighbourhood_of(const words::WordQuestion& machine,
+                                             const words::WordOrbit& orbit, long most_phases = 12000);
+
+// Which of some neighbourhoods motions reach.
+class Reaching {
+ public:
+  // At the working precision; those that are not proved are reached by none.
+  Reaching(const Machine& machine, std::vector<std::shared_ptr<const Neighbourhood>> all);
+
+  // That which all motions from middle + S e at load phase 0, |e_k| <= 1, are proved to reach within so many
+  // periods of the load, or of the orbits; nothing if they are not.
+  [[nodiscard]] std::optional<std::size_t> operator()(const Vector& middle, const Matrix& S,
+                                                      long most_periods = 30) const;
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> in_periods(SetOfMotions set, long most_periods) const;
+  [[nodiscard]] std::optional<std::size_t> at_events(SetOfMotions set, long most_periods) const;
+
+  SetFlow flow_;
+  bool autonomous_;
+  std::vector<std::shared_ptr<const Neighbourhood>> all_;
+};
 
 }  // namespace stickslip::numeric::machines

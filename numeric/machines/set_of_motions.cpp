@@ -40,7 +40,43 @@ struct After {
   Dependence u;
   Vector longer;
   Matrix longer_by;  // column l: the derivative of that by e_l
+  Matrix by_u;       // u at the end by u at the beginning
 };
+
+Vector midpoints(const Vector& x) {
+  return x.unaryExpr([](const Ball& ball) { return ball.midpoint(); });
+}
+
+// Nearly orthogonal columns that are as long as they were come first.
+Matrix frame_of(Eigen::MatrixXd columns) {
+  std::vector<std::pair<double, Eigen::Index>> sizes;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    sizes.emplace_back(-columns.col(k).norm(), k);
+  }
+  std::ranges::sort(sizes);
+  Eigen::MatrixXd sorted = columns;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    sorted.col(k) = columns.col(sizes[static_cast<std::size_t>(k)].second);
+  }
+  return words::orthogonal(sorted);
+}
+
+// u(0) after a phase that takes exact to y.
+void move_offset(SetOfMotions& to, const SetOfMotions& from, const Matrix& by_u, const Vector& y) {
+  Eigen::MatrixXd columns = in_double(by_u) * in_double(from.frame);
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    columns.col(k) *= abs(from.offset(k)).upper().approximate() + 1e-300;
+  }
+  to.exact = midpoints(y);
+  to.frame = frame_of(columns);
+  const Matrix back = to.frame.transpose();
+  to.offset = Vector(product(Matrix(product(back, Matrix(product(by_u, from.frame)))), from.offset)) +
+              Vector(product(back, Vector(y - to.exact)));
+  const Vector here = to.exact + Vector(product(to.frame, to.offset));
+  for (Eigen::Index i = 0; i < here.size(); ++i) {
+    narrow(to.middle.value(i), here(i));
+  }
+}
 
 // The phase ends at the zero of the row `event`; without one, at a time that all have in common. `known`: a
 // row of u that does not depend on e.
@@ -65,7 +101,7 @@ After after(const Passage& passage, const Matrix& drift, const Dependence& u, Ei
   M.bottomRows(states) = P.topRows(states) + Matrix(v.head(states) * h.transpose());
 
   const Eigen::Index parameters = u.first.cols();
-  After result{{Vector(rows), product(M, u.first), {}, {}}, product(u.first.transpose(), h), {}};
+  After result{{Vector(rows), product(M, u.first), {}, {}}, product(u.first.transpose(), h), {}, M};
   result.u.value.tail(states) = passage.reached.head(states);
   if (u.second.empty() || passage.flow.size() == 0) {
     return result;
@@ -121,7 +157,7 @@ Ball SetOfMotions::reach(const Vector& row) const {
 
 SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, const Matrix& S, bool round) {
   const Eigen::Index rows = S.rows() + 1, parameters = S.cols();
-  SetOfMotions set{{}, piece, round, {}, {}};
+  SetOfMotions set{{}, piece, round, {}, {}, {}, {}, {}};
   set.middle.value.resize(rows);
   set.middle.value << time, middle;
   set.middle.first.resize(rows, parameters);
@@ -131,7 +167,9 @@ SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, 
     set.all.value(i) += set.reach(set.all.first.row(i).transpose());
   }
   set.all.second.assign(static_cast<std::size_t>(parameters), Matrix::Constant(rows, parameters, Ball(0)));
-  set.all.frame = Matrix::Identity(rows, rows);
+  set.all.frame = set.frame = Matrix::Identity(rows, rows);
+  set.exact = midpoints(set.middle.value);
+  set.offset = set.middle.value - set.exact;
   return set;
 }
 
@@ -192,9 +230,10 @@ Verdict SetFlow::judge(const SetOfMotions& set, const Ball& duration, const std:
 
 namespace {
 
-// Once for all of them, and once for the middle one alone.
-SetOfMotions reached(const SetOfMotions& set, const After& middle, const After& all) {
-  SetOfMotions end{set.before, set.piece, set.round, middle.u, all.u};
+// Where the exact one, the middle one and all of them are.
+SetOfMotions reached(const SetOfMotions& set, const Vector& exact, const After& middle, const After& all) {
+  SetOfMotions end{set.before, set.piece, set.round, middle.u, all.u, {}, {}, {}};
+  move_offset(end, set, all.by_u, exact);
   for (std::size_t k = 0; k < end.all.second.size(); ++k) {
     const Matrix second = end.all.derivative_of_first(k);
     for (Eigen::Index i = 0; i < second.rows(); ++i) {
@@ -214,6 +253,7 @@ void fix(SetOfMotions& set, Eigen::Index row, const Ball& value) {
     one->value(row) = value;
     one->first.row(row).setConstant(Ball(0));
   }
+  set.exact(row) = value.midpoint();
 }
 
 }  // namespace
@@ -224,7 +264,7 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
   const Matrix& drift = phases_.drift(set.piece);
   const Eigen::Index known = known_row(set);
   // The middle one.
-  const Vector w = whole(set.middle.value);
+  const Vector w = whole(set.exact);
   const double enough = std::exp2(-0.55 * static_cast<double>(WorkingPrecision::bits()));
   Ball h(about), distance, step;
   for (int k = 0; k < most_newton_steps; ++k) {
@@ -239,13 +279,22 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
   if (!step.is_finite() || !h.is_positive()) {
     return Verdict::undecided("the event of the middle motion is not found");
   }
-  const Ball width = symmetric(step * Ball(4));
+  const Vector w_middle = whole(set.middle.value);
+  const Passage at_middle = passage(phases_, set.piece, w_middle, h, false);
+  const Ball off = dot(event, at_middle.reached);
+  const Ball width =
+      symmetric(Ball(off / dot(event, at_middle.arrives)) * Ball(4)) + symmetric(step * Ball(4));
   const Ball near = h + width;
-  const Ball taken = h - distance / dot(event, passage(phases_, set.piece, w, near, false).arrives);
+  const Ball rate = dot(event, passage(phases_, set.piece, w_middle, near, false).arrives);
+  const Ball taken = h - off / rate;
   if (!taken.is_interior_to(near)) {
     return Verdict::undecided("the end of a phase of the middle motion cannot be enclosed");
   }
-  After middle = after(passage(phases_, set.piece, w, taken, true), drift, set.middle, known, &event);
+  const Ball exactly = h - distance / rate;
+  Vector exact(set.exact.size());
+  exact << set.exact(0) + exactly,
+      passage(phases_, set.piece, w, exactly, false).reached.head(set.exact.size() - 1);
+  After middle = after(passage(phases_, set.piece, w_middle, taken, true), drift, set.middle, known, &event);
   middle.u.value(0) = set.time() + taken;
   // All of them: the derivative of the duration is looked at so far around.
   Ball around = set.reach(middle.longer) * Ball(Rational(9, 8)) + width;
@@ -265,7 +314,7 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
       continue;
     }
     all.u.value(0) = set.all.value(0) + durations;
-    SetOfMotions end = reached(set, middle, all);
+    SetOfMotions end = reached(set, exact, middle, all);
     end.before = set.piece;
     end.piece = after_it;
     fix(end, 1 + phases_.masses() + phases_.rubbing(), speed);
@@ -290,7 +339,10 @@ Verdict SetFlow::to_time(SetOfMotions& set, const Ball& time) const {
     end.u.value(0) = time;
     return end;
   };
-  SetOfMotions end = reached(set, ends(set.middle, time - set.time()), ends(set.all, durations));
+  Vector exact(set.exact.size());
+  exact << time, passage(phases_, set.piece, whole(set.exact), time - set.exact(0), false)
+                     .reached.head(set.exact.size() - 1);
+  SetOfMotions end = reached(set, exact, ends(set.middle, time - set.time()), ends(set.all, durations));
   fix(end, 0, time);
   end.before.reset();
   if (set.piece.kind == PhaseKind::stick) {
@@ -301,14 +353,18 @@ Verdict SetFlow::to_time(SetOfMotions& set, const Ball& time) const {
   return verdict;
 }
 
-Verdict SetFlow::follow(SetOfMotions& set, const Ball& time) const {
+std::vector<MachineGuess::Event> SetFlow::events(const SetOfMotions& set, double duration) const {
   const double begin = set.time().approximate();
   const Vector X = set.middle.value.tail(set.middle.value.size() - 1);
-  simulation_.restart(in_double_.omega * begin, X.unaryExpr([](const Ball& x) { return x.approximate(); }));
+  simulation_.restart(in_double_.omega * begin, in_double(X));
   std::vector<Simulation::Transition> log;
-  simulation_.advance(Ball(time - set.time()).approximate(), &log);
-  for (const MachineGuess::Event& event : events_of(in_double_, log, 0)) {
-    const Verdict verdict = to_event(set, event.begins, begin + event.t - set.time().approximate());
+  simulation_.advance(duration, &log);
+  return events_of(in_double_, log, -begin);
+}
+
+Verdict SetFlow::follow(SetOfMotions& set, const Ball& time) const {
+  for (const MachineGuess::Event& event : events(set, Ball(time - set.time()).approximate())) {
+    const Verdict verdict = to_event(set, event.begins, event.t - set.time().approximate());
     if (verdict.truth != Truth::proved) {
       return verdict;
     }

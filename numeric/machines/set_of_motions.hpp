@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/verdict.hpp"
+#include "numeric/machines/machine_orbit.hpp"
 #include "numeric/machines/passage.hpp"
 #include "numeric/simulation/simulation.hpp"
 
@@ -37,6 +38,9 @@ struct SetOfMotions {
   bool round = false;  // |e| is Euclid's norm; else the largest of |e_k|
   Dependence middle;   // of (t, (x, x')) at e = 0; without second derivatives
   Dependence all;      // over the set
+  // u(0) = exact + frame offset, in an orthogonal frame of its own, likewise.
+  Vector exact, offset;
+  Matrix frame;
 
   // All values of row e.
   [[nodiscard]] Ball reach(const Vector& row) const;
@@ -62,7 +66,9 @@ class SetFlow {
   [[nodiscard]] Verdict to_event(SetOfMotions& set, const Piece& after, double about) const;
   // To a time that lies on the same piece.
   [[nodiscard]] Verdict to_time(SetOfMotions& set, const Ball& time) const;
-  // To a time, through the events that the simulation of the middle one meets.
+  // The events that the simulation of the middle one meets in so long a time.
+  [[nodiscard]] std::vector<MachineGuess::Event> events(const SetOfMotions& set, double duration) const;
+  // To a time, through these.
   [[nodiscard]] Verdict follow(SetOfMotions& set, const Ball& time) const;
 
  private:

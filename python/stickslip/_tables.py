@@ -88,25 +88,32 @@ class MachineInTables:
     def attractors(self, starts: Optional[int] = None, seed: Optional[int] = None, most_periods: int = 20000,
                    digits: int = 20, along: Optional[Tuple[str, Exact, Exact]] = None, values: Optional[int] = None,
                    plane: Optional[Tuple[str, str]] = None, pixels: Optional[int] = None,
-                   through: Optional[Sequence[_Number]] = None, jobs: Optional[int] = None) -> Record:
+                   through: Optional[Sequence[_Number]] = None, window: Optional[Sequence[_Number]] = None,
+                   neighbourhood: bool = False, jobs: Optional[int] = None) -> Record:
         """What random starts end on, by default 500, each periodic motion proved.
 
         along: one of the file's numbers and its interval, ("belt.velocity", "0.03", "0.08"): what 50 starts end on at
         so many values of it, by default 41. plane: two of "x1", ..., "x1'", ...: where pixels x pixels starts in that
-        plane end, by default 60 x 60, through a state, by default in the middle of the random starts.
+        plane end, by default 60 x 60, through a state, by default in the middle of the random starts; window: how far
+        the pixels go to each side of it. neighbourhood: of each stable orbit also a proved set of starts that converge
+        to it, and in a plane which pixels are proved to end where they do.
         """
         asking = self._asking("attractors", starts=count("starts", starts, 100000), seed=count("seed", seed, 10**9),
                               most_periods=count("most_periods", most_periods, 10**9),
                               digits=whole("digits", digits, 1, 2000), along=_range(along),
                               values=count("values", values, 10000), plane=None if plane is None else ",".join(plane),
-                              pixels=count("pixels", pixels, 1000), through=_state("through", through))
+                              pixels=count("pixels", pixels, 1000), through=_state("through", through),
+                              window=_state("window", window), neighbourhood=bool(neighbourhood))
         return Record(_json.loads(_core.attractors_in_tables(asking, conduct(jobs))))
 
     def orbits(self, word: str, period: Optional[int] = None, near: Optional[Sequence[_Number]] = None,
-               digits: int = 20, jobs: Optional[int] = None) -> Record:
-        """The orbits through a word's phases that random starts end on, or that near one state, each proved."""
+               digits: int = 20, neighbourhood: bool = False, jobs: Optional[int] = None) -> Record:
+        """The orbits through a word's phases that random starts end on, or that near one state, each proved.
+
+        neighbourhood: of each stable one also a proved set of starts that converge to it.
+        """
         asking = self._asking("orbits", word, period=count("period", period, 100000), near=_state("near", near),
-                              digits=whole("digits", digits, 1, 2000))
+                              digits=whole("digits", digits, 1, 2000), neighbourhood=bool(neighbourhood))
         return Record(_json.loads(_core.orbits_in_tables(asking, conduct(jobs))))
 
     def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,

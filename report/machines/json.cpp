@@ -3,6 +3,7 @@
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/diagram.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/record_json.hpp"
 
@@ -114,6 +115,7 @@ void write_orbit(Object& json, const MachineOrbit& o, int digits) {
     orbits::write_admissible(to, proved.admissible);
     orbits::write_stability(to, proved.stability, proved.conditions, digits);
     to.list("conditions", proved.conditions, orbits::write_condition);
+    orbits::write_neighbourhood(to, proved.neighbourhood);
   });
 }
 
@@ -222,6 +224,13 @@ void write(Object& json, const Basins& result) {
   json.list("attractors", b.attractors,
             [&](Object& to, const MachineAttractor& a) { write_attractor(to, a, b.question.digits); });
   json.has("at", orbits::rows_of_pixels(b.ends, b.pixels[0]), orbits::pixels_schema());
+  json.has("proved", b.prove ? std::optional(proved_share(b)) : std::nullopt,
+           with({{"minimum", 0}, {"maximum", 1}},
+                "The share of pixels all of whose starts are proved to converge to the orbit."));
+  json.has("proved_at",
+           b.prove ? std::optional(orbits::rows_of_pixels({b.proved.begin(), b.proved.end()}, b.pixels[0], 0))
+                   : std::nullopt,
+           "Rows of pixels: 1 where that is proved.");
 }
 
 void write_word(Object& json, const MachineWord& q, const Origin& origin) {

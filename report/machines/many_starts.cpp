@@ -5,6 +5,7 @@
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/diagram.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/layout.hpp"
 
@@ -114,7 +115,26 @@ std::string terminal_report(const Basins& result, const Style& style) {
                     {orbits::shortened(a.word)},
                     {remark(a, autonomous)}});
   }
-  return titled("Where starts in a plane end", head, style) + "\n" + columns_of(rows, style.width);
+  const MachineBasins& b = result.basins;
+  if (b.prove) {
+    head.push_back(
+        {{"proved"},
+         {fmt::format("of {:.4g} % of the pixels: all of their starts converge to the orbit; of the "
+                      "others the middles are followed in floating point",
+                      100 * proved_share(b))}});
+  }
+  std::string text =
+      titled("Where starts in a plane end", head, style) + "\n" + columns_of(rows, style.width);
+  bool any = false;
+  for (std::size_t k = 0; k < b.attractors.size(); ++k) {
+    const auto& orbit = b.attractors[k].orbit;
+    if (orbit && orbit->neighbourhood) {
+      any = true;
+      text += fmt::format("\n{} {}\n", k + 1, short_name(b.attractors[k], autonomous)) +
+              columns_of(neighbourhood_rows(*orbit, seen_in(result)), style.width);
+    }
+  }
+  return any ? text + "\n" + labelled(0, "recovers", orbits::meaning_of_neighbourhood(), style.width) : text;
 }
 
 std::string to_csv(const Diagram& result) {
@@ -192,6 +212,7 @@ std::string plot_script(const Basins& result, PlotFormat format) {
   drawn.x = coordinate(seen, b.across[0], true);
   drawn.y = coordinate(seen, b.across[1], true);
   drawn.pixels = b.pixels;
+  drawn.proved = b.proved;
   return orbits::plot_script(drawn, format);
 }
 

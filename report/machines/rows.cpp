@@ -7,6 +7,7 @@
 
 #include "core/decimal.hpp"
 #include "numeric/words/word.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
@@ -186,6 +187,17 @@ std::vector<Row> phase_rows(const MachineOrbit& orbit, const Seen& seen) {
   return rows;
 }
 
+std::vector<Row> neighbourhood_rows(const MachineOrbit& orbit, const Seen& seen) {
+  if (!orbit.neighbourhood) {
+    return {};
+  }
+  std::vector<orbits::Coordinate> coordinates;
+  for (std::size_t k = 0; k < 2 * seen.oscillator().size(); ++k) {
+    coordinates.push_back({coordinate(seen, static_cast<Eigen::Index>(k), true)});
+  }
+  return orbits::neighbourhood_rows(*orbit.neighbourhood, coordinates);
+}
+
 std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit) {
   const auto n = static_cast<Eigen::Index>(seen.oscillator().size());
   return fmt::format("x{}{}", k % n + 1, k < n ? "" : "'") +
@@ -215,16 +227,20 @@ std::string command_of(const Basins& result) {
   const MachineBasins& b = result.basins;
   const Seen seen{b.question.machine, result.origin.in_SI};
   return fmt::format(
-      "stickslip attractors --params {} --plane \"{},{}\" --pixels {}{} --most-periods {} --digits {}",
+      "stickslip attractors --params {} --plane \"{},{}\" --pixels {}{}{} --most-periods {} --digits {}{}",
       result.origin.file, coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false),
-      b.pixels[0], b.through ? " --through=" + numbers(*b.through) : "", b.question.most_periods,
-      b.question.digits);
+      b.pixels[0], b.through ? " --through=" + numbers(*b.through) : "",
+      b.half ? fmt::format(" --window={:.17g},{:.17g}", (*b.half)[0], (*b.half)[1]) : "",
+      b.question.most_periods, b.question.digits, b.prove ? " --neighbourhood" : "");
 }
 
 std::string command_of(const Attractors& result) {
   const MachineStarts& q = result.list.question;
-  return fmt::format("stickslip attractors --params {} --starts {} --seed {} --most-periods {} --digits {}",
-                     result.origin.file, q.starts, q.seed, q.most_periods, q.digits);
+  const bool with_neighbourhoods = std::ranges::any_of(
+      result.list.attractors, [](const auto& a) { return a.orbit && a.orbit->neighbourhood != nullptr; });
+  return fmt::format("stickslip attractors --params {} --starts {} --seed {} --most-periods {} --digits {}{}",
+                     result.origin.file, q.starts, q.seed, q.most_periods, q.digits,
+                     with_neighbourhoods ? " --neighbourhood" : "");
 }
 
 namespace {
@@ -237,8 +253,10 @@ std::string of_word(const MachineWord& q, const std::string& file) {
 }  // namespace
 
 std::string command_of(const WordOrbits& result) {
-  return fmt::format("stickslip orbits {} --digits {}", of_word(result.list.question, result.origin.file),
-                     result.list.question.digits);
+  const bool with_neighbourhoods = std::ranges::any_of(
+      result.list.orbits, [](const auto& orbit) { return orbit.neighbourhood != nullptr; });
+  return fmt::format("stickslip orbits {} --digits {}{}", of_word(result.list.question, result.origin.file),
+                     result.list.question.digits, with_neighbourhoods ? " --neighbourhood" : "");
 }
 
 std::string command_of(const Branches& result) {

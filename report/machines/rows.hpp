@@ -36,6 +36,9 @@ struct Seen {
                                                  const Seen& seen, int digits);
 [[nodiscard]] std::vector<tools::Row> phase_rows(const numeric::machines::MachineOrbit& orbit,
                                                  const Seen& seen);
+// Nothing unless it was asked for.
+[[nodiscard]] std::vector<tools::Row> neighbourhood_rows(const numeric::machines::MachineOrbit& orbit,
+                                                         const Seen& seen);
 // What is known: "proved, stable, |mu| = 0.78".
 [[nodiscard]] std::string remark(const numeric::machines::MachineOrbit& orbit);
 [[nodiscard]] std::string remark(const numeric::machines::MachineAttractor& attractor, bool autonomous);

@@ -5,6 +5,7 @@
 #include "core/decimal.hpp"
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
@@ -29,11 +30,16 @@ std::string orbit_text(const MachineOrbit& orbit, const Seen& seen, int digits, 
                    orbits::colour_of(orbit.admissible.truth, style)}};
   return "\n" + columns_of({title}, style.width) + columns_of(orbit_rows(orbit, seen, digits), style.width) +
          "\n" + columns_of(phase_rows(orbit, seen), style.width) + "\n" +
+         (orbit.neighbourhood ? columns_of(neighbourhood_rows(orbit, seen), style.width) + "\n" : "") +
          orbits::condition_rows(orbits::worst(orbit.conditions), style);
 }
 
-std::string margins(const Seen& seen, const Style& style) {
-  return labelled(0, "margin",
+// What numbers in texts on orbits mean.
+template <class Orbits>
+std::string margins(const Orbits& all, const Seen& seen, const Style& style) {
+  const bool any = std::ranges::any_of(all, [](const MachineOrbit& o) { return o.neighbourhood != nullptr; });
+  return (any ? labelled(0, "recovers", orbits::meaning_of_neighbourhood(), style.width) : "") +
+         labelled(0, "margin",
                   fmt::format("the least distance from a violation, along a phase divided by the time to an "
                               "end where it is zero by itself{}",
                               seen.in_SI ? "; N, m/s and s" : ""),
@@ -85,10 +91,12 @@ std::string terminal_report(const Attractors& result, const Style& style) {
   }
   std::string text = heading("What the machine does", style) + machine_text(seen, style, starts_row(list)) +
                      "\n" + columns_of(rows, style.width);
+  std::vector<MachineOrbit> proved;
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     const MachineAttractor& a = list.attractors[i];
     if (a.orbit && a.orbit->existence.truth == Truth::proved) {
       text += orbit_text(*a.orbit, seen, list.question.digits, i + 1, style);
+      proved.push_back(*a.orbit);
     }
   }
   if (list.steady) {
@@ -100,7 +108,7 @@ std::string terminal_report(const Attractors& result, const Style& style) {
              "of the starts, with Wilson's interval of 95 %; what is said to be proved is, of the machine "
              "exactly as it is given; everything else is a check in floating point",
              style.width) +
-         margins(seen, style);
+         margins(proved, seen, style);
 }
 
 std::string terminal_report(const WordOrbits& result, const Style& style) {
@@ -119,7 +127,7 @@ std::string terminal_report(const WordOrbits& result, const Style& style) {
   for (std::size_t k = 0; k < list.orbits.size(); ++k) {
     text += orbit_text(list.orbits[k], seen, q.digits, k + 1, style);
   }
-  return text + (list.orbits.empty() ? "" : "\n" + margins(seen, style));
+  return text + (list.orbits.empty() ? "" : "\n" + margins(list.orbits, seen, style));
 }
 
 std::string terminal_report(const Branches& result, const Style& style) {

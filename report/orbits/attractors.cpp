@@ -6,6 +6,7 @@
 
 #include "core/decimal.hpp"
 #include "numeric/words/pure_stick.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
@@ -63,6 +64,21 @@ std::string phases(const WordOrbit& o, const Style& style, const Units& units) {
   return columns_of(rows, style.width);
 }
 
+// Nothing unless it was asked for.
+std::string neighbourhood(const WordOrbit& o, const Style& style, const Units& units) {
+  if (!o.neighbourhood) {
+    return "";
+  }
+  static constexpr std::array names{"x1", "x2", "x1'", "x2'"};
+  const model::Vector4<double> factors = units.state(model::Vector4<double>::Ones());
+  std::vector<Coordinate> coordinates;
+  for (int k = 0; k < 4; ++k) {
+    coordinates.push_back(
+        {units.labelled(names[static_cast<std::size_t>(k)], k < 2 ? "m" : "m/s"), factors(k)});
+  }
+  return columns_of(neighbourhood_rows(*o.neighbourhood, coordinates), style.width) + "\n";
+}
+
 std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const Units& units) {
   std::vector<Row> rows{{{"  word"}, {o.word.letters()}},
                         {{"  period"}, {fmt::format("{} of the load", o.periods)}}};
@@ -72,7 +88,7 @@ std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const 
     }
   }
   return columns_of(rows, style.width) + "\n" + phases(o, style, units) +
-         stability_rows(o.orbit, units.digits(digits), style) + "\n" +
+         stability_rows(o.orbit, units.digits(digits), style) + "\n" + neighbourhood(o, style, units) +
          condition_rows(worst(o.orbit.conditions), style);
 }
 
@@ -264,6 +280,16 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
                     {remark(a)}});
   }
   text += "\n" + columns_of(rows, style.width);
+  bool any = false;
+  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
+    const auto& orbit = list.attractors[i].orbit;
+    const std::string rows_of_it = orbit ? neighbourhood(*orbit, style, units) : "";
+    text += rows_of_it.empty()
+                ? ""
+                : fmt::format("\n{} {}\n{}", i + 1, shortened(orbit->word.letters()), rows_of_it);
+    any = any || !rows_of_it.empty();
+  }
+  const std::string meaning = any ? labelled(0, "recovers", meaning_of_neighbourhood(), style.width) : "";
   rows = {{{"   "}, {fmt::format("x1,x2,x1',x2'{} at load phase 0", units.are_SI() ? " in m and m/s" : "")}}};
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     rows.push_back({{std::to_string(i + 1)}, {state_of(units.state(list.attractors[i].state))}});
@@ -273,7 +299,8 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
                   "of the starts, with Wilson's interval of 95 %; what is said to be proved is; everything "
                   "else is "
                   "a check in floating point",
-                  style.width);
+                  style.width) +
+         meaning;
 }
 
 std::string terminal_report(const WordOrbits& list, const Style& style, const Units& units, InFull in_full) {
@@ -300,9 +327,10 @@ std::string terminal_report(const WordOrbits& list, const Style& style, const Un
     text += "\n" + columns_of({heading}, style.width) + one_orbit(o, q.machine.digits, style, units);
   }
   text += formal_solutions(list.orbits, these.formal, style, units);
+  const bool any = std::ranges::any_of(list.orbits, [](const auto& o) { return o.neighbourhood != nullptr; });
   return these.in_full.empty()
              ? text
-             : text + "\n" +
+             : text + "\n" + (any ? labelled(0, "recovers", meaning_of_neighbourhood(), style.width) : "") +
                    labelled(0, "condition", "of all phases, the one nearest to a violation", style.width) +
                    labelled(0, "margin", meaning_of_margin(), style.width) +
                    labelled(0, "units", meaning_of_units(units.are_SI()), style.width);

@@ -2,6 +2,7 @@
 
 #include "core/decimal.hpp"
 #include "report/orbits/attractors.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 
@@ -43,6 +44,7 @@ void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
               to.has("phase", condition.second, with({{"minimum", 1}}, "Of the word, from 1."));
             },
             {{"minItems", 1}});
+  write_neighbourhood(json, o.neighbourhood);
 }
 
 }  // namespace
@@ -88,6 +90,7 @@ void write_attractor(Object& json, const Attractor& a, int digits, Share share) 
           write_admissible(proved, o.orbit.admissible);
           proved.has("family", one.family.empty() ? std::nullopt : std::optional(one.family), family_names());
           write_stability(proved, o.orbit.stability, o.orbit.conditions, digits);
+          write_neighbourhood(proved, o.neighbourhood);
         });
       });
   json.rules({{"if", {{"properties", {{"kind", {{"const", to_string(Kind::periodic)}}}}}}},

@@ -163,13 +163,14 @@ std::string to_csv(const Basins& b, const Units& units) {
   return text;
 }
 
-std::vector<std::vector<std::size_t>> rows_of_pixels(const std::vector<std::size_t>& ends, long columns) {
+std::vector<std::vector<std::size_t>> rows_of_pixels(const std::vector<std::size_t>& ends, long columns,
+                                                     std::size_t first) {
   std::vector<std::vector<std::size_t>> rows;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     if (k % static_cast<std::size_t>(columns) == 0) {
       rows.emplace_back();
     }
-    rows.back().push_back(ends[k] + 1);
+    rows.back().push_back(ends[k] + first);
   }
   return rows;
 }
@@ -304,6 +305,13 @@ std::string plot_script(const DrawnBasins& b, PlotFormat format) {
     table += fmt::format("{:.8g} {:.8g} {}\n", b.starts[k][0], b.starts[k][1], b.ends[k]);
   }
   data["table"] = table;
+  std::string open;
+  for (std::size_t k = 0; k < b.proved.size(); ++k) {
+    open += b.proved[k] != 0 ? "" : fmt::format("{:.8g} {:.8g}\n", b.starts[k][0], b.starts[k][1]);
+  }
+  if (!open.empty()) {
+    data["open"] = {{"table", open}, {"words", "dots: followed in floating point; all else is proved"}};
+  }
   data["attractors"] = Json::array();
   std::string palette;
   for (std::size_t k = 0; k < b.attractors.size(); ++k) {

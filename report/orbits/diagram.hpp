@@ -32,9 +32,9 @@ namespace stickslip::report::orbits {
 // Names, then a line for each start: x1, x2, x1', x2', attractor (1, 2, ...), kind, period, word.
 [[nodiscard]] std::string to_csv(const numeric::attractors::Basins& basins, const Units& units = {});
 
-// The attractors on which starts in rows end, counted from 1, and what the schema says of that.
+// The attractors on which starts in rows end, counted from `first`, and what the schema says of that.
 [[nodiscard]] std::vector<std::vector<std::size_t>> rows_of_pixels(const std::vector<std::size_t>& ends,
-                                                                   long columns);
+                                                                   long columns, std::size_t first = 1);
 [[nodiscard]] tools::Json pixels_schema();
 
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Diagram& diagram);
@@ -65,6 +65,7 @@ struct DrawnBasins {
   std::vector<std::string> attractors;        // in words
   std::string machine, x, y;                  // names with units
   std::array<long, 2> pixels;
+  std::vector<char> proved = {};  // pixels are; empty where that was not asked
 };
 [[nodiscard]] std::string plot_script(const DrawnDiagram& diagram, tools::PlotFormat format);
 [[nodiscard]] std::string plot_script(const DrawnBasins& basins, tools::PlotFormat format);

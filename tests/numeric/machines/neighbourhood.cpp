@@ -1,0 +1,274 @@
+// Proved neighbourhoods of stable orbits, and sets of motions, against simulated motions.
+#include <doctest/doctest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "numeric/machines/machine_attractors.hpp"
+#include "numeric/machines/neighbourhood.hpp"
+#include "numeric/machines/settle.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+#include "tests/numeric/examples.hpp"
+
+using namespace stickslip;
+using namespace stickslip::examples;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::machines;
+
+namespace {
+
+using Simulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
+
+// The paper's oscillator with C = share K.
+Machine with_damping(const ExactParameters& data, const Rational& ur, const Rational& share = 0) {
+  Machine machine{model::friction_oscillator<Rational>(data, ur)};
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    machine.oscillator.damping.data()[i] = Rational(share * machine.oscillator.stiffness.data()[i]);
+  }
+  return machine;
+}
+
+Machine damped_O(const Rational& share = Rational(1, 500)) {
+  return with_damping(O(), Rational("45899365993320057/100000000000000000"), share);
+}
+Machine P_with_period_3() {
+  return with_damping(motion::parse_parameters("3/10", "4", "1/10", "0", "3/5", "1"), Rational("2996/10000"));
+}
+
+// One mass whose friction falls, in three pieces, and no load: it sticks and slips.
+Machine stick_slip() {
+  Machine machine;
+  auto& o = machine.oscillator;
+  o.masses = {Rational(1)};
+  o.stiffness = model::MatrixX<Rational>::Constant(1, 1, Rational(1));
+  o.damping = model::MatrixX<Rational>::Constant(1, 1, Rational(1, 10));
+  o.rubbing = 0;
+  o.V = Rational(1);
+  const model::FrictionLaw<Rational> law{
+      Rational(1),
+      {{Rational(0), Rational(9, 10), Rational(-1, 2)}, {Rational(1), Rational(2, 5), Rational(0)}}};
+  o.forward = law;
+  o.backward = law;
+  o.omega = Rational(1);
+  return machine;
+}
+
+Eigen::VectorXd near_O() {
+  Eigen::VectorXd X(4);
+  X << 1.344, 3.70, -0.41, 0.99;
+  return X;
+}
+
+struct Case {
+  Machine machine;
+  MachineOrbit orbit;
+  Neighbourhood found;
+};
+
+Case case_of(const Machine& machine, const Eigen::VectorXd& X, long most_phases) {
+  const Settled end = settle(machine, X);
+  REQUIRE(end.kind == attractors::Kind::periodic);
+  Case result{machine, prove_machine_orbit(machine, end.guess), {}};
+  result.found = neighbourhood_of(machine, result.orbit, most_phases);
+  CAPTURE(result.found.verdict.reason);
+  REQUIRE(result.found.verdict.truth == Truth::proved);
+  return result;
+}
+
+// c + S z with |z| = size.
+Eigen::VectorXd member(const Neighbourhood& n, double size, std::mt19937_64& engine) {
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd z(n.S.cols());
+  for (double& x : z) {
+    x = normal(engine);
+  }
+  return zeros::in_double(n.centre) + zeros::in_double(n.S) * Eigen::VectorXd(z * (size / z.norm()));
+}
+
+// How far a state is from c, in parts of the set.
+double place(const Neighbourhood& n, const Eigen::VectorXd& X) {
+  return (zeros::in_double(n.inverse) * (X - zeros::in_double(n.centre))).norm() / n.radius;
+}
+
+// From the set's edge and from inside: each return is nearer than the start, and in the end all are at c.
+void check_converges(const Case& c, int starts, int returns) {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> share(0, 1);
+  const auto o = oscillator_as<double>(c.machine);
+  Simulation simulation(o, o.omega * c.found.time, zeros::in_double(c.found.centre));
+  for (int k = 0; k < starts; ++k) {
+    simulation.restart(o.omega * c.found.time,
+                       member(c.found, c.found.radius * (k % 2 == 0 ? 0.999 : share(engine)), engine));
+    double before = place(c.found, simulation.state());
+    for (int i = 0; i < returns; ++i) {
+      simulation.advance(simulation.period() * static_cast<double>(c.orbit.periods));
+      const double now = place(c.found, simulation.state());
+      CHECK(now < std::max(before, 1e-9));
+      before = now;
+    }
+    CHECK(before < 1e-3);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("all motions from the neighbourhood of a stable orbit converge to it") {
+  const Case O = case_of(damped_O(), near_O(), 1500);
+  CHECK(O.found.half_widths(1) > 5e-3);
+  CHECK(O.found.boxes > 1);
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    CHECK(O.found.alone(k) > 0);
+    CHECK(O.found.alone(k) <= O.found.half_widths(k));
+    // Along one coordinate the set ends there.
+    Eigen::VectorXd X = zeros::in_double(O.found.centre);
+    X(k) += O.found.alone(k);
+    CHECK(place(O.found, X) == doctest::Approx(1));
+  }
+  check_converges(O, 2000, 110);
+  Eigen::VectorXd X(4);
+  X << 1.56, 3.33, 0.15, -0.1;
+  for (std::uint64_t seed = 1; settle(P_with_period_3(), X).guess.periods != 3; ++seed) {
+    std::mt19937_64 engine(seed);
+    std::uniform_real_distribution<double> uniform(-2, 2);
+    for (double& x : X) {
+      x = uniform(engine);
+    }
+  }
+  const Case P = case_of(P_with_period_3(), X, 3000);
+  CHECK(P.orbit.periods == 3);
+  CHECK(P.found.half_widths(1) > 1e-3);
+  check_converges(P, 500, 30);
+}
+
+TEST_CASE("the derivative of the return map contracts everywhere in a neighbourhood, and need not outside") {
+  const Case O = case_of(damped_O(), near_O(), 1500);
+  const auto o = oscillator_as<double>(O.machine);
+  const Eigen::MatrixXd S = zeros::in_double(O.found.S), inverse = zeros::in_double(O.found.inverse);
+  Simulation simulation(o, 0, zeros::in_double(O.found.centre));
+  const auto returned = [&](const Eigen::VectorXd& X) -> Eigen::VectorXd {
+    simulation.restart(o.omega * O.found.time, X);
+    simulation.advance(simulation.period());
+    return simulation.state();
+  };
+  std::mt19937_64 engine(2);
+  const auto largest = [&](double size) {
+    double norm = 0;
+    for (int k = 0; k < 100; ++k) {
+      const Eigen::VectorXd X = member(O.found, size, engine);
+      Eigen::MatrixXd D(4, 4);
+      const double h = 1e-6 * O.found.radius;
+      for (Eigen::Index i = 0; i < 4; ++i) {
+        D.col(i) = inverse * (returned(X + S.col(i) * h) - returned(X - S.col(i) * h)) / (2 * h);
+      }
+      norm = std::max(norm, D.operatorNorm());
+    }
+    return norm;
+  };
+  CHECK(largest(O.found.radius) < 1);
+  CHECK(largest(30 * O.found.radius) > 1);
+}
+
+TEST_CASE("without a load the neighbourhood lies where a slide ends") {
+  Eigen::VectorXd X(2);
+  X << -3, 1;
+  const Case c = case_of(stick_slip(), X, 1500);
+  REQUIRE(c.found.before);
+  CHECK(c.found.before->side() != 0);
+  CHECK(c.found.alone(0) > 0);
+  CHECK(c.found.alone(1) == 0);
+  const auto o = oscillator_as<double>(c.machine);
+  const Settled end = settle(c.machine, X);
+  for (const double share : {-0.999, -0.5, 0.5, 0.999}) {
+    Eigen::VectorXd start = zeros::in_double(c.found.centre);
+    start(0) += share * c.found.alone(0);
+    const Settled reached = settle(c.machine, start);
+    REQUIRE(reached.kind == attractors::Kind::periodic);
+    CHECK(distance(reached.guess, end.guess) < 1e-6);
+  }
+}
+
+TEST_CASE("an orbit that is not stable has no neighbourhood, nor one that is not proved") {
+  const Settled end = settle(damped_O(), near_O());
+  MachineOrbit orbit = prove_machine_orbit(damped_O(), end.guess);
+  orbit.stability->kind = motion::StabilityKind::unstable;
+  CHECK(neighbourhood_of(damped_O(), orbit).verdict.truth == Truth::undecided);
+  orbit.existence = Verdict::undecided("for the test");
+  CHECK(neighbourhood_of(damped_O(), orbit).verdict.truth == Truth::undecided);
+  // The orbit of another machine: the return map does not keep it.
+  const MachineOrbit other = prove_machine_orbit(damped_O(), end.guess);
+  CHECK(neighbourhood_of(damped_O(Rational(1, 400)), other).verdict.truth != Truth::proved);
+}
+
+TEST_CASE("a set of motions holds each motion from it") {
+  const Machine machine = damped_O();
+  const auto o = oscillator_as<double>(machine);
+  const WorkingPrecision scope(96);
+  const SetFlow flow(machine);
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int followed = 0;
+  for (int k = 0; k < 60; ++k) {
+    Eigen::VectorXd X = near_O();
+    Eigen::MatrixXd S(4, 4);
+    for (double& x : X) {
+      x += 0.5 * uniform(engine);
+    }
+    for (double& x : S.reshaped()) {
+      x = 2e-4 * uniform(engine);
+    }
+    SetOfMotions set = set_at(Ball(0), {}, X.cast<Ball>(), Matrix(S.cast<Ball>()), k % 2 == 0);
+    const auto piece = flow.piece_of(set.all.value.tail(4), Ball(0));
+    if (!piece) {
+      continue;
+    }
+    set.piece = *piece;
+    const double until = 4 + 20 * std::abs(uniform(engine));
+    if (flow.follow(set, Ball(until)).truth != Truth::proved) {
+      continue;
+    }
+    ++followed;
+    Simulation simulation(o, 0, X);
+    for (int i = 0; i < 40; ++i) {
+      Eigen::VectorXd e(4);
+      for (double& x : e) {
+        x = uniform(engine);
+      }
+      e /= k % 2 == 0 ? std::max(1.0, e.norm()) : 1.0;
+      simulation.restart(0, X + S * e);
+      simulation.advance(until);
+      for (Eigen::Index n = 0; n < 4; ++n) {
+        const Ball& range = set.all.value(1 + n);
+        CHECK(std::abs(simulation.state()(n) - range.approximate()) <= range.radius().approximate() + 1e-9);
+        // Along the middle's derivative, to second order.
+        Ball linear = set.middle.value(1 + n);
+        for (Eigen::Index l = 0; l < 4; ++l) {
+          linear += set.all.first(1 + n, l) * Ball(e(l));
+        }
+        CHECK(std::abs(simulation.state()(n) - linear.approximate()) <= linear.radius().approximate() + 1e-9);
+      }
+    }
+  }
+  CHECK(followed >= 30);
+}
+
+TEST_CASE("pixels of a plane are proved to end where their middles do") {
+  MachineBasins basins;
+  basins.question.machine = damped_O();
+  basins.across = {0, 1};
+  const Settled end = settle(basins.question.machine, near_O());
+  basins.through = end.state;
+  basins.half = {0.0013, 0.0026};
+  basins.pixels = {8, 8};
+  basins.prove = true;
+  basins = in_plane(basins);
+  REQUIRE(basins.proved.size() == 64);
+  CHECK(proved_share(basins) >= 0.95);
+  REQUIRE(!basins.attractors.empty());
+  CHECK(basins.attractors[0].word == "OTS");
+  // Of a wide plane some pixels hold starts that stick and starts that do not: none of these is proved.
+  basins.half = {0.5, 0.5};
+  basins.pixels = {2, 2};
+  CHECK(proved_share(in_plane(basins)) == 0);
+}
