@@ -231,6 +231,7 @@ void add_orbits(CLI::App& program, Request& request, const Wording& wording) {
   c.add_parameters();
   c.add("--period", o.period, OrbitsOptions::most_periods_of_word);
   c.add("--near", o.near, state);
+  c.add("--basin", o.basin);
   c.add_sources();
   c.add("--digits", o.digits, OrbitsOptions::most_digits);
   c.add_units();
@@ -259,6 +260,7 @@ void add_branch(CLI::App& program, Request& request, const Wording& wording) {
   CLI::Option * near = c.add("--near", o.near, state);
   c.add("--all", o.all)->excludes(orbit)->excludes(near);
   orbit->excludes(near);
+  c.add("--basin", o.basin);
   c.add("--csv", o.csv);
   c.add("--plot", o.plot);
   c.add("--out", o.out);

@@ -83,6 +83,8 @@ struct OrbitsOptions : GivenMachine, Outputs {
   std::optional<double> time;  // in seconds
   std::string certify;         // a directory, or nothing
   bool all = false, neighbourhood = false;
+  bool all = false;
+  std::optional<std::string> basin;  // of S of a machine in tables
 
   static constexpr int most_periods_of_word = 100000;
   static constexpr int most_orbits = 1000000;
@@ -97,7 +99,8 @@ struct BranchOptions : GivenMachine, Outputs {
   std::optional<Rational> at;
   std::optional<int> period, orbit;  // of a word
   std::optional<State> near;
-  bool all = false;  // likewise
+  bool all = false;                  // likewise
+  std::optional<std::string> basin;  // of S of a machine in tables
 };
 
 struct AttractorsOptions : GivenMachine, Outputs {

@@ -5,6 +5,7 @@
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
+#include "cli/machine_answers.hpp"
 #include "cli/numbers.hpp"
 #include "core/interruption.hpp"
 #include "numeric/families/family.hpp"
@@ -35,6 +36,7 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
   if (const auto done = run_in_tables(o)) {
     return *done;
   }
+  require_no_basin(o.basin);
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
   const auto [file, list] = [&] {

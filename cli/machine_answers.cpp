@@ -175,6 +175,7 @@ report::machines::Basins basins_answer(const GivenInTables& given, const Attract
 }
 
 report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o) {
+  require_no_basin(o.basin);
   MachineWord q = question_for(given, o.family, "orbits", o.period, o.near);
   refuse_others(o, given.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
   q.digits = o.digits.value_or(OrbitsOptions::default_digits);
@@ -187,23 +188,51 @@ report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOpti
   return {list, origin(given)};
 }
 
+namespace {
+
+// "A..B,C..D": positions and velocities.
+Rectangle rectangle(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) {
+    throw UsageError(fmt::format(
+        "basin: '{}' is no rectangle of starts: positions A..B and velocities, such as -2..2,0..2", text));
+  }
+  const auto [x_from, x_to] = interval("basin", text.substr(0, comma));
+  const auto [y_from, y_to] = interval("basin", text.substr(comma + 1));
+  return {x_from, x_to, y_from, y_to};
+}
+
+}  // namespace
+
 report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsOptions& o) {
   refuse_others(
       o, given.file, false,
       {"--period", "--near", "--cells", "--time", "--certify", "--plot", "--out", "--neighbourhood"});
   const int digits = o.digits.value_or(OrbitsOptions::default_digits);
-  return {given.read.machine, steady_sliding(given.read.machine, digits), digits, origin(given)};
+  report::machines::Steady result{given.read.machine, steady_sliding(given.read.machine, digits), digits,
+                                  origin(given)};
+  if (o.basin) {
+    const Rectangle starts = rectangle(*o.basin);
+    result.basin = {starts, planar_basin(given.read.machine, starts, digits)};
+  }
+  return result;
 }
 
 report::machines::SteadyBranch steady_answer(const GivenInTables& given, const BranchOptions& o) {
   refuse_others(o, given.file, false, {"--period", "--near", "--orbit", "--at", "--csv", "--plot", "--out"});
   const auto [path, from, to, at] = along_path(given, o.along);
   const int digits = OrbitsOptions::default_digits;
-  return {given.read.machine, path, from, to, steady_sliding_along(at, from, to, digits), digits,
-          origin(given)};
+  report::machines::SteadyBranch result{
+      given.read.machine, path, from, to, steady_sliding_along(at, from, to, digits), digits, origin(given)};
+  if (o.basin) {
+    const Rectangle starts = rectangle(*o.basin);
+    result.basins = {starts, planar_basin_along(at, from, to, starts, digits)};
+  }
+  return result;
 }
 
 report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o) {
+  require_no_basin(o.basin);
   const auto [path, from, to, at] = along_path(given, o.along);
   const Rational in_file = value_in_tables(given.text, given.file, path);
   const Rational middle = (from + to) / 2;
@@ -276,6 +305,16 @@ report::machines::Motion answer(const GivenInTables& given, const SimulateOption
   return result;
 }
 
+bool is_steady(const std::string& word) {
+  return word == "S" || word == "O";
+}
+
+void require_no_basin(const std::optional<std::string>& basin) {
+  if (basin) {
+    throw UsageError("--basin is for steady sliding, S, of a machine in tables");
+  }
+}
+
 ExitCode exit_of(const report::machines::Attractors& result) {
   const bool decided = std::ranges::all_of(result.list.attractors, [](const MachineAttractor& a) {
     return a.kind != numeric::attractors::Kind::periodic || (a.orbit && is_decided(*a.orbit));
@@ -309,16 +348,23 @@ bool is_decided(const SteadySliding& state) {
          (state.existence.truth == Truth::proved &&
           state.stability != numeric::motion::StabilityKind::undecided);
 }
+bool is_decided(const PlanarBasin& basin) {
+  return basin.verdict.truth == Truth::refuted ||
+         (basin.verdict.truth == Truth::proved && basin.others.truth == Truth::proved);
+}
 
 }  // namespace
 
 ExitCode exit_of(const report::machines::Steady& result) {
-  return is_decided(result.state) ? exit_decided : exit_undecided;
+  return is_decided(result.state) && (!result.basin || is_decided(result.basin->basin)) ? exit_decided
+                                                                                        : exit_undecided;
 }
 
 ExitCode exit_of(const report::machines::SteadyBranch& result) {
   const bool decided =
-      std::ranges::all_of(result.along.samples, [](const auto& s) { return is_decided(s.state); });
+      std::ranges::all_of(result.along.samples, [](const auto& s) { return is_decided(s.state); }) &&
+      (!result.basins ||
+       std::ranges::all_of(result.basins->along.samples, [](const auto& s) { return is_decided(s.basin); }));
   return decided ? exit_decided : exit_undecided;
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "cli/arguments.hpp"
 #include "cli/machine_tables.hpp"
@@ -40,6 +41,11 @@ using SampleOfMachine = numeric::simulation::SampleOf<numeric::simulation::AnySt
 [[nodiscard]] report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
                                               const std::function<bool(double)>& go_on,
                                               const std::function<void(const SampleOfMachine&)>& take);
+
+// S or O, for ever.
+[[nodiscard]] bool is_steady(const std::string& word);
+// Throws UsageError where one is given: there is none but of these.
+void require_no_basin(const std::optional<std::string>& basin);
 
 // exit_interrupted, exit_undecided where something is, else exit_decided.
 [[nodiscard]] ExitCode exit_of(const report::machines::Attractors& result);

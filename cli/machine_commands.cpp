@@ -50,16 +50,15 @@ ExitCode told(const GivenInTables& given, const Options& o, const char * doing, 
 
 constexpr auto answered = [](const GivenInTables& given, const auto& o) { return answer(given, o); };
 
-// S or O, for ever.
 template <class Options>
 ExitCode steady(const GivenInTables& given, const Options& o) {
-  const auto result = steady_answer(given, o);
+  const Jobs limit = jobs(o.jobs);
+  const auto result = [&] {
+    const Progress progress("looking at steady sliding ...");
+    return steady_answer(given, o);
+  }();
   print_told(result, o.json);
   return exit_of(result);
-}
-
-bool is_steady(const std::string& word) {
-  return word == "S" || word == "O";
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
   if (const auto done = run_in_tables(options)) {
     return *done;
   }
+  require_no_basin(options.basin);
   if (words::looks_like_word(options.family)) {
     if (!options.certify.empty()) {
       throw UsageError("--certify is for a family, not for a word of phases");

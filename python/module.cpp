@@ -494,6 +494,8 @@ std::string told_in_tables(const Asking& asking, const Conduct& conduct) {
       if (!o.along.empty()) {
         return to_json(cli::diagram_answer(given, o)).dump();
       }
+    } else if (cli::is_steady(o.family)) {
+      return to_json(cli::steady_answer(given, o)).dump();
     }
     return to_json(cli::answer(given, o)).dump();
   });

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     import numpy
 
 _Number = Union[Exact, float]
+_Rectangle = Tuple[Tuple[Exact, Exact], Tuple[Exact, Exact]]
 
 
 class Record(Mapping[str, Any]):
@@ -67,6 +68,10 @@ def _range(along: Optional[Tuple[str, Exact, Exact]]) -> Sequence[Tuple[str, str
     return [] if along is None else [(along[0], interval("along", along[1:]))]
 
 
+def _rectangle(name: str, starts: Optional[_Rectangle]) -> Optional[str]:
+    return None if starts is None else ",".join(interval(name, side) for side in starts)
+
+
 def _state(name: str, state: Optional[Sequence[_Number]]) -> Optional[str]:
     return None if state is None else ",".join(number(name, x) for x in state)
 
@@ -114,15 +119,28 @@ class MachineInTables:
         """
         asking = self._asking("orbits", word, period=count("period", period, 100000), near=_state("near", near),
                               digits=whole("digits", digits, 1, 2000), neighbourhood=bool(neighbourhood))
+               digits: int = 20, basin: Optional[_Rectangle] = None, jobs: Optional[int] = None) -> Record:
+        """The orbits through a word's phases that random starts end on, or that near one state, each proved.
+
+        Of "S", steady sliding; basin: the share of starts that end in it, ((-2, 2), (0, 2)) of positions and
+        velocities, of one mass without a load whose friction falls smoothly.
+        """
+        asking = self._asking("orbits", word, period=count("period", period, 100000), near=_state("near", near),
+                              digits=whole("digits", digits, 1, 2000), basin=_rectangle("basin", basin))
         return Record(_json.loads(_core.orbits_in_tables(asking, conduct(jobs))))
 
     def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,
                period: Optional[int] = None, orbit: Optional[int] = None,
-               near: Optional[Sequence[_Number]] = None, all: bool = False, jobs: Optional[int] = None) -> Record:
-        """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08")."""
+               near: Optional[Sequence[_Number]] = None, all: bool = False, basin: Optional[_Rectangle] = None,
+               jobs: Optional[int] = None) -> Record:
+        """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08").
+
+        Of "S", steady sliding along it; basin as of orbits.
+        """
         asking = self._asking("branch", word, along=_range(along),
                               at=None if at is None else exact("at", at), period=count("period", period, 100000),
-                              orbit=count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all))
+                              orbit=count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all),
+                              basin=_rectangle("basin", basin))
         return Record(_json.loads(_core.branch_in_tables(asking, conduct(jobs))))
 
     def simulate(self, state: Sequence[_Number], time: Optional[_Number] = None, periods: Optional[_Number] = None,

@@ -144,6 +144,31 @@ void write_steady(Object& json, const SteadySliding& state, int digits) {
                });
 }
 
+void write_rectangle(Object& json, const Rectangle& starts) {
+  json.object("starts", [&](Object& to) {
+    to.has("x", std::vector{starts.x_from, starts.x_to}, "From, to.");
+    to.has("velocity", std::vector{starts.y_from, starts.y_to}, "From, to.");
+  });
+}
+
+void write_basin(Object& json, const PlanarBasin& basin, int digits) {
+  json.has(
+      "verdict", basin.verdict.truth,
+      "On: steady sliding is stable, and what ends in it starts inside one closed motion below the belt.");
+  json.has("reason", orbits::if_any(basin.verdict.reason));
+  json.keys_if(basin.verdict.truth == Truth::proved ? std::optional(basin) : std::nullopt,
+               [digits](Object& to, const PlanarBasin& known) {
+                 to.has("share", ball_text(known.share, digits), "Of the starts: those inside.");
+                 to.has("others", known.others.truth,
+                        "On: what starts outside ends on one cycle of a slip and a stick.");
+                 to.has("others_reason", orbits::if_any(known.others.reason));
+                 to.has("x", ball_text(known.x, digits), "Of the closed motion, farthest behind.");
+                 to.has("period", ball_text(known.period, digits), "A time.");
+                 to.has("multiplier", ball_text(known.multiplier, digits));
+                 to.has("area", ball_text(known.area, digits), "Inside the closed motion.");
+               });
+}
+
 // ---- results
 
 void write_attractor(Object& json, const MachineAttractor& a, int digits) {
@@ -292,6 +317,13 @@ void write(Object& json, const Steady& result) {
   write_provenance(json, command_of(result));
   write_machine(json, result.machine, result.origin);
   json.object("steady_sliding", [&](Object& to) { write_steady(to, result.state, result.digits); });
+  json.object_if(
+      "basin", result.basin,
+      [&](Object& to, const SteadyBasin& one) {
+        write_rectangle(to, one.starts);
+        write_basin(to, one.basin, result.digits);
+      },
+      "With --basin: the share of the starts that end in it.");
 }
 
 void write(Object& json, const SteadyBranch& result) {
@@ -315,6 +347,26 @@ void write(Object& json, const SteadyBranch& result) {
     to.has("frequency", ball_text(change.frequency, result.digits),
            "Of the pair of eigenvalues that crosses.");
   });
+  json.object_if(
+      "basins", result.basins,
+      [&](Object& to, const SteadyBasins& all) {
+        write_rectangle(to, all.starts);
+        to.list(
+            "samples", all.along.samples,
+            [&](Object& one, const PlanarBasinAlong::Sample& sample) {
+              one.has("value", sample.value);
+              one.object("basin", [&](Object& basin) { write_basin(basin, sample.basin, result.digits); });
+            },
+            "By rising values.");
+        to.list("ends", all.along.ends, [](Object& one, const PlanarBasinAlong::End& end) {
+          one.has("from", end.first);
+          one.has("to", end.last);
+          one.has("gained", end.is_gained, "The basin; else it is lost.");
+          one.has("at_belt", end.at_belt,
+                  "The closed motion touches the belt; else steady sliding loses its stability.");
+        });
+      },
+      "With --basin: the share of the starts that end in it.");
 }
 
 using AnyTransition = simulation::TransitionOf<simulation::AnyState>;

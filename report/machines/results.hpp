@@ -8,6 +8,7 @@
 
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/machine_branch.hpp"
+#include "numeric/machines/planar_basin.hpp"
 #include "numeric/machines/steady_sliding.hpp"
 #include "numeric/simulation/record.hpp"
 #include "report/tools/files.hpp"
@@ -54,12 +55,22 @@ struct Branches {
   bool interrupted = false;
   Origin origin;
 };
-// Steady sliding, and along one of the file's numbers; `machine` is the file's.
+// Steady sliding, and along one of the file's numbers; `machine` is the file's. With the share of starts that
+// end in it, if it was asked for.
+struct SteadyBasin {
+  numeric::machines::Rectangle starts;
+  numeric::machines::PlanarBasin basin;
+};
+struct SteadyBasins {
+  numeric::machines::Rectangle starts;
+  numeric::machines::PlanarBasinAlong along;
+};
 struct Steady {
   numeric::machines::Machine machine;
   numeric::machines::SteadySliding state;
   int digits = 20;
   Origin origin;
+  std::optional<SteadyBasin> basin = {};
 };
 struct SteadyBranch {
   numeric::machines::Machine machine;
@@ -68,6 +79,7 @@ struct SteadyBranch {
   numeric::machines::SteadyAlong along;
   int digits = 20;
   Origin origin;
+  std::optional<SteadyBasins> basins = {};
 };
 struct Motion {
   numeric::machines::Machine machine;

@@ -314,13 +314,30 @@ std::string parameter_of(const std::string& path, const Origin& origin) {
   return origin.in_SI ? path + " in " + unit : path;
 }
 
+namespace {
+
+std::string basin_option(const Rectangle& r) {
+  return fmt::format(" --basin={}..{},{}..{}", to_string(r.x_from), to_string(r.x_to), to_string(r.y_from),
+                     to_string(r.y_to));
+}
+
+std::string others_text(const Verdict& others) {
+  return others.truth == Truth::proved ? "proved to end on one cycle of a slip and a stick"
+                                       : fmt::format("{} to end on one cycle of a slip and a stick: {}",
+                                                     to_string(others.truth), others.reason);
+}
+
+}  // namespace
+
 std::string command_of(const Steady& result) {
-  return fmt::format("stickslip orbits S --params {} --digits {}", result.origin.file, result.digits);
+  return fmt::format("stickslip orbits S --params {} --digits {}{}", result.origin.file, result.digits,
+                     result.basin ? basin_option(result.basin->starts) : "");
 }
 
 std::string command_of(const SteadyBranch& result) {
-  return fmt::format("stickslip branch S --params {} --along {} {}..{}", result.origin.file, result.parameter,
-                     to_string(result.from), to_string(result.to));
+  return fmt::format("stickslip branch S --params {} --along {} {}..{}{}", result.origin.file,
+                     result.parameter, to_string(result.from), to_string(result.to),
+                     result.basins ? basin_option(result.basins->starts) : "");
 }
 
 std::vector<Row> rows_of(const SteadySliding& state, const Seen& seen, int digits) {
@@ -354,6 +371,65 @@ std::vector<Row> rows_of(const SteadyAlong& along, const Seen& seen) {
                            rounded(*change.frequency, 6), seen.in_SI ? " per s" : "");
     }
     rows.push_back({{rounded(Ball::from_interval(change.first, change.last), short_digits)}, {words}});
+  }
+  return rows;
+}
+
+std::vector<Row> rows_of(const SteadyBasin& result, const Seen& seen, int digits) {
+  const PlanarBasin& basin = result.basin;
+  const Rectangle& r = result.starts;
+  const std::string starts = fmt::format("x1 from {} to {} and x1' from {} to {}", to_string(r.x_from),
+                                         to_string(r.x_to), to_string(r.y_from), to_string(r.y_to));
+  if (basin.verdict.truth != Truth::proved) {
+    return {{{"basin"},
+             {fmt::format("{}: {}", basin.verdict.truth == Truth::refuted ? "none" : "undecided",
+                          basin.verdict.reason)}}};
+  }
+  const auto in = [&](const Ball& x, const char * unit) { return rounded(x, digits) + seen.unit(unit); };
+  return {{{"basin"}, {"the inside of one closed motion below the belt, proved"}},
+          {{"  share"}, {fmt::format("{} of {}", rounded(basin.share, digits), starts)}},
+          {{"  all others"}, {others_text(basin.others)}},
+          {{"closed motion"}, {"unstable, the only one below the belt"}},
+          {{"  from x1"}, {in(basin.x, "m") + ", at velocity 0"}},
+          {{"  period"}, {in(basin.period, "s")}},
+          {{"  multiplier"}, {rounded(basin.multiplier, digits)}},
+          {{"  area"}, {in(basin.area, "m^2/s")}}};
+}
+
+std::vector<Row> rows_of(const SteadyBasins& basins, const std::string& parameter) {
+  constexpr int digits_of_share = 12;
+  std::vector<Row> rows{{{parameter}, {"share of the starts"}, {"all others"}}};
+  const auto& samples = basins.along.samples;
+  for (auto now = samples.begin(); now != samples.end();) {
+    const Verdict& verdict = now->basin.verdict;
+    if (verdict.truth == Truth::proved) {
+      rows.push_back({{to_string(now->value)},
+                      {rounded(now->basin.share, digits_of_share)},
+                      {now->basin.others.truth == Truth::proved ? "slip and stick"
+                                                                : to_string(now->basin.others.truth)}});
+      ++now;
+      continue;
+    }
+    const auto next = std::find_if(now, samples.end(),
+                                   [&](const auto& s) { return s.basin.verdict.reason != verdict.reason; });
+    rows.push_back({{next - now == 1
+                         ? to_string(now->value)
+                         : fmt::format("{} to {}", to_string(now->value), to_string(std::prev(next)->value))},
+                    {verdict.truth == Truth::refuted ? "none" : "undecided"},
+                    {verdict.reason}});
+    now = next;
+  }
+  return rows;
+}
+
+std::vector<Row> end_rows(const SteadyBasins& basins) {
+  constexpr int digits_of_end = 12;
+  std::vector<Row> rows;
+  for (const PlanarBasinAlong::End& end : basins.along.ends) {
+    rows.push_back({{rounded(Ball::from_interval(end.first, end.last), digits_of_end)},
+                    {fmt::format("the basin of steady sliding is {}: {}", end.is_gained ? "gained" : "lost",
+                                 end.at_belt ? "the closed motion around it touches the belt"
+                                             : "the closed motion around it shrinks to it")}});
   }
   return rows;
 }

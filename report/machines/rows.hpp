@@ -76,5 +76,10 @@ struct BranchRows {
                                               int digits);
 // Where its stability changes: place, and what.
 [[nodiscard]] std::vector<tools::Row> rows_of(const numeric::machines::SteadyAlong& along, const Seen& seen);
+// Of what ends in it: the share of the starts, the closed motion around it. Along a number: value, share and
+// what is known of the others, names first; and where the range with such a basin ends.
+[[nodiscard]] std::vector<tools::Row> rows_of(const SteadyBasin& basin, const Seen& seen, int digits);
+[[nodiscard]] std::vector<tools::Row> rows_of(const SteadyBasins& basins, const std::string& parameter);
+[[nodiscard]] std::vector<tools::Row> end_rows(const SteadyBasins& basins);
 
 }  // namespace stickslip::report::machines

@@ -163,8 +163,12 @@ std::string terminal_report(const Branches& result, const Style& style) {
 
 std::string terminal_report(const Steady& result, const Style& style) {
   const Seen seen{result.machine, result.origin.in_SI};
+  std::vector<Row> rows = rows_of(result.state, seen, result.digits);
+  if (result.basin) {
+    std::ranges::move(rows_of(*result.basin, seen, result.digits), std::back_inserter(rows));
+  }
   return heading("Steady sliding", style) + machine_text(seen, style, {}) + "\n" +
-         columns_of(rows_of(result.state, seen, result.digits), style.width);
+         columns_of(rows, style.width);
 }
 
 std::string terminal_report(const SteadyBranch& result, const Style& style) {
@@ -189,6 +193,13 @@ std::string terminal_report(const SteadyBranch& result, const Style& style) {
                              style) +
                      machine_text(seen, style, {}) + "\n" + columns_of(rows, style.width);
   std::vector<Row> changes = rows_of(result.along, seen);
+  if (result.basins) {
+    const Rectangle& r = result.basins->starts;
+    text += fmt::format("\nStarts with x1 from {} to {} and x1' from {} to {} that end in it, proved\n",
+                        to_string(r.x_from), to_string(r.x_to), to_string(r.y_from), to_string(r.y_to)) +
+            columns_of(rows_of(*result.basins, result.parameter), style.width) + "\n";
+    std::ranges::move(end_rows(*result.basins), std::back_inserter(changes));
+  }
   if (!changes.empty()) {
     changes.insert(changes.begin(), {{"at " + result.parameter}, {"change"}});
     text += columns_of(changes, style.width);

@@ -433,6 +433,69 @@ TEST_CASE("steady sliding of a machine in tables, and where its stability is los
                 });
 }
 
+TEST_CASE("which starts of one mass on a belt end in steady sliding") {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "machine.toml";
+  const std::string text =
+      "units = \"none\"\n[[mass]]\nm = 1\n[[spring]]\nbetween = [0, 1]\nk = 1\nc = 0.1\n"
+      "[belt]\nmass = 1\nvelocity = 1.5\n[friction]\nat_rest = 1\n"
+      "sliding = {falls = \"exponentially\", from = 1, to = 0.5, over = 0.5}\n";
+  std::ofstream(file) << text;
+  const auto run = [&](const Words& words) {
+    return stickslip_program(with(words, {"--params", file, "--basin=-2..2,0..2"}));
+  };
+  const Run told = run({"orbits", "S"});
+  CHECK(told.code == exit_decided);
+  CHECK(told.out.find("  share         0.30712613778160089") != std::string::npos);
+  CHECK(told.out.find("  all others    proved to end on one cycle of a slip and a stick") !=
+        std::string::npos);
+  const Json found = Json::parse(run({"orbits", "S", "--json", "--digits", "8"}).out);
+  CHECK(found.at("command").get<std::string>().find("--basin=-2..2,0..2") != std::string::npos);
+  const Json& basin = found.at("basin");
+  CHECK(basin.at("starts").at("x") == Json{"-2", "2"});
+  CHECK(basin.at("verdict") == "proved");
+  CHECK(basin.at("others") == "proved");
+  CHECK(basin.at("share").at("mid").get<std::string>().starts_with("0.307126"));
+  CHECK(basin.at("multiplier").at("mid").get<std::string>().starts_with("1.492750"));
+  // Beyond the range there is none; both ends of the range are found.
+  const Run along = run({"branch", "S", "--along", "belt.velocity", "1.1..1.9"});
+  CHECK(along.code == exit_decided);
+  for (const char * line :
+       {"1.1 to 1.15    none", "steady sliding is unstable",
+        "1.15129254650     the basin of steady sliding is gained: the closed motion",
+        "1.83660097221     the basin of steady sliding is lost: the closed motion around"}) {
+    CAPTURE(along.out);
+    CHECK(along.out.find(line) != std::string::npos);
+  }
+  const Json ends = Json::parse(run({"branch", "S", "--along", "belt.velocity", "1.83..1.99", "--json"}).out)
+                        .at("basins")
+                        .at("ends");
+  REQUIRE(ends.size() == 1);
+  CHECK(ends[0].at("at_belt") == true);
+  CHECK(ends[0].at("gained") == false);
+  // A rectangle has two sides; and it is for steady sliding of one mass on a smooth law without a load.
+  const std::string two = directory / "two.toml", loaded = directory / "loaded.toml",
+                    pieces = directory / "pieces.toml";
+  std::ofstream(two) << text << "[[mass]]\nm = 1\n";
+  std::ofstream(loaded) << text << "[[load]]\nmass = 1\nconstant = 1\n";
+  std::ofstream(pieces) << text.substr(0, text.find("sliding")) << "sliding = [[0, 1], [1, 0.5]]\n";
+  const auto with_file = [](const std::string& machine) {
+    return [machine](const Words& words) { return stickslip_program(with(words, {"--params", machine})); };
+  };
+  check_refused({{{"orbits", "S", "--basin", "0..1"}, exit_usage, "basin: '0..1' is no rectangle of starts"},
+                 {{"orbits", "S", "--basin", "0..1,2..1"}, exit_usage, "basin: '2..1' does not rise"},
+                 {{"orbits", "S", "--basin", "0..1,2"}, exit_domain, "the starts' velocities = 2..2"},
+                 {{"orbits", "ST", "--basin", "0..1,0..1"}, exit_usage, "--basin is for steady sliding, S"}},
+                with_file(file));
+  check_refused({{{"orbits", "S", "--basin", "0..1,0..1"}, exit_domain, "for one mass without a load"}},
+                with_file(two));
+  check_refused({{{"orbits", "S", "--basin", "0..1,0..1"}, exit_domain, "for one mass without a load"}},
+                with_file(loaded));
+  check_refused({{{"orbits", "S", "--basin", "0..1,0..1"}, exit_domain, "a smooth law"}}, with_file(pieces));
+  CHECK(stickslip_program({"orbits", "symmetric", "--example", "S", "--basin", "0..1,0..1"})
+            .err.find("--basin is for steady sliding, S, of a machine in tables") != std::string::npos);
+}
+
 TEST_CASE("what does not go with a machine in tables is refused in a sentence") {
   const TemporaryDirectory directory;
   const std::string file = directory / "machine.toml";

@@ -45,6 +45,19 @@ def test_a_branch_has_changes_and_samples(machine):
     assert branch.last.kind == "interval"
 
 
+def test_which_starts_end_in_steady_sliding():
+    machine = stickslip.MachineInTables(MACHINE.with_name("smooth_stribeck.toml"))
+    found = machine.orbits("S", basin=((-2, 2), (0, 2)))
+    assert found.steady_sliding.stability == "stable"
+    assert found.basin.verdict == found.basin.others == "proved"
+    assert abs(found.basin.share.approximate - 0.3071261377816009) < 1e-15
+    along = machine.branch("S", ("belt.velocity", "1.8", "1.9"), basin=(("-2", "2"), (0, "2"))).basins
+    assert [end.at_belt for end in along.ends] == [True]
+    assert 1.8366009722 < float(Fraction(along.ends[0].to)) < 1.8366009723
+    with pytest.raises(stickslip.UsageError, match="is for steady sliding"):
+        machine.orbits("ST", basin=((-2, 2), (0, 2)))
+
+
 def test_what_starts_end_on_along_a_number_and_in_a_plane(machine):
     found = machine.attractors(starts=3, along=("load.1.frequency", "3.5", "3.6"), values=3)
     assert [point.value for point in found.points] == ["3.5", "3.55", "3.6"]
