@@ -151,7 +151,7 @@ class Guess {
 
  private:
   static constexpr double steps_in_radian = 300;
-  static constexpr long most_steps = 1000000;
+  static constexpr long most_steps = 200000;
   struct State {
     double x, y;
   };
@@ -271,6 +271,11 @@ class Slip {
   // Of "K exists", by 3, where steady sliding is stable.
   [[nodiscard]] Verdict cycle_exists() const {
     constexpr double more = 1 + 0x1p-10;
+    if (Ball(o().damping(0, 0) + law_.slope(Ball(0))).is_positive()) {
+      return Verdict::refuted(
+          "no closed motion is below the belt: damping exceeds the fall of friction at all "
+          "velocities");
+    }
     const std::optional<double> fastest = Guess(machine_).fastest_from_belt();
     if (!fastest) {
       return Verdict::undecided("the slip that begins at the belt was not seen to turn");
@@ -404,6 +409,7 @@ std::optional<Cycle> proved_cycle(const Slip& slip, const std::array<double, 2>&
   constexpr int steps = 12;
   constexpr long first_bits = 64;
   constexpr double wider = 64;
+  const double small = std::exp2(-static_cast<double>(WorkingPrecision::bits()) / 2);
   Box u{Ball(guess[0]), Ball(guess[1])};
   double last = 1;
   for (int i = 0; i < steps; ++i) {
@@ -420,7 +426,7 @@ std::optional<Cycle> proved_cycle(const Slip& slip, const std::array<double, 2>&
     }
     const double size = std::max(abs(step(0)).upper().approximate() / (abs(u(0)).approximate() + 1),
                                  abs(step(1)).upper().approximate() / u(1).approximate());
-    const bool settled = i > 2 && size > last / 2;
+    const bool settled = size < small || (i > 2 && size > last / 2);
     last = size;
     if (settled) {
       break;

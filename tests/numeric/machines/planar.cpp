@@ -224,6 +224,70 @@ TEST_CASE("what starts outside of K is seen to end on the cycle of a slip and a 
   CHECK(planar_basin(other, {-20, 30, -40, 50}).others.truth == Truth::proved);
 }
 
+// The theorem that makes K the only one, seen: a turn leads closer to steady sliding inside, farther outside.
+TEST_CASE("of random machines each has the closed motion that turns in double show, and no other") {
+  std::mt19937_64 random(23);
+  const auto from = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  int with_cycle = 0, alone = 0;
+  for (int count = 0; count < 30; ++count) {
+    Machine machine = on_belt(1);
+    auto& o = machine.oscillator;
+    const double scale = from(0.3, 2), drop = from(0.4, 4), V = scale * from(0.3, 5);
+    const bool exponential = count % 2 == 0;
+    const double fall = drop / scale * (exponential ? std::exp(-V / scale) : std::pow(1 + V / scale, -2));
+    o.masses[0] = decimal(from(0.2, 5));
+    o.stiffness(0, 0) = decimal(from(0.2, 5));
+    const double viscous = count % 3 == 0 ? from(0, 0.5) * fall : 0;
+    o.damping(0, 0) = decimal(fall * from(1, 2.5) - viscous);
+    o.V = decimal(V);
+    const Rational last = decimal(from(0, 2)), first = last + decimal(drop);
+    o.forward = smooth_law(Rational(count % 5 == 0 ? Rational(first * 2) : first),
+                           {exponential ? model::Fall::exponential : model::Fall::hyperbolic, first, last,
+                            decimal(scale), decimal(viscous)});
+    o.backward = o.forward;
+    const PlanarBasin basin = planar_basin(machine, starts, 6);
+    CAPTURE(count);
+    CAPTURE(basin.verdict.reason);
+    const bool none = basin.verdict.reason.find("no closed motion is below the belt") == 0;
+    with_cycle += basin.verdict.truth == Truth::proved ? 1 : 0;
+    alone += none ? 1 : 0;
+    if (!none && basin.verdict.truth != Truth::proved) {
+      continue;
+    }
+    // 0: closer to steady sliding after a turn, 1: farther away, 2: at the belt.
+    const SlipInDouble any(machine, 0, 0);
+    const double h = 1 / (300 * std::sqrt(o.stiffness(0, 0).get_d() / o.masses[0].get_d()));
+    const auto led = [&](double behind) {
+      SlipInDouble motion(machine, any.steady() - behind, 0);
+      for (double last_y = 0;; last_y = motion.y) {
+        motion.step(h);
+        if (motion.y > V) {
+          return 2;
+        }
+        if ((last_y < 0 && motion.y >= 0) || std::hypot(motion.x - any.steady(), motion.y) < 1e-3 * behind) {
+          return motion.x < any.steady() - behind ? 1 : 0;
+        }
+      }
+    };
+    const double K = any.steady() - basin.x.approximate();
+    int before = 0;
+    for (double behind = 1e-3 * V; before < 2; behind *= 1.15) {
+      const int now = led(behind);
+      CHECK(now >= before);
+      before = now;
+      if (none) {
+        CHECK(now != 1);
+      } else if (std::abs(behind / K - 1) > 1e-4) {
+        CHECK((now == 0) == (behind < K));
+      }
+    }
+  }
+  CHECK(with_cycle >= 5);
+  CHECK(alone >= 5);
+}
+
 TEST_CASE("where steady sliding is unstable, or no closed motion is below the belt, there is no such basin") {
   const PlanarBasin slow = planar_basin(on_belt(Rational(115, 100)), starts);
   CHECK(slow.verdict.truth == Truth::refuted);
@@ -242,7 +306,7 @@ TEST_CASE("where steady sliding is unstable, or no closed motion is below the be
 TEST_CASE(
     "the range of belt speeds with such a basin ends where steady sliding does and where K meets the belt") {
   const PlanarBasinAlong along =
-      planar_basin_along([](const Rational& V) { return on_belt(V); }, 1, 2, starts, 10);
+      planar_basin_along([](const Rational& V) { return on_belt(V); }, 1, 2, starts, 8);
   REQUIRE(along.ends.size() == 2);
   const double lost = std::log(10) / 2;
   CHECK(along.ends[0].is_gained);
@@ -266,6 +330,26 @@ TEST_CASE(
       before = basin.share.approximate();
     }
   }
+}
+
+TEST_CASE("in other units the share is the same") {
+  // Lengths in thousandths, times in hundredths, and two masses of 1.
+  Machine machine = on_belt(Rational(3, 20));
+  auto& o = machine.oscillator;
+  o.masses = {Rational(2)};
+  o.stiffness(0, 0) = 20000;
+  o.damping(0, 0) = 20;
+  o.forward =
+      smooth_law(20, {model::Fall::exponential, Rational(20), Rational(10), Rational(1, 20), Rational(0)});
+  o.backward = o.forward;
+  const PlanarBasin basin = planar_basin(machine, {Rational(-1, 500), Rational(1, 500), 0, Rational(1, 5)});
+  REQUIRE(basin.verdict.truth == Truth::proved);
+  CHECK(basin.others.truth == Truth::proved);
+  const PlanarBasin seen = planar_basin(on_belt(Rational(3, 2)), starts);
+  CHECK(basin.share.overlaps(seen.share));
+  CHECK(basin.share.radius().approximate() < 1e-18);
+  CHECK(basin.multiplier.overlaps(seen.multiplier));
+  CHECK(Ball(basin.x * Ball(1000)).overlaps(seen.x));
 }
 
 TEST_CASE("a belt that runs backwards is seen in a mirror") {
