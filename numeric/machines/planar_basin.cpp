@@ -110,18 +110,29 @@ class Guess {
     return end ? std::optional(std::array<double, 2>{steady_ - inside, end->time}) : std::nullopt;
   }
 
+  // A velocity at which h of the header is positive: so it is between 0 and there, for it is concave.
+  [[nodiscard]] double damped_up_to() const {
+    constexpr int most_halvings = 200;
+    double y = V_;
+    for (int i = 0; i < most_halvings && c_ * y - law_.force(V_ - y) + law_.force(V_) <= 0; ++i) {
+      y /= 2;
+    }
+    return y;
+  }
+
   // From T, of the motion in the belt's direction: the time at which it is fastest after a turn, or clearly
-  // faster than the belt. Nothing when it does not turn.
-  [[nodiscard]] std::optional<double> fastest_from_belt() const {
-    const double above = law_.scale / 16;
+  // faster than the belt, or has clearly less energy about steady sliding than m/2 times the square of the
+  // velocity above. Nothing when that takes long.
+  [[nodiscard]] std::optional<double> telling_time() const {
+    const double above = law_.scale / 16, calm = m_ * damped_up_to() * damped_up_to() / 2;
     State s{(law_.first - c_ * V_) / k_, V_};
     double time = 0;
     bool rises = false;
     for (long i = 0; i < most_steps; ++i) {
       const State next = step(s, h_);
       time += h_;
-      const double rate = acceleration(next);
-      if (next.y > V_ + above) {
+      const double rate = acceleration(next), x = next.x - steady_;
+      if (next.y > V_ + above || k_ * x * x + m_ * next.y * next.y < calm) {
         return time;
       }
       if (rises && rate <= 0) {
@@ -276,14 +287,15 @@ class Slip {
           "no closed motion is below the belt: damping exceeds the fall of friction at all "
           "velocities");
     }
-    const std::optional<double> fastest = Guess(machine_).fastest_from_belt();
-    if (!fastest) {
+    const Guess guess(machine_);
+    const std::optional<double> time = guess.telling_time();
+    if (!time) {
       return Verdict::undecided("the slip that begins at the belt was not seen to turn");
     }
-    if (Ball(o().V - from_belt(Ball(*fastest)).end()(velocity)).is_negative()) {
+    if (Ball(o().V - from_belt(Ball(*time)).end()(velocity)).is_negative()) {
       return Verdict::proved();
     }
-    if (turns_below(Ball(*fastest * more))) {
+    if (stays_away(Ball(*time * more), Ball(guess.damped_up_to()))) {
       return Verdict::refuted(
           "no closed motion is below the belt: the slip that begins there, at the "
           "acceleration 0, comes back closer to steady sliding");
@@ -361,14 +373,24 @@ class Slip {
       return taken;
     });
   }
-  // Whether the motion from T is below the belt until the time, speeds up, and at last slows down again: then
-  // it has passed from y' > 0 to y' < 0 below the belt, which it does between the belt and steady sliding.
-  [[nodiscard]] bool turns_below(const Ball& time) const {
+  // Whether the motion from T is below the belt until the time, and then it is clear that it stays there.
+  // Either it speeds up and at last slows down again: then it has passed from y' > 0 to y' < 0 below the
+  // belt, which it does between the belt and steady sliding. Or its energy about steady sliding, which
+  // changes by -y h(y), falls from there on.
+  [[nodiscard]] bool stays_away(const Ball& time, const Ball& damped_up_to) const {
     const SmoothPhase phase = from_belt(time);
-    return stays_below(phase, time, 2, [](const Stretch&, bool is_below) { return is_below; }) &&
-           std::ranges::any_of(phase.steps(),
-                               [](const auto& step) { return step.w[1](velocity).is_positive(); }) &&
-           acceleration(phase.end()).is_negative();
+    if (!stays_below(phase, time, 2, [](const Stretch&, bool is_below) { return is_below; })) {
+      return false;
+    }
+    const Vector end = phase.end();
+    const bool turns =
+        std::ranges::any_of(phase.steps(),
+                            [](const auto& step) { return step.w[1](velocity).is_positive(); }) &&
+        acceleration(end).is_negative();
+    const Ball h = o().damping(0, 0) * damped_up_to - law_.force(o().V - damped_up_to) + law_.force(o().V);
+    const Ball x = end(position) - steady(), y = end(velocity), &m = o().masses[0];
+    const Ball less = m * damped_up_to * damped_up_to - o().stiffness(0, 0) * x * x - m * y * y;
+    return turns || (h.is_positive() && less.is_positive());
   }
 
   Machine machine_;
@@ -546,7 +568,7 @@ Sides sides_of(const Rectangle& r) {
   return {Ball(r.x_from), Ball(r.x_to), Ball(r.y_from), Ball(r.y_to)};
 }
 
-// Of "what starts in the rectangle outside K ends on the cycle of a slip and a stick", by 4.
+// Of "what starts in the rectangle outside K ends on one cycle that sticks", by 4.
 Verdict others_stick(const Slip& slip, const Rectangle& starts) {
   constexpr int most_turns = 100, most_attempts = 40;
   constexpr double farther = 1.25;
@@ -576,16 +598,21 @@ Verdict others_stick(const Slip& slip, const Rectangle& starts) {
     back = slip.back_at_belt(Ball(first * Ball(times)).upper(), is_out);
     back = back && Ball(*back - inside.x_from).is_negative() ? back : std::nullopt;
   }
-  const auto& other = o.backward.smooth;
-  const Ball friction =
-      other && !other->viscous.is_negative() && !Ball(other->first - other->last).is_negative() ? other->last
-                                                                                                : Ball(0);
+  // At least, while it overshoots from there: it gets no faster than without friction, and what falls is
+  // least at the greatest speed.
+  const auto friction = [&](const Ball& x) {
+    const auto& law = o.backward.smooth;
+    const Ball speed = Ball(sqrt(Ball(o.V * o.V + k / m * x * x)) - o.V).upper();
+    return law && !Ball(law->first - law->last).is_negative()
+               ? law->last + (law->first - law->last) * law->shape(larger(speed, Ball(0)))
+               : Ball(0);
+  };
   for (int turn = 0; turn < most_turns && back; ++turn) {
     if (Ball(k * *back + held + o.backward.at_rest).is_positive()) {
       return Verdict::proved();
     }
-    const Ball x = Ball(-*back - Ball(2) * friction / k).upper();
-    if (!Ball(k * x + held - o.forward.at_rest).is_positive()) {
+    const Ball x = Ball(-*back - Ball(2) * friction(*back) / k).upper();
+    if (Ball(k * x + held - o.forward.at_rest).is_negative()) {
       return Verdict::proved();
     }
     back = slip.back_at_belt(x, anywhere);

@@ -25,15 +25,16 @@
 // 3. K exists if and only if the slip that begins at T, y = V and y' = 0, is faster than the belt later on
 // (the law being continued to relative velocities below 0). If so, that motion from T to where it first
 // meets the belt again, left of T, and the belt between enclose a region that nothing enters: backwards in
-// time K is in it. If not, there is a turn of it below the belt and closer to steady sliding, and it cannot
-// reach the belt, as it would have to outside of a K that repels. Where friction does not drop at the end of
+// time K is in it. If not, there is a turn of it below the belt and closer to steady sliding, or it comes so
+// near to that that its energy falls for ever, and it cannot reach the belt, as it would have to outside of a
+// K that repels. Where friction does not drop at the end of
 // a stick, sticks end at T: with K the stick-slip cycle is lost, too.
 //
 // 4. Outside K, with A and B the friction at rest on both sides and r = k x + c V on the belt: a slip that
 // begins on the belt where r >= A, at x, comes back at rho(x), which falls with x, for motions do not cross.
-// It sticks there if r >= -B; then the stick ends where r = A, and all that sticks goes on alike: a cycle of
-// a slip and a stick. Else it overshoots; the energy k x²/2 + m y²/2 falls at least by g per length, g <= the
-// friction, so that it comes to the belt at some x <= -rho - 2 g/k. So, if one motion sticks after some
+// It sticks there if r >= -B; then the stick ends where r = A, and all that sticks goes on alike, on one
+// cycle. Else it overshoots; the energy k x²/2 + m y²/2 falls at least by g per length, g <= the friction, so
+// that it comes to the belt at some x <= -rho - 2 g/k. So, if one motion sticks after some
 // turns, each begun no nearer than the bounds say, all that begin nearer do. And all that is below the belt
 // within its first turn, but outside K, comes to the belt: no other closed motion is there.
 #pragma once
@@ -61,7 +62,7 @@ struct PlanarBasin {
   Ball multiplier;  // of K, > 1
   Ball area;        // inside K
   Ball share;       // of the rectangle that is inside K
-  Verdict others;   // of "what starts in the rectangle outside K ends on one cycle of a slip and a stick"
+  Verdict others;   // of "what starts in the rectangle outside K ends on one cycle that sticks"
 };
 
 // Refuted where steady sliding is unstable, where the belt stands still, or where there is no such motion;

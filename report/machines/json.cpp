@@ -160,7 +160,7 @@ void write_basin(Object& json, const PlanarBasin& basin, int digits) {
                [digits](Object& to, const PlanarBasin& known) {
                  to.has("share", ball_text(known.share, digits), "Of the starts: those inside.");
                  to.has("others", known.others.truth,
-                        "On: what starts outside ends on one cycle of a slip and a stick.");
+                        "On: what starts outside ends on one cycle that sticks.");
                  to.has("others_reason", orbits::if_any(known.others.reason));
                  to.has("x", ball_text(known.x, digits), "Of the closed motion, farthest behind.");
                  to.has("period", ball_text(known.period, digits), "A time.");

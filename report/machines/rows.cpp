@@ -322,9 +322,9 @@ std::string basin_option(const Rectangle& r) {
 }
 
 std::string others_text(const Verdict& others) {
-  return others.truth == Truth::proved ? "proved to end on one cycle of a slip and a stick"
-                                       : fmt::format("{} to end on one cycle of a slip and a stick: {}",
-                                                     to_string(others.truth), others.reason);
+  return others.truth == Truth::proved
+             ? "proved to end on one cycle that sticks"
+             : fmt::format("{} to end on one cycle that sticks: {}", to_string(others.truth), others.reason);
 }
 
 }  // namespace
@@ -403,10 +403,10 @@ std::vector<Row> rows_of(const SteadyBasins& basins, const std::string& paramete
   for (auto now = samples.begin(); now != samples.end();) {
     const Verdict& verdict = now->basin.verdict;
     if (verdict.truth == Truth::proved) {
-      rows.push_back({{to_string(now->value)},
-                      {rounded(now->basin.share, digits_of_share)},
-                      {now->basin.others.truth == Truth::proved ? "slip and stick"
-                                                                : to_string(now->basin.others.truth)}});
+      rows.push_back(
+          {{to_string(now->value)},
+           {rounded(now->basin.share, digits_of_share)},
+           {now->basin.others.truth == Truth::proved ? "stick" : to_string(now->basin.others.truth)}});
       ++now;
       continue;
     }

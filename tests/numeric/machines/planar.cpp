@@ -205,7 +205,7 @@ TEST_CASE("motions from inside of K end in steady sliding, from just outside at 
   }
 }
 
-TEST_CASE("what starts outside of K is seen to end on the cycle of a slip and a stick") {
+TEST_CASE("what starts outside of K is seen to end on a cycle") {
   const Machine machine = on_belt(Rational(3, 2));
   const PlanarBasin basin = planar_basin(machine, starts);
   REQUIRE(basin.others.truth == Truth::proved);
@@ -222,6 +222,11 @@ TEST_CASE("what starts outside of K is seen to end on the cycle of a slip and a 
   other.oscillator.backward.at_rest = 100;
   CHECK(planar_basin(other, starts).others.truth == Truth::proved);
   CHECK(planar_basin(other, {-20, 30, -40, 50}).others.truth == Truth::proved);
+  // From very far it takes too many turns to say.
+  const Rational far = Rational(1000000) * 1000000 * 1000000 * 1000000;
+  const PlanarBasin open = planar_basin(machine, {-far, far, 0, far});
+  CHECK(open.verdict.truth == Truth::proved);
+  CHECK(open.others.truth == Truth::undecided);
 }
 
 // The theorem that makes K the only one, seen: a turn leads closer to steady sliding inside, farther outside.
@@ -301,6 +306,15 @@ TEST_CASE("where steady sliding is unstable, or no closed motion is below the be
   const PlanarBasin beyond = planar_basin(on_belt(end + Rational(1, 100000000)), starts);
   CHECK(beyond.verdict.truth == Truth::refuted);
   CHECK(planar_basin(on_belt(0), starts).verdict.truth == Truth::refuted);
+  // Damped too much to turn about steady sliding, though friction falls faster near the belt.
+  Machine damped = on_belt(Rational(19, 20));
+  damped.oscillator.stiffness(0, 0) = Rational(3, 10);
+  damped.oscillator.damping(0, 0) = Rational(9, 4);
+  damped.oscillator.forward = smooth_law(
+      6, {model::Fall::exponential, Rational(26, 5), Rational(8, 5), Rational(14, 25), Rational(0)});
+  CHECK(planar_basin(damped, starts).verdict.reason.find("comes back closer") != std::string::npos);
+  damped.oscillator.damping(0, 0) = 20;
+  CHECK(planar_basin(damped, starts).verdict.reason.find("at all velocities") != std::string::npos);
 }
 
 TEST_CASE(
