@@ -386,12 +386,13 @@ TEST_CASE("what is no single mass on a belt with friction that falls smoothly is
     return std::string();
   };
   const Machine good = on_belt(Rational(3, 2));
-  Machine two = good, loaded = good, pieces = good, free = good, rising = good;
+  Machine two = good, loaded = good, pieces = good, free = good, driven = good, rising = good;
   two.oscillator.masses.emplace_back(1);
   two.oscillator.stiffness = two.oscillator.damping = model::MatrixX<Rational>::Identity(2, 2);
   loaded.oscillator.loads = {{0, 0, Rational(1), Rational(0)}};
   pieces.oscillator.forward.smooth.reset();
   free.oscillator.stiffness(0, 0) = 0;
+  driven.oscillator.damping(0, 0) = -1;
   rising.oscillator.forward =
       smooth_law(1, {model::Fall::exponential, Rational(1, 2), Rational(1), Rational(1, 2), Rational(0)});
   CHECK(refusal(good, starts).empty());
@@ -399,6 +400,7 @@ TEST_CASE("what is no single mass on a belt with friction that falls smoothly is
   CHECK(refusal(loaded, starts).find("the number of loads = 1 is outside the allowed range") == 0);
   CHECK(refusal(pieces, starts).find("a smooth law") != std::string::npos);
   CHECK(refusal(free, starts).find("the stiffness = 0 ") == 0);
+  CHECK(refusal(driven, starts).find("the damping = -1 ") == 0);
   CHECK(refusal(rising, starts).find("the sliding friction at 0 = 0.5 ") == 0);
   CHECK(refusal(good, {2, 2, 0, 1}).find("the starts' positions = 2..2 ") == 0);
   CHECK(refusal(good, {0, 2, 1, -1}).find("the starts' velocities = 1..-1 ") == 0);
