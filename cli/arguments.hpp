@@ -83,7 +83,6 @@ struct OrbitsOptions : GivenMachine, Outputs {
   std::optional<double> time;  // in seconds
   std::string certify;         // a directory, or nothing
   bool all = false, neighbourhood = false;
-  bool all = false;
   std::optional<std::string> basin;  // of S of a machine in tables
 
   static constexpr int most_periods_of_word = 100000;

@@ -112,21 +112,17 @@ class MachineInTables:
         return Record(_json.loads(_core.attractors_in_tables(asking, conduct(jobs))))
 
     def orbits(self, word: str, period: Optional[int] = None, near: Optional[Sequence[_Number]] = None,
-               digits: int = 20, neighbourhood: bool = False, jobs: Optional[int] = None) -> Record:
+               digits: int = 20, neighbourhood: bool = False, basin: Optional[_Rectangle] = None,
+               jobs: Optional[int] = None) -> Record:
         """The orbits through a word's phases that random starts end on, or that near one state, each proved.
 
         neighbourhood: of each stable one also a proved set of starts that converge to it.
-        """
-        asking = self._asking("orbits", word, period=count("period", period, 100000), near=_state("near", near),
-                              digits=whole("digits", digits, 1, 2000), neighbourhood=bool(neighbourhood))
-               digits: int = 20, basin: Optional[_Rectangle] = None, jobs: Optional[int] = None) -> Record:
-        """The orbits through a word's phases that random starts end on, or that near one state, each proved.
-
         Of "S", steady sliding; basin: the share of starts that end in it, ((-2, 2), (0, 2)) of positions and
         velocities, of one mass without a load whose friction falls smoothly.
         """
         asking = self._asking("orbits", word, period=count("period", period, 100000), near=_state("near", near),
-                              digits=whole("digits", digits, 1, 2000), basin=_rectangle("basin", basin))
+                              digits=whole("digits", digits, 1, 2000), neighbourhood=bool(neighbourhood),
+                              basin=_rectangle("basin", basin))
         return Record(_json.loads(_core.orbits_in_tables(asking, conduct(jobs))))
 
     def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,
