@@ -152,12 +152,13 @@ void add_audit(CLI::App& program, Request& request, const Wording& wording) {
   c.add("FILE", o.claims);
   c.add("--out", o.out);
   c.add_jobs();
-  c.add("--json", o.json);
+  CLI::Option * json = c.add("--json", o.json);
   CLI::Option * mutants = c.add("--mutants", o.mutants);
   constexpr int most = AttractorsOptions::greatest_number;
   c.add("--one-in", o.one_in, most)->needs(mutants);
   c.add("--seed", o.seed, most)->needs(mutants);
   c.add("--certificates", o.certificates);
+  c.add("--compare", o.compare)->excludes(json);
 }
 
 void add_check(CLI::App& program, Request& request, const Wording& wording) {

@@ -19,8 +19,9 @@ struct AuditOptions {
   std::optional<std::string> out;
   std::optional<int> jobs;
   bool json = false, mutants = false;
-  std::optional<int> one_in, seed;  // of the mutants; of that sample
-  std::string certificates;         // a record, or its directory; empty if there is none
+  std::optional<int> one_in, seed;     // of the mutants; of that sample
+  std::string certificates;            // a record, or its directory; empty if there is none
+  std::optional<std::string> compare;  // the JSON of an older audit
 };
 
 struct CheckOptions {

@@ -15,6 +15,7 @@
 #include "core/interruption.hpp"
 #include "proofs/checks/mutants.hpp"
 #include "report/audit/certificates.hpp"
+#include "report/audit/comparison.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/mutants.hpp"
 #include "report/audit/pages.hpp"
@@ -121,12 +122,16 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
   const proofs::checks::Sampling sampling{static_cast<unsigned>(options.seed.value_or(0)),
                                           static_cast<unsigned>(options.one_in.value_or(1))};
   const fs::path record = record_of(options);
+  std::optional<report::tools::Json> older;
+  if (options.compare) {
+    older = report::audit::read_audit(*options.compare);
+  }
   if (options.out) {
     report::tools::require_writable(*options.out);
     report::orbits::require_page_tools();
   }
   std::future<report::audit::Figures> drawn;
-  if (options.out || options.json) {
+  if (options.out || options.json || older) {
     drawn = figures_of(paper, options.out.has_value());
   }
   const Examined examined = examine(options, paper, sampling);
@@ -144,14 +149,25 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
     made = report::audit::pages(paper, audit, figures, gate, certificates);
     report::tools::write_files(*options.out, made.files);
   }
-  print(options.json ? report::tools::to_text(report::audit::to_json(paper, audit, command_of(options),
-                                                                     figures.examples, gate, certificates))
-                     : report::audit::terminal_report(paper, audit, terminal_style(), certificates) +
-                           (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
+  bool same = true;
+  if (options.json || older) {
+    const report::tools::Json json =
+        report::audit::to_json(paper, audit, command_of(options), figures.examples, gate, certificates);
+    if (older) {
+      const report::audit::Comparison comparison = report::audit::compare(*older, json);
+      same = comparison.is_same();
+      print(report::audit::to_text(comparison));
+    } else {
+      print(report::tools::to_text(json));
+    }
+  } else {
+    print(report::audit::terminal_report(paper, audit, terminal_style(), certificates) +
+          (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
+  }
   if (options.out) {
     tell(report_line(*options.out, "audit", made));
   }
-  return exit_of(audit, any_survived(gate));
+  return exit_of(audit, any_survived(gate) || !same);
 }
 
 }  // namespace stickslip::cli

@@ -3,3 +3,5 @@ s,\[\[nodiscard\]\] ,,
 \,^ *//,s,\\,\\\\,g
 s,^( *)//( |$),\1///\2,
 s,([^ ] +)// ,\1///< ,
+# What is compiled elsewhere is declared already.
+/^extern template/,/;/d

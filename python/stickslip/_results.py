@@ -227,7 +227,7 @@ class PureWord:
     parameters: Dict[str, str]  #: exact decimals or fractions
     verdict: str  #: on "some motions do": "proved", "refuted" or "undecided"
     reason: str = ""
-    forced: Optional[Ball] = None  #: of "S" and "O": the speed |q2| omega that the load forces
+    forced: Optional[Ball] = None  #: of "S" and "O": the speed `|q2| omega` that the load forces
     #: Where some motions do, what the amplitudes of free oscillations have to stay below: a speed, of "T" a force.
     room: Optional[Ball] = None
     stability: Optional[str] = None  #: "neutral", where some motions do

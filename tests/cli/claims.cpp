@@ -46,6 +46,18 @@ TEST_CASE("a paper of one's own is audited, with pages") {
   const std::string index = content(pages / "index.html");
   CHECK(index.find("A note") != std::string::npos);
   CHECK(index.find("Pascal") == std::string::npos);
+  const std::string older = pages / "audit.json";
+  const Run again = stickslip_program({"audit", file.path(), "--compare", older});
+  CHECK(again.code == exit_decided);
+  CHECK(again.out.find("0 differ, 0 are gone, 0 are new") != std::string::npos);
+  const ClaimsFile other("claim square identity: the square\n  (a + b)^2 = a^2 + 3 a b + b^2\n");
+  const Run differs = stickslip_program({"audit", other.path(), "--compare", older});
+  CHECK(differs.code == exit_refuted);
+  CHECK(differs.out.find("square: status\n  before  as_printed\n  now     refuted\n") != std::string::npos);
+  check_refused(
+      {{{"audit", file.path(), "--compare", "/nowhere/audit.json"}, exit_io, "/nowhere/audit.json"},
+       {{"audit", file.path(), "--compare", file.path()}, exit_usage, "is not the JSON of an audit"},
+       {{"audit", file.path(), "--compare", older, "--json"}, exit_usage, "--json"}});
   fs::remove_all(pages);
 }
 

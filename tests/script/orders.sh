@@ -121,7 +121,7 @@ player run-clang-tidy <<'EOF'
 has check "$STATE/installed" && [[ -f $tree/build/debug/configured ]] || refuse "no clang-tidy, or nothing to read"
 EOF
 player git <<'EOF'
-printf 'a.cpp\0'
+[[ $1 == status ]] || printf 'a.cpp\0'
 EOF
 for tool in doxygen sphinx-build; do
   player $tool <<'EOF'
@@ -139,7 +139,7 @@ EOF
 # What changes what the others meet: the packages and the tree of the release preset. What only adds packages or trees
 # of its own is run in every state, too, but leads to none that would be new to these.
 changing=("audit" "test" "test --all" "bench --benchmark_filter=x" "bootstrap pdf")
-others=("build" "doc" "certify" "mutants" "tidy core" "format --check" "sanitize asan core" "sanitize debug" "fuzz 1")
+others=("build" "doc" "release" "certify" "mutants" "tidy core" "format --check" "sanitize asan core" "sanitize debug" "fuzz 1")
 said_last() {
   case $1 in
     "test") grep -qx '100% tests passed, 0 tests failed out of 9 (.*script/test --all.*)' ;;
@@ -173,8 +173,13 @@ run() {
   ((++runs))
 }
 
-mkdir -p "$work/next/tree/bench"
+mkdir -p "$work/next/tree/bench" "$work/next/tree/packaging"
 cp -r "$root/script" "$root/.ci" "$work/next/tree"
+# Makes nothing, but needs what it would be made with, and two runs make the same.
+printf '#!/bin/bash\nset -eu\nmkdir -p "$1"\nfor use in build python cluster doc release; do %s; done\n' \
+  '. "${STATE%/*}/bin/uses"; has $use "$STATE/installed" || refuse "make: nothing for $use"' >"$work/next/tree/packaging/make"
+printf '#!/bin/bash\n[[ -d $1 ]]\n' | tee "$work/next/tree/packaging/check_debian" >"$work/next/tree/packaging/check_wheels"
+chmod +x "$work/next/tree/packaging"/*
 # Measures nothing, but needs what it would measure.
 echo 'open("build/release/bench/stickslip_bench")' >"$work/next/tree/bench/measure.py"
 for room in core symbolic numeric proofs report cli; do
