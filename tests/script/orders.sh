@@ -178,7 +178,7 @@ cp -r "$root/script" "$root/.ci" "$work/next/tree"
 # Makes nothing, but needs what it would be made with, and two runs make the same.
 printf '#!/bin/bash\nset -eu\nmkdir -p "$1"\nfor use in build python cluster doc release; do %s; done\n' \
   '. "${STATE%/*}/bin/uses"; has $use "$STATE/installed" || refuse "make: nothing for $use"' >"$work/next/tree/packaging/make"
-printf '#!/bin/bash\n[[ -d $1 ]]\n' | tee "$work/next/tree/packaging/check_debian" >"$work/next/tree/packaging/check_wheels"
+printf '#!/bin/bash\n[[ -d $1 ]]\n' | tee "$work/next/tree/packaging"/check_{debian,wheels,container} >/dev/null
 chmod +x "$work/next/tree/packaging"/*
 echo 'import pathlib, sys; (pathlib.Path(sys.argv[1]) / "map.csv").touch()' >"$work/next/tree/packaging/artifact.py"
 # Measures nothing, but needs what it would measure.
