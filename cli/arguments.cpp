@@ -322,6 +322,7 @@ void add_simulate(CLI::App& program, Request& request, const Wording& wording) {
   CLI::Option * orbit = c.add("--orbit", o.orbit);
   c.add("--state", o.state, state)->excludes(orbit);
   c.add("--perturb", o.perturb, state);
+  c.add("--set", o.set, state);
   c.add("--periods", o.periods, positive);
   c.add("--time", o.duration, positive);
   c.add("--every", o.every, positive);

@@ -138,7 +138,7 @@ struct AtlasOptions : GivenMachine, Outputs {
 
 struct SimulateOptions : GivenMachine, Outputs {
   std::string orbit;
-  std::optional<State> state, perturb;
+  std::optional<State> state, perturb, set;
   std::optional<double> periods, duration, every;  // one of the first two
 
   static constexpr double default_periods = 100;

@@ -263,9 +263,10 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
   return result;
 }
 
-report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
-                                const std::function<bool(double)>& go_on,
-                                const std::function<void(const SampleOfMachine&)>& take) {
+namespace {
+
+// The start, the load's phase there and the duration.
+report::machines::Motion start_of(const GivenInTables& given, const SimulateOptions& o) {
   refuse_others(o, given.file, true, {"--orbit", "--plot"});
   if (!o.state) {
     throw UsageError(
@@ -297,7 +298,30 @@ report::machines::Motion answer(const GivenInTables& given, const SimulateOption
   }
   const double period = autonomous ? *o.duration : 2 * numeric::scalars::pi<double>() / oscillator.omega;
   result.duration = o.duration.value_or(period * o.periods.value_or(SimulateOptions::default_periods));
+  return result;
+}
+
+}  // namespace
+
+report::machines::SetMotion set_answer(const GivenInTables& given, const SimulateOptions& o) {
+  for (const char * name : {"--csv", "--every"}) {
+    if (o.typed.contains(name)) {
+      throw UsageError(fmt::format("{} is for one motion, not for a set of them", name));
+    }
+  }
+  const report::machines::Motion one = start_of(given, o);
+  const AnyState half = state_for(given, "set", *o.set);
+  return {set_after({one.machine, one.start, half, one.theta, one.duration}), one.origin};
+}
+
+report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
+                                const std::function<bool(double)>& go_on,
+                                const std::function<void(const SampleOfMachine&)>& take) {
+  report::machines::Motion result = start_of(given, o);
+  const auto oscillator = oscillator_as<double>(result.machine);
   if (take) {
+    const double period =
+        oscillator.is_autonomous() ? result.duration : 2 * numeric::scalars::pi<double>() / oscillator.omega;
     result.every = o.every.value_or(period / SimulateOptions::samples_in_period);
   }
   result.record = numeric::simulation::record_motion(oscillator, result.theta, result.start,

@@ -47,6 +47,9 @@ using SampleOfMachine = numeric::simulation::SampleOf<numeric::simulation::AnySt
 // Throws UsageError where one is given: there is none but of these.
 void require_no_basin(const std::optional<std::string>& basin);
 
+// With --set: of all motions from a box of starts.
+[[nodiscard]] report::machines::SetMotion set_answer(const GivenInTables& given, const SimulateOptions& o);
+
 // exit_interrupted, exit_undecided where something is, else exit_decided.
 [[nodiscard]] ExitCode exit_of(const report::machines::Attractors& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::Diagram& result);

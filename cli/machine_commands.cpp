@@ -95,6 +95,17 @@ std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
   if (!given) {
     return std::nullopt;
   }
+  if (o.set) {
+    const report::machines::SetMotion result = [&] {
+      const Interruptible scope;
+      const Progress progress("following the set ...");
+      return set_answer(*given, o);
+    }();
+    print_told(result, o.json);
+    return result.set.interrupted    ? exit_interrupted
+           : result.set.open.empty() ? exit_decided
+                                     : exit_undecided;
+  }
   require_outputs(o);
   std::optional<report::tools::PendingFile> file;
   if (o.csv) {

@@ -136,6 +136,9 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
   if (const auto done = run_in_tables(options)) {
     return *done;
   }
+  if (options.set) {
+    throw UsageError("--set is for a machine in tables");
+  }
   require_places(options);
   const auto [file, units, asked] = [&] {
     const Progress progress("searching for orbits ...");

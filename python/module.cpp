@@ -602,6 +602,11 @@ PYBIND11_MODULE(_core, m) {
   m.def("orbits_in_tables", &told_in_tables<cli::OrbitsOptions>);
   m.def("branch_in_tables", &told_in_tables<cli::BranchOptions>);
   m.def("simulate_in_tables", &simulate_in_tables);
+  m.def("set_in_tables", [](const Asking& asking, const Conduct& conduct) {
+    const auto o = options_of<cli::SimulateOptions>(asking);
+    return carried_out(conduct,
+                       [&] { return report::machines::to_json(cli::set_answer(in_tables(o), o)).dump(); });
+  });
   m.def("check", &check);
   m.def("prove", [](const std::string& statement, const std::vector<std::string>& assumptions,
                     const std::vector<std::string>& symbols, const Conduct& conduct) {

@@ -157,7 +157,7 @@ Ball SetOfMotions::reach(const Vector& row) const {
 
 SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, const Matrix& S, bool round) {
   const Eigen::Index rows = S.rows() + 1, parameters = S.cols();
-  SetOfMotions set{{}, piece, round, {}, {}, {}, {}, {}};
+  SetOfMotions set{{}, piece, {}, round, {}, {}, {}, {}, {}};
   set.middle.value.resize(rows);
   set.middle.value << time, middle;
   set.middle.first.resize(rows, parameters);
@@ -232,7 +232,7 @@ namespace {
 
 // Where the exact one, the middle one and all of them are.
 SetOfMotions reached(const SetOfMotions& set, const Vector& exact, const After& middle, const After& all) {
-  SetOfMotions end{set.before, set.piece, set.round, middle.u, all.u, {}, {}, {}};
+  SetOfMotions end{set.before, set.piece, set.passed, set.round, middle.u, all.u, {}, {}, {}};
   move_offset(end, set, all.by_u, exact);
   for (std::size_t k = 0; k < end.all.second.size(); ++k) {
     const Matrix second = end.all.derivative_of_first(k);
@@ -317,6 +317,7 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
     SetOfMotions end = reached(set, exact, middle, all);
     end.before = set.piece;
     end.piece = after_it;
+    end.passed.push_back(after_it);
     fix(end, 1 + phases_.masses() + phases_.rubbing(), speed);
     Verdict verdict = judge(set, durations, after_it, end);
     if (phases_.oscillator().is_autonomous()) {

@@ -35,9 +35,10 @@ struct Dependence {
 struct SetOfMotions {
   std::optional<Piece> before;  // where each motion is at the event between the two; nothing: at one time
   Piece piece;
-  bool round = false;  // |e| is Euclid's norm; else the largest of |e_k|
-  Dependence middle;   // of (t, (x, x')) at e = 0; without second derivatives
-  Dependence all;      // over the set
+  std::vector<Piece> passed;  // those after it so far; the last one is `piece`
+  bool round = false;         // |e| is Euclid's norm; else the largest of |e_k|
+  Dependence middle;          // of (t, (x, x')) at e = 0; without second derivatives
+  Dependence all;             // over the set
   // u(0) = exact + frame offset, in an orthogonal frame of its own, likewise.
   Vector exact, offset;
   Matrix frame;

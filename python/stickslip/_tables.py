@@ -147,5 +147,12 @@ class MachineInTables:
         told, samples = _core.simulate_in_tables(asking, conduct(None))
         return Record(_json.loads(told)), samples
 
+    def simulate_set(self, state: Sequence[_Number], half: Sequence[_Number], time: Optional[_Number] = None,
+                     periods: Optional[_Number] = None, phi: Optional[_Number] = None) -> Record:
+        """Where all motions from a box of starts, so far around a state, are after that time: proved, part by part."""
+        asking = self._asking("simulate", state=_state("state", state), set=_state("half", half),
+                              time=_text("time", time), periods=_text("periods", periods), phi=_text("phi", phi))
+        return Record(_json.loads(_core.set_in_tables(asking, conduct(None))))
+
     def _asking(self, command: str, *places: str, **options: Any) -> _core.Asking:
         return _core.Asking(words(command, *places, params=self.file, **options), None)

@@ -313,6 +313,34 @@ void write(Object& json, const Branches& result) {
   json.has("interrupted", result.interrupted);
 }
 
+void write(Object& json, const SetMotion& result) {
+  const SetAfter& set = result.set;
+  const SetAfterQuestion& q = set.question;
+  write_provenance(json, command_of(result));
+  write_machine(json, q.machine, result.origin);
+  json.has("state", q.middle, "The middle of the starts: x1, …, xn, x1', …, xn' at time 0.");
+  json.has("set", q.half, "Their half widths.");
+  json.has("theta", q.theta, "The load's phase at time 0.");
+  json.has("time", q.time);
+  json.has("proved", set.proved(), with({{"minimum", 0}}, "The share of the starts in `parts`."));
+  json.list("open", std::vector<std::pair<std::string, double>>(set.open.begin(), set.open.end()),
+            [](Object& to, const auto& open) {
+              to.has("reason", open.first);
+              to.has("share", open.second);
+            });
+  json.has("interrupted", set.interrupted);
+  json.list("parts", set.parts, [&](Object& to, const SetAfter::Part& part) {
+    to.has("state", part.middle);
+    to.has("set", part.half);
+    to.has("phases", part.phases(), "S slip, O overshoot, T stick, in their order, of all of its motions.");
+    std::vector<BallText> states;
+    for (const Ball& x : part.states) {
+      states.push_back(ball_text(x, 17));
+    }
+    to.has("then", states, "Contains x1, …, xn, x1', …, xn' of all of its motions at `time`.");
+  });
+}
+
 void write(Object& json, const Steady& result) {
   write_provenance(json, command_of(result));
   write_machine(json, result.machine, result.origin);
@@ -432,6 +460,10 @@ Json to_json(const Steady& result) {
 Json to_json(const SteadyBranch& result) {
   return written(result, writer);
 }
+Json to_json(const SetMotion& result) {
+  return written(result, writer);
+}
+
 Json to_json(const Motion& result) {
   return written(result, writer);
 }
@@ -449,6 +481,8 @@ std::vector<File> schemas() {
   const Branches branches{word, "belt.velocity", 0, 1, 0, {}, false, {}, {}, false, {}};
   Motion motion;
   motion.machine = machine;
+  SetMotion set;
+  set.set.question = {machine, Eigen::VectorXd::Zero(2), Eigen::VectorXd::Ones(2), 0, 1};
   return {
       schema_file("machine_attractors",
                   "stickslip attractors of a machine in tables: what it does; with --along, with --plane",
@@ -465,7 +499,10 @@ std::vector<File> schemas() {
                   "stickslip branch S of a machine in tables: steady sliding over one of its numbers, proved",
                   schema_by(SteadyBranch{machine, "belt.velocity", 0, 1, {}, 20, {}}, writer)),
       schema_file("machine_simulation", "stickslip simulate of a machine in tables: a motion, in double",
-                  schema_by(motion, writer))};
+                  schema_by(motion, writer)),
+      schema_file("machine_set",
+                  "stickslip simulate --set of a machine in tables: where a box of starts is, proved",
+                  schema_by(set, writer))};
 }
 
 }  // namespace stickslip::report::machines

@@ -9,6 +9,7 @@
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/machine_branch.hpp"
 #include "numeric/machines/planar_basin.hpp"
+#include "numeric/machines/set_after.hpp"
 #include "numeric/machines/steady_sliding.hpp"
 #include "numeric/simulation/record.hpp"
 #include "report/tools/files.hpp"
@@ -91,6 +92,12 @@ struct Motion {
   Origin origin;
 };
 
+// Where a box of starts is after some time.
+struct SetMotion {
+  numeric::machines::SetAfter set;
+  Origin origin;
+};
+
 [[nodiscard]] std::string terminal_report(const Attractors& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Diagram& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Basins& result, const tools::Style& style);
@@ -99,6 +106,7 @@ struct Motion {
 [[nodiscard]] std::string terminal_report(const Steady& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const SteadyBranch& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Motion& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const SetMotion& result, const tools::Style& style);
 
 [[nodiscard]] tools::Json to_json(const Attractors& result);
 [[nodiscard]] tools::Json to_json(const Diagram& result);
@@ -108,6 +116,7 @@ struct Motion {
 [[nodiscard]] tools::Json to_json(const Steady& result);
 [[nodiscard]] tools::Json to_json(const SteadyBranch& result);
 [[nodiscard]] tools::Json to_json(const Motion& result);
+[[nodiscard]] tools::Json to_json(const SetMotion& result);
 [[nodiscard]] std::vector<tools::File> schemas();
 
 // A line of names, then a line for each orbit that was proved on its own: the number, the branch, the state,

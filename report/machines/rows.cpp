@@ -273,6 +273,13 @@ std::string command_of(const Motion& result) {
                      result.every ? fmt::format(" --every={:.17g}", *result.every) : "");
 }
 
+std::string command_of(const SetMotion& result) {
+  const SetAfterQuestion& q = result.set.question;
+  return fmt::format("stickslip simulate --params {} --state={} --set={}{} --time={:.17g}",
+                     result.origin.file, numbers(q.middle), numbers(q.half),
+                     q.theta == 0 ? "" : fmt::format(" --phi={:.17g}", q.theta), q.time);
+}
+
 BranchRows rows_of(const MachineBranch& branch) {
   const auto number = [](const Rational& x) { return rounded(Ball(x), short_digits); };
   BranchRows rows{fmt::format("From {}, {}, to {}, {}: {} motions on the way, each proved on its own.",

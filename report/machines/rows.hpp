@@ -53,6 +53,7 @@ struct Seen {
 [[nodiscard]] std::string command_of(const WordOrbits& result);
 [[nodiscard]] std::string command_of(const Branches& result);
 [[nodiscard]] std::string command_of(const Motion& result);
+[[nodiscard]] std::string command_of(const SetMotion& result);
 [[nodiscard]] std::string command_of(const Steady& result);
 [[nodiscard]] std::string command_of(const SteadyBranch& result);
 

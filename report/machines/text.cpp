@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/decimal.hpp"
 #include "report/machines/results.hpp"
@@ -307,6 +308,55 @@ std::string csv_line(const simulation::SampleOf<simulation::AnyState>& s) {
     text += fmt::format(",{:.17g}", x);
   }
   return text + fmt::format(",{:.17g},{:.17g},{:.17g}\n", s.r, s.u, s.energy);
+}
+
+std::string terminal_report(const SetMotion& result, const Style& style) {
+  const SetAfter& set = result.set;
+  const SetAfterQuestion& q = set.question;
+  const Seen seen{q.machine, result.origin.in_SI};
+  std::map<std::string, double> words;
+  for (const SetAfter::Part& part : set.parts) {
+    words[part.phases()] += set.share(part);
+  }
+  std::vector<std::pair<double, std::string>> by_share;
+  for (const auto& [word, share] : words) {
+    by_share.emplace_back(-share, word);
+  }
+  std::ranges::sort(by_share);
+  constexpr std::size_t most_words = 6;
+  std::string through;
+  for (std::size_t k = 0; k < std::min(by_share.size(), most_words); ++k) {
+    through += fmt::format("{}{} ({:.3g} %)", k == 0 ? "" : ", ", orbits::shortened(by_share[k].second),
+                           -100 * by_share[k].first);
+  }
+  through += by_share.size() > most_words ? fmt::format(" and {} more", by_share.size() - most_words) : "";
+  std::vector<Row> head{
+      {{"after"}, {fmt::format("{:.9g}{}", q.time, seen.in_SI ? " s" : "")}},
+      {{"proved"},
+       {fmt::format("of {:.6g} % of the starts, in {} {}{}", 100 * set.proved(), set.parts.size(),
+                    set.parts.size() == 1 ? "part" : "parts", set.interrupted ? "; interrupted" : "")}}};
+  if (!through.empty()) {
+    head.push_back({{"phases"}, {through}});
+  }
+  for (const auto& [reason, share] : set.open) {
+    head.push_back({{"open"}, {fmt::format("{:.3g} %: {}", 100 * share, reason)}});
+  }
+  std::string text =
+      heading("Where a set of starts is after some time", style) + machine_text(seen, style, head);
+  const auto all = set.hull();
+  if (all.size() == 0) {
+    return text;
+  }
+  std::vector<Row> rows{{{"  "}, {"starts from"}, {"to"}, {"then from"}, {"to"}}};
+  for (Eigen::Index k = 0; k < all.size(); ++k) {
+    rows.push_back({{"  " + coordinate(seen, k, true)},
+                    {fmt::format("{:.9g}", q.middle(k) - q.half(k))},
+                    {fmt::format("{:.9g}", q.middle(k) + q.half(k))},
+                    {rounded(all(k).lower(), 9)},
+                    {rounded(all(k).upper(), 9)}});
+  }
+  return text + "\n" + columns_of(rows, style.width) + "\n" +
+         labelled(0, "then", "contains all motions from the part of the starts that is proved", style.width);
 }
 
 }  // namespace stickslip::report::machines

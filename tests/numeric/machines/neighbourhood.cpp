@@ -6,8 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "core/error.hpp"
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/neighbourhood.hpp"
+#include "numeric/machines/set_after.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/examples.hpp"
@@ -55,7 +57,7 @@ Machine stick_slip() {
   return machine;
 }
 
-Eigen::VectorXd near_O() {
+Eigen::VectorXd start_of_damped() {
   Eigen::VectorXd X(4);
   X << 1.344, 3.70, -0.41, 0.99;
   return X;
@@ -115,7 +117,7 @@ void check_converges(const Case& c, int starts, int returns) {
 }  // namespace
 
 TEST_CASE("all motions from the neighbourhood of a stable orbit converge to it") {
-  const Case O = case_of(damped_O(), near_O(), 1500);
+  const Case O = case_of(damped_O(), start_of_damped(), 1500);
   CHECK(O.found.half_widths(1) > 5e-3);
   CHECK(O.found.boxes > 1);
   for (Eigen::Index k = 0; k < 4; ++k) {
@@ -143,7 +145,7 @@ TEST_CASE("all motions from the neighbourhood of a stable orbit converge to it")
 }
 
 TEST_CASE("the derivative of the return map contracts everywhere in a neighbourhood, and need not outside") {
-  const Case O = case_of(damped_O(), near_O(), 1500);
+  const Case O = case_of(damped_O(), start_of_damped(), 1500);
   const auto o = oscillator_as<double>(O.machine);
   const Eigen::MatrixXd S = zeros::in_double(O.found.S), inverse = zeros::in_double(O.found.inverse);
   Simulation simulation(o, 0, zeros::in_double(O.found.centre));
@@ -190,7 +192,7 @@ TEST_CASE("without a load the neighbourhood lies where a slide ends") {
 }
 
 TEST_CASE("an orbit that is not stable has no neighbourhood, nor one that is not proved") {
-  const Settled end = settle(damped_O(), near_O());
+  const Settled end = settle(damped_O(), start_of_damped());
   MachineOrbit orbit = prove_machine_orbit(damped_O(), end.guess);
   orbit.stability->kind = motion::StabilityKind::unstable;
   CHECK(neighbourhood_of(damped_O(), orbit).verdict.truth == Truth::undecided);
@@ -198,7 +200,58 @@ TEST_CASE("an orbit that is not stable has no neighbourhood, nor one that is not
   CHECK(neighbourhood_of(damped_O(), orbit).verdict.truth == Truth::undecided);
   // The orbit of another machine: the return map does not keep it.
   const MachineOrbit other = prove_machine_orbit(damped_O(), end.guess);
-  CHECK(neighbourhood_of(damped_O(Rational(1, 400)), other).verdict.truth != Truth::proved);
+  CHECK(neighbourhood_of(damped_O(Rational(1, 400)), other, 300).verdict.truth != Truth::proved);
+}
+
+TEST_CASE("where a box of starts is after some time holds each motion from it") {
+  const Machine machine = damped_O();
+  Eigen::VectorXd half(4);
+  half << 0.003, 0.002, 0, 0.001;
+  const double time = 25;
+  const SetAfter set = set_after({machine, start_of_damped(), half, 0, time});
+  REQUIRE(set.open.empty());
+  CHECK(set.proved() == doctest::Approx(1).epsilon(1e-12));
+  const Vector hull = set.hull();
+  const auto o = oscillator_as<double>(machine);
+  Simulation simulation(o, 0, start_of_damped());
+  std::mt19937_64 engine(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 500; ++i) {
+    Eigen::VectorXd X = start_of_damped();
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      X(k) += half(k) * uniform(engine);
+    }
+    simulation.restart(0, X);
+    simulation.advance(time);
+    bool held = false;
+    for (const SetAfter::Part& part : set.parts) {
+      bool starts_there = true, ends_there = true;
+      for (Eigen::Index k = 0; k < 4; ++k) {
+        starts_there = starts_there && std::abs(X(k) - part.middle(k)) <= part.half(k);
+        ends_there = ends_there && std::abs(simulation.state()(k) - part.states(k).approximate()) <=
+                                       part.states(k).radius().approximate() + 1e-9;
+      }
+      held = held || (starts_there && ends_there);
+    }
+    CHECK(held);
+    CHECK(std::abs(simulation.state()(0) - hull(0).approximate()) <= hull(0).radius().approximate());
+  }
+  // Starts on both sides of the belt's velocity have no one piece: a part around it stays open.
+  Eigen::VectorXd through = start_of_damped();
+  through(3) = 1;
+  half << 0, 0, 0, 0.01;
+  const SetAfter both = set_after({machine, through, half, 0, 1, 64});
+  CHECK(both.proved() > 0.5);
+  CHECK(both.proved() < 1);
+  REQUIRE(both.open.size() >= 1);
+  double open = 0;
+  for (const auto& [reason, share] : both.open) {
+    open += share;
+  }
+  CHECK(open + both.proved() == doctest::Approx(1));
+  CHECK_THROWS_AS((void)set_after({machine, through, half, 0, 0}), DomainError);
+  CHECK_THROWS_AS((void)set_after({machine, through, -half, 0, 1}), DomainError);
+  CHECK_THROWS_AS((void)set_after({machine, through, half.head(3), 0, 1}), DomainError);
 }
 
 TEST_CASE("a set of motions holds each motion from it") {
@@ -210,7 +263,7 @@ TEST_CASE("a set of motions holds each motion from it") {
   std::uniform_real_distribution<double> uniform(-1, 1);
   int followed = 0;
   for (int k = 0; k < 60; ++k) {
-    Eigen::VectorXd X = near_O();
+    Eigen::VectorXd X = start_of_damped();
     Eigen::MatrixXd S(4, 4);
     for (double& x : X) {
       x += 0.5 * uniform(engine);
@@ -257,7 +310,7 @@ TEST_CASE("pixels of a plane are proved to end where their middles do") {
   MachineBasins basins;
   basins.question.machine = damped_O();
   basins.across = {0, 1};
-  const Settled end = settle(basins.question.machine, near_O());
+  const Settled end = settle(basins.question.machine, start_of_damped());
   basins.through = end.state;
   basins.half = {0.0013, 0.0026};
   basins.pixels = {8, 8};
