@@ -495,6 +495,72 @@ TEST_CASE("which starts of one mass on a belt end in steady sliding") {
             .err.find("--basin is for steady sliding, S, of a machine in tables") != std::string::npos);
 }
 
+TEST_CASE("from how far around motions come back, and where a box of starts is") {
+  const std::filesystem::path here(__FILE__);
+  const std::string file =
+      here.parent_path().parent_path().parent_path() / "examples" / "machines" / "two_harmonics.toml";
+  const auto run = [&](const Words& words) { return stickslip_program(with(words, {"--params", file})); };
+  const Run told = run({"orbits", "ST", "--neighbourhood"});
+  CHECK(told.code == exit_decided);
+  for (const char * part :
+       {"  at load phase ", "recovers if off by", "half width of all", "\nrecovers  proved: "}) {
+    CAPTURE(part);
+    CHECK(told.out.find(part) != std::string::npos);
+  }
+  const Json orbit = Json::parse(run({"orbits", "ST", "--neighbourhood", "--json"}).out).at("orbits").at(0);
+  const Json& set = orbit.at("neighbourhood");
+  CHECK(set.at("verdict") == "proved");
+  CHECK(set.at("phase") == "slip");
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(set.at("alone").at(k).get<double>() > 0);
+    CHECK(set.at("alone").at(k) <= set.at("half_widths").at(k));
+    CHECK(set.at("S").at(k).size() == 2);
+  }
+  // Without the option there is none.
+  CHECK(!Json::parse(run({"orbits", "ST", "--json"}).out).at("orbits").at(0).contains("neighbourhood"));
+  // A plane around the orbit where it is at load phase 0.
+  const TemporaryDirectory directory;
+  const std::string picture = directory / "plane.svg";
+  const Json start =
+      Json::parse(run({"attractors", "--starts", "1", "--json"}).out).at("attractors").at(0).at("state");
+  const std::string through = start.at(0).dump() + "," + start.at(1).dump();
+  const Run plane = run({"attractors", "--plane", "x1,x1'", "--through=" + through, "--window", "1e-4,1e-4",
+                         "--pixels", "3", "--neighbourhood", "--json", "--plot", picture});
+  CHECK(plane.code == exit_decided);
+  const Json pixels = Json::parse(plane.out);
+  CHECK(pixels.at("proved") == 1.0);
+  CHECK(pixels.at("proved_at") == Json{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
+  CHECK(std::filesystem::exists(picture));
+
+  const Run box = run({"simulate", "--state=" + through, "--set=1e-4,1e-4", "--periods", "2"});
+  CHECK(box.code == exit_decided);
+  CHECK(box.out.find("of 100 % of the starts") != std::string::npos);
+  const Json after =
+      Json::parse(run({"simulate", "--state=" + through, "--set=1e-4,1e-4", "--periods", "2", "--json"}).out);
+  CHECK(after.at("proved").get<double>() == doctest::Approx(1));
+  CHECK(after.at("parts").at(0).at("then").size() == 2);
+  check_refused(
+      {{{"attractors", "--window", "1,1"}, exit_usage, "--window is for --along and --plane"},
+       {{"attractors", "--along", "belt.velocity", "1..2", "--neighbourhood"},
+        exit_usage,
+        "--neighbourhood is not for --along"},
+       {{"attractors", "--plane", "x1,x1'", "--window", "1,-1"}, exit_usage, "window: two numbers above 0"},
+       {{"orbits", "S", "--neighbourhood"},
+        exit_usage,
+        "--neighbourhood does not go with a machine in tables"},
+       {{"simulate", "--state=0,0", "--set=1"}, exit_usage, "set: "},
+       {{"simulate", "--state=0,0", "--set=1,-1"}, exit_domain, "half width"},
+       {{"simulate", "--state=0,0", "--set=1,1", "--every", "1"}, exit_usage, "--every is for one motion"}},
+      [&](const Words& words) { return run(words); });
+  check_refused(
+      {{{"orbits", "symmetric", "--example", "S", "--neighbourhood"}, exit_usage, "for a word of phases"},
+       {{"simulate", "--example", "S", "--set=1,1,1,1"}, exit_usage, "--set is for a machine in tables"},
+       {{"attractors", "--example", "O", "--plane", "x1,x2", "--neighbourhood"},
+        exit_usage,
+        "--neighbourhood with --plane is for a machine in tables"}},
+      [](const Words& words) { return stickslip_program(words); });
+}
+
 TEST_CASE("what does not go with a machine in tables is refused in a sentence") {
   const TemporaryDirectory directory;
   const std::string file = directory / "machine.toml";
