@@ -48,6 +48,9 @@ Followed followed(const SetFlow& flow, const SetAfterQuestion& q, SetAfter::Part
   SetOfMotions set = set_at(begin, {}, part.middle.cast<Ball>(), S, false);
   const auto piece = flow.piece_of(set.all.value.tail(part.middle.size()), begin);
   if (!piece) {
+    // The velocity of the mass on the belt tells them apart.
+    const Eigen::Index speed = flow.phases().masses() + flow.phases().rubbing();
+    result.side = part.half(speed) > 0 ? speed : result.side;
     result.verdict = Verdict::undecided(
         "some starts move as the belt does, or as a piece of the law ends, and others do not");
     return result;

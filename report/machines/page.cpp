@@ -108,6 +108,10 @@ Drawn drawn(const Seen& seen, std::size_t number, const std::string& name, const
       rows.push_back(std::move(row));
     }
     rows.push_back({{"durations"}, {durations(*orbit, seen)}});
+    if (orbit->neighbourhood) {
+      rows.push_back(
+          {{"recovers"}, {orbits::neighbourhood_in_words(*orbit->neighbourhood, coordinates_of(seen))}});
+    }
     for (const motion::Condition& c : orbits::worst(orbit->conditions)) {
       rows.push_back({{c.id},
                       {fmt::format("{}: {}, margin {}", c.statement, to_string(c.verdict.truth),

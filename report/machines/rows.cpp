@@ -7,7 +7,6 @@
 
 #include "core/decimal.hpp"
 #include "numeric/words/word.hpp"
-#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
@@ -187,15 +186,19 @@ std::vector<Row> phase_rows(const MachineOrbit& orbit, const Seen& seen) {
   return rows;
 }
 
-std::vector<Row> neighbourhood_rows(const MachineOrbit& orbit, const Seen& seen) {
-  if (!orbit.neighbourhood) {
-    return {};
-  }
+std::vector<orbits::Coordinate> coordinates_of(const Seen& seen) {
   std::vector<orbits::Coordinate> coordinates;
-  for (std::size_t k = 0; k < 2 * seen.oscillator().size(); ++k) {
-    coordinates.push_back({coordinate(seen, static_cast<Eigen::Index>(k), true)});
+  const std::size_t n = seen.oscillator().size();
+  for (std::size_t k = 0; k < 2 * n; ++k) {
+    coordinates.push_back(
+        {coordinate(seen, static_cast<Eigen::Index>(k), false), seen.in_SI ? (k < n ? "m" : "m/s") : ""});
   }
-  return orbits::neighbourhood_rows(*orbit.neighbourhood, coordinates);
+  return coordinates;
+}
+
+std::vector<Row> neighbourhood_rows(const MachineOrbit& orbit, const Seen& seen) {
+  return orbit.neighbourhood ? orbits::neighbourhood_rows(*orbit.neighbourhood, coordinates_of(seen))
+                             : std::vector<Row>();
 }
 
 std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/machines/results.hpp"
+#include "report/orbits/neighbourhood.hpp"
 
 namespace stickslip::report::machines {
 
@@ -36,6 +37,8 @@ struct Seen {
                                                  const Seen& seen, int digits);
 [[nodiscard]] std::vector<tools::Row> phase_rows(const numeric::machines::MachineOrbit& orbit,
                                                  const Seen& seen);
+// For tables of a neighbourhood.
+[[nodiscard]] std::vector<orbits::Coordinate> coordinates_of(const Seen& seen);
 // Nothing unless it was asked for.
 [[nodiscard]] std::vector<tools::Row> neighbourhood_rows(const numeric::machines::MachineOrbit& orbit,
                                                          const Seen& seen);

@@ -69,14 +69,7 @@ std::string neighbourhood(const WordOrbit& o, const Style& style, const Units& u
   if (!o.neighbourhood) {
     return "";
   }
-  static constexpr std::array names{"x1", "x2", "x1'", "x2'"};
-  const model::Vector4<double> factors = units.state(model::Vector4<double>::Ones());
-  std::vector<Coordinate> coordinates;
-  for (int k = 0; k < 4; ++k) {
-    coordinates.push_back(
-        {units.labelled(names[static_cast<std::size_t>(k)], k < 2 ? "m" : "m/s"), factors(k)});
-  }
-  return columns_of(neighbourhood_rows(*o.neighbourhood, coordinates), style.width) + "\n";
+  return columns_of(neighbourhood_rows(*o.neighbourhood, coordinates_in(units)), style.width) + "\n";
 }
 
 std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const Units& units) {

@@ -7,6 +7,7 @@
 #include "numeric/motion/contact.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/diagram.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/page.hpp"
 #include "report/orbits/parts.hpp"
@@ -82,6 +83,10 @@ std::vector<Row> rows_of(const Attractor& a, const Units& units) {
     }
     if (!multipliers.empty()) {
       rows.push_back({{"multipliers"}, {multipliers}});
+    }
+    if (a.orbit->neighbourhood) {
+      rows.push_back(
+          {{"recovers"}, {neighbourhood_in_words(*a.orbit->neighbourhood, coordinates_in(units))}});
     }
     if (const std::string contact = contact_in_words(o); !contact.empty()) {
       rows.push_back({{"nearest"}, {contact + units.unit(" (in the units of the data taken)")}});

@@ -12,6 +12,35 @@ namespace stickslip::report::orbits {
 using numeric::machines::Neighbourhood;
 using namespace tools;
 
+std::vector<Coordinate> coordinates_in(const Units& units) {
+  static constexpr std::array names{"x1", "x2", "x1'", "x2'"};
+  const model::Vector4<double> factors = units.state(model::Vector4<double>::Ones());
+  std::vector<Coordinate> coordinates;
+  for (int k = 0; k < 4; ++k) {
+    coordinates.push_back({names[static_cast<std::size_t>(k)], units.unit(k < 2 ? "m" : "m/s"), factors(k)});
+  }
+  return coordinates;
+}
+
+std::string neighbourhood_in_words(const Neighbourhood& n, const std::vector<Coordinate>& coordinates) {
+  if (n.verdict.truth != Truth::proved) {
+    return "undecided: " + n.verdict.reason;
+  }
+  std::string text;
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    const double off = n.alone(static_cast<Eigen::Index>(k)) * coordinates[k].factor;
+    if (off > 0) {
+      text += fmt::format("{}{} by {:.3g}{}", text.empty() ? "" : ", or ", coordinates[k].name, off,
+                          coordinates[k].unit.empty() ? "" : " " + coordinates[k].unit);
+    }
+  }
+  return fmt::format(
+      "proved: {}, from where the orbit is, if off by at most so much: {}",
+      n.before ? fmt::format("where a {} ends in a {}", to_string(n.before->kind), to_string(n.piece.kind))
+               : fmt::format("at load phase {:.6g}", n.theta),
+      text);
+}
+
 std::vector<Row> neighbourhood_rows(const Neighbourhood& n, const std::vector<Coordinate>& coordinates) {
   if (n.verdict.truth != Truth::proved) {
     return {{{"  neighbourhood"}, {"undecided: " + n.verdict.reason}}};
@@ -25,10 +54,11 @@ std::vector<Row> neighbourhood_rows(const Neighbourhood& n, const std::vector<Co
     const auto shown = [&](double x) {
       return x == 0 ? std::string("-") : fmt::format("{:.3g}", x * coordinates[k].factor);
     };
-    rows.push_back({{"  " + coordinates[k].name},
-                    {fmt::format("{:.8g}", n.centre(i).approximate() * coordinates[k].factor)},
-                    {shown(n.alone(i))},
-                    {shown(n.half_widths(i))}});
+    rows.push_back(
+        {{"  " + coordinates[k].name + (coordinates[k].unit.empty() ? "" : " in " + coordinates[k].unit)},
+         {fmt::format("{:.8g}", n.centre(i).approximate() * coordinates[k].factor)},
+         {shown(n.alone(i))},
+         {shown(n.half_widths(i))}});
   }
   return rows;
 }

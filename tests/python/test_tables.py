@@ -99,3 +99,19 @@ def test_records_are_mappings(machine):
     assert dict(found)["word"] == found.word == found["word"] == "OTS"
     assert "orbits" in dir(found) and "OTS" in repr(found)
     assert json.loads(json.dumps(found.machine.belt["velocity"])) == "0.05"
+
+
+def test_a_set_holds_the_motion_from_its_middle(machine):
+    start = [0.01, 0.01, 0.1, 0.01]
+    found = machine.simulate_set(start, [1e-5, 1e-5, 0, 1e-4], time=1)
+    assert abs(found.proved - 1) < 1e-12 and not found.open
+    _, samples = machine.simulate(start, time=1)
+    assert any(all(abs(x - ball.approximate) <= float(ball.rad) + 1e-9 for x, ball in zip(samples[-1, 1:5], part.then))
+               for part in found.parts)
+
+
+def test_a_stable_orbit_has_a_neighbourhood_where_one_is_asked_for(machine):
+    orbit = machine.orbits("OTS", neighbourhood=True).orbits[0]
+    assert orbit.neighbourhood.verdict == "proved"
+    assert all(0 < alone <= half for alone, half in zip(orbit.neighbourhood.alone, orbit.neighbourhood.half_widths))
+    assert "neighbourhood" not in list(machine.orbits("OTS").orbits[0])

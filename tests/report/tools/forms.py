@@ -85,11 +85,13 @@ FORMS = {
         "attractors --params DRILL --starts 3", "attractors --params SMOOTH --starts 3",
         "attractors --params TABLES --along belt.velocity -0.01..0.05 --values 3 --starts 3",
         "attractors --params FREE --along spring.1.k -1..1 --values 3 --starts 3",
-        "attractors --params TABLES --plane x2,x1' --pixels 3", "attractors --params FREE --plane x1,x1' --pixels 3"
+        "attractors --params TABLES --plane x2,x1' --pixels 3", "attractors --params FREE --plane x1,x1' --pixels 3",
+        "attractors --params FREE --plane x1,x1' --pixels 3 --window 0.1,0.1 --neighbourhood"
     ],
     "machine_words": [
         "orbits OTS --params TABLES", "orbits OTS --params TABLES --period 2 --digits 40",
-        "orbits OSOT --params TABLES", "orbits OTS --params TABLES --near=-0.02,0.01,0.1,0.05", "orbits ST --params FREE"
+        "orbits OSOT --params TABLES", "orbits OTS --params TABLES --near=-0.02,0.01,0.1,0.05", "orbits ST --params FREE",
+        "orbits ST --params FREE --neighbourhood"
     ],
     "machine_steady": ["orbits S --params TABLES", "orbits S --params FREE", "orbits O --params DRILL"],
     "machine_branches": [
@@ -104,12 +106,16 @@ FORMS = {
         "simulate --params TABLES --state=0,0,0,0", "simulate --params TABLES --state=0,0,0,0 --phi 1 --time 2 --csv SAMPLES",
         "simulate --params FREE --state=0,0 --time 100"
     ],
+    "machine_set": [
+        "simulate --params TABLES --state=0,0,0,0 --set=1e-5,1e-5,0,1e-4 --time 1",
+        "simulate --params FREE --state=0,0.1 --set=0.01,0.1 --time 3"
+    ],
     "verification": ["atlas --verify ATLAS --sample 5", "atlas --verify ATLAS5 --sample 2"],
 }
 
 # Keys that are there only where they apply.
 OPTIONAL = {
-    "at", "energy", "periods", "steady_sliding", "forced", "machine", "pure_slip", "reason", "remarks", "room", "seen", "settles", "stability",
+    "at", "energy", "periods", "steady_sliding", "forced", "machine", "proved", "proved_at", "pure_slip", "reason", "remarks", "room", "seen", "settles", "stability",
     "units"
 }
 

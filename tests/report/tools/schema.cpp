@@ -87,6 +87,6 @@ TEST_CASE("each form of JSON has one schema, named by its file") {
   }
   CHECK(names == std::vector<std::string>{"atlas", "verification", "machine_attractors", "machine_words",
                                           "machine_branches", "machine_steady", "machine_steady_branch",
-                                          "machine_simulation", "audit", "orbits", "words", "pure",
-                                          "branches", "attractors", "simulation"});
+                                          "machine_simulation", "machine_set", "audit", "orbits", "words",
+                                          "pure", "branches", "attractors", "simulation"});
 }

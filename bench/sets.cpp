@@ -1,0 +1,71 @@
+// Sets of motions: a box of starts of example O over one period of the load, and a neighbourhood of its
+// orbit.
+#include <benchmark/benchmark.h>
+
+#include "bench/examples.hpp"
+#include "numeric/machines/neighbourhood.hpp"
+#include "numeric/machines/set_after.hpp"
+#include "numeric/machines/settle.hpp"
+
+namespace stickslip::bench {
+
+using namespace numeric::machines;
+
+namespace {
+
+Machine O() {
+  return {model::friction_oscillator<Rational>(proofs::pascal2012::example_named("O").data,
+                                               Rational("45899365993320057/100000000000000000"))};
+}
+
+Eigen::VectorXd start() {
+  Eigen::VectorXd X(4);
+  X << 1.344, 3.70, -0.41, 0.99;
+  return X;
+}
+
+// Half widths of 10^-k in x1, x2 and x1', a tenth of that in x2'. "growth": the volume of the box around
+// where they are, in parts of that of the starts.
+void box_of_starts(benchmark::State& state) {
+  const double size = std::pow(10, -static_cast<double>(state.range(0)));
+  Eigen::VectorXd half = Eigen::VectorXd::Constant(4, size);
+  half(3) = size / 10;
+  const Machine machine = O();
+  const double period = 2 * 3.141592653589793 / oscillator_as<double>(machine).omega;
+  SetAfter set;
+  for (auto _ : state) {
+    set = set_after({machine, start(), half, 0, period});
+    if (!set.open.empty()) {
+      state.SkipWithError("not all of the starts are decided");
+      break;
+    }
+  }
+  double growth = 1;
+  const Vector hull = set.hull();
+  for (Eigen::Index k = 0; k < hull.size(); ++k) {
+    growth *= hull(k).radius().approximate() / half(k);
+  }
+  state.counters["parts"] = static_cast<double>(set.parts.size());
+  state.counters["growth"] = growth;
+}
+
+void neighbourhood_O(benchmark::State& state) {
+  const Machine machine = O();
+  const MachineOrbit orbit = prove_machine_orbit(machine, settle(machine, start()).guess);
+  Neighbourhood found;
+  for (auto _ : state) {
+    found = neighbourhood_of(machine, orbit);
+    if (found.verdict.truth != Truth::proved) {
+      state.SkipWithError(found.verdict.reason.c_str());
+      break;
+    }
+  }
+  state.counters["boxes"] = static_cast<double>(found.boxes);
+  state.counters["half_width_of_x2"] = found.half_widths(1);
+}
+
+BENCHMARK(box_of_starts)->DenseRange(2, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(neighbourhood_O)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+}  // namespace
+}  // namespace stickslip::bench
