@@ -325,3 +325,27 @@ TEST_CASE("pixels of a plane are proved to end where their middles do") {
   basins.pixels = {2, 2};
   CHECK(proved_share(in_plane(basins)) == 0);
 }
+
+TEST_CASE("a phase ends at its first event, wherever the search for it begins") {
+  const Machine machine = damped_O();
+  const WorkingPrecision scope(96);
+  const SetFlow flow(machine);
+  const Eigen::VectorXd X = start_of_damped();
+  const Matrix S = Matrix::Identity(4, 4) * Ball(1e-6);
+  int proved = 0, refused = 0;
+  std::optional<double> first;
+  for (double about = 0.5; about < 30; about += 0.5) {
+    SetOfMotions set = set_at(Ball(0), {motion::PhaseKind::slip, 0}, X.cast<Ball>(), S, true);
+    const Verdict verdict = flow.to_event(set, {motion::PhaseKind::overshoot, 0}, about);
+    if (verdict.truth != Truth::proved) {
+      ++refused;
+      continue;
+    }
+    ++proved;
+    const double time = set.time().approximate();
+    CHECK(time == doctest::Approx(first.value_or(time)));
+    first = first.value_or(time);
+  }
+  CHECK(proved > 0);
+  CHECK(refused > 0);
+}
