@@ -19,6 +19,37 @@ using motion::StabilityKind;
 using zeros::in_double;
 using zeros::product;
 
+// With the distance d of members from the middle M in
+// Frobenius' norm, (1 - d)² I - Mᵀ M is positive definite, by its elimination.
+bool contracts(const Matrix& A) {
+  Ball square(0);
+  for (Eigen::Index i = 0; i < A.size(); ++i) {
+    const Ball radius(A.data()[i].radius());
+    square += radius * radius;
+  }
+  const Ball room = Ball(1) - sqrt(square);
+  if (!room.is_positive()) {
+    return false;
+  }
+  const Matrix M = A.unaryExpr([](const Ball& x) { return x.midpoint(); });
+  Matrix G = -Matrix(product(M.transpose(), M));
+  for (Eigen::Index k = 0; k < G.rows(); ++k) {
+    G(k, k) += room * room;
+  }
+  for (Eigen::Index k = 0; k < G.rows(); ++k) {
+    if (!G(k, k).is_positive()) {
+      return false;
+    }
+    for (Eigen::Index i = k + 1; i < G.rows(); ++i) {
+      const Ball factor = G(i, k) / G(k, k);
+      for (Eigen::Index l = k; l < G.cols(); ++l) {
+        subtract_product(G(i, l), factor, G(k, l));
+      }
+    }
+  }
+  return true;
+}
+
 namespace {
 
 constexpr long fewest_bits = 64;
@@ -139,37 +170,6 @@ std::optional<Eigen::MatrixXd> contracting(const Eigen::MatrixXd& A, const Eigen
   const Eigen::MatrixXd root = llt.matrixL().transpose();
   Eigen::MatrixXd S = unit * root.inverse();
   return llt.info() == Eigen::Success && S.allFinite() ? std::optional(S) : std::nullopt;
-}
-
-// Whether |A| < 1 in Euclid's norm for all members: with the distance d of members from the middle M in
-// Frobenius' norm, (1 - d)² I - Mᵀ M is positive definite, by its elimination.
-bool contracts(const Matrix& A) {
-  Ball square(0);
-  for (Eigen::Index i = 0; i < A.size(); ++i) {
-    const Ball radius(A.data()[i].radius());
-    square += radius * radius;
-  }
-  const Ball room = Ball(1) - sqrt(square);
-  if (!room.is_positive()) {
-    return false;
-  }
-  const Matrix M = A.unaryExpr([](const Ball& x) { return x.midpoint(); });
-  Matrix G = -Matrix(product(M.transpose(), M));
-  for (Eigen::Index k = 0; k < G.rows(); ++k) {
-    G(k, k) += room * room;
-  }
-  for (Eigen::Index k = 0; k < G.rows(); ++k) {
-    if (!G(k, k).is_positive()) {
-      return false;
-    }
-    for (Eigen::Index i = k + 1; i < G.rows(); ++i) {
-      const Ball factor = G(i, k) / G(k, k);
-      for (Eigen::Index l = k; l < G.cols(); ++l) {
-        subtract_product(G(i, l), factor, G(k, l));
-      }
-    }
-  }
-  return true;
 }
 
 // Euclid's norm, from above.

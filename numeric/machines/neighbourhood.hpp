@@ -37,6 +37,9 @@ struct Neighbourhood {
   [[nodiscard]] bool holds(const SetOfMotions& set) const;
 };
 
+// Whether |A| < 1 in Euclid's norm, proved for all members.
+[[nodiscard]] bool contracts(const Matrix& A);
+
 // As large as the derivative stays smaller than 1, with boxes whose motions go through at most so many phases
 // together (fewer where more than 64 bits are needed). Undecided when nothing is found, and when the orbit is
 // not proved to be admissible and stable.

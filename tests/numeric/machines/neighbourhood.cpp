@@ -349,3 +349,19 @@ TEST_CASE("a phase ends at its first event, wherever the search for it begins") 
   CHECK(proved > 0);
   CHECK(refused > 0);
 }
+
+TEST_CASE("a matrix contracts when no vector becomes longer, for all members") {
+  Matrix A = Matrix::Constant(2, 2, Ball(0));
+  CHECK(contracts(A));
+  A(0, 0) = A(1, 1) = Ball(0.9);
+  CHECK(contracts(A));
+  A(0, 1) = Ball(0.5);  // the eigenvalues are as before
+  CHECK_FALSE(contracts(A));
+  A(0, 1) = Ball(-0.1);
+  A(1, 0) = Ball(0.1);  // a turn
+  CHECK(contracts(A));
+  A(1, 1) = Ball::hull(Ball(0.5), Ball(1.1));
+  CHECK_FALSE(contracts(A));
+  A(1, 1) = Ball(1);
+  CHECK_FALSE(contracts(A));
+}
