@@ -10,6 +10,7 @@
 
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
+#include "numeric/scalars/form.hpp"
 #include "numeric/words/sweep.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -194,6 +195,15 @@ double nearest(const Cell& box) {
   return (box.middle.cwiseAbs() - box.half).cwiseMax(0).norm() * (1 - 1e-14);
 }
 
+// A little less, of so few digits that the ends of boxes, and of their halves, are exact: none is missed
+// between two of them.
+double short_number(double x) {
+  constexpr double digits = 0x1p12;
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::ldexp(std::floor(mantissa * digits) / digits, exponent);
+}
+
 std::array<Cell, 2> halves(const Cell& box, Eigen::Index k) {
   std::array<Cell, 2> both{box, box};
   for (Cell& half : both) {
@@ -356,13 +366,16 @@ Neighbourhood found_at(const Machine& machine, const MachineOrbit& orbit, long m
   }
   double radius = std::exp2(-holds);
   for (const double factor : {std::sqrt(2), growth}) {
-    radius *= growing.ball(radius * factor) ? factor : 1;
+    const double larger = short_number(radius * factor);
+    radius = growing.ball(larger) ? larger : radius;
   }
   const double at_once = radius;
   long most_boxes =
       most_phases * fewest_bits / (static_cast<long>(orbit.phases.size()) * WorkingPrecision::bits());
-  while (const auto boxes = growing.shell(radius, radius * growth, at_once, most_boxes)) {
-    radius *= growth;
+  for (double larger = short_number(radius * growth);
+       const auto boxes = growing.shell(radius, larger, at_once, most_boxes);
+       larger = short_number(radius * growth)) {
+    radius = larger;
     found.boxes += *boxes;
     most_boxes -= *boxes;
   }
@@ -380,7 +393,7 @@ Neighbourhood found_at(const Machine& machine, const MachineOrbit& orbit, long m
     return found;
   }
   found.verdict = Verdict::proved();
-  found.radius = radius * (1 - 2 * off_centre);
+  found.radius = radius * (1 - 3 * off_centre);
   found.piece = returns.piece();
   found.centre = returns.centre();
   found.period = orbit.period.approximate();
@@ -390,15 +403,17 @@ Neighbourhood found_at(const Machine& machine, const MachineOrbit& orbit, long m
     found.time = returns.time().approximate();
     found.theta = std::fmod(oscillator_as<double>(machine).omega * found.time, 2 * std::numbers::pi);
   }
-  // Rounded down.
-  constexpr double less = 1 - 1e-12;
-  const Vector intercepts =
-      (found.radius * less * in_double(found.inverse).colwise().norm().cwiseInverse().transpose())
-          .cast<Ball>();
-  found.alone = in_double(returns.with_known(Matrix(intercepts)));
   found.S = returns.with_known(found.S);
   found.inverse = returns.with_known(Matrix(found.inverse.transpose())).transpose();
-  found.half_widths = found.radius * less * in_double(found.S).rowwise().norm();
+  // Rounded down.
+  found.alone = found.half_widths = Eigen::VectorXd::Zero(found.centre.size());
+  for (Eigen::Index i = 0; i < found.centre.size(); ++i) {
+    const Vector row = found.S.row(i).transpose(), column = found.inverse.col(i);
+    if (in_double(column).norm() > 0) {
+      found.alone(i) = scalars::ends(Ball(Ball(found.radius) / norm_of(column))).first;
+      found.half_widths(i) = scalars::ends(Ball(Ball(found.radius) * norm_of(row))).first;
+    }
+  }
   return found;
 }
 
@@ -435,12 +450,17 @@ Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const words::
     guess.events.push_back(
         {m.phases[0].load.approximate() / omega + phase.start.approximate(), X, {phase.kind, 0}});
   }
-  if (guess.events.size() < 2) {
-    Neighbourhood none;
-    none.verdict = Verdict::undecided("the orbit has no event");
+  Neighbourhood none;
+  if (orbit.existence.truth != Truth::proved || guess.events.size() < 2) {
+    none.verdict = Verdict::undecided("the orbit is not proved to exist");
     return none;
   }
-  return neighbourhood_of(same, prove_machine_orbit(same, guess), most_phases);
+  const MachineOrbit proved = prove_machine_orbit(same, guess);
+  if (proved.existence.truth == Truth::proved && !(distance(guess_of(proved, same), guess) < most_astray)) {
+    none.verdict = Verdict::undecided("as a machine in tables another orbit is proved");
+    return none;
+  }
+  return neighbourhood_of(same, proved, most_phases);
 }
 
 bool Neighbourhood::holds(const SetOfMotions& set) const {

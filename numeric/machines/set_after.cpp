@@ -35,7 +35,9 @@ Followed followed(const SetFlow& flow, const SetAfterQuestion& q, SetAfter::Part
   Followed result{part, {}, 0};
   double longest = -1;
   for (std::size_t l = 0; l < axes.size(); ++l) {
-    S(axes[l], static_cast<Eigen::Index>(l)) = Ball(part.half(axes[l]));
+    // Middles are rounded: a little more, so that no start between two parts is missed.
+    S(axes[l], static_cast<Eigen::Index>(l)) =
+        Ball(part.half(axes[l]) + 0x1p-50 * (std::abs(part.middle(axes[l])) + part.half(axes[l])));
     const double length = part.half(axes[l]) / q.half(axes[l]);
     if (length > longest) {
       longest = length;

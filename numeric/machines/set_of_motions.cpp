@@ -75,6 +75,8 @@ void move_offset(SetOfMotions& to, const SetOfMotions& from, const Matrix& by_u,
   const Vector here = to.exact + Vector(product(to.frame, to.offset));
   for (Eigen::Index i = 0; i < here.size(); ++i) {
     narrow(to.middle.value(i), here(i));
+    // The way from exact to u(0) lies in what derivatives are looked at over.
+    to.middle.value(i) = Ball::hull(to.middle.value(i), to.exact(i));
   }
 }
 
@@ -243,6 +245,7 @@ SetOfMotions reached(const SetOfMotions& set, const Vector& exact, const After& 
   }
   for (Eigen::Index i = 0; i < end.middle.value.size(); ++i) {
     narrow(end.all.value(i), end.middle.value(i) + end.reach(end.all.first.row(i).transpose()));
+    end.all.value(i) = Ball::hull(end.all.value(i), end.exact(i));
   }
   return end;
 }

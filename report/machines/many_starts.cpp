@@ -117,11 +117,10 @@ std::string terminal_report(const Basins& result, const Style& style) {
   }
   const MachineBasins& b = result.basins;
   if (b.prove) {
-    head.push_back(
-        {{"proved"},
-         {fmt::format("of {:.4g} % of the pixels: all of their starts converge to the orbit; of the "
-                      "others the middles are followed in floating point",
-                      100 * proved_share(b))}});
+    head.push_back({{"proved"},
+                    {fmt::format("of {} of {} pixels: all of their starts converge to the orbit; of the "
+                                 "others the middles are followed in floating point",
+                                 std::ranges::count(b.proved, char{1}), b.proved.size())}});
   }
   std::string text =
       titled("Where starts in a plane end", head, style) + "\n" + columns_of(rows, style.width);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/decimal.hpp"
+#include "numeric/scalars/form.hpp"
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/neighbourhood.hpp"
@@ -333,7 +334,8 @@ std::string terminal_report(const SetMotion& result, const Style& style) {
   std::vector<Row> head{
       {{"after"}, {fmt::format("{:.9g}{}", q.time, seen.in_SI ? " s" : "")}},
       {{"proved"},
-       {fmt::format("of {:.6g} % of the starts, in {} {}{}", 100 * set.proved(), set.parts.size(),
+       {fmt::format("of {} of the starts, in {} {}{}",
+                    set.open.empty() ? "all" : below(100 * set.proved() - 1e-9, 6) + " %", set.parts.size(),
                     set.parts.size() == 1 ? "part" : "parts", set.interrupted ? "; interrupted" : "")}}};
   if (!through.empty()) {
     head.push_back({{"phases"}, {through}});
@@ -352,8 +354,8 @@ std::string terminal_report(const SetMotion& result, const Style& style) {
     rows.push_back({{"  " + coordinate(seen, k, true)},
                     {fmt::format("{:.9g}", q.middle(k) - q.half(k))},
                     {fmt::format("{:.9g}", q.middle(k) + q.half(k))},
-                    {rounded(all(k).lower(), 9)},
-                    {rounded(all(k).upper(), 9)}});
+                    {below(scalars::ends(all(k)).first, 9)},
+                    {above(scalars::ends(all(k)).second, 9)}});
   }
   return text + "\n" + columns_of(rows, style.width) + "\n" +
          labelled(0, "then", "contains all motions from the part of the starts that is proved", style.width);

@@ -6,6 +6,7 @@
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/record_json.hpp"
+#include "report/tools/numbers.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -30,7 +31,7 @@ std::string neighbourhood_in_words(const Neighbourhood& n, const std::vector<Coo
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const double off = n.alone(static_cast<Eigen::Index>(k)) * coordinates[k].factor;
     if (off > 0) {
-      text += fmt::format("{}{} by {:.3g}{}", text.empty() ? "" : ", or ", coordinates[k].name, off,
+      text += fmt::format("{}{} by {}{}", text.empty() ? "" : ", or ", coordinates[k].name, below(off, 3),
                           coordinates[k].unit.empty() ? "" : " " + coordinates[k].unit);
     }
   }
@@ -52,7 +53,7 @@ std::vector<Row> neighbourhood_rows(const Neighbourhood& n, const std::vector<Co
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     const auto shown = [&](double x) {
-      return x == 0 ? std::string("-") : fmt::format("{:.3g}", x * coordinates[k].factor);
+      return x == 0 ? std::string("-") : below(x * coordinates[k].factor, 3);
     };
     rows.push_back(
         {{"  " + coordinates[k].name + (coordinates[k].unit.empty() ? "" : " in " + coordinates[k].unit)},

@@ -84,4 +84,15 @@ std::string latex_term(const Ball& value, const std::string& times, int digits) 
                                : fmt::format(" + {}{}", text, times);
 }
 
+std::string below(double x, int digits) {
+  const std::string nearest = fmt::format("{:.{}g}", x, digits);
+  return std::stod(nearest) <= x ? nearest
+                                 : fmt::format("{:.{}g}", x - std::abs(x) * std::pow(10, 1 - digits), digits);
+}
+
+std::string above(double x, int digits) {
+  const std::string negative = below(-x, digits);
+  return negative.starts_with('-') ? negative.substr(1) : negative == "0" ? negative : "-" + negative;
+}
+
 }  // namespace stickslip::report::tools

@@ -24,6 +24,10 @@ namespace stickslip::report::tools {
 // one; a ball that knows fewer than 2 digits reads "mid ± rad", an unbounded one "unbounded".
 [[nodiscard]] std::string rounded(const Ball& ball, int digits);
 
+// So many significant digits of a number that is not above, and not below x.
+[[nodiscard]] std::string below(double x, int digits);
+[[nodiscard]] std::string above(double x, int digits);
+
 // Balls as numbers in LaTeX formulas.
 
 // The rounded number as a factor: "1.5", "1.5\cdot 10^{-7}"; "(0.1 \pm 0.2)" where hardly anything is known.

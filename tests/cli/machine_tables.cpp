@@ -534,7 +534,7 @@ TEST_CASE("from how far around motions come back, and where a box of starts is")
 
   const Run box = run({"simulate", "--state=" + through, "--set=1e-4,1e-4", "--periods", "2"});
   CHECK(box.code == exit_decided);
-  CHECK(box.out.find("of 100 % of the starts") != std::string::npos);
+  CHECK(box.out.find("of all of the starts") != std::string::npos);
   const Json after =
       Json::parse(run({"simulate", "--state=" + through, "--set=1e-4,1e-4", "--periods", "2", "--json"}).out);
   CHECK(after.at("proved").get<double>() == doctest::Approx(1));

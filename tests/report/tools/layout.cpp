@@ -54,3 +54,14 @@ TEST_CASE("a value is rounded as the printed one is, unless its ball leaves that
   CHECK_FALSE(rounded("7.749", "7.7494", "7.7496"));
   CHECK_FALSE(rounded_like(parse_decimal("1"), Ball(1) / Ball(0)));
 }
+
+TEST_CASE("bounds are rounded away from what they bound") {
+  CHECK(below(0.0017051, 3) == "0.0017");
+  CHECK(below(0.00170, 3) == "0.0017");
+  CHECK(below(0.0017099, 3) == "0.0017");
+  CHECK(below(-1.2344, 3) == "-1.24");
+  CHECK(above(1.2344, 3) == "1.24");
+  CHECK(above(-1.2346, 3) == "-1.23");
+  CHECK(above(1, 9) == "1");
+  CHECK(above(0, 9) == "0");
+}
