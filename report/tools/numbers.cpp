@@ -85,9 +85,13 @@ std::string latex_term(const Ball& value, const std::string& times, int digits) 
 }
 
 std::string below(double x, int digits) {
-  const std::string nearest = fmt::format("{:.{}g}", x, digits);
-  return std::stod(nearest) <= x ? nearest
-                                 : fmt::format("{:.{}g}", x - std::abs(x) * std::pow(10, 1 - digits), digits);
+  std::string text = fmt::format("{:.{}g}", x, digits);
+  // Of the last digit.
+  const double unit = x == 0 ? 0 : std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
+  for (int halves = 1; halves <= 2 && std::stod(text) > x; ++halves) {
+    text = fmt::format("{:.{}g}", x - halves * unit / 2, digits);
+  }
+  return text;
 }
 
 std::string above(double x, int digits) {
