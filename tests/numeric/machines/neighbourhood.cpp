@@ -365,3 +365,39 @@ TEST_CASE("a matrix contracts when no vector becomes longer, for all members") {
   A(1, 1) = Ball(1);
   CHECK_FALSE(contracts(A));
 }
+
+TEST_CASE("the ends of a phase, of all motions of a set, are where they are said to be") {
+  const Machine machine = damped_O();
+  const auto o = oscillator_as<double>(machine);
+  const WorkingPrecision scope(96);
+  const SetFlow flow(machine);
+  Eigen::VectorXd X = start_of_damped();
+  X(3) = 0.5;
+  Simulation simulation(o, 0, X);
+  std::vector<Simulation::Transition> log;
+  simulation.advance(10, &log);
+  REQUIRE(!log.empty());
+  const Eigen::MatrixXd S = Eigen::MatrixXd::Identity(4, 4) * 1e-3;
+  SetOfMotions set = set_at(Ball(0), {motion::PhaseKind::slip, 0}, X.cast<Ball>(), S.cast<Ball>(), true);
+  const Verdict verdict = flow.to_event(set, {log[0].after, 0}, log[0].time);
+  CAPTURE(verdict.reason);
+  REQUIRE(verdict.truth == Truth::proved);
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  double least = 1e9, most = -1e9;
+  for (int i = 0; i < 500; ++i) {
+    Eigen::VectorXd e(4);
+    for (double& x : e) {
+      x = normal(engine);
+    }
+    log.clear();
+    simulation.restart(0, X + S * e / e.norm());
+    simulation.advance(10, &log);
+    REQUIRE(!log.empty());
+    CHECK(set.all.value(0).overlaps(Ball(log[0].time)));
+    least = std::min(least, log[0].time);
+    most = std::max(most, log[0].time);
+  }
+  // Not much wider than they are.
+  CHECK(set.all.value(0).radius().approximate() < 1.5 * (most - least) / 2);
+}
