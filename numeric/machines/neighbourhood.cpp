@@ -20,8 +20,8 @@ using motion::StabilityKind;
 using zeros::in_double;
 using zeros::product;
 
-// With the distance d of members from the middle M in
-// Frobenius' norm, (1 - d)² I - Mᵀ M is positive definite, by its elimination.
+// With the distance d of members from the middle M in Frobenius' norm, (1 - d)² I - Mᵀ M is positive
+// definite, by its elimination.
 bool contracts(const Matrix& A) {
   Ball square(0);
   for (Eigen::Index i = 0; i < A.size(); ++i) {
