@@ -150,7 +150,8 @@ def theorem(audit, id, text, common):
 
 
 def small(formula):
-    """For a line of text."""
+    """For a line of text: brackets of one size, so that the line breaks within them."""
+    formula = formula.replace(r"\left", "").replace(r"\right", "")
     return re.sub(r"\\begin{pmatrix}(.*?)\\end{pmatrix}", r"\\bigl(\\begin{smallmatrix}\1\\end{smallmatrix}\\bigr)", formula).replace(
         r"\quad", r"\;")
 
@@ -208,7 +209,7 @@ def table_of_digits(audit):
             for one in claim["outcome"]["comparisons"]:
                 if one["verdict"] == "refuted":
                     table.append((figures[claim["id"].split(".")[0]].replace(" ", "~"), f"${one['latex']}$",
-                                  one["printed"], f"${float(one['proved']['mid']):.8f}$"))
+                                  f"${one['printed']}$", f"${float(one['proved']['mid']):.8f}$"))
     half = (len(table) + 1) // 2
     return rows([(*table[k], *(table[half + k] if half + k < len(table) else [""] * 4)) for k in range(half)])
 
