@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What a reviewer needs beside a report and its certificates, of their JSON: codecheck.yml, map.csv, README_ARTIFACT.md.
 
-    artifact.py DIRECTORY      with audit/ of `stickslip audit --out`, certificates/ of `stickslip certify --out`
+    artifact.py DIRECTORY      with audit/ of `stickslip audit --out`, certificates/ of `stickslip certify --out`, paper/ of
+                               paper/make.py
 
 Fails where a file or a place of a page that it would name is not there. script/artifact calls it.
 """
@@ -90,6 +91,14 @@ manifest = [("audit/audit.json", f"every statement of {of_paper}: verdict, hypot
             ("certificates/certificates.json", "which file certifies which claim, and what has none, and why")]
 manifest += [(f"audit/{page.name}", "the orbits at the data of " + example["figure"]) for example in audit["examples"]
              for page in [out / f"audit/figure-{example['name']}.svg"] if page.exists()]
+# The note's figures and tables: what paper/make.py made them with stands in a table beside them.
+made = {}
+for row in csv.DictReader(open(out / "paper/parts/commands.csv", newline="")):
+    made.setdefault(row["made"], []).append(row["command"])
+manifest += [(f"paper/parts/{part}", f"of the note, made by paper/make.py of {'; '.join(commands)}")
+             for part, commands in made.items()]
+manifest += [(f"paper/{name}.pdf", words) for name, words in (("note", "the note on the results"), ("paper", "the JOSS paper"))
+             if (out / f"paper/{name}.pdf").exists()]
 for file, _ in manifest:
     if not (out / file).is_file():
         sys.exit(f"artifact: {file} is not there")
@@ -115,6 +124,8 @@ Made with {libraries}.
 - `map.csv`: of each statement, each new theorem and each claim the place in the report, the certificate and the command that
   shows it again.
 - `certificates/`: all theorems for the proof assistant Coq; begin with `Statements.v`.
+- `paper/`: the note on the results and the JOSS paper; `python3 paper/make.py stickslip again` makes every theorem, figure and
+  table of the note again, and with LaTeX and pandoc both PDFs; `paper/parts/commands.csv` says by which command.
 - `codecheck.yml`: the manifest, for CODECHECK. What it calls PLACEHOLDER is not known to the program.
 - `SHA256SUMS`: `sha256sum --check SHA256SUMS` says whether all files are as they were made.
 

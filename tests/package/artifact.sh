@@ -40,6 +40,15 @@ manifest = yaml.safe_load((out / "codecheck.yml").read_text())
 assert manifest["version"].startswith("https://codecheck.org.uk/spec/config/")
 assert manifest["paper"]["title"] and manifest["paper"]["authors"][0]["name"]
 assert len(manifest["manifest"]) >= 5 and all((out / one["file"]).is_file() for one in manifest["manifest"])
+# Every figure and table of the note is in the manifest, and made again by the script that is there.
+again = out.parent / "artifact-again"
+subprocess.run([sys.executable, out / "paper/make.py", "stickslip", again, "--audit", out / "audit", "--parts"], check=True)
+parts = sorted(path.name for path in (again / "parts").iterdir())
+assert {"motions.pdf", "loads.pdf", "digits.tex", "theorem-uniqueness.tex"} <= set(parts), parts
+named = {one["file"] for one in manifest["manifest"]}
+for part in parts:
+    assert (out / "paper/parts" / part).read_bytes() == (again / "parts" / part).read_bytes(), part
+    assert part in ("facts.tex", "setting.tex", "commands.csv") or f"paper/parts/{part}" in named, part
 for row in [row for row in rows if row["kind"] == "theorem"] + rows[20:25]:
     run = subprocess.run(shlex.split(row["command"]), capture_output=True, text=True)
     assert run.returncode in (0, 1, 2) and run.stdout, (row["command"], run.stderr)

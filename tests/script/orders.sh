@@ -131,6 +131,10 @@ EOF
 done
 player pdflatex <<'EOF'
 EOF
+player pandoc <<'EOF'
+. "${0%/*}/uses"
+has paper "$STATE/installed" || refuse "no pandoc"
+EOF
 player make <<'EOF'
 . "${0%/*}/uses"
 has certify "$STATE/installed" || refuse "no make, or no Coq"
@@ -139,7 +143,7 @@ EOF
 # What changes what the others meet: the packages and the tree of the release preset. What only adds packages or trees
 # of its own is run in every state, too, but leads to none that would be new to these.
 changing=("audit" "test" "test --all" "bench --benchmark_filter=x" "bootstrap pdf")
-others=("build" "doc" "release" "artifact" "certify" "mutants" "tidy core" "format --check" "sanitize asan core" "sanitize debug" "fuzz 1")
+others=("build" "doc" "paper" "release" "artifact" "certify" "mutants" "tidy core" "format --check" "sanitize asan core" "sanitize debug" "fuzz 1")
 said_last() {
   case $1 in
     "test") grep -qx '100% tests passed, 0 tests failed out of 9 (.*script/test --all.*)' ;;
@@ -173,7 +177,7 @@ run() {
   ((++runs))
 }
 
-mkdir -p "$work/next/tree/bench" "$work/next/tree/packaging"
+mkdir -p "$work/next/tree/bench" "$work/next/tree/packaging" "$work/next/tree/paper"
 cp -r "$root/script" "$root/.ci" "$work/next/tree"
 # Makes nothing, but needs what it would be made with, and two runs make the same.
 printf '#!/bin/bash\nset -eu\nmkdir -p "$1"\nfor use in build python cluster doc release; do %s; done\n' \
@@ -181,6 +185,8 @@ printf '#!/bin/bash\nset -eu\nmkdir -p "$1"\nfor use in build python cluster doc
 printf '#!/bin/bash\n[[ -d $1 ]]\n' | tee "$work/next/tree/packaging"/check_{debian,wheels,container} >/dev/null
 chmod +x "$work/next/tree/packaging"/*
 echo 'import pathlib, sys; (pathlib.Path(sys.argv[1]) / "map.csv").touch()' >"$work/next/tree/packaging/artifact.py"
+# Sets nothing, but needs what it would be set with; for an artifact it would do without.
+echo 'import subprocess, sys; sys.argv[2].endswith("build/paper") and subprocess.run(["pandoc"], check=True)' >"$work/next/tree/paper/make.py"
 # Measures nothing, but needs what it would measure.
 echo 'open("build/release/bench/stickslip_bench")' >"$work/next/tree/bench/measure.py"
 for room in core symbolic numeric proofs report cli; do
