@@ -241,6 +241,8 @@ def table_of_refuted(audit, ids):
 def gnuplot(file, script):
     if not shutil.which("gnuplot"):
         fail("gnuplot is missing; script/bootstrap installs it")
+    # The text font has no Greek.
+    script = re.sub("[α-ω]", r'{/\\"Latin Modern Math\\" \g<0>}', script)
     run = subprocess.run(["gnuplot"], input=script, env=undated, capture_output=True, text=True)
     if run.returncode:
         fail(f"gnuplot: {run.stderr.strip()}")
