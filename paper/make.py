@@ -265,10 +265,11 @@ set style line 4 linecolor rgb "#2e8b57" linewidth 1.4 dashtype 2
 def motion(program, figure, orbit, more=""):
     """Samples of one period as a block of gnuplot's, slip and overshoot apart."""
     text = program(f"simulate --orbit {orbit} {more}--periods 1 --every 0.05 --csv -", of=figure)
-    # The last is the first of the next period.
-    samples = list(csv.DictReader(text.splitlines()))[:-1]
-    return "\n\n\n".join("\n".join(" ".join(one[name] for name in ("x1", "x1'", "x2", "x2'"))
-                                    for one in samples if one["phase"] == phase) for phase in ("slip", "overshoot"))
+    samples = [" ".join([one["phase"], *(one[name] for name in ("x1", "x1'", "x2", "x2'"))])
+               for one in csv.DictReader(text.splitlines())]
+    # Each up to where the next begins; the last sample is the first of the next period.
+    turn = next(k for k, sample in enumerate(samples) if sample.startswith("overshoot"))
+    return "\n\n\n".join("\n".join(part) for part in (samples[:turn + 1], samples[turn:]))
 
 
 def figure_of_motions(program, audit, parts):
@@ -288,14 +289,14 @@ set ylabel "x_2'" offset 1.5,0 norotate
 set xrange [-4:4]; set yrange [-2.6:2.6]; set ytics 1
 set key at graph 0.66,0.74 samplen 1.5 spacing 0.9
 set title "a moving belt, V = 0.1" offset 0,-0.7
-plot 0.1 with lines linestyle 3 title "V", $belt index 0 using 3:4 with lines linestyle 1 title "slip",\
-     $belt index 1 using 3:4 with lines linestyle 2 title "overshoot"
+plot 0.1 with lines linestyle 3 title "V", $belt index 0 using 4:5 with lines linestyle 1 title "slip",\
+     $belt index 1 using 4:5 with lines linestyle 2 title "overshoot"
 set key at graph 0.66,0.62
 set title "resonance, ω_1 = 2ω" offset 0,-0.7
 set xlabel "x_1"; set ylabel "x_1'"
-set xrange [-1.9:1.9]; set yrange [-0.7:0.7]; set ytics 0.3
-plot $left using 1:2 with lines linestyle 1 title "ε = −1/20", $middle using 1:2 with lines linestyle 3 title "ε = 0",\
-     $right using 1:2 with lines linestyle 2 title "ε = 1/20"
+set xrange [-1.9:1.9]; set yrange [-0.8:0.8]; set ytics 0.4
+plot $left using 2:3 with lines linestyle 1 title "ε = −1/20", $middle using 2:3 with lines linestyle 3 title "ε = 0",\
+     $right using 2:3 with lines linestyle 2 title "ε = 1/20"
 unset multiplot
 """)
 
