@@ -7,6 +7,7 @@
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
+#include "cli/machine_answers.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/interruption.hpp"
@@ -141,10 +142,14 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
 }
 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& paper) {
-  for (const char * name : {"--neighbourhood", "--window"}) {
-    if (o.plane && o.typed.contains(name)) {
-      throw UsageError(fmt::format("{} with --plane is for a machine in tables", name));
-    }
+  if (o.plane && (o.neighbourhood || o.window)) {
+    const auto asked = asked_basins(o, paper);
+    AttractorsOptions rest = o;
+    rest.example.clear();
+    rest.parameters.clear();
+    return run_plane(
+        as_tables(asked.question.machine.machine, asked.file, "--plane with --neighbourhood or --window"),
+        rest);
   }
   return o.plane ? answer(o, asked_basins(o, paper), basins_of)
                  : answer(o, asked_diagram(o, paper), diagram_of);

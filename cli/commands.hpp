@@ -22,6 +22,10 @@ namespace stickslip::cli {
 [[nodiscard]] std::optional<ExitCode> run_in_tables(const OrbitsOptions& options);
 [[nodiscard]] std::optional<ExitCode> run_in_tables(const BranchOptions& options);
 [[nodiscard]] std::optional<ExitCode> run_in_tables(const SimulateOptions& options);
+// With --plane; with --set.
+struct GivenInTables;
+[[nodiscard]] ExitCode run_plane(const GivenInTables& given, const AttractorsOptions& options);
+[[nodiscard]] ExitCode run_set(const GivenInTables& given, const SimulateOptions& options);
 // Of `attractors` with --along or --plane.
 [[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);
 // Of `orbits` with a word in place of a family.

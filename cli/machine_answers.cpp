@@ -9,6 +9,7 @@
 #include "cli/asked.hpp"
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
+#include "model/named_data.hpp"
 #include "numeric/machines/machine_branch.hpp"
 #include "numeric/machines/neighbourhood.hpp"
 #include "report/tools/files.hpp"
@@ -96,7 +97,7 @@ AlongPath along_path(const GivenInTables& given, const std::vector<std::string>&
 }
 
 report::machines::Origin origin(const GivenInTables& given) {
-  return {given.file, given.read.in_SI};
+  return {given.file, given.read.in_SI, given.options};
 }
 
 void surround(MachineOrbit& orbit, const Machine& machine) {
@@ -111,13 +112,29 @@ bool is_decided(const MachineOrbit& orbit) {
 
 }  // namespace
 
+GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
+                        const char * why) {
+  if (file.machine) {
+    throw UsageError(fmt::format("{} wants {} in tables, as doc/any_machine.md has it", why, file.name));
+  }
+  std::string options;
+  for (const auto& [name, member] : model::named_data<Rational>) {
+    options += fmt::format("--{} {} ", name, to_string(machine.data.*member));
+  }
+  return {"the paper's oscillator",
+          "",
+          {Machine{model::friction_oscillator<Rational>(machine.data, machine.ur)}, false},
+          options + "--ur " + to_string(machine.ur)};
+}
+
 std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
   if (options.file.values || options.file.empty()) {
     return std::nullopt;
   }
   const std::string text = report::tools::read_file(options.file.name);
   const auto read = machine_in_tables(text, options.file.name);
-  return read ? std::optional(GivenInTables{options.file.name, text, *read}) : std::nullopt;
+  return read ? std::optional(GivenInTables{.file = options.file.name, .text = text, .read = *read})
+              : std::nullopt;
 }
 
 namespace {

@@ -7,8 +7,10 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/machine_file.hpp"
 #include "cli/machine_tables.hpp"
 #include "core/error.hpp"
+#include "numeric/words/word_orbit.hpp"
 #include "report/machines/results.hpp"
 
 namespace stickslip::cli {
@@ -17,8 +19,12 @@ namespace stickslip::cli {
 struct GivenInTables {
   std::string file, text;
   MachineInTables read;
+  std::string options = "--params " + file;  // that give it to a command
 };
 
+// The paper's oscillator as one; `why`, an option, is for no machine in SI units that is not in tables.
+[[nodiscard]] GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
+                                      const char * why);
 // Nothing if no file is given, or the file is none of these.
 [[nodiscard]] std::optional<GivenInTables> given_in_tables(const GivenMachine& options);
 

@@ -63,13 +63,27 @@ ExitCode steady(const GivenInTables& given, const Options& o) {
 
 }  // namespace
 
+ExitCode run_plane(const GivenInTables& given, const AttractorsOptions& o) {
+  return told(given, o, "following the starts ...", basins_answer);
+}
+
+ExitCode run_set(const GivenInTables& given, const SimulateOptions& o) {
+  const report::machines::SetMotion result = [&] {
+    const Interruptible scope;
+    const Progress progress("following the set ...");
+    return set_answer(given, o);
+  }();
+  print_told(result, o.json);
+  return result.set.interrupted ? exit_interrupted : result.set.open.empty() ? exit_decided : exit_undecided;
+}
+
 std::optional<ExitCode> run_in_tables(const AttractorsOptions& o) {
   const auto given = given_in_tables(o);
   if (!given) {
     return std::nullopt;
   }
   constexpr const char * doing = "following the starts ...";
-  return o.plane            ? told(*given, o, doing, basins_answer)
+  return o.plane            ? run_plane(*given, o)
          : !o.along.empty() ? told(*given, o, doing, diagram_answer)
                             : told(*given, o, doing, answered);
 }
@@ -96,15 +110,7 @@ std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
     return std::nullopt;
   }
   if (o.set) {
-    const report::machines::SetMotion result = [&] {
-      const Interruptible scope;
-      const Progress progress("following the set ...");
-      return set_answer(*given, o);
-    }();
-    print_told(result, o.json);
-    return result.set.interrupted    ? exit_interrupted
-           : result.set.open.empty() ? exit_decided
-                                     : exit_undecided;
+    return run_set(*given, o);
   }
   require_outputs(o);
   std::optional<report::tools::PendingFile> file;

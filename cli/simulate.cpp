@@ -1,4 +1,5 @@
 // stickslip simulate: the motion under the friction law from any state.
+#include <fmt/format.h>
 
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
+#include "cli/machine_answers.hpp"
 #include "core/interruption.hpp"
 #include "numeric/simulation/record.hpp"
 #include "numeric/simulation/simulation.hpp"
@@ -109,6 +111,18 @@ void require_places(const SimulateOptions& options) {
   require_outputs(options);
 }
 
+// The same motion of a machine in tables.
+SimulateOptions as_typed(const MotionAsked& asked, SimulateOptions options) {
+  options.example.clear();
+  options.orbit.clear();
+  options.typed.erase("--orbit");
+  options.perturb.reset();
+  const State::value_type * X = asked.from.start.X.data();
+  options.state = State(X, X + asked.from.start.X.size());
+  options.parameters = {{"phi", fmt::format("{:.17g}", asked.from.start.phi)}};
+  return options;
+}
+
 // Without settling.
 Simulated simulate(const MotionAsked& asked, const SimulateOptions& options, const Units& units) {
   Simulated simulated;
@@ -136,9 +150,6 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
   if (const auto done = run_in_tables(options)) {
     return *done;
   }
-  if (options.set) {
-    throw UsageError("--set is for a machine in tables");
-  }
   require_places(options);
   const auto [file, units, asked] = [&] {
     const Progress progress("searching for orbits ...");
@@ -146,6 +157,9 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
   }();
   if (!asked.from.leaves.empty()) {
     tell(asked.from.leaves);
+  }
+  if (options.set) {
+    return run_set(as_tables(asked.from.machine, file, "--set"), as_typed(asked, options));
   }
   Simulated simulated = simulate(asked, options, units);
   if (options.csv == Samples::standard_output) {

@@ -198,7 +198,7 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   const Exponential& known = *found;
   const Ball d = h - known.middle;
   if (is_zero(d)) {
-    return zeros::product(known.of_middle, X);
+    return sparse_product(known.of_middle, X);
   }
   const Ball s = Ball(norm * abs(d)).upper();
   const double radius = Ball(norm * d.radius()).approximate();
@@ -230,7 +230,7 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   for (Eigen::Index i = 0; i < X.size(); ++i) {
     X.data()[i] += Ball::hull(-R, R);
   }
-  return zeros::product(known.of_middle, X);
+  return sparse_product(known.of_middle, X);
 }
 
 Matrix LinearPhases::flow(Piece piece, const Ball& h) const {

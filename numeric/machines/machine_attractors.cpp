@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +11,7 @@
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/attractors/attractors.hpp"
-#include "numeric/machines/neighbourhood.hpp"
+#include "numeric/machines/reaching.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -23,8 +21,6 @@ namespace {
 
 // Two simulated motions nearer than this, in parts of their size, are one.
 constexpr double same_motion = 1e-6;
-// Of a pixel that is followed.
-constexpr long bits_of_pixels = 128;
 
 std::vector<Eigen::VectorXd> random_starts(const model::FrictionOscillator<double>& o, long count,
                                            std::uint64_t seed) {
@@ -242,20 +238,15 @@ MachineBasins in_plane(MachineBasins basins) {
     }
     all.push_back(a.orbit ? a.orbit->neighbourhood : nullptr);
   }
-  Matrix S = Matrix::Constant(box.half.size(), 2, Ball(0));
+  Pixels pixels{basins.starts, basins.across, {}};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    S(basins.across[axis], static_cast<Eigen::Index>(axis)) =
-        Ball(box.half(basins.across[axis]) / static_cast<double>(basins.pixels[axis]) * (1 + 1e-12));
+    pixels.half[axis] = box.half(basins.across[axis]) / static_cast<double>(basins.pixels[axis]);
   }
-  const WorkingPrecision scope(bits_of_pixels);
-  tbb::enumerable_thread_specific<Reaching> reaching([&] { return Reaching(machine, all); });
-  const auto reached = parallel_map(basins.starts.size(), [&](std::size_t i) {
-    return interrupted() ? std::nullopt : reaching.local()(basins.starts[i].cast<Ball>(), S);
-  });
+  const auto ends = reached(machine, pixels, all);
   basins.proved.clear();
   for (std::size_t i = 0; i < basins.starts.size(); ++i) {
-    basins.proved.push_back(reached[i] ? 1 : 0);
-    basins.ends[i] = reached[i].value_or(basins.ends[i]);
+    basins.proved.push_back(ends[i] ? 1 : 0);
+    basins.ends[i] = ends[i].value_or(basins.ends[i]);
   }
   basins.interrupted = basins.interrupted || interrupted();
   return basins;

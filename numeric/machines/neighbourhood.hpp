@@ -49,24 +49,4 @@ struct Neighbourhood {
 [[nodiscard]] Neighbourhood neighbourhood_of(const words::WordQuestion& machine,
                                              const words::WordOrbit& orbit, long most_phases = 12000);
 
-// Which of some neighbourhoods motions reach.
-class Reaching {
- public:
-  // At the working precision; those that are not proved are reached by none.
-  Reaching(const Machine& machine, std::vector<std::shared_ptr<const Neighbourhood>> all);
-
-  // That which all motions from middle + S e at load phase 0, |e_k| <= 1, are proved to reach within so many
-  // periods of the load, or of the orbits; nothing if they are not.
-  [[nodiscard]] std::optional<std::size_t> operator()(const Vector& middle, const Matrix& S,
-                                                      long most_periods = 30) const;
-
- private:
-  [[nodiscard]] std::optional<std::size_t> in_periods(SetOfMotions set, long most_periods) const;
-  [[nodiscard]] std::optional<std::size_t> at_events(SetOfMotions set, long most_periods) const;
-
-  SetFlow flow_;
-  bool autonomous_;
-  std::vector<std::shared_ptr<const Neighbourhood>> all_;
-};
-
 }  // namespace stickslip::numeric::machines

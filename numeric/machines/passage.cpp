@@ -26,17 +26,17 @@ Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const 
     return result;
   }
   const Matrix& B = phases.drift(piece);
-  Passage result{{}, product(B, w), {}, {}, {}, {}};
+  Passage result{{}, sparse_product(B, w), {}, {}, {}, {}};
   if (with_derivative) {
     const Matrix& flow = result.flow = phases.flow(piece, h);
     const Eigen::Index loads = flow.cols() - states;
-    result.reached = product(flow, w);
+    result.reached = sparse_product(flow, w);
     result.derivative = flow.topLeftCorner(states, states);
     result.by_time = product(flow.topRightCorner(states, loads), result.leaves.tail(loads));
   } else {
     result.reached = phases.after(piece, h, w);
   }
-  result.arrives = product(B, result.reached);
+  result.arrives = sparse_product(B, result.reached);
   return result;
 }
 
@@ -63,7 +63,7 @@ Vector event_between(const LinearPhases& phases, const Piece& piece, const Piece
 }
 
 Matrix after_duration(const Passage& passage, const Spread& from) {
-  Matrix state = product(passage.derivative, from.state);
+  Matrix state = sparse_product(passage.derivative, from.state);
   for (Eigen::Index k = 0; k < state.cols(); ++k) {
     if (!is_zero(from.time(k))) {
       state.col(k) += passage.by_time * from.time(k);

@@ -13,7 +13,6 @@ namespace stickslip::numeric::machines {
 
 using motion::PhaseKind;
 using zeros::in_double;
-using zeros::product;
 
 namespace {
 
@@ -70,9 +69,9 @@ void move_offset(SetOfMotions& to, const SetOfMotions& from, const Matrix& by_u,
   to.exact = midpoints(y);
   to.frame = frame_of(columns);
   const Matrix back = to.frame.transpose();
-  to.offset = Vector(product(Matrix(product(back, Matrix(product(by_u, from.frame)))), from.offset)) +
-              Vector(product(back, Vector(y - to.exact)));
-  const Vector here = to.exact + Vector(product(to.frame, to.offset));
+  to.offset = sparse_product(sparse_product(back, sparse_product(by_u, from.frame)), from.offset) +
+              sparse_product(back, Vector(y - to.exact));
+  const Vector here = to.exact + sparse_product(to.frame, to.offset);
   for (Eigen::Index i = 0; i < here.size(); ++i) {
     narrow(to.middle.value(i), here(i));
     // The way from exact to u(0) lies in what derivatives are looked at over.
@@ -103,28 +102,42 @@ After after(const Passage& passage, const Matrix& drift, const Dependence& u, Ei
   M.bottomRows(states) = P.topRows(states) + Matrix(v.head(states) * h.transpose());
 
   const Eigen::Index parameters = u.first.cols();
-  After result{{Vector(rows), product(M, u.first), {}, {}}, product(u.first.transpose(), h), {}, M};
+  After result{
+      {Vector(rows), sparse_product(M, u.first), {}, {}, {}}, sparse_product(u.first.transpose(), h), {}, M};
   result.u.value.tail(states) = passage.reached.head(states);
-  if (u.second.empty() || passage.flow.size() == 0) {
+  const bool to_second = !u.second.empty() && passage.flow.size() != 0;
+  if (u.along.size() == 0 && !to_second) {
     return result;
   }
-  // The longest second derivatives lie along the frame's first axes.
+  // What is longest lies along the frame's first axes.
   result.u.frame = words::orthogonal(in_double(M) * in_double(u.frame));
   const Matrix back = result.u.frame.transpose();
-  const Matrix along = product(back, Matrix(product(M, u.frame)));
-  const Vector h_along = product(u.frame.transpose(), h);
+  const Matrix along = sparse_product(back, sparse_product(M, u.frame));
+  if (u.along.size() != 0) {
+    result.u.along = sparse_product(along, u.along);
+    const Matrix first = sparse_product(result.u.frame, result.u.along);
+    for (Eigen::Index i = 1; i < rows; ++i) {
+      for (Eigen::Index k = 0; k < parameters; ++k) {
+        narrow(result.u.first(i, k), first(i, k));
+      }
+    }
+  }
+  if (!to_second) {
+    return result;
+  }
+  const Vector h_along = sparse_product(u.frame.transpose(), h);
   Vector turns = Vector::Constant(drift.rows(), Ball(0));
-  turns.tail(loads) = Vector(product(drift, passage.leaves)).tail(loads);
-  turns = product(passage.flow, turns);
-  const Vector a = product(drift, v);
-  const Matrix change = sparse_product(drift, Matrix(product(P, u.first)));
+  turns.tail(loads) = sparse_product(drift, passage.leaves).tail(loads);
+  turns = sparse_product(passage.flow, turns);
+  const Vector a = sparse_product(drift, v);
+  const Matrix change = sparse_product(drift, sparse_product(P, u.first));
   const Vector& longer = result.longer;
   result.longer_by = Matrix::Constant(parameters, parameters, Ball(0));
   result.u.second.assign(static_cast<std::size_t>(parameters), Matrix(rows, parameters));
   for (Eigen::Index k = 0; k < parameters; ++k) {
     const auto at_k = static_cast<std::size_t>(k);
-    const Matrix linear = product(along, u.second[at_k]);
-    const Vector of_h = product(u.second[at_k].transpose(), h_along);
+    const Matrix linear = sparse_product(along, u.second[at_k]);
+    const Vector of_h = sparse_product(u.second[at_k].transpose(), h_along);
     for (Eigen::Index l = k; l < parameters; ++l) {
       Vector y = change.col(k) * longer(l) + change.col(l) * longer(k) + a * Ball(longer(k) * longer(l));
       if (!is_zero(u.first(0, k)) && !is_zero(u.first(0, l))) {
@@ -134,7 +147,7 @@ After after(const Passage& passage, const Matrix& drift, const Dependence& u, Ei
       more(0) = event == nullptr ? Ball(0) : Ball(-dot(*event, y) / rate);
       more.tail(states) = y.head(states) + v.head(states) * more(0);
       result.longer_by(k, l) = result.longer_by(l, k) = of_h(l) + more(0);
-      const Vector second = linear.col(l) + Vector(product(back, more));
+      const Vector second = linear.col(l) + sparse_product(back, more);
       result.u.second[at_k].col(l) = second;
       result.u.second[static_cast<std::size_t>(l)].col(k) = second;
     }
@@ -145,7 +158,7 @@ After after(const Passage& passage, const Matrix& drift, const Dependence& u, Ei
 }  // namespace
 
 Matrix Dependence::derivative_of_first(std::size_t k) const {
-  return product(frame, second[k]);
+  return sparse_product(frame, second[k]);
 }
 
 Ball SetOfMotions::reach(const Vector& row) const {
@@ -169,7 +182,8 @@ SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, 
     set.all.value(i) += set.reach(set.all.first.row(i).transpose());
   }
   set.all.second.assign(static_cast<std::size_t>(parameters), Matrix::Constant(rows, parameters, Ball(0)));
-  set.all.frame = set.frame = Matrix::Identity(rows, rows);
+  set.all.frame = set.middle.frame = set.frame = Matrix::Identity(rows, rows);
+  set.middle.along = set.middle.first;
   set.exact = midpoints(set.middle.value);
   set.offset = set.middle.value - set.exact;
   return set;

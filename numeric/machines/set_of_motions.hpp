@@ -28,6 +28,7 @@ struct Dependence {
   // matrices as they stand are useless (words/sweep.hpp). Empty: unknown.
   std::vector<Matrix> second;
   Matrix frame;
+  Matrix along;  // but for the time, `first` is the frame times this, too; empty: not known
 
   [[nodiscard]] Matrix derivative_of_first(std::size_t k) const;
 };

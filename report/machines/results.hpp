@@ -21,8 +21,9 @@ namespace stickslip::report::machines {
 
 // Where a machine comes from, and its units.
 struct Origin {
-  std::string file;   // as it was given
-  bool in_SI = true;  // kg, N, m, s; else numbers without units
+  std::string file;                          // as it was given
+  bool in_SI = true;                         // kg, N, m, s; else numbers without units
+  std::string options = "--params " + file;  // that give it to a command
 };
 
 // A result with the machine that it is about.

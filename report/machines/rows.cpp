@@ -219,10 +219,10 @@ std::string command_of(const Diagram& result) {
   const MachineDiagram& d = result.diagram;
   const MachineStarts& q = d.question;
   return fmt::format(
-      "stickslip attractors --params {} --along {} {}..{} --values {} --starts {} --seed {} --most-periods "
+      "stickslip attractors {} --along {} {}..{} --values {} --starts {} --seed {} --most-periods "
       "{} "
       "--digits {}",
-      result.origin.file, result.parameter, to_string(d.from), to_string(d.to), d.values, q.starts, q.seed,
+      result.origin.options, result.parameter, to_string(d.from), to_string(d.to), d.values, q.starts, q.seed,
       q.most_periods, q.digits);
 }
 
@@ -230,8 +230,8 @@ std::string command_of(const Basins& result) {
   const MachineBasins& b = result.basins;
   const Seen seen{b.question.machine, result.origin.in_SI};
   return fmt::format(
-      "stickslip attractors --params {} --plane \"{},{}\" --pixels {}{}{} --most-periods {} --digits {}{}",
-      result.origin.file, coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false),
+      "stickslip attractors {} --plane \"{},{}\" --pixels {}{}{} --most-periods {} --digits {}{}",
+      result.origin.options, coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false),
       b.pixels[0], b.through ? " --through=" + numbers(*b.through) : "",
       b.half ? fmt::format(" --window={:.17g},{:.17g}", (*b.half)[0], (*b.half)[1]) : "",
       b.question.most_periods, b.question.digits, b.prove ? " --neighbourhood" : "");
@@ -278,8 +278,8 @@ std::string command_of(const Motion& result) {
 
 std::string command_of(const SetMotion& result) {
   const SetAfterQuestion& q = result.set.question;
-  return fmt::format("stickslip simulate --params {} --state={} --set={}{} --time={:.17g}",
-                     result.origin.file, numbers(q.middle), numbers(q.half),
+  return fmt::format("stickslip simulate {} --state={} --set={}{} --time={:.17g}", result.origin.options,
+                     numbers(q.middle), numbers(q.half),
                      q.theta == 0 ? "" : fmt::format(" --phi={:.17g}", q.theta), q.time);
 }
 

@@ -554,11 +554,33 @@ TEST_CASE("from how far around motions come back, and where a box of starts is")
       [&](const Words& words) { return run(words); });
   check_refused(
       {{{"orbits", "symmetric", "--example", "S", "--neighbourhood"}, exit_usage, "for a word of phases"},
-       {{"simulate", "--example", "S", "--set=1,1,1,1"}, exit_usage, "--set is for a machine in tables"},
-       {{"attractors", "--example", "O", "--plane", "x1,x2", "--neighbourhood"},
-        exit_usage,
-        "--neighbourhood with --plane is for a machine in tables"}},
+       {{"simulate", "--example", "S", "--set=1,1,1"}, exit_usage, "set: "}},
       [](const Words& words) { return stickslip_program(words); });
+}
+
+TEST_CASE("sets of starts of the paper's oscillator are followed as those of a machine in tables") {
+  const Words start{"simulate", "--example", "O", "--state=1.344,3.70,-0.41,0.99", "--time", "20", "--json"};
+  const Json set = Json::parse(stickslip_program(with(start, {"--set=1e-3,1e-3,0,1e-3"})).out);
+  CHECK(set.at("proved").get<double>() == doctest::Approx(1));
+  CHECK(set.at("command").get<std::string>().starts_with("stickslip simulate --chi 0.2 --eta 4 "));
+  const Json end = Json::parse(stickslip_program(start).out).at("end").at("state");
+  bool held = false;
+  for (const Json& part : set.at("parts")) {
+    bool here = true;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Json& range = part.at("then").at(k);
+      const double mid = std::stod(range.at("mid").get<std::string>());
+      const double rad = std::stod(range.at("rad").get<std::string>());
+      here = here && std::abs(end.at(k).get<double>() - mid) <= rad;
+    }
+    held = held || here;
+  }
+  CHECK(held);
+  const Json plane = Json::parse(
+      stickslip_program({"attractors", "--example", "O", "--plane", "x1,x2", "--window", "1e-4,1e-4",
+                         "--through", "1.3447,3.699,-0.4126,1", "--pixels", "2", "--neighbourhood", "--json"})
+          .out);
+  CHECK(plane.at("proved") == 1.0);
 }
 
 TEST_CASE("what does not go with a machine in tables is refused in a sentence") {

@@ -12,7 +12,7 @@
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/zeros/linear_solve.hpp"
-#include "tests/numeric/examples.hpp"
+#include "tests/numeric/machines/neighbourhoods.hpp"
 
 using namespace stickslip;
 using namespace stickslip::examples;
@@ -20,24 +20,6 @@ using namespace stickslip::numeric;
 using namespace stickslip::numeric::machines;
 
 namespace {
-
-using Simulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
-
-// The paper's oscillator with C = share K.
-Machine with_damping(const ExactParameters& data, const Rational& ur, const Rational& share = 0) {
-  Machine machine{model::friction_oscillator<Rational>(data, ur)};
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    machine.oscillator.damping.data()[i] = Rational(share * machine.oscillator.stiffness.data()[i]);
-  }
-  return machine;
-}
-
-Machine damped_O(const Rational& share = Rational(1, 500)) {
-  return with_damping(O(), Rational("45899365993320057/100000000000000000"), share);
-}
-Machine P_with_period_3() {
-  return with_damping(motion::parse_parameters("3/10", "4", "1/10", "0", "3/5", "1"), Rational("2996/10000"));
-}
 
 // One mass whose friction falls, in three pieces, and no load: it sticks and slips.
 Machine stick_slip() {
@@ -77,21 +59,6 @@ Case case_of(const Machine& machine, const Eigen::VectorXd& X, long most_phases)
   CAPTURE(result.found.verdict.reason);
   REQUIRE(result.found.verdict.truth == Truth::proved);
   return result;
-}
-
-// c + S z with |z| = size.
-Eigen::VectorXd member(const Neighbourhood& n, double size, std::mt19937_64& engine) {
-  std::normal_distribution<double> normal;
-  Eigen::VectorXd z(n.S.cols());
-  for (double& x : z) {
-    x = normal(engine);
-  }
-  return zeros::in_double(n.centre) + zeros::in_double(n.S) * Eigen::VectorXd(z * (size / z.norm()));
-}
-
-// How far a state is from c, in parts of the set.
-double place(const Neighbourhood& n, const Eigen::VectorXd& X) {
-  return (zeros::in_double(n.inverse) * (X - zeros::in_double(n.centre))).norm() / n.radius;
 }
 
 // From the set's edge and from inside: each return is nearer than the start, and in the end all are at c.
