@@ -18,6 +18,14 @@ using attractors::Kind;
 
 namespace {
 
+std::string proved_in_words(const MachineBasins& b) {
+  return fmt::format(
+      "of {} of {} pixels, {:.4g} %: all of their starts converge to the orbit; of the others the middles "
+      "are "
+      "followed in floating point",
+      std::ranges::count(b.proved, char{1}), b.proved.size(), 100 * proved_share(b));
+}
+
 Seen seen_in(const Diagram& result) {
   return {result.diagram.question.machine, result.origin.in_SI};
 }
@@ -117,10 +125,7 @@ std::string terminal_report(const Basins& result, const Style& style) {
   }
   const MachineBasins& b = result.basins;
   if (b.prove) {
-    head.push_back({{"proved"},
-                    {fmt::format("of {} of {} pixels: all of their starts converge to the orbit; of the "
-                                 "others the middles are followed in floating point",
-                                 std::ranges::count(b.proved, char{1}), b.proved.size())}});
+    head.push_back({{"proved"}, {proved_in_words(b)}});
   }
   std::string text =
       titled("Where starts in a plane end", head, style) + "\n" + columns_of(rows, style.width);
@@ -231,7 +236,8 @@ Json along_data(const Diagram& result) {
 Json basins_data(const Basins& result) {
   const std::string plane = plane_in_words(result);
   const bool autonomous = seen_in(result).oscillator().is_autonomous();
-  return {{"words", "Where starts in the plane of " + plane + " end."},
+  const std::string proved = result.basins.prove ? " Proved " + proved_in_words(result.basins) + "." : "";
+  return {{"words", "Where starts in the plane of " + plane + " end." + proved},
           {"picture_in_words", fmt::format("Starts in the plane of {}: {}.", plane,
                                            ends_of(result.basins.attractors, autonomous, 1))}};
 }

@@ -524,13 +524,16 @@ TEST_CASE("from how far around motions come back, and where a box of starts is")
   const Json start =
       Json::parse(run({"attractors", "--starts", "1", "--json"}).out).at("attractors").at(0).at("state");
   const std::string through = start.at(0).dump() + "," + start.at(1).dump();
-  const Run plane = run({"attractors", "--plane", "x1,x1'", "--through=" + through, "--window", "1e-4,1e-4",
-                         "--pixels", "3", "--neighbourhood", "--json", "--plot", picture});
+  const Run plane =
+      run({"attractors", "--plane", "x1,x1'", "--through=" + through, "--window", "1e-4,1e-4", "--pixels",
+           "3", "--neighbourhood", "--json", "--plot", picture, "--out", directory / "page"});
   CHECK(plane.code == exit_decided);
   const Json pixels = Json::parse(plane.out);
   CHECK(pixels.at("proved") == 1.0);
   CHECK(pixels.at("proved_at") == Json{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
   CHECK(std::filesystem::exists(picture));
+  CHECK(stickslip::report::tools::read_file(directory / "page/index.html")
+            .find("Proved of 9 of 9 pixels, 100 %") != std::string::npos);
 
   const Run box = run({"simulate", "--state=" + through, "--set=1e-4,1e-4", "--periods", "2"});
   CHECK(box.code == exit_decided);
