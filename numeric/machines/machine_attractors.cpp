@@ -238,7 +238,7 @@ MachineBasins in_plane(MachineBasins basins) {
     }
     all.push_back(a.orbit ? a.orbit->neighbourhood : nullptr);
   }
-  Pixels pixels{basins.starts, basins.across, {}};
+  Pixels pixels{basins.starts, basins.across, {}, basins.pixels};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     pixels.half[axis] = box.half(basins.across[axis]) / static_cast<double>(basins.pixels[axis]);
   }

@@ -16,6 +16,12 @@ namespace {
 
 constexpr long bits_of_pixels = 64;
 
+// Pixels of some columns and rows.
+struct Block {
+  std::array<long, 2> from, count;
+};
+constexpr long largest_block = 4;  // to a side
+
 }  // namespace
 
 Reaching::Reaching(const Machine& machine, std::vector<std::shared_ptr<const Neighbourhood>> all)
@@ -99,16 +105,54 @@ std::vector<std::optional<std::size_t>> reached(const Machine& machine, const Pi
                                                 std::vector<std::shared_ptr<const Neighbourhood>> all) {
   const WorkingPrecision scope(bits_of_pixels);
   tbb::enumerable_thread_specific<Reaching> reaching([&] { return Reaching(machine, all); });
-  Matrix S = Matrix::Constant(pixels.starts.front().size(), 2, Ball(0));
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    // Middles are rounded: a little more, so that no start between two pixels is missed.
-    const int k = pixels.across[axis];
-    const double far = std::max(std::abs(pixels.starts.front()(k)), std::abs(pixels.starts.back()(k)));
-    S(k, static_cast<Eigen::Index>(axis)) = Ball(pixels.half[axis] + 0x1p-48 * (far + pixels.half[axis]));
+  const auto place = [&](long column, long row) {
+    return static_cast<std::size_t>(row * pixels.count[0] + column);
+  };
+  const auto reach = [&](const Block& block) {
+    const auto& first = pixels.starts[place(block.from[0], block.from[1])];
+    const auto& last =
+        pixels.starts[place(block.from[0] + block.count[0] - 1, block.from[1] + block.count[1] - 1)];
+    Matrix S = Matrix::Constant(first.size(), 2, Ball(0));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      // Middles are rounded: a little more, so that no start between two pixels is missed.
+      const int k = pixels.across[axis];
+      const double half = static_cast<double>(block.count[axis]) * pixels.half[axis];
+      S(k, static_cast<Eigen::Index>(axis)) =
+          Ball(half + 0x1p-48 * (std::abs(first(k)) + std::abs(last(k)) + half));
+    }
+    const Eigen::VectorXd middle = (first + last) / 2;
+    return interrupted() ? std::nullopt : reaching.local()(middle.cast<Ball>(), S);
+  };
+  std::vector<std::optional<std::size_t>> result(pixels.starts.size());
+  std::vector<Block> open;
+  for (long row = 0; row < pixels.count[1]; row += largest_block) {
+    for (long column = 0; column < pixels.count[0]; column += largest_block) {
+      open.push_back({{column, row},
+                      {std::min(largest_block, pixels.count[0] - column),
+                       std::min(largest_block, pixels.count[1] - row)}});
+    }
   }
-  return parallel_map(pixels.starts.size(), [&](std::size_t i) {
-    return interrupted() ? std::nullopt : reaching.local()(pixels.starts[i].cast<Ball>(), S);
-  });
+  while (!open.empty() && !interrupted()) {
+    const auto ends = parallel_map(open.size(), [&](std::size_t i) { return reach(open[i]); });
+    std::vector<Block> next;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Block& block = open[i];
+      for (long row = 0; ends[i] && row < block.count[1]; ++row) {
+        std::fill_n(result.begin() + static_cast<long>(place(block.from[0], block.from[1] + row)),
+                    block.count[0], ends[i]);
+      }
+      const std::size_t axis = block.count[1] > block.count[0] ? 1 : 0;
+      if (!ends[i] && block.count[axis] > 1) {
+        Block one = block, other = block;
+        one.count[axis] /= 2;
+        other.from[axis] += one.count[axis];
+        other.count[axis] -= one.count[axis];
+        next.insert(next.end(), {one, other});
+      }
+    }
+    open = next;
+  }
+  return result;
 }
 
 }  // namespace stickslip::numeric::machines
