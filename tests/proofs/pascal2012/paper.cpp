@@ -20,11 +20,6 @@ using numeric::OrbitList;
 
 namespace {
 
-const Audit& whole() {
-  static const Audit result = audit(paper().claims);
-  return result;
-}
-
 // All numbers l in l < x.
 void numbers_below(const kernel::Term& term, std::vector<double>& found) {
   if (term.kind() == kernel::Kind::less && term.parts()[0].kind() == kernel::Kind::number) {
@@ -37,47 +32,6 @@ void numbers_below(const kernel::Term& term, std::vector<double>& found) {
 
 }  // namespace
 
-// What the paper takes for granted, or asserts, and is not so.
-const std::set<std::string> refuted{"12.enough", "14.enough",   "18.enough", "19.enough",  "25.enough",
-                                    "26.enough", "37.enough",   "4.defined", "4.lag.only", "4.unique",
-                                    "7.only",    "7.only.half", "7.steady",  "S.data"};
-
-TEST_CASE("nothing is left open, and what is proved says how") {
-  for (const Record& r : whole().records) {
-    CAPTURE(r.claim.id);
-    CAPTURE(r.outcome.verdict.reason);
-    CHECK(r.status != Status::undecided);
-    CHECK(r.status != Status::rests_on_unproved);
-    CHECK((r.status == Status::checked) ==
-          (r.claim.id.ends_with(".raw") || r.claim.id.ends_with(".attractors")));
-    CHECK((r.status == Status::refuted) == refuted.contains(r.claim.id));
-    CHECK(r.claim.words.size() > 0);
-    if (r.status != Status::model) {
-      CHECK(r.outcome.route.size() > 0);
-    }
-    if (r.outcome.verdict.truth != Truth::proved) {
-      CHECK(r.outcome.verdict.reason.size() > 0);
-    }
-  }
-}
-
-TEST_CASE(
-    "what does not hold as the paper has it, and is no number, has a remark, and nothing else but two has") {
-  // What needs a hypothesis that the text hides: (67) is divided by q_2, and the abstract leaves out one.
-  const std::set<std::string> hidden{"67.sin", "7.always"};
-  for (const Record& r : whole().records) {
-    CAPTURE(r.claim.id);
-    if (hidden.contains(r.claim.id)) {
-      CHECK(r.status == Status::needs_hypotheses);
-      CHECK(remark_on(paper(), r.claim.id) != nullptr);
-      continue;
-    }
-    const bool fails = r.status == Status::refuted || r.status == Status::misprint_corrected ||
-                       r.status == Status::necessary_not_sufficient;
-    CHECK((remark_on(paper(), r.claim.id) != nullptr) == fails);
-  }
-}
-
 TEST_CASE("a result of the audit is a claim that stands, or the refutation of one of the paper's") {
   for (const Result& result : paper().results) {
     CAPTURE(result.id);
@@ -87,40 +41,6 @@ TEST_CASE("a result of the audit is a claim that stands, or the refutation of on
     for (const std::string& id : result.claims) {
       CAPTURE(id);
       CHECK(facts(record(id).status).decided);
-    }
-  }
-}
-
-TEST_CASE("every hypothesis that a proof brings in is judged, by claims that stand") {
-  std::set<std::string> judged;
-  for (const Judgement& judgement : paper().judgements) {
-    CHECK(judged.insert(judgement.origin).second);
-    CHECK_FALSE(judgement.shown_by.empty());
-    for (const std::string& id : judgement.shown_by) {
-      CAPTURE(id);
-      CHECK(record(id).outcome.verdict.truth == Truth::proved);
-      // What shows that a hypothesis does not matter does without it.
-      for (const Hypothesis& hypothesis : record(id).outcome.hypotheses) {
-        CHECK((judgement.matters || hypothesis.origin != judgement.origin));
-      }
-    }
-  }
-  CHECK(record("16").converse->verdict.truth == Truth::refuted);  // what 16.back's judgement says
-  std::set<std::string> origins;
-  for (const Record& r : whole().records) {
-    const Outcome& last = final_outcome(r);
-    for (const Hypothesis& hypothesis : last.hypotheses) {
-      origins.insert(hypothesis.origin);
-    }
-  }
-  CHECK(origins == judged);
-}
-
-TEST_CASE("Appendix 1 holds for all parameters, without hypotheses") {
-  for (const Record& r : whole().records) {
-    if (r.claim.place == "A1") {
-      CAPTURE(r.claim.id);
-      CHECK(r.status == (r.claim.origin == Origin::paper ? Status::as_printed : Status::proved));
     }
   }
 }
