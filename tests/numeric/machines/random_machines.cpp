@@ -166,7 +166,7 @@ double gap(const model::FrictionOscillator<double>& o, const MachineOrbit& orbit
   return largest;
 }
 
-// Of so many machines.
+// Of so many machines, of which so many at least have periodic motions.
 void check_random_machines(bool smooth, int rounds, int least) {
   RandomMachines random(smooth);
   int periodic = 0, proved = 0, stable = 0;

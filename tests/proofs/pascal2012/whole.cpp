@@ -28,7 +28,8 @@ const std::set<std::string> refuted{"12.enough", "14.enough",   "18.enough", "19
 
 }  // namespace
 
-TEST_SUITE_BEGIN("the_whole_audit");
+// Skipped where each case is asked for alone; tests/CMakeLists.txt asks for all of them.
+TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
 TEST_CASE("nothing is left open, and what is proved says how") {
   for (const Record& r : whole().records) {
