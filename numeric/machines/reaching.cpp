@@ -37,8 +37,7 @@ Reaching::Reaching(const Machine& machine, std::vector<std::shared_ptr<const Nei
   }
 }
 
-std::optional<std::size_t> Reaching::operator()(const Vector& middle, const Matrix& S,
-                                                long most_periods) const {
+std::optional<std::size_t> Reaching::operator()(const Vector& middle, const Matrix& S, long most_periods) {
   SetOfMotions set = set_at(Ball(0), {}, middle, S, false);
   const auto piece = flow_.piece_of(set.all.value.tail(middle.size()), Ball(0));
   if (!piece) {
@@ -48,7 +47,7 @@ std::optional<std::size_t> Reaching::operator()(const Vector& middle, const Matr
   return autonomous_ ? at_events(set, most_periods) : in_periods(set, most_periods);
 }
 
-std::optional<std::size_t> Reaching::in_periods(SetOfMotions set, long most_periods) const {
+std::optional<std::size_t> Reaching::in_periods(SetOfMotions set, long most_periods) {
   const Ball period = Ball(2) * Ball::pi() / flow_.phases().oscillator().omega;
   // In the order of the phases of the load.
   std::vector<std::pair<Ball, std::size_t>> times;

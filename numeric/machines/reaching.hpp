@@ -18,14 +18,14 @@ class Reaching {
   // That which all motions from middle + S e at load phase 0, |e_k| <= 1, are proved to reach within so many
   // periods of the load, or of the orbits; nothing if they are not.
   [[nodiscard]] std::optional<std::size_t> operator()(const Vector& middle, const Matrix& S,
-                                                      long most_periods = 30) const;
+                                                      long most_periods = 30);
 
  private:
-  [[nodiscard]] std::optional<std::size_t> in_periods(SetOfMotions set, long most_periods) const;
+  [[nodiscard]] std::optional<std::size_t> in_periods(SetOfMotions set, long most_periods);
   [[nodiscard]] std::optional<std::size_t> at_events(SetOfMotions set, long most_periods) const;
 
   SetFlow flow_;
-  mutable simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation_;
+  simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation_;
   bool autonomous_;
   std::vector<std::shared_ptr<const Neighbourhood>> all_;
 };

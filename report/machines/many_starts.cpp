@@ -8,6 +8,7 @@
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/layout.hpp"
+#include "report/tools/numbers.hpp"
 
 namespace stickslip::report::machines {
 
@@ -20,10 +21,9 @@ namespace {
 
 std::string proved_in_words(const MachineBasins& b) {
   return fmt::format(
-      "of {} of {} pixels, {:.4g} %: all of their starts converge to the orbit; of the others the middles "
-      "are "
+      "of {} of {} pixels, {} %: all of their starts converge to the orbit; of the others the middles are "
       "followed in floating point",
-      std::ranges::count(b.proved, char{1}), b.proved.size(), 100 * proved_share(b));
+      std::ranges::count(b.proved, char{1}), b.proved.size(), report::tools::below(100 * proved_share(b), 4));
 }
 
 Seen seen_in(const Diagram& result) {

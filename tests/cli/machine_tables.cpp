@@ -555,9 +555,19 @@ TEST_CASE("from how far around motions come back, and where a box of starts is")
        {{"simulate", "--state=0,0", "--set=1,-1"}, exit_domain, "half width"},
        {{"simulate", "--state=0,0", "--set=1,1", "--every", "1"}, exit_usage, "--every is for one motion"}},
       [&](const Words& words) { return run(words); });
+  const std::string in_SI = directory / "machine.toml";
+  std::ofstream(in_SI) << "m1 = 2.5\nm2 = 0.8\nk1 = 1200\nk2 = 450\nnormal_force = 30\n"
+                          "friction_at_rest = 0.45\nfriction_sliding = 0.3\nbelt_velocity = 0.05\n"
+                          "load_amplitude = 12\nload_frequency = 3.2\n";
   check_refused(
       {{{"orbits", "symmetric", "--example", "S", "--neighbourhood"}, exit_usage, "for a word of phases"},
-       {{"simulate", "--example", "S", "--set=1,1,1"}, exit_usage, "set: "}},
+       {{"simulate", "--example", "S", "--set=1,1,1"}, exit_usage, "set: "},
+       {{"simulate", "--params", in_SI, "--state=0,0,0,0", "--set=1,1,1,1"},
+        exit_usage,
+        "--set wants " + in_SI + " in tables"},
+       {{"attractors", "--params", in_SI, "--plane", "x1,x2", "--window", "1,1"},
+        exit_usage,
+        "or --window wants " + in_SI + " in tables"}},
       [](const Words& words) { return stickslip_program(words); });
 }
 

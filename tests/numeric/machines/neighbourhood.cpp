@@ -13,6 +13,7 @@
 #include "numeric/machines/settle.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"
+#include "tests/numeric/machines/one_mass.hpp"
 
 using namespace stickslip;
 using namespace stickslip::examples;
@@ -23,20 +24,9 @@ namespace {
 
 // One mass whose friction falls, in three pieces, and no load: it sticks and slips.
 Machine stick_slip() {
-  Machine machine;
-  auto& o = machine.oscillator;
-  o.masses = {Rational(1)};
-  o.stiffness = model::MatrixX<Rational>::Constant(1, 1, Rational(1));
-  o.damping = model::MatrixX<Rational>::Constant(1, 1, Rational(1, 10));
-  o.rubbing = 0;
-  o.V = Rational(1);
-  const model::FrictionLaw<Rational> law{
-      Rational(1),
-      {{Rational(0), Rational(9, 10), Rational(-1, 2)}, {Rational(1), Rational(2, 5), Rational(0)}}};
-  o.forward = law;
-  o.backward = law;
-  o.omega = Rational(1);
-  return machine;
+  return one_mass(Rational(1), {Rational(1),
+                                {{Rational(0), Rational(9, 10), Rational(-1, 2)},
+                                 {Rational(1), Rational(2, 5), Rational(0)}}});
 }
 
 Eigen::VectorXd start_of_damped() {

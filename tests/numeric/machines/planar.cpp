@@ -12,24 +12,16 @@
 #include "numeric/machines/planar_basin.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/machines/steady_sliding.hpp"
+#include "tests/numeric/machines/one_mass.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::machines;
 
 namespace {
 
-// On a spring with a dashpot 1/10, friction between 1 and 1/2.
+// Friction between 1 and 1/2.
 Machine on_belt(const Rational& V, model::Fall fall = model::Fall::exponential, const Rational& at_rest = 1) {
-  Machine machine;
-  auto& o = machine.oscillator;
-  o.masses = {Rational(1)};
-  o.stiffness = model::MatrixX<Rational>::Constant(1, 1, Rational(1));
-  o.damping = model::MatrixX<Rational>::Constant(1, 1, Rational(1, 10));
-  o.rubbing = 0;
-  o.V = V;
-  o.forward = smooth_law(at_rest, {fall, Rational(1), Rational(1, 2), Rational(1, 2), Rational(0)});
-  o.backward = o.forward;
-  return machine;
+  return one_mass(V, smooth_law(at_rest, {fall, Rational(1), Rational(1, 2), Rational(1, 2), Rational(0)}));
 }
 
 const Rectangle starts{-2, 2, 0, 2};

@@ -6,6 +6,7 @@
 
 #include "tests/numeric/families/random_data.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"
+#include "tests/numeric/machines/one_mass.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;
@@ -17,28 +18,19 @@ constexpr int starts = 10000;
 // Of these the last ones end nearer than this, in parts of the set; what is lost to rounding in double.
 constexpr double arrived = 1e-2, rounding = 1e-11;
 
-// The friction of examples/machines/stribeck.toml.
+// examples/machines/stribeck.toml.
 Machine stribeck() {
-  Machine machine;
-  auto& o = machine.oscillator;
-  o.masses = {Rational(1)};
-  o.stiffness = model::MatrixX<Rational>::Constant(1, 1, Rational(1));
-  o.damping = model::MatrixX<Rational>::Constant(1, 1, Rational(1, 10));
-  o.rubbing = 0;
-  o.V = Rational(13, 10);
-  o.omega = Rational(1);
-  o.forward.at_rest = Rational(1);
+  model::FrictionLaw<Rational> law{Rational(1), {}};
   for (const auto& [from, force] :
        {std::pair(0, 9000), std::pair(200, 7680), std::pair(400, 6797), std::pair(700, 5986),
         std::pair(1000, 5541), std::pair(1500, 5199), std::pair(2000, 5073), std::pair(3000, 5010)}) {
-    o.forward.sliding.push_back({Rational(from) / 1000, Rational(force) / 10000, Rational(0)});
+    law.sliding.push_back({Rational(from) / 1000, Rational(force) / 10000, Rational(0)});
   }
-  for (std::size_t i = 0; i + 1 < o.forward.sliding.size(); ++i) {
-    auto &piece = o.forward.sliding[i], &next = o.forward.sliding[i + 1];
+  for (std::size_t i = 0; i + 1 < law.sliding.size(); ++i) {
+    auto &piece = law.sliding[i], &next = law.sliding[i + 1];
     piece.slope = (next.force - piece.force) / (next.from - piece.from);
   }
-  o.backward = o.forward;
-  return machine;
+  return one_mass(Rational(13, 10), law);
 }
 
 // The next return to where the starts lie; nothing when there is none.
