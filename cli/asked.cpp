@@ -41,6 +41,7 @@ Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Paper& paper) {
   const int digits = digits_of(o.digits, file);
   Units units = units_of(o.si, file, o.json);
   OrbitQuestion asked = question(paper, family, file, digits);
+  asked.neighbourhood = o.neighbourhood;
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
@@ -80,7 +81,11 @@ Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
   }
   Asked<words::WordQuestion> given = asked_machine(of_machine, paper);
   const words::WordQuestion& q = given.question;
-  WordSearch search{q, word, o.period.value_or(1), {}};
+  WordSearch search{.machine = q,
+                    .word = word,
+                    .periods = o.period.value_or(1),
+                    .near = {},
+                    .neighbourhood = o.neighbourhood};
   if (o.near) {
     search.near =
         at_phase_0({motion::parameters_as<double>(q.data), scalars::scalar<double>(q.ur),
@@ -308,7 +313,7 @@ using Attracted = AttractorsOptions;
 
 AttractorQuestion about(const words::WordQuestion& machine, const Attracted& o, int starts) {
   return {machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
-          o.most_periods.value_or(Attracted::default_most_periods)};
+          o.most_periods.value_or(Attracted::default_most_periods), o.neighbourhood};
 }
 
 // The machine from which those of a diagram differ in a value, and those of a picture in their starts.

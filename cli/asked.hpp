@@ -23,6 +23,13 @@ struct Asked {
   Question question;
 };
 
+// Of an answer that is in SI units in JSON, too.
+template <class Options>
+[[nodiscard]] Options as_text(Options options) {
+  options.json = false;
+  return options;
+}
+
 // Of a family; of a word with events; of a word of one phase.
 [[nodiscard]] Asked<numeric::OrbitQuestion> asked_orbits(const OrbitsOptions& options,
                                                          const proofs::methods::Paper& paper);

@@ -11,7 +11,6 @@
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/interruption.hpp"
-#include "numeric/machines/neighbourhood.hpp"
 
 namespace stickslip::cli {
 
@@ -27,10 +26,6 @@ bool is_decided(const WordOrbit& o) {
          (o.orbit.admissible.truth == Truth::refuted ||
           (o.orbit.admissible.truth == Truth::proved &&
            o.orbit.stability->kind != motion::StabilityKind::undecided));
-}
-
-void surround(WordOrbit& orbit, const words::WordQuestion& machine) {
-  orbit.neighbourhood = std::make_shared<machines::Neighbourhood>(machines::neighbourhood_of(machine, orbit));
 }
 
 // Whether motions of one phase are possible, which has no events that a search could go through.
@@ -76,13 +71,7 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   const AttractorList list = [&] {
     const Interruptible scope;
     const Progress progress("following the starts ...");
-    AttractorList found = find_attractors(question);
-    for (Attractor& a : found.attractors) {
-      if (options.neighbourhood && a.orbit) {
-        surround(*a.orbit, question.machine);
-      }
-    }
-    return found;
+    return find_attractors(question);
   }();
   std::optional<Basins> basins;
   if (options.out && !list.interrupted) {
@@ -123,13 +112,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
   const WordOrbits list = [&] {
     const Interruptible scope;
     const Progress progress("searching for orbits ...");
-    WordOrbits found = find_word_orbits(asked.question);
-    for (WordOrbit& orbit : found.orbits) {
-      if (options.neighbourhood) {
-        surround(orbit, asked.question.machine);
-      }
-    }
-    return found;
+    return find_word_orbits(asked.question);
   }();
   print_result(list, asked.file, options.json, asked.units,
                options.all ? report::orbits::InFull::all : report::orbits::InFull::admissible);
@@ -143,13 +126,14 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& paper) {
   if (o.plane && (o.neighbourhood || o.window)) {
-    const auto asked = asked_basins(o, paper);
+    const auto asked = asked_basins(as_text(o), paper);
     AttractorsOptions rest = o;
     rest.example.clear();
     rest.parameters.clear();
-    return run_plane(
-        as_tables(asked.question.machine.machine, asked.file, "--plane with --neighbourhood or --window"),
-        rest);
+    rest.si = false;
+    return run_plane(as_tables(asked.question.machine.machine, asked.file, asked.units,
+                               "--plane with --neighbourhood or --window"),
+                     rest);
   }
   return o.plane ? answer(o, asked_basins(o, paper), basins_of)
                  : answer(o, asked_diagram(o, paper), diagram_of);

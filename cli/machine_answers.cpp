@@ -113,9 +113,20 @@ bool is_decided(const MachineOrbit& orbit) {
 }  // namespace
 
 GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
-                        const char * why) {
+                        const report::orbits::Units& units, const char * why) {
+  if (file.machine && !units.are_SI()) {
+    throw UsageError(
+        fmt::format("{} takes a machine in SI units, such as {}, in these: add --units si", why, file.name));
+  }
   if (file.machine) {
-    throw UsageError(fmt::format("{} wants {} in tables, as doc/any_machine.md has it", why, file.name));
+    if (!file.machine->machine.friction_at_rest) {
+      throw UsageError(
+          fmt::format("{} takes the machine of {}, and the friction at rest of that orbit is another one, a "
+                      "result: give --state",
+                      why, file.name));
+    }
+    return {
+        file.name, "", {machine_of(file.machine->machine), true}, "--params " + file.name + " --units si"};
   }
   std::string options;
   for (const auto& [name, member] : model::named_data<Rational>) {

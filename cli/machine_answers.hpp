@@ -22,9 +22,10 @@ struct GivenInTables {
   std::string options = "--params " + file;  // that give it to a command
 };
 
-// The paper's oscillator as one; `why`, an option, is for no machine in SI units that is not in tables.
+// The paper's oscillator as one. A machine in SI units is one in these, where `why`, an option, is asked for
+// in them: else UsageError.
 [[nodiscard]] GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
-                                      const char * why);
+                                      const report::orbits::Units& units, const char * why);
 // Nothing if no file is given, or the file is none of these.
 [[nodiscard]] std::optional<GivenInTables> given_in_tables(const GivenMachine& options);
 

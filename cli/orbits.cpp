@@ -109,9 +109,6 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     }
     return run_word(options, paper);
   }
-  if (options.neighbourhood) {
-    throw UsageError("--neighbourhood is for a word of phases at a given ur, not for a family");
-  }
   const auto [file, units, asked] = asked_orbits(options, paper);
   const Jobs limit = jobs(options.jobs);
   const zeros::Effort patience{options.cells, options.time};

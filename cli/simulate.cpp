@@ -112,13 +112,16 @@ void require_places(const SimulateOptions& options) {
 }
 
 // The same motion of a machine in tables.
-SimulateOptions as_typed(const MotionAsked& asked, SimulateOptions options) {
+SimulateOptions as_typed(const MotionAsked& asked, SimulateOptions options, const Units& units) {
+  if (!options.state) {
+    const model::Vector4<double> X = units.state(asked.from.start.X);
+    options.state = State(X.begin(), X.end());
+    options.perturb.reset();
+  }
   options.example.clear();
   options.orbit.clear();
   options.typed.erase("--orbit");
-  options.perturb.reset();
-  const State::value_type * X = asked.from.start.X.data();
-  options.state = State(X, X + asked.from.start.X.size());
+  options.si = false;
   options.parameters = {{"phi", fmt::format("{:.17g}", asked.from.start.phi)}};
   return options;
 }
@@ -153,13 +156,13 @@ ExitCode run(const SimulateOptions& options, const Paper& paper) {
   require_places(options);
   const auto [file, units, asked] = [&] {
     const Progress progress("searching for orbits ...");
-    return asked_motion(options, paper);
+    return asked_motion(options.set ? as_text(options) : options, paper);
   }();
   if (!asked.from.leaves.empty()) {
     tell(asked.from.leaves);
   }
   if (options.set) {
-    return run_set(as_tables(asked.from.machine, file, "--set"), as_typed(asked, options));
+    return run_set(as_tables(asked.from.machine, file, units, "--set"), as_typed(asked, options, units));
   }
   Simulated simulated = simulate(asked, options, units);
   if (options.csv == Samples::standard_output) {

@@ -10,6 +10,7 @@
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/families/family.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 #include "numeric/orbit_over_box.hpp"
 
 namespace stickslip::numeric {
@@ -95,6 +96,14 @@ void require_understood(const OrbitQuestion& q) {
   }
   if (!family.why_one_of_phi_ur.empty() && q.phi.has_value() == q.ur.has_value()) {
     throw UsageError(family.why_one_of_phi_ur);
+  }
+  if (q.neighbourhood && asks_for_box(q)) {
+    throw UsageError("a neighbourhood is proved at numbers, and a parameter is an interval");
+  }
+  if (q.neighbourhood && !q.ur && !has_stick(family)) {
+    throw UsageError(
+        "how far motions come back from depends on ur: a neighbourhood of orbits that never "
+        "stick needs it");
   }
 }
 
@@ -183,6 +192,12 @@ Orbit decided_orbit(const Family& family, const ClosedMotion& closed, const std:
   return orbit;
 }
 
+words::WordQuestion machine_of(const OrbitQuestion& question, const Orbit& orbit) {
+  constexpr int digits = 17;
+  const Rational ur = question.ur ? question.ur->middle : parse_rational(to_text(orbit.ur(), digits).mid);
+  return {each(question, middle).data, ur, question.digits};
+}
+
 bool all_decided(const OrbitList& list) {
   const auto decided = [](const Condition& c) {
     return c.verdict.truth == Truth::proved || c.verdict.truth == Truth::refuted;
@@ -207,6 +222,12 @@ OrbitList list_orbits(const OrbitQuestion& question) {
        ++attempt) {
     digits *= 4;
     list = concluded(question, found, digits);
+  }
+  for (Orbit& orbit : list.orbits) {
+    if (question.neighbourhood && is_stable(orbit) && !interrupted()) {
+      orbit.neighbourhood = std::make_shared<machines::Neighbourhood>(
+          machines::neighbourhood_of(machine_of(question, orbit), orbit));
+    }
   }
   if (interrupted() && !list.unresolved.empty()) {
     list.remarks.push_back(Remark::interrupted);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "numeric/families/orbit.hpp"
+#include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric {
 
@@ -36,6 +37,10 @@ struct OrbitList {
   [[nodiscard]] bool complete() const { return unresolved.empty() && !asks_for_box(question); }
 };
 
+// The machine that an orbit of the list is one of: with the ur that is given, or else that of the orbit to 17
+// digits.
+[[nodiscard]] words::WordQuestion machine_of(const OrbitQuestion& question, const Orbit& orbit);
+
 // Nothing is unresolved, and each condition of each orbit is proved or refuted.
 [[nodiscard]] bool all_decided(const OrbitList& list);
 
@@ -45,7 +50,8 @@ void require_answerable(const OrbitQuestion& question);
 // The complete list, or what is missing from it. A condition that the asked digits leave undecided is looked
 // at again with more. For a box of parameters: the orbits at its middle, each proved, with its conditions,
 // for all members of the box, or unresolved. Throws DomainError when the data are outside the domain of the
-// family, among them ur <= us, and UsageError for a phi or ur that the family does not take.
+// family, among them ur <= us, and UsageError for a phi or ur that the family does not take, and for
+// neighbourhoods over a box, or of orbits that never stick without ur.
 [[nodiscard]] OrbitList list_orbits(const OrbitQuestion& question);
 
 // The values, conditions and stability of a proved motion of the family, at the working precision of the

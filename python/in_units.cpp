@@ -1,5 +1,7 @@
 #include "python/in_units.hpp"
 
+#include "report/orbits/neighbourhood.hpp"
+
 namespace stickslip::python {
 
 using namespace numeric::attractors;
@@ -13,6 +15,10 @@ void tell_in(const Units& units, WordOrbit& o) {
   }
   for (numeric::motion::Phase& phase : o.orbit.motion.phases) {
     phase.duration = units.time(phase.duration);
+  }
+  if (o.orbit.neighbourhood) {
+    o.orbit.neighbourhood = std::make_shared<numeric::machines::Neighbourhood>(
+        report::orbits::in_units(*o.orbit.neighbourhood, units));
   }
 }
 

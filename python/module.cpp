@@ -34,6 +34,7 @@
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/branches.hpp"
 #include "report/orbits/diagram.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/pure_word.hpp"
@@ -231,6 +232,21 @@ std::string conditions(const Told<OrbitList>& t, std::size_t number) {
     json.push_back(report::orbits::to_json(condition));
   }
   return json.dump();
+}
+
+// Of the orbit that number has in the list; an object without keys where there is none.
+std::string neighbourhood(const Told<OrbitList>& t, std::size_t number) {
+  Orbit orbit;
+  if (const Orbit& o = t.answer.orbits.at(number); o.neighbourhood) {
+    orbit.values = o.values;
+    orbit.neighbourhood =
+        std::make_shared<machines::Neighbourhood>(report::orbits::in_units(*o.neighbourhood, t.units));
+  }
+  return report::tools::written(orbit,
+                                [&](report::tools::Object& to, const Orbit& o) {
+                                  report::orbits::write_neighbourhood(to, t.answer.question, o);
+                                })
+      .dump();
 }
 
 using report::orbits::PureWord;
@@ -556,6 +572,7 @@ PYBIND11_MODULE(_core, m) {
       .def("__len__", [](const Told<numeric::OrbitList>& t) { return t.answer.orbits.size(); })
       .def("orbit", &orbit)
       .def("conditions", &conditions)
+      .def("neighbourhood", &neighbourhood)
       .def("script", &script_of_orbits);
   told<numeric::attractors::WordOrbits>(m, "WordOrbits")
       .def("fields", &fields<numeric::attractors::WordOrbits>);

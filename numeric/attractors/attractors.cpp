@@ -12,6 +12,7 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/words/growth.hpp"
 
@@ -430,9 +431,22 @@ AttractorList find_attractors_from(const AttractorQuestion& question,
 }
 
 AttractorList find_attractors(const AttractorQuestion& question) {
-  return find_attractors_from(question,
-                              random_starts(parameters_as<double>(question.machine.data),
-                                            static_cast<std::size_t>(question.starts), question.seed));
+  AttractorList list =
+      find_attractors_from(question, random_starts(parameters_as<double>(question.machine.data),
+                                                   static_cast<std::size_t>(question.starts), question.seed));
+  for (Attractor& a : list.attractors) {
+    if (question.neighbourhood && a.orbit) {
+      surround(*a.orbit, question.machine);
+    }
+  }
+  return list;
+}
+
+void surround(WordOrbit& orbit, const words::WordQuestion& machine) {
+  if (families::is_stable(orbit.orbit) && !interrupted()) {
+    orbit.orbit.neighbourhood = std::make_shared<machines::Neighbourhood>(
+        machines::neighbourhood_of(machine, orbit.orbit, orbit.periods));
+  }
 }
 
 Attractor find_attractor(const words::WordQuestion& machine, const Vector4<double>& X, long most_periods) {

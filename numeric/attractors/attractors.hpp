@@ -16,7 +16,8 @@ struct AttractorQuestion {
   words::WordQuestion machine;
   long starts = 500;
   std::uint64_t seed = 1;
-  long most_periods = 20000;  // that a start is followed for
+  long most_periods = 20000;   // that a start is followed for
+  bool neighbourhood = false;  // of each orbit that is stable, too
 };
 
 struct Attractor {
@@ -58,6 +59,9 @@ struct AttractorList {
 // domain of words a periodic motion is not proved. Throws as simulation::Simulation does.
 [[nodiscard]] Attractor find_attractor(const words::WordQuestion& machine, const model::Vector4<double>& X,
                                        long most_periods = 20000);
+
+// The orbit's neighbourhood, where it is stable (machines/neighbourhood.hpp).
+void surround(words::WordOrbit& orbit, const words::WordQuestion& machine);
 
 // Wilson's interval of 95 % for a share of which `count` of `total` are a sample.
 struct Interval {

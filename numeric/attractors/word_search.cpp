@@ -141,13 +141,17 @@ WordOrbits all_of(const WordSearch& q) {
 
 WordOrbits find_word_orbits(const WordSearch& question) {
   words::require_word_domain(question.machine);
-  if (question.near) {
-    return from_start(question);
+  WordOrbits found = question.near ? from_start(question)
+                     : words::has_complete_list(question.machine, question.word, question.periods) &&
+                             (question.all || !is_long_search(question))
+                         ? all_of(question)
+                         : from_random_starts(question);
+  for (WordOrbit& one : found.orbits) {
+    if (question.neighbourhood) {
+      surround(one, question.machine);
+    }
   }
-  return words::has_complete_list(question.machine, question.word, question.periods) &&
-                 (question.all || !is_long_search(question))
-             ? all_of(question)
-             : from_random_starts(question);
+  return found;
 }
 
 }  // namespace stickslip::numeric::attractors

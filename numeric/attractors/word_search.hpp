@@ -17,6 +17,7 @@ struct WordSearch {
   std::optional<model::Vector4<double>> near;  // (x1, x2, x1', x2') at load phase 0; else random starts
   bool all =
       true;  // of four phases or more, too, where that may take minutes; else what random starts end on
+  bool neighbourhood = false;  // of each stable orbit, too
 };
 
 struct WordOrbits {

@@ -28,6 +28,10 @@ const Ball& Orbit::value(const std::string& name) const {
   return found->value;
 }
 
+bool is_stable(const Orbit& orbit) {
+  return orbit.stability && orbit.stability->kind == StabilityKind::stable;
+}
+
 const std::vector<const Family *>& all_families() {
   static const std::vector<const Family *> table{&symmetric(), &overshooting(), &nonsticking()};
   return table;

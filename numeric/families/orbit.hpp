@@ -1,6 +1,7 @@
 // Periodic orbits of the paper's families, as they are asked for and found.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,10 @@
 #include "core/decimal.hpp"
 #include "numeric/motion/conditions.hpp"
 #include "numeric/motion/stability.hpp"
+
+namespace stickslip::numeric::machines {
+struct Neighbourhood;
+}
 
 namespace stickslip::numeric::families {
 
@@ -18,9 +23,10 @@ struct Family;
 struct OrbitQuestion {
   const Family * family = nullptr;
   model::Parameters<Range> parameters;
-  std::optional<Range> phi;  // overshooting: exactly one of phi and ur
-  std::optional<Range> ur;   // non-sticking: optional
-  int digits = 20;           // significant ones, of every value of an orbit
+  std::optional<Range> phi;    // overshooting: exactly one of phi and ur
+  std::optional<Range> ur;     // non-sticking: optional
+  int digits = 20;             // significant ones, of every value of an orbit
+  bool neighbourhood = false;  // of each stable orbit, too
 };
 
 [[nodiscard]] bool asks_for_box(const OrbitQuestion& question);
@@ -40,6 +46,9 @@ struct Orbit {
   Verdict admissible;                          // of "all conditions hold"
   std::optional<motion::Stability> stability;  // of an admissible orbit
   std::string split;  // for a box, when something is undecided: the parameter to split first
+  // Of starts that converge to it, where that was asked for, or why there is none
+  // (machines/neighbourhood.hpp).
+  std::shared_ptr<const machines::Neighbourhood> neighbourhood = nullptr;
 
   // One of the values. Each throws InternalError when the orbit has none of that name.
   [[nodiscard]] const Ball& tau() const { return value("tau"); }
@@ -58,6 +67,9 @@ struct Orbit {
   // By a name that is data, as that of a printed result.
   [[nodiscard]] const Ball& value(const std::string& name) const;
 };
+
+// Proved to be admissible and stable.
+[[nodiscard]] bool is_stable(const Orbit& orbit);
 
 // A part of the search's domain that it could not decide.
 struct Unresolved {

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/sinc.hpp"
+#include "numeric/machines/machine.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -92,6 +93,10 @@ LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& oscillator)
     }
   }
   size_ = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(multiples_.size());
+  const Eigen::VectorXd half =
+      start_box(model::mapped<double>(oscillator, [](const Ball& x) { return x.approximate(); })).half;
+  units_ = Vector::Constant(size_, Ball(1));
+  units_.head(2 * n_) = half.unaryExpr([](double x) { return Ball(std::exp2(std::round(std::log2(x)))); });
   // Without friction m_j x_j'' = -r.
   r_ = Vector::Constant(size_, Ball(0));
   r_.head(n_) = oscillator.stiffness.row(rubbing()).transpose();
@@ -173,14 +178,14 @@ const Matrix& LinearPhases::drift(Piece piece) const {
   return found != drifts_.end() ? found->second : drifts_.emplace(piece, make_drift(piece)).first->second;
 }
 
-// exp(B (m + d)) X = exp(B m) (X + B d X + … + (B d)^(k-1) X/(k-1)! + R), in the norm of row sums, so for
-// each entry, |R| <= |X| s^k/k! / (1 - s/(k + 1)) with s = |B| |d| < 1: from one exponential to those beside
-// it.
+// exp(B (m + d)) X = exp(B m) (X + B d X + … + (B d)^(k-1) X/(k-1)! + R), and |R| <= |X| s^k/k! / (1 - s/(k +
+// 1)) with s = |B| |d| < 1 for each column of X, its largest number, and the norm of row sums, all in the
+// units of w: from one exponential to those beside it.
 template <class M>
 M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   constexpr double near_enough = 0x1p-10;
   const Matrix& B = drift(piece);
-  const Ball norm = zeros::norm(B);
+  const Ball norm = zeros::norm(Matrix(units_.cwiseInverse().asDiagonal() * B * units_.asDiagonal()));
   const Ball middle = h.midpoint();
   // The nearest of those that are kept, or a new one.
   std::vector<Exponential>& all = flows_[piece];
@@ -202,14 +207,13 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   }
   const Ball s = Ball(norm * abs(d)).upper();
   const double radius = Ball(norm * d.radius()).approximate();
-  const double enough = std::max(radius * radius, std::exp2(-static_cast<double>(WorkingPrecision::bits())));
-  Ball size(0);
-  for (Eigen::Index i = 0; i < X.rows(); ++i) {
-    Ball sum(0);
-    for (Eigen::Index k = 0; k < X.cols(); ++k) {
-      sum += abs(X(i, k));
+  const double enough =
+      std::max(radius * radius / 4, std::exp2(-static_cast<double>(WorkingPrecision::bits())));
+  Vector sizes = Vector::Constant(X.cols(), Ball(0));
+  for (Eigen::Index k = 0; k < X.cols(); ++k) {
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+      sizes(k) = Ball::hull(sizes(k), Ball(abs(X(i, k)) / units_(i)).upper()).upper();
     }
-    size = Ball::hull(size, sum.upper()).upper();
   }
   M term = X;
   Ball rest = s;  // of the terms from the k-th on, if they go on as a geometric series
@@ -222,13 +226,16 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
     }
   }
   const Ball room = Ball(1) - s;
-  Ball R;
-  arb_indeterminate(R.raw());
+  Ball share;
+  arb_indeterminate(share.raw());
   if (room.is_positive()) {
-    R = Ball(size * rest / room).upper();
+    share = Ball(rest / room).upper();
   }
-  for (Eigen::Index i = 0; i < X.size(); ++i) {
-    X.data()[i] += Ball::hull(-R, R);
+  for (Eigen::Index k = 0; k < X.cols(); ++k) {
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+      const Ball R = Ball(units_(i) * sizes(k) * share).upper();
+      X(i, k) += Ball::hull(-R, R);
+    }
   }
   return sparse_product(known.of_middle, X);
 }

@@ -67,6 +67,9 @@ class LinearPhases {
   // Kept. `reversed`: with -B in place of B, for what is seen from the end of a phase.
   [[nodiscard]] const Watch& watch(Piece piece, bool reversed) const;
 
+  // Of w, powers of two: how far and how fast motions go, and 1.
+  [[nodiscard]] const Vector& units() const { return units_; }
+
   // w from (x, x') and the load's phase theta.
   [[nodiscard]] Vector whole(const Vector& state, const Ball& theta) const;
   // r, x_j' and the constant 1 as rows.
@@ -87,7 +90,7 @@ class LinearPhases {
   model::FrictionOscillator<Ball> oscillator_;
   std::vector<int> multiples_;
   Eigen::Index n_, size_;
-  Vector r_;
+  Vector r_, units_;
   mutable std::map<Piece, Matrix> drifts_;
   mutable std::map<Piece, std::vector<Exponential>> flows_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;

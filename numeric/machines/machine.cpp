@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 
 #include "core/decimal.hpp"
@@ -72,6 +74,56 @@ void require_law(const model::FrictionLaw<Rational>& law) {
 }
 
 }  // namespace
+
+MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
+  const auto n = static_cast<Eigen::Index>(o.size());
+  const auto j = static_cast<Eigen::Index>(o.rubbing);
+  const double m = o.masses[o.rubbing];
+  const double stiffness = o.stiffness(j, j);
+  const double Omega = stiffness > 0 ? std::sqrt(stiffness / m) : 1;
+  const int side = o.V >= 0 ? 1 : -1;
+  const model::SlidingPiece<double> * piece = &o.law(side).sliding.front();
+  for (const model::SlidingPiece<double>& next : o.law(side).sliding) {
+    piece = next.from <= std::abs(o.V) ? &next : piece;
+  }
+  const double friction = piece->force + piece->slope * (std::abs(o.V) - piece->from);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(n);
+  forces(j) = side * friction;
+  double s = std::max(std::abs(o.V), 3 * std::max(o.forward.at_rest, o.backward.at_rest) / (m * Omega));
+  for (const model::HarmonicForce<double>& load : o.loads) {
+    if (load.k == 0) {
+      forces(static_cast<Eigen::Index>(load.mass)) += load.cosine;
+    } else {
+      s = std::max(s, std::hypot(load.cosine, load.sine) / (o.masses[load.mass] * Omega));
+    }
+  }
+  MachineStartBox box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
+  box.middle.head(n) = o.stiffness.completeOrthogonalDecomposition().solve(forces);
+  box.middle(n + j) = o.V - side * s;
+  box.half.head(n).setConstant(2 * s / Omega);
+  box.half.tail(n).setConstant(1.5 * s);
+  return box;
+}
+
+Machine machine_of(const MachineInSI& m) {
+  if (!m.friction_at_rest) {
+    throw InternalError("a machine whose friction at rest is not known");
+  }
+  const model::FrictionLaw<Rational> law{*m.friction_at_rest,
+                                         {{Rational(0), m.friction_sliding, Rational(0)}}};
+  model::MatrixX<Rational> K(2, 2);
+  K << Rational(m.k1 + m.k2), Rational(-m.k2), Rational(-m.k2), m.k2;
+  return {{{m.m1, m.m2},
+           model::MatrixX<Rational>::Constant(2, 2, Rational(0)),
+           K,
+           1,
+           m.belt_velocity,
+           law,
+           law,
+           {{1, 1, m.load_amplitude, Rational(0)}},
+           m.load_frequency},
+          true};
+}
 
 // Between points at a distance d a chord is away from the law by d²/8 times its curvature: by one size where
 // the points are equally far apart in the integral of the curvature's root, exp(-y/2) or (1 + y)^(-1/2).

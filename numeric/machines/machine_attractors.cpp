@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -71,36 +70,6 @@ std::vector<Piece> pieces_of(const MachineGuess& guess) {
 }
 
 }  // namespace
-
-MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
-  const auto n = static_cast<Eigen::Index>(o.size());
-  const auto j = static_cast<Eigen::Index>(o.rubbing);
-  const double m = o.masses[o.rubbing];
-  const double stiffness = o.stiffness(j, j);
-  const double Omega = stiffness > 0 ? std::sqrt(stiffness / m) : 1;
-  const int side = o.V >= 0 ? 1 : -1;
-  const model::SlidingPiece<double> * piece = &o.law(side).sliding.front();
-  for (const model::SlidingPiece<double>& next : o.law(side).sliding) {
-    piece = next.from <= std::abs(o.V) ? &next : piece;
-  }
-  const double friction = piece->force + piece->slope * (std::abs(o.V) - piece->from);
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(n);
-  forces(j) = side * friction;
-  double s = std::max(std::abs(o.V), 3 * std::max(o.forward.at_rest, o.backward.at_rest) / (m * Omega));
-  for (const model::HarmonicForce<double>& load : o.loads) {
-    if (load.k == 0) {
-      forces(static_cast<Eigen::Index>(load.mass)) += load.cosine;
-    } else {
-      s = std::max(s, std::hypot(load.cosine, load.sine) / (o.masses[load.mass] * Omega));
-    }
-  }
-  MachineStartBox box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
-  box.middle.head(n) = o.stiffness.completeOrthogonalDecomposition().solve(forces);
-  box.middle(n + j) = o.V - side * s;
-  box.half.head(n).setConstant(2 * s / Omega);
-  box.half.tail(n).setConstant(1.5 * s);
-  return box;
-}
 
 MachineAttractors find_attractors(const MachineStarts& question) {
   require_machine(question.machine);

@@ -40,16 +40,7 @@ struct MachineAttractors {
   bool interrupted = false;
 };
 
-// Where they lie: within `half` of `middle` in each coordinate (x, x'). The middle is the rest position under
-// the constant loads and the friction at the belt's velocity, at rest but for the mass that rubs; with
-// Omega² = K_jj/m_j and s the largest of |V|, 3 u/(m_j Omega) and the loads' amplitudes over their masses
-// and Omega: 2 s/Omega for x, 1.5 s for x', x_j' about V - s.
-struct MachineStartBox {
-  Eigen::VectorXd middle, half;
-};
-[[nodiscard]] MachineStartBox start_box(const model::FrictionOscillator<double>& oscillator);
-
-// The same seed gives the same starts everywhere. Throws as require_machine does.
+// At random within start_box. The same seed gives the same starts everywhere. Throws as require_machine does.
 [[nodiscard]] MachineAttractors find_attractors(const MachineStarts& question);
 
 // What the motions from these starts at load phase 0 settle on; the question's number of starts and seed say

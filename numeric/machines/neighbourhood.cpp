@@ -436,12 +436,12 @@ Neighbourhood neighbourhood_of(const Machine& machine, const MachineOrbit& orbit
   return found;
 }
 
-Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const words::WordOrbit& orbit,
+Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const families::Orbit& orbit, long periods,
                                long most_phases) {
   const Machine same{model::friction_oscillator<Rational>(machine.data, machine.ur)};
-  const motion::Motion& m = orbit.orbit.motion;
+  const motion::Motion& m = orbit.motion;
   const double omega = oscillator_as<double>(same).omega;
-  MachineGuess guess{{}, orbit.periods, 2 * std::numbers::pi * static_cast<double>(orbit.periods) / omega};
+  MachineGuess guess{{}, periods, 2 * std::numbers::pi * static_cast<double>(periods) / omega};
   for (const motion::Phase& phase : m.phases) {
     Eigen::VectorXd X(4);
     for (int k = 0; k < 4; ++k) {
@@ -451,7 +451,7 @@ Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const words::
         {m.phases[0].load.approximate() / omega + phase.start.approximate(), X, {phase.kind, 0}});
   }
   Neighbourhood none;
-  if (orbit.existence.truth != Truth::proved || guess.events.size() < 2) {
+  if (guess.events.size() < 2) {
     none.verdict = Verdict::undecided("the orbit is not proved to exist");
     return none;
   }

@@ -45,8 +45,8 @@ struct Neighbourhood {
 // not proved to be admissible and stable.
 [[nodiscard]] Neighbourhood neighbourhood_of(const Machine& machine, const MachineOrbit& orbit,
                                              long most_phases = 12000);
-// Of an orbit of the paper's oscillator.
-[[nodiscard]] Neighbourhood neighbourhood_of(const words::WordQuestion& machine,
-                                             const words::WordOrbit& orbit, long most_phases = 12000);
+// Of an orbit of the paper's oscillator over so many periods of the load.
+[[nodiscard]] Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const families::Orbit& orbit,
+                                             long periods = 1, long most_phases = 12000);
 
 }  // namespace stickslip::numeric::machines

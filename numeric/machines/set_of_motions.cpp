@@ -46,32 +46,45 @@ Vector midpoints(const Vector& x) {
   return x.unaryExpr([](const Ball& ball) { return ball.midpoint(); });
 }
 
-// Nearly orthogonal columns that are as long as they were come first.
-Matrix frame_of(Eigen::MatrixXd columns) {
+// Its first axes span what the first columns do.
+Frame frame_of(const Eigen::MatrixXd& columns, const Vector& units) {
+  const Eigen::VectorXd in = in_double(units);
+  const Matrix Q = words::orthogonal(in.cwiseInverse().asDiagonal() * columns);
+  Frame frame{Q, Q.transpose()};
+  for (Eigen::Index i = 0; i < units.size(); ++i) {
+    frame.axes.row(i) *= units(i);
+    frame.back.col(i) /= units(i);
+  }
+  return frame;
+}
+
+// The longest come first.
+Eigen::MatrixXd by_length(const Eigen::MatrixXd& columns, const Vector& units) {
   std::vector<std::pair<double, Eigen::Index>> sizes;
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    sizes.emplace_back(-columns.col(k).norm(), k);
+    sizes.emplace_back(-columns.col(k).cwiseQuotient(in_double(units)).norm(), k);
   }
   std::ranges::sort(sizes);
   Eigen::MatrixXd sorted = columns;
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
     sorted.col(k) = columns.col(sizes[static_cast<std::size_t>(k)].second);
   }
-  return words::orthogonal(sorted);
+  return sorted;
 }
 
 // u(0) after a phase that takes exact to y.
-void move_offset(SetOfMotions& to, const SetOfMotions& from, const Matrix& by_u, const Vector& y) {
-  Eigen::MatrixXd columns = in_double(by_u) * in_double(from.frame);
+void move_offset(SetOfMotions& to, const SetOfMotions& from, const Matrix& by_u, const Vector& y,
+                 const Vector& units) {
+  Eigen::MatrixXd columns = in_double(by_u) * in_double(from.frame.axes);
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
     columns.col(k) *= abs(from.offset(k)).upper().approximate() + 1e-300;
   }
   to.exact = midpoints(y);
-  to.frame = frame_of(columns);
-  const Matrix back = to.frame.transpose();
-  to.offset = sparse_product(sparse_product(back, sparse_product(by_u, from.frame)), from.offset) +
+  to.frame = frame_of(by_length(columns, units), units);
+  const Matrix& back = to.frame.back;
+  to.offset = sparse_product(sparse_product(back, sparse_product(by_u, from.frame.axes)), from.offset) +
               sparse_product(back, Vector(y - to.exact));
-  const Vector here = to.exact + sparse_product(to.frame, to.offset);
+  const Vector here = to.exact + sparse_product(to.frame.axes, to.offset);
   for (Eigen::Index i = 0; i < here.size(); ++i) {
     narrow(to.middle.value(i), here(i));
     // The way from exact to u(0) lies in what derivatives are looked at over.
@@ -82,7 +95,7 @@ void move_offset(SetOfMotions& to, const SetOfMotions& from, const Matrix& by_u,
 // The phase ends at the zero of the row `event`; without one, at a time that all have in common. `known`: a
 // row of u that does not depend on e.
 After after(const Passage& passage, const Matrix& drift, const Dependence& u, Eigen::Index known,
-            const Vector * event) {
+            const Vector * event, const Vector& units) {
   const Eigen::Index rows = u.value.size(), states = rows - 1, loads = drift.rows() - states;
   const Vector& v = passage.arrives;
   const Ball rate = event == nullptr ? Ball(1) : dot(*event, v);
@@ -110,12 +123,12 @@ After after(const Passage& passage, const Matrix& drift, const Dependence& u, Ei
     return result;
   }
   // What is longest lies along the frame's first axes.
-  result.u.frame = words::orthogonal(in_double(M) * in_double(u.frame));
-  const Matrix back = result.u.frame.transpose();
-  const Matrix along = sparse_product(back, sparse_product(M, u.frame));
+  result.u.frame = frame_of(in_double(M) * in_double(u.frame.axes), units);
+  const Matrix& back = result.u.frame.back;
+  const Matrix along = sparse_product(back, sparse_product(M, u.frame.axes));
   if (u.along.size() != 0) {
     result.u.along = sparse_product(along, u.along);
-    const Matrix first = sparse_product(result.u.frame, result.u.along);
+    const Matrix first = sparse_product(result.u.frame.axes, result.u.along);
     for (Eigen::Index i = 1; i < rows; ++i) {
       for (Eigen::Index k = 0; k < parameters; ++k) {
         narrow(result.u.first(i, k), first(i, k));
@@ -125,7 +138,7 @@ After after(const Passage& passage, const Matrix& drift, const Dependence& u, Ei
   if (!to_second) {
     return result;
   }
-  const Vector h_along = sparse_product(u.frame.transpose(), h);
+  const Vector h_along = sparse_product(u.frame.axes.transpose(), h);
   Vector turns = Vector::Constant(drift.rows(), Ball(0));
   turns.tail(loads) = sparse_product(drift, passage.leaves).tail(loads);
   turns = sparse_product(passage.flow, turns);
@@ -158,7 +171,7 @@ After after(const Passage& passage, const Matrix& drift, const Dependence& u, Ei
 }  // namespace
 
 Matrix Dependence::derivative_of_first(std::size_t k) const {
-  return sparse_product(frame, second[k]);
+  return sparse_product(frame.axes, second[k]);
 }
 
 Ball SetOfMotions::reach(const Vector& row) const {
@@ -182,7 +195,7 @@ SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, 
     set.all.value(i) += set.reach(set.all.first.row(i).transpose());
   }
   set.all.second.assign(static_cast<std::size_t>(parameters), Matrix::Constant(rows, parameters, Ball(0)));
-  set.all.frame = set.middle.frame = set.frame = Matrix::Identity(rows, rows);
+  set.all.frame = set.middle.frame = set.frame = {Matrix::Identity(rows, rows), Matrix::Identity(rows, rows)};
   set.middle.along = set.middle.first;
   set.exact = midpoints(set.middle.value);
   set.offset = set.middle.value - set.exact;
@@ -194,7 +207,12 @@ SetFlow::SetFlow(const Machine& machine)
       phases_(oscillator_as<Ball>(machine)),
       in_double_(oscillator_as<double>(machine)),
       simulation_(in_double_, 0,
-                  Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * machine.oscillator.size()))) {}
+                  Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * machine.oscillator.size()))) {
+  const Vector& w = phases_.units();
+  const Eigen::Index states = 2 * phases_.masses();
+  units_.resize(1 + states);
+  units_ << w(0) / w(states - 1), w.head(states);
+}
 
 Vector SetFlow::whole(const Vector& u) const {
   return phases_.whole(u.tail(u.size() - 1), phases_.oscillator().omega * u(0));
@@ -247,9 +265,10 @@ Verdict SetFlow::judge(const SetOfMotions& set, const Ball& duration, const std:
 namespace {
 
 // Where the exact one, the middle one and all of them are.
-SetOfMotions reached(const SetOfMotions& set, const Vector& exact, const After& middle, const After& all) {
+SetOfMotions reached(const SetOfMotions& set, const Vector& exact, const After& middle, const After& all,
+                     const Vector& units) {
   SetOfMotions end{set.before, set.piece, set.passed, set.round, middle.u, all.u, {}, {}, {}};
-  move_offset(end, set, all.by_u, exact);
+  move_offset(end, set, all.by_u, exact, units);
   for (std::size_t k = 0; k < end.all.second.size(); ++k) {
     const Matrix second = end.all.derivative_of_first(k);
     for (Eigen::Index i = 0; i < second.rows(); ++i) {
@@ -311,14 +330,15 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
   Vector exact(set.exact.size());
   exact << set.exact(0) + exactly,
       passage(phases_, set.piece, w, exactly, false).reached.head(set.exact.size() - 1);
-  After middle = after(passage(phases_, set.piece, w_middle, taken, true), drift, set.middle, known, &event);
+  After middle =
+      after(passage(phases_, set.piece, w_middle, taken, true), drift, set.middle, known, &event, units_);
   middle.u.value(0) = set.time() + taken;
   // All of them: the derivative of the duration is looked at so far around.
   Ball around = set.reach(middle.longer) * Ball(Rational(9, 8)) + width;
   for (int k = 0;; ++k) {
     const Ball ample = taken + around;
-    After all =
-        after(passage(phases_, set.piece, whole(set.all.value), ample, true), drift, set.all, known, &event);
+    After all = after(passage(phases_, set.piece, whole(set.all.value), ample, true), drift, set.all, known,
+                      &event, units_);
     for (Eigen::Index i = 0; i < all.longer_by.rows(); ++i) {
       narrow(all.longer(i), middle.longer(i) + set.reach(all.longer_by.row(i).transpose()));
     }
@@ -331,7 +351,7 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
       continue;
     }
     all.u.value(0) = set.all.value(0) + durations;
-    SetOfMotions end = reached(set, exact, middle, all);
+    SetOfMotions end = reached(set, exact, middle, all, units_);
     end.before = set.piece;
     end.piece = after_it;
     end.passed.push_back(after_it);
@@ -353,14 +373,16 @@ Verdict SetFlow::to_time(SetOfMotions& set, const Ball& time) const {
   const Matrix& drift = phases_.drift(set.piece);
   const Eigen::Index known = known_row(set);
   const auto ends = [&](const Dependence& u, const Ball& duration) {
-    After end = after(passage(phases_, set.piece, whole(u.value), duration, true), drift, u, known, nullptr);
+    After end =
+        after(passage(phases_, set.piece, whole(u.value), duration, true), drift, u, known, nullptr, units_);
     end.u.value(0) = time;
     return end;
   };
   Vector exact(set.exact.size());
   exact << time, passage(phases_, set.piece, whole(set.exact), time - set.exact(0), false)
                      .reached.head(set.exact.size() - 1);
-  SetOfMotions end = reached(set, exact, ends(set.middle, time - set.time()), ends(set.all, durations));
+  SetOfMotions end =
+      reached(set, exact, ends(set.middle, time - set.time()), ends(set.all, durations), units_);
   fix(end, 0, time);
   end.before.reset();
   if (set.piece.kind == PhaseKind::stick) {

@@ -20,14 +20,19 @@
 
 namespace stickslip::numeric::machines {
 
+// Axes for u, orthogonal where times, positions and velocities are counted in units of the machine: products
+// of many ball matrices as they stand are useless (words/sweep.hpp).
+struct Frame {
+  Matrix axes, back;  // the columns; the inverse
+};
+
 // How a vector depends on e: its value, first derivatives as columns, and of each of these its derivatives.
 struct Dependence {
   Vector value;
   Matrix first;
-  // The derivative by e_k and e_l is an orthogonal frame times column l of second[k]: products of many ball
-  // matrices as they stand are useless (words/sweep.hpp). Empty: unknown.
+  // The derivative by e_k and e_l is the frame times column l of second[k]. Empty: unknown.
   std::vector<Matrix> second;
-  Matrix frame;
+  Frame frame;
   Matrix along;  // but for the time, `first` is the frame times this, too; empty: not known
 
   [[nodiscard]] Matrix derivative_of_first(std::size_t k) const;
@@ -40,9 +45,9 @@ struct SetOfMotions {
   bool round = false;         // |e| is Euclid's norm; else the largest of |e_k|
   Dependence middle;          // of (t, (x, x')) at e = 0; without second derivatives
   Dependence all;             // over the set
-  // u(0) = exact + frame offset, in an orthogonal frame of its own, likewise.
+  // u(0) = exact + frame offset, in a frame of its own, likewise.
   Vector exact, offset;
-  Matrix frame;
+  Frame frame;
 
   // All values of row e.
   [[nodiscard]] Ball reach(const Vector& row) const;
@@ -81,6 +86,7 @@ class SetFlow {
 
   Machine machine_;
   LinearPhases phases_;
+  Vector units_;  // of u: in the time one goes as far as motions do, as fast as they do, and those of w
   using Simulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
   model::FrictionOscillator<double> in_double_;
   mutable Simulation simulation_;

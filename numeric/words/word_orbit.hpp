@@ -2,16 +2,11 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "numeric/families/orbit.hpp"
 #include "numeric/motion/domain.hpp"
 #include "numeric/words/word.hpp"
-
-namespace stickslip::numeric::machines {
-struct Neighbourhood;
-}
 
 namespace stickslip::numeric::words {
 
@@ -39,8 +34,6 @@ struct WordOrbit {
   Verdict existence;  // of "exactly one closed motion of the word lies near the guess"; else no more is known
   families::Orbit orbit;       // its motion begins with the word's first phase
   motion::Requirements asked;  // the conditions of `orbit`, in the same order
-  // Of starts that converge to it, where it was asked for (machines/neighbourhood.hpp).
-  std::shared_ptr<const machines::Neighbourhood> neighbourhood = nullptr;
 };
 
 // The whole of the friction law for a motion through these phases, (4), with ur known.

@@ -36,14 +36,14 @@ from ._core import DomainError, Error, InputOutputError, InternalError, UsageErr
 from ._exact import Ball, ComplexBall, Exact, exact
 from ._machine import Along, Machine, interval, read_machine
 from ._results import (Atlas, Attractor, Attractors, Basins, Branch, Branches, BranchEnd, Change, Check, Claim,
-                       Condition, Count, Diagram, DiagramPoint, Event, Orbit, Orbits, Piece, PureWord, Simulation,
-                       Unresolved)
+                       Condition, Count, Diagram, DiagramPoint, Event, Neighbourhood, Orbit, Orbits, Piece, PureWord,
+                       Simulation, Unresolved)
 
 from ._tables import MachineInTables, Record
 
 __all__ = [
     "MachineInTables", "Record", "orbits", "branch", "atlas", "attractors", "simulate", "check", "prove", "latex", "expressions", "Machine", "read_machine",
-    "Ball", "ComplexBall", "Condition", "Unresolved", "Orbit", "Orbits", "PureWord", "Change", "Piece", "BranchEnd", "Branch",
+    "Ball", "ComplexBall", "Condition", "Neighbourhood", "Unresolved", "Orbit", "Orbits", "PureWord", "Change", "Piece", "BranchEnd", "Branch",
     "Count", "Branches", "Atlas", "Attractor", "Attractors", "DiagramPoint", "Diagram", "Basins", "Event", "Simulation",
     "Claim", "Check", "Error", "UsageError", "DomainError", "InputOutputError", "InternalError", "__version__"
 ]
@@ -107,7 +107,8 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
            V: Optional[Exact] = None, omega: Optional[Exact] = None, p: Optional[Exact] = None,
            phi: Optional[Exact] = None, ur: Optional[Exact] = None, example: Optional[str] = None,
            machine: Optional[Machine] = None, units: Optional[str] = None, digits: int = 20, period: int = 1,
-           near: Optional[Sequence[Union[Exact, float]]] = None, jobs: Optional[int] = None) -> Union[Orbits, PureWord]:
+           near: Optional[Sequence[Union[Exact, float]]] = None, neighbourhood: bool = False,
+           jobs: Optional[int] = None) -> Union[Orbits, PureWord]:
     """All periodic orbits of a family, each proved to exist, with every condition decided.
 
     family: "symmetric" (Section 4; phi and ur are results), "overshooting" (Section 5; exactly one of phi and
@@ -118,6 +119,7 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     machine: in SI units, in place of the data; phi, in rad, goes with it. units: "si": values and `near` are
     in s, m, m/s and N; by default in the units of the data.
     digits: significant ones of each value, at most 2000. jobs: the most threads; the result is the same.
+    neighbourhood: of each stable orbit also a proved set of starts that converge to it; takes a while.
 
     A parameter may be a box ("0.3+-1e-4", a Ball): then each orbit is proved for all its members.
 
@@ -131,7 +133,7 @@ def orbits(family: str, *, chi: Optional[Exact] = None, eta: Optional[Exact] = N
     asking = _asking("orbits", family, needed=_data, example=example, machine=machine, units=units,
                      parameters=dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
                      digits=_whole("digits", digits, 1, 2000), near=_state("near", near),
-                     period=None if is_default else _count("period", period, 100000))
+                     neighbourhood=bool(neighbourhood), period=None if is_default else _count("period", period, 100000))
     conduct = _conduct(jobs)
     if family in ("S", "O", "T"):
         return PureWord._from(_told(_core.pure_word(asking, conduct)))
@@ -204,7 +206,7 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
                along: Optional[Tuple[str, Exact, Exact]] = None, values: Optional[int] = None,
                plane: Optional[Tuple[str, str]] = None, pixels: Optional[int] = None,
                through: Optional[Sequence[Union[Exact, float]]] = None, most_periods: int = 20000, digits: int = 20,
-               jobs: Optional[int] = None) -> Union[Attractors, Diagram, Basins]:
+               neighbourhood: bool = False, jobs: Optional[int] = None) -> Union[Attractors, Diagram, Basins]:
     """What a machine does: the motions that random starts end on, each periodic one proved.
 
     starts: how many, by default 500; seed: of the random numbers, the same everywhere, by default 1; most_periods: of
@@ -218,16 +220,20 @@ def attractors(*, chi: Optional[Exact] = None, eta: Optional[Exact] = None, us: 
     states are in SI units in any case.
     plane: two of "x1", "x2", "x1'", "x2'": Basins of pixels x pixels starts in that plane, by default 60 x 60,
     through a state, by default in the middle of the random starts.
+    neighbourhood: without these two, of each stable orbit also a proved set of starts that converge to it.
 
     Raises as orbits does.
     """
+    if neighbourhood and plane is not None:
+        raise UsageError("neighbourhood is not for a plane of the paper's two masses here: MachineInTables proves pixels")
     across = None if plane is None else ",".join(plane)
     asking = _asking("attractors", parameters=dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, ur=ur),
                      needed=(*_data, "ur"), example=example, machine=machine, units=units,
                      starts=_count("starts", starts, 100000), seed=_count("seed", seed, 10**9),
                      most_periods=_count("most_periods", most_periods, 10**9), digits=_count("digits", digits, 2000),
                      values=_count("values", values, 10000), pixels=_count("pixels", pixels, 1000),
-                     through=_state("through", through), along=_range(along), plane=across)
+                     through=_state("through", through), along=_range(along), plane=across,
+                     neighbourhood=bool(neighbourhood))
     conduct = _conduct(jobs)
     if along is not None:
         return Diagram._from(_told(_core.diagram(asking, conduct)))

@@ -57,6 +57,31 @@ class Condition:
 
 
 @dataclass(frozen=True)
+class Neighbourhood:
+    """Starts whose motions are all proved to converge to a stable orbit, or why none was proved.
+
+    The set is {centre + S z: |z| <= radius} of states (x1, x2, x1', x2') at load phase theta.
+    """
+
+    verdict: str  #: "proved" or "undecided"
+    reason: str = ""
+    phase: Optional[str] = None  #: the phase that motions are in there
+    theta: Optional[float] = None
+    centre: Tuple[float, ...] = ()  #: the orbit's point there
+    alone: Tuple[float, ...] = ()  #: how far each number may be from it while the others are as there
+    half_widths: Tuple[float, ...] = ()  #: of the whole set
+    S: Tuple[Tuple[float, ...], ...] = ()
+    radius: Optional[float] = None
+    boxes: Optional[int] = None  #: that the map over a period was looked at over
+    ur: Optional[str] = None  #: where the orbit's ur is a result: that of the machine of which this is, 17 digits of it
+
+    @classmethod
+    def _in(cls, data: Dict[str, Any]) -> Optional["Neighbourhood"]:
+        found = data.get("neighbourhood")
+        return None if found is None else _given(cls, found, ur=data.get("ur_of_neighbourhood"))
+
+
+@dataclass(frozen=True)
 class Unresolved:
     """A part of the search's domain that could not be decided."""
 
@@ -113,20 +138,22 @@ class Orbit(Later, Row):
     word: Optional[str] = None  #: of an orbit of a word: S slip, O overshoot, T stick
     period: Optional[int] = None  #: of an orbit of a word: in periods of the load
     durations: Tuple[Ball, ...] = ()  #: of an orbit of a word: of its phases
+    neighbourhood: Optional[Neighbourhood] = None  #: of a stable orbit, where it was asked for
 
     _balls = ("tau", "tau1", "T", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur", "ur_max")
     _aside = ("Theta", "z10", "z20", "zdot10")
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Orbit":
-        return _given(cls, data, conditions=_conditions(data["conditions"]))
+        return _given(cls, data, conditions=_conditions(data["conditions"]), neighbourhood=Neighbourhood._in(data))
 
     @classmethod
     def _of(cls, found: _core.OrbitList, number: int) -> "Orbit":
         """One of a list; its conditions, and the decimals of its balls, are made when they are asked for."""
         known, balls, multipliers = found.orbit(number)
         return cls._later((found, number), **known, **{name: Ball._later(ball) for name, ball in balls.items()},
-                          multipliers=tuple(ComplexBall(Ball._later(re), Ball._later(im)) for re, im in multipliers))
+                          multipliers=tuple(ComplexBall(Ball._later(re), Ball._later(im)) for re, im in multipliers),
+                          neighbourhood=Neighbourhood._in(_json.loads(found.neighbourhood(number))))
 
     def _made(self, name: str) -> Dict[str, Any]:
         found, number = self._found
@@ -461,13 +488,14 @@ class Attractor(Row):
     stability_reason: str = ""
     family: Optional[str] = None  #: that of the paper that it belongs to
     lyapunov: Optional[float] = None  #: irregular, quasi-periodic: a check, no proof
+    neighbourhood: Optional[Neighbourhood] = None  #: of a stable orbit, where it was asked for
 
     @classmethod
     def _from(cls, data: Dict[str, Any]) -> "Attractor":
         import numpy
 
         shares = {"count": None, "share": None, "share_interval": None, **data}
-        return _given(cls, shares, state=numpy.array(data["state"]))
+        return _given(cls, shares, state=numpy.array(data["state"]), neighbourhood=Neighbourhood._in(data))
 
     def _row(self) -> Dict[str, Any]:
         return dict(share=self.share, count=self.count, kind=self.kind, word=_short(self.word or ""),

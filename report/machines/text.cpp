@@ -335,8 +335,9 @@ std::string terminal_report(const SetMotion& result, const Style& style) {
       {{"after"}, {fmt::format("{:.9g}{}", q.time, seen.in_SI ? " s" : "")}},
       {{"proved"},
        {fmt::format("of {} of the starts, in {} {}{}",
-                    set.open.empty() ? "all" : below(100 * set.proved() - 1e-9, 6) + " %", set.parts.size(),
-                    set.parts.size() == 1 ? "part" : "parts", set.interrupted ? "; interrupted" : "")}}};
+                    set.open.empty() ? "all" : below(std::max(0.0, 100 * set.proved() - 1e-9), 6) + " %",
+                    set.parts.size(), set.parts.size() == 1 ? "part" : "parts",
+                    set.interrupted ? "; interrupted" : "")}}};
   if (!through.empty()) {
     head.push_back({{"phases"}, {through}});
   }

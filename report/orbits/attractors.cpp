@@ -64,14 +64,6 @@ std::string phases(const WordOrbit& o, const Style& style, const Units& units) {
   return columns_of(rows, style.width);
 }
 
-// Nothing unless it was asked for.
-std::string neighbourhood(const WordOrbit& o, const Style& style, const Units& units) {
-  if (!o.neighbourhood) {
-    return "";
-  }
-  return columns_of(neighbourhood_rows(*o.neighbourhood, coordinates_in(units)), style.width) + "\n";
-}
-
 std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const Units& units) {
   std::vector<Row> rows{{{"  word"}, {o.word.letters()}},
                         {{"  period"}, {fmt::format("{} of the load", o.periods)}}};
@@ -81,8 +73,8 @@ std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const 
     }
   }
   return columns_of(rows, style.width) + "\n" + phases(o, style, units) +
-         stability_rows(o.orbit, units.digits(digits), style) + "\n" + neighbourhood(o, style, units) +
-         condition_rows(worst(o.orbit.conditions), style);
+         stability_rows(o.orbit, units.digits(digits), style) + "\n" +
+         neighbourhood_text(o.orbit, style, units) + condition_rows(worst(o.orbit.conditions), style);
 }
 
 std::string searched(const WordOrbits& list) {
@@ -276,7 +268,7 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
   bool any = false;
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     const auto& orbit = list.attractors[i].orbit;
-    const std::string rows_of_it = orbit ? neighbourhood(*orbit, style, units) : "";
+    const std::string rows_of_it = orbit ? neighbourhood_text(orbit->orbit, style, units) : "";
     text += rows_of_it.empty()
                 ? ""
                 : fmt::format("\n{} {}\n{}", i + 1, shortened(orbit->word.letters()), rows_of_it);
@@ -320,7 +312,8 @@ std::string terminal_report(const WordOrbits& list, const Style& style, const Un
     text += "\n" + columns_of({heading}, style.width) + one_orbit(o, q.machine.digits, style, units);
   }
   text += formal_solutions(list.orbits, these.formal, style, units);
-  const bool any = std::ranges::any_of(list.orbits, [](const auto& o) { return o.neighbourhood != nullptr; });
+  const bool any =
+      std::ranges::any_of(list.orbits, [](const auto& o) { return o.orbit.neighbourhood != nullptr; });
   return these.in_full.empty()
              ? text
              : text + "\n" + (any ? labelled(0, "recovers", meaning_of_neighbourhood(), style.width) : "") +

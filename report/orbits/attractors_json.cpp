@@ -44,7 +44,7 @@ void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
               to.has("phase", condition.second, with({{"minimum", 1}}, "Of the word, from 1."));
             },
             {{"minItems", 1}});
-  write_neighbourhood(json, o.neighbourhood);
+  write_neighbourhood(json, o.orbit.neighbourhood);
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ void write_attractor(Object& json, const Attractor& a, int digits, Share share) 
           write_admissible(proved, o.orbit.admissible);
           proved.has("family", one.family.empty() ? std::nullopt : std::optional(one.family), family_names());
           write_stability(proved, o.orbit.stability, o.orbit.conditions, digits);
-          write_neighbourhood(proved, o.neighbourhood);
+          write_neighbourhood(proved, o.orbit.neighbourhood);
         });
       });
   json.rules({{"if", {{"properties", {{"kind", {{"const", to_string(Kind::periodic)}}}}}}},
@@ -168,16 +168,18 @@ File words_schema() {
 }
 
 std::string command_of(const AttractorQuestion& q) {
-  return fmt::format("stickslip attractors{} --starts {} --seed {} --most-periods {} --digits {}",
-                     options_of(q.machine), q.starts, q.seed, q.most_periods, q.machine.digits);
+  return fmt::format("stickslip attractors{} --starts {} --seed {} --most-periods {} --digits {}{}",
+                     options_of(q.machine), q.starts, q.seed, q.most_periods, q.machine.digits,
+                     q.neighbourhood ? " --neighbourhood" : "");
 }
 
 std::string command_of(const WordSearch& q) {
   const std::string near = q.near ? fmt::format(" --near={:.17g},{:.17g},{:.17g},{:.17g}", (*q.near)(0),
                                                 (*q.near)(1), (*q.near)(2), (*q.near)(3))
                                   : "";
-  return fmt::format("stickslip orbits {} --period {}{}{} --digits {}", q.word.letters(), q.periods,
-                     options_of(q.machine), near, q.machine.digits);
+  return fmt::format("stickslip orbits {} --period {}{}{} --digits {}{}", q.word.letters(), q.periods,
+                     options_of(q.machine), near, q.machine.digits,
+                     q.neighbourhood ? " --neighbourhood" : "");
 }
 
 }  // namespace stickslip::report::orbits

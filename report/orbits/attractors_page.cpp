@@ -84,9 +84,8 @@ std::vector<Row> rows_of(const Attractor& a, const Units& units) {
     if (!multipliers.empty()) {
       rows.push_back({{"multipliers"}, {multipliers}});
     }
-    if (a.orbit->neighbourhood) {
-      rows.push_back(
-          {{"recovers"}, {neighbourhood_in_words(*a.orbit->neighbourhood, coordinates_in(units))}});
+    if (o.neighbourhood) {
+      rows.push_back({{"recovers"}, {neighbourhood_in_words(*o.neighbourhood, coordinates_in(units))}});
     }
     if (const std::string contact = contact_in_words(o); !contact.empty()) {
       rows.push_back({{"nearest"}, {contact + units.unit(" (in the units of the data taken)")}});

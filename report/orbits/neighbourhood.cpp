@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/decimal.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
@@ -64,10 +65,50 @@ std::vector<Row> neighbourhood_rows(const Neighbourhood& n, const std::vector<Co
   return rows;
 }
 
+std::string neighbourhood_text(const numeric::Orbit& orbit, const Style& style, const Units& units,
+                               const std::optional<Rational>& ur) {
+  if (!orbit.neighbourhood) {
+    return "";
+  }
+  const std::vector<Row> rows = neighbourhood_rows(*orbit.neighbourhood, coordinates_in(units));
+  return columns_of(rows, style.width) + (ur ? columns_of({{{"  " + ur_in_words(*ur)}}}, style.width) : "") +
+         "\n";
+}
+
+std::optional<Rational> ur_of_neighbourhood(const numeric::OrbitQuestion& question,
+                                            const numeric::Orbit& orbit) {
+  return orbit.neighbourhood && !question.ur ? std::optional(numeric::machine_of(question, orbit).ur)
+                                             : std::nullopt;
+}
+
+std::string ur_in_words(const Rational& ur) {
+  return fmt::format("of the machine with ur = {}, the orbit's to 17 digits", to_string(ur));
+}
+
 std::string meaning_of_neighbourhood() {
   return "proved: a motion that starts there on the orbit, but for one number that is off by at most so "
          "much, "
          "converges to the orbit; and so do all from an ellipsoid of these half widths";
+}
+
+Neighbourhood in_units(Neighbourhood n, const Units& units) {
+  if (n.verdict.truth != Truth::proved) {
+    return n;
+  }
+  const std::vector<Coordinate> coordinates = coordinates_in(units);
+  for (Eigen::Index i = 0; i < n.centre.size(); ++i) {
+    const double factor = coordinates[static_cast<std::size_t>(i)].factor;
+    n.centre(i) *= Ball(factor);
+    n.alone(i) *= factor;
+    n.half_widths(i) *= factor;
+    for (Eigen::Index k = 0; k < n.S.cols(); ++k) {
+      n.S(i, k) *= Ball(factor);
+      n.inverse(k, i) /= Ball(factor);
+    }
+  }
+  n.time = units.time(n.time);
+  n.period = units.time(n.period);
+  return n;
 }
 
 void write_neighbourhood(Object& json, const std::shared_ptr<const Neighbourhood>& neighbourhood) {
@@ -100,6 +141,12 @@ void write_neighbourhood(Object& json, const std::shared_ptr<const Neighbourhood
             });
       },
       "Starts whose motions are all proved to converge to the orbit.");
+}
+
+void write_neighbourhood(Object& json, const numeric::OrbitQuestion& question, const numeric::Orbit& orbit) {
+  write_neighbourhood(json, orbit.neighbourhood);
+  json.has("ur_of_neighbourhood", ur_of_neighbourhood(question, orbit),
+           "Where ur is a result: of the machine that the neighbourhood is proved for, ur to 17 digits.");
 }
 
 }  // namespace stickslip::report::orbits

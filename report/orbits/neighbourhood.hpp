@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "numeric/machines/neighbourhood.hpp"
+#include "numeric/orbits.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/schema.hpp"
@@ -27,11 +29,25 @@ struct Coordinate {
 // The same in a sentence, without the widths.
 [[nodiscard]] std::string neighbourhood_in_words(const numeric::machines::Neighbourhood& neighbourhood,
                                                  const std::vector<Coordinate>& coordinates);
+// The rows of an orbit of a list as text; empty unless they were asked for. `ur`: of the machine that they
+// are about, where ur is a result.
+[[nodiscard]] std::string neighbourhood_text(const numeric::Orbit& orbit, const tools::Style& style,
+                                             const Units& units, const std::optional<Rational>& ur = {});
+// Where ur is a result, of which machine the neighbourhood is, if there is one.
+[[nodiscard]] std::optional<Rational> ur_of_neighbourhood(const numeric::OrbitQuestion& question,
+                                                          const numeric::Orbit& orbit);
+[[nodiscard]] std::string ur_in_words(const Rational& ur);
 // What the rows mean, in one sentence, for a label below.
 [[nodiscard]] std::string meaning_of_neighbourhood();
 
-// Under the key "neighbourhood", if there is one.
+// In other units.
+[[nodiscard]] numeric::machines::Neighbourhood in_units(numeric::machines::Neighbourhood neighbourhood,
+                                                        const Units& units);
+
+// Under the key "neighbourhood", if there is one; of a family's orbit with ur_of_neighbourhood.
 void write_neighbourhood(tools::Object& json,
                          const std::shared_ptr<const numeric::machines::Neighbourhood>& neighbourhood);
+void write_neighbourhood(tools::Object& json, const numeric::OrbitQuestion& question,
+                         const numeric::Orbit& orbit);
 
 }  // namespace stickslip::report::orbits

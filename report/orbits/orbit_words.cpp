@@ -199,8 +199,8 @@ std::string latex_of_value(const std::string& name, const std::string& value) {
 }
 
 std::string command_of(const OrbitQuestion& question) {
-  return fmt::format("stickslip orbits {}{} --digits {}", question.family->name, options_of(question),
-                     question.digits);
+  return fmt::format("stickslip orbits {}{} --digits {}{}", question.family->name, options_of(question),
+                     question.digits, question.neighbourhood ? " --neighbourhood" : "");
 }
 
 }  // namespace stickslip::report::orbits

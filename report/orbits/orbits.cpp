@@ -7,6 +7,7 @@
 
 #include "numeric/families/family.hpp"
 #include "numeric/motion/contact.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/layout.hpp"
@@ -113,6 +114,7 @@ std::string all_about(const OrbitList& list, std::size_t i, const Style& style, 
   const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
   return "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style, units) +
          stability_rows(orbit, units.digits(list.question.digits), style) + "\n" +
+         neighbourhood_text(orbit, style, units, ur_of_neighbourhood(list.question, orbit)) +
          condition_rows(orbit.conditions, style);
 }
 
@@ -194,7 +196,11 @@ std::string terminal_report(const OrbitList& list, const Style& style, const Uni
   }
   text += formal_solutions(list, these.formal, style, units);
   return these.in_full.empty() ? text
-                               : text + "\n" + labelled(0, "margin", meaning_of_margin(), style.width) +
+                               : text + "\n" +
+                                     (list.question.neighbourhood
+                                          ? labelled(0, "recovers", meaning_of_neighbourhood(), style.width)
+                                          : "") +
+                                     labelled(0, "margin", meaning_of_margin(), style.width) +
                                      labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
 }
 

@@ -1,5 +1,6 @@
 #include "numeric/families/family.hpp"
 #include "numeric/motion/contact.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/parts.hpp"
@@ -16,7 +17,8 @@ namespace {
 // Digits of margins and of their times: as many as a reader may want, however many the orbit has.
 constexpr int margin_digits = 20;
 
-void write_orbit(Object& json, const Orbit& o, int digits) {
+void write_orbit(Object& json, const Orbit& o, const OrbitQuestion& question) {
+  const int digits = question.digits;
   json.each(ball_texts(o.values, digits),
             {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
             {"tau1", "T", "ur", "ur_max"});
@@ -26,6 +28,7 @@ void write_orbit(Object& json, const Orbit& o, int digits) {
            "For a box of parameters, the one to divide first.");
   write_stability(json, o.stability, o.conditions, digits);
   json.list("conditions", o.conditions, write_condition, {{"minItems", 1}});
+  write_neighbourhood(json, question, o);
 }
 
 }  // namespace
@@ -135,7 +138,7 @@ void write_orbits(Object& json, const OrbitList& list) {
     (remarks ? *remarks : remarks.emplace()).push_back(plain(describe(remark)));
   }
   json.has("remarks", remarks);
-  json.list("orbits", list.orbits, [&](Object& to, const Orbit& o) { write_orbit(to, o, q.digits); });
+  json.list("orbits", list.orbits, [&](Object& to, const Orbit& o) { write_orbit(to, o, q); });
 }
 
 Json to_json(const Condition& condition) {

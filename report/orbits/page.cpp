@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "numeric/families/family.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/parts.hpp"
@@ -120,7 +121,13 @@ Json orbit(const OrbitList& list, std::size_t i) {
       {"split_latex", latex_of_value(o.split)},
       {"values",
        list_of(o.values, [&](const NamedBall& named) { return value(named, list.question.digits); })},
-      {"conditions", list_of(o.conditions, condition)}};
+      {"conditions", list_of(o.conditions, condition)},
+      {"recovers", nullptr}};
+  if (o.neighbourhood) {
+    const auto ur = ur_of_neighbourhood(list.question, o);
+    json["recovers"] = neighbourhood_in_words(*o.neighbourhood, coordinates_in(Units())) +
+                       (ur ? "; " + ur_in_words(*ur) : "");
+  }
   add_stability(json, o.stability);
   return json;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "cli/machine_tables.hpp"
 #include "core/error.hpp"
 #include "report/tools/files.hpp"
+#include "tests/cli/machines.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/report/temporary.hpp"
 
@@ -555,20 +557,23 @@ TEST_CASE("from how far around motions come back, and where a box of starts is")
        {{"simulate", "--state=0,0", "--set=1,-1"}, exit_domain, "half width"},
        {{"simulate", "--state=0,0", "--set=1,1", "--every", "1"}, exit_usage, "--every is for one motion"}},
       [&](const Words& words) { return run(words); });
-  const std::string in_SI = directory / "machine.toml";
-  std::ofstream(in_SI) << "m1 = 2.5\nm2 = 0.8\nk1 = 1200\nk2 = 450\nnormal_force = 30\n"
-                          "friction_at_rest = 0.45\nfriction_sliding = 0.3\nbelt_velocity = 0.05\n"
-                          "load_amplitude = 12\nload_frequency = 3.2\n";
-  check_refused(
-      {{{"orbits", "symmetric", "--example", "S", "--neighbourhood"}, exit_usage, "for a word of phases"},
-       {{"simulate", "--example", "S", "--set=1,1,1"}, exit_usage, "set: "},
-       {{"simulate", "--params", in_SI, "--state=0,0,0,0", "--set=1,1,1,1"},
-        exit_usage,
-        "--set wants " + in_SI + " in tables"},
-       {{"attractors", "--params", in_SI, "--plane", "x1,x2", "--window", "1,1"},
-        exit_usage,
-        "or --window wants " + in_SI + " in tables"}},
-      [](const Words& words) { return stickslip_program(words); });
+  check_refused({{{"orbits", "symmetric", "--example", "S", "--us=0.02+-1e-9", "--neighbourhood"},
+                  exit_usage,
+                  "a neighbourhood is proved at numbers"},
+                 {{"orbits", "nonsticking", "--chi", "0.3", "--eta", "4", "--us", "0.1", "--V", "0.1",
+                   "--omega", "0.6", "--p", "1", "--neighbourhood"},
+                  exit_usage,
+                  "depends on ur"},
+                 {{"simulate", "--example", "S", "--set=1,1,1"}, exit_usage, "set: "}},
+                [](const Words& words) { return stickslip_program(words); });
+  for (const Words& words : {Words{"simulate", "--state=0,0,0,0", "--set=1,1,1,1"},
+                             Words{"attractors", "--plane", "x1,x2", "--window", "1,1"},
+                             Words{"attractors", "--plane", "x1,x2", "--neighbourhood", "--json"}}) {
+    CAPTURE(words.front());
+    const Run refused = run_with(machine_O, words);
+    CHECK(refused.code == exit_usage);
+    CHECK(refused.err.find("in these: add --units si") != std::string::npos);
+  }
 }
 
 TEST_CASE("sets of starts of the paper's oscillator are followed as those of a machine in tables") {
@@ -594,6 +599,85 @@ TEST_CASE("sets of starts of the paper's oscillator are followed as those of a m
                          "--through", "1.3447,3.699,-0.4126,1", "--pixels", "2", "--neighbourhood", "--json"})
           .out);
   CHECK(plane.at("proved") == 1.0);
+}
+
+TEST_CASE("sets of starts of a machine in SI units are followed in these") {
+  const Words start{"simulate", "--state=1.344e-3,3.70e-3,-4.1e-3,9.9e-3", "--periods", "3", "--units", "si"};
+  const Json set = Json::parse(run_with(machine_O, with(start, {"--set=1e-7,1e-7,0,1e-6", "--json"})).out);
+  CHECK(set.at("proved").get<double>() == doctest::Approx(1));
+  CHECK(set.at("machine").at("units") == "SI");
+  const Run one = run_with(machine_O, with(start, {"--csv", "-"}));
+  std::string line;
+  std::istringstream lines(one.out);
+  for (std::string next; std::getline(lines, next);) {
+    line = next;
+  }
+  std::vector<double> end;  // x1, x2, x1', x2'
+  std::istringstream cells(line);
+  std::string cell;
+  for (int k = 0; std::getline(cells, cell, ','); ++k) {
+    if (k >= 2 && k < 6) {
+      end.push_back(std::stod(cell));
+    }
+  }
+  REQUIRE(end.size() == 4);
+  // The simulation takes omega and V rounded to 20 digits.
+  CHECK(std::ranges::any_of(set.at("parts"), [&](const Json& part) {
+    bool here = true;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Json& range = part.at("then").at(k);
+      here = here && std::abs(end[k] - std::stod(range.at("mid").get<std::string>())) <=
+                         std::stod(range.at("rad").get<std::string>());
+    }
+    return here;
+  }));
+  const Run result = run_with(machine_O, {"simulate", "--orbit", "symmetric:1", "--set=1e-7,1e-7,0,1e-6",
+                                          "--units", "si", "--periods", "1"});
+  CHECK(result.code == exit_usage);
+  CHECK(result.err.find("the friction at rest of that orbit is another one") != std::string::npos);
+  // A set without any part that is proved says 0.
+  const Run none = run_with(
+      machine_O, {"simulate", "--state=0,0,0,0", "--set=1,1,1,1", "--units", "si", "--periods", "1"});
+  CHECK(none.code == exit_undecided);
+  CHECK(none.out.find("of 0 % of the starts, in 0 parts") != std::string::npos);
+  const Json plane =
+      Json::parse(run_with(machine_O, {"attractors", "--units", "si", "--plane", "x1,x2", "--window",
+                                       "1e-7,1e-7", "--through", "1.3447e-3,3.699e-3,-4.126e-3,9.9e-3",
+                                       "--pixels", "2", "--neighbourhood", "--json"})
+                      .out);
+  CHECK(plane.at("proved") == 1.0);
+}
+
+TEST_CASE("a family's stable orbits have neighbourhoods, of the machine whose ur is theirs") {
+  const Words list{"orbits", "overshooting", "--example", "O", "--neighbourhood"};
+  const Json json = Json::parse(stickslip_program(with(list, {"--json"})).out);
+  CHECK(json.at("command").get<std::string>().ends_with(" --neighbourhood"));
+  int found = 0;
+  for (const Json& orbit : json.at("orbits")) {
+    const bool stable = orbit.value("stability", "") == "stable";
+    CHECK(orbit.contains("neighbourhood") == stable);
+    if (!stable) {
+      continue;
+    }
+    ++found;
+    const Json& set = orbit.at("neighbourhood");
+    CHECK(set.at("verdict") == "proved");
+    CHECK(set.at("half_widths").at(1) > 5e-3);
+    const std::string ur = orbit.at("ur_of_neighbourhood");
+    CHECK(orbit.at("ur").at("mid").get<std::string>().starts_with(ur.substr(0, 15)));
+    // The same as of the word at this ur.
+    const Json word = Json::parse(
+        stickslip_program({"orbits", "OTS", "--example", "O", "--ur", ur, "--neighbourhood", "--json"}).out);
+    CHECK(std::ranges::any_of(word.at("orbits"), [&](const Json& other) {
+      return other.contains("neighbourhood") &&
+             std::abs(other.at("neighbourhood").at("centre").at(1).get<double>() -
+                      set.at("centre").at(1).get<double>()) < 1e-9;
+    }));
+  }
+  CHECK(found == 1);
+  const Run text = stickslip_program(list);
+  CHECK(text.out.find("recovers if off by") != std::string::npos);
+  CHECK(text.out.find("of the machine with ur = 0.458") != std::string::npos);
 }
 
 TEST_CASE("what does not go with a machine in tables is refused in a sentence") {

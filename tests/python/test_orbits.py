@@ -162,3 +162,32 @@ def test_results_become_dictionaries():
     for thing in (found, found[0], found[0].tau):
         with pytest.raises(AttributeError, match="nothing"):
             thing.nothing
+
+
+def test_stable_orbits_have_neighbourhoods_where_they_are_asked_for():
+    found = stickslip.orbits("overshooting", example="O", neighbourhood=True)
+    [orbit] = [one for one in found if one.stability == "stable"]
+    around = orbit.neighbourhood
+    assert around.verdict == "proved" and 0 < around.alone[1] <= around.half_widths[1]
+    assert around.ur == next(o["ur_of_neighbourhood"] for o in found.json["orbits"] if "neighbourhood" in o)
+    assert stickslip.orbits("overshooting", example="O")[0].neighbourhood is None
+    [word] = stickslip.orbits("OTS", example="O", ur=around.ur, neighbourhood=True).admissible
+    assert word.neighbourhood.ur is None and abs(word.neighbourhood.centre[1] - around.centre[1]) < 1e-9
+    [attractor] = [a for a in stickslip.attractors(example="O", starts=5, neighbourhood=True) if a.word == "OTS"]
+    assert attractor.neighbourhood.verdict == "proved"
+    with pytest.raises(stickslip.UsageError, match="neighbourhood is not for --along"):
+        stickslip.attractors(example="O", along=("p", "0.1", "0.2"), neighbourhood=True)
+
+
+def test_a_neighbourhood_of_a_machine_in_si_units_is_in_these():
+    machine = stickslip.Machine(m1=4, m2=1, k1=320, k2=80, normal_force="0.1", friction_at_rest="1.834",
+                                friction_sliding="0.2", belt_velocity="0.01", load_amplitude="0.005",
+                                load_frequency="1.0009254372")
+    [told] = stickslip.orbits("OTS", machine=machine, units="si", neighbourhood=True).admissible
+    [plain] = stickslip.orbits("OTS", machine=machine, neighbourhood=True).admissible
+    for k, factor in enumerate((1e-3, 1e-3, 1e-2, 1e-2)):
+        for one, other in ((told.neighbourhood.centre, plain.neighbourhood.centre),
+                           (told.neighbourhood.alone, plain.neighbourhood.alone),
+                           (told.neighbourhood.half_widths, plain.neighbourhood.half_widths)):
+            assert abs(one[k] - factor * other[k]) <= 1e-12 * abs(one[k])
+        assert abs(told.neighbourhood.S[k][0] - factor * plain.neighbourhood.S[k][0]) <= 1e-12 * factor

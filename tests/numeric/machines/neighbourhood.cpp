@@ -101,6 +101,37 @@ TEST_CASE("all motions from the neighbourhood of a stable orbit converge to it")
   check_converges(P, 500, 30);
 }
 
+TEST_CASE("a neighbourhood is as large in whatever units the machine stands") {
+  const Case O = case_of(damped_O(), start_of_damped(), 300);
+  // Lengths in another unit, and times.
+  const Rational l(1, 1000), t(7);
+  Machine other = damped_O();
+  auto& o = other.oscillator;
+  o.stiffness *= Rational(t * t);
+  o.damping *= t;
+  o.V *= Rational(l * t);
+  o.omega *= t;
+  const Rational force(l * t * t);
+  for (model::FrictionLaw<Rational> * law : {&o.forward, &o.backward}) {
+    law->at_rest *= force;
+    for (model::SlidingPiece<Rational>& piece : law->sliding) {
+      piece = {piece.from * l * t, piece.force * force, piece.slope * t};
+    }
+  }
+  for (model::HarmonicForce<Rational>& load : o.loads) {
+    load.cosine *= force;
+    load.sine *= force;
+  }
+  Eigen::VectorXd X = start_of_damped() * l.get_d();
+  X.tail(2) *= t.get_d();
+  const Case same = case_of(other, X, 300);
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    const double unit = l.get_d() * (k < 2 ? 1 : t.get_d());
+    CHECK(same.found.half_widths(k) == doctest::Approx(unit * O.found.half_widths(k)).epsilon(0.2));
+    CHECK(same.found.alone(k) == doctest::Approx(unit * O.found.alone(k)).epsilon(0.2));
+  }
+}
+
 TEST_CASE("the derivative of the return map contracts everywhere in a neighbourhood, and need not outside") {
   const Case O = case_of(damped_O(), start_of_damped(), 1500);
   const auto o = oscillator_as<double>(O.machine);
