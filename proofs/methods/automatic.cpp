@@ -33,10 +33,6 @@ Term difference(const Formula& equation) {
   return equation.parts()[0] - equation.parts()[1];
 }
 
-bool is_equation_of_numbers(const Formula& formula) {
-  return formula.kind() == kernel::Kind::equal && formula.parts()[0].type().is_scalar();
-}
-
 // a ≠ b by the sign of a - b.
 Theorem differs(Derivation& derivation, const Formula& formula) {
   const Formula& same = formula.parts()[0];

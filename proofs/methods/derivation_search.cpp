@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "proofs/methods/derivation.hpp"
+#include "proofs/methods/points.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 
@@ -333,19 +334,16 @@ std::optional<Theorem> Derivation::with_rest(const Formula& formula, const Theor
 }
 
 Theorem Derivation::combined(const Formula& equation) {
-  const auto is_of_numbers = [](const Formula& formula) {
-    return formula.kind() == kernel::Kind::equal && formula.parts()[0].type().is_scalar();
-  };
   const auto difference = [](const Formula& one) { return one.parts()[0] - one.parts()[1]; };
   std::vector<Theorem> equations;
   std::vector<Formula> said{equation};
   for (const Formula& one : assumed()) {
-    if (is_of_numbers(one)) {
+    if (is_equation_of_numbers(one)) {
       equations.push_back(Theorem::assume(one));
       said.push_back(one);
     }
   }
-  if (!is_of_numbers(equation) || equations.empty()) {
+  if (!is_equation_of_numbers(equation) || equations.empty()) {
     throw KernelError("there are no equations to be combined");
   }
   for (const Definitions& opened : {Definitions{}, openings(said).all()}) {

@@ -19,10 +19,6 @@ using symbols::Statement;
 
 namespace {
 
-bool is_equation_of_numbers(const Formula& formula) {
-  return formula.kind() == kernel::Kind::equal && formula.parts()[0].type().is_scalar();
-}
-
 std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
   const Term gap = equation.conclusion().parts()[0] - equation.conclusion().parts()[1];
   const tactics::Letters letters({gap});
@@ -312,6 +308,10 @@ std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,
   } catch (const symbols::NoValue&) {
     return std::nullopt;
   }
+}
+
+bool is_equation_of_numbers(const Formula& formula) {
+  return formula.kind() == kernel::Kind::equal && formula.parts()[0].type().is_scalar();
 }
 
 }  // namespace stickslip::proofs::methods

@@ -27,6 +27,9 @@ namespace stickslip::proofs::methods {
                                                       const std::optional<symbols::Statement>& where = {},
                                                       const std::optional<symbols::Statement>& doubted = {});
 
+// Neither of vectors or matrices, nor of functions.
+[[nodiscard]] bool is_equation_of_numbers(const kernel::Formula& formula);
+
 // The assumed equations between numbers, one after the other solved for a letter in which it is linear:
 // letter = value, the letters before put in. A letter is a variable, or a cosine and the like if
 // `any_letter`. `choice` counts the ways to choose the letters; nothing where there are no more. Those that

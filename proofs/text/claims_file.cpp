@@ -44,11 +44,6 @@ struct Entry {
   std::vector<Line> body;
 };
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
 // The word in front, and the rest.
 std::pair<std::string, std::string> first_word(const std::string& text) {
   const auto end = text.find_first_of(" \t");

@@ -22,12 +22,12 @@ using symbols::Op;
 using symbols::Statement;
 using symbols::Term;
 
-namespace {
-
 std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t\r");
   return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
 }
+
+namespace {
 
 // The parts between separators that stand in no brackets.
 std::vector<std::string> parts_of(const std::string& text, char separator) {

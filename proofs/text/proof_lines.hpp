@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proofs/methods/claim.hpp"
@@ -42,5 +43,8 @@ struct ProofPlace {
 // assumption of the claim, or else of a claim of the context; `claim ID` is the claim. Nothing: whatever
 // method works (methods/automatic.hpp). Throws UsageError, or ParseError.
 [[nodiscard]] methods::Proof proof_of(const ProofPlace& place, const std::string& line);
+
+// Without blanks at either end.
+[[nodiscard]] std::string trimmed(std::string_view text);
 
 }  // namespace stickslip::proofs::text

@@ -16,6 +16,7 @@
 #include "numeric/words/word_orbit.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/examples.hpp"
+#include "tests/numeric/machines/neighbourhoods.hpp"
 
 using namespace stickslip;
 using namespace stickslip::examples;
@@ -122,13 +123,31 @@ TEST_CASE(
     "a flow over an uncertain time contains those over its members, and none when it is too uncertain") {
   const LinearPhases phases(oscillator_as<Ball>(row_of_masses(3)));
   const Piece piece{PhaseKind::slip, 1};
-  const Matrix wide = phases.flow(piece, Ball::from_interval(Rational("1"), Rational("1001/1000")));
-  for (const char * member : {"1", "10004/10000", "1001/1000"}) {
-    const Matrix one = phases.flow(piece, Ball(Rational(member)));
-    for (Eigen::Index i = 0; i < one.size(); ++i) {
-      CHECK(wide.data()[i].overlaps(one.data()[i]));
-      CHECK((wide.data()[i] - one.data()[i]).contains_zero());
+  const auto check_contains = [](const LinearPhases& all, Piece of, const Rational& scale) {
+    const auto from_1 = [&](int thousandths) { return Rational(scale * Rational(1000 + thousandths, 1000)); };
+    // The whole, and what is kept of it beside it.
+    for (const int width : {1, 100}) {
+      const Ball h = Ball::from_interval(from_1(0), from_1(width));
+      const Matrix wide = all.flow(of, h);
+      const Vector from = Vector::Constant(wide.cols(), Ball(1));
+      const Vector after = all.after(of, h, from);
+      for (const int part : {0, width}) {
+        const Matrix one = exponential(all.drift(of) * Ball(from_1(part)));
+        for (Eigen::Index i = 0; i < one.size(); ++i) {
+          CHECK((wide.data()[i] - one.data()[i]).contains_zero());
+        }
+        const Vector there = zeros::product(one, from);
+        for (Eigen::Index i = 0; i < from.size(); ++i) {
+          CHECK((after(i) - there(i)).contains_zero());
+        }
+      }
     }
+  };
+  check_contains(phases, piece, Rational(1));
+  for (const Rational& l : {Rational(1, 1000000), Rational(1), Rational(1000)}) {
+    const LinearPhases other(oscillator_as<Ball>(in_other_units(damped_O(), l, Rational(20))));
+    check_contains(other, {PhaseKind::slip, 0}, Rational(1, 20));
+    check_contains(other, {}, Rational(1, 20));
   }
   CHECK_FALSE(phases.flow(piece, Ball::from_interval(Rational(0), Rational(9)))(0, 0).is_finite());
   CHECK_THROWS_AS((void)phases.flow({PhaseKind::slip, 3}, Ball(1)), InternalError);

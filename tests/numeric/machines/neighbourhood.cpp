@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/neighbourhood.hpp"
+#include "numeric/machines/reaching.hpp"
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/zeros/linear_solve.hpp"
@@ -103,25 +104,8 @@ TEST_CASE("all motions from the neighbourhood of a stable orbit converge to it")
 
 TEST_CASE("a neighbourhood is as large in whatever units the machine stands") {
   const Case O = case_of(damped_O(), start_of_damped(), 300);
-  // Lengths in another unit, and times.
   const Rational l(1, 1000), t(7);
-  Machine other = damped_O();
-  auto& o = other.oscillator;
-  o.stiffness *= Rational(t * t);
-  o.damping *= t;
-  o.V *= Rational(l * t);
-  o.omega *= t;
-  const Rational force(l * t * t);
-  for (model::FrictionLaw<Rational> * law : {&o.forward, &o.backward}) {
-    law->at_rest *= force;
-    for (model::SlidingPiece<Rational>& piece : law->sliding) {
-      piece = {piece.from * l * t, piece.force * force, piece.slope * t};
-    }
-  }
-  for (model::HarmonicForce<Rational>& load : o.loads) {
-    load.cosine *= force;
-    load.sine *= force;
-  }
+  const Machine other = in_other_units(damped_O(), l, t);
   Eigen::VectorXd X = start_of_damped() * l.get_d();
   X.tail(2) *= t.get_d();
   const Case same = case_of(other, X, 300);
@@ -312,6 +296,56 @@ TEST_CASE("pixels of a plane are proved to end where their middles do") {
   basins.half = {0.5, 0.5};
   basins.pixels = {2, 2};
   CHECK(proved_share(in_plane(basins)) == 0);
+}
+
+TEST_CASE("a pixel is proved with all of its starts, whichever others are looked at together with it") {
+  // A ball that motions are in after a part of a slip: the pixels at its edge are not.
+  const Machine machine = damped_O();
+  const auto o = oscillator_as<double>(machine);
+  Eigen::VectorXd X = start_of_damped();
+  X(3) = 0.2;
+  constexpr double time = 0.25, radius = 0.01;
+  Simulation simulation(o, 0, X);
+  const auto end_of = [&](const Eigen::VectorXd& start) {
+    simulation.restart(0, start);
+    std::vector<Simulation::Transition> log;
+    simulation.advance(time, &log);
+    REQUIRE(log.empty());
+    return simulation.state();
+  };
+  Neighbourhood ball;
+  ball.verdict = Verdict::proved();
+  ball.piece = {motion::PhaseKind::slip, 0};
+  ball.time = time;
+  ball.period = simulation.period();
+  ball.centre = Eigen::VectorXd(end_of(X)).cast<Ball>();
+  ball.S = ball.inverse = Matrix::Identity(4, 4);
+  ball.radius = radius;
+  Pixels pixels{{}, {0, 3}, {}, {24, 24}};
+  Eigen::VectorXd half = Eigen::VectorXd::Zero(4);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    half(pixels.across[axis]) = 2 * radius;
+    pixels.half[axis] = 2 * radius / 24;
+  }
+  pixels.starts = attractors::starts_in_plane<Eigen::VectorXd>(X, half, pixels.across, pixels.count);
+  const auto ends = reached(machine, pixels, {std::make_shared<Neighbourhood>(ball)});
+  std::size_t proved = 0, inside = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    bool all = true;
+    for (const double x : {-pixels.half[0], pixels.half[0]}) {
+      for (const double v : {-pixels.half[1], pixels.half[1]}) {
+        Eigen::VectorXd corner = pixels.starts[i];
+        corner(pixels.across[0]) += x;
+        corner(pixels.across[1]) += v;
+        all = all && place(ball, end_of(corner)) < 1;
+      }
+    }
+    CHECK((all || !ends[i]));
+    proved += ends[i] ? 1 : 0;
+    inside += all ? 1 : 0;
+  }
+  CHECK(proved > inside * 9 / 10);
+  CHECK(inside < ends.size());
 }
 
 TEST_CASE("a phase ends at its first event, wherever the search for it begins") {

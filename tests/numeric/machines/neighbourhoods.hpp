@@ -31,6 +31,27 @@ using Simulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
   return with_damping(motion::parse_parameters("3/10", "4", "1/10", "0", "3/5", "1"), Rational("2996/10000"));
 }
 
+// Where lengths are counted l times as large, and times 1/t.
+[[nodiscard]] inline Machine in_other_units(Machine machine, const Rational& l, const Rational& t) {
+  auto& o = machine.oscillator;
+  o.stiffness *= Rational(t * t);
+  o.damping *= t;
+  o.V *= Rational(l * t);
+  o.omega *= t;
+  const Rational force(l * t * t);
+  for (model::FrictionLaw<Rational> * law : {&o.forward, &o.backward}) {
+    law->at_rest *= force;
+    for (model::SlidingPiece<Rational>& piece : law->sliding) {
+      piece = {piece.from * l * t, piece.force * force, piece.slope * t};
+    }
+  }
+  for (model::HarmonicForce<Rational>& load : o.loads) {
+    load.cosine *= force;
+    load.sine *= force;
+  }
+  return machine;
+}
+
 // c + S z with |z| = size.
 [[nodiscard]] inline Eigen::VectorXd member(const Neighbourhood& n, double size, std::mt19937_64& engine) {
   std::normal_distribution<double> normal;
