@@ -212,7 +212,7 @@ class Division {
       part.orbit = decided_orbit(family_, closed_over(proof, jets, middle), ur_);
       std::optional<Stability>& stability = part.orbit.stability;
       if (stability && stability->kind == StabilityKind::undecided) {
-        const auto kind = stability_over(proof, jets, middle, &family_ == &symmetric());
+        const auto kind = stability_over(proof, jets, middle, family_.is_symmetric);
         stability = kind ? Stability{*kind, {}, stability->multipliers} : *stability;
       }
     }

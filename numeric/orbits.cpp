@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
-#include "core/parallel.hpp"
-#include "numeric/families/family.hpp"
+#include "numeric/families/isolate.hpp"
 #include "numeric/machines/neighbourhood.hpp"
 #include "numeric/orbit_over_box.hpp"
 
@@ -49,10 +47,7 @@ Given<S> each(const OrbitQuestion& q, S (*f)(const Range&)) {
   return {{f(a.chi), f(a.eta), f(a.us), f(a.V), f(a.omega), f(a.p)}, of(q.phi), of(q.ur)};
 }
 
-// What became of an orbit that the search found.
-using Entry = std::variant<Orbit, Unresolved>;
-
-Entry at_the_point(const OrbitQuestion& q, const Candidate& candidate, int digits) {
+Concluded<Orbit> at_the_point(const OrbitQuestion& q, const Candidate& candidate, int digits) {
   const Given<Rational> given = each(q, middle);
   const ClosedMotion closed = prove_closed(candidate.equations, given, candidate.guess, digits);
   if (closed.existence.truth != Truth::proved) {
@@ -64,7 +59,7 @@ Entry at_the_point(const OrbitQuestion& q, const Candidate& candidate, int digit
     return Unresolved{candidate.where, no_time_at_all};
   }
   if (!candidate.is_same(closed.motion)) {
-    return Unresolved{candidate.where, "the motion that was proved near a zero may be another one"};
+    return Unresolved{candidate.where, may_be_another};
   }
   // With a stick r = ur (12) is a result; the datum, if there is one, has been met.
   const bool known = given.ur && !has_stick(*q.family);
@@ -72,7 +67,7 @@ Entry at_the_point(const OrbitQuestion& q, const Candidate& candidate, int digit
 }
 
 // The orbit that the middle of the box has, over the whole box.
-Entry over_the_box(const OrbitQuestion& q, const Candidate& candidate) {
+Concluded<Orbit> over_the_box(const OrbitQuestion& q, const Candidate& candidate) {
   OrbitOverBox over = prove_over_box(*q.family, candidate, each(q, ball));
   if (over.existence.truth != Truth::proved) {
     return Unresolved{candidate.where,
@@ -152,17 +147,13 @@ std::vector<Unresolved> resonances_inside(const OrbitQuestion& q) {
 OrbitList concluded(const OrbitQuestion& q, const Found& found, int digits) {
   OrbitList list{q, {}, found.unresolved, found.remarks, found.cells, 0};
   const bool box = asks_for_box(q);
-  for (Entry& entry : parallel_map(found.candidates.size(), [&](std::size_t i) {
-         const Candidate& candidate = found.candidates[i];
-         return box ? over_the_box(q, candidate) : at_the_point(q, candidate, digits);
-       })) {
-    if (auto * orbit = std::get_if<Orbit>(&entry)) {
-      list.orbits.push_back(std::move(*orbit));
-    } else {
-      list.unresolved.push_back(std::get<Unresolved>(std::move(entry)));
-      list.open_at_middle += box ? 1 : 0;
-    }
-  }
+  conclude_all(
+      found.candidates,
+      [&](const Candidate& candidate) {
+        return box ? over_the_box(q, candidate) : at_the_point(q, candidate, digits);
+      },
+      list.orbits, list.unresolved);
+  list.open_at_middle = box ? list.unresolved.size() - found.unresolved.size() : 0;
   if (box) {
     list.remarks.push_back(Remark::searched_at_middle);
     std::ranges::move(resonances_inside(q), std::back_inserter(list.unresolved));

@@ -1,20 +1,11 @@
 #include "numeric/atlas/judges.hpp"
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/overshooting_orbit.hpp"
+#include "numeric/families/isolate.hpp"
 
 namespace stickslip::numeric::atlas {
 
 namespace {
-
-// Where a share of the period lies for all members: inside (0, 1), outside, or neither is known.
-template <class S>
-families::Place place(const S& share) {
-  if (share.is_negative() || S(share - S(1)).is_positive()) {
-    return families::Place::outside;
-  }
-  return share.is_positive() && S(share - S(1)).is_negative() ? families::Place::inside
-                                                              : families::Place::at_edge;
-}
 
 template <class S, int N>
 class Judge {
@@ -72,8 +63,8 @@ class Judge {
       if (!at) {
         return Reason::no_amplitude;
       }
-      const families::Place s = place((*at)[0].over);
-      const families::Place w = place((*at)[1].over);
+      const families::Place s = families::place((*at)[0].over);
+      const families::Place w = families::place((*at)[1].over);
       if (s == families::Place::outside || w == families::Place::outside) {
         continue;
       }

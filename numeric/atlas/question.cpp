@@ -7,6 +7,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/families/isolate.hpp"
 
 namespace stickslip::numeric::atlas {
 

@@ -16,17 +16,13 @@
 
 #include "core/rational.hpp"
 #include "numeric/branches/end.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/machine_along.hpp"
 #include "numeric/motion/closing.hpp"
 
 namespace stickslip::numeric::branches {
 
-// How motions can grow beyond all bounds: those unknowns that are lengths and do, those that do not, and the
-// closing conditions that do not depend on the first.
-struct Growth {
-  std::vector<int> growing, bounded;
-  std::vector<int> free_rows;
-};
+using families::Growth;
 
 // Units in which the unknown at `place` has the size 1 and the given sign: in its place there stands e, the
 // reciprocal of its size, and the growing ones and us, V, p and ur are multiplied by that.

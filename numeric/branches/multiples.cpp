@@ -6,7 +6,6 @@
 
 #include "numeric/branches/setting.hpp"
 #include "numeric/families/nonsticking.hpp"
-#include "numeric/families/overshooting.hpp"
 #include "numeric/scalars/form.hpp"
 
 namespace stickslip::numeric::branches {
@@ -30,19 +29,16 @@ struct Singular {
 
 Singular singular(const OrbitQuestion& orbits) {
   constexpr double narrow = 0x1p-17, wide = 0x1p-11;
-  const auto multiples = [](double least) {
-    return std::vector<Frequency>{{"omega1", [](const model::Modes<Ball>& m) { return m.omega1; }, least},
-                                  {"omega2", [](const model::Modes<Ball>& m) { return m.omega2; }, least}};
-  };
-  if (orbits.family == &families::nonsticking()) {
-    return {multiples(1), narrow};
+  const families::Family& family = *orbits.family;
+  std::vector<Frequency> all;
+  if (const double least = family.first_singular; least > 0) {
+    all = {{"omega1", [](const model::Modes<Ball>& m) { return m.omega1; }, least},
+           {"omega2", [](const model::Modes<Ball>& m) { return m.omega2; }, least}};
   }
-  if (orbits.family == &families::overshooting()) {
-    std::vector<Frequency> all = multiples(2);
+  if (family.is_singular_with_m1) {
     all.push_back({"1", [](const model::Modes<Ball>&) { return Ball(1); }, 1});
-    return {all, orbits.ur ? wide : narrow};
   }
-  return {{}, narrow};
+  return {all, has_stick(family) && orbits.ur ? wide : narrow};
 }
 
 class Finder {

@@ -7,11 +7,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "numeric/branches/word_branches.hpp"
+#include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
-#include "numeric/families/nonsticking.hpp"
-#include "numeric/families/overshooting.hpp"
-#include "numeric/families/symmetric.hpp"
 #include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric::branches {
@@ -25,11 +22,9 @@ constexpr std::array parameters{"chi", "eta", "us", "V", "omega", "p", "phi", "u
 
 // The datum of that name in a question; nothing where it is not one of the family's.
 Range * datum(OrbitQuestion& q, const std::string& name) {
-  model::Parameters<Range>& a = q.parameters;
-  const std::array<Range *, 6> all{&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p};
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (name == parameters[k]) {
-      return all[k];
+  for (const auto& [known, member] : model::named_data<Range>) {
+    if (name == known) {
+      return &(q.parameters.*member);
     }
   }
   std::optional<Range>& other = name == "phi" ? q.phi : q.ur;
@@ -104,13 +99,8 @@ void require_question(const BranchQuestion& question) {
                                  stickslip::to_string(*question.at), stickslip::to_string(question.from),
                                  stickslip::to_string(question.to)));
   }
-  for (const Range& range :
-       {question.orbits.parameters.chi, question.orbits.parameters.eta, question.orbits.parameters.us,
-        question.orbits.parameters.V, question.orbits.parameters.omega, question.orbits.parameters.p,
-        question.orbits.phi.value_or(Range{}), question.orbits.ur.value_or(Range{})}) {
-    if (range.radius != 0) {
-      throw UsageError("a branch is along one interval A..B: all other parameters are exact");
-    }
+  if (asks_for_box(question.orbits)) {
+    throw UsageError("a branch is along one interval A..B: all other parameters are exact");
   }
   if (question.word) {
     for (const Rational& end : {question.from, question.to}) {
@@ -128,40 +118,18 @@ void require_question(const BranchQuestion& question) {
   require_answerable(with(question, {(question.from + question.to) / 2, (question.to - question.from) / 2}));
 }
 
-namespace {
-
-Law law_of_word(const BranchQuestion& question) {
-  Law law;
-  law.ur_is_free = question.parameter == "ur";
-  if (!law.ur_is_free) {
-    law.ur = question.orbits.ur->middle;
-  }
-  law.machine = question.machine;
-  law.requirements = question.orbits.family->requirements;
-  law.conditions = [family = question.word->family](const ClosedMotion& closed,
-                                                    const std::optional<Ball>& ur) {
-    return decide_all(family->phases, family->requirements, closed.motion, closed.waves, ur);
-  };
-  return law;
-}
-
-}  // namespace
-
 Law law_of(const BranchQuestion& question) {
-  if (question.word) {
-    return law_of_word(question);
-  }
   const Family& family = *question.orbits.family;
   const OrbitQuestion& q = question.orbits;
   Law law;
   law.machine = question.machine;
-  law.ur_is_result = has_stick(family);
+  law.ur_is_result = has_stick(family) && !question.word;
   law.phi_is_given = q.phi.has_value() || question.parameter == "phi";
   law.ur_is_free = !law.ur_is_result && question.parameter == "ur";
   if (!law.ur_is_result && !law.ur_is_free && q.ur) {
     law.ur = q.ur->middle;
   }
-  law.is_symmetric = &family == &symmetric();
+  law.is_symmetric = family.is_symmetric;
   law.requirements = requirements(family, law.ur_is_result || law.ur_is_free || law.ur);
   if (!law.ur_is_result && !law.ur_is_free && !law.ur) {
     for (Requirement requirement : family.requirements) {
@@ -171,40 +139,16 @@ Law law_of(const BranchQuestion& question) {
       }
     }
   }
-  // (36) is (25) of an orbit whose slip lasts half a period at V = 0: there x(0) = Q cos(phi), for the motion
-  // that the friction excites alone is odd about t = 0.
   const auto at_rest = [&](const Rational& value) { return data_at(question, value).data.V == 0; };
-  if (&family == &nonsticking() && at_rest(question.from) && at_rest(question.to)) {
-    law.requirements.push_back({"36", "", Quantity::beyond_ur, 0});
+  if (at_rest(question.from) && at_rest(question.to)) {
+    std::ranges::copy(family.at_rest, std::back_inserter(law.requirements));
   }
-  law.conditions = [&family](const ClosedMotion& closed, const std::optional<Ball>& ur) {
+  law.conditions = [&family, kept = question.word ? question.word->family : nullptr](
+                       const ClosedMotion& closed, const std::optional<Ball>& ur) {
     return families::conditions(family, closed, ur);
   };
   return law;
 }
-
-std::vector<Growth> overshooting_growths() {
-  // a, C, D: the odd rows, which come first, are free of a and D, the even ones of C.
-  return {{{2, 4}, {3}, {0, 1}}, {{3}, {2, 4}, {2, 3}}, {{2, 3, 4}, {}, {}}};
-}
-
-namespace {
-
-std::vector<Growth> growths_of(const BranchQuestion& question) {
-  const Family& family = *question.orbits.family;
-  if (question.word) {
-    return word_growths(*question.word);
-  }
-  if (&family == &symmetric()) {
-    return {{{1}, {}, {}}};  // C
-  }
-  if (&family == &overshooting()) {
-    return overshooting_growths();
-  }
-  return {};
-}
-
-}  // namespace
 
 Curve curve_of(const BranchQuestion& question, const Closing& equations) {
   const Given<Rational> given = data_at(question, question.from);
@@ -213,7 +157,7 @@ Curve curve_of(const BranchQuestion& question, const Closing& equations) {
   balls.ur = given.ur ? std::optional(Ball(*given.ur)) : std::nullopt;
   Curve curve{equations, equations.parameters(balls), 0, question.from, question.to};
   curve.machine = question.machine;
-  curve.growths = growths_of(question);
+  curve.growths = question.orbits.family->growths;
   if (question.machine) {
     return curve;
   }

@@ -20,9 +20,6 @@ void require_question(const BranchQuestion& question);
 
 [[nodiscard]] Curve curve_of(const BranchQuestion& question, const motion::Closing& equations);
 
-// How overshooting orbits can grow beyond all bounds, in the unknowns of their closing conditions.
-[[nodiscard]] std::vector<Growth> overshooting_growths();
-
 // The integer multiple of the load's frequency that is nearest to a natural frequency, 1 (that of a stick)
 // among them, in words, where it is next to it: why nothing more is known there. Else empty.
 [[nodiscard]] std::string resonance_near(const Ball& value, const BranchQuestion& question);

@@ -10,34 +10,6 @@
 
 namespace stickslip::numeric::branches {
 
-BranchQuestion word_question(const words::WordQuestion& machine, const words::Word& word, int periods,
-                             const std::vector<words::WordOrbit>& known) {
-  families::Family record;
-  record.name = word.letters();
-  record.title = fmt::format("Orbits of the word {} over {} period{} of the load", word.letters(), periods,
-                             periods == 1 ? "" : "s");
-  record.phases = word.phases();
-  for (std::size_t k = 0; k < word.size(); ++k) {
-    record.durations.push_back(fmt::format("t{}", k + 1));
-  }
-  record.requirements = words::requirements_of(record.phases);
-  WordOrbits orbits{std::make_shared<const families::Family>(std::move(record)), {}, periods};
-  for (const words::WordOrbit& one : known) {
-    if (one.existence.truth == Truth::proved && one.word == word && one.periods == periods) {
-      orbits.motions.push_back(one.orbit.motion);
-    }
-  }
-  const motion::ExactParameters& a = machine.data;
-  BranchQuestion question;
-  question.orbits = {orbits.family.get(),
-                     {Range{a.chi}, Range{a.eta}, Range{a.us}, Range{a.V}, Range{a.omega}, Range{a.p}},
-                     {},
-                     Range{machine.ur},
-                     machine.digits};
-  question.word = std::move(orbits);
-  return question;
-}
-
 namespace {
 
 using motion::PhaseKind;
@@ -93,39 +65,64 @@ std::optional<std::size_t> first_of(const std::vector<PhaseKind>& phases, const 
 struct Equations {
   motion::Closing closing;
   int phi;  // its place among the unknowns
-  std::vector<Growth> growths;
+  std::vector<families::Growth> growths;
 };
 
 // Of a slip, an overshoot and a stick in one period those of the family, reduced by hand: their cells are
 // some twenty times as long. Else from the end of a stick on, if there is one: its duration, often the
 // longest, is what the others leave.
-Equations equations_of(const WordOrbits& word) {
-  std::vector<PhaseKind> phases = word.family->phases;
-  const auto whole = first_of(phases, families::overshooting().phases);
-  if (whole && word.periods == 1) {
-    return {Turned<families::OvershootingClosing>{{false, true}, *whole}, 5, overshooting_growths()};
+Equations equations_of(std::vector<PhaseKind> phases, int periods) {
+  const families::Family& family = families::overshooting();
+  const auto whole = first_of(phases, family.phases);
+  if (whole && periods == 1) {
+    return {Turned<families::OvershootingClosing>{{false, true}, *whole}, 5, family.growths};
   }
   const auto stick = std::find(phases.rbegin(), phases.rend(), PhaseKind::stick).base() - phases.begin();
   const std::size_t first = static_cast<std::size_t>(stick) % phases.size();
   Turned<Shooting>::turn(phases, first);
   const int legs = static_cast<int>(phases.size()) - 1;
-  return {Turned<Shooting>{{phases, word.periods}, first},
+  return {Turned<Shooting>{{phases, periods}, first},
           legs + 3,
           {{{legs, legs + 1, legs + 2}, {}, {}}}};  // z1, z2, z1'
 }
 
 }  // namespace
 
-std::vector<Growth> word_growths(const WordOrbits& word) {
-  return equations_of(word).growths;
+BranchQuestion word_question(const words::WordQuestion& machine, const words::Word& word, int periods,
+                             const std::vector<words::WordOrbit>& known) {
+  families::Family record;
+  record.name = word.letters();
+  record.title = fmt::format("Orbits of the word {} over {} period{} of the load", word.letters(), periods,
+                             periods == 1 ? "" : "s");
+  record.phases = word.phases();
+  for (std::size_t k = 0; k < word.size(); ++k) {
+    record.durations.push_back(fmt::format("t{}", k + 1));
+  }
+  record.requirements = words::requirements_of(record.phases);
+  record.growths = equations_of(record.phases, periods).growths;
+  WordOrbits orbits{std::make_shared<const families::Family>(std::move(record)), {}, periods};
+  for (const words::WordOrbit& one : known) {
+    if (one.existence.truth == Truth::proved && one.word == word && one.periods == periods) {
+      orbits.motions.push_back(one.orbit.motion);
+    }
+  }
+  const motion::ExactParameters& a = machine.data;
+  BranchQuestion question;
+  question.orbits = {orbits.family.get(),
+                     {Range{a.chi}, Range{a.eta}, Range{a.us}, Range{a.V}, Range{a.omega}, Range{a.p}},
+                     {},
+                     Range{machine.ur},
+                     machine.digits};
+  question.word = std::move(orbits);
+  return question;
 }
 
 std::vector<families::Candidate> word_candidates(const WordOrbits& word) {
-  const Equations equations = equations_of(word);
+  const Equations equations = equations_of(word.family->phases, word.periods);
   std::vector<families::Candidate> all;
   for (const motion::Motion& motion : word.motions) {
     all.push_back(
-        {equations.closing, motion, {}, [](const motion::Motion&) { return true; }, 0, equations.phi});
+        {{motion, {}, [](const motion::Motion&) { return true; }}, equations.closing, 0, equations.phi});
   }
   return all;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "numeric/branches/branches.hpp"
-#include "numeric/branches/curve.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/words/word_orbit.hpp"
 
@@ -12,9 +11,6 @@ namespace stickslip::numeric::branches {
 // friction with the parameter at `at`. The durations are named t1, t2, … in the order of the word's letters.
 [[nodiscard]] BranchQuestion word_question(const words::WordQuestion& machine, const words::Word& word,
                                            int periods, const std::vector<words::WordOrbit>& known);
-
-// How its orbits can grow beyond all bounds, in the unknowns of their closing conditions.
-[[nodiscard]] std::vector<Growth> word_growths(const WordOrbits& word);
 
 // The closing conditions of its orbits, and of each a guess at `at`.
 [[nodiscard]] std::vector<families::Candidate> word_candidates(const WordOrbits& word);

@@ -110,12 +110,4 @@ std::vector<Condition> conditions(const Family& family, const ClosedMotion& moti
   return result;
 }
 
-Place place(const Ball& share) {
-  const Ball beyond = share - Ball(1);
-  if (share.is_negative() || beyond.is_positive()) {
-    return Place::outside;
-  }
-  return share.is_positive() && beyond.is_negative() ? Place::inside : Place::at_edge;
-}
-
 }  // namespace stickslip::numeric::families

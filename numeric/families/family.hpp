@@ -33,23 +33,36 @@ extern const Judges symmetric_judges, overshooting_judges, nonsticking_judges;
 
 namespace stickslip::numeric::families {
 
-// A zero of a family's reduced equations, proved to be one.
-struct Candidate {
-  motion::Closing equations;     // that its motion obeys
-  motion::Motion guess;          // that motion, nearly
+// A zero of reduced equations, proved to be one.
+struct Isolated {
+  motion::Motion guess;          // its motion, nearly
   std::vector<NamedBall> where;  // contains the zero
-  // Whether a closed motion is this zero: it lies where the zero is the only one.
+  // Whether a closed motion with the guess's phases is this zero: it lies where the zero is the only one.
   std::function<bool(const motion::Motion&)> is_same;
-  int system = 0;  // which of the family's systems of closing conditions `equations` is
-  int angle = -1;  // the place of an unknown that counts modulo 2 pi, or none
 };
 
-// What a search found: no closed motion of the family is in neither list.
-struct Found {
-  std::vector<Candidate> candidates;
-  std::vector<Unresolved> unresolved;
+// One of a family's.
+struct Candidate : Isolated {
+  motion::Closing equations;  // that its motion obeys
+  int system = 0;             // which of the family's systems of closing conditions they are
+  int angle = -1;             // the place of an unknown that counts modulo 2 pi, or none
+};
+
+// What a search found: no closed motion is in neither list.
+template <class Zero>
+struct FoundOf {
+  std::vector<Zero> candidates = {};
+  std::vector<Unresolved> unresolved = {};
   std::vector<Remark> remarks = {};
   long cells = 0;  // examined
+};
+using Found = FoundOf<Candidate>;
+
+// How motions can grow beyond all bounds: those unknowns that are lengths and do, those that do not, and the
+// closing conditions that do not depend on the first.
+struct Growth {
+  std::vector<int> growing, bounded;
+  std::vector<int> free_rows;
 };
 
 struct Family {
@@ -71,6 +84,14 @@ struct Family {
                                             const std::optional<Ball>& ur) = nullptr;
   // What is proved of its orbits over a box of parameters; null where no atlas is made of them.
   const atlas::Judges * judges = nullptr;
+  bool is_symmetric = false;  // each phase ends in the mirror image of where it begins (13)
+  // Further inequalities along motions on a belt that stands still.
+  motion::Requirements at_rest = {};
+  std::vector<Growth> growths = {};  // in the unknowns of its closing conditions
+  // Its closing conditions are singular where k omega, k at least this, is a natural frequency; 0: nowhere.
+  // And where k omega = 1, that of m1 alone, for k >= 1.
+  int first_singular = 0;
+  bool is_singular_with_m1 = false;
 };
 
 [[nodiscard]] bool has_stick(const Family& family);
@@ -91,12 +112,5 @@ struct Family {
 [[nodiscard]] std::vector<motion::Condition> conditions(const Family& family,
                                                         const motion::ClosedMotion& motion,
                                                         const std::optional<Ball>& ur);
-
-// Where a share lies as to the open interval (0, 1), for searches that end there.
-enum class Place { inside, outside, at_edge };
-[[nodiscard]] Place place(const Ball& share);
-
-// Why a zero at the edge is left open.
-inline constexpr const char * no_time_at_all = "an orbit one of whose phases may last no time at all";
 
 }  // namespace stickslip::numeric::families

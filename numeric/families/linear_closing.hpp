@@ -16,8 +16,8 @@
 //   is_excluded(P, X)                          whether X holds no motion for a reason that the rows do not
 //   see
 // The functions that are templates over T are found by argument-dependent lookup where
-// linear_closing_search.hpp is included: by the source file of the problem, which instantiates what is
-// declared here.
+// linear_closing_search.hpp is included: by the source file of the problem, which instantiates
+// LinearEliminant.
 #pragma once
 
 #include <optional>
@@ -59,48 +59,29 @@ struct Linear {
 // and vanish, all rows hold for one value of the unknowns, provided the combinations are invertible.
 template <class P>
 struct LinearEliminant {
+  using Jet = scalars::Jet<Ball, P::times>;
+  using Box = Unknowns<P, Ball>;
+
   P problem;
   Eigen::Matrix<Ball, P::rows, P::rows> combinations;
 
-  template <class T>
-  [[nodiscard]] Unknowns<P, T> operator()(const Unknowns<P, T>& x) const;
-  // Nothing where they are not determined at x.
-  [[nodiscard]] std::optional<Linear<P>> linear(const Unknowns<P, Ball>& x) const;
-};
+  // With invertible combinations, as fits this box; nothing where there are none.
+  [[nodiscard]] static std::optional<LinearEliminant> near(const P& problem, const Box& X);
+  // The part of X that may hold a motion that closes; exactly one in a box that contains X, or none in X.
+  [[nodiscard]] static std::optional<Box> contract(const P& problem, const Box& X);
+  [[nodiscard]] static zeros::Decision<P::times> decide(const P& problem, const Box& X);
 
-// With invertible combinations; nothing where there are none.
-template <class P>
-[[nodiscard]] std::optional<LinearEliminant<P>> eliminant_near(const P& problem, const Unknowns<P, Ball>& X);
+  [[nodiscard]] Box operator()(const Box& x) const { return at<Ball>(x); }
+  [[nodiscard]] Unknowns<P, Jet> operator()(const Unknowns<P, Jet>& x) const { return at<Jet>(x); }
+  // Nothing where they are not determined at x.
+  [[nodiscard]] std::optional<Linear<P>> linear(const Box& x) const;
+
+ private:
+  template <class T>
+  [[nodiscard]] Unknowns<P, T> at(const Unknowns<P, T>& x) const;
+};
 
 inline constexpr const char * dependent =
     "the amplitudes cannot be eliminated: the equations for them may be dependent";
-
-// The part of X that may hold a motion that closes; exactly one in a box that contains X, or none in X.
-template <class P>
-[[nodiscard]] std::optional<zeros::Box<P::times>> contract(const P& problem, const zeros::Box<P::times>& X);
-template <class P>
-[[nodiscard]] zeros::Decision<P::times> decide(const P& problem, const zeros::Box<P::times>& X);
-
-// A proved zero to so many bits, and the functions near it. recipe(): the problem at the working precision.
-template <class P>
-struct RefinedZero {
-  LinearEliminant<P> f;
-  zeros::Box<P::times> x;
-  Place place;  // of all shares together
-};
-template <class P, class Recipe>
-[[nodiscard]] RefinedZero<P> refined(const Recipe& recipe, const zeros::FoundZero<P::times>& found,
-                                     long bits) {
-  const auto near = eliminant_near<P>(recipe(), found.zero);
-  const auto here = [&] { return LinearEliminant<P>{recipe(), near->combinations}; };
-  RefinedZero<P> result{here(), zeros::refine<P::times>(here, found.zero, bits), Place::inside};
-  for (int i = 0; i < P::times; ++i) {
-    const Place at = place(result.x(i));
-    if (at == Place::outside || result.place == Place::inside) {
-      result.place = at;
-    }
-  }
-  return result;
-}
 
 }  // namespace stickslip::numeric::families

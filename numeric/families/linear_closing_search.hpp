@@ -143,14 +143,14 @@ bool load_is_possible(const LoadRows<P, FastJet<P::times>>& m) {
 
 template <class P>
 template <class T>
-Unknowns<P, T> LinearEliminant<P>::operator()(const Unknowns<P, T>& x) const {
+Unknowns<P, T> LinearEliminant<P>::at(const Unknowns<P, T>& x) const {
   const auto left = detail::left_for_load<P, T>(
       zeros::combined_rows<T, P::rows, P::columns>(combinations, rows_at<P, T>(problem, x)));
   return left ? detail::functions<P, T>(*left) : Unknowns<P, T>(Unknowns<P, T>::Constant(T(1) / T(0)));
 }
 
 template <class P>
-std::optional<Linear<P>> LinearEliminant<P>::linear(const Unknowns<P, Ball>& x) const {
+std::optional<Linear<P>> LinearEliminant<P>::linear(const Box& x) const {
   AllRows<P, Ball> m =
       zeros::combined_rows<Ball, P::rows, P::columns>(combinations, rows_at<P, Ball>(problem, x));
   if (!zeros::eliminate<Ball, P::rows, P::columns>(m, 0, P::amplitudes)) {
@@ -180,7 +180,7 @@ std::optional<Linear<P>> LinearEliminant<P>::linear(const Unknowns<P, Ball>& x) 
 }
 
 template <class P>
-std::optional<LinearEliminant<P>> eliminant_near(const P& problem, const Unknowns<P, Ball>& X) {
+std::optional<LinearEliminant<P>> LinearEliminant<P>::near(const P& problem, const Box& X) {
   constexpr int R = P::rows, C = P::columns, K = P::left;
   const AllRows<P, Ball> at_m = rows_at<P, Ball>(problem, zeros::midpoint<P::times>(X));
   const auto proposed = detail::combinations_for<P, Ball>(at_m);
@@ -203,7 +203,7 @@ std::optional<LinearEliminant<P>> eliminant_near(const P& problem, const Unknown
 
 // Rows that hold still do when they are combined.
 template <class P>
-std::optional<zeros::Box<P::times>> contract(const P& problem, const zeros::Box<P::times>& X) {
+auto LinearEliminant<P>::contract(const P& problem, const Box& X) -> std::optional<Box> {
   using scalars::HardwareBall;
   constexpr int N = P::times, R = P::rows, C = P::columns, K = P::left, L = P::loads;
   using Jets = FastJet<N>;
@@ -276,8 +276,8 @@ std::optional<zeros::Box<P::times>> contract(const P& problem, const zeros::Box<
 }
 
 template <class P>
-zeros::Decision<P::times> decide(const P& problem, const zeros::Box<P::times>& X) {
-  const auto f = eliminant_near<P>(problem, X);
+zeros::Decision<P::times> LinearEliminant<P>::decide(const P& problem, const Box& X) {
+  const auto f = near(problem, X);
   if (!f) {
     return {std::nullopt, false, dependent};
   }
@@ -289,13 +289,3 @@ zeros::Decision<P::times> decide(const P& problem, const zeros::Box<P::times>& X
 }
 
 }  // namespace stickslip::numeric::families
-
-// Once for each problem, in its source file in the namespace stickslip::numeric::families.
-#define STICKSLIP_LINEAR_CLOSING(P)                                                              \
-  template struct LinearEliminant<P>;                                                            \
-  template Unknowns<P, Ball> LinearEliminant<P>::operator()(const Unknowns<P, Ball>&) const;     \
-  template Unknowns<P, scalars::Jet<Ball, P::times>> LinearEliminant<P>::operator()(             \
-      const Unknowns<P, scalars::Jet<Ball, P::times>>&) const;                                   \
-  template std::optional<LinearEliminant<P>> eliminant_near(const P&, const Unknowns<P, Ball>&); \
-  template std::optional<zeros::Box<P::times>> contract(const P&, const zeros::Box<P::times>&);  \
-  template zeros::Decision<P::times> decide(const P&, const zeros::Box<P::times>&);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "numeric/zeros/search.hpp"
+#include "numeric/families/isolate.hpp"
 
 namespace stickslip::numeric::families {
 
@@ -13,9 +13,6 @@ using namespace motion;
 using namespace zeros;
 
 namespace {
-
-constexpr long search_bits = 64;
-constexpr long guess_bits = 128;
 
 // The search looks at x = (delta/pi, mu/pi). It covers [0, 1] × an interval of length 2 with a little to
 // spare: then the halvings do not meet delta = pi/2 and sin(mu) = 0, where zeros with a symmetry lie and
@@ -108,12 +105,11 @@ Found symmetric_ones(const ExactParameters& a) {
     const auto is_same = [side](const Motion& motion) {
       return (Ball(side) * cos(motion.phases.front().load)).is_positive();
     };
-    result.candidates.push_back({equations,
-                                 equations.motion<Ball>(x, equations.parameters({o.data})),
-                                 {{"tau", tau}, {"phi", phi}},
-                                 is_same,
-                                 0,
-                                 0});
+    result.candidates.push_back(
+        {{equations.motion<Ball>(x, equations.parameters({o.data})), {{"tau", tau}, {"phi", phi}}, is_same},
+         equations,
+         0,
+         0});
   }
   return result;
 }
@@ -168,45 +164,65 @@ std::vector<NamedBall> tau_and_phi(const TwoSlips& f, const Box<2>& x) {
   return {{"tau", Ball(2) * f.pi * x(0) / f.o.data.omega}, {"phi", phi}};
 }
 
-// The zero, refined, as a motion to be proved.
-Candidate candidate(const TwoSlips& f, const Box<2>& x, const Box<2>& unique) {
-  const std::vector<NamedBall> where = tau_and_phi(f, x);
-  const Closing equations = NonstickingClosing{};
-  const Ball delta = f.pi * x(0);
-  Vector delta_mu(2);
-  delta_mu << delta, where[1].value + delta;
-  const Motion guess = equations.motion<Ball>(delta_mu, equations.parameters({f.o.data}));
-  const auto is_same = [unique](const Motion& motion) {
-    const Phase& slip = motion.phases[0];
-    const Ball share = slip.duration / period(motion);
-    return lies_in(unique, {share, slip.load / Ball::pi() + share});
-  };
-  return {equations, guess, where, is_same, 0, 1};
+// For the search.
+struct Searched {
+  Scaled g;
+
+  [[nodiscard]] std::optional<Box<2>> contract(const Box<2>& X) const {
+    return KrawczykContractor<2, Scaled>{g}(X);
+  }
+  [[nodiscard]] Decision<2> decide(const Box<2>& X) const { return KrawczykDecider<2, Scaled>{g}(X); }
+  [[nodiscard]] std::optional<Unresolved> left_open(const UnresolvedBox<2>& open) const {
+    if ((open.box(0) - Ball(1)).is_positive()) {
+      return std::nullopt;
+    }
+    const Ball tau = Ball(2) * g.f.pi * open.box(0) / g.f.o.data.omega;
+    return Unresolved{{{"tau", tau}, {"phi", open.box(1) * g.f.pi - g.f.o.data.omega * tau / Ball(2)}},
+                      open.reason};
+  }
+};
+
+Scaled scaled(const ExactParameters& a) {
+  return {two_slips_of(parameters_as<Ball>(a))};
 }
 
-// All zeros, refined, except for those outside, at the edge, and the same again modulo 2 pi.
-void conclude(const ExactParameters& a, const std::vector<FoundZero<2>>& zeros, Found& result) {
-  std::vector<FoundZero<2>> known;
-  for (const FoundZero<2>& zero : zeros) {
-    const auto recipe = [&] { return Scaled{two_slips_of(parameters_as<Ball>(a))}; };
-    const Box<2> x = refine<2>(recipe, zero.zero, guess_bits);
-    const TwoSlips f = recipe().f;
-    const Place at = place(x(0));
-    if (at == Place::at_edge) {
-      result.unresolved.push_back({tau_and_phi(f, x), no_time_at_all});
-    } else if (at == Place::inside &&
-               std::none_of(known.begin(), known.end(), [&](const FoundZero<2>& other) {
-                 return lies_in(other.unique, x) || lies_in(zero.unique, other.zero);
-               })) {
-      known.push_back({x, zero.unique});
-      result.candidates.push_back(candidate(f, x, zero.unique));
+// The zero, refined, as a motion to be proved, if it is inside.
+Concluded<Candidate> conclude(const ExactParameters& a, const FoundZero<2>& found) {
+  const Box<2> x = refine<2>([&] { return scaled(a); }, found.zero, guess_bits);
+  const TwoSlips f = scaled(a).f;
+  const std::vector<NamedBall> where = tau_and_phi(f, x);
+  return concluded<Candidate>(place(x(0)), where, [&] {
+    const Closing equations = NonstickingClosing{};
+    const Ball delta = f.pi * x(0);
+    Vector delta_mu(2);
+    delta_mu << delta, where[1].value + delta;
+    const auto is_same = [unique = found.unique](const Motion& motion) {
+      const Phase& slip = motion.phases[0];
+      const Ball share = slip.duration / period(motion);
+      return lies_in(unique, {share, slip.load / Ball::pi() + share});
+    };
+    return Candidate{{equations.motion<Ball>(delta_mu, equations.parameters({f.o.data})), where, is_same},
+                     equations,
+                     0,
+                     1};
+  });
+}
+
+// Without those that are there again modulo 2 pi; by tau, then phi.
+void sort_out(std::vector<Candidate>& all) {
+  std::vector<Candidate> different;
+  for (const Candidate& one : all) {
+    if (std::ranges::none_of(different, [&](const Candidate& other) {
+          return other.is_same(one.guess) || one.is_same(other.guess);
+        })) {
+      different.push_back(one);
     }
   }
   const auto key = [](const Candidate& c) {
     return std::pair(c.where[0].value.approximate(), c.where[1].value.approximate());
   };
-  std::sort(result.candidates.begin(), result.candidates.end(),
-            [&](const Candidate& x, const Candidate& y) { return key(x) < key(y); });
+  std::ranges::sort(different, {}, key);
+  all = std::move(different);
 }
 
 Found search_nonsticking(const Given<Rational>& given) {
@@ -224,22 +240,10 @@ Found search_nonsticking(const Given<Rational>& given) {
   if (!acts) {
     return result;
   }
-  SearchResult<2> found;
-  {
-    const WorkingPrecision scope(search_bits);
-    const Scaled g{two_slips_of(parameters_as<Ball>(a))};
-    found = search<2>({{0, mu_first}, {delta_last, mu_last}}, KrawczykContractor<2, Scaled>{g},
-                      KrawczykDecider<2, Scaled>{g}, {0x1p-30, 200000});
-    for (const UnresolvedBox<2>& open : found.unresolved) {
-      if (!(open.box(0) - Ball(1)).is_positive()) {
-        const Ball tau = Ball(2) * g.f.pi * open.box(0) / g.f.o.data.omega;
-        result.unresolved.push_back(
-            {{{"tau", tau}, {"phi", open.box(1) * g.f.pi - g.f.o.data.omega * tau / Ball(2)}}, open.reason});
-      }
-    }
-  }
-  result.cells = found.cells;
-  conclude(a, found.zeros, result);
+  result = isolate<Candidate, 2>(
+      {{0, mu_first}, {delta_last, mu_last}}, {0x1p-30, 200000}, [&] { return Searched{scaled(a)}; },
+      [&](const FoundZero<2>& zero) { return conclude(a, zero); });
+  sort_out(result.candidates);
   return result;
 }
 
@@ -327,7 +331,11 @@ const Family& nonsticking() {
       .search = search_nonsticking,
       .strips = nonsticking_strips,
       .further = further,
-      .judges = &atlas::nonsticking_judges};
+      .judges = &atlas::nonsticking_judges,
+      // (36) is (25) of an orbit whose slip lasts half a period at V = 0: there x(0) = Q cos(phi), for the
+      // motion that the friction excites alone is odd about t = 0.
+      .at_rest = {{"36", "", Quantity::beyond_ur, 0}},
+      .first_singular = 1};
   return family;
 }
 

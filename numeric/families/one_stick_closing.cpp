@@ -12,7 +12,9 @@ Ball angle(const std::pair<Ball, Ball>& cos_sin, const Ball& later) {
   return phi - turn * Ball(std::floor((phi / turn).approximate() + 0.5));
 }
 
-STICKSLIP_ONE_STICK(OnePhase, 1, Datum::friction)
-STICKSLIP_ONE_STICK(ThreePhases, 3, Datum::friction)
+template struct OneStick<1, Datum::friction>;
+template struct LinearEliminant<OneStick<1, Datum::friction>>;
+template struct OneStick<3, Datum::friction>;
+template struct LinearEliminant<OneStick<3, Datum::friction>>;
 
 }  // namespace stickslip::numeric::families

@@ -40,6 +40,15 @@ template <class T, int N>
   return result;
 }
 
+// A motion that closes: how long its phases last, and state and load's phase where the first begins.
+template <int N>
+struct ClosedTimes {
+  Eigen::Matrix<Ball, N, 1> times;
+  Ball stick;
+  model::Vector4<Ball> Z0;
+  Ball phi;  // as given, else in (-pi, pi] up to its radius
+};
+
 // Data at the working precision, and again over hardware balls. N times are unknown, 1, 2 or 3; 3 only with
 // ur.
 template <int N, Datum G>
@@ -50,24 +59,31 @@ struct OneStick : Sizes<N, 3, G == Datum::phase> {
   // the stick last no time.
   OneStick(const OneStickData<Ball>& data, bool sound_at_origin);
 
+  // How long the phases last but the stick.
+  [[nodiscard]] zeros::Box<N> durations(const zeros::Box<N>& x) const {
+    return families::times<Ball, N>(exact.d.Theta, x);
+  }
+  // The unknowns where they last so long.
+  [[nodiscard]] static zeros::Box<N> shares(const zeros::Box<N>& t, const Ball& total) {
+    const Ball sum = N >= 2 ? t(0) + t(N >= 2 ? 1 : 0) : t(0);
+    zeros::Box<N> x;
+    x(0) = sum / total;
+    if constexpr (N >= 2) {
+      x(1) = t(1) / sum;
+    }
+    if constexpr (N == 3) {
+      x(2) = t(2) / (total - sum);
+    }
+    return x;
+  }
+  // At the working precision; nothing where it is not determined at x.
+  [[nodiscard]] static std::optional<ClosedTimes<N>> motion_at(const LinearEliminant<OneStick>& f,
+                                                               const zeros::Box<N>& x);
+
   OneStickData<Ball> exact;
   OneStickData<scalars::HardwareBall> fast;
   bool sound_at_origin;
 };
-
-// A motion that closes: how long its phases last, and state and load's phase where the first begins.
-template <int N>
-struct ClosedTimes {
-  Eigen::Matrix<Ball, N, 1> times;
-  Ball stick;
-  model::Vector4<Ball> Z0;
-  Ball phi;  // as given, else in (-pi, pi] up to its radius
-};
-
-// At the working precision; nothing where it is not determined at x.
-template <int N, Datum G>
-[[nodiscard]] std::optional<ClosedTimes<N>> motion_at(const LinearEliminant<OneStick<N, G>>& f,
-                                                      const zeros::Box<N>& x);
 
 // Of a phase with this cosine and sine, later by so much: in (-pi, pi] up to its radius.
 [[nodiscard]] Ball angle(const std::pair<Ball, Ball>& cos_sin, const Ball& later);

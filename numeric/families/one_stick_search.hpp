@@ -80,13 +80,14 @@ OneStick<N, G>::OneStick(const OneStickData<Ball>& data, bool is_sound)
     : exact(data), fast(lifted<scalars::HardwareBall>(data)), sound_at_origin(is_sound) {}
 
 template <int N, Datum G>
-std::optional<ClosedTimes<N>> motion_at(const LinearEliminant<OneStick<N, G>>& f, const zeros::Box<N>& x) {
+std::optional<ClosedTimes<N>> OneStick<N, G>::motion_at(const LinearEliminant<OneStick>& f,
+                                                        const zeros::Box<N>& x) {
   const auto linear = f.linear(x);
   if (!linear) {
     return std::nullopt;
   }
   const OneStickData<Ball>& data = f.problem.exact;
-  const zeros::Box<N> t = times<Ball, N>(data.d.Theta, x);
+  const zeros::Box<N> t = f.problem.durations(x);
   const Ball total = t.sum();
   ClosedTimes<N> result{t, data.d.Theta - total, {}, data.given};
   if (linear->cos_sin_psi) {
@@ -98,11 +99,3 @@ std::optional<ClosedTimes<N>> motion_at(const LinearEliminant<OneStick<N, G>>& f
 }
 
 }  // namespace stickslip::numeric::families
-
-// Once for each problem, in that namespace.
-#define STICKSLIP_ONE_STICK(NAME, N, G)                                                    \
-  using NAME = OneStick<N, G>;                                                             \
-  template struct OneStick<N, G>;                                                          \
-  template std::optional<ClosedTimes<N>> motion_at(const LinearEliminant<OneStick<N, G>>&, \
-                                                   const zeros::Box<N>&);                  \
-  STICKSLIP_LINEAR_CLOSING(NAME)

@@ -2,7 +2,9 @@
 
 namespace stickslip::numeric::families {
 
-STICKSLIP_ONE_STICK(TwoPhases, 2, Datum::friction)
-STICKSLIP_ONE_STICK(TwoPhasesAtPhase, 2, Datum::phase)
+template struct OneStick<2, Datum::friction>;
+template struct LinearEliminant<OneStick<2, Datum::friction>>;
+template struct OneStick<2, Datum::phase>;
+template struct LinearEliminant<OneStick<2, Datum::phase>>;
 
 }  // namespace stickslip::numeric::families

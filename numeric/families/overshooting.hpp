@@ -4,7 +4,7 @@
 //
 // The search runs over (s, w) in [0, 1]², tau + tau1 = Theta s, tau1 = Theta s w: the closed triangle tau,
 // tau1 >= 0, tau + tau1 <= Theta. The reduced equations of model/overshooting_closing.hpp are linear in the
-// amplitudes, which are eliminated (one_stick_closing.hpp); a zero of what remains counts only when the
+// amplitudes, which are eliminated (through_phases.hpp); a zero of what remains counts only when the
 // amplitudes that it stands for are proved to exist.
 #pragma once
 

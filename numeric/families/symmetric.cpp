@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "numeric/families/end_rows.hpp"
-#include "numeric/zeros/search.hpp"
+#include "numeric/families/isolate.hpp"
 
 namespace stickslip::numeric::families {
 
@@ -17,8 +17,6 @@ namespace {
 
 using Vector1 = Box<1>;
 using Data = model::SymmetricData<Ball>;
-constexpr long search_bits = 64;
-constexpr long guess_bits = 128;
 
 // Which rows vanish identically at an end: decided in rationals.
 struct EndZeros {
@@ -63,23 +61,6 @@ bool excluded_before_end(const Data& data, const std::array<bool, 2>& resonant, 
   return end.applies() && (rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1)).is_nonzero();
 }
 
-// The search's contractor: Krawczyk's, helped out at the ends where the eliminant has a multiple zero that is
-// no stick-slip orbit.
-struct Contractor {
-  const SymmetricEliminant& f;
-  EndZeros zeros;
-
-  std::optional<Vector1> operator()(const Vector1& X) const {
-    const Ball tau = f.data.Theta * X(0);
-    const bool at_end = (X(0) - Ball(1)).contains_zero() && (zeros.resonant[0] || zeros.resonant[1]);
-    if ((zeros.origin && X(0).contains_zero() && excluded_at_origin(f.data, tau)) ||
-        (at_end && excluded_before_end(f.data, zeros.resonant, tau))) {
-      return std::nullopt;
-    }
-    return KrawczykContractor<1, SymmetricEliminant>{f}(X);
-  }
-};
-
 // C at tau, from the row whose left side keeps farther away from zero; nothing when both may vanish.
 std::optional<Ball> amplitude(const Data& data, const Ball& tau) {
   const model::SymmetricRows<Ball> rows = model::symmetric_rows(data, tau);
@@ -92,11 +73,28 @@ std::optional<Ball> amplitude(const Data& data, const Ball& tau) {
   return std::nullopt;
 }
 
-// A zero of the eliminant is an orbit when C can be had from a row.
-struct Decider {
-  const SymmetricEliminant& f;
+std::vector<NamedBall> tau_and_phi(const Data& data, const Ball& tau) {
+  return {{"tau", tau}, {"phi", model::symmetric_phase<Ball>(data, Ball::pi(), tau)}};
+}
 
-  Decision<1> operator()(const Vector1& X) const {
+// For the search.
+struct Searched {
+  SymmetricEliminant f;
+  EndZeros zeros;
+
+  // Krawczyk's contractor, helped out at the ends where the eliminant has a multiple zero that is no
+  // stick-slip orbit.
+  [[nodiscard]] std::optional<Vector1> contract(const Vector1& X) const {
+    const Ball tau = f.data.Theta * X(0);
+    const bool at_end = (X(0) - Ball(1)).contains_zero() && (zeros.resonant[0] || zeros.resonant[1]);
+    if ((zeros.origin && X(0).contains_zero() && excluded_at_origin(f.data, tau)) ||
+        (at_end && excluded_before_end(f.data, zeros.resonant, tau))) {
+      return std::nullopt;
+    }
+    return KrawczykContractor<1, SymmetricEliminant>{f}(X);
+  }
+  // A zero of the eliminant is an orbit when C can be had from a row.
+  [[nodiscard]] Decision<1> decide(const Vector1& X) const {
     const Decision<1> decision = KrawczykDecider<1, SymmetricEliminant>{f}(X);
     if (decision.found && !amplitude(f.data, f.data.Theta * decision.found->zero(0))) {
       return {std::nullopt, false,
@@ -104,49 +102,41 @@ struct Decider {
     }
     return decision;
   }
+  [[nodiscard]] std::optional<Unresolved> left_open(const UnresolvedBox<1>& open) const {
+    return Unresolved{tau_and_phi(f.data, f.data.Theta * open.box(0)), open.reason};
+  }
 };
 
-std::vector<NamedBall> tau_and_phi(const Data& data, const Ball& tau) {
-  return {{"tau", tau}, {"phi", model::symmetric_phase<Ball>(data, Ball::pi(), tau)}};
-}
-
 // The zero refined and looked at: an orbit of the list, outside the domain, or at its very end.
-void conclude(const ExactParameters& a, LoadPhase phase, const FoundZero<1>& found, Found& result) {
+Concluded<Candidate> conclude(const ExactParameters& a, LoadPhase phase, const FoundZero<1>& found) {
   const auto here = [&] { return SymmetricEliminant{symmetric_data(a, phase)}; };
   const Vector1 u = refine<1>(here, found.zero, guess_bits);
   const Data data = here().data;
   const Ball tau = data.Theta * u(0);
-  const Place at = place(u(0));
   const std::vector<NamedBall> where = tau_and_phi(data, tau);
-  if (at == Place::at_edge) {
-    result.unresolved.push_back({where, no_time_at_all});
-  } else if (at == Place::inside) {
+  return concluded<Candidate>(place(u(0)), where, [&] {
     const Closing equations = SymmetricClosing{phase};
     Vector tau_C(2);
     tau_C << tau, *amplitude(data, tau);
-    const Motion guess = equations.motion<Ball>(tau_C, equations.parameters({parameters_as<Ball>(a)}));
     const auto is_same = [found](const Motion& motion) {
       return found.unique(0).contains(motion.phases[0].duration / period(motion));
     };
-    result.candidates.push_back({equations, guess, where, is_same, phase == LoadPhase::first ? 0 : 1, -1});
-  }
+    return Candidate{
+        {equations.motion<Ball>(tau_C, equations.parameters({parameters_as<Ball>(a)})), where, is_same},
+        equations,
+        phase == LoadPhase::first ? 0 : 1};
+  });
 }
 
 void search_phase(const ExactParameters& a, LoadPhase phase, const EndZeros& zeros, Found& result) {
-  SearchResult<1> found;
-  {
-    const WorkingPrecision scope(search_bits);
-    const SymmetricEliminant f{symmetric_data(a, phase)};
-    found = search<1>({{0}, {1}}, Contractor{f, zeros}, Decider{f});
-    for (const UnresolvedBox<1>& open : found.unresolved) {
-      result.unresolved.push_back({tau_and_phi(f.data, f.data.Theta * open.box(0)), open.reason});
-    }
-  }
-  std::sort(found.zeros.begin(), found.zeros.end(),
-            [](const auto& x, const auto& y) { return x.zero(0).approximate() < y.zero(0).approximate(); });
-  for (const FoundZero<1>& zero : found.zeros) {
-    conclude(a, phase, zero, result);
-  }
+  Found found = isolate<Candidate, 1>(
+      {{0}, {1}}, {},
+      [&] {
+        return Searched{{symmetric_data(a, phase)}, zeros};
+      },
+      [&](const FoundZero<1>& zero) { return conclude(a, phase, zero); });
+  std::ranges::move(found.candidates, std::back_inserter(result.candidates));
+  std::ranges::move(found.unresolved, std::back_inserter(result.unresolved));
   result.cells += found.cells;
 }
 
@@ -248,7 +238,9 @@ const Family& symmetric() {
           },
       .search = search_symmetric,
       .strips = symmetric_strips,
-      .judges = &atlas::symmetric_judges};
+      .judges = &atlas::symmetric_judges,
+      .is_symmetric = true,
+      .growths = {{{1}, {}, {}}}};  // C
   return family;
 }
 

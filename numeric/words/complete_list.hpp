@@ -19,7 +19,7 @@ struct WordList {
 
 // Whether all_orbits takes the word over n periods: one for which why_no_motion knows why; one of up to four
 // phases that sticks; a power of OS, unless its motion may cross the belt's speed more than twice in a period
-// of the load.
+// of the load: more than one OS in a period only where OS is proved to have an orbit that obeys the law.
 [[nodiscard]] bool has_complete_list(const WordQuestion& question, const Word& word, long periods);
 
 // Every motion of the word over n periods that closes and obeys the friction law is among the orbits or in an

@@ -56,7 +56,7 @@ families::Candidate candidate(const Example& example) {
     }
   }
   FAIL("no such orbit");
-  return {families::SymmetricClosing{families::LoadPhase::first}, {}, {}, {}};
+  return {{}, families::SymmetricClosing{families::LoadPhase::first}};
 }
 
 constexpr std::array names{"chi", "eta", "us", "V", "omega", "p"};
@@ -204,7 +204,7 @@ TEST_CASE("parts over which different motions exist do not fit together") {
   const motion::Closing equations = Cubic{};
   const motion::Motion middle = equations.motion<Ball>(
       zeros::Vector::Constant(1, Ball(7)), equations.parameters({box(example.question, "", 0).data}));
-  const families::Candidate cubic{equations, middle, {}, {}};
+  const families::Candidate cubic{{middle, {}, {}}, equations};
   const auto over = [&](const char * radius) {
     return prove_over_box(*example.question.family, cubic,
                           box(example.question, "chi", parse_rational(radius)));

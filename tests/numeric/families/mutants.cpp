@@ -167,7 +167,7 @@ TEST_CASE("Section 5: boxes off the root, phases swapped, signs flipped in each 
   const OneStick<2, Datum::phase> problem({overshooting_data<Ball>(O()), Ball(0)}, true);
   const Ball total = orbit.proof.box(0) + orbit.proof.box(1);
   const Box<2> sw(total / problem.exact.d.Theta, orbit.proof.box(1) / total);
-  const auto reduced = eliminant_near(problem, sw);
+  const auto reduced = LinearEliminant<OneStick<2, Datum::phase>>::near(problem, sw);
   REQUIRE(reduced.has_value());
   check_boxes<2>(*reduced, sw);
   OvershootingRows flipped{problem.exact.d, Ball(0), reduced->combinations};

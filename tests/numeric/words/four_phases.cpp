@@ -5,7 +5,8 @@
 
 #include "core/decimal.hpp"
 #include "numeric/families/overshooting.hpp"
-#include "numeric/words/two_sticks.hpp"
+#include "numeric/families/two_sticks.hpp"
+#include "numeric/words/complete_list.hpp"
 #include "numeric/zeros/effort.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
@@ -34,7 +35,7 @@ Eigen::Vector3d shares(const families::OneStick<3, families::Datum::friction> * 
                        const Eigen::Vector3d& t, double total) {
   return {(t(0) + t(1)) / total, t(1) / (t(0) + t(1)), t(2) / (total - t(0) - t(1))};
 }
-Eigen::Vector3d shares(const TwoSticks * /*kind*/, const Eigen::Vector3d& t, double total) {
+Eigen::Vector3d shares(const families::TwoSticks * /*kind*/, const Eigen::Vector3d& t, double total) {
   return {(t(0) + t(1)) / total, t(0) / (t(0) + t(1)), t(2) / (total - t(0) - t(1))};
 }
 
@@ -56,7 +57,7 @@ Counts check_boxes(const P& problem, const FlowClosing& f, std::mt19937& generat
         const double middle = x(i) + radius * uniform(generator);
         X(i) = Ball::hull(Ball(std::max(middle - radius, 0.0)), Ball(std::min(middle + radius, 1.0)));
       }
-      const auto rest = families::contract(problem, X);
+      const auto rest = families::LinearEliminant<P>::contract(problem, X);
       REQUIRE(rest.has_value());
       for (int i = 0; i < 3; ++i) {
         CHECK((*rest)(i).overlaps(Ball(x(i)) + Ball::hull(Ball(-1e-6), Ball(1e-6))));
@@ -66,7 +67,7 @@ Counts check_boxes(const P& problem, const FlowClosing& f, std::mt19937& generat
     for (int i = 0; i < 3; ++i) {
       X(i) = Ball(x(i)) + Ball::hull(Ball(-1e-6), Ball(1e-6));
     }
-    const zeros::Decision<3> decision = families::decide(problem, X);
+    const zeros::Decision<3> decision = families::LinearEliminant<P>::decide(problem, X);
     CHECK_FALSE(decision.empty);
     counts.decided += decision.found ? 1 : 0;
     ++counts.orbits;
@@ -85,11 +86,11 @@ TEST_CASE("two sticks: no box around a closed motion loses it") {
       CAPTURE(to_string(q.data));
       const FlowClosing f(q, {PhaseKind::slip, PhaseKind::stick, second, PhaseKind::stick});
       const model::Parameters<Ball> a = parameters_as<Ball>(q.data);
-      const TwoSticks problem({a,
-                               model::modes<Ball>(a.chi, a.eta),
-                               Ball(q.ur),
-                               Ball(2) * Ball::pi() / a.omega,
-                               {1, second == PhaseKind::slip ? 1 : -1}});
+      const families::TwoSticks problem({a,
+                                         model::modes<Ball>(a.chi, a.eta),
+                                         Ball(q.ur),
+                                         Ball(2) * Ball::pi() / a.omega,
+                                         {1, second == PhaseKind::slip ? 1 : -1}});
       const Counts found = check_boxes(problem, f, generator);
       all.orbits += found.orbits;
       all.decided += found.decided;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/decimal.hpp"
+#include "numeric/zeros/effort.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 #include "tests/numeric/words/flow_closing.hpp"
@@ -125,4 +126,17 @@ TEST_CASE("with 1/omega a whole number OTS is complete, and agrees with the fami
     const std::pair times{orbit.value("tau").approximate(), orbit.value("tau1").approximate()};
     CHECK((is_listed(list, PhaseKind::slip, times, 1e-9) || std::max(times.first, times.second) < 3.1416));
   }
+}
+
+TEST_CASE("a list of OTS, too, says why it stays open at T = 0 where 2 omega is a natural frequency") {
+  // omega1 = 1/2.
+  const WordQuestion q{
+      {Rational(5, 8), Rational(12, 5), Rational(1, 10), Rational(1, 10), Rational(1, 4), Rational(1)},
+      Rational(3, 10),
+      20};
+  const zeros::Effort few{1000, {}};
+  const auto at_end = [](const families::Unresolved& part) {
+    return part.reason.find("$2 omega$ is a natural frequency") != std::string::npos;
+  };
+  CHECK(std::ranges::any_of(all_orbits(q, OTS, 1).unresolved, at_end));
 }

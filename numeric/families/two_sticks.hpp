@@ -1,5 +1,5 @@
 // Motions of two sticks and between them two phases without, STST, OTST, OTOT, that close: a problem of
-// families/linear_closing.hpp.
+// linear_closing.hpp.
 //
 // The phases last t, T1, t', T2. On a stick, s the time from its middle, x2 = a + V s and x1 = chi x2 + C sin
 // s
@@ -23,7 +23,7 @@
 
 #include "numeric/families/one_stick_closing.hpp"
 
-namespace stickslip::numeric::words {
+namespace stickslip::numeric::families {
 
 template <class S>
 struct TwoSticksData {
@@ -34,17 +34,27 @@ struct TwoSticksData {
   std::array<int, 2> sign;  // of the friction on the two phases: 1 for a slip, -1 for an overshoot
 };
 
-struct TwoSticks : families::Sizes<3, 6, false> {
+struct TwoSticks : Sizes<3, 6, false> {
   static constexpr int first = 4;
 
   explicit TwoSticks(const TwoSticksData<Ball>& data);
+
+  // t, T1, t'; and the unknowns where they last so long.
+  [[nodiscard]] zeros::Box<3> durations(const zeros::Box<3>& x) const {
+    const Ball sum = exact.total * x(0);
+    return {sum * x(1), sum * (Ball(1) - x(1)), (exact.total - sum) * x(2)};
+  }
+  [[nodiscard]] static zeros::Box<3> shares(const zeros::Box<3>& t, const Ball& total) {
+    const Ball sum = t(0) + t(1);
+    return {sum / total, t(0) / sum, t(2) / (total - sum)};
+  }
+  // From the first phase on; `stick` is T2. At the working precision; nothing where it is not determined at
+  // x.
+  [[nodiscard]] static std::optional<ClosedTimes<3>> motion_at(const LinearEliminant<TwoSticks>& f,
+                                                               const zeros::Box<3>& x);
 
   TwoSticksData<Ball> exact;
   TwoSticksData<scalars::HardwareBall> fast;
 };
 
-// From the first phase on; `stick` is T2. At the working precision; nothing where it is not determined at x.
-[[nodiscard]] std::optional<families::ClosedTimes<3>> motion_at(const families::LinearEliminant<TwoSticks>& f,
-                                                                const zeros::Box<3>& x);
-
-}  // namespace stickslip::numeric::words
+}  // namespace stickslip::numeric::families

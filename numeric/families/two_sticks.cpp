@@ -1,12 +1,11 @@
-#include "numeric/words/two_sticks.hpp"
+#include "numeric/families/two_sticks.hpp"
 
 #include "model/lift.hpp"
 #include "model/stick.hpp"
 #include "numeric/families/linear_closing_search.hpp"
 
-namespace stickslip::numeric::words {
+namespace stickslip::numeric::families {
 
-using namespace families;
 using scalars::HardwareBall;
 
 namespace {
@@ -27,7 +26,7 @@ TwoSticksData<T> data_over(const TwoSticks& problem) {
 
 // t, T1, t', T2.
 template <class T>
-std::array<T, 4> durations(const T& total, const Eigen::Matrix<T, 3, 1>& x) {
+std::array<T, 4> all_durations(const T& total, const Eigen::Matrix<T, 3, 1>& x) {
   const T first = total * x(0), rest = total - first;
   const T t = first * x(1), later = rest * x(2);
   return {t, T(first - t), later, T(rest - later)};
@@ -51,7 +50,7 @@ struct Between {
 
 template <class T>
 std::array<Between<T>, 2> phases_between(const TwoSticksData<T>& d, const Eigen::Matrix<T, 3, 1>& x) {
-  const std::array<T, 4> t = durations<T>(d.total, x);
+  const std::array<T, 4> t = all_durations<T>(d.total, x);
   const T half1 = t[1] / T(2), half2 = t[3] / T(2);
   const std::pair<T, T> stick1 = sin_cos(half1), stick2 = sin_cos(half2);
   const T force = d.a.eta * d.a.us;
@@ -186,7 +185,7 @@ FirstRows<TwoSticks, T> first_rows(const TwoSticks& problem, const Eigen::Matrix
 template <class T>
 OtherRows<TwoSticks, T> other_rows(const TwoSticks& problem, const Eigen::Matrix<T, 3, 1>& x) {
   const TwoSticksData<T> d = data_over<T>(problem);
-  const std::array<T, 4> t = durations<T>(d.total, x);
+  const std::array<T, 4> t = all_durations<T>(d.total, x);
   const std::array<Between<T>, 2> between = phases_between<T>(d, x);
   // How much later than psi the load is where either phase begins.
   const std::array<T, 2> begins{T(-d.a.omega * T(t[1] / T(2) + t[0])), T(d.a.omega * t[1] / T(2))};
@@ -214,13 +213,14 @@ bool is_excluded(const TwoSticks& /*problem*/, const zeros::Box<3>& /*X*/) {
 
 TwoSticks::TwoSticks(const TwoSticksData<Ball>& data) : exact(data), fast(lifted<HardwareBall>(data)) {}
 
-std::optional<ClosedTimes<3>> motion_at(const LinearEliminant<TwoSticks>& f, const zeros::Box<3>& x) {
+std::optional<ClosedTimes<3>> TwoSticks::motion_at(const LinearEliminant<TwoSticks>& f,
+                                                   const zeros::Box<3>& x) {
   const auto linear = f.linear(x);
   if (!linear) {
     return std::nullopt;
   }
   const TwoSticksData<Ball>& d = f.problem.exact;
-  const std::array<Ball, 4> t = durations<Ball>(d.total, x);
+  const std::array<Ball, 4> t = all_durations<Ball>(d.total, x);
   const Ball half = t[3] / Ball(2);
   const auto [sine, cosine] = sin_cos(half);
   const auto& u = linear->amplitudes;
@@ -232,11 +232,6 @@ std::optional<ClosedTimes<3>> motion_at(const LinearEliminant<TwoSticks>& f, con
                         angle(*linear->cos_sin_psi, -d.a.omega * (t[0] + t[1] / Ball(2)))};
 }
 
-}  // namespace stickslip::numeric::words
-
-namespace stickslip::numeric::families {
-
-using words::TwoSticks;
-STICKSLIP_LINEAR_CLOSING(TwoSticks)
+template struct LinearEliminant<TwoSticks>;
 
 }  // namespace stickslip::numeric::families
