@@ -1,4 +1,4 @@
-// stickslip attractors: what a machine does. stickslip orbits WORD: orbits through given phases.
+// stickslip attractors: what a machine does.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,9 +18,6 @@ using namespace numeric;
 using namespace numeric::attractors;
 using words::WordOrbit;
 
-namespace {
-
-// Whether existence, all conditions and, where they hold, stability are decided.
 bool is_decided(const WordOrbit& o) {
   return o.existence.truth == Truth::proved &&
          (o.orbit.admissible.truth == Truth::refuted ||
@@ -28,17 +25,7 @@ bool is_decided(const WordOrbit& o) {
            o.orbit.stability->kind != motion::StabilityKind::undecided));
 }
 
-// Whether motions of one phase are possible, which has no events that a search could go through.
-ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const proofs::methods::Paper& paper) {
-  if (options.neighbourhood) {
-    throw UsageError("--neighbourhood is for periodic orbits, not for motions of one phase");
-  }
-  const auto [file, units, machine] = asked_pure_word(options, paper);
-  const Jobs limit = jobs(options.jobs);
-  const report::orbits::PureWord word{machine, kind};
-  print_result(word, file, options.json, units);
-  return report::orbits::exists(word).truth == Truth::undecided ? exit_undecided : exit_decided;
-}
+namespace {
 
 // stickslip attractors --along and --plane.
 
@@ -97,31 +84,6 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
     return a.kind != Kind::periodic || (a.orbit && is_decided(*a.orbit));
   });
   return decided ? exit_decided : exit_undecided;
-}
-
-ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
-  if (options.plot || options.out) {
-    throw UsageError("--plot and --out draw the orbits of a family; those of a word are printed only");
-  }
-  if (const auto kind = words::kind_of(options.family)) {
-    return run_pure(*kind, options, paper);
-  }
-  const auto asked = asked_word(options, paper);
-  const Jobs limit = jobs(options.jobs);
-  const zeros::Effort patience{options.cells, options.time};
-  const WordOrbits list = [&] {
-    const Interruptible scope;
-    const Progress progress("searching for orbits ...");
-    return find_word_orbits(asked.question);
-  }();
-  print_result(list, asked.file, options.json, asked.units,
-               options.all ? report::orbits::InFull::all : report::orbits::InFull::admissible);
-  if (list.interrupted) {
-    return exit_interrupted;
-  }
-  const bool decided = std::all_of(list.orbits.begin(), list.orbits.end(), is_decided);
-  const bool answered = list.searched ? list.complete() : !list.orbits.empty();
-  return decided && answered ? exit_decided : exit_undecided;
 }
 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& paper) {

@@ -5,6 +5,7 @@
 
 #include "cli/arguments.hpp"
 #include "core/error.hpp"
+#include "numeric/words/word_orbit.hpp"
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
@@ -28,8 +29,8 @@ struct GivenInTables;
 [[nodiscard]] ExitCode run_set(const GivenInTables& given, const SimulateOptions& options);
 // Of `attractors` with --along or --plane.
 [[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);
-// Of `orbits` with a word in place of a family.
-[[nodiscard]] ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper);
+// Whether existence, all conditions and, where they hold, stability are decided.
+[[nodiscard]] bool is_decided(const numeric::words::WordOrbit& orbit);
 [[nodiscard]] ExitCode run(const AtlasOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const SimulateOptions& options, const proofs::methods::Paper& paper);
 

@@ -1,4 +1,4 @@
-// stickslip orbits: all periodic orbits of a family.
+// stickslip orbits: all periodic orbits of a family, or of a word of phases.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "cli/asked.hpp"
 #include "cli/certify.hpp"
 #include "cli/commands.hpp"
+#include "cli/machine_answers.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "core/interruption.hpp"
@@ -26,10 +27,50 @@ using report::orbits::InFull;
 
 namespace {
 
-OrbitList search(const OrbitQuestion& question) {
+// What the search gives, as long as it may go on.
+template <class Search>
+auto found(const OrbitsOptions& options, const Search& search) {
+  const zeros::Effort patience{options.cells, options.time};
   const Interruptible scope;
   const Progress progress("searching for orbits ...");
-  return list_orbits(question);
+  return search();
+}
+
+// All that is asked for: the picture, the pages, the list.
+template <class Question, class List>
+void tell_list(const OrbitsOptions& options, const Asked<Question>& asked, const List& list) {
+  const report::orbits::Listed listed(list);
+  if (options.plot) {
+    draw(*options.plot,
+         report::orbits::plot_script(listed.list, report::tools::plot_format(*options.plot),
+                                     report::tools::PlotShape::wide, std::nullopt, asked.units),
+         "no orbit");
+  }
+  report::audit::Report made;
+  if (options.out) {
+    const Progress progress("making the pages ...");
+    made = report::audit::pages(listed);
+    report::tools::write_files(*options.out, made.files);
+  }
+  print_result(list, asked.file, options.json, asked.units, options.all ? InFull::all : InFull::admissible);
+  if (options.out) {
+    tell(report_line(*options.out, "orbits", made));
+  }
+}
+
+// Whether motions of one phase are possible, which has no events that a search could go through.
+ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+  if (options.neighbourhood || options.plot || options.out) {
+    throw UsageError(fmt::format("--{} is for periodic orbits, not for motions of one phase",
+                                 options.neighbourhood ? "neighbourhood"
+                                 : options.plot        ? "plot"
+                                                       : "out"));
+  }
+  const auto [file, units, machine] = asked_pure_word(options, paper);
+  const Jobs limit = jobs(options.jobs);
+  const report::orbits::PureWord word{machine, kind};
+  print_result(word, file, options.json, units);
+  return report::orbits::exists(word).truth == Truth::undecided ? exit_undecided : exit_decided;
 }
 
 // One claim for each admissible orbit: that it exists, and, where that is decided, whether it is stable.
@@ -93,6 +134,47 @@ void certify(const OrbitList& list, const std::string& directory) {
   }
 }
 
+ExitCode run_family(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+  const auto asked = asked_orbits(options, paper);
+  const Jobs limit = jobs(options.jobs);
+  require_outputs(options);
+  if (!options.certify.empty()) {
+    if (asks_for_box(asked.question)) {
+      throw UsageError("--certify is for exact parameters, not for a box of them");
+    }
+    report::tools::require_writable(options.certify);
+    require_certificates_only(options.certify);
+  }
+  const OrbitList list = found(options, [&] { return list_orbits(asked.question); });
+  if (!options.certify.empty()) {
+    certify(list, options.certify);
+  }
+  tell_list(options, asked, list);
+  if (std::ranges::count(list.remarks, Remark::interrupted) > 0) {
+    return exit_interrupted;
+  }
+  return all_decided(list) ? exit_decided : exit_undecided;
+}
+
+ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+  if (!options.certify.empty()) {
+    throw UsageError("--certify is for a family, not for a word of phases");
+  }
+  if (const auto kind = words::kind_of(options.family)) {
+    return run_pure(*kind, options, paper);
+  }
+  const auto asked = asked_word(options, paper);
+  const Jobs limit = jobs(options.jobs);
+  require_outputs(options);
+  const attractors::WordOrbits list = found(options, [&] { return find_word_orbits(asked.question); });
+  tell_list(options, asked, list);
+  if (list.interrupted) {
+    return exit_interrupted;
+  }
+  const bool answered = list.searched ? list.complete() : !list.orbits.empty();
+  return answered && std::ranges::all_of(list.orbits, is_decided) ? exit_decided : exit_undecided;
+}
+
 }  // namespace
 
 ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
@@ -103,47 +185,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     return *done;
   }
   require_no_basin(options.basin);
-  if (words::looks_like_word(options.family)) {
-    if (!options.certify.empty()) {
-      throw UsageError("--certify is for a family, not for a word of phases");
-    }
-    return run_word(options, paper);
-  }
-  const auto [file, units, asked] = asked_orbits(options, paper);
-  const Jobs limit = jobs(options.jobs);
-  const zeros::Effort patience{options.cells, options.time};
-  require_outputs(options);
-  if (!options.certify.empty()) {
-    if (asks_for_box(asked)) {
-      throw UsageError("--certify is for exact parameters, not for a box of them");
-    }
-    report::tools::require_writable(options.certify);
-    require_certificates_only(options.certify);
-  }
-  const OrbitList list = search(asked);
-  if (!options.certify.empty()) {
-    certify(list, options.certify);
-  }
-  if (options.plot) {
-    draw(*options.plot,
-         report::orbits::plot_script(list, report::tools::plot_format(*options.plot),
-                                     report::tools::PlotShape::wide, std::nullopt, units),
-         "no orbit");
-  }
-  report::audit::Report made;
-  if (options.out) {
-    const Progress progress("making the pages ...");
-    made = report::audit::pages(list);
-    report::tools::write_files(*options.out, made.files);
-  }
-  print_result(list, file, options.json, units, options.all ? InFull::all : InFull::admissible);
-  if (options.out) {
-    tell(report_line(*options.out, "orbits", made));
-  }
-  if (std::count(list.remarks.begin(), list.remarks.end(), Remark::interrupted) > 0) {
-    return exit_interrupted;
-  }
-  return all_decided(list) ? exit_decided : exit_undecided;
+  return words::looks_like_word(options.family) ? run_word(options, paper) : run_family(options, paper);
 }
 
 }  // namespace stickslip::cli

@@ -34,13 +34,13 @@ void append(std::vector<File>& files, std::vector<File> more) {
 }
 
 // What the partial orbit_list sees.
-Json list_data(const OrbitList& list, const std::string& anchor, const std::string& heading,
+Json list_data(const Listed& listed, const std::string& anchor, const std::string& heading,
                const std::string& stem, bool drawn) {
-  Json data = orbit_data(list);
+  Json data = orbit_data(listed);
   data["anchor"] = anchor;
   data["heading"] = heading;
   data["picture"] = drawn ? Json(stem) : Json(nullptr);
-  data["picture_in_words"] = drawn ? picture_in_words(list) : "";
+  data["picture_in_words"] = drawn ? picture_in_words(listed.list) : "";
   return data;
 }
 
@@ -193,15 +193,16 @@ std::string theorem(const Paper& paper, const proofs::methods::Audit& audit, con
   throw InternalError("the claims of the result " + id + " are not all decided");
 }
 
-Report pages(const OrbitList& list) {
-  const Json json = orbits::to_json(list);
+Report pages(const Listed& listed) {
+  const OrbitList& list = listed.list;
+  const Json json = listed.word ? orbits::to_json(*listed.word) : orbits::to_json(list);
   Report report{{{"orbits.json", to_text(json)}}, {}};
-  Json data = provenance(command_of(list.question));
+  Json data = provenance(listed.command);
   data["drawn_by"] = drawn_by();
   data["precision"] = digits_in_words(list.question.digits);
   std::vector<File> drawn = pictures(list, "figure");
   data["lists"] = Json::array();
-  data["lists"].push_back(list_data(list, "orbits", "Orbits", "figure", !drawn.empty()));
+  data["lists"].push_back(list_data(listed, "orbits", "Orbits", "figure", !drawn.empty()));
   append(report.files, std::move(drawn));
   data["page_title"] = fmt::format("Orbits: {}", list.question.family->name);
   data["paper"] = nullptr;

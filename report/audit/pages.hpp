@@ -9,6 +9,7 @@
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/methods/paper.hpp"
 #include "report/audit/certificates.hpp"
+#include "report/orbits/listed.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::report::audit {
@@ -48,6 +49,6 @@ struct Figures {
 
 // The same kind of report on one list of orbits: index.html with its style sheets, orbits.json, orbits.tex
 // and, where there is TeX, orbits.pdf; the figure.
-[[nodiscard]] Report pages(const numeric::OrbitList& list);
+[[nodiscard]] Report pages(const orbits::Listed& listed);
 
 }  // namespace stickslip::report::audit

@@ -18,11 +18,8 @@ using namespace numeric::attractors;
 using namespace numeric::motion;
 using namespace tools;
 using words::WordOrbit;
-using words::WordQuestion;
 
 namespace {
-
-constexpr std::size_t most_phases = 16;  // in a table
 
 // What is proved of a periodic motion.
 std::string proved(const std::optional<WordOrbit>& orbit) {
@@ -37,110 +34,6 @@ std::string proved(const std::optional<WordOrbit>& orbit) {
       o.stability->multipliers.empty() ? "" : fmt::format(", |mu| = {}", spectral_radius(*o.stability));
   const std::string why = o.stability->reason.empty() ? "" : ": " + o.stability->reason;
   return fmt::format("proved, {}{}{}", to_string(o.stability->kind), why, radius);
-}
-
-std::string phases(const WordOrbit& o, const Style& style, const Units& units) {
-  const Motion& m = o.orbit.motion;
-  const int digits = units.digits(10);
-  std::vector<Row> rows{{{"  phase"},
-                         {units.are_SI() ? "from t in s" : "begins at t"},
-                         {units.labelled("lasts", "s")},
-                         {units.labelled("x1", "m")},
-                         {units.labelled("x2", "m")},
-                         {units.labelled("x1'", "m/s")}}};
-  for (std::size_t k = 0; k < std::min(m.phases.size(), most_phases); ++k) {
-    const Phase& f = m.phases[k];
-    rows.push_back({{fmt::format("  {} {}", words::letter(f.kind), to_string(f.kind))},
-                    {k == 0 ? "0" : rounded(units.time(f.start), digits)},
-                    {rounded(units.time(f.duration), digits)},
-                    {rounded(units.length(f.Z(0) + m.oscillator.d0(0)), digits)},
-                    {rounded(units.length(f.Z(1) + m.oscillator.d0(1)), digits)},
-                    {rounded(units.velocity(f.Z(2)), digits)}});
-  }
-  if (m.phases.size() > most_phases) {
-    rows.push_back(
-        {{"  ..."}, {fmt::format("{} more", m.phases.size() - most_phases)}, {""}, {""}, {""}, {""}});
-  }
-  return columns_of(rows, style.width);
-}
-
-std::string one_orbit(const WordOrbit& o, int digits, const Style& style, const Units& units) {
-  std::vector<Row> rows{{{"  word"}, {o.word.letters()}},
-                        {{"  period"}, {fmt::format("{} of the load", o.periods)}}};
-  for (const NamedBall& value : o.orbit.values) {
-    if (value.name != "ur") {
-      rows.push_back({{"  " + value.name}, {units.text(value, digits)}});
-    }
-  }
-  return columns_of(rows, style.width) + "\n" + phases(o, style, units) +
-         stability_rows(o.orbit, units.digits(digits), style) + "\n" +
-         neighbourhood_text(o.orbit, style, units) + condition_rows(worst(o.orbit.conditions), style);
-}
-
-std::string searched(const WordOrbits& list) {
-  const WordSearch& q = list.question;
-  if (list.searched) {
-    return "all durations of the phases, every phase of the load";
-  }
-  return q.near ? "near " + state_of(*q.near) : "where random starts settle";
-}
-
-std::string result_of(const WordOrbits& list) {
-  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(), [](const WordOrbit& o) {
-    return o.orbit.admissible.truth == Truth::proved;
-  });
-  if (list.orbits.empty() && !list.searched) {
-    return "no orbit found: " + list.seen + (list.interrupted ? "; interrupted" : "");
-  }
-  if (list.orbits.empty() && !list.seen.empty()) {
-    return "complete: no orbit: " + list.seen;
-  }
-  const std::string count =
-      fmt::format("{} {}, {} admissible", list.orbits.empty() ? "no" : std::to_string(list.orbits.size()),
-                  list.orbits.size() == 1 ? "orbit" : "orbits", good);
-  const std::string completeness = !list.searched ? "" : list.complete() ? "complete: " : "not complete: ";
-  return completeness + count + (list.searched ? "" : "; others may exist") +
-         (list.seen.empty() ? "" : ": " + list.seen) + (list.interrupted ? "; interrupted" : "");
-}
-
-// With each kind of condition once.
-Orbit brief(const WordOrbit& o) {
-  Orbit result;
-  result.conditions = worst(o.orbit.conditions);
-  result.admissible = o.orbit.admissible;
-  return result;
-}
-
-// In a line each: how long the phases last, under their letters, and phi.
-std::string formal_solutions(const std::vector<WordOrbit>& orbits, const std::vector<std::size_t>& which,
-                             const Style& style, const Units& units) {
-  if (which.empty()) {
-    return {};
-  }
-  constexpr std::size_t most = 6;  // phases
-  const std::string letters = orbits[which.front()].word.letters();
-  Row names{{"  orbit"}};
-  for (const char letter : letters.substr(0, most)) {
-    names.push_back({std::string(1, letter) + units.unit(" in s")});
-  }
-  if (letters.size() > most) {
-    names.push_back({"..."});
-  }
-  names.insert(names.end(), {{"phi"}, {"violates"}});
-  std::vector<Row> rows{names};
-  for (const std::size_t i : which) {
-    const Orbit& orbit = orbits[i].orbit;
-    Row row{{fmt::format("  {}", i + 1)}};
-    for (std::size_t k = 0; k < std::min(most, orbit.motion.phases.size()); ++k) {
-      row.push_back({rounded(units.time(orbit.motion.phases[k].duration), digits_in_rows)});
-    }
-    row.resize(names.size() - 2, {""});
-    const auto phi = std::ranges::find(orbit.values, "phi", &NamedBall::name);
-    row.push_back({phi == orbit.values.end() ? "" : units.short_text(*phi, digits_in_rows)});
-    row.push_back(violated(brief(orbits[i]), style));
-    rows.push_back(row);
-  }
-  return table_of_formal(rows, style);
 }
 
 }  // namespace
@@ -286,40 +179,6 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
                   "a check in floating point",
                   style.width) +
          meaning;
-}
-
-std::string terminal_report(const WordOrbits& list, const Style& style, const Units& units, InFull in_full) {
-  const WordSearch& q = list.question;
-  std::vector<Row> rows{{{"parameters"}, {parameter_list(q.machine)}},
-                        {{"searched"}, {searched(list)}},
-                        {{"result"}, {result_of(list)}}};
-  for (const families::Unresolved& part : list.unresolved) {
-    rows.push_back({{"unresolved"}, {place_text(part.where) + plain(part.reason)}});
-  }
-  const std::string title = fmt::format("Orbits through {} in {} of the load", shortened(q.word.letters()),
-                                        q.periods == 1 ? "1 period" : fmt::format("{} periods", q.periods));
-  std::string text = columns_of({{{title, bold(style)}}}, style.width) + columns_of(rows, style.width);
-  std::vector<Truth> admissible;
-  for (const WordOrbit& o : list.orbits) {
-    admissible.push_back(o.orbit.admissible.truth);
-  }
-  const Told these = told(admissible, in_full);
-  for (const std::size_t i : these.in_full) {
-    const WordOrbit& o = list.orbits[i];
-    const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
-    const Row heading{{label, bold(style)},
-                      {verdict_on(brief(o)), colour_of(o.orbit.admissible.truth, style)}};
-    text += "\n" + columns_of({heading}, style.width) + one_orbit(o, q.machine.digits, style, units);
-  }
-  text += formal_solutions(list.orbits, these.formal, style, units);
-  const bool any =
-      std::ranges::any_of(list.orbits, [](const auto& o) { return o.orbit.neighbourhood != nullptr; });
-  return these.in_full.empty()
-             ? text
-             : text + "\n" + (any ? labelled(0, "recovers", meaning_of_neighbourhood(), style.width) : "") +
-                   labelled(0, "condition", "of all phases, the one nearest to a violation", style.width) +
-                   labelled(0, "margin", meaning_of_margin(), style.width) +
-                   labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
 }
 
 }  // namespace stickslip::report::orbits

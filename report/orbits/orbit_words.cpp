@@ -203,4 +203,12 @@ std::string command_of(const OrbitQuestion& question) {
                      question.digits, question.neighbourhood ? " --neighbourhood" : "");
 }
 
+std::string command_of(const attractors::WordSearch& q) {
+  const std::string near = q.near ? fmt::format(" --near={:.17g},{:.17g},{:.17g},{:.17g}", (*q.near)(0),
+                                                (*q.near)(1), (*q.near)(2), (*q.near)(3))
+                                  : "";
+  return fmt::format("stickslip orbits {} --period {}{}{} --digits {}", q.word.letters(), q.periods,
+                     options_of(q.machine), near, q.machine.digits);
+}
+
 }  // namespace stickslip::report::orbits

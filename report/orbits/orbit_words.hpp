@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "numeric/attractors/word_search.hpp"
 #include "numeric/orbits.hpp"
-#include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -96,5 +96,6 @@ template <class Value>
 
 // The command that lists the same orbits.
 [[nodiscard]] std::string command_of(const numeric::OrbitQuestion& question);
+[[nodiscard]] std::string command_of(const numeric::attractors::WordSearch& question);
 
 }  // namespace stickslip::report::orbits

@@ -10,7 +10,6 @@
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
-#include "report/tools/layout.hpp"
 #include "report/tools/numbers.hpp"
 
 namespace stickslip::report::orbits {
@@ -75,10 +74,14 @@ std::string condition_rows(const std::vector<Condition>& conditions, const Style
 
 namespace {
 
-std::string head(const OrbitList& list, const Style& style) {
+constexpr std::size_t most_phases = 16;  // in a table
+constexpr int digits_in_rows = 6;        // of formal solutions
+
+std::string head(const Listed& listed, const Style& style) {
+  const OrbitList& list = listed.list;
   std::vector<Row> rows{{{"parameters"}, {parameter_list(list.question)}},
-                        {{"searched"}, {searched(list.question)}},
-                        {{"result"}, {result_of_search(list)}}};
+                        {{"searched"}, {listed.searched}},
+                        {{"result"}, {listed.result}}};
   for (const Remark remark : list.remarks) {
     rows.push_back({{"remark"}, {describe(remark)}});
   }
@@ -88,8 +91,7 @@ std::string head(const OrbitList& list, const Style& style) {
   for (const Unresolved& part : list.unresolved) {
     rows.push_back({{"unresolved"}, {place_text(part.where) + part.reason}});
   }
-  const Row heading{{list.question.family->title, bold(style)}};
-  return columns_of({heading}, style.width) + columns_of(rows, style.width);
+  return columns_of({{{listed.title, bold(style)}}}, style.width) + columns_of(rows, style.width);
 }
 
 bool is_given(const NamedBall& value, const OrbitQuestion& question) {
@@ -97,77 +99,74 @@ bool is_given(const NamedBall& value, const OrbitQuestion& question) {
 }
 
 // Without those that are given: they stand in the head.
-std::string values(const Orbit& orbit, const OrbitQuestion& question, const Style& style,
-                   const Units& units) {
+std::vector<Row> values(const Listed& listed, std::size_t i, const Units& units) {
   std::vector<Row> rows;
-  for (const NamedBall& value : orbit.values) {
+  if (listed.word) {
+    const words::WordOrbit& o = listed.word->orbits[i];
+    rows = {{{"  word"}, {o.word.letters()}}, {{"  period"}, {fmt::format("{} of the load", o.periods)}}};
+  }
+  const OrbitQuestion& question = listed.list.question;
+  for (const NamedBall& value : listed.list.orbits[i].values) {
     if (!is_given(value, question)) {
       rows.push_back({{"  " + value.name}, {units.text(value, question.digits)}});
     }
   }
+  return rows;
+}
+
+std::string phases(const Motion& m, const Style& style, const Units& units) {
+  const int digits = units.digits(10);
+  std::vector<Row> rows{{{"  phase"},
+                         {units.are_SI() ? "from t in s" : "begins at t"},
+                         {units.labelled("lasts", "s")},
+                         {units.labelled("x1", "m")},
+                         {units.labelled("x2", "m")},
+                         {units.labelled("x1'", "m/s")}}};
+  for (std::size_t k = 0; k < std::min(m.phases.size(), most_phases); ++k) {
+    const Phase& f = m.phases[k];
+    rows.push_back({{fmt::format("  {} {}", words::letter(f.kind), to_string(f.kind))},
+                    {k == 0 ? "0" : rounded(units.time(f.start), digits)},
+                    {rounded(units.time(f.duration), digits)},
+                    {rounded(units.length(f.Z(0) + m.oscillator.d0(0)), digits)},
+                    {rounded(units.length(f.Z(1) + m.oscillator.d0(1)), digits)},
+                    {rounded(units.velocity(f.Z(2)), digits)}});
+  }
+  if (m.phases.size() > most_phases) {
+    rows.push_back(
+        {{"  ..."}, {fmt::format("{} more", m.phases.size() - most_phases)}, {""}, {""}, {""}, {""}});
+  }
   return columns_of(rows, style.width);
 }
 
-std::string all_about(const OrbitList& list, std::size_t i, const Style& style, const Units& units) {
+std::string all_about(const Listed& listed, std::size_t i, const Style& style, const Units& units) {
+  const OrbitList& list = listed.list;
   const Orbit& orbit = list.orbits[i];
   const std::string label = fmt::format("Orbit {} of {}:", i + 1, list.orbits.size());
   const Row heading{{label, bold(style)}, {verdict_on(orbit), colour_of(orbit.admissible.truth, style)}};
-  return "\n" + columns_of({heading}, style.width) + values(orbit, list.question, style, units) +
+  return "\n" + columns_of({heading}, style.width) + columns_of(values(listed, i, units), style.width) +
+         (listed.word ? "\n" + phases(orbit.motion, style, units) : "") +
          stability_rows(orbit, units.digits(list.question.digits), style) + "\n" +
          neighbourhood_text(orbit, style, units, ur_of_neighbourhood(list.question, orbit)) +
          condition_rows(orbit.conditions, style);
 }
 
-// What tells formal solutions apart: how long their phases last, and what else is a result.
-bool tells_apart(const NamedBall& value, const OrbitQuestion& question) {
-  const std::vector<std::string>& durations = question.family->durations;
-  const bool result = value.name == "phi" || value.name.starts_with("ur");
-  return !is_given(value, question) &&
-         (result || std::find(durations.begin(), durations.end(), value.name) != durations.end());
-}
-
-// In a line each.
-std::string formal_solutions(const OrbitList& list, const std::vector<std::size_t>& which, const Style& style,
-                             const Units& units) {
-  if (which.empty()) {
-    return {};
+// What tells formal solutions apart, each under a name: how long their phases last, at most six of them, and
+// what else is a result.
+std::vector<std::pair<std::string, NamedBall>> told_apart_by(const Listed& listed, const Orbit& orbit) {
+  constexpr std::size_t most = 6;
+  std::vector<std::pair<std::string, NamedBall>> values;
+  for (std::size_t k = 0; k < std::min(most, orbit.motion.phases.size()); ++k) {
+    values.push_back({listed.durations[k], {"tau", orbit.motion.phases[k].duration}});
   }
-  Row names{{"  orbit"}};
-  for (const NamedBall& value : list.orbits[which.front()].values) {
-    if (tells_apart(value, list.question)) {
-      names.push_back({value.name});
+  for (const NamedBall& value : orbit.values) {
+    if ((value.name == "phi" || value.name.starts_with("ur")) && !is_given(value, listed.list.question)) {
+      values.emplace_back(value.name, value);
     }
   }
-  names.push_back({"violates"});
-  std::vector<Row> rows{names};
-  for (const std::size_t i : which) {
-    Row row{{fmt::format("  {}", i + 1)}};
-    for (const NamedBall& value : list.orbits[i].values) {
-      if (tells_apart(value, list.question)) {
-        row.push_back({units.short_text(value, digits_in_rows)});
-      }
-    }
-    row.push_back(violated(list.orbits[i], style));
-    rows.push_back(row);
-  }
-  return table_of_formal(rows, style);
+  return values;
 }
 
-}  // namespace
-
-Told told(const std::vector<Truth>& admissible, InFull in_full) {
-  Told result;
-  const auto is = [&](std::size_t i, Truth truth) { return admissible[i] == truth; };
-  for (std::size_t i = 0; i < admissible.size(); ++i) {
-    (is(i, Truth::refuted) && in_full == InFull::admissible ? result.formal : result.in_full).push_back(i);
-  }
-  const auto begin = result.in_full.begin();
-  const auto refuted = std::stable_partition(begin, result.in_full.end(),
-                                             [&](std::size_t i) { return !is(i, Truth::refuted); });
-  std::stable_partition(begin, refuted, [&](std::size_t i) { return is(i, Truth::proved); });
-  return result;
-}
-
+// The first conditions that a formal solution violates.
 Cell violated(const Orbit& orbit, const Style& style) {
   constexpr std::size_t most = 3;
   const std::vector<std::string> ids = decisive_conditions(orbit);
@@ -177,31 +176,71 @@ Cell violated(const Orbit& orbit, const Style& style) {
   return {fmt::format("{}{}", fmt::join(first, ", "), more), colour_of(Truth::refuted, style)};
 }
 
-std::string table_of_formal(const std::vector<Row>& rows, const Style& style) {
+// In a line each.
+std::string formal_solutions(const Listed& listed, const std::vector<std::size_t>& which, const Style& style,
+                             const Units& units) {
+  if (which.empty()) {
+    return {};
+  }
+  std::vector<Row> rows{{{"  orbit"}}};
+  for (const std::size_t i : which) {
+    const Orbit& orbit = listed.list.orbits[i];
+    Row row{{fmt::format("  {}", i + 1)}};
+    for (const auto& [name, value] : told_apart_by(listed, orbit)) {
+      row.push_back({units.short_text(value, digits_in_rows)});
+      if (rows.size() == 1) {
+        rows.front().push_back({name});
+      }
+    }
+    row.push_back(violated(orbit, style));
+    rows.push_back(row);
+  }
+  rows.front().push_back({"violates"});
   return "\n" +
          columns_of({{{"Formal solutions, not admissible", bold(style)}, {"(--all says all about them)"}}},
                     style.width) +
          columns_of(rows, style.width);
 }
 
-std::string terminal_report(const OrbitList& list, const Style& style, const Units& units, InFull in_full) {
-  std::vector<Truth> admissible;
-  for (const Orbit& orbit : list.orbits) {
-    admissible.push_back(orbit.admissible.truth);
+// Places in a list by what is known of their orbits: those to be told in full, admissible ones first and
+// others before those that are not; and formal solutions, unless all are asked for in full.
+struct Told {
+  std::vector<std::size_t> in_full, formal;
+};
+Told told(const std::vector<Orbit>& orbits, InFull in_full) {
+  Told result;
+  const auto is = [&](std::size_t i, Truth truth) { return orbits[i].admissible.truth == truth; };
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    (is(i, Truth::refuted) && in_full == InFull::admissible ? result.formal : result.in_full).push_back(i);
   }
-  const Told these = told(admissible, in_full);
-  std::string text = head(list, style);
+  const auto begin = result.in_full.begin();
+  const auto refuted = std::stable_partition(begin, result.in_full.end(),
+                                             [&](std::size_t i) { return !is(i, Truth::refuted); });
+  std::stable_partition(begin, refuted, [&](std::size_t i) { return is(i, Truth::proved); });
+  return result;
+}
+
+}  // namespace
+
+std::string terminal_report(const Listed& listed, const Style& style, const Units& units, InFull in_full) {
+  const Told these = told(listed.list.orbits, in_full);
+  std::string text = head(listed, style);
   for (const std::size_t i : these.in_full) {
-    text += all_about(list, i, style, units);
+    text += all_about(listed, i, style, units);
   }
-  text += formal_solutions(list, these.formal, style, units);
-  return these.in_full.empty() ? text
-                               : text + "\n" +
-                                     (list.question.neighbourhood
-                                          ? labelled(0, "recovers", meaning_of_neighbourhood(), style.width)
-                                          : "") +
-                                     labelled(0, "margin", meaning_of_margin(), style.width) +
-                                     labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
+  text += formal_solutions(listed, these.formal, style, units);
+  if (these.in_full.empty()) {
+    return text;
+  }
+  text += "\n";
+  if (std::ranges::any_of(listed.list.orbits, [](const Orbit& o) { return o.neighbourhood != nullptr; })) {
+    text += labelled(0, "recovers", meaning_of_neighbourhood(), style.width);
+  }
+  if (listed.word) {
+    text += labelled(0, "condition", "of all phases, the one nearest to a violation", style.width);
+  }
+  return text + labelled(0, "margin", meaning_of_margin(), style.width) +
+         labelled(0, "units", meaning_of_units(units.are_SI()), style.width);
 }
 
 }  // namespace stickslip::report::orbits

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "numeric/orbits.hpp"
+#include "report/orbits/listed.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
@@ -13,20 +13,23 @@
 
 namespace stickslip::report::orbits {
 
-// What a list is as JSON, to the digits asked for; its schema. Keys that do not apply are absent,
+// What a list is as JSON, to the digits asked for; their schemas. Keys that do not apply are absent,
 // "admissible" is null when undecided.
 void write_orbits(tools::Object& json, const numeric::OrbitList& list);
 [[nodiscard]] tools::Json to_json(const numeric::OrbitList& list);
+[[nodiscard]] tools::Json to_json(const numeric::attractors::WordOrbits& list);
 [[nodiscard]] tools::File orbits_schema();
+[[nodiscard]] tools::File words_schema();
 
 // Which orbits are described in full: those that may be admissible, or all.
 enum class InFull { admissible, all };
 
 // The parameters; how complete the search is; each orbit with its values to the asked digits and its
 // conditions, admissible ones first; formal solutions, which are not admissible, in a line each unless all
-// are asked for in full. An orbit keeps its number in the list. Parameters and conditions are those of (2) in
-// any units. No line is longer than the width of the style, except for what cannot be broken.
-[[nodiscard]] std::string terminal_report(const numeric::OrbitList& list, const tools::Style& style,
+// are asked for in full. An orbit of a word with its phases and, of all of them, the least margin of each
+// condition. An orbit keeps its number in the list. Parameters and conditions are those of (2) in any units.
+// No line is longer than the width of the style, except for what cannot be broken.
+[[nodiscard]] std::string terminal_report(const Listed& listed, const tools::Style& style,
                                           const Units& units = {}, InFull in_full = InFull::admissible);
 
 // Orbits as pictures.

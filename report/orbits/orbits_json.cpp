@@ -11,24 +11,77 @@ namespace stickslip::report::orbits {
 using namespace numeric;
 using namespace numeric::motion;
 using namespace tools;
+using attractors::WordOrbits;
+using words::WordOrbit;
 
 namespace {
 
 // Digits of margins and of their times: as many as a reader may want, however many the orbit has.
 constexpr int margin_digits = 20;
 
-void write_orbit(Object& json, const Orbit& o, const OrbitQuestion& question) {
-  const int digits = question.digits;
-  json.each(ball_texts(o.values, digits),
-            {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
-            {"tau1", "T", "ur", "ur_max"});
-  json.rules({{"oneOf", {{{"required", {"ur"}}}, {{"required", {"ur_max"}}}}}});
+// What orbits of lists have; `always` and `sometimes` are names of their values.
+void write_orbit(Object& json, const Orbit& o, int digits, const std::vector<std::string>& always,
+                 const std::vector<std::string>& sometimes) {
+  json.each(ball_texts(o.values, digits), always, sometimes);
   write_admissible(json, o.admissible);
+  write_stability(json, o.stability, o.conditions, digits);
+}
+
+void write_family_orbit(Object& json, const Orbit& o, const OrbitQuestion& question) {
+  const int digits = question.digits;
+  write_orbit(json, o, digits, {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
+              {"tau1", "T", "ur", "ur_max"});
+  json.rules({{"oneOf", {{{"required", {"ur"}}}, {{"required", {"ur_max"}}}}}});
   json.has("split", o.split.empty() ? std::nullopt : std::optional(o.split),
            "For a box of parameters, the one to divide first.");
-  write_stability(json, o.stability, o.conditions, digits);
   json.list("conditions", o.conditions, write_condition, {{"minItems", 1}});
   write_neighbourhood(json, question, o);
+}
+
+void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
+  json.has("word", o.word.letters(), like_word());
+  json.has("period", o.periods, like_periods());
+  write_durations(json, o.orbit.motion, digits);
+  write_orbit(json, o.orbit, digits, {"Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur"},
+              {});
+  std::vector<std::pair<Condition, std::size_t>> conditions;
+  for (std::size_t k = 0; k < o.orbit.conditions.size(); ++k) {
+    conditions.emplace_back(o.orbit.conditions[k], o.asked[k].phase + 1);
+  }
+  json.list("conditions", conditions,
+            [](Object& to, const auto& condition) {
+              write_condition(to, condition.first);
+              to.has("phase", condition.second, with({{"minimum", 1}}, "Of the word, from 1."));
+            },
+            {{"minItems", 1}});
+  write_neighbourhood(json, o.orbit.neighbourhood);
+}
+
+void write_unresolved(Object& json, const std::vector<Unresolved>& parts, int digits,
+                      const std::vector<std::string>& always = {},
+                      const std::vector<std::string>& sometimes = {}) {
+  json.list(
+      "unresolved", parts,
+      [&](Object& to, const Unresolved& part) {
+        to.each(ball_texts(part.where, digits), always, sometimes);
+        to.has("reason", plain(part.reason));
+      },
+      "Parts of the domain that the search could not decide.");
+}
+
+void write_words(Object& json, const WordOrbits& list) {
+  const attractors::WordSearch& q = list.question;
+  const int digits = q.machine.digits;
+  write_origin(json, command_of(q));
+  json.has("word", q.word.letters(), like_word());
+  json.has("period", q.periods, like_periods());
+  write_parameters(json, q.machine);
+  json.has("complete", list.complete(), "No orbit of the word in so many periods is missing.");
+  write_unresolved(json, list.unresolved, digits, {"tau"}, {"tau1", "tau2", "phi"});
+  json.list("orbits", list.orbits,
+            [digits](Object& to, const WordOrbit& o) { write_word_orbit(to, o, digits); });
+  json.has("seen", list.seen.empty() ? std::nullopt : std::optional(list.seen),
+           "What a simulation met in place of an orbit of the word.");
 }
 
 }  // namespace
@@ -64,6 +117,31 @@ Json family_names() {
 Json like_number_or_range() {
   return with({{"pattern", "^-?[0-9]+(\\.[0-9]+|/[0-9]+)?(\\+-[0-9]+(\\.[0-9]+|/[0-9]+)?)?$"}},
               "An exact number, or an interval written middle+-half width.");
+}
+
+Json like_word() {
+  return with(
+      {{"pattern", "^[OST]{2,}$"}},
+      "The phases of a period in their order, in the rotation that comes first in the alphabet: S slip, "
+      "O overshoot, T stick.");
+}
+
+Json like_periods() {
+  return with({{"minimum", 1}}, "In periods of the load.");
+}
+
+void write_parameters(Object& json, const words::WordQuestion& q) {
+  json.object("parameters", [&](Object& to) {
+    to.each(named_parameters(q), {"chi", "eta", "us", "V", "omega", "p", "ur"});
+  });
+}
+
+void write_durations(Object& json, const Motion& motion, int digits) {
+  std::vector<BallText> texts;
+  for (const Phase& phase : motion.phases) {
+    texts.push_back(ball_text(phase.duration, digits));
+  }
+  json.has("durations", texts, with({{"minItems", 2}}, "Of the phases, in the order of the word."));
 }
 
 void write_origin(Object& json, const std::string& command) {
@@ -126,19 +204,13 @@ void write_orbits(Object& json, const OrbitList& list) {
     to.each(parameters, {"chi", "eta", "us", "V", "omega", "p"}, {"phi", "ur"}, like_number_or_range());
   });
   json.has("complete", list.complete(), "No orbit of the family is missing.");
-  json.list(
-      "unresolved", list.unresolved,
-      [&](Object& to, const Unresolved& part) {
-        to.each(ball_texts(part.where, q.digits));
-        to.has("reason", plain(part.reason));
-      },
-      "Parts of the domain that the search could not decide.");
+  write_unresolved(json, list.unresolved, q.digits);
   std::optional<std::vector<std::string>> remarks;
   for (const Remark remark : list.remarks) {
     (remarks ? *remarks : remarks.emplace()).push_back(plain(describe(remark)));
   }
   json.has("remarks", remarks);
-  json.list("orbits", list.orbits, [&](Object& to, const Orbit& o) { write_orbit(to, o, q); });
+  json.list("orbits", list.orbits, [&](Object& to, const Orbit& o) { write_family_orbit(to, o, q); });
 }
 
 Json to_json(const Condition& condition) {
@@ -149,9 +221,19 @@ Json to_json(const OrbitList& list) {
   return written(list, write_orbits);
 }
 
+Json to_json(const WordOrbits& list) {
+  return written(list, write_words);
+}
+
 File orbits_schema() {
   return schema_file("orbits", "stickslip orbits: all periodic orbits of a family, each proved",
                      schema_by(SampleOf<OrbitList>::made(), write_orbits));
+}
+
+File words_schema() {
+  const WordOrbits sample{{SampleOf<words::WordQuestion>::made(), words::Word::parse("OTS"), 1, {}}, {}, {}};
+  return schema_file("words", "stickslip orbits WORD: orbits through given phases, each proved",
+                     schema_by(sample, write_words));
 }
 
 }  // namespace stickslip::report::orbits

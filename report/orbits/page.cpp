@@ -1,5 +1,7 @@
 #include "report/orbits/page.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -110,7 +112,18 @@ void add_stability(Json& json, const std::optional<Stability>& stability) {
   }
 }
 
-Json orbit(const OrbitList& list, std::size_t i) {
+// Of a word also how long its phases last, t1, t2, ...
+std::vector<NamedBall> values_of(const Listed& listed, const Orbit& o) {
+  std::vector<NamedBall> values;
+  for (std::size_t k = 0; listed.word && k < o.motion.phases.size(); ++k) {
+    values.push_back({fmt::format("t{}", k + 1), o.motion.phases[k].duration});
+  }
+  values.insert(values.end(), o.values.begin(), o.values.end());
+  return values;
+}
+
+Json orbit(const Listed& listed, std::size_t i) {
+  const OrbitList& list = listed.list;
   const Orbit& o = list.orbits[i];
   Json json = {
       {"number", i + 1},
@@ -119,8 +132,8 @@ Json orbit(const OrbitList& list, std::size_t i) {
       {"tell", verdict_on(o)},
       {"split", o.split.empty() ? Json(nullptr) : Json(o.split)},
       {"split_latex", latex_of_value(o.split)},
-      {"values",
-       list_of(o.values, [&](const NamedBall& named) { return value(named, list.question.digits); })},
+      {"values", list_of(values_of(listed, o),
+                         [&](const NamedBall& named) { return value(named, list.question.digits); })},
       {"conditions", list_of(o.conditions, condition)},
       {"recovers", nullptr}};
   if (o.neighbourhood) {
@@ -172,14 +185,15 @@ Json drawn_by() {
   return {{{"name", "gnuplot"}, {"version", gnuplot_version()}}};
 }
 
-Json orbit_data(const OrbitList& list) {
+Json orbit_data(const Listed& listed) {
+  const OrbitList& list = listed.list;
   const auto parameter = [](const auto& one) -> Json {
     return {{"latex", latex_of_value(one.first)}, {"value_latex", latex_of(one.second)}};
   };
-  Json json = {{"title", list.question.family->title},
-               {"searched", searched(list.question)},
-               {"result", result_of_search(list)},
-               {"command", command_of(list.question)},
+  Json json = {{"title", listed.title},
+               {"searched", listed.searched},
+               {"result", listed.result},
+               {"command", listed.command},
                {"parameters", list_of(named_parameters(list.question), parameter)},
                {"remarks", list_of(list.remarks, describe)},
                {"unresolved", list_of(list.unresolved, unresolved)},
@@ -188,7 +202,7 @@ Json orbit_data(const OrbitList& list) {
     json["remarks"].push_back(on_ur);
   }
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    json["orbits"].push_back(orbit(list, i));
+    json["orbits"].push_back(orbit(listed, i));
   }
   return json;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "numeric/orbits.hpp"
+#include "report/orbits/listed.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/json.hpp"
@@ -69,6 +70,6 @@ void require_page_tools();
 //   "stability": null or {"kind", "reason"}, "multipliers": [text],
 //   "values": [{"latex", "mid", "rad", "short"}],
 //   "conditions": [{"id", "statement", "verdict", "verdict_words", "margin", "at", "reason_if_open"}]}]}
-[[nodiscard]] tools::Json orbit_data(const numeric::OrbitList& list);
+[[nodiscard]] tools::Json orbit_data(const Listed& listed);
 
 }  // namespace stickslip::report::orbits

@@ -41,6 +41,8 @@ void write_attractor(tools::Object& json, const numeric::attractors::Attractor& 
                      Share share = Share::told);
 // "parameters": {"chi", ..., "p", "ur"}.
 void write_parameters(tools::Object& json, const numeric::words::WordQuestion& machine);
+// "durations" of a motion's phases.
+void write_durations(tools::Object& json, const numeric::motion::Motion& motion, int digits);
 // Keywords of the schema: of a word of phases, of how many periods of the load.
 [[nodiscard]] tools::Json like_word();
 [[nodiscard]] tools::Json like_periods();
@@ -76,19 +78,6 @@ void write_parameters(tools::Object& json, const numeric::words::WordQuestion& m
 [[nodiscard]] std::string stability_rows(const numeric::Orbit& orbit, int digits, const tools::Style& style);
 [[nodiscard]] std::string condition_rows(const std::vector<numeric::motion::Condition>& conditions,
                                          const tools::Style& style);
-
-// Places in a list by what is known of their orbits: those to be told in full, admissible ones first and
-// others before those that are not; and formal solutions, unless all are asked for in full.
-struct Told {
-  std::vector<std::size_t> in_full, formal;
-};
-[[nodiscard]] Told told(const std::vector<Truth>& admissible, InFull in_full);
-
-// Formal solutions in a line each: the names of what tells them apart, then for each its number in the list,
-// those values and the first conditions that it violates.
-inline constexpr int digits_in_rows = 6;
-[[nodiscard]] std::string table_of_formal(const std::vector<tools::Row>& rows, const tools::Style& style);
-[[nodiscard]] tools::Cell violated(const numeric::Orbit& orbit, const tools::Style& style);
 
 }  // namespace stickslip::report::orbits
 

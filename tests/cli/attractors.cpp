@@ -30,7 +30,7 @@ TEST_CASE("words that are none, and options that do not go with them, are named"
       {{"orbits", "OTS", "--example", "O", "--near", ""}, exit_usage, "near: ''"},
       {{"orbits", "OTS", "--example", "O", "--phi", "0"}, exit_usage, "phi"},
       {{"orbits", "OTS", "--example", "O", "--chi", "0.2+-1e-5"}, exit_usage, "interval"},
-      {{"orbits", "OTS", "--example", "O", "--plot", "a.svg"}, exit_usage, "--plot"},
+      {{"orbits", "S", "--example", "O", "--plot", "a.svg"}, exit_usage, "--plot"},
       {{"orbits", "OTS"}, exit_usage, "--chi"},
       {{"orbits", "symmetric", "--example", "S", "--period", "2"}, exit_usage, "'symmetric'"},
       {{"orbits", "OTS", "--example", "O", "--ur", "0.01"}, exit_domain, "ur = 0.01"},
@@ -191,6 +191,20 @@ TEST_CASE("orbits of a word that are not admissible stand in a line each, unless
   CHECK(all.out.find("Orbit 1 of 2:  not admissible: crossing\n") >
         all.out.find("Orbit 2 of 2:  admissible\n"));
   CHECK(all.out.find("Formal solutions") == std::string::npos);
+}
+
+TEST_CASE("the orbits of a word have a picture and pages as those of a family") {
+  const TemporaryDirectory directory;
+  const auto page = directory.path() / "page";
+  const Words at_O{"orbits", "OTS", "--example", "O"};
+  const std::string file = directory.path() / "a.svg";
+  CHECK(stickslip_program(with(at_O, {"--plot", file, "--out", page})).code == exit_decided);
+  CHECK(content(file).find("OTS orbit 2 of 2, admissible") != std::string::npos);
+  const std::string html = content(page / "index.html");
+  CHECK(html.find("Orbits through OTS in 1 period of the load") != std::string::npos);
+  CHECK(html.find("complete: 2 orbits, 1 admissible") != std::string::npos);
+  CHECK(html.find("\"figure.svg\"") != std::string::npos);
+  CHECK(content(page / "orbits.json") == stickslip_program(with(at_O, {"--json"})).out);
 }
 
 TEST_CASE("a word without an orbit is exit code 2, with what was met instead") {
