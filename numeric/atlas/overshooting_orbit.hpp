@@ -27,7 +27,7 @@ class OvershootingOrbit {
     families::OneStickData<T> closing;
   };
   [[nodiscard]] static Setting setting(const model::Parameters<T>& data, const T& phi) {
-    return {model::oscillator<T>(data), {families::overshooting_data_of<T, S>(data), phi}};
+    return {model::oscillator<T>(data), {families::overshooting_data<T>(data, T(scalars::pi<S>())), phi}};
   }
 
   // Two functions that vanish where the rows hold for some amplitudes (a, C, D); nothing when the rows, for

@@ -1,7 +1,6 @@
 #include "numeric/families/overshooting.hpp"
 
 #include "core/error.hpp"
-#include "numeric/families/overshooting_strip.hpp"
 #include "numeric/families/through_phases.hpp"
 
 namespace stickslip::numeric::families {

@@ -16,6 +16,17 @@ namespace stickslip::numeric::families {
 // With phi given, any real number; or with ur > 0 given, for which p > 0 is needed (DomainError).
 [[nodiscard]] const Family& overshooting();
 
+// The data of the reduced equations.
+template <class T>
+[[nodiscard]] model::OvershootingData<T> overshooting_data(const model::Parameters<T>& a, const T& pi) {
+  return {a.chi, a.eta, model::modes<T>(a.chi, a.eta), a.us, a.V, a.omega, a.p, T(T(2) * pi / a.omega)};
+}
+// At the working precision.
+template <class S>
+[[nodiscard]] model::OvershootingData<S> overshooting_data(const motion::ExactParameters& a) {
+  return overshooting_data<S>(motion::parameters_as<S>(a), scalars::pi<S>());
+}
+
 // The motion of (tau, tau1, a, C, D): z2' = V where the overshoot begins, and the stick from its own form, as
 // the reduced equations say.
 template <class T>
@@ -44,7 +55,7 @@ struct OvershootingClosing {
 
   template <class T>
   [[nodiscard]] static model::OvershootingData<T> data(const zeros::VectorOf<T>& p) {
-    return {p(0), p(1), model::modes<T>(p(0), p(1)), p(2), p(3), p(4), p(5), T(T(2) * T(Ball::pi()) / p(4))};
+    return overshooting_data<T>({p(0), p(1), p(2), p(3), p(4), p(5)}, T(Ball::pi()));
   }
   template <class T>
   [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
@@ -72,12 +83,7 @@ struct OvershootingClosing {
   [[nodiscard]] zeros::Vector unknowns(const motion::Motion& motion) const;
 };
 
-// The data of the reduced equations at the working precision.
-template <class S>
-[[nodiscard]] model::OvershootingData<S> overshooting_data(const motion::ExactParameters& a) {
-  const model::Parameters<S> b = motion::parameters_as<S>(a);
-  const S Theta = S(2) * scalars::pi<S>() / b.omega;
-  return {b.chi, b.eta, model::modes<S>(b.chi, b.eta), b.us, b.V, b.omega, b.p, Theta};
-}
+// The family over an interval of one parameter (strip.hpp), in (s, w): one strip.
+[[nodiscard]] std::vector<Strip> overshooting_strips(const StripQuestion& q);
 
 }  // namespace stickslip::numeric::families

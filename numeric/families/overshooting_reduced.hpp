@@ -10,12 +10,6 @@
 
 namespace stickslip::numeric::families {
 
-template <class T, class S>
-[[nodiscard]] model::OvershootingData<T> overshooting_data_of(const model::Parameters<T>& a) {
-  return {a.chi,   a.eta, model::modes<T>(a.chi, a.eta),          a.us, a.V,
-          a.omega, a.p,   T(T(2) * T(scalars::pi<S>()) / a.omega)};
-}
-
 // All linear unknowns eliminated from the rows: (a, C, D), where ur is given cos psi and sin psi, too, and
 // the functions that vanish where all rows hold for some values of the unknowns, `linear`.
 template <class T, Datum G>

@@ -1,5 +1,4 @@
-#include "numeric/families/overshooting_strip.hpp"
-
+#include "numeric/families/overshooting.hpp"
 #include "numeric/families/overshooting_reduced.hpp"
 
 namespace stickslip::numeric::families {
@@ -84,7 +83,8 @@ struct OverStrip {
   template <class T, class S>
   [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& s, const T& w) const {
     constexpr bool at_phase = G == Datum::phase;
-    const OneStickData<T> data{overshooting_data_of<T, S>(given.data), at_phase ? *given.phi : *given.ur};
+    const OneStickData<T> data{overshooting_data<T>(given.data, T(scalars::pi<S>())),
+                               at_phase ? *given.phi : *given.ur};
     const Eigen::Matrix<T, 2, 1> sw(s, w);
     const AllRows<OneStick<2, G>, T> rows = rows_of<2, G, T>(data, sw);
     constexpr int one = OneStick<2, G>::columns - 1;
