@@ -112,10 +112,11 @@ void add_stability(Json& json, const std::optional<Stability>& stability) {
   }
 }
 
-// Of a word also how long its phases last, t1, t2, ...
+// Of a word also how long its first phases last, t1, t2, ...
 std::vector<NamedBall> values_of(const Listed& listed, const Orbit& o) {
+  constexpr std::size_t most_phases = 16;
   std::vector<NamedBall> values;
-  for (std::size_t k = 0; listed.word && k < o.motion.phases.size(); ++k) {
+  for (std::size_t k = 0; listed.word && k < std::min(o.motion.phases.size(), most_phases); ++k) {
     values.push_back({fmt::format("t{}", k + 1), o.motion.phases[k].duration});
   }
   values.insert(values.end(), o.values.begin(), o.values.end());
@@ -190,14 +191,15 @@ Json orbit_data(const Listed& listed) {
   const auto parameter = [](const auto& one) -> Json {
     return {{"latex", latex_of_value(one.first)}, {"value_latex", latex_of(one.second)}};
   };
-  Json json = {{"title", listed.title},
-               {"searched", listed.searched},
-               {"result", listed.result},
-               {"command", listed.command},
-               {"parameters", list_of(named_parameters(list.question), parameter)},
-               {"remarks", list_of(list.remarks, describe)},
-               {"unresolved", list_of(list.unresolved, unresolved)},
-               {"orbits", Json::array()}};
+  Json json = {
+      {"title", listed.title + (listed.word ? "; $t1$, $t2$, ... is how long each phase lasts" : "")},
+      {"searched", listed.searched},
+      {"result", listed.result},
+      {"command", listed.command},
+      {"parameters", list_of(named_parameters(list.question), parameter)},
+      {"remarks", list_of(list.remarks, describe)},
+      {"unresolved", list_of(list.unresolved, unresolved)},
+      {"orbits", Json::array()}};
   if (const std::string on_ur = remark_on_ur(list); !on_ur.empty()) {
     json["remarks"].push_back(on_ur);
   }
