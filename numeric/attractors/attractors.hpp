@@ -20,29 +20,15 @@ struct AttractorQuestion {
   bool neighbourhood = false;  // of each orbit that is stable, too
 };
 
-struct Attractor {
-  Kind kind = Kind::unsettled;
-  std::vector<std::size_t> members;       // which starts end on it
-  long count = 0;                         // how many
-  double share = 0, least = 0, most = 0;  // with Wilson's interval of 95 %
-  std::string word;                       // periodic: its letters, in the first rotation
-  long periods = 0;                       // periodic: n
+struct Attractor : Ending {
   // Periodic: what is proved; its existence may be undecided.
   std::optional<words::WordOrbit> orbit;
-  std::string family;              // periodic: that of the paper that it belongs to, if any
-  model::Vector4<double> state;    // (x1, x2, x1', x2') on it at load phase 0
-  bool is_too_slow = false;        // unsettled: a period of the load takes too many steps to be followed
-  std::optional<double> lyapunov;  // irregular, quasi-periodic: a check, the mean over its starts
+  std::string family;            // periodic: that of the paper that it belongs to, if any
+  model::Vector4<double> state;  // (x1, x2, x1', x2') on it at load phase 0
 };
 
-struct AttractorList {
+struct AttractorList : Endings<Attractor> {
   AttractorQuestion question;
-  // By falling count. Irregular motions are one entry, and so are those of each other kind that is not
-  // periodic: a simulation cannot tell how many attractors they are.
-  std::vector<Attractor> attractors;
-  long simulated = 0;  // periods in all
-  bool interrupted = false;
-  long followed = 0;  // starts, until they had settled or for all periods; the shares are of these
 };
 
 // Where all motions are proved to grow beyond all bounds (words/growth.hpp) that is the answer, without a
@@ -62,12 +48,6 @@ struct AttractorList {
 
 // The orbit's neighbourhood, where it is stable (machines/neighbourhood.hpp).
 void surround(words::WordOrbit& orbit, const words::WordQuestion& machine);
-
-// Wilson's interval of 95 % for a share of which `count` of `total` are a sample.
-struct Interval {
-  double least, most;
-};
-[[nodiscard]] Interval wilson(long count, long total);
 
 // The paper's family that an orbit is one of; empty when it is none, or not known to be.
 [[nodiscard]] std::string family_of(const words::WordOrbit& orbit);

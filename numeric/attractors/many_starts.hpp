@@ -1,9 +1,12 @@
 // What many starts end on, for any oscillator: while one datum varies, and over a plane that they lie in.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -63,6 +66,29 @@ template <class Point, class Look>
     throw DomainError(*outside);
   }
   return points;
+}
+
+// Where starts lie: within `half` of `middle` in each coordinate.
+template <class State>
+struct StartBoxOf {
+  State middle, half;
+};
+
+// At random in the box, each coordinate uniformly. The same seed gives the same states everywhere; the first
+// ones do not depend on how many there are.
+template <class State>
+[[nodiscard]] std::vector<State> random_starts_in(const StartBoxOf<State>& box, std::size_t count,
+                                                  std::uint64_t seed) {
+  // Distributions of the standard library differ from one to another; the engine does not.
+  std::mt19937_64 engine(seed);
+  std::vector<State> starts(count, box.middle);
+  for (State& X : starts) {
+    for (Eigen::Index i = 0; i < X.size(); ++i) {
+      const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
+      X(i) += box.half(i) * (2 * share - 1);
+    }
+  }
+  return starts;
 }
 
 // The middles of columns and rows of pixels of a window that is `half` to each side of the middle, row by

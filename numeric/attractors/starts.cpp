@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "model/load.hpp"
 
@@ -21,17 +20,7 @@ StartBox start_box(const model::Parameters<double>& a) {
 
 std::vector<model::Vector4<double>> random_starts(const model::Parameters<double>& a, std::size_t count,
                                                   std::uint64_t seed) {
-  const StartBox box = start_box(a);
-  // Distributions of the standard library differ from one to another; the engine does not.
-  std::mt19937_64 engine(seed);
-  std::vector<model::Vector4<double>> starts(count);
-  for (model::Vector4<double>& X : starts) {
-    for (int i = 0; i < 4; ++i) {
-      const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
-      X(i) = box.middle(i) + box.half(i) * (2 * share - 1);
-    }
-  }
-  return starts;
+  return random_starts_in(start_box(a), count, seed);
 }
 
 }  // namespace stickslip::numeric::attractors

@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "model/parameters.hpp"
+#include "numeric/attractors/many_starts.hpp"
 
 namespace stickslip::numeric::attractors {
 
-// Where they lie: within `half` of `middle` in each coordinate.
-struct StartBox {
-  model::Vector4<double> middle, half;
-};
+using StartBox = StartBoxOf<model::Vector4<double>>;
 [[nodiscard]] StartBox start_box(const model::Parameters<double>& a);
 
 // With d = us/(chi (1 - chi)), the rest position of the second mass, and s the largest of V, 3 us, 0.1 and,

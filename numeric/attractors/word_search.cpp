@@ -37,8 +37,8 @@ bool is_of(const WordOrbit& orbit, const WordSearch& q) {
 }
 
 // The motion over the n periods that follow, if it has events that make a word.
-std::optional<Return> next_periods(const simulation::Simulation& simulation, long n) {
-  const Return next = over_periods(simulation, n);
+std::optional<Return> next_periods(const Follower& follower, long n) {
+  const Return next = follower.over_periods(n);
   return words::is_word(next.word) ? std::optional(next) : std::nullopt;
 }
 
@@ -50,21 +50,20 @@ WordOrbits from_start(const WordSearch& q) {
     if (!seen || seen->word != q.word.letters()) {
       return false;
     }
-    const WordOrbit orbit = prove_word_orbit(q.machine, seen->guess);
+    const WordOrbit orbit = prove_word_orbit(q.machine, word_guess(*seen));
     const bool found = orbit.existence.truth == Truth::proved && is_of(orbit, q);
     if (found) {
       result.orbits.push_back(orbit);
     }
     return found;
   };
-  const std::optional<Return> at_once = next_periods(follower.simulation(), q.periods);
+  const std::optional<Return> at_once = next_periods(follower, q.periods);
   if (attempt(at_once)) {
     return result;
   }
   follower.follow(most_periods, 1e-6);
   const std::optional<Return> settled = follower.returned();
-  if (settled && q.periods % settled->guess.periods == 0 &&
-      attempt(next_periods(follower.simulation(), q.periods))) {
+  if (settled && q.periods % settled->guess.periods == 0 && attempt(next_periods(follower, q.periods))) {
     return result;
   }
   result.interrupted = interrupted();

@@ -75,12 +75,17 @@ void require_law(const model::FrictionLaw<Rational>& law) {
 
 }  // namespace
 
+double scale_of(const model::FrictionOscillator<double>& o) {
+  const auto j = static_cast<Eigen::Index>(o.rubbing);
+  const double stiffness = o.stiffness(j, j);
+  return stiffness > 0 ? std::sqrt(stiffness / o.masses[o.rubbing]) : 1;
+}
+
 MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
   const auto n = static_cast<Eigen::Index>(o.size());
   const auto j = static_cast<Eigen::Index>(o.rubbing);
   const double m = o.masses[o.rubbing];
-  const double stiffness = o.stiffness(j, j);
-  const double Omega = stiffness > 0 ? std::sqrt(stiffness / m) : 1;
+  const double Omega = scale_of(o);
   const int side = o.V >= 0 ? 1 : -1;
   const model::SlidingPiece<double> * piece = &o.law(side).sliding.front();
   for (const model::SlidingPiece<double>& next : o.law(side).sliding) {

@@ -27,6 +27,9 @@ template <class S>
   return result;
 }
 
+// sqrt(K_jj/m_j), 1 where that is 0: positions times it are compared with velocities.
+[[nodiscard]] double scale_of(const model::FrictionOscillator<double>& oscillator);
+
 // How far and how fast motions go: random starts lie within `half` of `middle` in each coordinate (x, x').
 // The middle is the rest position under the constant loads and the friction at the belt's velocity, at rest
 // but for the mass that rubs; with Omega² = K_jj/m_j and s the largest of |V|, 3 u/(m_j Omega) and the loads'

@@ -5,61 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <numbers>
 
 #include "core/interruption.hpp"
-#include "core/parallel.hpp"
-#include "numeric/attractors/attractors.hpp"
+#include "numeric/attractors/survey.hpp"
 #include "numeric/machines/reaching.hpp"
 
 namespace stickslip::numeric::machines {
 
 using attractors::Kind;
+using attractors::Return;
+using AnySimulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
 
 namespace {
-
-// Two simulated motions nearer than this, in parts of their size, are one.
-constexpr double same_motion = 1e-6;
-
-std::vector<Eigen::VectorXd> random_starts(const model::FrictionOscillator<double>& o, long count,
-                                           std::uint64_t seed) {
-  const MachineStartBox box = start_box(o);
-  // Distributions of the standard library differ from one to another; the engine does not.
-  std::mt19937_64 engine(seed);
-  std::vector<Eigen::VectorXd> starts(static_cast<std::size_t>(count), box.middle);
-  for (Eigen::VectorXd& X : starts) {
-    for (Eigen::Index i = 0; i < X.size(); ++i) {
-      const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
-      X(i) += box.half(i) * (2 * share - 1);
-    }
-  }
-  return starts;
-}
-
-// Whether the events of one are those of the other, begun with another one.
-bool is_same(const MachineGuess& a, const MachineGuess& b) {
-  const std::size_t count = a.events.size();
-  if (count != b.events.size() || a.periods != b.periods) {
-    return false;
-  }
-  const auto same_from = [&](std::size_t shift) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const MachineGuess::Event &one = a.events[i], &other = b.events[(i + shift) % count];
-      const double size = std::max(one.X.lpNorm<Eigen::Infinity>(), other.X.lpNorm<Eigen::Infinity>());
-      if (one.begins != other.begins ||
-          !((one.X - other.X).lpNorm<Eigen::Infinity>() <= same_motion * size)) {
-        return false;
-      }
-    }
-    return true;
-  };
-  for (std::size_t shift = 0; shift < count; ++shift) {
-    if (same_from(shift)) {
-      return true;
-    }
-  }
-  return false;
-}
 
 std::vector<Piece> pieces_of(const MachineGuess& guess) {
   std::vector<Piece> pieces;
@@ -69,12 +27,73 @@ std::vector<Piece> pieces_of(const MachineGuess& guess) {
   return pieces;
 }
 
+Eigen::VectorXd in_double(const Vector& X) {
+  return X.unaryExpr([](const Ball& x) { return x.approximate(); });
+}
+
+// As survey.hpp asks for it.
+struct MachineProofs {
+  using Attractor = MachineAttractor;
+
+  Machine machine;
+  int digits;
+  double scale = scale_of(oscillator_as<double>(machine));
+
+  [[nodiscard]] double Omega() const { return scale; }
+  [[nodiscard]] static bool provable() { return true; }
+  [[nodiscard]] Return tidied(const Return& seen) const { return machines::tidied(machine, seen); }
+  [[nodiscard]] std::optional<MachineOrbit> prove(const Return& seen) const {
+    return prove_machine_orbit(machine, seen.guess, digits,
+                               std::max(attractors::most_bits_of_stable, 2 * scalars::bits_for(digits)));
+  }
+  [[nodiscard]] static const MachineOrbit& judged(const MachineOrbit& orbit) { return orbit; }
+  [[nodiscard]] static std::string word(const MachineOrbit& orbit) { return word_of(orbit.pieces); }
+  [[nodiscard]] static Eigen::VectorXd begins_at(const MachineOrbit& orbit) {
+    return in_double(orbit.phases.front().state);
+  }
+  [[nodiscard]] Eigen::VectorXd at_phase_0(const MachineOrbit& orbit) const {
+    const double theta = std::fmod(orbit.load.approximate(), 2 * std::numbers::pi);
+    const auto o = oscillator_as<double>(machine);
+    AnySimulation simulation(o, theta, begins_at(orbit));
+    simulation.advance((theta > 0 ? 2 * std::numbers::pi - theta : -theta) / o.omega);
+    return simulation.state();
+  }
+  // Begun with the same phase, or with another one.
+  [[nodiscard]] static bool overlap(const MachineOrbit& a, const MachineOrbit& b) {
+    const std::size_t count = a.phases.size();
+    const auto from = [&](std::size_t k) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const MachinePhase &one = a.phases[i], &other = b.phases[(i + k) % count];
+        if (one.piece != other.piece || !one.duration.overlaps(other.duration)) {
+          return false;
+        }
+      }
+      const Vector &x = a.phases.front().state, &y = b.phases[k].state;
+      bool overlap = true;
+      for (Eigen::Index i = 0; i < x.size(); ++i) {
+        overlap = overlap && x(i).overlaps(y(i));
+      }
+      return overlap;
+    };
+    bool same = false;
+    for (std::size_t k = 0; k < count && count == b.phases.size() && a.periods == b.periods; ++k) {
+      same = same || from(k);
+    }
+    return same;
+  }
+  [[nodiscard]] static const Attractor& completed(const Attractor& a) { return a; }
+  // Of a return no proof was tried.
+  [[nodiscard]] static Kind kind(Kind seen) { return seen == Kind::periodic ? Kind::unsettled : seen; }
+};
+
 }  // namespace
 
 MachineAttractors find_attractors(const MachineStarts& question) {
   require_machine(question.machine);
+  const MachineStartBox box = start_box(oscillator_as<double>(question.machine));
   MachineAttractors result = find_attractors_from(
-      question, random_starts(oscillator_as<double>(question.machine), question.starts, question.seed));
+      question, attractors::random_starts_in<Eigen::VectorXd>(
+                    {box.middle, box.half}, static_cast<std::size_t>(question.starts), question.seed));
   if (question.machine.oscillator.is_autonomous()) {
     result.steady = steady_sliding(question.machine, question.digits);
   }
@@ -84,53 +103,14 @@ MachineAttractors find_attractors(const MachineStarts& question) {
 MachineAttractors find_attractors_from(const MachineStarts& question,
                                        const std::vector<Eigen::VectorXd>& starts) {
   require_machine(question.machine);
-  MachineAttractors result{question, {}, {}, false};
+  std::vector<std::unique_ptr<attractors::AnyFollower>> followers;
+  for (const Eigen::VectorXd& X : starts) {
+    followers.push_back(follower_of(question.machine, X));
+  }
+  attractors::Survey<MachineProofs> survey({question.machine, question.digits}, question.most_periods,
+                                           std::move(followers));
+  MachineAttractors result{survey.endings(), question, {}};
   result.question.starts = static_cast<long>(starts.size());
-  const std::vector<Settled> ends = parallel_map(starts.size(), [&](std::size_t i) {
-    return interrupted() ? Settled{Kind::unsettled, {}, starts[i]}
-                         : settle(question.machine, starts[i], question.most_periods);
-  });
-  result.interrupted = interrupted();
-  std::vector<const Settled *> first;  // of each attractor
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const Settled& end = ends[i];
-    std::size_t k = 0;
-    while (k < first.size() && !(first[k]->kind == end.kind &&
-                                 (end.kind != Kind::periodic || is_same(first[k]->guess, end.guess)))) {
-      ++k;
-    }
-    if (k == first.size()) {
-      first.push_back(&end);
-      result.attractors.emplace_back();
-      result.attractors.back().kind = end.kind;
-      result.attractors.back().state = end.state;
-    }
-    result.attractors[k].members.push_back(i);
-    ++result.attractors[k].count;
-  }
-  const auto orbits = parallel_map(first.size(), [&](std::size_t k) -> std::optional<MachineOrbit> {
-    if (first[k]->kind != Kind::periodic || interrupted()) {
-      return std::nullopt;
-    }
-    MachineOrbit orbit = prove_machine_orbit(question.machine, first[k]->guess, question.digits);
-    if (orbit.existence.truth == Truth::proved &&
-        !(distance(guess_of(orbit, question.machine), first[k]->guess) < most_astray)) {
-      orbit = {};
-      orbit.existence = Verdict::undecided("Newton's method leads from there to another motion");
-    }
-    return orbit;
-  });
-  for (std::size_t k = 0; k < first.size(); ++k) {
-    MachineAttractor& a = result.attractors[k];
-    const attractors::Interval interval = attractors::wilson(a.count, result.question.starts);
-    a.share = static_cast<double>(a.count) / static_cast<double>(result.question.starts);
-    a.least = interval.least;
-    a.most = interval.most;
-    a.orbit = orbits[k];
-    a.word = a.kind == Kind::periodic ? word_of(pieces_of(first[k]->guess)) : "";
-  }
-  std::stable_sort(result.attractors.begin(), result.attractors.end(),
-                   [](const auto& a, const auto& b) { return a.count > b.count; });
   return result;
 }
 
@@ -145,7 +125,7 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
     motion::PhaseKind before = a.orbit->phases.back().piece.kind;
     for (const MachinePhase& phase : a.orbit->phases) {
       if (phase.piece.kind != before) {
-        states.emplace_back(phase.state.unaryExpr([](const Ball& x) { return x.approximate(); }));
+        states.push_back(in_double(phase.state));
       }
       before = phase.piece.kind;
     }
@@ -156,8 +136,7 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
                      : moves                             ? most_once
                                                          : 1;
   return attractors::states_once_a_period<Eigen::VectorXd>(
-      simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>(oscillator_as<double>(machine), 0, a.state),
-      count);
+      AnySimulation(oscillator_as<double>(machine), 0, a.state), count);
 }
 
 }  // namespace

@@ -23,21 +23,15 @@ struct MachineStarts {
   int digits = 20;            // significant ones, of every value of an orbit
 };
 
-struct MachineAttractor {
-  attractors::Kind kind = attractors::Kind::unsettled;
-  std::vector<std::size_t> members;       // which starts end on it
-  long count = 0;                         // how many
-  double share = 0, least = 0, most = 0;  // with Wilson's interval of 95 %
-  std::string word;                       // periodic: its letters, in the first rotation
-  std::optional<MachineOrbit> orbit;      // periodic: what is proved; its existence may be undecided
-  Eigen::VectorXd state;                  // (x, x') on it; with a load at theta = 0
+struct MachineAttractor : attractors::Ending {
+  std::optional<MachineOrbit> orbit;  // periodic: what is proved; its existence may be undecided
+  Eigen::VectorXd state;              // (x, x') on it; with a load at theta = 0
 };
 
-struct MachineAttractors {
+// Without a load that varies events are counted where else periods are.
+struct MachineAttractors : attractors::Endings<MachineAttractor> {
   MachineStarts question;
-  std::vector<MachineAttractor> attractors;  // by falling count; those of another kind are one entry each
-  std::optional<SteadySliding> steady;       // without a load that varies
-  bool interrupted = false;
+  std::optional<SteadySliding> steady;  // without a load that varies
 };
 
 // At random within start_box. The same seed gives the same starts everywhere. Throws as require_machine does.

@@ -25,6 +25,28 @@ struct MachineGuess {
   double duration = 0;        // of all
 };
 
+// Of what a simulation meets: on a smooth law there is one piece to a side, where the simulation goes through
+// many; and that the mass touches the belt's speed and leaves it again to the same side is no event.
+template <class Transition>
+[[nodiscard]] bool is_event(const model::FrictionOscillator<double>& o, const Transition& t) {
+  const int side = Piece{t.after}.side();
+  return side != 0 && o.law(side).smooth ? t.before != t.after : t.changes();
+}
+// Of what it met, counted from `begin`.
+template <class Transition>
+[[nodiscard]] std::vector<MachineGuess::Event> events_of(const model::FrictionOscillator<double>& o,
+                                                         const std::vector<Transition>& log, double begin) {
+  std::vector<MachineGuess::Event> events;
+  for (const Transition& t : log) {
+    if (is_event(o, t)) {
+      const int side = Piece{t.after}.side();
+      const bool smooth = side != 0 && o.law(side).smooth;
+      events.push_back({t.time - begin, t.X, {t.after, smooth ? 0 : t.piece_after}});
+    }
+  }
+  return events;
+}
+
 struct MachinePhase {
   Piece piece;
   Ball start, duration;  // counted from the first phase's beginning

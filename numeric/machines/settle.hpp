@@ -1,9 +1,10 @@
 // What the motion of a machine settles on, followed in doubles: it proposes, and proves nothing.
 #pragma once
 
-#include "numeric/attractors/kind.hpp"
-#include "numeric/machines/machine_orbit.hpp"
-#include "numeric/simulation/simulation.hpp"
+#include <memory>
+
+#include "numeric/attractors/follower.hpp"
+#include "numeric/machines/machine.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -21,24 +22,13 @@ struct Settled {
 // so many events. Throws as require_machine does, and DomainError for a state of the wrong size.
 [[nodiscard]] Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_periods = 20000);
 
-// What a simulation met after `begin`, as events of its motion: on a smooth law there is one piece to a side,
-// where the simulation goes through many.
-template <class Transition>
-[[nodiscard]] std::vector<MachineGuess::Event> events_of(const model::FrictionOscillator<double>& o,
-                                                         const std::vector<Transition>& log, double begin) {
-  std::vector<MachineGuess::Event> events;
-  for (const Transition& t : log) {
-    Piece piece{t.after, t.piece_after};
-    const bool smooth = piece.side() != 0 && o.law(piece.side()).smooth;
-    if (smooth) {
-      piece.number = 0;
-    }
-    if (smooth ? t.before != t.after : t.changes()) {
-      events.push_back({t.time - begin, t.X, piece});
-    }
-  }
-  return events;
-}
+// Follows motions of a machine. Throws likewise.
+[[nodiscard]] std::unique_ptr<attractors::AnyFollower> follower_of(const Machine& machine,
+                                                                   const Eigen::VectorXd& X);
+
+// What is seen, begun at the first rotation of its word, and once if it goes round a shorter motion several
+// times.
+[[nodiscard]] attractors::Return tidied(const Machine& machine, const attractors::Return& seen);
 
 // The motion from X at theta = 0 over the next n periods of the load, as it is, closed or not. Throws
 // likewise, and UsageError without a load.

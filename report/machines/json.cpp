@@ -471,7 +471,8 @@ Json to_json(const Motion& result) {
 std::vector<File> schemas() {
   const Machine machine = sample_machine();
   const MachineWord word{machine, words::Word::parse("ST"), {}, {}};
-  const Attractors attractors{{{.machine = machine}, {}, {}, false}, {}};
+  Attractors attractors;
+  attractors.list.question.machine = machine;
   Diagram diagram;
   diagram.diagram.question.machine = machine;
   Basins basins;

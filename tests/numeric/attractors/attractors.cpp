@@ -262,7 +262,7 @@ TEST_CASE("a motion nears a stable orbit at the pace of its multiplier, and noth
   CHECK_FALSE(nears(near, X, 0.9999, 1, 5000));    // too slow for that orbit
   CHECK_FALSE(nears(near, X, 0.999998, 1, 5000));  // too fast
   CHECK_FALSE(nears(near, 1.1 * X, mu, 1, 5000));
-  const auto once = steady_word(near);
+  const auto once = Follower(data, machine.ur.get_d(), near.state()).steady_word();
   REQUIRE(once);
   CHECK(once->word == "OS");
   CHECK(once->guess.periods == 1);
