@@ -14,10 +14,20 @@ namespace stickslip::cli {
 
 namespace {
 
+// What texts, tables and pictures are made of.
+template <class Result>
+decltype(auto) seen(const Result& result) {
+  if constexpr (requires { report::machines::told(result); }) {
+    return report::machines::told(result);
+  } else {
+    return result;
+  }
+}
+
 template <class Result>
 void print_told(const Result& result, bool json) {
   print(json ? report::tools::to_text(report::machines::to_json(result))
-             : report::machines::terminal_report(result, terminal_style()));
+             : terminal_report(seen(result), terminal_style()));
 }
 
 template <class Options, class Answer>
@@ -29,12 +39,12 @@ ExitCode told(const GivenInTables& given, const Options& o, const char * doing, 
     const Progress progress(doing);
     return answer_to(given, o);
   }();
-  if constexpr (requires { report::machines::to_csv(result); }) {
+  if constexpr (requires { to_csv(seen(result)); }) {
     if (o.csv) {
-      report::tools::write_file(*o.csv, report::machines::to_csv(result));
+      report::tools::write_file(*o.csv, to_csv(seen(result)));
     }
     if (o.plot) {
-      draw(*o.plot, report::machines::plot_script(result, report::tools::plot_format(*o.plot)));
+      draw(*o.plot, plot_script(seen(result), report::tools::plot_format(*o.plot)));
     }
   }
   if (o.out) {

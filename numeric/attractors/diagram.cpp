@@ -41,19 +41,6 @@ words::WordQuestion machine_at(const DiagramQuestion& question, DiagramPoint& po
 
 }  // namespace
 
-std::vector<Vector4<double>> once_a_period(const words::WordQuestion& machine, const Attractor& a,
-                                           long most) {
-  if (a.is_too_slow) {
-    return {a.state};
-  }
-  const bool moves = a.kind != Kind::stuck && a.kind != Kind::grows && a.kind != Kind::unsettled;
-  const long count = a.kind == Kind::periodic ? std::min(a.periods, most) : moves ? most : 1;
-  return states_once_a_period<Vector4<double>>(
-      simulation::Simulation(motion::parameters_as<double>(machine.data), scalars::scalar<double>(machine.ur),
-                             0, a.state),
-      count);
-}
-
 Diagram diagram_of(const DiagramQuestion& question) {
   Diagram result{question, {}, false};
   result.points =
@@ -63,7 +50,10 @@ Diagram diagram_of(const DiagramQuestion& question) {
         const AttractorList list = find_attractors(here);
         point.attractors = list.attractors;
         for (const Attractor& a : list.attractors) {
-          point.once.push_back(once_a_period(here.machine, a));
+          point.once.push_back(states_once_a_period<Vector4<double>>(
+              simulation::Simulation(motion::parameters_as<double>(here.machine.data),
+                                     scalars::scalar<double>(here.machine.ur), 0, a.state),
+              count_once(a)));
         }
         result.interrupted = list.interrupted;
         return !list.interrupted;

@@ -23,18 +23,10 @@ struct DiagramQuestion {
   std::function<DataTaken(const Rational&)> taken = {};
 };
 
-// Of each attractor states at load phase 0, one period apart: its n, but at most most_once; of one that is
-// not periodic so many.
+// Of each attractor states at load phase 0, one period apart.
 struct DiagramPoint : PointAlong<Attractor, model::Vector4<double>> {
   std::optional<DataTaken> taken;  // if the question has it
 };
-inline constexpr long most_once = 200;
-
-// The attractor's state at load phase 0, and those that follow one period apart: its n, but at most `most`;
-// of one that moves and is not periodic so many; fewer after an interruption.
-[[nodiscard]] std::vector<model::Vector4<double>> once_a_period(const words::WordQuestion& machine,
-                                                                const Attractor& attractor,
-                                                                long most = most_once);
 
 struct Diagram {
   DiagramQuestion question;

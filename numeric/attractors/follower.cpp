@@ -17,10 +17,9 @@ namespace {
 constexpr long long_time = 256;
 // What rounding leaves of a return after hundreds of periods with transients that stretch it.
 constexpr double within_rounding = 2e-8;
-// A motion that comes back as near as this without an event on the way is at rest, or slides steadily; and
-// without a load no other return is looked at.
+// A motion that comes back as near as this without an event on the way is at rest, or slides steadily,
 constexpr double steadily = 1e-9;
-// Nor is it a return to events no farther apart than this.
+// and so is one without a load whose events are no farther apart than this.
 constexpr double least_size = 1e-6;
 // The first period whose state is compared with later ones, but for the start.
 constexpr long first_mark = 8;
@@ -87,7 +86,7 @@ Return shortest(const Return& seen, bool has_load, double nearness, double Omega
 
 template <int N, int L>
 bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation::SimulationOf<N, L>::State& X,
-           double mu, long n, long periods, double Omega) {
+           double mu, long n, long periods) {
   constexpr double least = 1e-3;
   constexpr long parts = 9;  // of which the first, the middle and the last are compared
   const long returns = periods / (parts * n);
@@ -97,7 +96,7 @@ bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation:
       for (long i = 0; i < n; ++i) {
         simulation.advance(simulation.period());
       }
-      most = std::max(most, distance(simulation.state(), X, Omega));
+      most = std::max(most, distance(simulation.state(), X));
     }
   }
   const double expected = -std::log(mu) * static_cast<double>(parts / 2 * returns);
@@ -108,14 +107,13 @@ bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation:
   return falls(farthest.front(), farthest[parts / 2]) && falls(farthest[parts / 2], farthest.back());
 }
 
-template bool nears(simulation::SimulationOf<2, 1>, const model::Vector4<double>&, double, long, long,
-                    double);
+template bool nears(simulation::SimulationOf<2, 1>, const model::Vector4<double>&, double, long, long);
 template bool nears(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>, const Eigen::VectorXd&, double,
-                    long, long, double);
+                    long, long);
 
 std::optional<Return> AnyFollower::steady_word() const {
   constexpr long most = 8;
-  for (long n = 1; n <= most; ++n) {
+  for (long n = 1; n <= most && has_load_; ++n) {
     const Return once = over_periods(n);
     if (words::is_word(once.word) && over_periods(2 * n).word == once.word + once.word) {
       return once;
@@ -180,8 +178,7 @@ bool FollowerOf<N, L>::goes_through_period(std::vector<Transition>& log) {
 template <int N, int L>
 void FollowerOf<N, L>::follow(long most_periods, double nearness) {
   kind_ = Kind::unsettled;
-  o_.is_autonomous() ? follow_events(most_periods, std::min(nearness, steadily))
-                     : follow_periods(most_periods, nearness);
+  has_load_ ? follow_periods(most_periods, nearness) : follow_events(most_periods, nearness);
 }
 
 template <int N, int L>
@@ -249,18 +246,23 @@ void FollowerOf<N, L>::follow_events(long most_events, double nearness) {
         continue;
       }
       ++periods_;
-      const bool returns = mark && t.after == mark->after && t.piece_after == mark->piece_after &&
-                           t.before == mark->before && distance(t.X, mark->X, Omega_) < nearness;
-      if (returns) {
-        const bool moves = std::ranges::any_of(
-            since, [&](const Transition& other) { return distance(other.X, mark->X, Omega_) > least_size; });
+      const double back =
+          mark && t.after == mark->after && t.piece_after == mark->piece_after && t.before == mark->before
+              ? distance(t.X, mark->X, Omega_)
+              : 1;
+      if (back < std::max(nearness, steadily)) {
         return_ = seen_in(o_, since, mark->time);
         return_.guess.duration = t.time - mark->time;
         for (const MachineGuess::Event& event : return_.guess.events) {
           return_.once.push_back(event.X);
         }
-        kind_ = moves && may_close(return_.guess) ? Kind::periodic : without_events();
-        return;
+        const bool moves = std::ranges::any_of(
+            since, [&](const Transition& other) { return distance(other.X, mark->X, Omega_) > least_size; });
+        const bool closes = moves && may_close(return_.guess);
+        if (closes ? back < nearness : back < steadily) {
+          kind_ = closes ? Kind::periodic : without_events();
+          return;
+        }
       }
       if (periods_ >= next_mark) {
         mark = t;
@@ -274,8 +276,7 @@ void FollowerOf<N, L>::follow_events(long most_events, double nearness) {
 
 template <int N, int L>
 void FollowerOf<N, L>::classify(long periods) {
-  if (kind_ != Kind::unsettled || periods < fewest_periods_of_exponent || is_too_slow_ ||
-      o_.is_autonomous()) {
+  if (kind_ != Kind::unsettled || periods < fewest_periods_of_exponent || is_too_slow_ || !has_load_) {
     return;
   }
   const Exponent exponent = largest_exponent(simulation_, periods);

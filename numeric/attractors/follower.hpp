@@ -52,18 +52,18 @@ struct Return {
 template <int N, int L>
 [[nodiscard]] bool nears(simulation::SimulationOf<N, L> simulation,
                          const typename simulation::SimulationOf<N, L>::State& X, double mu, long n,
-                         long periods, double Omega = 1);
+                         long periods);
 
 // Follows one motion. What is said of periods is said of events where there is no load.
 class AnyFollower {
  public:
+  explicit AnyFollower(bool has_load) : has_load_(has_load) {}
   virtual ~AnyFollower() = default;
 
   // Goes on until the motion has settled, or so many periods are over in all. `nearness` is the distance that
   // counts as a return; a motion that was followed before is looked at again when it is twice as old. Slides
   // and stuck for good also when no event came in the last half, or none on the way back to within 1e-9.
-  // Without a load 1e-9 is the largest distance that counts. Stops when it is interrupted, and where a period
-  // of the load takes more than two million steps.
+  // Stops when it is interrupted, and where a period of the load takes more than two million steps.
   virtual void follow(long most_periods, double nearness) = 0;
 
   // Unsettled after all periods: quasi-periodic or irregular by the largest Lyapunov exponent over so many
@@ -91,12 +91,13 @@ class AnyFollower {
   // The n periods of the load that follow, from a time when its phase is 0.
   [[nodiscard]] virtual Return over_periods(long n) const = 0;
   // The fewest periods of the load, at most 8, in which the motion goes through one word again and again, and
-  // the first of these repetitions; nothing where there is none.
+  // the first of these repetitions; nothing where there is none, and without a load.
   [[nodiscard]] std::optional<Return> steady_word() const;
   // As above.
   [[nodiscard]] virtual bool nears(const Eigen::VectorXd& X, double mu, long n, long periods) const = 0;
 
  protected:
+  bool has_load_;
   Kind kind_ = Kind::unsettled;
   long periods_ = 0;
   long last_event_ = 0;  // the period in which it was
@@ -116,14 +117,18 @@ class FollowerOf : public AnyFollower {
   // Follows the simulation, of this oscillator, that has just begun at load phase 0.
   FollowerOf(const model::FrictionOscillator<double>& oscillator, const Simulation& begun, double Omega,
              ForGood for_good = {})
-      : o_(oscillator), simulation_(begun), Omega_(Omega), for_good_(std::move(for_good)) {}
+      : AnyFollower(!oscillator.is_autonomous()),
+        o_(oscillator),
+        simulation_(begun),
+        Omega_(Omega),
+        for_good_(std::move(for_good)) {}
 
   void follow(long most_periods, double nearness) override;
   void classify(long periods) override;
   [[nodiscard]] Eigen::VectorXd state() const override { return simulation_.state(); }
   [[nodiscard]] Return over_periods(long n) const override;
   [[nodiscard]] bool nears(const Eigen::VectorXd& X, double mu, long n, long periods) const override {
-    return attractors::nears(simulation_, X, mu, n, periods, Omega_);
+    return attractors::nears(simulation_, X, mu, n, periods);
   }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/rational.hpp"
+#include "numeric/attractors/kind.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -24,6 +26,14 @@ struct PointAlong {
   std::vector<Attractor> attractors;
   std::vector<std::vector<State>> once;  // of each of them, states to be drawn
 };
+
+// How many states of what was settled on are drawn, one period of the load apart: n of a periodic motion, but
+// at most `most`; so many of one that moves and is not periodic; else one.
+inline constexpr long most_once = 200;
+[[nodiscard]] inline long count_once(const Ending& a, long most = most_once) {
+  const bool rests = a.kind == Kind::stuck || a.kind == Kind::grows || a.kind == Kind::unsettled;
+  return a.kind == Kind::periodic ? std::min(a.periods, most) : rests ? 1 : most;
+}
 
 // The state and those that follow it one period of the load apart, so many in all; fewer after an
 // interruption.

@@ -58,28 +58,15 @@ struct MachineProofs {
     simulation.advance((theta > 0 ? 2 * std::numbers::pi - theta : -theta) / o.omega);
     return simulation.state();
   }
-  // Begun with the same phase, or with another one.
+  // Begun with the same phase, or with another one: a state tells the motion.
   [[nodiscard]] static bool overlap(const MachineOrbit& a, const MachineOrbit& b) {
-    const std::size_t count = a.phases.size();
-    const auto from = [&](std::size_t k) {
-      for (std::size_t i = 0; i < count; ++i) {
-        const MachinePhase &one = a.phases[i], &other = b.phases[(i + k) % count];
-        if (one.piece != other.piece || !one.duration.overlaps(other.duration)) {
-          return false;
-        }
-      }
-      const Vector &x = a.phases.front().state, &y = b.phases[k].state;
-      bool overlap = true;
-      for (Eigen::Index i = 0; i < x.size(); ++i) {
-        overlap = overlap && x(i).overlaps(y(i));
-      }
-      return overlap;
-    };
-    bool same = false;
-    for (std::size_t k = 0; k < count && count == b.phases.size() && a.periods == b.periods; ++k) {
-      same = same || from(k);
-    }
-    return same;
+    const MachinePhase& first = a.phases.front();
+    return a.phases.size() == b.phases.size() && a.periods == b.periods &&
+           std::ranges::any_of(b.phases, [&](const MachinePhase& phase) {
+             return phase.piece == first.piece && phase.duration.overlaps(first.duration) &&
+                    std::ranges::equal(phase.state, first.state,
+                                       [](const Ball& x, const Ball& y) { return x.overlaps(y); });
+           });
   }
   [[nodiscard]] static const Attractor& completed(const Attractor& a) { return a; }
   // Of a return no proof was tried.
@@ -131,12 +118,8 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
     }
     return states;
   }
-  const bool moves = a.kind != Kind::stuck && a.kind != Kind::unsettled;
-  const long count = a.kind == Kind::periodic && a.orbit ? std::min(a.orbit->periods, most_once)
-                     : moves                             ? most_once
-                                                         : 1;
   return attractors::states_once_a_period<Eigen::VectorXd>(
-      AnySimulation(oscillator_as<double>(machine), 0, a.state), count);
+      AnySimulation(oscillator_as<double>(machine), 0, a.state), attractors::count_once(a));
 }
 
 }  // namespace

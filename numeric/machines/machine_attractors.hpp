@@ -43,8 +43,8 @@ struct MachineAttractors : attractors::Endings<MachineAttractor> {
                                                      const std::vector<Eigen::VectorXd>& starts);
 
 // What a machine does while one of its numbers varies. Drawn are of each attractor, with a load, states at
-// load phase 0, one period apart: n of a periodic one, but at most most_once, so many of one that is not;
-// without a load states where a phase begins, a slip, an overshoot or a stick.
+// load phase 0, one period apart; without a load states where a phase begins, a slip, an overshoot or a
+// stick.
 struct MachineDiagram {
   MachineStarts question;  // at each value; its machine is at none of them
   std::function<Machine(const Rational&)> at;
@@ -53,7 +53,6 @@ struct MachineDiagram {
   std::vector<attractors::PointAlong<MachineAttractor, Eigen::VectorXd>> points;
   bool interrupted = false;  // there are fewer points than were asked for
 };
-inline constexpr long most_once = 200;
 // Fills in the points. Throws as find_attractors does when no value is in the domain.
 [[nodiscard]] MachineDiagram along(MachineDiagram diagram);
 

@@ -2,7 +2,6 @@
 #include "numeric/words/word.hpp"
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
-#include "report/orbits/diagram.hpp"
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/record_json.hpp"
@@ -173,10 +172,9 @@ void write_basin(Object& json, const PlanarBasin& basin, int digits) {
 
 void write_attractor(Object& json, const MachineAttractor& a, int digits) {
   json.has("kind", a.kind, names_through(attractors::Kind::unsettled));
-  json.has("share", a.share, {{"minimum", 0}, {"maximum", 1}});
-  json.has("share_interval", std::array{a.least, a.most}, "Wilson's interval of 95 %.");
-  json.has("count", a.count, with({{"minimum", 1}}, "Of the starts."));
+  orbits::write_share(json, a);
   json.has("state", a.state, state_words);
+  orbits::write_lyapunov(json, a);
   json.object_if(
       "orbit", a.orbit, [&](Object& one, const MachineOrbit& orbit) { write_orbit(one, orbit, digits); },
       "Of a periodic motion: what is proved.");
@@ -199,6 +197,9 @@ void write(Object& json, const Attractors& result) {
   write_machine(json, q.machine, result.origin);
   write_starts(json, q);
   json.has("interrupted", result.list.interrupted);
+  json.has("followed", result.list.followed,
+           with({{"minimum", 0}},
+                "Starts that were followed, all unless it was interrupted. Shares are of these."));
   json.list("attractors", result.list.attractors,
             [&](Object& to, const MachineAttractor& a) { write_attractor(to, a, q.digits); });
   json.object_if(
@@ -217,21 +218,10 @@ void write(Object& json, const Diagram& result) {
   json.has("to", d.to);
   write_starts(json, d.question);
   json.has("interrupted", d.interrupted, "Fewer points than were asked for.");
-  using Point = attractors::PointAlong<MachineAttractor, Eigen::VectorXd>;
-  json.list("points", d.points, [digits](Object& here, const Point& point) {
-    here.has("value", point.value);
-    std::vector<std::pair<MachineAttractor, std::vector<Eigen::VectorXd>>> found;
-    for (std::size_t k = 0; k < point.attractors.size(); ++k) {
-      found.emplace_back(point.attractors[k], point.once[k]);
-    }
-    here.list("attractors", found, [digits](Object& one, const auto& attractor) {
-      write_attractor(one, attractor.first, digits);
-      one.has("once", attractor.second,
-              "States when the load's phase is 0, one period apart; without a load where a phase begins.");
-    });
-    here.has("outside", orbits::if_any(point.outside),
-             "Of the domain, in one sentence; nothing else is known then.");
-  });
+  orbits::write_points(
+      json, d.points,
+      "States when the load's phase is 0, one period apart; without a load where a phase begins.",
+      [digits](Object& one, const MachineAttractor& a) { write_attractor(one, a, digits); });
 }
 
 void write(Object& json, const Basins& result) {
@@ -241,14 +231,12 @@ void write(Object& json, const Basins& result) {
   write_machine(json, b.question.machine, result.origin);
   json.has("plane", std::array{coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false)},
            "Two of x1, …, xn, x1', …, xn'.");
-  json.has("pixels", b.pixels, with({{"items", {{"type", "integer"}, {"minimum", 2}}}}, "Columns and rows."));
-  json.has("from", b.starts.front(), "The first start.");
-  json.has("to", b.starts.back(), "The last one.");
+  orbits::write_pixels(json, b.pixels, b.starts);
   write_most_periods(json, b.question);
   json.has("interrupted", b.interrupted, "Fewer starts than were asked for.");
   json.list("attractors", b.attractors,
             [&](Object& to, const MachineAttractor& a) { write_attractor(to, a, b.question.digits); });
-  json.has("at", orbits::rows_of_pixels(b.ends, b.pixels[0]), orbits::pixels_schema());
+  orbits::write_ends(json, b.ends, b.pixels[0]);
   json.has("proved", b.prove ? std::optional(proved_share(b)) : std::nullopt,
            with({{"minimum", 0}, {"maximum", 1}},
                 "The share of pixels all of whose starts are proved to converge to the orbit."));

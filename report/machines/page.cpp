@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/decimal.hpp"
-#include "core/parallel.hpp"
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/branches.hpp"
-#include "report/orbits/page.hpp"
+#include "report/orbits/motions_page.hpp"
 #include "report/orbits/parts.hpp"
-#include "report/orbits/portraits.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/templates.hpp"
 
@@ -24,59 +23,16 @@ using simulation::AnyState;
 
 namespace {
 
-// Periods of the load that a motion is drawn over at most; without one, some turns of its slowest spring.
-constexpr long most_drawn = 20;
-constexpr double samples_in_period = 400;
-
 Json frame(const std::string& title, const std::string& command, const Seen& seen, int digits) {
-  Json data = orbits::page_data(
-      {}, title, command,
-      fmt::format("motions are followed in floating point; periodic ones are then proved in balls, their "
-                  "values enclosed to {} significant digits, and computed with more bits wherever a verdict "
-                  "needs them",
-                  digits));
-  data["tables"].push_back(orbits::table("machine", "Machine", machine_rows(seen)));
-  data["along"] = nullptr;
-  data["basins"] = nullptr;
-  data["data_file"] = "";
-  data["attractors"] = Json::array();
   const bool autonomous = seen.oscillator().is_autonomous();
-  data["of_period"] = autonomous ? "a time, proved" : "in periods of the load";
-  data["pictures"] =
-      std::string(
-          "positions and velocities of the mass on the belt and, if there is one, of another, "
-          "in the colours of the phases") +
-      (autonomous ? "; in floating point."
-                  : ", and the mass on the belt once a period of the load; in floating point.");
+  Json data = orbits::page_on_motions(
+      {}, title, command, digits, autonomous ? "a time, proved" : "in periods of the load",
+      std::string("positions and velocities of the mass on the belt and, if there is one, of another, in the "
+                  "colours of the phases") +
+          (autonomous ? "; in floating point."
+                      : ", and the mass on the belt once a period of the load; in floating point."));
+  data["tables"].push_back(orbits::table("machine", "Machine", machine_rows(seen)));
   return data;
-}
-
-// The curve of a motion and, with a load, its states once a period.
-orbits::Portrait portrait(const Seen& seen, const AnyState& X, double theta, double period, long periods) {
-  const auto o = oscillator_as<double>(seen.machine);
-  const auto n = static_cast<Eigen::Index>(o.size());
-  const auto j = static_cast<Eigen::Index>(o.rubbing);
-  const Eigen::Index other = static_cast<Eigen::Index>(seen.shown_masses().back());
-  const auto of_two = [&](const AnyState& Y) {
-    return model::Vector4<double>(Y(other), Y(j), Y(n + other), Y(n + j));
-  };
-  orbits::Portrait result;
-  result.drawn = std::min(periods, most_drawn);
-  const double duration = static_cast<double>(result.drawn) * period;
-  const auto go_on = [](double) { return true; };
-  (void)simulation::record_motion(
-      o, theta, X, {duration, period / samples_in_period}, go_on,
-      [&](const simulation::SampleOf<AnyState>& s) {
-        result.samples.push_back({s.time, s.phase, of_two(s.X), s.r, s.u, s.energy});
-      });
-  if (!seen.oscillator().is_autonomous()) {
-    const long count = std::min(periods, orbits::Portrait::most_states);
-    (void)simulation::record_motion(
-        o, theta, X, {static_cast<double>(count) * period, period}, go_on,
-        [&](const simulation::SampleOf<AnyState>& s) { result.once.push_back(of_two(s.X)); });
-    result.once.pop_back();
-  }
-  return result;
 }
 
 std::string durations(const MachineOrbit& orbit, const Seen& seen) {
@@ -90,23 +46,18 @@ std::string durations(const MachineOrbit& orbit, const Seen& seen) {
          (orbit.phases.size() > most ? fmt::format(", and {} more", orbit.phases.size() - most) : "");
 }
 
-struct Drawn {
-  Json data;
-  std::vector<File> pictures;
-};
-
-// A motion with its heading, what is known of it, and its picture.
-Drawn drawn(const Seen& seen, std::size_t number, const std::string& name, const MachineOrbit * orbit,
-            const std::string& tone, const std::string& tell, std::vector<Row> rows, const AnyState& X,
-            double theta, int digits) {
+// A motion with what is known of it, and its portrait: over its period; of one that is not proved over some
+// periods of the load or, without one, turns of its slowest spring.
+orbits::MotionOnPage on_page(const Seen& seen, const std::string& name, const MachineOrbit * orbit,
+                             const std::string& tone, const std::string& tell, std::vector<Row> rows,
+                             const AnyState& X, double theta, int digits) {
   const bool autonomous = seen.oscillator().is_autonomous();
   const auto o = oscillator_as<double>(seen.machine);
-  double period = autonomous ? 10 * 6.283185307179586 : 6.283185307179586 / o.omega;
-  long periods = most_drawn;
+  const double turn = 2 * scalars::pi<double>();
+  double period = autonomous ? 10 * turn : turn / o.omega;
+  long periods = orbits::Portrait::most_drawn;
   if (orbit != nullptr && orbit->existence.truth == Truth::proved) {
-    for (Row& row : orbit_rows(*orbit, seen, digits)) {
-      rows.push_back(std::move(row));
-    }
+    std::ranges::move(orbit_rows(*orbit, seen, digits), std::back_inserter(rows));
     rows.push_back({{"durations"}, {durations(*orbit, seen)}});
     if (orbit->neighbourhood) {
       rows.push_back(
@@ -123,30 +74,14 @@ Drawn drawn(const Seen& seen, std::size_t number, const std::string& name, const
   for (Row& row : rows) {
     row[0].text.erase(0, row[0].text.find_first_not_of(' '));
   }
-  const orbits::Portrait shown = portrait(seen, X, theta, period, periods);
-  const std::string stem = fmt::format("portrait-{}", number);
   const std::vector<std::size_t> masses = seen.shown_masses();
-  orbits::PortraitLabels labels;
-  labels.masses = masses.size() == 1 ? std::vector<std::size_t>{masses[0]}
-                                     : std::vector<std::size_t>{masses[1], masses[0]};
-  labels.in_SI = seen.in_SI;
-  return {{{"number", number},
-           {"name", name},
-           {"tone", tone},
-           {"tell", tell},
-           {"rows", orbits::rows_data(rows)},
-           {"picture", stem},
-           {"picture_in_words", orbits::picture_in_words(shown, labels)}},
-          orbits::screen_pictures(
-              [&](PlotFormat format, PlotShape shape) { return plot_script(shown, format, shape, labels); },
-              stem)};
-}
-
-void add(Json& data, std::vector<File>& files, std::vector<Drawn> all) {
-  for (Drawn& one : all) {
-    data["attractors"].push_back(std::move(one.data));
-    std::ranges::move(one.pictures, std::back_inserter(files));
-  }
+  orbits::PortraitLabels labels{{masses.rbegin(), masses.rend()}, seen.in_SI};
+  return {name,
+          tone,
+          tell,
+          std::move(rows),
+          orbits::portrait(o, X, theta, period, periods, periods, {masses.back(), masses.front()}),
+          labels};
 }
 
 std::string tone_of(const MachineOrbit& orbit) {
@@ -158,25 +93,17 @@ AnyState first_state(const MachineOrbit& orbit) {
   return state.unaryExpr([](const Ball& x) { return x.approximate(); });
 }
 
-}  // namespace
-
-namespace {
-
 void add_attractors(Json& data, std::vector<File>& files, const Seen& seen,
                     const std::vector<MachineAttractor>& attractors, int digits) {
-  constexpr std::size_t most = 24;
-  const bool autonomous = seen.oscillator().is_autonomous();
-  add(data, files, parallel_map(std::min(attractors.size(), most), [&](std::size_t i) {
-        const MachineAttractor& a = attractors[i];
-        const bool periodic = a.kind == Kind::periodic && a.orbit;
-        return drawn(seen, i + 1, periodic ? name_of(*a.orbit, autonomous) : to_string(a.kind),
-                     periodic ? &*a.orbit : nullptr, periodic ? tone_of(*a.orbit) : "checked",
-                     periodic ? remark(a, autonomous) : "seen in a simulation",
-                     {{{"starts"},
-                       {fmt::format("{}: {:.1f} %, within {:.1f} and {:.1f} %", a.count, 100 * a.share,
-                                    100 * a.least, 100 * a.most)}}},
-                     a.state, 0, digits);
-      }));
+  const auto all = told(attractors, seen);
+  orbits::add_motions(data, files, std::min(attractors.size(), orbits::most_pictured), [&](std::size_t i) {
+    const MachineAttractor& a = attractors[i];
+    const bool periodic = a.kind == Kind::periodic && a.orbit;
+    return on_page(seen, periodic ? name_of(*a.orbit, seen.oscillator().is_autonomous()) : to_string(a.kind),
+                   periodic ? &*a.orbit : nullptr, periodic ? tone_of(*a.orbit) : "checked",
+                   periodic ? all[i].remark : "seen in a simulation", {orbits::row_of_starts(a)}, a.state, 0,
+                   digits);
+  });
 }
 
 template <class Result>
@@ -201,13 +128,10 @@ std::vector<File> pages(const Diagram& result) {
   const MachineStarts& q = result.diagram.question;
   const Seen seen{q.machine, result.origin.in_SI};
   Json data = frame("What the machine does along " + result.parameter, command_of(result), seen, q.digits);
-  data["tables"].push_back(orbits::table("question", "Question", question_rows(result)));
-  data["along"] = along_data(result);
+  const orbits::ToldAlong along = told(result);
+  data["tables"].push_back(orbits::table("question", "Question", question_rows(along)));
   std::vector<File> files;
-  if (const std::string script = plot_script(result, PlotFormat::svg); !script.empty()) {
-    data["along"]["picture"] = "diagram.svg";
-    files.push_back({"diagram.svg", gnuplot(script)});
-  }
+  add_along(data, files, along);
   return with_json(data, std::move(files), "diagram.json", result);
 }
 
@@ -217,10 +141,7 @@ std::vector<File> pages(const Basins& result) {
   Json data = frame("Where starts in a plane end", command_of(result), seen, b.question.digits);
   std::vector<File> files;
   add_attractors(data, files, seen, b.attractors, b.question.digits);
-  if (const std::string script = plot_script(result, PlotFormat::svg); !script.empty()) {
-    data["basins"] = basins_data(result);
-    files.push_back({"basins.svg", gnuplot(script)});
-  }
+  add_plane(data, files, told(result));
   return with_json(data, std::move(files), "basins.json", result);
 }
 
@@ -230,11 +151,11 @@ std::vector<File> pages(const WordOrbits& result) {
   Json data =
       frame("Orbits through " + list.question.word.letters(), command_of(result), seen, list.question.digits);
   std::vector<File> files;
-  add(data, files, parallel_map(list.orbits.size(), [&](std::size_t i) {
-        const MachineOrbit& orbit = list.orbits[i];
-        return drawn(seen, i + 1, name_of(orbit, seen.oscillator().is_autonomous()), &orbit, tone_of(orbit),
-                     remark(orbit), {}, first_state(orbit), orbit.load.approximate(), list.question.digits);
-      }));
+  orbits::add_motions(data, files, list.orbits.size(), [&](std::size_t i) {
+    const MachineOrbit& orbit = list.orbits[i];
+    return on_page(seen, name_of(orbit, seen.oscillator().is_autonomous()), &orbit, tone_of(orbit),
+                   remark(orbit), {}, first_state(orbit), orbit.load.approximate(), list.question.digits);
+  });
   return with_json(data, std::move(files), "orbits.json", result);
 }
 

@@ -12,6 +12,7 @@
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/steady_sliding.hpp"
 #include "numeric/simulation/record.hpp"
+#include "report/orbits/many_starts.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
@@ -100,8 +101,9 @@ struct SetMotion {
 };
 
 [[nodiscard]] std::string terminal_report(const Attractors& result, const tools::Style& style);
-[[nodiscard]] std::string terminal_report(const Diagram& result, const tools::Style& style);
-[[nodiscard]] std::string terminal_report(const Basins& result, const tools::Style& style);
+// The position of the mass on the belt is drawn: with a load once a period, without where phases begin.
+[[nodiscard]] orbits::ToldAlong told(const Diagram& result);
+[[nodiscard]] orbits::ToldPlane told(const Basins& result);
 [[nodiscard]] std::string terminal_report(const WordOrbits& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Branches& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Steady& result, const tools::Style& style);
@@ -123,13 +125,6 @@ struct SetMotion {
 // A line of names, then a line for each orbit that was proved on its own: the number, the branch, the state,
 // the period, how long each phase lasts, x and x' when the first begins; with 17 digits.
 [[nodiscard]] std::string to_csv(const Branches& result);
-// Names with units, then a line for each state that is drawn of each attractor: the parameter, attractor (1,
-// 2,
-// ... at this value), share, kind, periods, word, stable (yes, no or empty), the state; a value outside the
-// domain has its own line with that as the kind. And a line for each start: the state, attractor, kind,
-// periods, word.
-[[nodiscard]] std::string to_csv(const Diagram& result);
-[[nodiscard]] std::string to_csv(const Basins& result);
 // Names with units; t, phase, x, x', r, u, E; numbers with 17 digits.
 [[nodiscard]] std::string csv_names(const Motion& motion);
 [[nodiscard]] std::string csv_line(
@@ -139,11 +134,6 @@ struct SetMotion {
 // is nothing to draw.
 [[nodiscard]] std::string plot_script(const Branches& result, tools::PlotFormat format,
                                       tools::PlotShape shape = tools::PlotShape::wide);
-
-// The position of the mass on the belt against the parameter: with a load once a period, without where phases
-// begin; and the plane in a colour for each attractor.
-[[nodiscard]] std::string plot_script(const Diagram& result, tools::PlotFormat format);
-[[nodiscard]] std::string plot_script(const Basins& result, tools::PlotFormat format);
 
 // The files of one directory: index.html with its style sheets, the JSON, pictures. Throw InputOutputError if
 // a program that draws is missing or fails.

@@ -44,14 +44,6 @@ std::string law(const Seen& seen, const model::FrictionLaw<Rational>& law) {
 
 }  // namespace
 
-std::string numbers(const Eigen::VectorXd& X) {
-  std::string text;
-  for (const double x : X) {
-    text += fmt::format("{}{:.17g}", text.empty() ? "" : ",", x);
-  }
-  return text;
-}
-
 std::string Seen::unit(const char * name) const {
   return in_SI ? std::string(" in ") + name : "";
 }
@@ -104,36 +96,74 @@ std::vector<Row> machine_rows(const Seen& seen) {
 }
 
 std::string remark(const MachineOrbit& orbit) {
-  if (orbit.existence.truth != Truth::proved) {
-    return "not proved: " + orbit.existence.reason;
-  }
-  if (orbit.admissible.truth != Truth::proved) {
-    return fmt::format("closes, proved; {}: {}", to_string(orbit.admissible.truth), orbit.admissible.reason);
-  }
-  if (!orbit.stability) {
-    return "proved";
-  }
-  const motion::Stability& s = *orbit.stability;
-  const std::string radius =
-      s.multipliers.empty() ? "" : fmt::format(", |mu| = {}", orbits::spectral_radius(s));
-  return fmt::format("proved, {}{}{}", to_string(s.kind), s.reason.empty() ? "" : ": " + s.reason, radius);
+  return orbits::remark_on_periodic(orbit.existence, orbit.admissible,
+                                    "closes, proved; " + to_string(orbit.admissible.truth), orbit.stability);
 }
 
-std::string remark(const MachineAttractor& a, bool autonomous) {
-  switch (a.kind) {
-    case Kind::periodic:
-      return a.orbit ? remark(*a.orbit) : "not proved";
-    case Kind::slides:
-      return "no contact with the belt any more, and no event";
-    case Kind::stuck:
-      return "does not leave the belt any more";
-    case Kind::irregular:
-      return "neighbours leave it exponentially, a check";
-    case Kind::quasi_periodic:
-      return "does not return, and neighbours stay beside it, a check";
-    default:
-      return autonomous ? "within the events allowed" : "within the periods allowed";
+std::vector<orbits::ToldEnding> told(const std::vector<MachineAttractor>& all, const Seen& seen) {
+  const bool has_load = !seen.oscillator().is_autonomous();
+  std::vector<orbits::ToldEnding> endings;
+  for (const MachineAttractor& a : all) {
+    endings.push_back({a, orbits::short_name(a, has_load), "", "", {}, {}});
+    orbits::ToldEnding& one = endings.back();
+    one.remark = a.orbit                    ? remark(*a.orbit)
+                 : a.kind == Kind::periodic ? "not proved"
+                                            : orbits::remark_on_others(a, has_load);
+    if (a.orbit) {
+      one.period = a.orbit->existence.truth == Truth::proved ? rounded(a.orbit->period, 8) : "";
+      one.stability = a.orbit->stability;
+      one.neighbourhood = a.orbit->neighbourhood;
+    }
   }
+  return endings;
+}
+
+namespace {
+
+orbits::SeenOscillator oscillator_of(const Seen& seen, const Origin& origin) {
+  return {machine_rows(seen),
+          origin.file,
+          coordinates_of(seen),
+          seen.oscillator().rubbing,
+          !seen.oscillator().is_autonomous(),
+          "period" + seen.unit("s"),
+          "periods"};
+}
+
+}  // namespace
+
+orbits::ToldAlong told(const Diagram& result) {
+  const MachineDiagram& d = result.diagram;
+  const MachineStarts& q = d.question;
+  const Seen seen{q.machine, result.origin.in_SI};
+  orbits::ToldAlong along{oscillator_of(seen, result.origin),
+                          result.parameter,
+                          parameter_of(result.parameter, result.origin),
+                          d.from,
+                          d.to,
+                          d.values,
+                          q.starts,
+                          q.seed,
+                          {},
+                          d.interrupted};
+  for (const auto& point : d.points) {
+    along.points.push_back({point.value, point.outside, told(point.attractors, seen), point.once});
+  }
+  return along;
+}
+
+orbits::ToldPlane told(const Basins& result) {
+  const MachineBasins& b = result.basins;
+  const Seen seen{b.question.machine, result.origin.in_SI};
+  return {oscillator_of(seen, result.origin),
+          b.across,
+          b.pixels,
+          b.starts,
+          told(b.attractors, seen),
+          b.ends,
+          b.prove ? std::optional(b.proved) : std::nullopt,
+          proved_share(b),
+          b.interrupted};
 }
 
 std::string name_of(const MachineOrbit& orbit, bool autonomous) {
@@ -196,23 +226,10 @@ std::vector<orbits::Coordinate> coordinates_of(const Seen& seen) {
   return coordinates;
 }
 
-std::vector<Row> neighbourhood_rows(const MachineOrbit& orbit, const Seen& seen) {
-  return orbit.neighbourhood ? orbits::neighbourhood_rows(*orbit.neighbourhood, coordinates_of(seen))
-                             : std::vector<Row>();
-}
-
 std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit) {
   const auto n = static_cast<Eigen::Index>(seen.oscillator().size());
   return fmt::format("x{}{}", k % n + 1, k < n ? "" : "'") +
          (with_unit ? seen.unit(k < n ? "m" : "m/s") : "");
-}
-
-std::string short_name(const MachineAttractor& a, bool autonomous) {
-  if (a.kind != Kind::periodic) {
-    return to_string(a.kind);
-  }
-  const std::string word = orbits::shortened(a.word);
-  return autonomous || !a.orbit ? word : fmt::format("{} ({})", word, a.orbit->periods);
 }
 
 std::string command_of(const Diagram& result) {
@@ -232,7 +249,7 @@ std::string command_of(const Basins& result) {
   return fmt::format(
       "stickslip attractors {} --plane \"{},{}\" --pixels {}{}{} --most-periods {} --digits {}{}",
       result.origin.options, coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false),
-      b.pixels[0], b.through ? " --through=" + numbers(*b.through) : "",
+      b.pixels[0], b.through ? " --through=" + orbits::comma_separated(*b.through) : "",
       b.half ? fmt::format(" --window={:.17g},{:.17g}", (*b.half)[0], (*b.half)[1]) : "",
       b.question.most_periods, b.question.digits, b.prove ? " --neighbourhood" : "");
 }
@@ -250,7 +267,7 @@ namespace {
 
 std::string of_word(const MachineWord& q, const std::string& file) {
   return q.word.letters() + " --params " + file + (q.periods ? fmt::format(" --period {}", *q.periods) : "") +
-         (q.near ? " --near=" + numbers(*q.near) : "");
+         (q.near ? " --near=" + orbits::comma_separated(*q.near) : "");
 }
 
 }  // namespace
@@ -271,7 +288,7 @@ std::string command_of(const Branches& result) {
 
 std::string command_of(const Motion& result) {
   return fmt::format("stickslip simulate --params {} --state={}{} --time={:.17g}{}", result.origin.file,
-                     numbers(result.start),
+                     orbits::comma_separated(result.start),
                      result.theta == 0 ? "" : fmt::format(" --phi={:.17g}", result.theta), result.duration,
                      result.every ? fmt::format(" --every={:.17g}", *result.every) : "");
 }
@@ -279,7 +296,7 @@ std::string command_of(const Motion& result) {
 std::string command_of(const SetMotion& result) {
   const SetAfterQuestion& q = result.set.question;
   return fmt::format("stickslip simulate {} --state={} --set={}{} --time={:.17g}", result.origin.options,
-                     numbers(q.middle), numbers(q.half),
+                     orbits::comma_separated(q.middle), orbits::comma_separated(q.half),
                      q.theta == 0 ? "" : fmt::format(" --phi={:.17g}", q.theta), q.time);
 }
 

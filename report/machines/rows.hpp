@@ -25,8 +25,6 @@ struct Seen {
   [[nodiscard]] std::vector<std::size_t> shown_masses() const;
 };
 
-// Numbers between commas, with 17 digits.
-[[nodiscard]] std::string numbers(const Eigen::VectorXd& X);
 // "x1", …, "x1'", …, with units: of coordinate k of (x, x').
 [[nodiscard]] std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit);
 
@@ -39,14 +37,10 @@ struct Seen {
                                                  const Seen& seen);
 // For tables of a neighbourhood.
 [[nodiscard]] std::vector<orbits::Coordinate> coordinates_of(const Seen& seen);
-// Nothing unless it was asked for.
-[[nodiscard]] std::vector<tools::Row> neighbourhood_rows(const numeric::machines::MachineOrbit& orbit,
-                                                         const Seen& seen);
 // What is known: "proved, stable, |mu| = 0.78".
 [[nodiscard]] std::string remark(const numeric::machines::MachineOrbit& orbit);
-[[nodiscard]] std::string remark(const numeric::machines::MachineAttractor& attractor, bool autonomous);
-// "OTS (2)", or what kind of motion it is; without a load "OTS".
-[[nodiscard]] std::string short_name(const numeric::machines::MachineAttractor& attractor, bool autonomous);
+[[nodiscard]] std::vector<orbits::ToldEnding> told(
+    const std::vector<numeric::machines::MachineAttractor>& all, const Seen& seen);
 // "OTS, period 1", or what kind of motion it is.
 [[nodiscard]] std::string name_of(const numeric::machines::MachineOrbit& orbit, bool autonomous);
 
@@ -59,12 +53,6 @@ struct Seen {
 [[nodiscard]] std::string command_of(const SetMotion& result);
 [[nodiscard]] std::string command_of(const Steady& result);
 [[nodiscard]] std::string command_of(const SteadyBranch& result);
-
-// What was asked along a number: its interval, the starts.
-[[nodiscard]] std::vector<tools::Row> question_rows(const Diagram& result);
-// For pages: the table and the picture along a number; the picture of a plane, in words.
-[[nodiscard]] tools::Json along_data(const Diagram& result);
-[[nodiscard]] tools::Json basins_data(const Basins& result);
 
 // Of a branch: how it begins and ends; from, to, how many motions and their state where it is one; place,
 // kind and name of each change.

@@ -32,7 +32,11 @@ std::string orbit_text(const MachineOrbit& orbit, const Seen& seen, int digits, 
                    orbits::colour_of(orbit.admissible.truth, style)}};
   return "\n" + columns_of({title}, style.width) + columns_of(orbit_rows(orbit, seen, digits), style.width) +
          "\n" + columns_of(phase_rows(orbit, seen), style.width) + "\n" +
-         (orbit.neighbourhood ? columns_of(neighbourhood_rows(orbit, seen), style.width) + "\n" : "") +
+         (orbit.neighbourhood
+              ? columns_of(orbits::neighbourhood_rows(*orbit.neighbourhood, coordinates_of(seen)),
+                           style.width) +
+                    "\n"
+              : "") +
          orbits::condition_rows(orbits::worst(orbit.conditions), style);
 }
 
@@ -49,12 +53,10 @@ std::string margins(const Orbits& all, const Seen& seen, const Style& style) {
 }
 
 std::vector<Row> starts_row(const MachineAttractors& list) {
-  const bool autonomous = list.question.machine.oscillator.is_autonomous();
+  const MachineStarts& q = list.question;
   return {{{"starts"},
-           {fmt::format("{} at random, seed {}, each followed until it has settled or for {} {}{}",
-                        list.question.starts, list.question.seed, list.question.most_periods,
-                        autonomous ? "events" : "periods of the load",
-                        list.interrupted ? "; interrupted: the shares say nothing" : "")}}};
+           {orbits::starts_in_words(q.starts, q.seed, q.most_periods, !q.machine.oscillator.is_autonomous()) +
+            orbits::interruption_in_words(list.interrupted, list.followed)}}};
 }
 
 std::string machine_text(const Seen& seen, const Style& style, const std::vector<Row>& more) {
@@ -77,22 +79,9 @@ std::string state_of(const Eigen::VectorXd& X, const Seen& seen) {
 std::string terminal_report(const Attractors& result, const Style& style) {
   const MachineAttractors& list = result.list;
   const Seen seen{list.question.machine, result.origin.in_SI};
-  const bool autonomous = seen.oscillator().is_autonomous();
-  std::vector<Row> rows{
-      {{"   "}, {"share"}, {"95 %"}, {"motion"}, {"period" + seen.unit("s")}, {"word"}, {""}}};
-  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
-    const MachineAttractor& a = list.attractors[i];
-    const bool known = a.orbit && a.orbit->existence.truth == Truth::proved;
-    rows.push_back({{std::to_string(i + 1)},
-                    {fmt::format("{:.1f} %", 100 * a.share)},
-                    {fmt::format("{:.1f}-{:.1f}", 100 * a.least, 100 * a.most)},
-                    {to_string(a.kind)},
-                    {known ? rounded(a.orbit->period, 8) : ""},
-                    {orbits::shortened(a.word)},
-                    {remark(a, autonomous)}});
-  }
-  std::string text = heading("What the machine does", style) + machine_text(seen, style, starts_row(list)) +
-                     "\n" + columns_of(rows, style.width);
+  std::string text =
+      heading("What the machine does", style) + machine_text(seen, style, starts_row(list)) + "\n" +
+      table_of(told(list.attractors, seen), "period" + seen.unit("s"), orbits::WithInterval::yes, style);
   std::vector<MachineOrbit> proved;
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     const MachineAttractor& a = list.attractors[i];

@@ -6,6 +6,7 @@
 
 #include "core/decimal.hpp"
 #include "numeric/words/pure_stick.hpp"
+#include "report/orbits/diagram.hpp"
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
@@ -17,26 +18,6 @@ using namespace numeric;
 using namespace numeric::attractors;
 using namespace numeric::motion;
 using namespace tools;
-using words::WordOrbit;
-
-namespace {
-
-// What is proved of a periodic motion.
-std::string proved(const std::optional<WordOrbit>& orbit) {
-  if (!orbit || orbit->existence.truth != Truth::proved) {
-    return "not proved" + (orbit ? ": " + plain(orbit->existence.reason) : std::string());
-  }
-  const families::Orbit& o = orbit->orbit;
-  if (o.admissible.truth != Truth::proved) {
-    return fmt::format("{}: {}", verdict_on(o), plain(o.admissible.reason));
-  }
-  const std::string radius =
-      o.stability->multipliers.empty() ? "" : fmt::format(", |mu| = {}", spectral_radius(*o.stability));
-  const std::string why = o.stability->reason.empty() ? "" : ": " + o.stability->reason;
-  return fmt::format("proved, {}{}{}", to_string(o.stability->kind), why, radius);
-}
-
-}  // namespace
 
 std::string spectral_radius(const Stability& s) {
   Ball largest(0);
@@ -76,25 +57,15 @@ std::vector<Condition> worst(const std::vector<Condition>& conditions) {
 }
 
 std::string remark(const Attractor& a) {
-  switch (a.kind) {
-    case Kind::periodic:
-      return proved(a.orbit) + (a.family.empty() ? "" : ", " + a.family);
-    case Kind::irregular:
-    case Kind::quasi_periodic:
-      return fmt::format("Lyapunov exponent {:.2g} per period of the load", a.lyapunov.value_or(0));
-    case Kind::slides:
-      return "no contact with the belt any more";
-    case Kind::stuck:
-      return "does not leave the belt any more";
-    case Kind::grows:
-      return "proved: omega is a natural frequency, and pi p > 4 eta ur";
-    case Kind::unsettled:
-      return a.is_too_slow
-                 ? "a period of the load takes more than two million steps of simulation: too slow to be "
-                   "followed"
-                 : "within the periods allowed";
+  if (a.kind != Kind::periodic) {
+    return remark_on_others(a);
   }
-  return "";
+  if (!a.orbit) {
+    return "not proved";
+  }
+  const families::Orbit& o = a.orbit->orbit;
+  return remark_on_periodic(a.orbit->existence, o.admissible, verdict_on(o), o.stability) +
+         (a.family.empty() ? "" : ", " + a.family);
 }
 
 std::string state_of(const model::Vector4<double>& X) {
@@ -118,13 +89,8 @@ std::vector<Row> rows_of(const AttractorList& list) {
   std::vector<Row> head{
       {{"parameters"}, {parameter_list(q.machine)}},
       {{"starts"},
-       {fmt::format("{} at random, seed {}, each followed until it has settled or for {} "
-                    "periods of the load; {} periods in all{}",
-                    q.starts, q.seed, q.most_periods, list.simulated,
-                    list.interrupted ? fmt::format("; interrupted when {} of them were done, of which "
-                                                   "the shares are",
-                                                   list.followed)
-                                     : "")}}};
+       {fmt::format("{}; {} periods in all{}", starts_in_words(q.starts, q.seed, q.most_periods, true),
+                    list.simulated, interruption_in_words(list.interrupted, list.followed))}}};
   if (const words::PureSlip slip = words::pure_slip(q.machine.data); slip.exists.truth == Truth::proved) {
     head.push_back(
         {{"pure slip"},
@@ -145,30 +111,11 @@ std::vector<Row> rows_of(const AttractorList& list) {
 std::string terminal_report(const AttractorList& list, const Style& style, const Units& units) {
   std::string text = columns_of({{{"What the machine does", bold(style)}}}, style.width) +
                      columns_of(rows_of(list), style.width);
-  std::vector<Row> rows{{{"   "}, {"share"}, {"95 %"}, {"motion"}, {"period"}, {"word"}, {""}}};
-  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
-    const Attractor& a = list.attractors[i];
-    const bool periodic = a.kind == Kind::periodic;
-    rows.push_back({{std::to_string(i + 1)},
-                    {fmt::format("{:.1f} %", 100 * a.share)},
-                    {fmt::format("{:.1f}-{:.1f}", 100 * a.least, 100 * a.most)},
-                    {to_string(a.kind)},
-                    {periodic ? std::to_string(a.periods) : ""},
-                    {periodic ? shortened(a.word) : ""},
-                    {remark(a)}});
-  }
-  text += "\n" + columns_of(rows, style.width);
-  bool any = false;
-  for (std::size_t i = 0; i < list.attractors.size(); ++i) {
-    const auto& orbit = list.attractors[i].orbit;
-    const std::string rows_of_it = orbit ? neighbourhood_text(orbit->orbit, style, units) : "";
-    text += rows_of_it.empty()
-                ? ""
-                : fmt::format("\n{} {}\n{}", i + 1, shortened(orbit->word.letters()), rows_of_it);
-    any = any || !rows_of_it.empty();
-  }
-  const std::string meaning = any ? labelled(0, "recovers", meaning_of_neighbourhood(), style.width) : "";
-  rows = {{{"   "}, {fmt::format("x1,x2,x1',x2'{} at load phase 0", units.are_SI() ? " in m and m/s" : "")}}};
+  const std::vector<ToldEnding> all = told(list.attractors);
+  const std::string recover = neighbourhoods_of(all, coordinates_in(units), style);
+  text += "\n" + table_of(all, "period", WithInterval::yes, style) + recover;
+  std::vector<Row> rows{
+      {{"   "}, {fmt::format("x1,x2,x1',x2'{} at load phase 0", units.are_SI() ? " in m and m/s" : "")}}};
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     rows.push_back({{std::to_string(i + 1)}, {state_of(units.state(list.attractors[i].state))}});
   }
@@ -178,7 +125,7 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
                   "else is "
                   "a check in floating point",
                   style.width) +
-         meaning;
+         (recover.empty() ? "" : labelled(0, "recovers", meaning_of_neighbourhood(), style.width));
 }
 
 }  // namespace stickslip::report::orbits

@@ -2,6 +2,7 @@
 
 #include "core/decimal.hpp"
 #include "report/orbits/attractors.hpp"
+#include "report/orbits/many_starts.hpp"
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
@@ -17,14 +18,10 @@ using words::WordQuestion;
 void write_attractor(Object& json, const Attractor& a, int digits, Share share) {
   json.has("kind", a.kind, names_through(Kind::unsettled));
   if (share == Share::told) {
-    json.has("share", a.share, {{"minimum", 0}, {"maximum", 1}});
-    json.has("share_interval", std::array{a.least, a.most},
-             with({{"items", {{"type", "number"}, {"minimum", 0}, {"maximum", 1}}}},
-                  "Wilson's interval of 95 %."));
-    json.has("count", a.count, with({{"minimum", 1}}, "Of the starts."));
+    write_share(json, a);
   }
   json.has("state", a.state, "x1, x2, x1', x2' of a simulated motion when the load's phase is 0.");
-  json.has("lyapunov", a.lyapunov, "Per period of the load, in the mean over the starts: a check, no proof.");
+  write_lyapunov(json, a);
   json.keys_if(
       a.kind == Kind::periodic ? std::optional(a) : std::nullopt, [digits](Object& to, const Attractor& one) {
         to.has("period", one.periods, like_periods());

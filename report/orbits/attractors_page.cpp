@@ -1,17 +1,14 @@
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/parallel.hpp"
 #include "numeric/motion/contact.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/diagram.hpp"
+#include "report/orbits/motions_page.hpp"
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
-#include "report/orbits/page.hpp"
 #include "report/orbits/parts.hpp"
-#include "report/orbits/portraits.hpp"
 #include "report/tools/numbers.hpp"
 
 namespace stickslip::report::orbits {
@@ -31,22 +28,9 @@ constexpr int multiplier_digits = 6;
 
 // What all pages have.
 Json frame_data(const PageFrame& frame, const std::string& title, const std::string& command, int digits) {
-  Json data = page_data(
-      frame, title, command,
-      fmt::format(
-          "motions are followed in floating point; periodic ones are then proved in balls, their values "
-          "enclosed to {} significant digits, and computed with more bits wherever a verdict needs them",
-          digits));
-  data["attractors"] = Json::array();
-  data["of_period"] = "in periods of the load";
-  data["pictures"] =
-      "positions and velocities of both masses, in the colours of the phases, and mass 2 once a period of "
-      "the "
-      "load, at load phase 0; in floating point.";
-  data["along"] = nullptr;
-  data["basins"] = nullptr;
-  data["data_file"] = "";
-  return data;
+  return page_on_motions(frame, title, command, digits, "in periods of the load",
+                         "positions and velocities of both masses, in the colours of the phases, and mass 2 "
+                         "once a period of the load, at load phase 0; in floating point.");
 }
 
 std::string durations(const WordOrbit& o, const Units& units) {
@@ -62,10 +46,7 @@ std::string durations(const WordOrbit& o, const Units& units) {
 
 // All that is known of an attractor.
 std::vector<Row> rows_of(const Attractor& a, const Units& units) {
-  std::vector<Row> rows{{{"starts"},
-                         {fmt::format("{}: {:.1f} %, within {:.1f} and {:.1f} %", a.count, 100 * a.share,
-                                      100 * a.least, 100 * a.most)}},
-                        {{"what is known"}, {remark(a)}}};
+  std::vector<Row> rows{row_of_starts(a), {{"what is known"}, {remark(a)}}};
   if (a.kind == Kind::periodic) {
     rows.push_back({{"word"},
                     {a.word.size() <= most_letters
@@ -118,60 +99,26 @@ std::string tell(const Attractor& a) {
                                     : verdict_on(a.orbit->orbit);
 }
 
-// What stands on the page, and the pictures.
-struct Drawn {
-  Json data;
-  std::vector<File> pictures;
-};
-
-Drawn drawn(const WordQuestion& machine, const Attractor& a, std::size_t number, const Units& units) {
-  const bool periodic = a.kind == Kind::periodic;
-  Drawn result{
-      {{"number", number},
-       {"name", periodic ? fmt::format("{}, period {}", shortened(a.word), a.periods) : to_string(a.kind)},
-       {"tone", tone(a)},
-       {"tell", tell(a)},
-       {"rows", rows_data(rows_of(a, units))},
-       {"picture", nullptr},
-       {"picture_in_words", ""}},
-      {}};
-  if (a.is_too_slow || number > most_pictured) {
-    return result;
-  }
-  const Portrait shown = portrait(machine, a, units);
-  const std::string stem = fmt::format("portrait-{}", number);
-  result.data["picture"] = stem;
-  result.data["picture_in_words"] = picture_in_words(shown);
-  result.pictures = screen_pictures(
-      [&](PlotFormat format, PlotShape shape) {
-        return plot_script(shown, format, shape, PortraitLabels{{0, 1}, units.are_SI()});
-      },
-      stem);
-  return result;
-}
-
 void add_attractors(Json& data, std::vector<File>& files, const WordQuestion& machine,
                     const std::vector<Attractor>& all, const Units& units) {
-  for (Drawn& one :
-       parallel_map(all.size(), [&](std::size_t i) { return drawn(machine, all[i], i + 1, units); })) {
-    data["attractors"].push_back(std::move(one.data));
-    for (File& picture : one.pictures) {
-      files.push_back(std::move(picture));
-    }
-  }
+  add_motions(data, files, all.size(), [&](std::size_t i) {
+    const Attractor& a = all[i];
+    const bool periodic = a.kind == Kind::periodic;
+    const bool shown = !a.is_too_slow && i < most_pictured;
+    return MotionOnPage{
+        periodic ? fmt::format("{}, period {}", shortened(a.word), a.periods) : to_string(a.kind),
+        tone(a),
+        tell(a),
+        rows_of(a, units),
+        shown ? std::optional(portrait(machine, a, units)) : std::nullopt,
+        {{0, 1}, units.are_SI()}};
+  });
 }
 
-void add_basins(Json& data, std::vector<File>& files, const Basins& basins, const Units& units) {
-  if (const std::string script = plot_script(basins, PlotFormat::svg, units); !script.empty()) {
-    std::string ends;
-    for (const Attractor& a : basins.attractors) {
-      ends += fmt::format("{}{:.1f} % {}", ends.empty() ? "" : ", ", 100 * a.share, short_name(a));
-    }
-    const std::string plane = plane_in_words(basins, units);
-    data["basins"] = {{"words", "Where starts in the plane of " + plane + " end."},
-                      {"picture_in_words", fmt::format("Starts in the plane of {}: {}.", plane, ends)}};
-    files.push_back({"basins.svg", gnuplot(script)});
-  }
+void add_question(Json& data, const auto& result) {
+  std::vector<Row> rows = result.oscillator.rows;
+  std::ranges::move(question_rows(result), std::back_inserter(rows));
+  data["tables"].push_back(table("question", "Question", rows));
 }
 
 void add_json(Json& data, std::vector<File>& files, const std::string& name, Json json,
@@ -190,7 +137,7 @@ std::vector<File> pages(const AttractorList& list, const std::optional<Basins>& 
   std::vector<File> files;
   add_attractors(data, files, machine, list.attractors, frame.units);
   if (basins) {
-    add_basins(data, files, *basins, frame.units);
+    add_plane(data, files, told(*basins, frame.units));
   }
   add_json(data, files, "attractors.json", to_json(list), frame);
   return with_page("attractors.html", data, std::move(files));
@@ -199,43 +146,26 @@ std::vector<File> pages(const AttractorList& list, const std::optional<Basins>& 
 std::vector<File> pages(const Basins& basins, const PageFrame& frame) {
   const WordQuestion& machine = basins.question.machine.machine;
   Json data = frame_data(frame, "Where starts in a plane end", command_of(basins.question), machine.digits);
-  data["tables"].push_back(table(
-      "question", "Question",
-      {{{"parameters"}, {parameter_list(machine)}}, {{"plane"}, {plane_in_words(basins, frame.units)}}}));
+  const ToldPlane plane = told(basins, frame.units);
+  add_question(data, plane);
   std::vector<File> files;
   add_attractors(data, files, machine, basins.attractors, frame.units);
-  add_basins(data, files, basins, frame.units);
+  add_plane(data, files, plane);
   add_json(data, files, "basins.json", to_json(basins), frame);
   return with_page("attractors.html", data, std::move(files));
 }
 
 std::vector<File> pages(const Diagram& diagram, const PageFrame& frame) {
   const DiagramQuestion& q = diagram.question;
-  const std::string& parameter = q.parameter;
   const std::string command =
       q.taken ? fmt::format("stickslip attractors --params {}{}", frame.file, options_along(q))
               : command_of(q);
   Json data =
-      frame_data(frame, "What the machine does along " + parameter, command, q.machine.machine.digits);
-  data["tables"].push_back(table("question", "Question", rows_of(diagram)));
-  data["along"] = {
-      {"heading", "Along " + parameter},
-      {"parameter", parameter_of(q)},
-      {"picture", nullptr},
-      {"what_is_drawn",
-       "<tex>x_2</tex> at each value, once in each period of the load, of each motion that starts "
-       "end on."},
-      {"points", list_of(lines_of(diagram), [](const DiagramLine& line) {
-         return Json{{"value", line.value}, {"ends", line.ends}};
-       })}};
+      frame_data(frame, "What the machine does along " + q.parameter, command, q.machine.machine.digits);
+  const ToldAlong along = told(diagram, frame.units);
+  add_question(data, along);
   std::vector<File> files;
-  if (const std::string script = plot_script(diagram, PlotFormat::svg, frame.units); !script.empty()) {
-    data["along"]["picture"] = "diagram.svg";
-    data["along"]["picture_in_words"] =
-        fmt::format("x2 once a period of the load against {}; the table below says what the starts end on",
-                    parameter_of(q));
-    files.push_back({"diagram.svg", gnuplot(script)});
-  }
+  add_along(data, files, along);
   if (!q.taken) {
     add_json(data, files, "diagram.json", to_json(diagram), frame);
   }

@@ -51,8 +51,6 @@ void write_durations(tools::Object& json, const numeric::motion::Motion& motion,
 
 // What is known of an attractor: "proved, stable, |mu| = 0.6545, overshooting".
 [[nodiscard]] std::string remark(const numeric::attractors::Attractor& attractor);
-// "OTS (1)", or its kind.
-[[nodiscard]] std::string short_name(const numeric::attractors::Attractor& attractor);
 // "0.1,0.2,0.3,0.4"
 [[nodiscard]] std::string state_of(const model::Vector4<double>& X);
 // What was asked, and what is known of pure slip and stick.

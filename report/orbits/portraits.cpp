@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "core/interruption.hpp"
-#include "numeric/attractors/diagram.hpp"
+#include "numeric/attractors/many_starts.hpp"
+#include "numeric/simulation/simulation.hpp"
 #include "report/orbits/simulation.hpp"
 #include "report/tools/templates.hpp"
 
@@ -65,20 +66,42 @@ std::string axis(const PortraitLabels& labels, const char * x, std::size_t mass,
 
 }  // namespace
 
-Portrait portrait(const words::WordQuestion& machine, const Attractor& a, const Units& units) {
+Portrait portrait(const model::FrictionOscillator<double>& o, const Eigen::VectorXd& X, double theta,
+                  double period, long periods, long states, const std::array<std::size_t, 2>& masses) {
+  const auto n = static_cast<Eigen::Index>(o.size());
+  const std::array at{static_cast<Eigen::Index>(masses[0]), static_cast<Eigen::Index>(masses[1])};
+  const auto of_two = [&](const AnyState& Y) {
+    return Vector4<double>(Y(at[0]), Y(at[1]), Y(n + at[0]), Y(n + at[1]));
+  };
+  const auto go_on = [](double) { return !interrupted(); };
   Portrait result;
-  const bool periodic = a.kind == Kind::periodic;
-  result.drawn = periodic ? std::min(a.periods, Portrait::most_drawn) : Portrait::most_drawn;
-  const Start start{motion::parameters_as<double>(machine.data), scalars::scalar<double>(machine.ur), 0,
-                    a.state};
-  const double period = 2 * std::acos(-1.0) / start.data.omega;
-  (void)record_motion(
-      start, {static_cast<double>(result.drawn) * period, period / Portrait::samples_in_period},
-      [](double) { return !interrupted(); },
-      [&](const Sample& sample) { result.samples.push_back(units.sample(sample)); });
-  const long count = periodic ? std::min(a.periods, Portrait::most_states) : Portrait::most_states;
-  for (const Vector4<double>& X : once_a_period(machine, a, count)) {
-    result.once.push_back(units.state(X));
+  result.drawn = std::min(periods, Portrait::most_drawn);
+  (void)record_motion(o, theta, X,
+                      {static_cast<double>(result.drawn) * period, period / Portrait::samples_in_period},
+                      go_on, [&](const simulation::SampleOf<AnyState>& s) {
+                        result.samples.push_back({s.time, s.phase, of_two(s.X), s.r, s.u, s.energy});
+                      });
+  if (!o.is_autonomous()) {
+    SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation(o, theta, X);
+    for (const AnyState& Y :
+         states_once_a_period<AnyState>(simulation, std::min(states, Portrait::most_states))) {
+      result.once.push_back(of_two(Y));
+    }
+  }
+  return result;
+}
+
+Portrait portrait(const words::WordQuestion& machine, const Attractor& a, const Units& units) {
+  const auto data = motion::parameters_as<double>(machine.data);
+  const long periods = a.kind == Kind::periodic ? a.periods : Portrait::most_drawn;
+  Portrait result =
+      portrait(model::friction_oscillator<double>(data, scalars::scalar<double>(machine.ur)), a.state, 0,
+               2 * std::acos(-1.0) / data.omega, periods, count_once(a, Portrait::most_states), {0, 1});
+  for (Sample& sample : result.samples) {
+    sample = units.sample(sample);
+  }
+  for (Vector4<double>& X : result.once) {
+    X = units.state(X);
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // Attractors as pictures: phase portraits, and the states once a period of the load.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <string>
 #include <vector>
@@ -22,8 +23,14 @@ struct Portrait {
   long drawn = 0;                                   // periods that the samples are over
 };
 
-// Of a motion that settled: a periodic one over its n periods as far as these bounds allow; less of it after
-// an interruption. Assumes that the load is not too slow to be followed.
+// Of the motion from X = (x, x') at load phase theta over so many periods, as far as the bounds allow; with a
+// load so many of its states that are one period apart. `masses`: those that are shown, the one on the belt
+// last. Less of it after an interruption.
+[[nodiscard]] Portrait portrait(const model::FrictionOscillator<double>& oscillator, const Eigen::VectorXd& X,
+                                double theta, double period, long periods, long states,
+                                const std::array<std::size_t, 2>& masses);
+// Of a motion that settled: a periodic one over its n periods. Assumes that the load is not too slow to be
+// followed.
 [[nodiscard]] Portrait portrait(const numeric::words::WordQuestion& machine,
                                 const numeric::attractors::Attractor& attractor, const Units& units = {});
 

@@ -9,7 +9,9 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "numeric/attractors/settle.hpp"
+#include "numeric/attractors/starts.hpp"
 #include "numeric/attractors/word_search.hpp"
+#include "numeric/machines/machine_attractors.hpp"
 #include "numeric/motion/contact.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "tests/numeric/examples.hpp"
@@ -247,6 +249,29 @@ TEST_CASE("what nears a stable orbit slowly is not called quasi-periodic") {
   CHECK(list.attractors[0].word == "OS");
   CHECK(list.followed == 10);
   CHECK(list.simulated == 10 * 20000);
+}
+
+TEST_CASE("as a machine, the oscillator does the same from the same starts, also what it nears slowly") {
+  const words::WordQuestion leaving{P(), parse_rational("0.2996"), 20};
+  for (const words::WordQuestion& q : {slow_machine(), leaving}) {
+    const auto starts = random_starts(motion::parameters_as<double>(q.data), 20, 1);
+    const AttractorList list = find_attractors_from({q, 20, 1, 20000}, starts);
+    const machines::Machine machine{model::friction_oscillator<Rational>(q.data, q.ur), false};
+    const machines::MachineAttractors same =
+        machines::find_attractors_from({.machine = machine}, {starts.begin(), starts.end()});
+    CHECK(same.followed == 20);
+    CHECK(same.simulated == list.simulated);
+    REQUIRE(same.attractors.size() == list.attractors.size());
+    for (std::size_t i = 0; i < list.attractors.size(); ++i) {
+      const machines::MachineAttractor& a = same.attractors[i];
+      CHECK(a.kind == list.attractors[i].kind);
+      CHECK(a.word == list.attractors[i].word);
+      CHECK(a.periods == list.attractors[i].periods);
+      CHECK(std::ranges::is_permutation(a.members, list.attractors[i].members));
+      CHECK(a.orbit.has_value() == list.attractors[i].orbit.has_value());
+      CHECK((!a.orbit || a.orbit->stability->kind == StabilityKind::stable));
+    }
+  }
 }
 
 TEST_CASE("a motion nears a stable orbit at the pace of its multiplier, and nothing else") {
