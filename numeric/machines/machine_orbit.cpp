@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "numeric/machines/judge.hpp"
+#include "numeric/machines/passage.hpp"
 #include "numeric/words/chain_proof.hpp"
 #include "numeric/words/sweep.hpp"
 #include "numeric/words/word.hpp"
@@ -169,6 +170,12 @@ MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& gue
   MachineOrbit orbit;
   orbit.pieces = question.pieces;
   orbit.periods = guess.periods;
+  for (std::size_t k = 0; k < orbit.pieces.size(); ++k) {
+    if (!may_follow(orbit.pieces[k], orbit.pieces[(k + 1) % orbit.pieces.size()])) {
+      orbit.existence = Verdict::undecided("two of its phases cannot follow each other");
+      return orbit;
+    }
+  }
   long bits = scalars::bits_for(digits) + 32;
   for (int attempt = 0; attempt <= more_attempts && bits <= most_bits; ++attempt) {
     const ChainProof proof = prove_chain(chain_at(question), nodes, bits, most_bits);

@@ -40,15 +40,20 @@ Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const 
   return result;
 }
 
+bool may_follow(const Piece& before, const Piece& after) {
+  return before.kind != after.kind ||
+         (after.kind != PhaseKind::stick && std::abs(before.number - after.number) == 1);
+}
+
 Ball speed_between(const model::FrictionOscillator<Rational>& exact, const Piece& before,
                    const Piece& after) {
   if (before.kind != after.kind) {
     return Ball(exact.V);
   }
-  const int upper = std::max(before.number, after.number);
-  if (after.kind == PhaseKind::stick || std::min(before.number, after.number) + 1 != upper) {
+  if (!may_follow(before, after)) {
     throw InternalError("two phases after each other that no event separates");
   }
+  const int upper = std::max(before.number, after.number);
   const Rational& from = exact.law(after.side()).sliding.at(static_cast<std::size_t>(upper)).from;
   return Ball(Rational(exact.V - after.side() * from));
 }

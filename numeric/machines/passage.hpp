@@ -19,6 +19,8 @@ struct Passage {
 [[nodiscard]] Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& h,
                               bool with_derivative);
 
+// Whether an event may lie between the two: the belt's velocity, or that at which pieces of the law meet.
+[[nodiscard]] bool may_follow(const Piece& before, const Piece& after);
 // x_j' where `before` ends and `after` begins: the belt's velocity, or that at which the law's pieces meet.
 // Throws InternalError when no event lies between the two.
 [[nodiscard]] Ball speed_between(const model::FrictionOscillator<Rational>& exact, const Piece& before,

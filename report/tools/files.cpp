@@ -148,8 +148,15 @@ void require_writable(const fs::path& given) {
     throw InputOutputError(fmt::format("cannot create {}: {} is not an existing directory",
                                        directory.string(), parent.string()));
   }
-  if (::access((there ? directory : parent).c_str(), W_OK | X_OK) != 0) {
-    fail(there ? "write to" : "create", directory, errno);
+  if (there && ::access(directory.c_str(), W_OK | X_OK) != 0) {
+    fail("write to", directory, errno);
+  }
+  // What access says of the parent is not all: some file systems refuse, whoever asks.
+  if (!there && ::mkdir(directory.c_str(), 0777) != 0) {
+    fail("create", directory, errno);
+  }
+  if (!there) {
+    ::rmdir(directory.c_str());
   }
 }
 

@@ -14,7 +14,8 @@ struct File {
 };
 
 // Throws InputOutputError, naming the path and what is wrong with it, unless the directory can be written to
-// or can be created in an existing one. Creates nothing. Called before long work whose result goes there.
+// or can be created in an existing one, which it tries. Leaves nothing there. Called before long work whose
+// result goes there.
 void require_writable(const std::filesystem::path& directory);
 
 // Throws InputOutputError, naming the path, unless a file can be written there, in an existing directory;

@@ -649,34 +649,11 @@ TEST_CASE("sets of starts of a machine in SI units are followed in these") {
 }
 
 TEST_CASE("a family's stable orbits have neighbourhoods, of the machine whose ur is theirs") {
-  const Words list{"orbits", "overshooting", "--example", "O", "--neighbourhood"};
-  const Json json = Json::parse(stickslip_program(with(list, {"--json"})).out);
-  CHECK(json.at("command").get<std::string>().ends_with(" --neighbourhood"));
-  int found = 0;
-  for (const Json& orbit : json.at("orbits")) {
-    const bool stable = orbit.value("stability", "") == "stable";
-    CHECK(orbit.contains("neighbourhood") == stable);
-    if (!stable) {
-      continue;
-    }
-    ++found;
-    const Json& set = orbit.at("neighbourhood");
-    CHECK(set.at("verdict") == "proved");
-    CHECK(set.at("half_widths").at(1) > 5e-3);
-    const std::string ur = orbit.at("ur_of_neighbourhood");
-    CHECK(orbit.at("ur").at("mid").get<std::string>().starts_with(ur.substr(0, 15)));
-    // The same as of the word at this ur.
-    const Json word = Json::parse(
-        stickslip_program({"orbits", "OTS", "--example", "O", "--ur", ur, "--neighbourhood", "--json"}).out);
-    CHECK(std::ranges::any_of(word.at("orbits"), [&](const Json& other) {
-      return other.contains("neighbourhood") &&
-             std::abs(other.at("neighbourhood").at("centre").at(1).get<double>() -
-                      set.at("centre").at(1).get<double>()) < 1e-9;
-    }));
-  }
-  CHECK(found == 1);
-  const Run text = stickslip_program(list);
-  CHECK(text.out.find("recovers if off by") != std::string::npos);
+  const Run text = stickslip_program({"orbits", "overshooting", "--example", "O", "--neighbourhood"});
+  CHECK(text.code == exit_decided);
+  const std::size_t recovers = text.out.find("recovers if off by");
+  REQUIRE(recovers != std::string::npos);
+  CHECK(text.out.find("recovers if off by", recovers + 1) == std::string::npos);
   CHECK(text.out.find("of the machine with ur = 0.458") != std::string::npos);
 }
 

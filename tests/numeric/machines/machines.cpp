@@ -296,6 +296,17 @@ TEST_CASE("rows of masses on a belt without load: cycles, with their periods and
   }
 }
 
+TEST_CASE("what does not close, phase after phase, is not proved") {
+  const Machine machine = row_of_masses(3);
+  MachineGuess guess = settle(machine, Eigen::VectorXd::Constant(6, 0.1)).guess;
+  REQUIRE(guess.events.size() > 2);
+  REQUIRE(prove_machine_orbit(machine, guess).existence.truth == Truth::proved);
+  guess.events.push_back(guess.events.back());
+  const MachineOrbit orbit = prove_machine_orbit(machine, guess);
+  CHECK(orbit.existence.truth == Truth::undecided);
+  CHECK(orbit.existence.reason == "two of its phases cannot follow each other");
+}
+
 TEST_CASE("closed motions that do not obey the law are not admissible") {
   Eigen::VectorXd X = Eigen::VectorXd::Zero(4);
   X(3) = 0.4;

@@ -12,6 +12,7 @@
 #include "numeric/machines/reaching.hpp"
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/settle.hpp"
+#include "numeric/words/complete_list.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"
 #include "tests/numeric/machines/one_mass.hpp"
@@ -161,6 +162,27 @@ TEST_CASE("without a load the neighbourhood lies where a slide ends") {
     REQUIRE(reached.kind == attractors::Kind::periodic);
     CHECK(distance(reached.guess, end.guess) < 1e-6);
   }
+}
+
+TEST_CASE("the neighbourhood of a family's orbit is that of the word at the same friction") {
+  const OrbitList list = listed(families::overshooting(), O(), 20, Rational(0));
+  const auto stable = std::ranges::find_if(list.orbits, &families::is_stable);
+  REQUIRE(stable != list.orbits.end());
+  const Orbit& orbit = *stable;
+  const words::WordQuestion machine = machine_of(list.question, orbit);
+  CHECK(abs(Ball(machine.ur) - orbit.ur()).approximate() < 1e-16);
+  const Neighbourhood family = neighbourhood_of(machine, orbit, 1, 300);
+  REQUIRE(family.verdict.truth == Truth::proved);
+  const words::WordList same = words::all_orbits(machine, words::Word::parse("OTS"), 1);
+  bool found = false;
+  for (const words::WordOrbit& word : same.orbits) {
+    if (families::is_stable(word.orbit)) {
+      const Neighbourhood other = neighbourhood_of(machine, word.orbit, word.periods, 300);
+      found = found || (other.centre(1) - family.centre(1)).contains_zero() ||
+              std::abs(Ball(other.centre(1) - family.centre(1)).approximate()) < 1e-12;
+    }
+  }
+  CHECK(found);
 }
 
 TEST_CASE("an orbit that is not stable has no neighbourhood, nor one that is not proved") {

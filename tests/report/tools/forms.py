@@ -63,7 +63,7 @@ FORMS = {
         "attractors --params MACHINE --along omega 0.5..0.6 --values 2 --starts 3 --seed 2",
         "attractors --example P --plane x1,x2 --pixels 3",
         "attractors --example O --plane x2,x1' --pixels 3 --through 0.1,0,0,0 --most-periods 300",
-        "attractors --params MACHINE --plane x1,x2' --pixels 2", "attractors --example O --starts 2 --neighbourhood"
+        "attractors --params MACHINE --plane x1,x2' --pixels 2"
     ],
     "simulation": [
         "simulate --example O", "simulate --example O --perturb 0.01,0,0,0 --periods 3",
