@@ -215,9 +215,8 @@ OrbitList list_orbits(const OrbitQuestion& question) {
     list = concluded(question, found, digits);
   }
   for (Orbit& orbit : list.orbits) {
-    if (question.neighbourhood && is_stable(orbit) && !interrupted()) {
-      orbit.neighbourhood = std::make_shared<machines::Neighbourhood>(
-          machines::neighbourhood_of(machine_of(question, orbit), orbit));
+    if (question.neighbourhood && is_stable(orbit)) {
+      machines::surround(orbit, machine_of(question, orbit));
     }
   }
   if (interrupted() && !list.unresolved.empty()) {

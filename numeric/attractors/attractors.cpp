@@ -139,17 +139,10 @@ AttractorList find_attractors(const AttractorQuestion& question) {
                                                    static_cast<std::size_t>(question.starts), question.seed));
   for (Attractor& a : list.attractors) {
     if (question.neighbourhood && a.orbit) {
-      surround(*a.orbit, question.machine);
+      machines::surround(a.orbit->orbit, question.machine, a.orbit->periods);
     }
   }
   return list;
-}
-
-void surround(WordOrbit& orbit, const words::WordQuestion& machine) {
-  if (families::is_stable(orbit.orbit) && !interrupted()) {
-    orbit.orbit.neighbourhood = std::make_shared<machines::Neighbourhood>(
-        machines::neighbourhood_of(machine, orbit.orbit, orbit.periods));
-  }
 }
 
 Attractor find_attractor(const words::WordQuestion& machine, const Vector4<double>& X, long most_periods) {

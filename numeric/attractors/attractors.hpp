@@ -46,9 +46,6 @@ struct AttractorList : Endings<Attractor> {
 [[nodiscard]] Attractor find_attractor(const words::WordQuestion& machine, const model::Vector4<double>& X,
                                        long most_periods = 20000);
 
-// The orbit's neighbourhood, where it is stable (machines/neighbourhood.hpp).
-void surround(words::WordOrbit& orbit, const words::WordQuestion& machine);
-
 // The paper's family that an orbit is one of; empty when it is none, or not known to be.
 [[nodiscard]] std::string family_of(const words::WordOrbit& orbit);
 

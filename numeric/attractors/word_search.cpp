@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "numeric/attractors/settle.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 
 namespace stickslip::numeric::attractors {
 
@@ -147,7 +148,7 @@ WordOrbits find_word_orbits(const WordSearch& question) {
                          : from_random_starts(question);
   for (WordOrbit& one : found.orbits) {
     if (question.neighbourhood) {
-      surround(one, question.machine);
+      machines::surround(one.orbit, question.machine, one.periods);
     }
   }
   return found;

@@ -59,6 +59,9 @@ constexpr int most_halvings = 1000;
 // none.
 const double growth = std::exp2(0.25);
 constexpr double largest_box = 4, smallest_box = 0.05;
+// What is proved for the machine in tables, perhaps at ur to 17 digits, is the orbit asked about if it is as
+// near as this.
+constexpr double same_orbit = 1e-9;
 // c from the orbit, in parts of rho.
 constexpr double off_centre = 1e-3;
 constexpr double very_small = 1e-60;  // in parts of the orbit
@@ -456,11 +459,17 @@ Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const familie
     return none;
   }
   const MachineOrbit proved = prove_machine_orbit(same, guess);
-  if (proved.existence.truth == Truth::proved && !(distance(guess_of(proved, same), guess) < most_astray)) {
+  if (proved.existence.truth == Truth::proved && !(distance(guess_of(proved, same), guess) < same_orbit)) {
     none.verdict = Verdict::undecided("as a machine in tables another orbit is proved");
     return none;
   }
   return neighbourhood_of(same, proved, most_phases);
+}
+
+void surround(families::Orbit& orbit, const words::WordQuestion& machine, long periods) {
+  if (families::is_stable(orbit) && !interrupted()) {
+    orbit.neighbourhood = std::make_shared<Neighbourhood>(neighbourhood_of(machine, orbit, periods));
+  }
 }
 
 bool Neighbourhood::holds(const SetOfMotions& set) const {

@@ -45,8 +45,12 @@ struct Neighbourhood {
 // not proved to be admissible and stable.
 [[nodiscard]] Neighbourhood neighbourhood_of(const Machine& machine, const MachineOrbit& orbit,
                                              long most_phases = 12000);
-// Of an orbit of the paper's oscillator over so many periods of the load.
+// Of an orbit of the paper's oscillator over so many periods of the load; undecided, too, where that of the
+// same machine in tables is not where the orbit is.
 [[nodiscard]] Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const families::Orbit& orbit,
                                              long periods = 1, long most_phases = 12000);
+
+// Sets it of an orbit that is stable.
+void surround(families::Orbit& orbit, const words::WordQuestion& machine, long periods = 1);
 
 }  // namespace stickslip::numeric::machines

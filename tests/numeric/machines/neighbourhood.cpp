@@ -173,7 +173,12 @@ TEST_CASE("the neighbourhood of a family's orbit is that of the word at the same
   CHECK(abs(Ball(machine.ur) - orbit.ur()).approximate() < 1e-16);
   const Neighbourhood family = neighbourhood_of(machine, orbit, 1, 300);
   REQUIRE(family.verdict.truth == Truth::proved);
-  const words::WordList same = words::all_orbits(machine, words::Word::parse("OTS"), 1);
+  // Of what is no orbit it is not that of one nearby.
+  Orbit beside = orbit;
+  beside.motion.phases.front().Z(1) += Ball(1e-4);
+  CHECK(neighbourhood_of(machine, beside, 1, 300).verdict.reason ==
+        "as a machine in tables another orbit is proved");
+  const auto same = words::all_orbits(machine, words::Word::parse("OTS"), 1);
   bool found = false;
   for (const words::WordOrbit& word : same.orbits) {
     if (families::is_stable(word.orbit)) {
