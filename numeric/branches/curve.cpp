@@ -1,11 +1,11 @@
 #include "numeric/branches/curve.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "core/interruption.hpp"
 #include "numeric/branches/infinity.hpp"
+#include "numeric/zeros/dense.hpp"
 #include "numeric/zeros/search.hpp"
 
 namespace stickslip::numeric::branches {
@@ -72,7 +72,7 @@ Eigen::VectorXd tangent(const Curve& curve, const Point& point, const Eigen::Vec
     }
     slope.row(i) /= size;
   }
-  const Eigen::MatrixXd kernel = slope.fullPivLu().kernel();
+  const Eigen::MatrixXd kernel = zeros::kernel(slope);
   Eigen::VectorXd t = kernel.col(0);
   const double size = t.cwiseAbs().maxCoeff();
   if (!(size > 0) || !std::isfinite(size)) {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/zeros/dense.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -103,7 +103,7 @@ MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
     }
   }
   MachineStartBox box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
-  box.middle.head(n) = o.stiffness.completeOrthogonalDecomposition().solve(forces);
+  box.middle.head(n) = zeros::least_squares(o.stiffness, forces);
   box.middle(n + j) = o.V - side * s;
   box.half.head(n).setConstant(2 * s / Omega);
   box.half.tail(n).setConstant(1.5 * s);

@@ -2,8 +2,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +10,7 @@
 #include "core/parallel.hpp"
 #include "numeric/scalars/form.hpp"
 #include "numeric/words/sweep.hpp"
+#include "numeric/zeros/dense.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -160,20 +159,22 @@ std::optional<Eigen::MatrixXd> contracting(const Eigen::MatrixXd& A, const Eigen
   if (!in_units.allFinite()) {
     return std::nullopt;
   }
-  const double radius = in_units.eigenvalues().cwiseAbs().maxCoeff();
+  const double radius = zeros::spectral_radius(in_units);
   if (!(radius < 1)) {
     return std::nullopt;
   }
   const double gamma = radius + (1 - radius) / 4;
   Eigen::MatrixXd P = Eigen::MatrixXd::Identity(A.rows(), A.rows()), power = in_units / gamma;
   for (int k = 0; k < 100000 && power.norm() > 1e-9; ++k) {
-    P += power.transpose() * power;
-    power = power * in_units / gamma;
+    P += power.transpose().lazyProduct(power);
+    power = Eigen::MatrixXd(power.lazyProduct(in_units)) / gamma;
   }
-  const Eigen::LLT<Eigen::MatrixXd> llt(P);
-  const Eigen::MatrixXd root = llt.matrixL().transpose();
-  Eigen::MatrixXd S = unit * root.inverse();
-  return llt.info() == Eigen::Success && S.allFinite() ? std::optional(S) : std::nullopt;
+  const auto root = zeros::cholesky(P);
+  if (!root) {
+    return std::nullopt;
+  }
+  Eigen::MatrixXd S = unit * zeros::inverse(root->transpose());
+  return S.allFinite() ? std::optional(S) : std::nullopt;
 }
 
 // Euclid's norm, from above.
@@ -348,7 +349,7 @@ Neighbourhood found_at(const Machine& machine, const MachineOrbit& orbit, long m
     return found;
   }
   found.S = S->cast<Ball>();
-  const Matrix Y = S->inverse().eval().cast<Ball>();
+  const Matrix Y = zeros::inverse(*S).cast<Ball>();
   const auto inverse = words::enclosed_inverse(found.S, Y);
   if (!inverse) {
     return found;

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "core/sinc.hpp"
+#include "numeric/zeros/dense.hpp"
 
 namespace stickslip::numeric::simulation {
 
@@ -203,7 +203,7 @@ void SimulationOf<N, L>::prepare(Piece& piece) {
   drift.bottomRightCorner(n_, n_) = B_;
   drift(n_ + j_, n_ + j_) -= piece.slope / m_;
   const auto fastest_of = [&] {
-    const double own = drift.eigenvalues().cwiseAbs().maxCoeff();
+    const double own = zeros::spectral_radius(drift);
     return L_ == 0 ? own : std::max(own, frequencies_.maxCoeff());
   };
   double fastest = fastest_of();

@@ -1,8 +1,8 @@
 #include "numeric/words/sweep.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "numeric/zeros/dense.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::words {
@@ -27,12 +27,12 @@ std::vector<Matrix> frames(const std::vector<Link>& links) {
   const Eigen::Index n = links.front().M.rows();
   Eigen::MatrixXd now = Eigen::MatrixXd::Identity(n, n);
   for (const Eigen::MatrixXd& factor : M) {
-    now = Eigen::HouseholderQR<Eigen::MatrixXd>(factor * now).householderQ();
+    now = zeros::orthonormal(factor.lazyProduct(now));
   }
   std::vector<Matrix> Q;
   for (const Eigen::MatrixXd& factor : M) {
     Q.push_back(orthogonal(now));
-    now = factor * in_double(Q.back());
+    now = factor.lazyProduct(in_double(Q.back()));
   }
   return Q;
 }
@@ -44,8 +44,8 @@ std::vector<Matrix> frames(const std::vector<Link>& links) {
 Matrix orthogonal(const Eigen::MatrixXd& W) {
   const Eigen::Index n = W.rows();
   Matrix Q = Matrix::Identity(n, n);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(W);
-  if (!qr.matrixQR().allFinite()) {
+  const Eigen::MatrixXd found = zeros::reflections(W);
+  if (!found.allFinite()) {
     return Q;
   }
   model::VectorX<Ball> v(n);
@@ -53,7 +53,7 @@ Matrix orthogonal(const Eigen::MatrixXd& W) {
     v(k) = Ball(1);
     Ball square(1);
     for (Eigen::Index i = k + 1; i < n; ++i) {
-      v(i) = Ball(qr.matrixQR()(i, k));
+      v(i) = Ball(found(i, k));
       add_product(square, v(i), v(i));
     }
     for (Eigen::Index j = k; j < n; ++j) {

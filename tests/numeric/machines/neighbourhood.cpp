@@ -1,7 +1,6 @@
 // Proved neighbourhoods of stable orbits, and sets of motions, against simulated motions.
 #include <doctest/doctest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <random>

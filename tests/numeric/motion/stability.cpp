@@ -3,11 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/motion/monodromy.hpp"
+#include "numeric/zeros/dense.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
@@ -70,7 +69,7 @@ TEST_CASE("double and balls agree, wherever the period is cut") {
     const MotionOf<double> motion = in_double(orbit.motion);
     REQUIRE(orbit.stability->multipliers.size() == 4);
     for (std::size_t first = 0; first < motion.phases.size(); ++first) {
-      const Eigen::Vector4cd values = monodromy<double>(motion, first).eigenvalues();
+      const Eigen::Vector4cd values = zeros::eigenvalues(monodromy<double>(motion, first));
       for (const ComplexBall& mu : orbit.stability->multipliers) {
         CHECK(met(values, mu, 1e-11));
       }

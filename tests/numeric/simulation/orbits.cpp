@@ -1,10 +1,9 @@
 // The proved orbits under the friction law: closure, event times, multipliers.
 #include <doctest/doctest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "model/flows.hpp"
 #include "numeric/simulation/agreement.hpp"
+#include "numeric/zeros/dense.hpp"
 #include "proofs/methods/example_orbits.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "tests/numeric/simulation/response.hpp"
@@ -78,7 +77,8 @@ TEST_CASE("multipliers are the eigenvalues of differences of the simulated retur
       }
       CAPTURE(example.name);
       const Start start = start_of(orbit);
-      const Eigen::Vector4cd values = differences(start, period(orbit.motion).approximate()).eigenvalues();
+      const Eigen::Vector4cd values =
+          zeros::eigenvalues(differences(start, period(orbit.motion).approximate()));
       REQUIRE(orbit.stability->multipliers.size() == 4);
       for (const ComplexBall& mu : orbit.stability->multipliers) {
         CHECK(distance_to(values, mu) < 1e-8);
@@ -95,7 +95,7 @@ TEST_CASE("multipliers on a moving belt, without sticking") {
   for (const Orbit& orbit : list_orbits(q).orbits) {
     if (orbit.stability) {
       const Eigen::Vector4cd values =
-          differences(start_of(orbit), period(orbit.motion).approximate()).eigenvalues();
+          zeros::eigenvalues(differences(start_of(orbit), period(orbit.motion).approximate()));
       for (const ComplexBall& mu : orbit.stability->multipliers) {
         CHECK(distance_to(values, mu) < 1e-8);
         ++checked;

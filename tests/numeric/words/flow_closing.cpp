@@ -1,8 +1,9 @@
 #include "tests/numeric/words/flow_closing.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <optional>
+
+#include "numeric/zeros/dense.hpp"
 
 namespace stickslip::numeric::words {
 
@@ -53,7 +54,7 @@ std::optional<Vector> newton(const FlowClosing& f, Vector x) {
       y(k) += h;
       J.col(k) = (f(y) - at_x) / h;
     }
-    const Vector change = J.partialPivLu().solve(at_x);
+    const Vector change = zeros::inverse(J) * at_x;
     x -= change;
     if (!(x.norm() < 1e6)) {
       return std::nullopt;
@@ -82,7 +83,7 @@ Vector nearly(const FlowClosing& f, const Eigen::VectorXd& times) {
   }
   A.col(3) = (at(zero, 0) - at(zero, half)) / 2;
   A.col(4) = (at(zero, half / 2) - at(zero, -half / 2)) / 2;
-  const Eigen::VectorXd u = A.colPivHouseholderQr().solve(-constant);
+  const Eigen::VectorXd u = zeros::least_squares(A, -constant);
   x << times, u.head<3>(), std::atan2(u(4), u(3));
   return x;
 }
