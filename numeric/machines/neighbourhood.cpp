@@ -130,6 +130,7 @@ class Return {
                  : std::nullopt;
     }
     set.before = before();
+    set.timeless = true;
     for (std::size_t i = 0; i < orbit_.pieces.size(); ++i) {
       const double about = orbit_.phases[(first_ + i) % orbit_.pieces.size()].duration.approximate();
       if (flow_.to_event(set, cyclic(first_ + i + 1), about).truth != Truth::proved) {

@@ -44,6 +44,7 @@ std::optional<std::size_t> Reaching::operator()(const Vector& middle, const Matr
     return std::nullopt;
   }
   set.piece = *piece;
+  set.timeless = autonomous_;
   return autonomous_ ? at_events(set, most_periods) : in_periods(set, most_periods);
 }
 

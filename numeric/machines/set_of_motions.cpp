@@ -185,7 +185,7 @@ Ball SetOfMotions::reach(const Vector& row) const {
 
 SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, const Matrix& S, bool round) {
   const Eigen::Index rows = S.rows() + 1, parameters = S.cols();
-  SetOfMotions set{{}, piece, {}, round, {}, {}, {}, {}, {}};
+  SetOfMotions set{{}, piece, {}, round, false, {}, {}, {}, {}, {}};
   set.middle.value.resize(rows);
   set.middle.value << time, middle;
   set.middle.first.resize(rows, parameters);
@@ -243,7 +243,7 @@ std::optional<Piece> SetFlow::piece_of(const Vector& states, const Ball& time) c
   return piece;
 }
 
-// At a time, the time, at an event x_j'; without a load the time does not matter, and is that of the middle.
+// At a time, the time, at an event x_j'.
 Eigen::Index SetFlow::known_row(const SetOfMotions& set) const {
   return set.before ? 1 + phases_.masses() + phases_.rubbing() : 0;
 }
@@ -267,7 +267,7 @@ namespace {
 // Where the exact one, the middle one and all of them are.
 SetOfMotions reached(const SetOfMotions& set, const Vector& exact, const After& middle, const After& all,
                      const Vector& units) {
-  SetOfMotions end{set.before, set.piece, set.passed, set.round, middle.u, all.u, {}, {}, {}};
+  SetOfMotions end{set.before, set.piece, set.passed, set.round, set.timeless, middle.u, all.u, {}, {}, {}};
   move_offset(end, set, all.by_u, exact, units);
   for (std::size_t k = 0; k < end.all.second.size(); ++k) {
     const Matrix second = end.all.derivative_of_first(k);
@@ -357,8 +357,8 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
     end.passed.push_back(after_it);
     fix(end, 1 + phases_.masses() + phases_.rubbing(), speed);
     Verdict verdict = judge(set, durations, after_it, end);
-    if (phases_.oscillator().is_autonomous()) {
-      fix(end, 0, end.time());  // the load has none
+    if (set.timeless) {
+      fix(end, 0, end.time());
     }
     set = end;
     return verdict;

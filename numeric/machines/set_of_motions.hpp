@@ -43,6 +43,7 @@ struct SetOfMotions {
   Piece piece;
   std::vector<Piece> passed;  // those after it so far; the last one is `piece`
   bool round = false;         // |e| is Euclid's norm; else the largest of |e_k|
+  bool timeless = false;      // without a load: when each has its event does not matter, t is the middle's
   Dependence middle;          // of (t, (x, x')) at e = 0; without second derivatives
   Dependence all;             // over the set
   // u(0) = exact + frame offset, in a frame of its own, likewise.

@@ -201,22 +201,19 @@ TEST_CASE("an orbit that is not stable has no neighbourhood, nor one that is not
   CHECK(neighbourhood_of(damped_O(Rational(1, 400)), other, 300).verdict.truth != Truth::proved);
 }
 
-TEST_CASE("where a box of starts is after some time holds each motion from it") {
-  const Machine machine = damped_O();
-  Eigen::VectorXd half(4);
-  half << 0.003, 0.002, 0, 0.001;
-  const double time = 25;
-  const SetAfter set = set_after({machine, start_of_damped(), half, 0, time});
+// Each motion from the box is in what is said of its part.
+void check_after(const Machine& machine, const Eigen::VectorXd& middle, const Eigen::VectorXd& half,
+                 double time) {
+  const SetAfter set = set_after({machine, middle, half, 0, time});
   REQUIRE(set.open.empty());
   CHECK(set.proved() == doctest::Approx(1).epsilon(1e-12));
   const Vector hull = set.hull();
-  const auto o = oscillator_as<double>(machine);
-  Simulation simulation(o, 0, start_of_damped());
+  Simulation simulation(oscillator_as<double>(machine), 0, middle);
   std::mt19937_64 engine(4);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 500; ++i) {
-    Eigen::VectorXd X = start_of_damped();
-    for (Eigen::Index k = 0; k < 4; ++k) {
+    Eigen::VectorXd X = middle;
+    for (Eigen::Index k = 0; k < X.size(); ++k) {
       X(k) += half(k) * uniform(engine);
     }
     simulation.restart(0, X);
@@ -224,7 +221,7 @@ TEST_CASE("where a box of starts is after some time holds each motion from it") 
     bool held = false;
     for (const SetAfter::Part& part : set.parts) {
       bool starts_there = true, ends_there = true;
-      for (Eigen::Index k = 0; k < 4; ++k) {
+      for (Eigen::Index k = 0; k < X.size(); ++k) {
         starts_there = starts_there && std::abs(X(k) - part.middle(k)) <= part.half(k);
         ends_there = ends_there && std::abs(simulation.state()(k) - part.states(k).approximate()) <=
                                        part.states(k).radius().approximate() + 1e-9;
@@ -234,6 +231,13 @@ TEST_CASE("where a box of starts is after some time holds each motion from it") 
     CHECK(held);
     CHECK(std::abs(simulation.state()(0) - hull(0).approximate()) <= hull(0).radius().approximate());
   }
+}
+
+TEST_CASE("where a box of starts is after some time holds each motion from it") {
+  const Machine machine = damped_O();
+  Eigen::VectorXd half(4);
+  half << 0.003, 0.002, 0, 0.001;
+  check_after(machine, start_of_damped(), half, 25);
   // Starts on both sides of the belt's velocity have no one piece: a part around it stays open.
   Eigen::VectorXd through = start_of_damped();
   through(3) = 1;
@@ -250,6 +254,15 @@ TEST_CASE("where a box of starts is after some time holds each motion from it") 
   CHECK_THROWS_AS((void)set_after({machine, through, half, 0, 0}), DomainError);
   CHECK_THROWS_AS((void)set_after({machine, through, -half, 0, 1}), DomainError);
   CHECK_THROWS_AS((void)set_after({machine, through, half.head(3), 0, 1}), DomainError);
+}
+
+TEST_CASE("without a load events have their times, too: motions that leave the belt one after the other") {
+  Eigen::VectorXd X(2), half(2);
+  X << -0.5, 0.2;
+  half << 0.01, 0.01;
+  for (const double time : {4.0, 11.0, 25.0}) {
+    check_after(stick_slip(), X, half, time);
+  }
 }
 
 TEST_CASE("a set of motions holds each motion from it") {
