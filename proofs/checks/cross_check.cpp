@@ -210,10 +210,6 @@ int confirmed_at_witness(const Claim& claim, const std::vector<Decided>& all, co
   return 1;
 }
 
-bool is_condition(const Assumption& assumption) {
-  return assumption.statement.relation == Relation::equal && !is_substitution(assumption);
-}
-
 // Whether it differentiates symbols that stand for a motion.
 bool differentiates_motion(const Term& term) {
   return (term.op() == Op::derivative && !depends_on(term, "t")) ||
@@ -229,8 +225,10 @@ bool can_be_evaluated(const Statement& statement) {
 // Which equations that the claim assumes keep its statements from being identities.
 std::string conditions(const Claim& claim, const Outcome& outcome) {
   std::string ids;
+  const Given given(claim);
   for (const Assumption& assumption : claim.assumptions) {
-    if (outcome.assumed.contains(assumption.id) && is_condition(assumption)) {
+    if (outcome.assumed.contains(assumption.id) && assumption.statement.relation == Relation::equal &&
+        !given.takes(assumption)) {
       ids += (ids.empty() ? "" : ", ") + assumption.id;
     }
   }

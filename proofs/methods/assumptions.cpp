@@ -79,13 +79,20 @@ bool depends_on(const Term& term, const std::string& name) {
 Given::Given(const Claim& claim) {
   for (const Assumption& assumption : claim.assumptions) {
     if (is_substitution(assumption)) {
-      if (leads_to(assumption.statement.right, assumption.statement.left.name())) {
-        throw InternalError(fmt::format("claim {}: it gives {} a value in terms of itself", claim.id,
-                                        assumption.statement.left.name()));
-      }
-      values.emplace(assumption.statement.left.name(), assumption.statement.right);
+      take(assumption.statement);
     }
   }
+}
+
+bool Given::take(const Statement& statement) {
+  return !leads_to(statement.right, statement.left.name()) &&
+         values.emplace(statement.left.name(), statement.right).second;
+}
+
+bool Given::takes(const Assumption& assumption) const {
+  const auto value =
+      is_substitution(assumption) ? values.find(assumption.statement.left.name()) : values.end();
+  return value != values.end() && equal(value->second, assumption.statement.right);
 }
 
 bool Given::leads_to(const Term& term, const std::string& name) const {

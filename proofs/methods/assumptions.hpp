@@ -19,12 +19,19 @@ namespace stickslip::proofs::methods {
 [[nodiscard]] std::set<std::string> names_in(const symbols::Term& term);
 [[nodiscard]] bool depends_on(const symbols::Term& term, const std::string& name);
 
-// What the claim's assumptions give to scalars.
+// What the claim's assumptions give to scalars: one value to each, none in terms of itself.
 struct Given {
   std::map<std::string, symbols::Term> values;
 
-  // Throws InternalError if one would have a value in terms of itself.
+  Given() = default;
   explicit Given(const Claim& claim);
+
+  // Adds "scalar = value", unless the scalar has a value or this one leads back to it. Whether it did.
+  bool take(const symbols::Statement& statement);
+
+  // Whether the assumption is one of the values. A second value of a scalar, or one that leads back to it, is
+  // a condition.
+  [[nodiscard]] bool takes(const Assumption& assumption) const;
 
  private:
   [[nodiscard]] bool leads_to(const symbols::Term& term, const std::string& name) const;

@@ -111,8 +111,9 @@ Theorem first_of(const std::vector<Theorem (*)(Derivation&, const Formula&)>& wa
 
 // With the values that are given put in no variable is left: in balls, or by normal form.
 Theorem at_values(Derivation& derivation, const Formula& formula) {
+  const Given given(derivation.claim());
   for (const Assumption& one : derivation.claim().assumptions) {
-    const Term symbol = is_substitution(one) ? derivation.read(one.statement.left) : Term(0);
+    const Term symbol = given.takes(one) ? derivation.read(one.statement.left) : Term(0);
     if (symbol.kind() != kernel::Kind::variable || !occurs(symbol, formula)) {
       continue;
     }

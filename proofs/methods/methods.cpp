@@ -193,7 +193,7 @@ void add_rules(Rules& known, Prover& prover, const Claim& claim, const Scalars& 
     }
   }
   if (known.rules.size() == simplifying.size()) {
-    throw InternalError(
+    throw UsageError(
         fmt::format("claim {}: the premise {} cannot be solved as wanted", claim.id, premise.id));
   }
 }

@@ -130,13 +130,12 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
                                  std::size_t choice) {
   Unknowns result;
   Substitution given;
-  std::set<std::string> stated;
-  for (const Assumption& one : derivation.claim().assumptions) {
-    if (is_substitution(one)) {
-      stated.insert(one.statement.left.name());
-      result.values.push_back(one.statement);
+  Given taken;
+  const auto take = [&](const Statement& value) {
+    if (taken.take(value)) {
+      result.values.push_back(value);
     }
-  }
+  };
   const auto solutions = solved_in_turn(derivation, choice, false);
   if (!solutions) {
     return std::nullopt;
@@ -144,8 +143,16 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
   for (const Theorem& one : *solutions) {
     const Term &letter = one.conclusion().parts()[0], &value = one.conclusion().parts()[1];
     given.emplace(Variable{letter.name()}, value);
-    if (!stated.contains(letter.name())) {
-      result.values.push_back(symbols::equation(printed_term(letter), printed_term(value)));
+    const auto stated = std::ranges::find_if(derivation.claim().assumptions, [&](const Assumption& assumed) {
+      return is_substitution(assumed) && assumed.statement.left.name() == letter.name();
+    });
+    take(stated != derivation.claim().assumptions.end()
+             ? stated->statement
+             : symbols::equation(printed_term(letter), printed_term(value)));
+  }
+  for (const Assumption& one : derivation.claim().assumptions) {
+    if (is_substitution(one)) {
+      take(one.statement);
     }
   }
   const auto put_in = [&](Term formula) {

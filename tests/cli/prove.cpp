@@ -29,6 +29,18 @@ TEST_CASE("a statement is proved, refuted or left open, and the exit code says s
   CHECK(stickslip_program({"prove", "--symbols", "a,b", "--", "-a^2 < b"}).code == exit_refuted);
 }
 
+TEST_CASE("a symbol may be given two values, or values in a circle") {
+  const Run two = stickslip_program({"prove", "0 = 1", "a = 1", "a = 2", "--symbols", "a"});
+  CHECK(two.code == exit_undecided);
+  CHECK(two.out.find("vacuous: what is assumed contradicts itself") != std::string::npos);
+  const auto in_a_circle = [](const std::string& statement) {
+    return stickslip_program({"prove", statement, "a = b + 1", "b = a - 1", "--symbols", "a,b"}).code;
+  };
+  CHECK(in_a_circle("a > b") == exit_decided);
+  CHECK(in_a_circle("a = 2 b") == exit_refuted);
+  CHECK(in_a_circle("a < 1") == exit_refuted);
+}
+
 TEST_CASE("what is known of a statement of one's own is said as for claims") {
   const Run explained = stickslip_program({"prove", "Q = [q1; q2]", "--explain"});
   CHECK(explained.code == exit_decided);
