@@ -150,6 +150,9 @@ std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
       letters += words::letter(pieces[i].kind);
     }
   }
+  if (letters.empty() && !pieces.empty()) {  // it never leaves this phase
+    letters = words::letter(pieces[0].kind);
+  }
   std::rotate(letters.begin(), letters.begin() + static_cast<std::ptrdiff_t>(words::first_rotation(letters)),
               letters.end());
   return letters;

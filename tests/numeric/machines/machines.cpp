@@ -228,6 +228,10 @@ TEST_CASE("chains of a machine are the paper's for its oscillator") {
   }
 }
 
+TEST_CASE("the word of a motion that slips for ever, from one piece of the law to another, is S") {
+  CHECK(word_of({{motion::PhaseKind::slip, 1}, {motion::PhaseKind::slip, 0}}) == "S");
+}
+
 TEST_CASE("without damping the orbit is the paper's, condition for condition") {
   const MachineOrbit orbit = settled(paper(O(), ur_of_O), start_of_O());
   REQUIRE(orbit.existence.truth == Truth::proved);
