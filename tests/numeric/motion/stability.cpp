@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
+
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/motion/monodromy.hpp"
