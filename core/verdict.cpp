@@ -1,6 +1,7 @@
 #include "core/verdict.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -31,15 +32,16 @@ std::string to_string(Truth truth) {
 }
 
 Verdict Verdict::refuted(Witness witness) {
-  std::string point;
+  std::vector<std::string> point;
   for (const Coordinate& coordinate : witness.point) {
-    point +=
-        fmt::format("{}${} = {}$", point.empty() ? "" : ", ", coordinate.name, to_string(coordinate.value));
+    point.push_back(fmt::format("${} = {}$", coordinate.name, to_string(coordinate.value)));
   }
+  point.insert(point.end(), witness.values.begin(), witness.values.end());
   std::string reason = fmt::format(
-      "{}{} is {} and {} is {} at {}",
+      "{}{} is {} and {} is {}{}",
       witness.component.empty() ? "" : fmt::format("entry {}: ", witness.component), witness.left_name,
-      to_string(witness.left, 10), witness.right_name, to_string(witness.right, 10), point);
+      to_string(witness.left, 10), witness.right_name, to_string(witness.right, 10),
+      point.empty() ? "" : fmt::format(" at {}", fmt::join(point, ", ")));
   return {Truth::refuted, std::move(reason), std::move(witness)};
 }
 

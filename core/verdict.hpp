@@ -39,6 +39,7 @@ struct Witness {
   // What the two are, where the statement shows no two sides: "$x_1(tau)$".
   std::string left_name = "the left side";
   std::string right_name = "the right side";
+  std::vector<std::string> values = {};  // of what else the sides speak of, as it follows there: "$x = 0$"
 };
 
 struct Verdict {

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "proofs/checks/edits.hpp"
 #include "proofs/checks/premise_point.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/meaning.hpp"
@@ -243,6 +244,22 @@ Gate mutant_gate(const std::vector<Claim>& claims, const std::set<std::string>& 
   return gate;
 }
 
+namespace {
+
+// What the edited statement needs that is not seen in it.
+std::string needed(Claim claim, const Statement& edited, const Outcome& outcome) {
+  claim.printed = {edited};
+  std::string text;
+  for (const Hypothesis& one : outcome.hypotheses) {
+    if (!is_seen(one, claim, claim)) {
+      text += (text.empty() ? ", where $" : ", $") + one.text + "$";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement& statement,
                             const Outcome& refuted) {
   std::vector<Repair> found;
@@ -255,7 +272,7 @@ std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement&
       return found;
     }
     if (outcome.verdict.truth == Truth::proved) {
-      found.push_back({edit.what, edit.statement});
+      found.push_back({edit.what + needed(claim, edit.statement, outcome), edit.statement});
     }
   }
   return found;

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "core/error.hpp"
 #include "proofs/methods/assumptions.hpp"
@@ -58,6 +59,13 @@ Witness witness_of(const Statement& statement, const Scene& scene) {
     shown = left(i).overlaps(right(i)) ? shown : i;
   }
   Witness witness{scene.point, {}, left(shown), right(shown)};
+  std::set<std::string> spoken_of = names_in(statement.left);
+  spoken_of.merge(names_in(statement.right));
+  for (const Statement& value : scene.values) {
+    if (const std::string& name = value.left.name(); spoken_of.contains(name)) {
+      witness.values.push_back(fmt::format("${} = {}$", name, to_string(here(name), 10)));
+    }
+  }
   if (left.size() > 1) {
     witness.component = fmt::format("({},{})", shown % left.rows() + 1, shown / left.rows() + 1);
   }
