@@ -31,6 +31,8 @@ constexpr double greatest_frequency = 1e10;
 constexpr double shortest_hold = 1e-9;
 // What rounding can do to a sum, in parts of its terms.
 constexpr double units = 8 * 0x1p-53;
+// Terms of a Taylor polynomial below this part of it are left out, as those beyond its order are.
+constexpr double least_term = 1e-17;
 
 int side_of(double r) {
   return r > 0 ? 1 : -1;
@@ -88,9 +90,35 @@ inline int zeros(Cubic& g, double rounding, bool begins, double rate) {
   return 1;
 }
 
+// Whether the distance is zero at t, up to rounding, and falls.
+inline bool comes_to_zero(const Cubic& g, double t, double rounding) {
+  const auto& [c0, c1, c2, c3] = g.c;
+  return c0 + t * (c1 + t * (c2 + t * c3)) + g.rest * t * t * t * t <= rounding &&
+         c1 + t * (2 * c2 + t * 3 * c3) + 4 * g.rest * t * t * t < 0;
+}
+
 // sign f + offset.
 inline Cubic affine(const Cubic& f, double sign, double offset) {
   return {{sign * f.c[0] + offset, sign * f.c[1], sign * f.c[2], sign * f.c[3]}, f.rest};
+}
+
+// y = A x, by blocks of rows that stay in registers.
+template <class A, class X, class Y>
+inline void multiply(const A& a, const X& x, Y& y) {
+  Eigen::Index i = 0;
+  const auto blocks_of = [&]<int rows>() {
+    for (; i + rows <= a.rows(); i += rows) {
+      Eigen::Matrix<double, rows, 1> sum = a.template block<rows, 1>(i, 0) * x(0);
+      for (Eigen::Index k = 1; k < a.cols(); ++k) {
+        sum += a.template block<rows, 1>(i, k) * x(k);
+      }
+      y.template segment<rows>(i) = sum;
+    }
+  };
+  blocks_of.template operator()<8>();
+  blocks_of.template operator()<4>();
+  blocks_of.template operator()<2>();
+  blocks_of.template operator()<1>();
 }
 
 }  // namespace
@@ -101,11 +129,7 @@ double friction_at_rest(const model::Parameters<double>& a, const Vector4<double
 
 template <int N, int L>
 SimulationOf<N, L>::SimulationOf(const model::FrictionOscillator<double>& o, double phi, const State& X)
-    : A_(-o.stiffness),
-      B_(-o.damping),
-      is_damped_(!o.damping.isZero(0)),
-      constant_(Vector::Zero(static_cast<Eigen::Index>(o.size()))),
-      n_(static_cast<Eigen::Index>(o.size())),
+    : n_(static_cast<Eigen::Index>(o.size())),
       j_(static_cast<Eigen::Index>(o.rubbing)),
       m_(o.masses[o.rubbing]),
       V_(o.V),
@@ -113,10 +137,6 @@ SimulationOf<N, L>::SimulationOf(const model::FrictionOscillator<double>& o, dou
       backward_(o.backward.at_rest),
       omega_(o.omega),
       Theta_(o.is_autonomous() ? std::numeric_limits<double>::infinity() : 2 * std::numbers::pi / o.omega) {
-  for (Eigen::Index i = 0; i < n_; ++i) {
-    A_.row(i) /= o.masses[static_cast<std::size_t>(i)];
-    B_.row(i) /= o.masses[static_cast<std::size_t>(i)];
-  }
   std::vector<double> frequencies;
   for (const model::HarmonicForce<double>& load : o.loads) {
     const double frequency = load.k * omega_;
@@ -126,25 +146,27 @@ SimulationOf<N, L>::SimulationOf(const model::FrictionOscillator<double>& o, dou
   }
   L_ = static_cast<Eigen::Index>(frequencies.size());
   frequencies_ = Eigen::Map<const Eigen::VectorXd>(frequencies.data(), L_);
-  drive_.setZero(n_, 2 * L_);
+  w_.setZero(2 * n_ + 1 + 2 * L_);
+  acceleration_.resize(n_);
+  rates_.setZero(n_, w_.size());
+  rates_.template leftCols<N>(n_) = -o.stiffness;
+  rates_.template middleCols<N>(n_, n_) = -o.damping;
   for (const model::HarmonicForce<double>& load : o.loads) {
-    const double m = o.masses[load.mass];
     const auto i = static_cast<Eigen::Index>(load.mass);
     if (load.k == 0) {
-      constant_(i) += load.cosine / m;
+      rates_(i, 2 * n_) += load.cosine;
       continue;
     }
-    const auto l =
-        2 * static_cast<Eigen::Index>(std::find(frequencies.begin(), frequencies.end(), load.k * omega_) -
-                                      frequencies.begin());
-    drive_(i, l) += load.cosine / m;
-    drive_(i, l + 1) += load.sine / m;
+    const auto l = std::find(frequencies.begin(), frequencies.end(), load.k * omega_) - frequencies.begin();
+    rates_(i, 2 * n_ + 1 + 2 * l) += load.cosine;
+    rates_(i, 2 * n_ + 2 + 2 * l) += load.sine;
+  }
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    rates_.row(i) /= o.masses[static_cast<std::size_t>(i)];
   }
   pieces_.resize(1 + o.forward.sliding.size() + o.backward.sliding.size());
   add_pieces(1, o.forward, 1);
   add_pieces(-1, o.backward, 1 + o.forward.sliding.size());
-  rub_ = Vector::Unit(n_, j_) / m_;
-  free_ = Vector::Ones(n_) - Vector::Unit(n_, j_);
   for (Piece& piece : pieces_) {
     prepare(piece);
   }
@@ -193,50 +215,47 @@ void SimulationOf<N, L>::add_pieces(int side, const model::FrictionLaw<double>& 
   }
 }
 
+// Of the motions without loads.
+template <int N, int L>
+double SimulationOf<N, L>::fastest(const Eigen::MatrixXd& rates) const {
+  Eigen::MatrixXd drift = Eigen::MatrixXd::Zero(2 * n_, 2 * n_);
+  drift.topRightCorner(n_, n_).setIdentity();
+  drift.bottomRows(n_) = rates.leftCols(2 * n_);
+  const double own = zeros::spectral_radius(drift);
+  return L_ == 0 ? own : std::max(own, frequencies_.maxCoeff());
+}
+
 // The length of a step by the fastest of the phase's own motions and of the load. A step is linear: it is
 // taken by each number alone.
 template <int N, int L>
 void SimulationOf<N, L>::prepare(Piece& piece) {
-  Eigen::MatrixXd drift = Eigen::MatrixXd::Zero(2 * n_, 2 * n_);
-  drift.topRightCorner(n_, n_).setIdentity();
-  drift.bottomLeftCorner(n_, n_) = A_;
-  drift.bottomRightCorner(n_, n_) = B_;
-  drift(n_ + j_, n_ + j_) -= piece.slope / m_;
-  const auto fastest_of = [&] {
-    const double own = zeros::spectral_radius(drift);
-    return L_ == 0 ? own : std::max(own, frequencies_.maxCoeff());
-  };
-  double fastest = fastest_of();
+  piece.rates = rates_;
+  piece.rates(j_, n_ + j_) -= piece.slope / m_;
+  piece.rates(j_, 2 * n_) += piece.force / m_;
+  double angle = fastest(piece.rates);
   if (piece.kind == PhaseKind::stick) {
-    drift.row(n_ + j_).setZero();
-    const double held = fastest_of();
-    fastest = held > 0 ? held : fastest;  // else nothing but the belt moves
+    piece.rates.row(j_).setZero();
+    const double held = fastest(piece.rates);
+    angle = held > 0 ? held : angle;  // else nothing but the belt moves
   }
-  piece.step = step_angle / (fastest > 0 ? fastest : 1);
+  piece.step = step_angle / (angle > 0 ? angle : 1);
   if (std::isfinite(Theta_)) {
     piece.step = Theta_ / std::ceil(Theta_ / piece.step);  // a period without an event ends with a whole step
   }
-  for (std::size_t k = 0; k < order; ++k) {
-    piece.scales[k] = piece.step / static_cast<double>(k + 1);
-  }
-  const Eigen::Index D = 2 * n_ + 1 + 2 * L_;
-  piece.flow.resize(D, D);
-  piece.watched.resize(4, D);
-  piece.rest.resize(D);
-  piece.terms.resize(D);
+  const Eigen::Index D = w_.size();
+  piece.flow.setZero(D, D);
+  piece.watched.resize(order + 1, D);
   for (Eigen::Index i = 0; i < D; ++i) {
-    w_ = Whole::Unit(D, i);
-    expand(piece);
-    piece.flow.col(i) = at(1);
-    for (Eigen::Index k = 0; k < 4; ++k) {
-      piece.watched(k, i) = watched_[static_cast<std::size_t>(k)];
-    }
-    piece.terms(i) = units * std::abs(watched_[0]);
-    piece.rest(i) = 0;
-    for (std::size_t k = 4; k <= order; ++k) {
-      piece.rest(i) += std::abs(watched_[k]);
+    term_ = Whole::Unit(D, i);
+    for (std::size_t k = 0; k <= order; ++k) {
+      piece.flow.col(i) += term_;
+      piece.watched(static_cast<Eigen::Index>(k), i) =
+          piece.kind == PhaseKind::stick ? -m_ * rates_.row(j_).dot(term_) : term_(n_ + j_);
+      derive(piece, piece.step / static_cast<double>(k + 1), term_);
     }
   }
+  piece.terms = units * piece.watched.row(0).cwiseAbs().transpose();
+  piece.rest = piece.watched.bottomRows(order - 3).cwiseAbs().colwise().sum().transpose();
 }
 
 template <int N, int L>
@@ -250,8 +269,7 @@ std::size_t SimulationOf<N, L>::first_piece(int side) const {
 
 template <int N, int L>
 double SimulationOf<N, L>::friction_at_rest() const {
-  return -m_ * (A_.row(j_).dot(w_.template head<N>(n_)) + B_.row(j_).dot(w_.template segment<N>(n_, n_)) +
-                constant_(j_) + drive_.row(j_).dot(w_.template segment<pairs>(2 * n_ + 1, 2 * L_)));
+  return -m_ * rates_.row(j_).dot(w_);
 }
 
 template <int N, int L>
@@ -280,77 +298,50 @@ void SimulationOf<N, L>::normalise() {
   }
 }
 
-// The Taylor polynomials of a step, in parts of it. Number by number: what is in vectors waits for memory.
+// The rate of the term of a Taylor polynomial, times this.
 template <int N, int L>
-void SimulationOf<N, L>::expand(const Piece& piece) {
-  const bool sticks = piece.kind == PhaseKind::stick;
-  const bool is_damped = is_damped_ || piece.slope != 0;
-  Vector x = w_.template head<N>(n_);
-  Vector v = w_.template segment<N>(n_, n_);
-  Vector a = v;
-  Loads c = w_.template segment<pairs>(2 * n_ + 1, 2 * L_);
-  X_[0] = x;
-  Y_[0] = v;
-  loads_[0] = c;
-  const double one = w_(2 * n_);
-  for (std::size_t k = 0; k <= order; ++k) {
-    if constexpr (N == 2 && L == 1) {
-      a = (A_.col(0) * x(0) + A_.col(1) * x(1)) + (drive_.col(0) * c(0) + drive_.col(1) * c(1));
-    } else {
-      a.noalias() = A_ * x;
-      a.noalias() += drive_ * c;
-    }
-    if (is_damped) {
-      a.noalias() += B_ * v;
-    }
-    if (k == 0) {
-      a += one * constant_;
-    }
-    watched_[k] = sticks ? -m_ * a(j_) : v(j_);
-    if (k == order) {
-      return;
-    }
-    if (sticks) {
-      a = a.cwiseProduct(free_);
-    } else if (k == 0 || piece.slope != 0) {
-      a += rub_ * ((k == 0 ? one * piece.force : 0) - piece.slope * v(j_));
-    }
-    const double scale = piece.scales[k];
-    x = scale * v;
-    v = scale * a;
-    for (Eigen::Index l = 0; l < L_; ++l) {
-      const double turn = scale * frequencies_(l);
-      const double cosine = c(2 * l);
-      c(2 * l) = -turn * c(2 * l + 1);
-      c(2 * l + 1) = turn * cosine;
-    }
-    X_[k + 1] = x;
-    Y_[k + 1] = v;
-    loads_[k + 1] = c;
+inline void SimulationOf<N, L>::derive(const Piece& piece, double scale, Whole& w) {
+  const auto& R = piece.rates;
+  if constexpr (N == 2 && L == 1) {  // so that sums wait for as little as they can
+    acceleration_ = (R.col(0) * w(0) + R.col(1) * w(1)) + (R.col(2) * w(2) + R.col(3) * w(3)) +
+                    (R.col(4) * w(4) + (R.col(5) * w(5) + R.col(6) * w(6)));
+  } else {
+    multiply(R, w, acceleration_);
+  }
+  w.template head<N>(n_) = scale * w.template segment<N>(n_, n_);
+  w.template segment<N>(n_, n_) = scale * acceleration_;
+  w(2 * n_) = 0;
+  for (Eigen::Index l = 0; l < L_; ++l) {
+    const Eigen::Index c = 2 * n_ + 1 + 2 * l;
+    const double turn = scale * frequencies_(l), cosine = w(c);
+    w(c) = -turn * w(c + 1);
+    w(c + 1) = turn * cosine;
   }
 }
 
-// After a part of the step that was expanded.
+// For a part of a step.
 template <int N, int L>
-typename SimulationOf<N, L>::Whole SimulationOf<N, L>::at(double part) const {
-  Vector x = X_[order];
-  Vector v = Y_[order];
-  Loads c = loads_[order];
-  for (std::size_t k = order; k-- > 0;) {
-    x = x * part + X_[k];
-    v = v * part + Y_[k];
-    c = c * part + loads_[k];
+void SimulationOf<N, L>::go_on_for(double part) {
+  const Piece& piece = pieces_[now_];
+  passed(part);
+  if (part == 1) {
+    multiply(piece.flow, w_, term_);
+    w_.swap(term_);
+    return;
   }
-  Whole w = w_;
-  w.template head<N>(n_) = x;
-  w.template segment<N>(n_, n_) = v;
-  w.template segment<pairs>(2 * n_ + 1, 2 * L_) = c;
-  return w;
+  double left = 1;  // of the terms, as far as is known of them
+  std::conditional_t<size == Eigen::Dynamic, Whole&, Whole> term = term_;  // no memory is asked for
+  term = w_;
+  for (std::size_t k = 1; k <= order && left > least_term; ++k) {
+    const double ratio = part / static_cast<double>(k);
+    derive(piece, ratio * piece.step, term);
+    w_ += term;
+    left *= ratio;
+  }
 }
 
 template <int N, int L>
-void SimulationOf<N, L>::passed(double part, const Whole& w) {
-  w_ = w;
+void SimulationOf<N, L>::passed(double part) {
   const double h = part * pieces_[now_].step;
   --steps_;
   t_ += h;
@@ -422,20 +413,21 @@ typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::step() {
     Cubic g = affine(f, guard.sign, guard.offset);
     const int order = zeros(g, rounding, guard.begins, exit_slope_ * piece.step);
     const bool is_free =
-        order == 0 ? bounds(g, 1)[0] > 0 : order > 0 && !(positive_until(lower_bound(g, order), 1) < 1);
+        order == 0 ? bounds(g, 1)[0] > 0 : order > 0 && !(positive_until(lower_bound(g, order), 1, 0) < 1);
     if (!is_free) {
       return part_of_step(part, rounding);
     }
   }
   fresh_ = false;
-  passed(1, piece.flow * w_);
+  go_on_for(1);
   return Outcome::reached;
 }
 
 template <int N, int L>
 typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::part_of_step(double part, double rounding) {
   const Piece& piece = pieces_[now_];
-  expand(piece);
+  Eigen::Map<Eigen::Matrix<double, order + 1, 1>> terms(watched_.data());
+  multiply(piece.watched, w_, terms);
   const double beyond = rest(watched_);
   std::array<bool, 2> comes{};
   if (hold_ > 0) {
@@ -454,7 +446,7 @@ typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::part_of_step(double par
   }
   upper_end_ = comes[1];
   fresh_ = false;
-  passed(part, at(part));
+  go_on_for(part);
   return comes[0] || comes[1] ? Outcome::contact : Outcome::reached;
 }
 
@@ -473,12 +465,12 @@ std::pair<double, bool> SimulationOf<N, L>::free_part(const Guard& guard, double
     if (order == 0 && bounds(g, part - from)[0] > 0) {
       return {part, false};
     }
-    const double free = positive_until(lower_bound(g, order), part - from);
+    const double free = positive_until(lower_bound(g, order), part - from, order == 0 ? rounding : 0);
     if (free >= part - from) {
       return {part, false};
     }
     from += free;
-    if (order == 0 && free * pieces_[now_].step < instant) {
+    if (order == 0 && (free * pieces_[now_].step < instant || comes_to_zero(g, free, rounding))) {
       return {from, true};
     }
   }
@@ -538,7 +530,7 @@ bool SimulationOf<N, L>::leaves(int side, double r) const {
   if (excess != 0) {
     return excess > 0;
   }
-  const Eigen::Matrix<double, 4, 1> c = pieces_.front().watched * w_;
+  const Eigen::Matrix<double, 4, 1> c = pieces_.front().watched.template topRows<4>() * w_;
   return side * c(1) > 0 || (c(1) == 0 && side * c(2) > 0);
 }
 

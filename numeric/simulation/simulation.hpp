@@ -64,10 +64,7 @@ class SimulationOf {
 
  private:
   static constexpr int size = N == Eigen::Dynamic || L == Eigen::Dynamic ? Eigen::Dynamic : 2 * N + 1 + 2 * L;
-  using Vector = Eigen::Matrix<double, N, 1>;
   using Whole = Eigen::Matrix<double, size, 1>;  // (x, x', 1, cosine and sine of the phase of each frequency)
-  static constexpr int pairs = L == Eigen::Dynamic ? Eigen::Dynamic : 2 * L;
-  using Loads = Eigen::Matrix<double, pairs, 1>;  // the cosines and sines
   enum class Outcome { reached, contact };
 
   // A linear piece of the motion.
@@ -77,12 +74,12 @@ class SimulationOf {
     double from = 0, to = 0;  // relative velocities
     double force = 0;         // u = force - slope x_j'
     double slope = 0;
-    double step = 0;                         // length of a whole step
-    std::array<double, order> scales{};      // it over 1, 2, …
-    Eigen::Matrix<double, size, size> flow;  // over it
-    Eigen::Matrix<double, 4, size> watched;  // the Cubic of r on a stick, of x_j' else,
-    Whole rest;                              // and its rest, of the sizes of the numbers; what rounding
-    Whole terms;                             // can do to it
+    double step = 0;                                 // length of a whole step
+    Eigen::Matrix<double, N, size> rates;            // x'' of the numbers
+    Eigen::Matrix<double, size, size> flow;          // over a whole step
+    Eigen::Matrix<double, order + 1, size> watched;  // the Series of r on a stick, of x_j' else,
+    Whole rest;                                      // the rest of its Cubic, of the sizes of the numbers;
+    Whole terms;                                     // what rounding can do to it
     [[nodiscard]] int side() const {
       return kind == motion::PhaseKind::slip ? 1 : (kind == motion::PhaseKind::overshoot ? -1 : 0);
     }
@@ -94,12 +91,13 @@ class SimulationOf {
   };
   void add_pieces(int side, const model::FrictionLaw<double>& law, std::size_t place);
   void prepare(Piece& piece);
+  [[nodiscard]] double fastest(const Eigen::MatrixXd& rates) const;
   void set_load();
-  void expand(const Piece& piece);
-  [[nodiscard]] Whole at(double part) const;
+  void derive(const Piece& piece, double scale, Whole& term);
+  void go_on_for(double part);
   [[nodiscard]] bool goes_on() const { return left_ > 0 && steps_ > 0; }
   void normalise();
-  void passed(double part, const Whole& w);
+  void passed(double part);
   Outcome step();
   Outcome part_of_step(double part, double rounding);
   [[nodiscard]] Cubic watched() const;
@@ -114,23 +112,18 @@ class SimulationOf {
   [[nodiscard]] std::size_t first_piece(int side) const;
   [[nodiscard]] double bound(int side) const { return side > 0 ? forward_ : backward_; }
 
-  // x'' = A x + B x' + constant + drive (cosines and sines) + (0, …, u, …)/m_j.
-  Eigen::Matrix<double, N, N> A_, B_;
-  bool is_damped_;
-  Vector constant_, rub_, free_;  // rub: what u does; free: 0 at j, else 1
-  Eigen::Matrix<double, N, pairs> drive_;
+  // x'' without friction, of the numbers.
+  Eigen::Matrix<double, N, size> rates_;
   Eigen::Matrix<double, L, 1> frequencies_;
   Eigen::Index n_, j_, L_ = 0;
   double m_, V_, forward_, backward_, omega_, phi_ = 0, Theta_;
   std::vector<Piece> pieces_;  // the stick, those of a slip, those of an overshoot
 
-  Whole w_;
+  Whole w_, term_;  // the numbers now, and a term of their Taylor polynomials
+  Eigen::Matrix<double, N, 1> acceleration_;
   std::size_t now_ = 0;  // the piece
-  // Taylor polynomials over a step: of x, x', the loads and what is watched.
-  std::array<Vector, order + 1> X_, Y_;
-  std::array<Loads, order + 1> loads_;
-  Series watched_{};
-  long periods_ = 0;  // the time is periods Theta + t
+  Series watched_{};     // over a step
+  long periods_ = 0;     // the time is periods Theta + t
   double t_ = 0;
   double left_ = 0;         // of the duration asked for
   long steps_ = 0;          // and of the steps

@@ -9,8 +9,8 @@
 namespace stickslip::numeric::simulation {
 
 // Steps of at most this angle of the fastest motion leave out angle^(order + 1)/(order + 1)! < 2e-16.
-inline constexpr int order = 17;
-inline constexpr double step_angle = 1.0;
+inline constexpr int order = 15;
+inline constexpr double step_angle = 0.7;
 
 using Series = std::array<double, order + 1>;
 
@@ -33,6 +33,9 @@ struct Cubic {
 
 // About a point a of [0, 1], with the rest from below.
 [[nodiscard]] inline Cubic cubic_at(const Series& g, double a, double rest) {
+  if (a == 0) {
+    return {{g[0], g[1], g[2], g[3]}, rest};
+  }
   Cubic result{{}, rest};
   auto& [c0, c1, c2, c3] = result.c;
   for (std::size_t k = order + 1; k-- > 0;) {
@@ -74,8 +77,8 @@ using Quartic = std::array<double, 5>;
 // A time t <= h, as late as a few iterations find, such that the polynomial is positive on [0, t), given that
 // it is at 0; h when it is positive on all of [0, h). With a lower bound m of the second derivative on [a, h]
 // it is positive until the first root of p(a) + p'(a) d + m d²/2: those times increase to the first root,
-// quadratically when it is simple. Up to rounding.
-[[nodiscard]] inline double positive_until(const Quartic& k, double h) {
+// quadratically when it is simple. Up to rounding; values up to `zero` are taken for zero.
+[[nodiscard]] inline double positive_until(const Quartic& k, double h, double zero) {
   constexpr int most = 40;
   constexpr double enough = 1e-2;
   const auto second = [&k](double t) { return 2 * k[2] + t * (6 * k[3] + t * 12 * k[4]); };
@@ -84,7 +87,7 @@ using Quartic = std::array<double, 5>;
   for (int i = 0; i < most; ++i) {
     const double p = k[0] + a * (k[1] + a * (k[2] + a * (k[3] + a * k[4])));
     const double slope = k[1] + a * (2 * k[2] + a * (3 * k[3] + a * 4 * k[4]));
-    if (!(p > 0)) {
+    if (!(p > zero)) {
       break;
     }
     const double m = std::min(second(a), at_end);
@@ -97,7 +100,8 @@ using Quartic = std::array<double, 5>;
     if (!(a < h)) {
       return h;
     }
-    if (step < enough * a && i > 0) {
+    // Where the quartic says no more than the function's bound, nearer roots of it are of no use.
+    if (step < enough * a && i > 0 && !(-k[4] * a * a * a * a < zero)) {
       break;
     }
   }
