@@ -2,12 +2,14 @@
 // function in one step are missed.
 #pragma once
 
-#include "numeric/simulation/run.hpp"
+#include <span>
+
+#include "bench/raw_law.hpp"
 
 namespace stickslip::bench {
 
-// `tolerance` bounds the error of each step, relative and absolute. Throws InternalError when CVODE gives up.
-[[nodiscard]] numeric::simulation::Run follow_by_cvode(const numeric::simulation::Start& start,
-                                                       double duration, double tolerance);
+// Follows the motion from x to where it is after the duration; returns the number of events. `tolerance`
+// bounds the error of each step, relative and absolute. Throws InternalError when CVODE gives up.
+int follow_by_cvode(RawLaw& law, std::span<double> x, double duration, double tolerance);
 
 }  // namespace stickslip::bench

@@ -55,7 +55,7 @@ def google_benchmark(pattern, min_time):
             sys.exit(f"measure.py: {b['name']}: {b['error_message']}.")
         unit = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[b["time_unit"]]
         name = b["name"].removesuffix("/iterations:1/process_time")
-        known = ("cells", "per_period", "events", "closure", "items_per_second", "orbits")
+        known = ("cells", "per_period", "events", "closure", "items_per_second", "orbits", "parts", "growth", "half_width_of_x2")
         results[name] = {"seconds": b["cpu_time"] * unit, **{k: b[k] for k in known if k in b}}
     return results
 
@@ -121,8 +121,12 @@ def scipy_simulations(orbits):
         ur = float(o["ur"]["mid"]) if "ur" in o else a.get("ur", 0.2)
         results[name] = peer("simulation.py", *(repr(a[k]) for k in ("chi", "eta", "us", "V", "omega", "p")), ur,
                              *(o[k]["mid"] for k in ("phi", "x10", "x20", "xdot10")))
-        if results[name]["closure"] > 1e-6:
-            sys.exit(f"measure.py: the orbit {name} does not close under SciPy: {results[name]}.")
+    for name, file in table.MACHINES.items():
+        found = json.loads(on_one_core([BUILD / "cli/stickslip", "attractors", "--params", ROOT / file, "--starts", "20", "--json"]))
+        results[name] = peer("simulation.py", json.dumps({"machine": found["machine"], "state": found["attractors"][0]["state"]}))
+    for name, found in results.items():
+        if found["closure"] > 1e-6:
+            sys.exit(f"measure.py: the orbit {name} does not close under SciPy: {found}.")
     return results
 
 

@@ -2,7 +2,7 @@
 // orbit.
 #include <benchmark/benchmark.h>
 
-#include "bench/examples.hpp"
+#include "bench/machines.hpp"
 #include "numeric/machines/neighbourhood.hpp"
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/settle.hpp"
@@ -14,8 +14,7 @@ using namespace numeric::machines;
 namespace {
 
 Machine O() {
-  return {model::friction_oscillator<Rational>(proofs::pascal2012::example_named("O").data,
-                                               Rational("45899365993320057/100000000000000000"))};
+  return as_machine("O", "0.45899365993320057");
 }
 
 Eigen::VectorXd start() {

@@ -1,16 +1,19 @@
-// Ten periods along each of the paper's orbits, from the middle of the first slip: in closed form with
-// certified events, by Boost.Odeint and by CVODE. The counters are times and events per period, and how far
-// the end is from the start.
+// Ten periods along each of the paper's orbits, from the middle of the first slip, and along what machines in
+// tables settle on, from load phase 0: in closed form with certified events, by Boost.Odeint and by CVODE.
+// The counters are times and events per period, and how far the end is from the start.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "bench/cvode_peer.hpp"
+#include "bench/machines.hpp"
 #include "bench/odeint_peer.hpp"
+#include "numeric/machines/settle.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "proofs/methods/example_orbits.hpp"
-#include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::bench {
 
@@ -22,7 +25,13 @@ namespace {
 constexpr int periods = 10;
 constexpr double tolerance = 1e-10;
 
-const Start& start(long example) {
+template <class Simulation>
+struct Followed {
+  Simulation begun;
+  std::unique_ptr<RawLaw> law;
+};
+
+Followed<Simulation> paper(int example) {
   static const std::vector<Start> all = [] {
     std::vector<Start> starts;
     for (const auto& e : printed_examples()) {
@@ -30,28 +39,31 @@ const Start& start(long example) {
     }
     return starts;
   }();
-  return all[static_cast<std::size_t>(example)];
+  const Start& s = all[static_cast<std::size_t>(example)];
+  return {{s.data, s.ur, s.phi, s.X}, std::make_unique<PaperLaw>(s)};
 }
 
-double period_of(const Start& s) {
-  return 2 * std::acos(-1.0) / s.data.omega;
+template <int N, int L>
+Followed<SimulationOf<N, L>> machine(const char * name) {
+  const numeric::machines::Machine found = machine_named(name);
+  const auto o = numeric::machines::oscillator_as<double>(found);
+  return {{o, 0, numeric::machines::settle(found, begins_at(name)).state}, std::make_unique<MachineLaw>(o)};
 }
 
-void report(benchmark::State& state, long events, const model::Vector4<double>& end, const Start& s) {
+void report(benchmark::State& state, std::size_t events, const Eigen::VectorXd& end,
+            const Eigen::VectorXd& X) {
   using benchmark::Counter;
-  state.SetLabel(printed_examples()[static_cast<std::size_t>(state.range(0))].name);
   state.counters["per_period"] = Counter(periods, Counter::kIsIterationInvariantRate | Counter::kInvert);
   state.counters["events"] = static_cast<double>(events) / periods;
-  state.counters["closure"] = (end - s.X).lpNorm<Eigen::Infinity>();
+  state.counters["closure"] = (end - X).lpNorm<Eigen::Infinity>();
 }
 
-void simulate_closed_form(benchmark::State& state) {
-  const Start& s = start(state.range(0));
-  const Simulation from(s.data, s.ur, s.phi, s.X);
-  std::vector<Transition> log;
-  model::Vector4<double> end;
+template <class Simulation>
+void simulate_closed_form(benchmark::State& state, const Followed<Simulation>& from) {
+  std::vector<typename Simulation::Transition> log;
+  typename Simulation::State end;
   for (auto _ : state) {
-    Simulation simulation = from;
+    Simulation simulation = from.begun;
     log.clear();
     for (int k = 0; k < periods; ++k) {
       simulation.advance(simulation.period(), &log);
@@ -59,34 +71,43 @@ void simulate_closed_form(benchmark::State& state) {
     end = simulation.state();
     benchmark::DoNotOptimize(end);
   }
-  report(state, static_cast<long>(log.size()), end, s);
+  report(state, log.size(), end, from.begun.state());
 }
 
-void simulate_odeint(benchmark::State& state) {
-  const Start& s = start(state.range(0));
-  long events = 0;
-  model::Vector4<double> end;
+template <class Simulation>
+void simulate_odeint(benchmark::State& state, const Followed<Simulation>& from) {
+  constexpr std::size_t n = Simulation::states == Eigen::Dynamic ? 10 : 4;
+  std::array<double, n> x;
+  int events = 0;
   for (auto _ : state) {
-    OdeintPeer peer(s, tolerance);
-    events = peer.run(periods * period_of(s));
-    end = {peer.end()[0], peer.end()[1], peer.end()[2], peer.end()[3]};
-    benchmark::DoNotOptimize(end);
+    std::ranges::copy(from.begun.state(), x.begin());
+    events = follow_by_odeint<n>(*from.law, x, periods * from.begun.period(), tolerance);
   }
-  report(state, events, end, s);
+  report(state, static_cast<std::size_t>(events), Eigen::Map<Eigen::VectorXd>(x.data(), n),
+         from.begun.state());
 }
 
-void simulate_cvode(benchmark::State& state) {
-  const Start& s = start(state.range(0));
-  Run run;
+template <class Simulation>
+void simulate_cvode(benchmark::State& state, const Followed<Simulation>& from) {
+  Eigen::VectorXd x;
+  int events = 0;
   for (auto _ : state) {
-    run = follow_by_cvode(s, periods * period_of(s), tolerance);
+    x = from.begun.state();
+    events = follow_by_cvode(*from.law, {x.data(), static_cast<std::size_t>(x.size())},
+                             periods * from.begun.period(), tolerance);
   }
-  report(state, static_cast<long>(run.transitions.size()), run.end, s);
+  report(state, static_cast<std::size_t>(events), x, from.begun.state());
 }
 
-BENCHMARK(simulate_closed_form)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(simulate_odeint)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(simulate_cvode)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
+#define SIMULATED(name, ...)                                                                 \
+  BENCHMARK_CAPTURE(simulate_closed_form, name, __VA_ARGS__)->Unit(benchmark::kMicrosecond); \
+  BENCHMARK_CAPTURE(simulate_odeint, name, __VA_ARGS__)->Unit(benchmark::kMicrosecond);      \
+  BENCHMARK_CAPTURE(simulate_cvode, name, __VA_ARGS__)->Unit(benchmark::kMicrosecond)
+SIMULATED(S, paper(0));
+SIMULATED(O, paper(1));
+SIMULATED(P, paper(2));
+SIMULATED(two, machine<2, 1>("two"));
+SIMULATED(five, machine<Eigen::Dynamic, Eigen::Dynamic>("five"));
 
 }  // namespace
 }  // namespace stickslip::bench

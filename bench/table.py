@@ -17,6 +17,9 @@ NAMES = {
     "35": "(35) from nothing", "70": "(70) P = ΛP̃Λ⁻¹",
 }
 EXAMPLES = ["S", "O", "P"]
+# Machines in tables: example O with dampers, and a damped chain of five masses; friction of one falls in three pieces.
+MACHINES = {"two": "examples/machines/damped_O.toml", "five": "bench/five_masses.toml"}
+SIMULATED = [*EXAMPLES, *MACHINES]
 PEERS = ["scipy", "auto"]
 # Why a target is missed, where it is known.
 WHY_FILE = Path(__file__).resolve().parent / "why.json"
@@ -59,9 +62,9 @@ def exponent(points):
 
 
 def simulations(r):
-    """Seconds per period by way and example."""
+    """Seconds per period by way and example or machine."""
     b = r["benchmarks"]
-    ways = {way: {e: b[f"simulate_{way}/{i}"]["per_period"] for i, e in enumerate(EXAMPLES)}
+    ways = {way: {e: b[f"simulate_{way}/{e}"]["per_period"] for e in SIMULATED}
             for way in ("closed_form", "odeint", "cvode")}
     ways["scipy"] = {e: x["seconds"] for e, x in r["scipy"].items()}
     return ways
@@ -88,6 +91,8 @@ def targets(r):
     for way, limit in (("odeint", 25), ("cvode", 250)):
         worst = min(sim[way][e] / sim["closed_form"][e] for e in EXAMPLES)
         out.append(at_least(way, f"simulation, {way} (worst of S, O, P)", worst, limit))
+    for e, limit in zip(SIMULATED, (1.5e-6, 1.5e-6, 1.5e-6, 3e-6, 8e-6)):
+        out.append(at_most(f"period.{e}", f"a period of {e}, followed", sim["closed_form"][e], limit))
     for e in EXAMPLES:
         mine = b[f"enclose_{e}/digits:300"]["seconds"]
         if r["mpmath"]:
@@ -119,7 +124,12 @@ def targets(r):
                                    ("chain.13", "a word of 34 phases", "prove_existence/P_13", 25e-3),
                                    ("chain.182", "a word of 182 periods", "prove_existence/S_182", 1.5),
                                    ("stable.182", "its stability", "prove_stability/S_182", 8),
-                                   ("attractors.S", "500 starts, 2,000 periods each, S", "attractors_of/S", 6)):
+                                   ("machine.3", "a word of 8 phases, as a machine", "prove_machine/P_3", 2.5e-3),
+                                   ("machine.13", "a word of 34 phases, as a machine", "prove_machine/P_13", 10e-3),
+                                   ("machine.five", "a word of 8 pieces of five masses, all decided", "prove_machine/five", 60e-3),
+                                   ("attractors.S", "500 starts, 2,000 periods each, S", "attractors_of/S", 3.5),
+                                   ("attractors.machine", "the same as a machine", "machine_attractors/S", 3.5),
+                                   ("attractors.five", "500 starts, 2,000 periods each, five masses", "machine_attractors/five", 15)):
         out += [at_most(key, what, x["seconds"], limit) for n, x in b.items() if n.startswith(name)]
     rate = sum(x["items_per_second"] for n, x in b.items() if n.startswith("attractors_of")) / 3
     out.append(at_least("periods", "periods of a machine, all proofs included, mean of S, O, P, one core", rate, 2.5e5, per_second))
@@ -188,7 +198,7 @@ def identity_rows(r):
 def simulation_rows(r):
     sim = simulations(r)
     lines = []
-    for e in EXAMPLES:
+    for e in SIMULATED:
         own = sim["closed_form"][e]
         line = [e, duration(own)]
         for way in ("odeint", "cvode", "scipy"):
@@ -279,6 +289,18 @@ def atlas_rows(r):
     return rows(["what grows", "", "resolution", "boxes", "decided", "CPU", "of the row above", "wall", "boxes/s of CPU"], lines)
 
 
+def set_rows(r):
+    lines = []
+    for name, x in r["benchmarks"].items():
+        if name.startswith("box_of_starts/"):
+            k = name.split("/")[1]
+            lines.append([f"starts within 10^-{k}, after a period", duration(x["seconds"]),
+                          f"{x['parts']:.0f} parts, {x['growth']:.3g} times the volume"])
+        elif name.startswith("neighbourhood_O"):
+            lines.append(["a neighbourhood of the orbit", duration(x["seconds"]), f"{x['half_width_of_x2']:.2g} in x₂"])
+    return rows(["set", "CPU time", "proved"], lines)
+
+
 def all_rows(r):
     return rows(["benchmark", "CPU time", "cells"], [[n, duration(x["seconds"]), f"{x['cells']:.0f}" if "cells" in x else ""]
                                                      for n, x in r["benchmarks"].items()])
@@ -300,7 +322,8 @@ def markdown(r):
         "and the two cross-checks of its verdict, beside SymPy on the bare equation in its most general form; for (35) SymPy has only the row of H₂⁻¹(H₁ − I) "
         "that it rests on. `circle` puts a pair (c, s) with c² + s² = 1 for each phase, as stickslip does.\n\n" + identity_rows(r),
         "## Simulation, time per period of the load\n\nThe raw law (2), (4), tolerance 1e-10; Odeint with dopri5 and dense "
-        "output, CVODE with Adams and root finding, SciPy with DOP853 and events.\n\n" + simulation_rows(r),
+        "output, CVODE with Adams and root finding, SciPy with DOP853 and events. `two` is `examples/machines/damped_O.toml`, "
+        "`five` is `bench/five_masses.toml`.\n\n" + simulation_rows(r),
         "## Orbits to 300 digits\n\nBoth start from a guess in double. stickslip proves existence, uniqueness and a ball for "
         "every value of the orbit; mpmath (with gmpy2) finds the zero of the same reduced equations. P in closed form, by "
         f"(35): {duration(r['mpmath'].get('P.closed'))} in mpmath.\n\n" + orbit_rows(r),
@@ -319,6 +342,7 @@ def markdown(r):
         "p 0.03–0.07, φ = 0, `nonsticking` ω 0.5–0.8, p 0.5–1.5; area: shares of the symmetric one; dimension: parameters that "
         "vary, of the symmetric orbit; processes: of mpirun with one thread each, of the nonsticking one; else one process, a "
         "thread for each core. CPU time of all. Boxes are those that are kept.\n\n" + atlas_rows(r),
+        "## Sets of motions of O\n\n" + set_rows(r),
         "## Growth\n\n" + growth_rows(r),
         f"## `script/audit` on a built tree\n\n{r['audit']['wall']:.1f} s wall on {r['audit']['cores']} cores, "
         f"{r['audit']['seconds']:.1f} s CPU, {r['audit']['megabytes']:.0f} MB in its largest process.",

@@ -1,0 +1,61 @@
+// Machines in tables, and the paper's as such: proofs of words, and what many starts end on.
+#include <benchmark/benchmark.h>
+
+#include "bench/machines.hpp"
+#include "numeric/machines/machine_attractors.hpp"
+#include "numeric/machines/settle.hpp"
+
+namespace stickslip::bench {
+
+using namespace numeric::machines;
+
+namespace {
+
+Eigen::VectorXd of(double a, double b, double c, double d) {
+  return Eigen::Vector4d(a, b, c, d);
+}
+
+void prove_machine(benchmark::State& state, const Machine& machine, const Eigen::VectorXd& from) {
+  const MachineGuess guess = settle(machine, from).guess;
+  MachineOrbit orbit;
+  for (auto _ : state) {
+    orbit = prove_machine_orbit(machine, guess);
+  }
+  require_proved(state, orbit.admissible);
+  state.counters["phases"] = static_cast<double>(orbit.phases.size());
+  state.counters["bits"] = static_cast<double>(orbit.bits);
+}
+BENCHMARK_CAPTURE(prove_machine, P_3, as_machine("P", "0.2996"),
+                  of(1.453864542, 3.090387503, 0.4566110742, 1.16512107))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(prove_machine, P_13, as_machine("P", "0.2996"),
+                  of(1.356516811, 2.998053712, 0.438424421, 0.8192487201))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(prove_machine, two, machine_named("two"), begins_at("two"))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(prove_machine, five, machine_named("five"), begins_at("five"))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+void machine_attractors(benchmark::State& state, const Machine& machine) {
+  std::int64_t followed = 0;
+  for (auto _ : state) {
+    followed += find_attractors({.machine = machine, .starts = 500, .most_periods = 2000}).simulated;
+  }
+  state.SetItemsProcessed(followed);
+}
+BENCHMARK_CAPTURE(machine_attractors, S, as_machine("S", "0.16096526517987742"))
+    ->Unit(benchmark::kSecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(machine_attractors, two, machine_named("two"))
+    ->Unit(benchmark::kSecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(machine_attractors, five, machine_named("five"))
+    ->Unit(benchmark::kSecond)
+    ->MeasureProcessCPUTime();
+
+}  // namespace
+}  // namespace stickslip::bench
