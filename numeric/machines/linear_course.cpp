@@ -117,9 +117,11 @@ std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative) const {
     is_inside = !r.lower().is_negative() && !(Ball(here.length) - r).lower().is_negative();
     for (std::size_t m = here.terms.size(); m-- > 0;) {
       for (std::size_t i = count - 1; i > 0; --i) {
-        d[i] = d[i] * r + d[i - 1];
+        d[i] *= r;
+        d[i] += d[i - 1];
       }
-      d[0] = d[0] * r + here.terms[m];
+      d[0] *= r;
+      d[0] += here.terms[m];
     }
     for (std::size_t i = 0; i < count; ++i) {
       d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-here.rest[i], here.rest[i]);

@@ -249,7 +249,16 @@ Vector LinearPhases::after(Piece piece, const Ball& h, const Vector& w) const {
 }
 
 LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
-  const Matrix B = reversed ? Matrix(-drift(piece)) : drift(piece);
+  const Matrix& B = drift(piece);
+  if (reversed) {
+    Watch watch = this->watch(piece, false);
+    for (std::size_t m = 1; m < watch.rows.size(); m += 2) {
+      watch.rows[m] = -watch.rows[m];
+    }
+    watch.flow = exponential(B * Ball(-watch.length));
+    return watch;
+  }
+  const Matrix transposed = B.transpose();
   Vector term = piece.kind == PhaseKind::stick ? r_ : speed();
   Watch watch{{}, balance(B), {}, {}, 1, {}, {}};
   Matrix balanced = B;
@@ -267,7 +276,7 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
   while (watch.rows.size() < fewest_terms || size > below) {
     watch.rows.push_back(term);
     const auto m = static_cast<int>(watch.rows.size());
-    term = Vector(zeros::product(B.transpose(), term)) * Ball(Ball(1) / Ball(m));
+    term = sparse_product(transposed, term) * Ball(Ball(1) / Ball(m));
     size *= longest / m;
   }
   // The sum over m >= M of nu^i (nu r)^(m - i)/(m - i)!, whose terms fall at least by half from one to the

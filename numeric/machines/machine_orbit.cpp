@@ -21,6 +21,8 @@ using words::Nodes;
 
 namespace {
 
+// Conditions are looked at with so many bits first.
+constexpr long few_bits = 64;
 // How often an undecided condition or stability is looked at with four times the bits.
 constexpr int more_attempts = 2;
 
@@ -97,6 +99,21 @@ bool is_open(const MachineOrbit& orbit) {
          (orbit.stability && orbit.stability->kind == StabilityKind::undecided);
 }
 
+// With so many bits.
+void judge_all(MachineOrbit& orbit, const MachineQuestion& question, const Nodes& nodes, long bits) {
+  const WorkingPrecision scope(bits);
+  const MachineChain chain(question);
+  const std::vector<Piece>& pieces = question.pieces;
+  const std::size_t count = pieces.size();
+  orbit.conditions.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    judge_phase(orbit.conditions, chain.phases(), question.machine.oscillator,
+                {pieces[(i + count - 1) % count], pieces[i], pieces[(i + 1) % count], orbit.phases[i].start,
+                 orbit.phases[i].duration, chain.beginning(nodes, i), chain.end(nodes, i)});
+  }
+  orbit.admissible = admissible(orbit.conditions);
+}
+
 void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainProof& proof) {
   const WorkingPrecision scope(proof.bits);
   const MachineChain chain(question);
@@ -116,14 +133,13 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
     orbit.existence = Verdict::undecided("the motion may be a shorter one taken several times");
     return;
   }
-  const std::vector<Piece>& pieces = question.pieces;
-  const std::size_t count = pieces.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    judge_phase(orbit.conditions, chain.phases(), question.machine.oscillator,
-                {pieces[(i + count - 1) % count], pieces[i], pieces[(i + 1) % count], orbit.phases[i].start,
-                 orbit.phases[i].duration, chain.beginning(proof.nodes, i), chain.end(proof.nodes, i)});
+  const auto is_smooth = [&](const Piece& piece) { return chain.phases().is_smooth(piece); };
+  const auto is_undecided = [](const Condition& c) { return c.verdict.truth == Truth::undecided; };
+  const bool costly = std::ranges::any_of(question.pieces, is_smooth);
+  judge_all(orbit, question, proof.nodes, costly ? proof.bits : few_bits);
+  if (!costly && std::ranges::any_of(orbit.conditions, is_undecided)) {
+    judge_all(orbit, question, proof.nodes, proof.bits);
   }
-  orbit.admissible = admissible(orbit.conditions);
   if (orbit.admissible.truth == Truth::proved) {
     const bool sticks = std::any_of(question.pieces.begin(), question.pieces.end(),
                                     [](const Piece& piece) { return piece.kind == PhaseKind::stick; });

@@ -87,15 +87,22 @@ struct Approach {
   bool astray = false;  // more bits would not help
 };
 
-// In floats, from as many bits as a guess deserves up to `bits`.
+// In floats, from as many bits as a guess deserves up to `bits`. The links of a step serve the ones after it
+// at the same precision once they are near enough.
 Approach approximate(Chains& chains, Nodes nodes, long bits) {
-  constexpr int most_steps = 12;  // at one precision
+  constexpr int most_steps = 12;     // at one precision
+  constexpr long near_enough = -20;  // of steps, as a power of two
   long precision = std::min(fewest_bits, bits);
   long before = far_away;
+  std::vector<Link> links;
+  long gain = 0;  // of a step over the one before, as a power of two: the step where the links are
   for (int k = 0; k < most_steps; ++k) {
     const WorkingPrecision scope(precision);
     const Chain& chain = chains.now();
-    const std::vector<Link> links = links_of(chain, nodes);
+    const bool fresh = gain > near_enough;
+    if (fresh) {
+      links = links_of(chain, nodes);
+    }
     const Nodes g = midpoints(responses(links, conditions_of(chain, nodes)));
     const auto found = sweep(links, g);
     if (!found) {
@@ -108,12 +115,14 @@ Approach approximate(Chains& chains, Nodes nodes, long bits) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       nodes[i] = midpoint(nodes[i] + found->deviations[i]);
     }
-    // The step after this one is the square of it, or as small as rounding allows.
-    if (-2 * size > precision || (size >= before && -size > precision / 4)) {
+    gain = fresh ? size : gain;
+    // The step after this one is as much smaller, or as small as rounding allows.
+    if (-(size + gain) > precision || (size >= before && -size > precision / 4)) {
       if (precision == bits) {
         return {nodes};
       }
       precision = std::min(2 * precision, bits);
+      gain = 0;
       k = 0;
     }
     before = size;
