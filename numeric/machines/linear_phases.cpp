@@ -185,7 +185,11 @@ template <class M>
 M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   constexpr double near_enough = 0x1p-10;
   const Matrix& B = drift(piece);
-  const Ball norm = zeros::norm(Matrix(units_.cwiseInverse().asDiagonal() * B * units_.asDiagonal()));
+  const auto [entry, is_new] = norms_.try_emplace(piece);
+  Ball& norm = entry->second;
+  if (is_new) {
+    norm = zeros::norm(Matrix(units_.cwiseInverse().asDiagonal() * B * units_.asDiagonal()));
+  }
   const Ball middle = h.midpoint();
   // The nearest of those that are kept, or a new one.
   std::vector<Exponential>& all = flows_[piece];
@@ -203,7 +207,7 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   const Exponential& known = *found;
   const Ball d = h - known.middle;
   if (is_zero(d)) {
-    return sparse_product(known.of_middle, X);
+    return zeros::product(known.of_middle, X);
   }
   const Ball s = Ball(norm * abs(d)).upper();
   const double radius = Ball(norm * d.radius()).approximate();
@@ -237,7 +241,7 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
       X(i, k) += Ball::hull(-R, R);
     }
   }
-  return sparse_product(known.of_middle, X);
+  return zeros::product(known.of_middle, X);
 }
 
 Matrix LinearPhases::flow(Piece piece, const Ball& h) const {

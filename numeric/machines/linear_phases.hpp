@@ -92,6 +92,7 @@ class LinearPhases {
   Eigen::Index n_, size_;
   Vector r_, units_;
   mutable std::map<Piece, Matrix> drifts_;
+  mutable std::map<Piece, Ball> norms_;  // of these, in the units
   mutable std::map<Piece, std::vector<Exponential>> flows_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;
 };

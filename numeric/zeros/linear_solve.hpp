@@ -19,10 +19,25 @@ template <class S>
   return std::abs(x.approximate());
 }
 
-// a b, each entry a sum over balls: Eigen's own product of large matrices wants scalars that can be compared.
+// a b, each entry a sum over balls, by Arb's own where they are Arb's: Eigen's product of large matrices
+// wants scalars that can be compared.
 template <class A, class B>
 [[nodiscard]] auto product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
-  return a.derived().lazyProduct(b.derived());
+  if constexpr (std::is_same_v<typename A::Scalar, Ball> && std::is_same_v<typename B::Scalar, Ball>) {
+    static_assert(sizeof(Ball) == sizeof(arb_struct));
+    const auto& x = a.derived().eval();
+    const auto& y = b.derived().eval();
+    Eigen::Matrix<Ball, A::RowsAtCompileTime, B::ColsAtCompileTime> result(a.rows(), b.cols());
+    for (Eigen::Index i = 0; a.cols() > 0 && i < a.rows(); ++i) {
+      for (Eigen::Index k = 0; k < b.cols(); ++k) {
+        arb_dot(result(i, k).raw(), nullptr, 0, x(i, 0).raw(), x.IsRowMajor ? 1 : x.rows(), y(0, k).raw(),
+                y.IsRowMajor ? y.cols() : 1, a.cols(), WorkingPrecision::bits());
+      }
+    }
+    return result;
+  } else {
+    return a.derived().lazyProduct(b.derived());
+  }
 }
 
 template <int N>
