@@ -90,12 +90,8 @@ MachineAttractors find_attractors(const MachineStarts& question) {
 MachineAttractors find_attractors_from(const MachineStarts& question,
                                        const std::vector<Eigen::VectorXd>& starts) {
   require_machine(question.machine);
-  std::vector<std::unique_ptr<attractors::AnyFollower>> followers;
-  for (const Eigen::VectorXd& X : starts) {
-    followers.push_back(follower_of(question.machine, X));
-  }
   attractors::Survey<MachineProofs> survey({question.machine, question.digits}, question.most_periods,
-                                           std::move(followers));
+                                           followers_of(question.machine, starts));
   MachineAttractors result{survey.endings(), question, {}};
   result.question.starts = static_cast<long>(starts.size());
   return result;

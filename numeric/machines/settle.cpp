@@ -47,8 +47,14 @@ MachineGuess rotated(const MachineGuess& guess) {
 }
 
 template <int N, int L>
-std::unique_ptr<AnyFollower> begun(const model::FrictionOscillator<double>& o, const Eigen::VectorXd& X) {
-  return std::make_unique<FollowerOf<N, L>>(o, simulation::SimulationOf<N, L>(o, 0, X), scale_of(o));
+Followers begun(const model::FrictionOscillator<double>& o, const std::vector<Eigen::VectorXd>& starts) {
+  Followers followers;
+  simulation::SimulationOf<N, L> simulation(o, 0, starts.front());
+  for (const Eigen::VectorXd& X : starts) {
+    simulation.restart(0, X);
+    followers.push_back(std::make_unique<FollowerOf<N, L>>(o, simulation, scale_of(o)));
+  }
+  return followers;
 }
 
 }  // namespace
@@ -60,12 +66,17 @@ Return tidied(const Machine& machine, const Return& seen) {
   return result;
 }
 
-std::unique_ptr<AnyFollower> follower_of(const Machine& machine, const Eigen::VectorXd& X) {
+Followers followers_of(const Machine& machine, const std::vector<Eigen::VectorXd>& starts) {
   require_machine(machine);
   const auto size = static_cast<Eigen::Index>(2 * machine.oscillator.size());
-  if (X.size() != size) {
-    throw DomainError("the state", fmt::format("{} numbers", X.size()),
-                      fmt::format("{}, positions and velocities", size));
+  for (const Eigen::VectorXd& X : starts) {
+    if (X.size() != size) {
+      throw DomainError("the state", fmt::format("{} numbers", X.size()),
+                        fmt::format("{}, positions and velocities", size));
+    }
+  }
+  if (starts.empty()) {
+    return {};
   }
   const model::FrictionOscillator<double> o = oscillator_as<double>(machine);
   const auto varying = [](const auto& load) { return load.k != 0; };
@@ -73,11 +84,12 @@ std::unique_ptr<AnyFollower> follower_of(const Machine& machine, const Eigen::Ve
   const bool one_frequency = first != o.loads.end() && std::ranges::all_of(o.loads, [&](const auto& load) {
                                return !varying(load) || load.k == first->k;
                              });
-  return o.size() == 2 && one_frequency ? begun<2, 1>(o, X) : begun<Eigen::Dynamic, Eigen::Dynamic>(o, X);
+  return o.size() == 2 && one_frequency ? begun<2, 1>(o, starts)
+                                        : begun<Eigen::Dynamic, Eigen::Dynamic>(o, starts);
 }
 
 Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_periods) {
-  const auto follower = follower_of(machine, X);
+  const auto follower = std::move(followers_of(machine, {X}).front());
   follower->follow(most_periods, nearness);
   follower->classify(most_periods / 4);
   const auto seen = follower->returned();
@@ -86,7 +98,7 @@ Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_perio
 }
 
 MachineGuess over_periods(const Machine& machine, const Eigen::VectorXd& X, long n) {
-  const auto follower = follower_of(machine, X);
+  const auto follower = std::move(followers_of(machine, {X}).front());
   if (machine.oscillator.is_autonomous()) {
     throw UsageError("periods of the load are counted where there is a load that varies");
   }

@@ -22,9 +22,9 @@ struct Settled {
 // so many events. Throws as require_machine does, and DomainError for a state of the wrong size.
 [[nodiscard]] Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_periods = 20000);
 
-// Follows motions of a machine. Throws likewise.
-[[nodiscard]] std::unique_ptr<attractors::AnyFollower> follower_of(const Machine& machine,
-                                                                   const Eigen::VectorXd& X);
+// They follow the motions of a machine from there. Throws likewise.
+using Followers = std::vector<std::unique_ptr<attractors::AnyFollower>>;
+[[nodiscard]] Followers followers_of(const Machine& machine, const std::vector<Eigen::VectorXd>& starts);
 
 // What is seen, begun at the first rotation of its word, and once if it goes round a shorter motion several
 // times.

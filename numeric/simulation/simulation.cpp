@@ -164,12 +164,14 @@ SimulationOf<N, L>::SimulationOf(const model::FrictionOscillator<double>& o, dou
   for (Eigen::Index i = 0; i < n_; ++i) {
     rates_.row(i) /= o.masses[static_cast<std::size_t>(i)];
   }
-  pieces_.resize(1 + o.forward.sliding.size() + o.backward.sliding.size());
-  add_pieces(1, o.forward, 1);
-  add_pieces(-1, o.backward, 1 + o.forward.sliding.size());
-  for (Piece& piece : pieces_) {
-    prepare(piece);
+  const std::size_t slips = o.forward.sliding.size(), count = 1 + slips + o.backward.sliding.size();
+  const auto pieces = std::make_shared<Piece[]>(count);
+  add_pieces(1, o.forward, &pieces[1]);
+  add_pieces(-1, o.backward, &pieces[1 + slips]);
+  for (std::size_t i = 0; i < count; ++i) {
+    prepare(pieces[i]);
   }
+  pieces_ = pieces;
   restart(phi, X);
 }
 
@@ -202,10 +204,10 @@ void SimulationOf<N, L>::restart(double phi, const State& X) {
 
 // The pieces of a side as u = force - slope x_j', from the given place on.
 template <int N, int L>
-void SimulationOf<N, L>::add_pieces(int side, const model::FrictionLaw<double>& law, std::size_t place) {
+void SimulationOf<N, L>::add_pieces(int side, const model::FrictionLaw<double>& law, Piece * place) const {
   const auto& all = law.sliding;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    Piece& piece = pieces_[place + i];
+    Piece& piece = place[i];
     piece.kind = side > 0 ? PhaseKind::slip : PhaseKind::overshoot;
     piece.number = static_cast<int>(i);
     piece.from = all[i].from;
@@ -530,7 +532,7 @@ bool SimulationOf<N, L>::leaves(int side, double r) const {
   if (excess != 0) {
     return excess > 0;
   }
-  const Eigen::Matrix<double, 4, 1> c = pieces_.front().watched.template topRows<4>() * w_;
+  const Eigen::Matrix<double, 4, 1> c = pieces_[0].watched.template topRows<4>() * w_;
   return side * c(1) > 0 || (c(1) == 0 && side * c(2) > 0);
 }
 

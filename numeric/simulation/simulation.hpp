@@ -17,6 +17,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -89,7 +90,7 @@ class SimulationOf {
     double sign, offset;
     bool begins;
   };
-  void add_pieces(int side, const model::FrictionLaw<double>& law, std::size_t place);
+  void add_pieces(int side, const model::FrictionLaw<double>& law, Piece * place) const;
   void prepare(Piece& piece);
   [[nodiscard]] double fastest(const Eigen::MatrixXd& rates) const;
   void set_load();
@@ -117,7 +118,7 @@ class SimulationOf {
   Eigen::Matrix<double, L, 1> frequencies_;
   Eigen::Index n_, j_, L_ = 0;
   double m_, V_, forward_, backward_, omega_, phi_ = 0, Theta_;
-  std::vector<Piece> pieces_;  // the stick, those of a slip, those of an overshoot
+  std::shared_ptr<const Piece[]> pieces_;  // the stick, those of a slip, those of an overshoot
 
   Whole w_, term_;  // the numbers now, and a term of their Taylor polynomials
   Eigen::Matrix<double, N, 1> acceleration_;
