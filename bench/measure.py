@@ -55,7 +55,8 @@ def google_benchmark(pattern, min_time):
             sys.exit(f"measure.py: {b['name']}: {b['error_message']}.")
         unit = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[b["time_unit"]]
         name = b["name"].removesuffix("/iterations:1/process_time")
-        known = ("cells", "per_period", "events", "closure", "items_per_second", "orbits", "parts", "growth", "half_width_of_x2")
+        known = ("cells", "per_period", "events", "closure", "items_per_second", "orbits", "parts", "growth", "proved",
+                 "half_width_of_x2")
         results[name] = {"seconds": b["cpu_time"] * unit, **{k: b[k] for k in known if k in b}}
     return results
 
