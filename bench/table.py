@@ -295,7 +295,8 @@ def set_rows(r):
         if name.startswith("box_of_starts/"):
             k = name.split("/")[1]
             lines.append([f"starts within 10^-{k}, after a period", duration(x["seconds"]),
-                          f"{100 * x['proved']:.4g} %, {x['parts']:.0f} parts, {x['growth']:.3g} times the volume"])
+                          f"{x['parts']:.0f} parts, {x['growth']:.3g} times the volume" if x["proved"] == 1
+                          else f"{100 * x['proved']:.4g} % of them"])
         elif name.startswith("neighbourhood_O"):
             lines.append(["a neighbourhood of the orbit", duration(x["seconds"]), f"{x['half_width_of_x2']:.2g} in x₂"])
     return rows(["set", "CPU time", "proved"], lines)
