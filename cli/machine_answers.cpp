@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "cli/asked.hpp"
 #include "cli/numbers.hpp"
 #include "core/decimal.hpp"
+#include "core/error.hpp"
 #include "model/named_data.hpp"
 #include "numeric/machines/machine_branch.hpp"
 #include "numeric/machines/neighbourhood.hpp"
@@ -50,6 +52,12 @@ AnyState state_for(const GivenInTables& given, const char * name, const State& s
     throw UsageError(
         fmt::format("{}: the positions of the {} {} and then their velocities are {} numbers, not {}", name,
                     n, n == 1 ? "mass" : "masses", 2 * n, state.size()));
+  }
+  constexpr double greatest = 1e100;
+  for (const double x : state) {
+    if (!(std::abs(x) <= greatest)) {
+      throw DomainError(fmt::format("a number of {}", name), fmt::format("{}", x), "from -1e100 to 1e100");
+    }
   }
   return Eigen::Map<const AnyState>(state.data(), static_cast<Eigen::Index>(state.size()));
 }

@@ -141,6 +141,11 @@ class Reader {
     if (parsed && std::abs(value.get_d() - *parsed) > 1e-12 * std::abs(*parsed)) {
       refuse(node, fmt::format("{} = {} cannot be read exactly: write it in quotes", name, *parsed));
     }
+    // Beyond, doubles end, in which motions are followed.
+    static const Rational greatest = parse_rational("1e100"), least = parse_rational("1e-100");
+    if (value != 0 && (abs(value) > greatest || abs(value) < least)) {
+      refuse(node, fmt::format("{} = {}: the size of a number is from 1e-100 to 1e100, or 0", name, text));
+    }
     if (&node == place_) {
       found_ = value;
       return value_.value_or(value);

@@ -175,6 +175,9 @@ TEST_CASE("what is no machine in tables is said with its line") {
             "64 m.toml, line 17: a relative velocity: "},
            {replaced("m = 2.5", "m = true"), "64 m.toml, line 2: m is no number"},
            {replaced("m = 2.5", "m = inf"), "64 m.toml, line 2: m: 'inf' is not a number"},
+           {replaced("m = 2.5", "m = 1e-101"), "64 m.toml, line 2: m = 1e-101: the size of a number is from"},
+           {replaced("m = 2.5", "m = \"1e400\""),
+            "64 m.toml, line 2: m = 1e400: the size of a number is from"},
            {replaced("m = 2.5", "mass = 2.5"), "64 m.toml, line 2: 'mass' is not known in mass: it may be m"},
            {replaced("m = 2.5", "m = 0"), "65 mass 1 = 0 is outside the allowed range"},
            {replaced("m = 2.5", "m = -1"), "65 mass 1 = -1 is outside the allowed range"},
@@ -427,6 +430,7 @@ TEST_CASE("steady sliding of a machine in tables, and where its stability is los
   const Run attractors = stickslip_program({"attractors", "--params", file, "--starts", "4"});
   CHECK(attractors.out.find("steady sliding  S2, proved") != std::string::npos);
   check_refused({{{"orbits", "S", "--near", "0,0,0,0"}, exit_usage, "--near does not go with a machine"},
+                 {{"simulate", "--state=1e400,0,0,0", "--time", "1"}, exit_domain, "a number of state = inf"},
                  {{"branch", "S", "--at", "1", "--along", "belt.velocity", "0.1..0.5"},
                   exit_usage,
                   "--at does not go with a machine"}},

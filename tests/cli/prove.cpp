@@ -29,6 +29,15 @@ TEST_CASE("a statement is proved, refuted or left open, and the exit code says s
   CHECK(stickslip_program({"prove", "--symbols", "a,b", "--", "-a^2 < b"}).code == exit_refuted);
 }
 
+TEST_CASE("a counterexample says what all symbols are, a repair what it needs") {
+  const Run point = stickslip_program({"prove", "x^2 cos(2 y)^2/z^2 > 0", "z > 0", "--symbols", "x,y,z"});
+  CHECK(point.code == exit_refuted);
+  CHECK(point.out.find("at y = 1, z = 1, x = 0\n") != std::string::npos);
+  CHECK(point.out.find("(without the factor x^2, where cos(2*y) != 0)") != std::string::npos);
+  CHECK(stickslip_program({"prove", "x^2 > 0", "--symbols", "x"}).out.find("is 0 at x = 0\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("a symbol may be given two values, or values in a circle") {
   const Run two = stickslip_program({"prove", "0 = 1", "a = 1", "a = 2", "--symbols", "a"});
   CHECK(two.code == exit_undecided);
