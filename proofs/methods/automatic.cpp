@@ -218,7 +218,7 @@ Outcome rewritten(Prover& prover, const Claim& claim) {
   outcome.verdict = Verdict::undecided("no rules are assumed");
   try {
     return premises.empty() ? outcome : by_rewriting(premises)(prover, claim);
-  } catch (const InternalError& error) {  // what cannot be solved for its left side is no rule
+  } catch (const Error& error) {  // what cannot be solved for its left side is no rule
     outcome.verdict = Verdict::undecided(error.what());
     return outcome;
   }

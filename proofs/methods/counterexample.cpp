@@ -82,6 +82,7 @@ Proof by_counterexample(Counterexample example) {
     refute(outcome, prover, scene, holding, example.false_there);
     if (outcome.verdict.truth == Truth::refuted) {
       Witness witness = witness_of(example.false_there.back(), scene);
+      witness.values.clear();  // the claim states them
       if (example.false_there.size() > 1) {
         witness.left_name += " of the last";
       }
