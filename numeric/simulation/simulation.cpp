@@ -77,8 +77,8 @@ inline int zeros(Cubic& g, double rounding, bool begins, double rate) {
   if (begins) {
     g.c[0] = 0;
     g.c[1] = rate;
-    const int order = order_of_growth(g);
-    return order == 0 ? -1 : order;
+    const int zero_order = order_of_growth(g);
+    return zero_order == 0 ? -1 : zero_order;
   }
   if (g.c[0] > rounding) {
     return 0;
@@ -413,9 +413,10 @@ typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::step() {
       continue;
     }
     Cubic g = affine(f, guard.sign, guard.offset);
-    const int order = zeros(g, rounding, guard.begins, exit_slope_ * piece.step);
-    const bool is_free =
-        order == 0 ? bounds(g, 1)[0] > 0 : order > 0 && !(positive_until(lower_bound(g, order), 1, 0) < 1);
+    const int zero_order = zeros(g, rounding, guard.begins, exit_slope_ * piece.step);
+    const bool is_free = zero_order == 0
+                             ? bounds(g, 1)[0] > 0
+                             : zero_order > 0 && !(positive_until(lower_bound(g, zero_order), 1, 0) < 1);
     if (!is_free) {
       return part_of_step(part, rounding);
     }
@@ -460,19 +461,20 @@ std::pair<double, bool> SimulationOf<N, L>::free_part(const Guard& guard, double
   double from = 0;
   while (true) {
     Cubic g = affine(cubic_at(watched_, from, beyond), guard.sign, guard.offset);
-    const int order = zeros(g, rounding, guard.begins && from == 0, exit_slope_ * pieces_[now_].step);
-    if (order < 0) {
+    const int zero_order = zeros(g, rounding, guard.begins && from == 0, exit_slope_ * pieces_[now_].step);
+    if (zero_order < 0) {
       return {from, true};
     }
-    if (order == 0 && bounds(g, part - from)[0] > 0) {
+    if (zero_order == 0 && bounds(g, part - from)[0] > 0) {
       return {part, false};
     }
-    const double free = positive_until(lower_bound(g, order), part - from, order == 0 ? rounding : 0);
+    const double free =
+        positive_until(lower_bound(g, zero_order), part - from, zero_order == 0 ? rounding : 0);
     if (free >= part - from) {
       return {part, false};
     }
     from += free;
-    if (order == 0 && (free * pieces_[now_].step < instant || comes_to_zero(g, free, rounding))) {
+    if (zero_order == 0 && (free * pieces_[now_].step < instant || comes_to_zero(g, free, rounding))) {
       return {from, true};
     }
   }
