@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/ball.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 
@@ -141,14 +142,18 @@ class Reader {
     if (parsed && std::abs(value.get_d() - *parsed) > 1e-12 * std::abs(*parsed)) {
       refuse(node, fmt::format("{} = {} cannot be read exactly: write it in quotes", name, *parsed));
     }
+    if (&node == place_) {
+      found_ = value;
+      if (value_) {
+        value = *value_;
+        text = to_string(Ball(value), 3);
+        text.erase(std::min(text.size(), text.find(" ±")));
+      }
+    }
     // Beyond, doubles end, in which motions are followed.
     static const Rational greatest = parse_rational("1e100"), least = parse_rational("1e-100");
     if (value != 0 && (abs(value) > greatest || abs(value) < least)) {
       refuse(node, fmt::format("{} = {}: the size of a number is from 1e-100 to 1e100, or 0", name, text));
-    }
-    if (&node == place_) {
-      found_ = value;
-      return value_.value_or(value);
     }
     return value;
   }

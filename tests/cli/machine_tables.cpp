@@ -343,6 +343,10 @@ TEST_CASE("a number of the file by its path takes another value, and nothing els
     CHECK(words.starts_with("m.toml"));
   }
   CHECK(refused(good, "belt.speed").find("nothing stands at belt.speed") != std::string::npos);
+  // A value that takes the place of the file's is as large as that may be.
+  CHECK_THROWS_AS(
+      (void)cli::machine_in_tables(good, "m.toml", cli::Datum{"mass.1.m", parse_rational("1e300")}),
+      UsageError);
   CHECK(refused(good, "belt.mass") == "m.toml: belt.mass is no number that can vary");
 }
 
