@@ -110,6 +110,7 @@ class Check:
         self.directory = directory
         self.faults = []
         self.pages = {}
+        self.fragments = {}  # of each page, by whom each is referred to
 
     def fault(self, page, text):
         self.faults.append(f"{page.name}: {text}")
@@ -168,7 +169,6 @@ class Check:
             self.fault(page, f"{where}: {sentence}")
 
     def follow(self, page):
-        fragments = {}
         for link in self.pages[page]["links"] + self.pages[page]["pictures"]:
             target, fragment = urldefrag(urljoin(page.as_uri(), link))
             if not link:
@@ -178,17 +178,21 @@ class Check:
                 if not path.is_file() or path.parent != self.directory:
                     self.fault(page, f"{link} leads to no file of the report")
                 elif fragment:
-                    fragments.setdefault(path, set()).add(fragment)
+                    self.fragments.setdefault(path, {}).setdefault(fragment, set()).add(page)
+                    if path not in self.pages:
+                        self.walk(path)
                 elif path.suffix == ".html" and path not in self.pages:
                     self.walk(path)
             elif not target.startswith("https://doi.org/"):
                 self.fault(page, f"{link} leads out of the report")
-        for path, names in fragments.items():
-            if path not in self.pages:
-                self.walk(path)
+
+    def land(self):
+        """Each page once, for all that refer to a part of it."""
+        for path, names in self.fragments.items():
             self.open(path)
             for name in self.driver.execute_script(LANDS, sorted(names)):
-                self.fault(page, f"{path.name}#{name} leads nowhere")
+                for page in names[name]:
+                    self.fault(page, f"{path.name}#{name} leads nowhere")
 
     def walk(self, page):
         self.inspect(page)
@@ -218,6 +222,7 @@ def main():
         try:
             check = Check(driver, directory)
             check.walk(directory / "index.html")
+            check.land()
             if arguments.screenshots:
                 check.photograph(arguments.screenshots)
         finally:
