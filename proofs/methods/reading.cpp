@@ -219,8 +219,11 @@ Term Reader::operator()(const symbols::Term& printed) {
       if (known != rates_.end()) {
         return apply(known->first, time);
       }
-      rates_.emplace_back(Variable{"D" + std::to_string(rates_.size() + 1),
-                                   function_of_time(parts[0].type().rows, parts[0].type().columns)},
+      std::string name = "D" + std::to_string(rates_.size() + 1);
+      while (std::ranges::count(symbols::symbol_table(), name, &symbols::Symbol::name) > 0) {
+        name += "'";  // the statement may speak of a motion of that name
+      }
+      rates_.emplace_back(Variable{name, function_of_time(parts[0].type().rows, parts[0].type().columns)},
                           parts[0]);
       return apply(rates_.back().first, time);
     }

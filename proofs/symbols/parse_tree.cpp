@@ -355,10 +355,10 @@ class Parser {
     }
   }
 
-  // The name as the paper's table has it: omega_1 for omega1.
+  // The name as the paper's table has it: omega_1 for omega1, where omega_1 is no other name.
   template <class Map>
-  [[nodiscard]] static std::optional<std::string> known(const Map& map, std::string name) {
-    if (!map.contains(name)) {
+  [[nodiscard]] std::optional<std::string> known(const Map& map, std::string name) const {
+    if (!names_.has(name)) {
       std::erase(name, '_');
     }
     return map.contains(name) ? std::optional(name) : std::nullopt;

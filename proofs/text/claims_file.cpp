@@ -77,8 +77,8 @@ bool is_id(const std::string& id) {
 
 // Words of the notation, and those with which lines of a claim begin.
 bool is_reserved(const std::string& name) {
-  static const std::set<std::string> words{"I",      "det",       "for",        "but",  "if",       "by",
-                                           "expect", "corrected", "conversely", "part", "illegible"};
+  static const std::set<std::string> words{"I",  "abs",    "det",       "for",        "but",  "if",
+                                           "by", "expect", "corrected", "conversely", "part", "illegible"};
   return words.contains(name);
 }
 

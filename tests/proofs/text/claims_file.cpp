@@ -362,6 +362,8 @@ TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal_of("claim c step: .\n  a = b\n  by program\n").starts_with("F:5: 'program' is no method"));
   CHECK(refusal_of("claim c step: .\n  a = b\n  part one\n  part two\n") ==
         "F:3: the claim c has words for 2 parts, and states 1 things");
+  CHECK(refusal_of("symbols abs: motion of 1\n") ==
+        "F:3: 'abs' is a word of the format: a symbol needs another name");
   CHECK(refusal_of("symbols part\n") == "F:3: 'part' is a word of the format: a symbol needs another name");
   CHECK(refusal_of("claim c step: .\n  a = b\n  conversely by normal form\n") ==
         "F:5: 'normal form': what is assumed need not follow from what is stated, says a counterexample");
@@ -403,6 +405,16 @@ TEST_CASE("a parameter does not take the place of a symbol of its name") {
   CHECK(status_of(lets + "claim c step: .\n  f(q) = 2 x^2\n") == "as_printed");
   CHECK(status_of(lets + "claim c step: .\n  g(t + 1) = t^2 + 2 t + 1 + a\n") == "as_printed");
   CHECK(status_of("symbols y in -1 < y, y < 1/2\nclaim c step: .\n  y < 1\n") == "as_printed");
+}
+
+TEST_CASE("a name means what the file says, whatever is called alike") {
+  // A rate within a sum has a name of its own, which a motion may have, too.
+  const std::string motion = "symbols D1: motion of 1\nclaim c step: .\n  d/dt[sin(t)] + D1(t) = ";
+  CHECK(status_of(motion + "2 cos(t)\n") == "undecided");
+  CHECK(status_of(motion + "cos(t) + D1(t)\n") == "as_printed");
+  const std::string alike = "symbols x_1\nlet x1 = 5\nclaim c step: .\n  ";
+  CHECK(status_of(alike + "x_1 = 5\n") == "refuted");
+  CHECK(status_of(alike + "x1 = 5\n") == "as_printed");
 }
 
 TEST_CASE("abbreviations of abbreviations do not grow without end") {
