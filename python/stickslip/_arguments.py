@@ -24,7 +24,7 @@ def whole(name: str, value: int, least: int, most: int) -> int:
 
 def number(name: str, value: Union[Exact, float]) -> str:
     """As text; of what a proof does not need exactly, a float, too."""
-    return repr(value) if isinstance(value, float) else exact(name, value)
+    return repr(float(value)) if isinstance(value, float) else exact(name, value)  # NumPy's repr names its type
 
 
 def count(name: str, value: Optional[int], most: int) -> Optional[int]:
@@ -40,4 +40,7 @@ def words(command: str, *places: str, along: Sequence[Sequence[str]] = (), **opt
             typed.append(option if value is True else f"{option}={value}")
     for name, ends in along:
         typed += ["--along", name, ends]
+    for word in typed:
+        if "\0" in word:  # where the program would take the word to end
+            raise UsageError(f"{word!r} has a zero character")
     return typed

@@ -132,6 +132,11 @@ def test_what_is_wrong_is_said_as_the_program_says_it(given, error, words):
     assert said.stderr.rstrip(".\n") == f"stickslip: {raised.value}".rstrip(".")
 
 
+def test_a_zero_character_does_not_end_a_number():
+    with pytest.raises(stickslip.UsageError, match="zero character"):
+        stickslip.orbits("nonsticking", **{**MACHINE, "chi": "0.3\0"})
+
+
 def test_what_is_missing_or_out_of_range_is_named():
     with pytest.raises(stickslip.UsageError, match="missing: eta, us, V, omega, p"):
         stickslip.orbits("symmetric", chi="0.5")
