@@ -7,7 +7,7 @@
 #include "bench/examples.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/simulation/simulation.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 namespace stickslip::bench {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bench/examples.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 
 namespace stickslip::bench {
 

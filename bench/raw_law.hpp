@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/friction_oscillator.hpp"
-#include "numeric/simulation/run.hpp"
+#include "numeric/simulation/record.hpp"
 
 namespace stickslip::bench {
 

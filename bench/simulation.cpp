@@ -13,7 +13,7 @@
 #include "numeric/machines/settle.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/simulation/simulation.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 
 namespace stickslip::bench {
 

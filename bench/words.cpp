@@ -3,9 +3,8 @@
 
 #include "bench/examples.hpp"
 #include "numeric/attractors/attractors.hpp"
-#include "numeric/words/chain_proof.hpp"
+#include "numeric/machines/chain_proof.hpp"
 #include "numeric/words/complete_list.hpp"
-#include "numeric/words/oscillator_chain.hpp"
 
 namespace stickslip::bench {
 
@@ -65,8 +64,8 @@ BENCHMARK_CAPTURE(list_word, SOST_O, O(), "SOST")
 
 // The nodes of what the motion from there settles on, as near as doubles are.
 struct Closed {
-  ChainQuestion question;
-  Nodes nodes;
+  machines::MachineQuestion question;
+  machines::Nodes nodes;
 };
 Closed closed(const WordQuestion& q, const model::Vector4<double>& from, long periods) {
   const attractors::Attractor found = attractors::find_attractor(q, from);
@@ -74,11 +73,14 @@ Closed closed(const WordQuestion& q, const model::Vector4<double>& from, long pe
     throw std::logic_error("the motion settles on something else");
   }
   require_proved(found.orbit->existence);
-  Closed result{{q.data, q.ur, found.orbit->word.phases(), periods}, {}};
+  Closed result{{{model::friction_oscillator<Rational>(q.data, q.ur)}, {}, periods}, {}};
   const motion::Motion& m = found.orbit->orbit.motion;
+  const model::Vector2<Ball>& d0 = m.oscillator.d0;
   for (const motion::Phase& phase : m.phases) {
     const Ball t = m.phases.front().load / m.oscillator.data.omega + phase.start;
-    const Node at = node(t, phase.Z(0), phase.Z(1), phase.Z(2));
+    machines::Node at(4);
+    at << t, phase.Z(0) + d0(0), phase.Z(1) + d0(1), phase.Z(2);
+    result.question.pieces.push_back({phase.kind});
     result.nodes.push_back(at.unaryExpr([](const Ball& x) { return Ball(x.approximate()); }));
   }
   return result;
@@ -88,7 +90,7 @@ void prove_existence(benchmark::State& state, const WordQuestion& q, const model
                      long periods) {
   const Closed chain = closed(q, from, periods);
   for (auto _ : state) {
-    require_proved(state, prove_chain(chain_at(chain.question), chain.nodes, 64, 4096).verdict);
+    require_proved(state, prove_chain(chain.question, chain.nodes, 64, 4096).verdict);
   }
   state.counters["phases"] = static_cast<double>(chain.nodes.size());
 }
@@ -101,7 +103,7 @@ void prove_stability(benchmark::State& state, const WordQuestion& q, const model
   for (auto _ : state) {
     auto kind = motion::StabilityKind::undecided;
     for (bits = 128; bits <= 16384 && kind == motion::StabilityKind::undecided; bits *= 4) {
-      const ChainProof proof = prove_chain(chain_at(chain.question), chain.nodes, bits, bits);
+      const machines::ChainProof proof = prove_chain(chain.question, chain.nodes, bits, bits);
       if (proof.verdict.truth == Truth::proved) {
         const WorkingPrecision scope(bits);
         kind = motion::stability_of(proof.return_map, true).kind;

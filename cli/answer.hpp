@@ -10,7 +10,6 @@
 #include "cli/output.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/branches.hpp"
-#include "report/orbits/diagram.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/pure_word.hpp"
 #include "report/orbits/simulation.hpp"

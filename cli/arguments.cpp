@@ -9,7 +9,6 @@
 #include <type_traits>
 
 #include "cli/help.hpp"
-#include "cli/refusals.hpp"
 #include "core/error.hpp"
 
 namespace stickslip::cli {

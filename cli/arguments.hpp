@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cli/help.hpp"
-#include "cli/numbers.hpp"
 #include "cli/typed_parameters.hpp"
 
 namespace stickslip::cli {

@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/attractors/settle.hpp"
-#include "numeric/branches/word_branches.hpp"
+#include "numeric/branches/setting.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/scalars/scalars.hpp"
-#include "report/orbits/diagram.hpp"
+#include "report/orbits/attractors.hpp"
 
 namespace stickslip::cli {
 

@@ -12,20 +12,20 @@
 #include "cli/asked.hpp"
 #include "cli/cluster.hpp"
 #include "cli/commands.hpp"
-#include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/output.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/decimal.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
-#include "numeric/atlas/cover.hpp"
 #include "numeric/atlas/judge.hpp"
 #include "numeric/atlas/log.hpp"
+#include "numeric/atlas/work.hpp"
 #include "report/atlas/archive.hpp"
 #include "report/atlas/summary.hpp"
 #include "report/tools/files.hpp"
+#include "report/tools/json.hpp"
 #include "report/tools/plot.hpp"
-#include "report/tools/versions.hpp"
 
 namespace stickslip::cli {
 

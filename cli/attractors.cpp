@@ -8,8 +8,8 @@
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_answers.hpp"
-#include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/interruption.hpp"
 
 namespace stickslip::cli {

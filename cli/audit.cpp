@@ -9,12 +9,12 @@
 #include <string>
 
 #include "cli/commands.hpp"
-#include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "proofs/checks/mutants.hpp"
-#include "report/audit/certificates.hpp"
+#include "report/audit/certificate_record.hpp"
 #include "report/audit/comparison.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/mutants.hpp"

@@ -6,7 +6,7 @@
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_answers.hpp"
-#include "cli/numbers.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/interruption.hpp"
 #include "numeric/families/family.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/error.hpp"
 #include "proofs/methods/automatic.hpp"
 #include "report/audit/json.hpp"

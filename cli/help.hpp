@@ -12,9 +12,12 @@
 //   EXAMPLES                                              for the manual page: a sentence, and command lines
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "core/error.hpp"
 
 namespace CLI {
 class App;
@@ -54,5 +57,13 @@ using Completions = std::map<std::string, std::vector<std::string>>;
 // stickslip.bash, with these words beside commands, options and files. Options that the help does not show
 // are left out.
 [[nodiscard]] std::vector<ManualFile> manual(const CLI::App& program, const Completions& completions);
+
+// What is said to a command line that is not understood.
+
+// What is wrong with a command line that CLI11 refused, in a sentence.
+[[nodiscard]] UsageError not_understood(const CLI::App& program, const CLI::ParseError& error);
+// After it was parsed: throws UsageError unless there is a command, and no argument that the program, as
+// opposed to its commands, does not have.
+void require_command(const CLI::App& program);
 
 }  // namespace stickslip::cli

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
+#include "cli/typed_parameters.hpp"
 #include "proofs/methods/prover.hpp"
 #include "report/audit/pages.hpp"
 #include "report/orbits/object_values.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "cli/machine_tables.hpp"
-#include "cli/numbers.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "model/named_data.hpp"

@@ -22,8 +22,8 @@
 #include "proofs/text/claims_file.hpp"
 #include "report/schemas.hpp"
 #include "report/tools/files.hpp"
+#include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"
-#include "report/tools/versions.hpp"
 #include "symbolic/objects/objects.hpp"
 
 namespace stickslip::cli {

@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "cli/arguments.hpp"
-#include "cli/numbers.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 
 namespace stickslip::cli {
 

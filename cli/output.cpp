@@ -15,7 +15,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "proofs/methods/progress.hpp"
+#include "proofs/methods/prover.hpp"
 #include "report/audit/summary.hpp"
 #include "report/orbits/page.hpp"
 

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "cli/numbers.hpp"
 #include "cli/orbit_data.hpp"
+#include "cli/typed_parameters.hpp"
 #include "core/interruption.hpp"
 #include "model/named_data.hpp"
 #include "numeric/attractors/settle.hpp"
 #include "numeric/families/family.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"
 

@@ -16,7 +16,7 @@
 //   odd_j:   C lambda_k P_j - V omega_k² R_j - p sin(psi) S_j - 2 eta us/omega_j sin(mu_j) sin(nu_j) = 0
 //   even_j: -a omega_k² omega_j sin(alpha_j) + D lambda_k P'_j - p cos(psi) S'_j
 //                                                          - 2 eta us/omega_j cos(mu_j) sin(nu_j) = 0
-// with P_j, R_j, S_j of symmetric_closing.hpp at tau + tau1 and
+// with P_j, R_j, S_j of symmetric.hpp at tau + tau1 and
 //   P'_j = omega_j sin(alpha_j) cos(T/2) + cos(alpha_j) sin(T/2),
 //   S'_j = (omega sin(beta) cos(alpha_j) - omega_j cos(beta) sin(alpha_j))/(omega_j² - omega²).
 // There remains z2'(tau) = V. The mean accelerations F = (z2'(0) - z2'(tau))/tau and
@@ -27,7 +27,7 @@
 // limit: z2'' = 0 there. Nothing is divided by a quantity that can vanish for tau + tau1 > 0.
 #pragma once
 
-#include "model/symmetric_closing.hpp"
+#include "model/symmetric.hpp"
 
 namespace stickslip::model {
 

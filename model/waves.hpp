@@ -5,7 +5,7 @@
 #include <array>
 
 #include "model/flows.hpp"
-#include "model/sinc.hpp"
+#include "model/scalar_traits.hpp"
 
 namespace stickslip::model {
 

@@ -10,7 +10,7 @@
 #include "core/parallel.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/motion/exits.hpp"
-#include "numeric/motion/zip.hpp"
+#include "numeric/motion/motion.hpp"
 #include "numeric/orbits.hpp"
 
 namespace stickslip::numeric {

@@ -1,19 +1,58 @@
-// The requirements on a motion over a whole box of parameters (motion/requirements.hpp): for every time of a
-// phase, by mean value forms in the time and the parameters at once.
+// What a motion over a box of parameters has to obey, at all times of its phases.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "core/verdict.hpp"
-#include "numeric/atlas/convex.hpp"
 #include "numeric/atlas/knowledge.hpp"
+#include "numeric/motion/motion.hpp"
 #include "numeric/motion/requirements.hpp"
 #include "numeric/scalars/form.hpp"
 
 namespace stickslip::numeric::atlas {
+
+// The least value of a function of one variable over a box of parameters, where its graph is convex.
+
+template <class T>
+struct Convex {
+  bool is_proved = false;   // g is positive all over the piece, except for an end that it touches
+  bool is_refuted = false;  // negative somewhere, at the same place for every member
+  T least;                  // not above g anywhere on the piece; the slope inwards at the end that g touches
+};
+
+// Of g on a piece |e| <= 1, e = (t - middle)/half; nothing where g may not be convex. over: g and its
+// derivative by t, with e the first variable; at(e): the same at one place. An end that g touches: g is zero
+// there by construction, at most one of the two. With g'' at least k > 0,
+//   g >= g(e) + g'(e) (t - t_e) + k (t - t_e)²/2 >= g(e) - g'(e)²/(2 k).
+template <class T, class G>
+[[nodiscard]] std::optional<Convex<T>> convex(const std::array<T, 2>& over, const T& half, bool touches_start,
+                                              bool touches_end, const G& at) {
+  using S = std::decay_t<decltype(half.over)>;
+  const S& bend = over[1].slopes[0];  // g'' half
+  const double least_bend = scalars::ends(bend).first;
+  if (!(least_bend > 0) || !half.over.is_positive()) {
+    return std::nullopt;
+  }
+  if (touches_start || touches_end) {
+    // The graph lies above the tangent there.
+    const T slope = touches_start ? at(-1)[1] : -at(1)[1];
+    return Convex<T>{slope.over.is_positive(), slope.over.is_negative(), slope};
+  }
+  const double lowest = -over[1].at.approximate() / bend.approximate();
+  const auto [value, slope] = at(std::clamp(lowest, -1.0, 1.0));
+  const bool rises_on = lowest <= -1 && slope.over.is_positive();
+  const bool falls_until = lowest >= 1 && slope.over.is_negative();
+  const T least = rises_on || falls_until ? value : value - slope * slope * half / T(S(2) * S(least_bend));
+  return Convex<T>{least.over.is_positive(), value.over.is_negative(), least};
+}
+
+// The requirements on a motion over a whole box of parameters (motion/requirements.hpp): for every time of a
+// phase, by mean value forms in the time and the parameters at once.
 
 // Truth::proved or refuted, for every member, or undecided.
 template <class S>
@@ -123,6 +162,36 @@ template <class T, class G>
     open.erase(first + 1, open.end());
   }
   return {Truth::undecided, hope};
+}
+
+// What a motion over a box of parameters has to obey, whatever its phases.
+
+// Whether a motion all of whose phases last obeys the requirement at the friction ur; where `ur_is_free` some
+// ur > us has to be right, and serves if ur = us does. Only the open times of the phase are looked at.
+template <class T>
+[[nodiscard]] Decision holds_over(const motion::MotionOf<T>& motion, const T& ur, bool ur_is_free,
+                                  const motion::Requirement& q, double least, Times& open) {
+  const model::Parameters<T>& a = motion.oscillator.data;
+  switch (q.quantity) {
+    case motion::Quantity::duration:
+      return {Truth::proved};
+    case motion::Quantity::slipping_friction:
+      return decide_positive(a.us);
+    case motion::Quantity::friction_step:
+      return ur_is_free ? Decision{Truth::proved} : decide_positive(T(ur - a.us));
+    default:
+      break;
+  }
+  const motion::Affine<T> form = motion::affine_form<T>(a, ur, q.quantity);
+  const motion::PhaseOf<T>& phase = motion.phases[q.phase];
+  if (!q.along) {
+    const T r = model::friction_at<T>(a, phase.Z, phase.load);
+    return decide_positive(T(form.factor * r + form.offset));
+  }
+  const model::PhaseWaves<T> waves = motion::waves_of<T>(motion.oscillator, phase);
+  const auto g = [wave = model::affine<T>(form.factor, form.of_speed ? waves.zdot2 : waves.r, form.offset)](
+                     const T& t) { return model::value_and_slope<T>(wave, t); };
+  return is_positive_along<T>(g, phase.duration, q.touches, least, open);
 }
 
 }  // namespace stickslip::numeric::atlas

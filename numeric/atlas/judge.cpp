@@ -5,10 +5,8 @@
 #include <type_traits>
 #include <variant>
 
-#include "numeric/atlas/judges.hpp"
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/nonsticking_orbit.hpp"
-#include "numeric/atlas/steep_zero.hpp"
 #include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/zeros_over.hpp"
 

@@ -26,4 +26,13 @@ enum class Balls {
 [[nodiscard]] Knowledge known_around(const Question& question, Tile tile, Balls balls);
 [[nodiscard]] Finding judge_finest(const Question& question, Tile tile, Balls balls, Knowledge known);
 
+// How the boxes of an atlas are judged, family by family.
+
+// Of the family of the question, for all members of a box within its domain: what judge() returns, and what
+// becomes of `known`. `last`: no box is smaller.
+struct Judges {
+  using Judge = Finding (*)(const Question&, const Box&, bool last, Knowledge& known);
+  Judge in_doubles, in_balls;
+};
+
 }  // namespace stickslip::numeric::atlas

@@ -1,4 +1,4 @@
-#include "numeric/atlas/judges.hpp"
+#include "numeric/atlas/judge.hpp"
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/overshooting_orbit.hpp"
 #include "numeric/families/isolate.hpp"

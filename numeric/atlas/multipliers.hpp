@@ -8,7 +8,7 @@
 
 #include "core/verdict.hpp"
 #include "numeric/atlas/along.hpp"
-#include "numeric/motion/monodromy.hpp"
+#include "numeric/motion/multipliers.hpp"
 #include "numeric/scalars/form.hpp"
 
 namespace stickslip::numeric::atlas {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "numeric/atlas/conditions_over.hpp"
+#include "numeric/atlas/along.hpp"
 #include "numeric/atlas/multipliers.hpp"
 #include "numeric/atlas/sheets.hpp"
 

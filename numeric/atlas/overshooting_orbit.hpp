@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "numeric/atlas/conditions_over.hpp"
+#include "numeric/atlas/along.hpp"
 #include "numeric/atlas/multipliers.hpp"
 #include "numeric/atlas/zeros_in_patches.hpp"
 #include "numeric/families/overshooting.hpp"

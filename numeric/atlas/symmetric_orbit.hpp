@@ -1,7 +1,7 @@
 // A symmetric orbit over a box of parameters: what it has to obey, and its multipliers, in the few functions
 // that its symmetry leaves. Nothing here is singular where omega is a natural frequency.
 //
-// With s the time from the middle of a phase (model/symmetric_closing.hpp) both phases are odd. On the stick
+// With s the time from the middle of a phase (model/symmetric.hpp) both phases are odd. On the stick
 //   z2 = V s,  z1 = chi V s + C sin s,  load's phase omega s + 3 pi/2 (sigma = 1) or that plus pi, so by (4)
 //   r - us = rho(s) = chi (1 - chi) V s - chi C sin s - sigma (p/eta) sin(omega s).
 // It ends at r = ur: ur - us = rho(T/2), by definition of ur. Since rho is odd, the friction when the stick
@@ -87,7 +87,7 @@ class SymmetricOrbit {
   //
   // A deviation that returns after a period splits into one whose z is odd about the middles of both phases,
   // and one whose z is even, because both flows are reversible; only in the even one does anything deviate in
-  // r. With (c_j, s_j) = (cos, sin)(omega_j tau/2), P_j of model/symmetric_closing.hpp, amplitudes B_j, A_j
+  // r. With (c_j, s_j) = (cos, sin)(omega_j tau/2), P_j of model/symmetric.hpp, amplitudes B_j, A_j
   // on the slip and the stick's eliminated, continuity of z1, z2, z1', and z2' = kappa (z2 - z1) at the
   // break-away are
   //   odd:   sum of P_j B_j = 0,  sum of lambda_j s_j B_j = 0;

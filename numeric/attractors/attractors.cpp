@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "numeric/attractors/settle.hpp"
-#include "numeric/attractors/starts.hpp"
 #include "numeric/attractors/survey.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/machines/neighbourhood.hpp"
 #include "numeric/simulation/agreement.hpp"
-#include "numeric/words/growth.hpp"
+#include "numeric/words/pure.hpp"
 
 namespace stickslip::numeric::attractors {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "numeric/attractors/kind.hpp"
-#include "numeric/words/pure_slip.hpp"
+#include "numeric/attractors/many_starts.hpp"
+#include "numeric/words/pure.hpp"
 #include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric::attractors {
@@ -31,7 +31,7 @@ struct AttractorList : Endings<Attractor> {
   AttractorQuestion question;
 };
 
-// Where all motions are proved to grow beyond all bounds (words/growth.hpp) that is the answer, without a
+// Where all motions are proved to grow beyond all bounds (words/pure.hpp) that is the answer, without a
 // simulation. At a natural frequency no periodic motion is proved. Throws as words::require_simulated_domain
 // and simulation::Simulation do.
 [[nodiscard]] AttractorList find_attractors(const AttractorQuestion& question);

@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "numeric/attractors/settle.hpp"
-#include "numeric/attractors/starts.hpp"
 
 namespace stickslip::numeric::attractors {
 

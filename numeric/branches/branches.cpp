@@ -4,8 +4,8 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
-#include "numeric/branches/multiples.hpp"
 #include "numeric/branches/pieces.hpp"
+#include "numeric/branches/resonance.hpp"
 #include "numeric/branches/search.hpp"
 #include "numeric/branches/setting.hpp"
 

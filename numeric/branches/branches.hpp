@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "numeric/branches/end.hpp"
 #include "numeric/branches/state.hpp"
 #include "numeric/machine_along.hpp"
 #include "numeric/orbits.hpp"

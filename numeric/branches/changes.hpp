@@ -2,7 +2,7 @@
 // there once.
 #pragma once
 
-#include "numeric/branches/crossing.hpp"
+#include "numeric/branches/law.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -30,7 +30,7 @@ struct Gap {
 // The name is certain; only "once, and transversally" may be undecided.
 [[nodiscard]] std::vector<Change> changes_at(const Traced& traced, const Gap& gap);
 
-// Which of the exit functions (crossing.hpp) may vanish somewhere, and which pass zero once at most.
+// Which of the exit functions (law.hpp) may vanish somewhere, and which pass zero once at most.
 struct Crossings {
   std::vector<motion::Exit> possible;
   std::vector<motion::Exit> once;

@@ -5,7 +5,7 @@
 
 #include "core/interruption.hpp"
 #include "numeric/branches/infinity.hpp"
-#include "numeric/zeros/dense.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 #include "numeric/zeros/search.hpp"
 
 namespace stickslip::numeric::branches {

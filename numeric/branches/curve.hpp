@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/rational.hpp"
-#include "numeric/branches/end.hpp"
+#include "numeric/branches/state.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/machine_along.hpp"
 #include "numeric/motion/closing.hpp"

@@ -13,7 +13,6 @@
 #include "core/interruption.hpp"
 #include "numeric/branches/law.hpp"
 #include "numeric/branches/setting.hpp"
-#include "numeric/branches/word_branches.hpp"
 #include "numeric/families/family.hpp"
 
 namespace stickslip::numeric::branches {

@@ -4,13 +4,13 @@
 // Its closing conditions are a system f(x, p) = 0 (motion/closing.hpp), the same for an orbit at exact data,
 // to any precision, and for all members of a box of parameters: reduced equations in two to six unknowns
 // (model/), which the paper's claims prove to be equivalent to closing. There is one other formulation, the
-// flows from event to event of words/chain.hpp, and each does what the other cannot. A chain serves any word,
-// up to hundreds of phases, in a time that grows with their number; but ur has to be given, which is a result
-// of symmetric orbits and of overshooting ones at a given phase, and over a box of parameters the error of a
-// flow grows with its duration. The reduced equations stay regular over boxes that are ten to a hundred times
-// as wide, are what a search can exclude with, and leave the datum free; but they are the work of a
-// derivation for each family. That both lead to the same orbits, digit by digit, is a test
-// (tests/numeric/words). Branches of words take the flows, too, from end to end (branches/shooting.hpp).
+// flows from event to event of machines/chain.hpp, and each does what the other cannot. A chain serves any
+// word, up to hundreds of phases, in a time that grows with their number; but ur has to be given, which is a
+// result of symmetric orbits and of overshooting ones at a given phase, and over a box of parameters the
+// error of a flow grows with its duration. The reduced equations stay regular over boxes that are ten to a
+// hundred times as wide, are what a search can exclude with, and leave the datum free; but they are the work
+// of a derivation for each family. That both lead to the same orbits, digit by digit, is a test
+// (tests/numeric/words). Branches of words take the flows, too, from end to end (branches/setting.hpp).
 //
 // The search isolates the zeros of reduced equations in one or two unknowns, the only ones in which
 // everything else can be excluded; a motion that is then proved to close counts as the zero in whose box of
@@ -27,7 +27,7 @@
 #include "numeric/motion/closing.hpp"
 
 namespace stickslip::numeric::atlas {
-struct Judges;  // atlas/judges.hpp
+struct Judges;  // atlas/judge.hpp
 extern const Judges symmetric_judges, overshooting_judges, nonsticking_judges;
 }  // namespace stickslip::numeric::atlas
 

@@ -2,7 +2,7 @@
 // Z(tau) = E Z0 (13) and Z0 = Gamma(T) E Z0 (15).
 #pragma once
 
-#include "model/symmetric_closing.hpp"
+#include "model/symmetric.hpp"
 #include "numeric/families/family.hpp"
 
 namespace stickslip::numeric::families {

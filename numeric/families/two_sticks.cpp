@@ -1,7 +1,7 @@
 #include "numeric/families/two_sticks.hpp"
 
-#include "model/lift.hpp"
-#include "model/stick.hpp"
+#include "model/flows.hpp"
+#include "model/parameters.hpp"
 #include "numeric/families/linear_closing_search.hpp"
 
 namespace stickslip::numeric::families {

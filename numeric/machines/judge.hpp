@@ -1,4 +1,4 @@
-// What the friction law asks of a phase of a motion, or of all motions of a set.
+// What the friction law asks of a phase of a motion, or of all motions of a set, decided at all times of it.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,72 @@
 
 #include "numeric/machines/linear_phases.hpp"
 #include "numeric/motion/conditions.hpp"
+#include "numeric/motion/infimum.hpp"
 
 namespace stickslip::numeric::machines {
+
+// What ends a phase of a machine, as a function of the time, for motion/infimum.hpp.
+
+// f, r on a stick and x_j' else, s from 0 to a little past T: on each of some stretches a Taylor polynomial.
+// They are equal, with f = row exp(B s) w of LinearPhases::watch and a bound of what the polynomial leaves
+// out; or, on a smooth law of friction, the steps of a SmoothPhase.
+class Watched {
+ public:
+  // From w where the phase begins; `reversed`: from w where it ends, against the time. The phases have to
+  // live as long.
+  Watched(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T, bool reversed);
+
+  // The derivative of that order of f, and the next three, at s; not finite outside.
+  [[nodiscard]] std::array<Ball, 4> at(const Ball& s, std::size_t derivative = 0) const;
+  [[nodiscard]] std::array<double, 4> guess_at(double s, std::size_t derivative = 0) const;
+  // Of its third and fourth over [0, T].
+  [[nodiscard]] motion::DerivativeBounds bounds(std::size_t derivative = 0) const;
+  // Of which there are bounds.
+  static constexpr std::size_t most_derivatives = 1;
+
+ private:
+  struct Stretch {
+    double start, length;     // exact
+    Vector w;                 // at its beginning, where it is linear
+    std::vector<Ball> terms;  // the Taylor coefficients there
+    std::vector<double> guess;
+    LinearPhases::Rest rest;  // what they leave out of the function and its derivatives is not more
+  };
+  [[nodiscard]] const Stretch& stretch(std::size_t k) const;
+  [[nodiscard]] std::size_t stretch_of(double s) const;
+
+  void follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T);
+
+  const LinearPhases::Watch * watch_ = nullptr;  // nothing on a smooth law, where all stretches are there
+  const Matrix& drift_;
+  bool reversed_;
+  std::size_t count_ = 1;
+  bool covers_;  // [0, T]
+  mutable std::vector<Stretch> stretches_;
+};
+
+// As a function of s, at the time origin + direction s: sign f + offset, or sign f'.
+class AffineCourse : public motion::Course {
+ public:
+  struct View {
+    std::size_t derivative = 0;
+    double origin = 0;
+    int direction = 1;
+  };
+  AffineCourse(const Watched& f, int sign, const Ball& offset) : AffineCourse(f, sign, offset, View{}) {}
+  AffineCourse(const Watched& f, int sign, const Ball& offset, View view)
+      : f_(f), sign_(sign), offset_(view.derivative == 0 ? offset : Ball(0)), view_(view) {}
+  [[nodiscard]] std::array<Ball, 4> at(double s) const override;
+  [[nodiscard]] std::array<double, 4> guess_at(double s) const override;
+
+ private:
+  const Watched& f_;
+  int sign_;
+  Ball offset_;
+  View view_;
+};
+
+// What the friction law asks of a phase of a motion, or of all motions of a set.
 
 struct JudgedPhase {
   // Its neighbours; nothing where only the part of the phase from, or until, some time inside it is meant.

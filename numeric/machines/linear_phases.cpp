@@ -178,6 +178,124 @@ const Matrix& LinearPhases::drift(Piece piece) const {
   return found != drifts_.end() ? found->second : drifts_.emplace(piece, make_drift(piece)).first->second;
 }
 
+namespace {
+
+// f(A) by its values at the eigenvalues, of which there are one or two.
+Matrix function_of(const Matrix& A, const std::vector<Ball>& eigenvalues, const std::vector<Ball>& f) {
+  const Matrix one = Matrix::Identity(A.rows(), A.cols());
+  if (eigenvalues.size() == 1) {
+    return one * f[0];
+  }
+  const Ball slope = (f[1] - f[0]) / (eigenvalues[1] - eigenvalues[0]);
+  return Matrix(one * f[0]) + Matrix(Matrix(A - one * eigenvalues[0]) * slope);
+}
+
+std::vector<Ball> eigenvalues_of(const Matrix& A) {
+  if (A.rows() == 1) {
+    return {A(0, 0)};
+  }
+  const Ball middle = (A(0, 0) + A(1, 1)) / Ball(2), half = (A(0, 0) - A(1, 1)) / Ball(2);
+  const Ball apart = sqrt(half * half + A(0, 1) * A(1, 0));
+  return {middle - apart, middle + apart};
+}
+
+// The submatrix of these rows and columns.
+Matrix part_of(const Matrix& B, const std::vector<Eigen::Index>& rows,
+               const std::vector<Eigen::Index>& columns) {
+  return B(rows, columns);
+}
+
+}  // namespace
+
+std::optional<LinearPhases::Modes> LinearPhases::make_modes(Piece piece) const {
+  const Matrix& B = drift(piece);
+  const bool sticks = piece.kind == PhaseKind::stick;
+  Modes modes;
+  std::vector<Eigen::Index> velocities;
+  for (Eigen::Index i = 0; i < size_; ++i) {
+    const bool is_state = i < 2 * n_ && !(sticks && i % n_ == rubbing());
+    (!is_state ? modes.rest : i < n_ ? modes.moving : velocities).push_back(i);
+  }
+  const bool is_damped =
+      !part_of(B, velocities, velocities).unaryExpr([](const Ball& x) { return is_zero(x); }).all();
+  if (is_smooth(piece) || modes.moving.empty() || modes.moving.size() > 2 || is_damped) {
+    return std::nullopt;
+  }
+  modes.A = -part_of(B, velocities, modes.moving);
+  const std::vector<Ball> squares = eigenvalues_of(modes.A);
+  for (const Ball& square : squares) {
+    if (!(square - (modes.frequencies.empty() ? Ball(0) : squares[0])).is_positive()) {
+      return std::nullopt;
+    }
+    modes.frequencies.push_back(sqrt(square));
+  }
+  // u is at rest but for what the belt takes along, or turns with a multiple of the load's frequency.
+  const Matrix Omega = part_of(B, modes.rest, modes.rest), G = part_of(B, velocities, modes.rest);
+  modes.P.resize(G.rows(), G.cols());
+  for (Eigen::Index k = 0; k < G.cols(); ++k) {
+    Ball turn(0);  // (its frequency)²
+    for (Eigen::Index i = 0; i < G.cols(); ++i) {
+      turn -= Omega(i, k) * Omega(k, i);
+    }
+    std::vector<Ball> response;
+    for (const Ball& square : squares) {
+      response.push_back(Ball(1) / (square - turn));
+    }
+    modes.P.col(k) = zeros::product(function_of(modes.A, squares, response), Matrix(G.col(k)));
+  }
+  modes.P_rate = sparse_product(modes.P, Omega);
+  const bool is_finite = modes.P.unaryExpr([](const Ball& x) { return x.is_finite(); }).all();
+  return is_finite ? std::optional(modes) : std::nullopt;
+}
+
+// With c = cos(sqrt(A) t) and s = sin(sqrt(A) t)/sqrt(A) for x - P u, which moves freely.
+Matrix LinearPhases::in_closed_form(const Modes& modes, const Ball& t) const {
+  std::vector<Ball> squares, cosines, sines;
+  for (const Ball& frequency : modes.frequencies) {
+    const auto [sine, cosine] = sin_cos(Ball(frequency * t));
+    squares.push_back(frequency * frequency);
+    cosines.push_back(cosine);
+    sines.push_back(sine / frequency);
+  }
+  const Matrix c = function_of(modes.A, squares, cosines), s = function_of(modes.A, squares, sines);
+  const Matrix back = -zeros::product(modes.A, s);
+  Matrix U = Matrix::Identity(size_, size_);  // of u
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    U(i, n_ + i) = t;
+  }
+  for (std::size_t l = 0; l < multiples_.size(); ++l) {
+    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
+    const auto [sine, cosine] = sin_cos(Ball(Ball(multiples_[l]) * oscillator_.omega * t));
+    U(k, k) = U(k + 1, k + 1) = cosine;
+    U(k, k + 1) = -sine;
+    U(k + 1, k) = sine;
+  }
+  const Matrix of_rest = part_of(U, modes.rest, modes.rest);
+  std::vector<Eigen::Index> velocities = modes.moving;
+  for (Eigen::Index& i : velocities) {
+    i += n_;
+  }
+  Matrix flow = Matrix::Constant(size_, size_, Ball(0));
+  flow(modes.rest, modes.rest) = of_rest;
+  flow(modes.moving, modes.moving) = c;
+  flow(modes.moving, velocities) = s;
+  flow(velocities, modes.moving) = back;
+  flow(velocities, velocities) = c;
+  flow(modes.moving, modes.rest) =
+      sparse_product(modes.P, of_rest) - sparse_product(c, modes.P) - sparse_product(s, modes.P_rate);
+  flow(velocities, modes.rest) =
+      sparse_product(modes.P_rate, of_rest) - sparse_product(back, modes.P) - sparse_product(c, modes.P_rate);
+  return flow;
+}
+
+Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
+  const auto [entry, is_new] = modes_.try_emplace(piece);
+  if (is_new) {
+    entry->second = make_modes(piece);
+  }
+  return entry->second ? in_closed_form(*entry->second, t) : exponential(drift(piece) * t);
+}
+
 // exp(B (m + d)) X = exp(B m) (X + B d X + … + (B d)^(k-1) X/(k-1)! + R), and |R| <= |X| s^k/k! / (1 - s/(k +
 // 1)) with s = |B| |d| < 1 for each column of X, its largest number, and the norm of row sums, all in the
 // units of w: from one exponential to those beside it.
@@ -201,7 +319,7 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
     if (all.size() >= most_kept) {
       all.erase(all.begin());
     }
-    all.push_back({middle, exponential(B * middle)});
+    all.push_back({middle, flow_at(piece, middle)});
     found = all.end() - 1;
   }
   const Exponential& known = *found;
@@ -259,7 +377,7 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
     for (std::size_t m = 1; m < watch.rows.size(); m += 2) {
       watch.rows[m] = -watch.rows[m];
     }
-    watch.flow = exponential(B * Ball(-watch.length));
+    watch.flow = flow_at(piece, Ball(-watch.length));
     return watch;
   }
   const Matrix transposed = B.transpose();
@@ -274,7 +392,7 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
   }
   watch.nu = zeros::norm(balanced);
   watch.length = std::exp2(std::floor(std::log2(longest / std::max(watch.nu.approximate(), 1e-100))));
-  watch.flow = exponential(B * Ball(watch.length));
+  watch.flow = flow_at(piece, Ball(watch.length));
   const double below = std::exp2(-static_cast<double>(WorkingPrecision::bits()));
   double size = 1;
   while (watch.rows.size() < fewest_terms || size > below) {

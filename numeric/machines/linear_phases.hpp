@@ -7,6 +7,7 @@
 #include <array>
 #include <compare>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,9 @@ class LinearPhases {
   }
   // B of the piece. Throws InternalError when the law has no such piece.
   [[nodiscard]] const Matrix& drift(Piece piece) const;
-  // exp(B h), for all members of h. Those that Arb computed are kept, and serve those beside them.
+  // exp(B h), for all members of h. Those that were computed for one time are kept, and serve those beside
+  // it: where at most two masses move, and neither dashpots nor the friction depend on their speeds, in
+  // closed form as (5) and (10), else by Arb.
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
   // That times w.
   [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;
@@ -82,6 +85,16 @@ class LinearPhases {
     Ball middle;
     Matrix of_middle;
   };
+  // Of the masses that move, x'' = -A x + G u with u the rest of w, u' = Omega u: its natural frequencies,
+  // and P such that x = P u is a motion.
+  struct Modes {
+    std::vector<Eigen::Index> moving, rest;  // x of the masses that move, and u, in w
+    Matrix A, P, P_rate;                     // P Omega
+    std::vector<Ball> frequencies;           // rising
+  };
+  [[nodiscard]] std::optional<Modes> make_modes(Piece piece) const;
+  [[nodiscard]] Matrix in_closed_form(const Modes& modes, const Ball& t) const;
+  [[nodiscard]] Matrix flow_at(Piece piece, const Ball& t) const;
   [[nodiscard]] Matrix make_drift(Piece piece) const;
   template <class M>
   [[nodiscard]] M moved(Piece piece, const Ball& h, M X) const;
@@ -92,6 +105,7 @@ class LinearPhases {
   Eigen::Index n_, size_;
   Vector r_, units_;
   mutable std::map<Piece, Matrix> drifts_;
+  mutable std::map<Piece, std::optional<Modes>> modes_;
   mutable std::map<Piece, Ball> norms_;  // of these, in the units
   mutable std::map<Piece, std::vector<Exponential>> flows_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;

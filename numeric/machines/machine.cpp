@@ -7,7 +7,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/zeros/dense.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "numeric/branches/end.hpp"
 #include "numeric/branches/state.hpp"
 #include "numeric/machines/machine_orbit.hpp"
 

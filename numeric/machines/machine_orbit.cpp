@@ -6,18 +6,13 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "numeric/machines/chain_proof.hpp"
 #include "numeric/machines/judge.hpp"
-#include "numeric/machines/passage.hpp"
-#include "numeric/words/chain_proof.hpp"
-#include "numeric/words/sweep.hpp"
 #include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::machines {
 
 using namespace motion;
-using words::ChainProof;
-using words::Node;
-using words::Nodes;
 
 namespace {
 
@@ -45,7 +40,7 @@ Nodes nodes_of(const MachineGuess& guess, const Machine& machine) {
   return nodes;
 }
 
-std::vector<MachinePhase> phases_of(const MachineChain& chain, const Nodes& nodes,
+std::vector<MachinePhase> phases_of(const Chain& chain, const Nodes& nodes,
                                     const std::vector<Piece>& pieces) {
   std::vector<MachinePhase> phases;
   Ball start(0);
@@ -57,40 +52,19 @@ std::vector<MachinePhase> phases_of(const MachineChain& chain, const Nodes& node
   return phases;
 }
 
-// Whether the motion may be a shorter one: through pieces that repeat themselves, and no state differs from
-// the one as many phases later.
-bool may_repeat(const std::vector<MachinePhase>& phases) {
-  const std::size_t count = phases.size();
-  for (std::size_t step = 1; step < count; ++step) {
-    bool same = count % step == 0;
-    for (std::size_t i = 0; same && i < count; ++i) {
-      const MachinePhase& one = phases[i];
-      const MachinePhase& later = phases[(i + step) % count];
-      same = one.piece == later.piece && one.duration.overlaps(later.duration);
-      for (Eigen::Index k = 0; same && k < one.state.size(); ++k) {
-        same = one.state(k).overlaps(later.state(k));
-      }
-    }
-    if (same) {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Without a load the durations are results: a node is mapped to the next without its own.
-std::optional<SquareMatrix> return_map(const MachineChain& chain, const ChainProof& proof) {
+std::optional<SquareMatrix> return_map(const Chain& chain, const ChainProof& proof) {
   if (!chain.phases().oscillator().is_autonomous()) {
     return proof.return_map;
   }
-  std::vector<words::Link> links;
+  std::vector<Link> links;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     links.push_back(chain.link(proof.nodes, i));
     const Eigen::Index n = links.back().M.rows() - 1;
     links.back().M = Matrix(links.back().M.bottomRightCorner(n, n));
   }
   const Eigen::Index n = links.front().M.rows();
-  const auto found = words::sweep(links, Nodes(links.size(), Node::Constant(n, Ball(0))));
+  const auto found = sweep(links, Nodes(links.size(), Node::Constant(n, Ball(0))));
   return found ? std::optional<SquareMatrix>(found->return_map) : std::nullopt;
 }
 
@@ -102,7 +76,7 @@ bool is_open(const MachineOrbit& orbit) {
 // With so many bits.
 void judge_all(MachineOrbit& orbit, const MachineQuestion& question, const Nodes& nodes, long bits) {
   const WorkingPrecision scope(bits);
-  const MachineChain chain(question);
+  const Chain chain(question);
   const std::vector<Piece>& pieces = question.pieces;
   const std::size_t count = pieces.size();
   orbit.conditions.clear();
@@ -116,7 +90,7 @@ void judge_all(MachineOrbit& orbit, const MachineQuestion& question, const Nodes
 
 void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainProof& proof) {
   const WorkingPrecision scope(proof.bits);
-  const MachineChain chain(question);
+  const Chain chain(question);
   orbit.bits = proof.bits;
   orbit.phases = phases_of(chain, proof.nodes, question.pieces);
   orbit.period = Ball(0);
@@ -128,10 +102,6 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
   if (!o.is_autonomous()) {
     orbit.period = Ball(2 * question.periods) * Ball::pi() / o.omega;
     orbit.load = o.omega * proof.nodes.front()(0);
-  }
-  if (may_repeat(orbit.phases)) {
-    orbit.existence = Verdict::undecided("the motion may be a shorter one taken several times");
-    return;
   }
   const auto is_smooth = [&](const Piece& piece) { return chain.phases().is_smooth(piece); };
   const auto is_undecided = [](const Condition& c) { return c.verdict.truth == Truth::undecided; };
@@ -197,17 +167,29 @@ MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& gue
   }
   long bits = scalars::bits_for(digits) + 32;
   for (int attempt = 0; attempt <= more_attempts && bits <= most_bits; ++attempt) {
-    const ChainProof proof = prove_chain(chain_at(question), nodes, bits, most_bits);
+    const ChainProof proof = prove_chain(question, nodes, bits, most_bits);
     if (proof.verdict.truth != Truth::proved) {
       orbit.existence = attempt == 0 ? proof.verdict : orbit.existence;
       break;
+    }
+    const auto [times, verdict] = repetition(question, proof);
+    if (verdict.truth != Truth::proved) {
+      orbit.existence = verdict;
+      break;
+    }
+    if (times > 1) {
+      const bool autonomous = machine.oscillator.is_autonomous();
+      MachineGuess shorter{guess.events, autonomous ? guess.periods : guess.periods / times,
+                           guess.duration / static_cast<double>(times)};
+      shorter.events.resize(guess.events.size() / static_cast<std::size_t>(times));
+      return prove_machine_orbit(machine, shorter, digits, most_bits);
     }
     orbit.existence = Verdict::proved();
     decide(orbit, question, proof);
     if (!is_open(orbit)) {
       break;
     }
-    nodes = words::midpoints(proof.nodes);
+    nodes = midpoints(proof.nodes);
     bits = 4 * proof.bits;
   }
   return orbit;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/machines/machine_chain.hpp"
+#include "numeric/machines/chain.hpp"
 #include "numeric/motion/conditions.hpp"
 #include "numeric/motion/stability.hpp"
 
@@ -77,9 +77,9 @@ struct MachineOrbit {
 [[nodiscard]] std::string word_of(const std::vector<Piece>& pieces, bool with_pieces = false);
 
 // Proves what Newton's method reaches from the guess, each value to that many significant digits, with more
-// bits where a condition or the stability is open. Undecided when that fails, and when the motion may be a
-// shorter one taken several times. Throws as require_machine does, and DomainError for a guess of fewer than
-// two events.
+// bits where a condition or the stability is open. When that is a shorter motion taken several times, the
+// shorter one. Undecided when that fails, or is not known. Throws as require_machine does, and DomainError
+// for a guess of fewer than two events.
 [[nodiscard]] MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess,
                                                int digits = 20, long most_bits = 1L << 12);
 

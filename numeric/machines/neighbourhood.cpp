@@ -8,9 +8,8 @@
 
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
+#include "numeric/machines/chain_proof.hpp"
 #include "numeric/scalars/form.hpp"
-#include "numeric/words/sweep.hpp"
-#include "numeric/zeros/dense.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -351,7 +350,7 @@ Neighbourhood found_at(const Machine& machine, const MachineOrbit& orbit, long m
   }
   found.S = S->cast<Ball>();
   const Matrix Y = zeros::inverse(*S).cast<Ball>();
-  const auto inverse = words::enclosed_inverse(found.S, Y);
+  const auto inverse = enclosed_inverse(found.S, Y);
   if (!inverse) {
     return found;
   }

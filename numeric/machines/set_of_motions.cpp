@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/machines/chain_proof.hpp"
 #include "numeric/machines/judge.hpp"
 #include "numeric/machines/settle.hpp"
-#include "numeric/words/sweep.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -49,7 +49,7 @@ Vector midpoints(const Vector& x) {
 // Its first axes span what the first columns do.
 Frame frame_of(const Eigen::MatrixXd& columns, const Vector& units) {
   const Eigen::VectorXd in = in_double(units);
-  const Matrix Q = words::orthogonal(in.cwiseInverse().asDiagonal() * columns);
+  const Matrix Q = orthogonal(in.cwiseInverse().asDiagonal() * columns);
   Frame frame{Q, Q.transpose()};
   for (Eigen::Index i = 0; i < units.size(); ++i) {
     frame.axes.row(i) *= units(i);

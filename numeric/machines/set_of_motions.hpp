@@ -21,7 +21,7 @@
 namespace stickslip::numeric::machines {
 
 // Axes for u, orthogonal where times, positions and velocities are counted in units of the machine: products
-// of many ball matrices as they stand are useless (words/sweep.hpp).
+// of many ball matrices as they stand are useless (chain_proof.hpp).
 struct Frame {
   Matrix axes, back;  // the columns; the inverse
 };

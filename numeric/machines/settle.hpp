@@ -18,7 +18,7 @@ struct Settled {
 // size, to a state that it was in: after n periods of the load, or, without one, at an event of the same
 // kind; as slides or stuck when that happens without an event on the way, or no event comes for long.
 // Within so many periods of the load, else, irregular or quasi-periodic by the largest Lyapunov exponent over
-// a quarter as many more, if that tells (attractors/lyapunov.hpp: a check); unsettled without a load within
+// a quarter as many more, if that tells (attractors/follower.hpp: a check); unsettled without a load within
 // so many events. Throws as require_machine does, and DomainError for a state of the wrong size.
 [[nodiscard]] Settled settle(const Machine& machine, const Eigen::VectorXd& X, long most_periods = 20000);
 

@@ -9,7 +9,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "numeric/words/sweep.hpp"
+#include "numeric/machines/chain_proof.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -105,7 +105,7 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
   }
   forces(j) += Ball(side) * state.friction;
   const auto near = zeros::row_combinations(o.stiffness);
-  const auto inverse = near ? words::enclosed_inverse(o.stiffness, *near) : std::nullopt;
+  const auto inverse = near ? enclosed_inverse(o.stiffness, *near) : std::nullopt;
   if (!inverse) {
     state.existence = Verdict::undecided("K may be singular: the machine is free to move");
     return state;

@@ -1,7 +1,7 @@
 #include "numeric/motion/closing.hpp"
 
 #include "core/error.hpp"
-#include "numeric/motion/zip.hpp"
+#include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::motion {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/symmetric_closing.hpp"
+#include "model/symmetric.hpp"
 #include "numeric/motion/multipliers.hpp"
 #include "numeric/motion/stability.hpp"
 #include "numeric/zeros/parametric.hpp"
@@ -102,7 +102,7 @@ template <class S>
   return x;
 }
 
-// A symmetric orbit, with the symbols of model/symmetric_closing.hpp; x = T/2 and rho(x) = r - us at the
+// A symmetric orbit, with the symbols of model/symmetric.hpp; x = T/2 and rho(x) = r - us at the
 // break-away, with the rate rho'(x) there (atlas/symmetric_orbit.hpp).
 //
 // Its symmetry gives det(I - M) two factors, F = lambda_2 s_2 P_1 - lambda_1 s_1 P_2 and N = omega_1 P_1 E_2

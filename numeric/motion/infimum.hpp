@@ -1,3 +1,89 @@
+// The least value of a function of time over a phase, and what bounds it from below.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "model/waves.hpp"
+#include "numeric/scalars/scalars.hpp"
+
+namespace stickslip::numeric::motion {
+
+// A function of time over a phase, as what bounds it from below needs it.
+
+class Course {
+ public:
+  virtual ~Course() = default;
+  // g, g', g'', g''' at the time s.
+  [[nodiscard]] virtual std::array<Ball, 4> at(double s) const = 0;
+  // The same in floating point: only a guess.
+  [[nodiscard]] virtual std::array<double, 4> guess_at(double s) const = 0;
+};
+
+// Bounds of |g'''| and |g''''| over the whole phase.
+struct DerivativeBounds {
+  Ball third, fourth;
+};
+
+// A wave, at all times.
+class WaveCourse : public Course {
+ public:
+  explicit WaveCourse(const model::Wave<Ball>& g);
+  [[nodiscard]] std::array<Ball, 4> at(double s) const override;
+  [[nodiscard]] std::array<double, 4> guess_at(double s) const override;
+  [[nodiscard]] DerivativeBounds bounds() const;  // at all times, reversed or not
+
+ private:
+  model::Wave<Ball> g_;
+  model::Wave<double> guess_;
+};
+
+}  // namespace stickslip::numeric::motion
+
+// A function on a subinterval of a phase, seen from one end of the phase and perhaps divided by the distance
+// to that end: what infimum.hpp bounds from below.
+namespace stickslip::numeric::motion::pieces {
+
+// A function and its first two derivatives at a point.
+template <class S>
+struct Taylor {
+  S value, slope, curvature;
+};
+
+// The time s counts from that end of the phase.
+struct Side {
+  const Course * g;
+  bool from_end;
+};
+
+// g/w on [a, b] of a side, w = s when weighted and 1 otherwise; `third` bounds the third derivative of g/w.
+// For g(0) = 0: g(s)/s is the mean of g'(s x) over 0 < x < 1, so its n-th derivative is the mean of
+// x^n g^(n+1)(s x), at most max |g^(n+1)|/(n+1), and g^(n+1)(0)/(n+1) at s = 0.
+struct Piece {
+  const Side * side;
+  bool weighted;
+  double a, b;
+  Ball third;
+
+  // g/w and its first two derivatives at s.
+  [[nodiscard]] Taylor<Ball> at(double s) const;
+  // The same in floating point: only a guess.
+  [[nodiscard]] Taylor<double> guess_at(double s) const;
+  // A guess of where the piece is smallest near s, within [low, high].
+  [[nodiscard]] double descend(double s, double low, double high) const;
+};
+
+// Not less than the distance of any x in [a, b] from c in [a, b], whatever was rounded in finding c.
+[[nodiscard]] double reach(double a, double c, double b);
+
+// A guess of where the piece is smallest.
+struct Guess {
+  double value, s;
+};
+[[nodiscard]] Guess sampled_minimum(const Piece& piece);
+
+}  // namespace stickslip::numeric::motion::pieces
+
 // The infimum over a whole closed phase of a function g, and of g divided by the distance to those ends where
 // g vanishes by construction.
 //
@@ -7,12 +93,6 @@
 // derivative there, so m > 0 means: g > 0 on the phase without the touched ends, and g leaves zero there with
 // nonzero speed. Without touched ends m is the infimum of g on the closed phase. Time is dimensionless, hence
 // m has the unit of g.
-#pragma once
-
-#include <optional>
-
-#include "numeric/motion/course.hpp"
-
 namespace stickslip::numeric::motion {
 
 // At which ends of [0, T] g is known to be exactly zero, as a premise.

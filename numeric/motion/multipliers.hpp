@@ -1,19 +1,78 @@
-// The characteristic polynomial of the derivative of a motion's return map, over any scalar: its zeros are
-// the multipliers.
+// The derivative of the return map of a periodic motion, and its characteristic polynomial, over any scalar.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
 #include "core/error.hpp"
-#include "numeric/motion/monodromy.hpp"
+#include "model/saltation.hpp"
+#include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::motion {
+
+// The derivative of the return map of a periodic motion, over any scalar.
+
+// The derivative of the flow of one phase: H of (5), (8), Gamma of (10).
+template <class S>
+[[nodiscard]] model::Matrix4<S> tangent_flow(const model::Oscillator<S>& o, const PhaseOf<S>& phase) {
+  return phase.kind == PhaseKind::stick ? model::Gamma<S>(o.data.chi, phase.duration)
+                                        : model::H<S>(o.modes, phase.duration);
+}
+
+// The friction force on a phase at the friction at rest r (4): us, -us, or r.
+template <class S>
+[[nodiscard]] S friction_on(PhaseKind kind, const S& us, const S& r) {
+  return kind == PhaseKind::slip ? us : (kind == PhaseKind::overshoot ? S(-us) : r);
+}
+
+// The saltation matrix where `next` begins after a phase of the kind `before`. Its entries are not finite
+// where the event is not transversal. Throws InternalError when both are of one kind.
+template <class S>
+[[nodiscard]] model::Matrix4<S> saltation_between(const model::Oscillator<S>& o, PhaseKind before,
+                                                  const PhaseOf<S>& next) {
+  if (before == next.kind) {
+    throw InternalError("two phases of one kind after each other");
+  }
+  if (next.kind == PhaseKind::stick) {
+    return model::landing<S>();
+  }
+  const model::Parameters<S>& a = o.data;
+  const S r = model::friction_at<S>(a, next.Z, next.load);
+  const auto acceleration = [&](PhaseKind kind) {
+    return model::belt_acceleration<S>(a.eta, friction_on<S>(kind, a.us, r), r);
+  };
+  if (before == PhaseKind::stick) {
+    return model::break_away<S>(a.chi, acceleration(next.kind),
+                                model::friction_rate<S>(a, next.Z, next.load));
+  }
+  return model::crossing<S>(acceleration(before), acceleration(next.kind));
+}
+
+// The derivative of the map from the state where phase `first` begins to the state one period later, the
+// load's phase being what it was: the product of the flows' and the events' derivatives. Assumes that the
+// motion closes and obeys the friction law with every event transversal; at least one phase.
+template <class S>
+[[nodiscard]] model::Matrix4<S> monodromy(const MotionOf<S>& motion, std::size_t first = 0) {
+  const std::size_t count = motion.phases.size();
+  model::Matrix4<S> M = tangent_flow<S>(motion.oscillator, motion.phases.at(first));
+  for (std::size_t k = 1; k <= count; ++k) {
+    const PhaseOf<S>& before = motion.phases[(first + k - 1) % count];
+    const PhaseOf<S>& next = motion.phases[(first + k) % count];
+    M = saltation_between<S>(motion.oscillator, before.kind, next) * M;
+    if (k < count) {
+      M = tangent_flow<S>(motion.oscillator, next) * M;
+    }
+  }
+  return M;
+}
+
+// The characteristic polynomial of the derivative of a motion's return map, over any scalar: its zeros are
+// the multipliers.
 
 // c[0] + c[1] x + … + c[n] x^n, for a motion with at most one stick. Without, n = 4 and c[4] = 1. With one,
 // n = 3, the map being seen where the stick begins, and c[3] is the rate r' of (4) at which it ends: times
 // that rate all coefficients stay bounded where it vanishes, though the map does not. The same up to that
-// factor as that of motion/monodromy.hpp, by formulas in which little cancels, over wide boxes too. Throws
+// factor as that of the derivative above, by formulas in which little cancels, over wide boxes too. Throws
 // InternalError for a motion with two sticks.
 //
 // Phi, the product of the flows H and of the crossings diag(1, 1, 1, rho), has a known inverse, H(-t) and

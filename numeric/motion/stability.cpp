@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "numeric/motion/monodromy.hpp"
+#include "numeric/motion/multipliers.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::motion {
@@ -130,6 +130,28 @@ Stability decide_stability(const Motion& motion) {
   s.multipliers.resize(states, {Ball(0), Ball(0)});
   classify(s, neutral);
   return s;
+}
+
+std::optional<Contact> contact_of(const std::vector<Condition>& conditions) {
+  std::optional<Contact> nearest;
+  for (const Condition& c : conditions) {
+    if (c.verdict.truth != Truth::proved) {
+      return std::nullopt;
+    }
+    if (!c.at || !c.margin) {
+      continue;
+    }
+    if (!nearest) {
+      nearest = {c.id, *c.margin, *c.at};
+      continue;
+    }
+    if (c.margin->approximate() < nearest->margin.approximate()) {
+      nearest->condition = c.id;
+      nearest->at = *c.at;
+    }
+    arb_min(nearest->margin.raw(), nearest->margin.raw(), c.margin->raw(), WorkingPrecision::bits());
+  }
+  return nearest;
 }
 
 }  // namespace stickslip::numeric::motion

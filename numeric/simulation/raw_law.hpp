@@ -6,7 +6,7 @@
 // it from zero there; else the stretch is halved. This holds for the integrated motion, up to rounding.
 #pragma once
 
-#include "numeric/simulation/run.hpp"
+#include "numeric/simulation/record.hpp"
 
 namespace stickslip::numeric::simulation {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "model/energy.hpp"
+#include "model/parameters.hpp"
 #include "numeric/simulation/simulation.hpp"
 
 namespace stickslip::numeric::simulation {

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/sinc.hpp"
-#include "numeric/zeros/dense.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::simulation {
 

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "model/friction_oscillator.hpp"
-#include "numeric/simulation/run.hpp"
+#include "numeric/simulation/record.hpp"
 #include "numeric/simulation/taylor.hpp"
 
 namespace stickslip::numeric::simulation {

@@ -5,17 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
-#include "numeric/words/chain_proof.hpp"
-#include "numeric/words/oscillator_chain.hpp"
+#include "numeric/machines/chain_proof.hpp"
 
 namespace stickslip::numeric::words {
 
 using namespace motion;
+using machines::ChainProof;
+using machines::MachineQuestion;
+using machines::Node;
+using machines::Nodes;
 
 namespace {
 
@@ -59,53 +61,36 @@ Guess rotated(const Guess& guess, const Word& word, double Theta) {
   return result;
 }
 
-Nodes nodes_of(const Guess& guess, const ExactParameters& data) {
-  const model::Vector2<Ball> d0 = model::d0<Ball>(Ball(data.chi), Ball(data.us));
+Nodes nodes_of(const Guess& guess) {
   Nodes nodes;
   for (const Guess::Event& e : guess.events) {
-    const Node u = node(Ball(e.t), Ball(e.x1) - d0(0), Ball(e.x2) - d0(1), Ball(e.xdot1));
-    nodes.push_back(u.unaryExpr([](const Ball& x) { return x.midpoint(); }));
+    nodes.emplace_back(4);
+    nodes.back() << Ball(e.t), Ball(e.x1), Ball(e.x2), Ball(e.xdot1);
   }
   return nodes;
 }
 
-// What is known of "the orbit is a shorter one, taken d times".
-Truth is_repetition(const ChainQuestion& q, const ChainProof& proof, long d) {
-  const WorkingPrecision scope(proof.bits);
-  const std::size_t count = q.phases.size();
-  const std::size_t step = count / static_cast<std::size_t>(d);
-  const Ball Theta = Ball(2) * Ball::pi() / Ball(q.data.omega);
-  bool same = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool wraps = i + step >= count;
-    Node later = proof.nodes[(i + step) % count];
-    later(0) += Theta * Ball((wraps ? q.periods : 0) - q.periods / d);
-    for (int j = 0; j < 4; ++j) {
-      if (!later(j).overlaps(proof.nodes[i](j))) {
-        return Truth::refuted;
-      }
-      same = same && later(j).is_interior_to(proof.unique[i](j));
-    }
+MachineQuestion chain_of(const WordQuestion& question, const Word& word, long periods) {
+  MachineQuestion chain{{model::friction_oscillator<Rational>(question.data, question.ur)}, {}, periods};
+  for (const PhaseKind kind : word.phases()) {
+    chain.pieces.push_back({kind});
   }
-  return same ? Truth::proved : Truth::undecided;
+  return chain;
 }
 
-// How many times a shorter orbit the orbit is, or why that is not known.
-std::pair<long, Verdict> repetition(const ChainQuestion& q, const ChainProof& proof, const Word& word) {
-  const long most = std::gcd(static_cast<long>(word.repetitions()), q.periods);
-  for (long d = most; d > 1; --d) {
-    if (most % d != 0) {
-      continue;
-    }
-    const Truth repeats = is_repetition(q, proof, d);
-    if (repeats == Truth::proved) {
-      return {d, Verdict::proved()};
-    }
-    if (repeats == Truth::undecided) {
-      return {1, Verdict::undecided(fmt::format("the orbit may be a shorter one taken {} times", d))};
-    }
+// The motion that starts at node 0; phase i is that of node i.
+Motion motion_of(const WordQuestion& question, const MachineQuestion& chain, const Nodes& nodes) {
+  Motion motion{model::oscillator<Ball>(parameters_as<Ball>(question.data)), {}};
+  const model::Oscillator<Ball>& o = motion.oscillator;
+  const Ball turn = Ball(2 * chain.periods) * Ball::pi() / o.data.omega;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& u = nodes[i];
+    const Ball until = i + 1 < nodes.size() ? nodes[i + 1](0) : Ball(nodes.front()(0) + turn);
+    const Ball start = i == 0 ? Ball(0) : Ball(u(0) - nodes.front()(0));
+    motion.phases.push_back({chain.pieces[i].kind, start, until - u(0), o.data.omega * u(0),
+                             model::Vector4<Ball>(u(1) - o.d0(0), u(2) - o.d0(1), u(3), o.data.V)});
   }
-  return {1, Verdict::proved()};
+  return motion;
 }
 
 bool all_decided(const families::Orbit& orbit) {
@@ -118,18 +103,19 @@ bool is_open(const families::Orbit& orbit) {
   return !all_decided(orbit) || (orbit.stability && orbit.stability->kind == StabilityKind::undecided);
 }
 
-families::Orbit decided(const ChainQuestion& q, const ChainProof& proof, const Requirements& requirements) {
+families::Orbit decided(const WordQuestion& question, const MachineQuestion& chain, const ChainProof& proof,
+                        const std::vector<PhaseKind>& phases, const Requirements& requirements) {
   const WorkingPrecision scope(proof.bits);
-  const OscillatorChain chain(q);
   families::Orbit orbit;
-  orbit.motion = chain.motion(proof.nodes);
+  const Ball ur(question.ur);
+  orbit.motion = motion_of(question, chain, proof.nodes);
   orbit.values = families::start_values(orbit.motion);
-  orbit.values.push_back({"ur", chain.ur()});
+  orbit.values.push_back({"ur", ur});
   orbit.conditions =
-      decide_all(q.phases, requirements, orbit.motion, all_waves(orbit.motion), std::optional(chain.ur()));
+      decide_all(phases, requirements, orbit.motion, all_waves(orbit.motion), std::optional(ur));
   orbit.admissible = admissible(orbit.conditions);
   if (orbit.admissible.truth == Truth::proved) {
-    const bool sticks = std::find(q.phases.begin(), q.phases.end(), PhaseKind::stick) != q.phases.end();
+    const bool sticks = std::find(phases.begin(), phases.end(), PhaseKind::stick) != phases.end();
     orbit.stability = stability_of(proof.return_map, sticks);
   }
   return orbit;
@@ -137,20 +123,20 @@ families::Orbit decided(const ChainQuestion& q, const ChainProof& proof, const R
 
 // The guess is rotated already. With more bits as long as something is open.
 WordOrbit prove_rotated(const WordQuestion& question, const Guess& guess, const Word& word) {
-  const ChainQuestion q{question.data, question.ur, word.phases(), guess.periods};
-  const Requirements requirements = requirements_of(q.phases);
-  Nodes nodes = nodes_of(guess, question.data);
+  const MachineQuestion q = chain_of(question, word, guess.periods);
+  const Requirements requirements = requirements_of(word.phases());
+  Nodes nodes = nodes_of(guess);
   WordOrbit result{word, guess.periods, {}, {}, requirements};
   long bits = scalars::bits_for(question.digits) + 32;
   for (int attempt = 0; attempt <= more_attempts && bits <= question.most_bits; ++attempt) {
-    const ChainProof proof = prove_chain(chain_at(q), nodes, bits, question.most_bits);
+    const ChainProof proof = prove_chain(q, nodes, bits, question.most_bits);
     if (proof.verdict.truth != Truth::proved) {
       if (attempt == 0) {
         result.existence = proof.verdict;
       }
       break;
     }
-    const auto [times, verdict] = repetition(q, proof, word);
+    const auto [times, verdict] = repetition(q, proof);
     if (verdict.truth == Truth::undecided) {
       result.existence = verdict;
       break;
@@ -161,11 +147,11 @@ WordOrbit prove_rotated(const WordQuestion& question, const Guess& guess, const 
       return prove_word_orbit(question, shorter);
     }
     result.existence = Verdict::proved();
-    result.orbit = decided(q, proof, requirements);
+    result.orbit = decided(question, q, proof, word.phases(), requirements);
     if (!is_open(result.orbit)) {
       break;
     }
-    nodes = midpoints(proof.nodes);
+    nodes = machines::midpoints(proof.nodes);
     bits = 4 * proof.bits;
   }
   return result;

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "numeric/zeros/inflation.hpp"
+#include "numeric/zeros/krawczyk.hpp"
 
 namespace stickslip::numeric::zeros {
 

@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "proofs/certificates/coq_terms.hpp"
-#include "proofs/certificates/prelude.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/certificates/statement_files.hpp"
 #include "proofs/methods/prover.hpp"

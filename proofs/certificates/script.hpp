@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "proofs/certificates/coq_terms.hpp"
@@ -125,5 +126,13 @@ class Script {
   std::set<std::string> needs_;
   int count_ = 0;
 };
+
+// The files of prelude/, which are part of the program.
+
+// Name and text, each after those that it imports.
+[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& prelude();
+
+// rules.mk likewise: the rules of the Makefile beside certificates that are the same in all.
+[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& make_rules();
 
 }  // namespace stickslip::proofs::certificates

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "proofs/certificates/coq_terms.hpp"
-#include "proofs/certificates/prelude.hpp"
+#include "proofs/certificates/script.hpp"
 
 namespace stickslip::proofs::certificates {
 

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "proofs/certificates/coq_terms.hpp"
-#include "proofs/certificates/prelude.hpp"
+#include "proofs/certificates/script.hpp"
 
 namespace stickslip::proofs::certificates {
 

@@ -7,7 +7,7 @@
 
 #include "proofs/checks/edits.hpp"
 #include "proofs/methods/claim.hpp"
-#include "proofs/methods/progress.hpp"
+#include "proofs/methods/prover.hpp"
 
 namespace stickslip::proofs::checks {
 

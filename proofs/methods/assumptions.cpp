@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "proofs/methods/openings.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/meaning.hpp"

@@ -15,7 +15,6 @@
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/gate.hpp"
-#include "proofs/methods/progress.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/sample.hpp"
 

@@ -1,8 +1,10 @@
-// Proves claims in the order in which they need each other.
+// Proves claims in the order in which they need each other, and says how far that is.
 #pragma once
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -14,6 +16,17 @@
 #include "proofs/methods/claim.hpp"
 
 namespace stickslip::proofs::methods {
+
+// An audit that says how far it is.
+
+// Called before each claim: its id, how many are done, how many there are.
+using Progress = std::function<void(const std::string& id, std::size_t done, std::size_t all)>;
+
+// The audit of claim.hpp; after an interruption the records made before it.
+[[nodiscard]] Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids,
+                          const Progress& progress);
+
+// Proves claims in the order in which they need each other.
 
 class Prover {
  public:

@@ -1,7 +1,7 @@
+#include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/orbits/with_zero.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/model_terms.hpp"
 

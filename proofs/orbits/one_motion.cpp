@@ -1,7 +1,7 @@
 // An orbit as one motion: its phases, joined at their ends and continued with the period.
+#include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/orbits/with_zero.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::orbits {

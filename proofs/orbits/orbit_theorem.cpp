@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/phase_proof.hpp"
-#include "proofs/orbits/with_zero.hpp"
 #include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::orbits {

@@ -9,11 +9,11 @@
 #include <array>
 #include <cmath>
 
+#include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/along.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/orbits/with_zero.hpp"
 
 namespace stickslip::proofs::orbits {
 

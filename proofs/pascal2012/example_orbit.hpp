@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/orbits/along.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 

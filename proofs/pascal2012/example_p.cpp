@@ -4,9 +4,8 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "model/nonsticking_closed_form.hpp"
+#include "model/nonsticking.hpp"
 #include "numeric/families/family.hpp"
-#include "numeric/families/least_load.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/claims.hpp"

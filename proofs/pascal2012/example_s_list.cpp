@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include "model/symmetric_closing.hpp"
+#include "model/symmetric.hpp"
 #include "model/waves.hpp"
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/openings.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"

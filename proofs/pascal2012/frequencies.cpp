@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "proofs/kernel/theorem.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/implications.hpp"
-#include "proofs/methods/openings.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
-#include "proofs/orbits/with_zero.hpp"
+#include "proofs/orbits/all_zeros.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/tactics.hpp"

@@ -1,6 +1,6 @@
 #include "proofs/pascal2012/symmetric_list.hpp"
 
-#include "model/load.hpp"
+#include "model/flows.hpp"
 #include "model/nonsticking.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/printed.hpp"
 #include "numeric/families/overshooting.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "symbolic/typeset/names.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/printed.hpp"
-#include "model/lift.hpp"
+#include "model/parameters.hpp"
 #include "model/symmetric.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "proofs/methods/claim.hpp"

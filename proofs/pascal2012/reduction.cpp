@@ -2,7 +2,7 @@
 
 #include "model/nonsticking.hpp"
 #include "model/overshooting_closing.hpp"
-#include "model/symmetric_closing.hpp"
+#include "model/symmetric.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012::reduction {

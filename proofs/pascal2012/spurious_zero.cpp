@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/appendix3.hpp"
-#include "proofs/methods/openings.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/by_slopes.hpp"

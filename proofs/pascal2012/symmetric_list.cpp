@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/symmetric_closing.hpp"
+#include "model/symmetric.hpp"
 #include "model/waves.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"

@@ -6,7 +6,7 @@
 namespace stickslip::proofs::pascal2012 {
 
 // In variables tau, C and sigma, 1 or -1 for the two phases of the load, at the example's data except
-// omega1, omega2: model/symmetric_closing.hpp.
+// omega1, omega2: model/symmetric.hpp.
 struct SymmetricEquations {
   kernel::Variable tau{"tau"}, C{"C"}, omega1{"omega1"}, omega2{"omega2"}, sigma{"sigma"};
   kernel::Term Theta = 0;

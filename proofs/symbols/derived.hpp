@@ -6,7 +6,6 @@
 #include <string>
 
 #include "model/nonsticking.hpp"
-#include "model/nonsticking_closed_form.hpp"
 #include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/table.hpp"
 

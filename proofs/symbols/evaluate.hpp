@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "model/flows.hpp"
-#include "model/nonsticking_closed_form.hpp"
+#include "model/nonsticking.hpp"
 #include "numeric/scalars/series.hpp"
 #include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/table.hpp"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "proofs/symbols/parse.hpp"
-#include "proofs/symbols/parse_tree.hpp"
 
 namespace stickslip::proofs::symbols::parsing {
 

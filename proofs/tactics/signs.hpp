@@ -1,4 +1,4 @@
-// What the domain says of a polynomial; for signs.cpp and divisors.cpp.
+// What the domain says of a polynomial: its sign, and which divisors that leaves.
 #pragma once
 
 #include "proofs/tactics/letters.hpp"

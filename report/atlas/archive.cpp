@@ -14,7 +14,7 @@
 #include "core/decimal.hpp"
 #include "report/atlas/summary.hpp"
 #include "report/tools/files.hpp"
-#include "report/tools/versions.hpp"
+#include "report/tools/json.hpp"
 #endif
 
 namespace stickslip::report::atlas {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/atlas/cover.hpp"
+#include "numeric/atlas/work.hpp"
 
 namespace stickslip::report::atlas {
 

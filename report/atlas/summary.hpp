@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/atlas/cover.hpp"
+#include "numeric/atlas/work.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
 #include "report/tools/schema.hpp"

@@ -14,7 +14,7 @@
 #include "proofs/certificates/statement_files.hpp"
 #include "report/audit/certificate_record.hpp"
 #include "report/tools/files.hpp"
-#include "report/tools/process.hpp"
+#include "report/tools/plot.hpp"
 
 namespace stickslip::report::audit {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "proofs/checks/mutants.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/methods/paper.hpp"
-#include "report/audit/certificates.hpp"
+#include "report/audit/certificate_record.hpp"
 #include "report/tools/schema.hpp"
 
 namespace stickslip::report::audit {

@@ -13,8 +13,6 @@
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/page.hpp"
-#include "report/tools/display.hpp"
-#include "report/tools/katex.hpp"
 #include "report/tools/latex.hpp"
 #include "report/tools/templates.hpp"
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "proofs/checks/mutants.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/methods/paper.hpp"
-#include "report/audit/certificates.hpp"
-#include "report/orbits/listed.hpp"
+#include "report/audit/certificate_record.hpp"
+#include "report/orbits/orbits.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::report::audit {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "proofs/methods/paper.hpp"
-#include "report/audit/certificates.hpp"
+#include "report/audit/certificate_record.hpp"
 #include "report/tools/layout.hpp"
 
 namespace stickslip::report::audit {

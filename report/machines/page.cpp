@@ -8,7 +8,7 @@
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/branches.hpp"
-#include "report/orbits/motions_page.hpp"
+#include "report/orbits/page.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/templates.hpp"

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "core/decimal.hpp"
-#include "numeric/words/pure_stick.hpp"
-#include "report/orbits/diagram.hpp"
+#include "numeric/words/pure.hpp"
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
+#include "report/tools/prose.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -126,6 +126,148 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
                   "a check in floating point",
                   style.width) +
          (recover.empty() ? "" : labelled(0, "recovers", meaning_of_neighbourhood(), style.width));
+}
+
+namespace {
+
+// The data except for the one that varies.
+std::string others(const DiagramQuestion& q) {
+  auto all = named_parameters(q.machine.machine);
+  std::erase_if(all, [&](const auto& one) { return one.first == q.parameter; });
+  return parameter_list(all);
+}
+
+std::array<std::string, 2> plane_of(const BasinsQuestion& q) {
+  const std::vector<Coordinate> all = coordinates_in({});
+  return {all[static_cast<std::size_t>(q.across[0])].name, all[static_cast<std::size_t>(q.across[1])].name};
+}
+
+}  // namespace
+
+std::vector<ToldEnding> told(const std::vector<Attractor>& all) {
+  std::vector<ToldEnding> endings;
+  for (const Attractor& a : all) {
+    const std::string period = a.kind == Kind::periodic ? std::to_string(a.periods) : "";
+    endings.push_back({a, short_name(a), period, remark(a), {}, {}});
+    if (a.orbit) {
+      endings.back().neighbourhood = a.orbit->orbit.neighbourhood;
+      endings.back().stability = a.orbit->orbit.stability;
+    }
+  }
+  return endings;
+}
+
+// Along a parameter in SI units, each value has its own.
+ToldAlong told(const Diagram& d, const Units& units) {
+  const DiagramQuestion& q = d.question;
+  const auto units_at = [&](const DiagramPoint& point) { return point.taken ? Units(*point.taken) : units; };
+  const Units first = d.points.empty() ? units : units_at(d.points.front());
+  ToldAlong result{{{{{"parameters"}, {q.taken ? "of the machine, except for " + q.parameter : others(q)}}},
+                    q.taken ? first.machine_or("the machine", q.parameter) : in_greek(others(q)),
+                    coordinates_in(first),
+                    1},
+                   q.parameter,
+                   q.parameter + (q.taken ? in_unit_of(q.parameter) : ""),
+                   q.from,
+                   q.to,
+                   q.values,
+                   q.machine.starts,
+                   q.machine.seed,
+                   {},
+                   d.interrupted};
+  for (const DiagramPoint& point : d.points) {
+    const std::vector<Coordinate> here = coordinates_in(units_at(point));
+    result.points.push_back({point.value, point.outside, told(point.attractors), {}});
+    for (const auto& states : point.once) {
+      result.points.back().once.emplace_back();
+      for (const model::Vector4<double>& X : states) {
+        result.points.back().once.back().push_back(told(X, here));
+      }
+    }
+  }
+  return result;
+}
+
+ToldPlane told(const Basins& b, const Units& units) {
+  const std::string data = parameter_list(b.question.machine.machine);
+  ToldPlane result{{{{{"parameters"}, {data}}}, units.machine_or(in_greek(data)), coordinates_in(units), 1},
+                   b.question.across,
+                   b.question.pixels,
+                   {},
+                   told(b.attractors),
+                   b.at};
+  for (const model::Vector4<double>& X : b.starts) {
+    result.starts.push_back(told(X, result.oscillator.coordinates));
+  }
+  result.interrupted = b.interrupted;
+  return result;
+}
+
+namespace {
+
+void write_diagram(Object& json, const Diagram& d) {
+  const DiagramQuestion& q = d.question;
+  write_origin(json, command_of(q));
+  json.has("along", q.parameter, one_of({"chi", "eta", "us", "V", "omega", "p", "ur"}));
+  write_parameters(json, q.machine.machine);
+  json.has("starts", q.machine.starts, {{"minimum", 1}});
+  json.has("seed", q.machine.seed);
+  json.has("most_periods", q.machine.most_periods, {{"minimum", 1}});
+  json.has("interrupted", d.interrupted, "Fewer points than were asked for.");
+  write_points(json, d.points, "States when the load's phase is 0, one period apart.",
+               [digits = q.machine.machine.digits](Object& one, const Attractor& a) {
+                 write_attractor(one, a, digits);
+               });
+}
+
+void write_basins(Object& json, const Basins& b) {
+  const BasinsQuestion& q = b.question;
+  write_origin(json, command_of(q));
+  json.has("plane", plane_of(q), {{"items", one_of({"x1", "x2", "x1'", "x2'"})}, {"uniqueItems", true}});
+  write_pixels(json, q.pixels, b.starts);
+  write_parameters(json, q.machine.machine);
+  json.has("most_periods", q.machine.most_periods, {{"minimum", 1}});
+  json.has("interrupted", b.interrupted, "Fewer starts than were asked for.");
+  json.list("attractors", b.attractors,
+            [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.machine.digits); });
+  write_ends(json, b.at, q.pixels[0]);
+}
+
+}  // namespace
+
+Json to_json(const Diagram& d) {
+  return written(d, write_diagram);
+}
+
+Json to_json(const Basins& b) {
+  return written(b, write_basins);
+}
+
+File attractors_schema() {
+  Diagram along;
+  Basins plane;
+  along.question.machine.machine = plane.question.machine.machine = SampleOf<words::WordQuestion>::made();
+  plane.starts = {model::Vector4<double>::Zero()};
+  return schema_file("attractors", "stickslip attractors: what a machine does; with --along, with --plane",
+                     one_of_schemas({schema_of_attractors(), schema_by(along, write_diagram),
+                                     schema_by(plane, write_basins)}));
+}
+
+std::string options_along(const DiagramQuestion& q) {
+  return fmt::format(" --along {} {}..{} --values {} --starts {} --seed {} --most-periods {}", q.parameter,
+                     to_string(q.from), to_string(q.to), q.values, q.machine.starts, q.machine.seed,
+                     q.machine.most_periods);
+}
+
+std::string command_of(const DiagramQuestion& q) {
+  return "stickslip attractors" + options_of(q.machine.machine) + options_along(q);
+}
+
+std::string command_of(const BasinsQuestion& q) {
+  const std::string through = q.through ? " --through=" + comma_separated(*q.through) : "";
+  return fmt::format("stickslip attractors{} --plane \"{},{}\" --pixels {}{} --most-periods {}",
+                     options_of(q.machine.machine), plane_of(q)[0], plane_of(q)[1], q.pixels[0], through,
+                     q.machine.most_periods);
 }
 
 }  // namespace stickslip::report::orbits

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "numeric/motion/contact.hpp"
+#include "numeric/motion/stability.hpp"
 #include "report/orbits/attractors.hpp"
-#include "report/orbits/diagram.hpp"
-#include "report/orbits/motions_page.hpp"
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
+#include "report/orbits/page.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
 

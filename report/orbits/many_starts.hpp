@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/attractors/kind.hpp"
 #include "numeric/attractors/many_starts.hpp"
 #include "numeric/motion/stability.hpp"
 #include "report/orbits/neighbourhood.hpp"

@@ -10,7 +10,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "model/load.hpp"
+#include "model/flows.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/motion/domain.hpp"
 #include "report/orbits/orbit_words.hpp"

@@ -2,16 +2,39 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "report/orbits/listed.hpp"
+#include "numeric/attractors/word_search.hpp"
+#include "numeric/orbits.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
 #include "report/tools/schema.hpp"
 
 namespace stickslip::report::orbits {
+
+// A list of orbits as its reports see it, whether of a family or of a word: a word is a family, too.
+
+struct Listed {
+  Listed(const numeric::OrbitList& list);               // NOLINT: either list is one
+  Listed(const numeric::attractors::WordOrbits& list);  // NOLINT
+
+  // Of a word, its orbits with the worst of each kind of condition, and a record of the word as the family.
+  numeric::OrbitList list;
+  std::string title;                   // with its phases
+  std::string searched;                // the domain
+  std::string result;                  // "complete: 2 orbits, 1 admissible, no unresolved boxes"
+  std::string command;                 // that lists the same orbits
+  std::vector<std::string> durations;  // names of how long the phases last; of a word, their letters
+  // Of a word: as it was found, and what list.question.family is.
+  std::shared_ptr<const numeric::attractors::WordOrbits> word = nullptr;
+  std::shared_ptr<const numeric::Family> record = nullptr;
+};
+
+// Lists of orbits for readers and for programs.
 
 // What a list is as JSON, to the digits asked for; their schemas. Keys that do not apply are absent,
 // "admissible" is null when undecided.

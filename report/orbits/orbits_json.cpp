@@ -1,5 +1,5 @@
 #include "numeric/families/family.hpp"
-#include "numeric/motion/contact.hpp"
+#include "numeric/motion/stability.hpp"
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"

@@ -32,7 +32,7 @@ void write_condition(tools::Object& json, const numeric::motion::Condition& cond
 // "admissible": true, false, or null when it is neither proved nor refuted.
 void write_admissible(tools::Object& json, const Verdict& admissible);
 // "multipliers", "stability", "stability_reason", if it is known; of a stable orbit "contact" of
-// numeric/motion/contact.hpp.
+// numeric/motion/stability.hpp.
 void write_stability(tools::Object& json, const std::optional<numeric::motion::Stability>& stability,
                      const std::vector<numeric::motion::Condition>& conditions, int digits);
 // Of an attractor, what is known of it; with how many of the starts end on it.

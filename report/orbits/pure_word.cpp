@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "numeric/words/pure_slip.hpp"
-#include "numeric/words/pure_stick.hpp"
+#include "numeric/words/pure.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
 
@@ -16,7 +15,7 @@ using namespace tools;
 
 namespace {
 
-constexpr int digits = 10;
+constexpr int short_digits = 10;
 
 bool sticks(const PureWord& word) {
   return word.kind == PhaseKind::stick;
@@ -47,8 +46,8 @@ std::string result(const PureWord& word) {
 
 std::vector<Row> which(const PureWord& word, const Units& units) {
   const bool stick = sticks(word);
-  const std::string bound = stick ? rounded(units.force(room(word)), digits) + units.unit(" N")
-                                  : rounded(units.velocity(room(word)), digits) + units.unit(" m/s");
+  const std::string bound = stick ? rounded(units.force(room(word)), short_digits) + units.unit(" N")
+                                  : rounded(units.velocity(room(word)), short_digits) + units.unit(" m/s");
   if (stick) {
     return {{{"which"},
              {"those that begin at rest on the belt with $chi (1 - chi) |x2| + chi a < ur - p/eta$ = " +
@@ -105,7 +104,7 @@ std::string terminal_report(const PureWord& word, const Style& style, const Unit
     rows.push_back(
         {{"forced"},
          {fmt::format("|q2| omega = {}{}, the speed of mass 2 that the load forces",
-                      rounded(units.velocity(pure_slip(word.machine.data, word.kind).forced), digits),
+                      rounded(units.velocity(pure_slip(word.machine.data, word.kind).forced), short_digits),
                       units.unit(" m/s"))}});
   }
   if (exists(word).truth == Truth::proved) {

@@ -22,8 +22,8 @@ struct PureWord {
 [[nodiscard]] std::string terminal_report(const PureWord& word, const tools::Style& style,
                                           const Units& units = {});
 
-// "forced" and "room", of numeric/words/pure_slip.hpp, are in the units; of a stick "room" is ur - p/eta of
-// pure_stick.hpp.
+// "forced" and "room", of numeric/words/pure.hpp, are in the units; of a stick "room" is ur - p/eta of
+// pure_stick there.
 [[nodiscard]] tools::Json to_json(const PureWord& word, const Units& units = {});
 [[nodiscard]] tools::File pure_schema();
 

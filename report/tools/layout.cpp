@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/verdict.hpp"
-#include "report/tools/escape.hpp"
+#include "report/tools/prose.hpp"
 
 namespace stickslip::report::tools {
 namespace {

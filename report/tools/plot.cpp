@@ -1,15 +1,214 @@
 #include "report/tools/plot.hpp"
 
 #include <fmt/format.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
 #include "report/tools/files.hpp"
-#include "report/tools/process.hpp"
+
+extern "C" char ** environ;  // NOLINT: POSIX's
 
 namespace stickslip::report::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Close {
+  void operator()(std::FILE * file) const { std::fclose(file); }
+};
+// A file in memory, gone when closed: the other program can read and write without waiting for this one.
+using Scratch = std::unique_ptr<std::FILE, Close>;
+
+Scratch scratch() {
+  const int descriptor = ::memfd_create("stickslip", MFD_CLOEXEC);
+  Scratch file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+"));
+  if (!file) {
+    throw InputOutputError(
+        fmt::format("cannot create a temporary file: {}", std::generic_category().message(errno)));
+  }
+  return file;
+}
+
+std::string content(std::FILE * file) {
+  std::rewind(file);
+  std::string text;
+  char buffer[1 << 16];
+  for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof buffer, file)) > 0;) {
+    text.append(buffer, count);
+  }
+  return text;
+}
+
+std::string first_line(const std::string& text) {
+  const std::size_t start = text.find_first_not_of(" \n\t");
+  return start == std::string::npos ? "it says nothing" : text.substr(start, text.find('\n', start) - start);
+}
+
+class FileActions {
+ public:
+  FileActions() { posix_spawn_file_actions_init(&actions_); }
+  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+
+  void redirect(std::FILE * file, int descriptor) {
+    posix_spawn_file_actions_adddup2(&actions_, ::fileno(file), descriptor);
+  }
+  void change_directory(const fs::path& directory) {
+    posix_spawn_file_actions_addchdir_np(&actions_, directory.c_str());
+  }
+  [[nodiscard]] const posix_spawn_file_actions_t * get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+// The program starts with the signals that this one ignores as the system has them: a full disk ends it.
+class Attributes {
+ public:
+  Attributes() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_init(&attributes_);
+    sigaddset(&signals, SIGPIPE);
+    sigaddset(&signals, SIGXFSZ);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+  }
+  ~Attributes() { posix_spawnattr_destroy(&attributes_); }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+
+  [[nodiscard]] const posix_spawnattr_t * get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
+// Its status as waitpid gives it, or the error that kept it from starting.
+struct End {
+  int error = 0;
+  int status = 0;
+  [[nodiscard]] bool missing() const {
+    return error != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127);
+  }
+};
+
+End run_to_end(const Tool& tool, const std::vector<std::string>& arguments, const FileActions& actions) {
+  std::vector<std::string> words{tool.program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char *> argv;
+  for (std::string& word : words) {
+    argv.push_back(word.data());
+  }
+  argv.push_back(nullptr);
+  const Attributes attributes;
+  pid_t process = 0;
+  End end;
+  end.error =
+      ::posix_spawnp(&process, tool.program.c_str(), actions.get(), attributes.get(), argv.data(), environ);
+  while (end.error == 0 && ::waitpid(process, &end.status, 0) < 0 && errno == EINTR) {
+  }
+  return end;
+}
+
+[[noreturn]] void miss(const Tool& tool) {
+  throw InputOutputError(fmt::format("cannot {}: the program {} is not there (Debian has it in {})",
+                                     tool.purpose, tool.program, tool.package));
+}
+
+}  // namespace
+
+bool is_there(const Tool& tool) {
+  const char * path = std::getenv("PATH");
+  std::istringstream directories(path == nullptr ? "" : path);
+  for (std::string directory; std::getline(directories, directory, ':');) {
+    if (::access((fs::path(directory.empty() ? "." : directory) / tool.program).c_str(), X_OK) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void require(const Tool& tool) {
+  if (!is_there(tool)) {
+    miss(tool);
+  }
+}
+
+std::string version_in(const std::string& text) {
+  const std::size_t start = text.find_first_of("0123456789");
+  return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
+}
+
+Ran attempt(const Tool& tool, const std::vector<std::string>& arguments, const std::string& input,
+            const fs::path& directory) {
+  const Scratch in = scratch();
+  const Scratch out = scratch();
+  const Scratch complaints = scratch();
+  if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() || std::fflush(in.get()) != 0) {
+    throw InputOutputError(
+        fmt::format("cannot {}: {}", tool.purpose, std::generic_category().message(errno)));
+  }
+  std::rewind(in.get());
+  FileActions actions;
+  actions.redirect(in.get(), STDIN_FILENO);
+  actions.redirect(out.get(), STDOUT_FILENO);
+  actions.redirect(complaints.get(), STDERR_FILENO);
+  if (!directory.empty()) {
+    actions.change_directory(directory);
+  }
+  const End end = run_to_end(tool, arguments, actions);
+  if (end.missing()) {
+    miss(tool);
+  }
+  return {WIFEXITED(end.status) && WEXITSTATUS(end.status) == 0, content(out.get()),
+          content(complaints.get())};
+}
+
+std::string run(const Tool& tool, const std::vector<std::string>& arguments, const std::string& input,
+                const fs::path& directory) {
+  Ran ran = attempt(tool, arguments, input, directory);
+  if (!ran.succeeded) {
+    throw InputOutputError(
+        fmt::format("cannot {}: {} failed: {}", tool.purpose, tool.program, first_line(ran.complaints)));
+  }
+  return ran.output;
+}
+
+Workshop::Workshop(const std::string& purpose) {
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "stickslip-XXXXXX").string();
+  if (error || ::mkdtemp(name.data()) == nullptr) {
+    throw InputOutputError(fmt::format("cannot {}: there is no temporary directory to do it in", purpose));
+  }
+  path_ = name;
+}
+
+Workshop::~Workshop() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string Workshop::content(const std::string& file) const {
+  return fs::exists(path_ / file) ? read_file(path_ / file) : "";
+}
+
 namespace {
 
 namespace fs = std::filesystem;

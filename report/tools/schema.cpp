@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "report/tools/json.hpp"
-#include "report/tools/versions.hpp"
 
 namespace stickslip::report::tools {
 

@@ -5,7 +5,6 @@
 #include <kainjow/mustache.hpp>
 
 #include "core/error.hpp"
-#include "report/tools/escape.hpp"
 #include "report/tools/prose.hpp"
 
 namespace stickslip::report::tools {

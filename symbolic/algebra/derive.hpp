@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/parameters.hpp"
-#include "symbolic/algebra/scalar.hpp"
+#include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::symbolic::algebra {
 

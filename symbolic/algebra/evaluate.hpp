@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/ball.hpp"
-#include "symbolic/algebra/scalar.hpp"
+#include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::symbolic::algebra {
 

@@ -1,9 +1,11 @@
 // One GiNaC symbol per plain name, so that expressions built anywhere in the program mean the same things.
 #pragma once
 
+#include <ginac/ginac.h>
+
 #include <string>
 
-#include "symbolic/algebra/scalar.hpp"
+#include "model/scalar_traits.hpp"
 
 namespace stickslip::symbolic::algebra {
 
@@ -15,3 +17,11 @@ namespace stickslip::symbolic::algebra {
 [[nodiscard]] GiNaC::ex in_frequencies(const GiNaC::ex& expression);
 
 }  // namespace stickslip::symbolic::algebra
+
+// GiNaC expressions as a scalar of the model.
+namespace Eigen {
+
+template <>
+struct NumTraits<GiNaC::ex> : stickslip::model::ScalarTraits<GiNaC::ex, 2, 100, 100> {};
+
+}  // namespace Eigen

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/algebra/scalar.hpp"
+#include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::symbolic::objects {
 

@@ -5,7 +5,6 @@
 
 #include "model/appendix3.hpp"
 #include "model/nonsticking.hpp"
-#include "model/nonsticking_closed_form.hpp"
 #include "model/symmetric.hpp"
 #include "model/waves.hpp"
 #include "symbolic/objects/object_lines.hpp"

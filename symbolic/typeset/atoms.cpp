@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "symbolic/typeset/formula_order.hpp"
+#include "symbolic/typeset/formula.hpp"
 #include "symbolic/typeset/names.hpp"
 
 namespace stickslip::symbolic::typeset {

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "symbolic/typeset/formula.hpp"
-#include "symbolic/typeset/formula_order.hpp"
 
 namespace stickslip::symbolic::typeset {
 

@@ -12,10 +12,11 @@
 //   written first. Products: integer, symbols, other functions, sums, then cos, sin, tan.
 #pragma once
 
+#include <compare>
 #include <string>
 #include <vector>
 
-#include "symbolic/algebra/scalar.hpp"
+#include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::symbolic::typeset {
 
@@ -77,5 +78,17 @@ struct Common {
 
 // The layout as an expression again.
 [[nodiscard]] GiNaC::ex value(const Fraction& fraction);
+
+// The order in which the parts of a formula are written (formula.hpp).
+
+// π, symbols by compare_names(), functions by name, then arguments; cos, sin, tan by argument, then name.
+[[nodiscard]] std::strong_ordering compare(const Atom& a, const Atom& b);
+
+// Fewer terms first, then term by term, signs last.
+[[nodiscard]] std::strong_ordering compare(const Sum& a, const Sum& b);
+
+// π, symbols, functions; sums without cos, sin, tan; sums with them; cos, sin, tan. Exponents are not looked
+// at.
+[[nodiscard]] std::strong_ordering compare_bases(const Power& a, const Power& b);
 
 }  // namespace stickslip::symbolic::typeset

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/algebra/scalar.hpp"
+#include "symbolic/algebra/symbols.hpp"
 #include "symbolic/typeset/names.hpp"
 
 namespace stickslip::symbolic::typeset {

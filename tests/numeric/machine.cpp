@@ -1,5 +1,5 @@
 // (3) against Newton's equations in SI units, which know no dimensionless quantity.
-#include "numeric/machine.hpp"
+#include "numeric/machine_along.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "model/load.hpp"
-#include "numeric/machine_along.hpp"
+#include "model/flows.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;

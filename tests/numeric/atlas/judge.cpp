@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 #include "core/decimal.hpp"
-#include "numeric/atlas/cover.hpp"
 #include "numeric/atlas/judge.hpp"
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/overshooting_orbit.hpp"
@@ -16,7 +15,7 @@
 #include "numeric/machine.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/scalars/form.hpp"
-#include "numeric/zeros/dense.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::atlas {
 namespace {

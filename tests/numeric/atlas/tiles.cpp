@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/atlas/cover.hpp"
 #include "numeric/atlas/log.hpp"
 #include "numeric/atlas/work.hpp"
 #include "numeric/families/nonsticking.hpp"

@@ -5,7 +5,6 @@
 
 #include <doctest/doctest.h>
 #include "numeric/atlas/along.hpp"
-#include "numeric/atlas/steep_zero.hpp"
 #include "numeric/atlas/zeros_in_patches.hpp"
 #include "numeric/atlas/zeros_over.hpp"
 #include "numeric/scalars/form.hpp"

@@ -9,10 +9,9 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "numeric/attractors/settle.hpp"
-#include "numeric/attractors/starts.hpp"
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/machines/machine_attractors.hpp"
-#include "numeric/motion/contact.hpp"
+#include "numeric/motion/stability.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "tests/numeric/examples.hpp"
 

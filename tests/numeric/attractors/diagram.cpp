@@ -6,7 +6,6 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/attractors/settle.hpp"
-#include "numeric/attractors/starts.hpp"
 #include "tests/numeric/examples.hpp"
 
 using namespace stickslip;

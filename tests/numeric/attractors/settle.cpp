@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "core/decimal.hpp"
-#include "numeric/attractors/lyapunov.hpp"
-#include "numeric/attractors/starts.hpp"
+#include "numeric/attractors/follower.hpp"
 #include "tests/numeric/examples.hpp"
 
 using namespace stickslip;

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "numeric/branches/changes.hpp"
-#include "numeric/branches/multiples.hpp"
+#include "numeric/branches/resonance.hpp"
 #include "numeric/branches/search.hpp"
 #include "tests/numeric/branches/questions.hpp"
 

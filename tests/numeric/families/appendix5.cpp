@@ -1,7 +1,7 @@
 // Appendix 5 in numbers: xi_i, X_i, Y_i, P_i, rho_i, and det P at and near resonance.
 #include <doctest/doctest.h>
 
-#include "model/nonsticking_closed_form.hpp"
+#include "model/nonsticking.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 

@@ -2,7 +2,7 @@
 // equation with the program.
 #pragma once
 
-#include "model/lift.hpp"
+#include "model/parameters.hpp"
 #include "numeric/motion/motion.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "tests/numeric/examples.hpp"

@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "core/sinc.hpp"
-#include "model/energy.hpp"
+#include "model/parameters.hpp"
 #include "model/saltation.hpp"
 #include "numeric/motion/infimum.hpp"
-#include "numeric/zeros/inflation.hpp"
+#include "numeric/zeros/krawczyk.hpp"
 #include "tests/numeric/families/nest.hpp"
 #include "tests/numeric/simulation/response.hpp"
 

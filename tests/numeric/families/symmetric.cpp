@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "numeric/zeros/inflation.hpp"
+#include "numeric/zeros/krawczyk.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"

@@ -7,12 +7,11 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "numeric/machines/linear_course.hpp"
+#include "numeric/machines/judge.hpp"
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/machine_branch.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/machines/steady_sliding.hpp"
-#include "numeric/words/oscillator_chain.hpp"
 #include "numeric/words/word_orbit.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/examples.hpp"
@@ -198,34 +197,6 @@ TEST_CASE("a course has the values and derivatives of the flow, from both ends, 
   CHECK(turned.at(0.5)[0].overlaps(Ball(3) - g.at(0.5)[0]));
   CHECK(turned.at(0.5)[1].overlaps(-g.at(0.5)[1]));
   CHECK(turned.guess_at(0.5)[0] == doctest::Approx(3 - g.guess_at(0.5)[0]));
-}
-
-TEST_CASE("chains of a machine are the paper's for its oscillator") {
-  const ExactParameters data = O();
-  const std::vector<PhaseKind> kinds{PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick};
-  const words::OscillatorChain closed({data, ur_of_O, kinds, 1});
-  const MachineChain linear({paper(data, ur_of_O), {{kinds[0], 0}, {kinds[1], 0}, {kinds[2], 0}}, 1});
-  const model::Vector2<Ball>& d0 = closed.oscillator().d0;
-  words::Nodes z, x;
-  for (int i = 0; i < 3; ++i) {
-    z.push_back(words::node(Ball(0.1 + 2.5 * i), Ball(0.4 * i), Ball(0.3 - i), Ball(0.2)));
-    x.push_back(z.back());
-    x.back()(1) += d0(0);
-    x.back()(2) += d0(1);
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const words::Node F = closed.conditions(z, i), G = linear.conditions(x, i);
-    const words::Link a = closed.link(z, i), b = linear.link(x, i);
-    for (Eigen::Index k = 0; k < 4; ++k) {
-      CHECK(F(k).overlaps(G(k)));
-      CHECK(is_narrow(G(k), 1e-28));
-      CHECK(a.end_velocity(k).overlaps(b.end_velocity(k)));
-      for (Eigen::Index l = 0; l < 4; ++l) {
-        CHECK(a.M(k, l).overlaps(b.M(k, l)));
-      }
-    }
-    CHECK(a.rate.overlaps(b.rate));
-  }
 }
 
 TEST_CASE("the word of a motion that slips for ever, from one piece of the law to another, is S") {

@@ -12,7 +12,6 @@
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/words/complete_list.hpp"
-#include "numeric/zeros/dense.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"
 #include "tests/numeric/machines/one_mass.hpp"
@@ -74,6 +73,30 @@ void check_converges(const Case& c, int starts, int returns) {
 }
 
 }  // namespace
+
+TEST_CASE("a motion taken twice or three times is found to be the shorter one, with a load and without") {
+  for (const Machine& machine : {stick_slip(), damped_O()}) {
+    const bool has_load = !machine.oscillator.is_autonomous();
+    const MachineGuess once = settle(machine, has_load ? start_of_damped() : Eigen::VectorXd::Zero(2)).guess;
+    REQUIRE(once.events.size() > 1);
+    for (const int times : {2, 3}) {
+      MachineGuess again = once;
+      for (int k = 1; k < times; ++k) {
+        for (MachineGuess::Event event : once.events) {
+          event.t += k * once.duration;
+          again.events.push_back(event);
+        }
+      }
+      again.duration *= times;
+      again.periods *= has_load ? times : 1;
+      const MachineOrbit found = prove_machine_orbit(machine, again);
+      CHECK(found.existence.truth == Truth::proved);
+      CHECK(found.phases.size() == once.events.size());
+      CHECK(found.periods == once.periods);
+      CHECK(found.period.approximate() == doctest::Approx(once.duration));
+    }
+  }
+}
 
 TEST_CASE("all motions from the neighbourhood of a stable orbit converge to it") {
   const Case O = case_of(damped_O(), start_of_damped(), 1500);

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "numeric/machines/linear_course.hpp"
+#include "numeric/machines/judge.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/machines/smooth_phase.hpp"
 #include "numeric/machines/steady_sliding.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "numeric/motion/contact.hpp"
+#include "numeric/motion/stability.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;

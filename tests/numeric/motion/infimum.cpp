@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "numeric/motion/piece.hpp"
 #include "tests/numeric/motion/exact.hpp"
 
 using namespace stickslip;

@@ -7,9 +7,9 @@
 
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
-#include "numeric/motion/monodromy.hpp"
-#include "numeric/zeros/dense.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "numeric/motion/multipliers.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 using namespace stickslip;

@@ -2,7 +2,7 @@
 // equations in units of one's own through (3). Data are drawn at random, with a bias to corner cases.
 #include <doctest/doctest.h>
 
-#include "model/lift.hpp"
+#include "model/parameters.hpp"
 #include "model/waves.hpp"
 #include "numeric/scalars/jet.hpp"
 #include "tests/numeric/families/random_data.hpp"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "model/slip.hpp"
+#include "model/flows.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::scalars;

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "core/decimal.hpp"
-#include "model/sinc.hpp"
+#include "model/scalar_traits.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 
 using namespace stickslip;

@@ -1,5 +1,5 @@
 // The energy of the difference of two motions: E' = delta2' delta u, and when it can grow.
-#include "model/energy.hpp"
+#include "model/parameters.hpp"
 
 #include <doctest/doctest.h>
 

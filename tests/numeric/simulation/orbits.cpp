@@ -3,8 +3,8 @@
 
 #include "model/flows.hpp"
 #include "numeric/simulation/agreement.hpp"
-#include "numeric/zeros/dense.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "tests/numeric/simulation/response.hpp"
 

@@ -13,7 +13,7 @@
 //   S = h/(2 omega_j) (sinc(a) cos(b) - cos(a) sinc(b)),  S' = omega C.
 #pragma once
 
-#include "model/sinc.hpp"
+#include "model/scalar_traits.hpp"
 
 namespace stickslip::model {
 

@@ -10,8 +10,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "numeric/simulation/simulation.hpp"
-#include "numeric/words/pure_slip.hpp"
-#include "numeric/words/pure_stick.hpp"
+#include "numeric/words/pure.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "numeric/zeros/dense.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::words {
 

@@ -5,8 +5,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/words/chain_proof.hpp"
-#include "numeric/words/oscillator_chain.hpp"
+#include "numeric/machines/chain_proof.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 #include "tests/numeric/words/guesses.hpp"
@@ -15,6 +14,10 @@ using namespace stickslip;
 using namespace stickslip::examples;
 using namespace stickslip::numeric;
 using namespace stickslip::numeric::words;
+using machines::ChainProof;
+using machines::MachineQuestion;
+using machines::Node;
+using machines::Nodes;
 
 namespace {
 
@@ -103,25 +106,27 @@ TEST_CASE("the paper's orbits come out of their words with the same digits") {
 TEST_CASE("a box that the closed chain does not lie in passes no test") {
   const Orbit orbit = admissible_one(listed(families::overshooting(), O(), 60, Rational(0)));
   const motion::Motion& m = orbit.motion;
-  ChainQuestion q{O(), rounded(orbit.value("ur"), 50), {}, 1};
+  const model::Vector2<Ball>& d0 = m.oscillator.d0;
+  MachineQuestion q{{model::friction_oscillator<Rational>(O(), rounded(orbit.value("ur"), 50))}, {}, 1};
   Nodes nodes;
   for (const motion::Phase& phase : m.phases) {
-    q.phases.push_back(phase.kind);
-    nodes.push_back(node(m.phases.front().load / m.oscillator.data.omega + phase.start, phase.Z(0),
-                         phase.Z(1), phase.Z(2)));
+    q.pieces.push_back({phase.kind});
+    nodes.emplace_back(4);
+    nodes.back() << m.phases.front().load / m.oscillator.data.omega + phase.start, phase.Z(0) + d0(0),
+        phase.Z(1) + d0(1), phase.Z(2);
   }
-  const ChainProof proof = prove_chain(chain_at(q), nodes, 128, 128);
+  const ChainProof proof = prove_chain(q, nodes, 128, 128);
   REQUIRE(proof.verdict.truth == Truth::proved);
   for (Node& u : nodes) {
     u = Node(u.unaryExpr([](const Ball& x) { return x.midpoint(); }));
   }
-  CHECK(newton_test(chain_at(q), nodes, -40).verdict.truth == Truth::proved);
+  CHECK(newton_test(q, nodes, -40).verdict.truth == Truth::proved);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (int j = 0; j < 4; ++j) {
       Nodes moved = nodes;
       moved[i](j) += Ball(0x1p-30);
       for (const long exponent : {-16, -20, -24, -28, -34, -40, -60}) {
-        const ChainProof wide = newton_test(chain_at(q), moved, exponent);
+        const ChainProof wide = newton_test(q, moved, exponent);
         const auto contains_it = [&](const Nodes& box) {
           for (std::size_t k = 0; k < nodes.size(); ++k) {
             for (int l = 0; l < 4; ++l) {

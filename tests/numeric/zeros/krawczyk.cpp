@@ -1,5 +1,5 @@
 // Krawczyk's test: it proves what is there, refutes what is not, and never proves a mutant.
-#include "numeric/zeros/inflation.hpp"
+#include "numeric/zeros/krawczyk.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "numeric/families/family.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 using namespace stickslip;

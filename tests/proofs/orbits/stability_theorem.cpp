@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/examples.hpp"

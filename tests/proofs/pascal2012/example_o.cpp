@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/examples.hpp"

@@ -1,6 +1,6 @@
 // What an audit makes of a record of what Coq said, and of one that was changed. What Coq is asked for that:
 // ask_coq.cpp.
-#include "report/audit/certificates.hpp"
+#include "report/audit/certificate_record.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
-#include "report/audit/certificate_record.hpp"
 #include "report/audit/json.hpp"
 #include "report/audit/table.hpp"
 #include "tests/report/audit/sample.hpp"

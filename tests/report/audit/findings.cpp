@@ -1,7 +1,7 @@
 
 #include <doctest/doctest.h>
 
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "report/audit/page_data.hpp"
 #include "report/audit/summary.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "report/tools/katex.hpp"
+#include "report/tools/latex.hpp"
 #include "report/tools/templates.hpp"
 #include "tests/report/audit/sample.hpp"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "report/audit/summary.hpp"
-#include "report/tools/escape.hpp"
+#include "report/tools/prose.hpp"
 #include "tests/report/audit/sample.hpp"
 
 using namespace stickslip;

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 using namespace stickslip;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
 using namespace stickslip;

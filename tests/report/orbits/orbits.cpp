@@ -7,12 +7,12 @@
 #include <set>
 #include <sstream>
 
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/orbits/orbit_words.hpp"
-#include "report/tools/escape.hpp"
 #include "report/tools/numbers.hpp"
+#include "report/tools/prose.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "proofs/methods/example_orbits.hpp"
+#include "proofs/methods/motions.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/files.hpp"

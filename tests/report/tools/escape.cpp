@@ -1,4 +1,4 @@
-#include "report/tools/escape.hpp"
+#include "report/tools/prose.hpp"
 
 #include <doctest/doctest.h>
 

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "report/tools/escape.hpp"
 #include "report/tools/numbers.hpp"
+#include "report/tools/prose.hpp"
 
 using namespace stickslip;
 using namespace stickslip::report::tools;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/verdict.hpp"
-#include "report/tools/display.hpp"
+#include "report/tools/latex.hpp"
 
 using namespace stickslip;
 using namespace stickslip::report::tools;

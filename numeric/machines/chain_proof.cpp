@@ -1,0 +1,359 @@
+#include "numeric/machines/chain_proof.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "numeric/zeros/krawczyk.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+
+namespace stickslip::numeric::machines {
+
+using zeros::in_double;
+using zeros::product;
+using Matrix = model::MatrixX<Ball>;
+
+namespace {
+
+bool is_finite(const Matrix& A) {
+  return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
+}
+
+// The frames of all nodes. The second time round the first frame is where the first time ended, so that the
+// return map, too, is nearly triangular, as far as its eigenvalues differ in size.
+std::vector<Matrix> frames(const std::vector<Link>& links) {
+  std::vector<Eigen::MatrixXd> M;
+  for (const Link& link : links) {
+    M.emplace_back(in_double(link.M));
+  }
+  const Eigen::Index n = links.front().M.rows();
+  Eigen::MatrixXd now = Eigen::MatrixXd::Identity(n, n);
+  for (const Eigen::MatrixXd& factor : M) {
+    now = zeros::orthonormal(factor.lazyProduct(now));
+  }
+  std::vector<Matrix> Q;
+  for (const Eigen::MatrixXd& factor : M) {
+    Q.push_back(orthogonal(now));
+    now = factor.lazyProduct(in_double(Q.back()));
+  }
+  return Q;
+}
+
+}  // namespace
+
+// The product of the reflections I - 2 v vᵀ/(v v) that bring W to triangular form: exactly orthogonal,
+// however the vectors v were found, so its inverse is its transpose.
+Matrix orthogonal(const Eigen::MatrixXd& W) {
+  const Eigen::Index n = W.rows();
+  Matrix Q = Matrix::Identity(n, n);
+  const Eigen::MatrixXd found = zeros::reflections(W);
+  if (!found.allFinite()) {
+    return Q;
+  }
+  model::VectorX<Ball> v(n);
+  for (Eigen::Index k = n - 2; k >= 0; --k) {
+    v(k) = Ball(1);
+    Ball square(1);
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      v(i) = Ball(found(i, k));
+      add_product(square, v(i), v(i));
+    }
+    for (Eigen::Index j = k; j < n; ++j) {
+      Ball part(0);
+      for (Eigen::Index i = k; i < n; ++i) {
+        add_product(part, v(i), Q(i, j));
+      }
+      part = Ball(2) * part / square;
+      for (Eigen::Index i = k; i < n; ++i) {
+        subtract_product(Q(i, j), part, v(i));
+      }
+    }
+  }
+  return Q;
+}
+
+std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
+  const Eigen::Index n = A.rows();
+  const Matrix E = Matrix(Matrix::Identity(n, n)) - Matrix(product(Y, A));
+  const Ball norm = zeros::norm(E);
+  const Ball room = Ball(1) - norm;
+  if (!room.is_positive()) {
+    return std::nullopt;
+  }
+  // (I - E)⁻¹ - I is at most |E|/(1 - |E|).
+  const Ball excess = Ball(norm / room).upper();
+  Matrix inverse = Y;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    Ball column(0);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      column += abs(Y(i, j));
+    }
+    const Ball spread = Ball(excess * column).upper();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      inverse(i, j) += Ball::hull(-spread, spread);
+    }
+  }
+  return inverse;
+}
+
+std::optional<Sweep> sweep(const std::vector<Link>& links, const Nodes& g) {
+  const bool finite = std::all_of(links.begin(), links.end(), [](const Link& l) { return is_finite(l.M); });
+  if (!finite) {
+    return std::nullopt;
+  }
+  const std::size_t count = links.size();
+  const std::vector<Matrix> Q = frames(links);
+  const Eigen::Index n = links.front().M.rows();
+  // e_i = P_i e_0 + h_i.
+  std::vector<Matrix> P{Matrix::Identity(n, n)};
+  Nodes h{Node::Constant(n, Ball(0))};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Matrix to = Q[(i + 1) % count].transpose();
+    const Matrix R = product(to, Matrix(product(links[i].M, Q[i])));
+    P.emplace_back(product(R, P[i]));
+    h.emplace_back(product(R, h[i]) + product(to, g[i]));
+  }
+  const Matrix closing = Matrix(Matrix::Identity(n, n)) - P.back();
+  const auto Y = is_finite(closing) ? zeros::row_combinations(closing) : std::nullopt;
+  const auto inverse = Y ? enclosed_inverse(closing, *Y) : std::nullopt;
+  if (!inverse) {
+    return std::nullopt;
+  }
+  const Node first = product(*inverse, h.back());
+  Sweep result{{}, P.back()};
+  for (std::size_t i = 0; i < count; ++i) {
+    result.deviations.emplace_back(product(Q[i], Node(product(P[i], first) + h[i])));
+  }
+  return result;
+}
+
+namespace {
+
+constexpr long fewest_bits = 128;
+// From where on Newton's method does not come back, as a power of two: states of a motion in units of its
+// own lengths.
+constexpr long far_away = 20;
+
+ChainProof open(const char * reason) {
+  return {Verdict::undecided(reason), 0, {}, {}, {}};
+}
+
+std::vector<Link> links_of(const Chain& chain, const Nodes& nodes) {
+  std::vector<Link> links;
+  links.reserve(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    links.push_back(chain.link(nodes, i));
+  }
+  return links;
+}
+
+Nodes responses(const std::vector<Link>& links, const Nodes& conditions) {
+  Nodes g;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    g.push_back(links[i].response(conditions[i]));
+  }
+  return g;
+}
+
+Nodes conditions_of(const Chain& chain, const Nodes& nodes) {
+  Nodes F;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    F.push_back(chain.conditions(nodes, i));
+  }
+  return F;
+}
+
+// 2^result is not less than any component.
+long exponent(const Nodes& deviations) {
+  long largest = -1000000000L;
+  for (const Node& d : deviations) {
+    for (Eigen::Index i = 0; i < d.size(); ++i) {
+      const Ball size = abs(d(i)).upper();
+      if (!size.is_finite()) {
+        return far_away + 1;
+      }
+      if (size.is_positive()) {
+        largest = std::max(largest, fmpz_get_si(ARF_EXPREF(arb_midref(size.raw()))));
+      }
+    }
+  }
+  return largest;
+}
+
+// The chain at the working precision of the moment, made once as long as that stays: it may keep what it
+// has computed.
+class Chains {
+ public:
+  explicit Chains(const MachineQuestion& question) : question_(question) {}
+
+  [[nodiscard]] const Chain& now() {
+    if (bits_ != WorkingPrecision::bits()) {
+      chain_.emplace(question_);
+      bits_ = WorkingPrecision::bits();
+    }
+    return *chain_;
+  }
+
+ private:
+  const MachineQuestion& question_;
+  long bits_ = 0;
+  std::optional<Chain> chain_;
+};
+
+// Where Newton's method led.
+struct Approach {
+  std::optional<Nodes> nodes;
+  bool astray = false;  // more bits would not help
+};
+
+// In floats, from as many bits as a guess deserves up to `bits`. The links of a step serve the ones after it
+// at the same precision once they are near enough.
+Approach approximate(Chains& chains, Nodes nodes, long bits) {
+  constexpr int most_steps = 12;     // at one precision
+  constexpr long near_enough = -20;  // of steps, as a power of two
+  long precision = std::min(fewest_bits, bits);
+  long before = far_away;
+  std::vector<Link> links;
+  long gain = 0;  // of a step over the one before, as a power of two: the step where the links are
+  for (int k = 0; k < most_steps; ++k) {
+    const WorkingPrecision scope(precision);
+    const Chain& chain = chains.now();
+    const bool fresh = gain > near_enough;
+    if (fresh) {
+      links = links_of(chain, nodes);
+    }
+    const Nodes g = midpoints(responses(links, conditions_of(chain, nodes)));
+    const auto found = sweep(links, g);
+    if (!found) {
+      return {};
+    }
+    const long size = exponent(found->deviations);
+    if (size > far_away) {
+      return {{}, true};
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      nodes[i] = midpoint(nodes[i] + found->deviations[i]);
+    }
+    gain = fresh ? size : gain;
+    // The step after this one is as much smaller, or as small as rounding allows.
+    if (-(size + gain) > precision || (size >= before && -size > precision / 4)) {
+      if (precision == bits) {
+        return {nodes};
+      }
+      precision = std::min(2 * precision, bits);
+      gain = 0;
+      k = 0;
+    }
+    before = size;
+  }
+  return {{}, true};
+}
+
+// The boxes around the nodes with the radius 2^exponent in units of each component, max(1, |middle|).
+Nodes boxes(const Nodes& nodes, long exponent) {
+  Nodes X = nodes;
+  for (Node& u : X) {
+    for (Eigen::Index j = 0; j < u.size(); ++j) {
+      Ball r = (abs(u(j)) + Ball(1)).upper();
+      arb_mul_2exp_si(r.raw(), r.raw(), exponent);
+      u(j) += Ball::hull(-r, r);
+    }
+  }
+  return X;
+}
+
+ChainProof test(const Chain& chain, const Nodes& m, long exponent) {
+  const Nodes X = boxes(m, exponent);
+  const std::vector<Link> links = links_of(chain, X);
+  const auto image = sweep(links, responses(links, conditions_of(chain, m)));
+  if (!image) {
+    return open("an event of the motion may not be transversal, or 1 may be a multiplier");
+  }
+  Nodes N = m;
+  for (std::size_t i = 0; i < N.size(); ++i) {
+    N[i] += image->deviations[i];
+    if (!zeros::is_interior<Eigen::Dynamic>(N[i], X[i])) {
+      return open("no box around the guess passed Newton's test");
+    }
+  }
+  return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
+}
+
+}  // namespace
+
+ChainProof newton_test(const MachineQuestion& question, const Nodes& m, long exponent) {
+  return test(Chain(question), m, exponent);
+}
+
+ChainProof prove_chain(const MachineQuestion& question, const Nodes& guess, long bits, long most_bits) {
+  ChainProof proof = open("Newton's method leads to no closed motion from there");
+  Nodes nodes = guess;
+  Chains chains(question);
+  for (long precision = std::max(bits, fewest_bits); precision <= most_bits; precision *= 4) {
+    const Approach approach = approximate(chains, nodes, precision);
+    if (approach.astray) {
+      break;
+    }
+    if (!approach.nodes) {
+      continue;
+    }
+    nodes = *approach.nodes;
+    const WorkingPrecision scope(precision);
+    // Wide boxes have much of the motion's surroundings in them, narrow ones are the easiest.
+    for (const long exponent : {-precision * 3 / 4, -precision * 7 / 8}) {
+      proof = test(chains.now(), nodes, exponent);
+      if (proof.verdict.truth == Truth::proved) {
+        return proof;
+      }
+    }
+  }
+  return proof;
+}
+
+namespace {
+
+// What is known of "the chain is a shorter one, taken d times": each node is the one 1/d of the way later.
+Truth is_repetition(const MachineQuestion& q, const ChainProof& proof, std::size_t d) {
+  const WorkingPrecision scope(proof.bits);
+  const std::size_t count = q.pieces.size(), step = count / d;
+  const bool autonomous = q.machine.oscillator.is_autonomous();
+  const Ball turn =
+      autonomous ? Ball(0) : Ball(2 * q.periods) * Ball::pi() / oscillator_as<Ball>(q.machine).omega;
+  bool same = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    Node later = proof.nodes[(i + step) % count];
+    later(0) += turn * Ball(i + step >= count ? 1 : 0) - turn / Ball(static_cast<long>(d));
+    for (Eigen::Index j = 0; j < later.size(); ++j) {
+      if (!later(j).overlaps(proof.nodes[i](j))) {
+        return Truth::refuted;
+      }
+      same = same && later(j).is_interior_to(proof.unique[i](j));
+    }
+  }
+  // Motions are motions a whole period of the load later.
+  const bool is_closed = autonomous || q.periods % static_cast<long>(d) == 0;
+  return same && is_closed ? Truth::proved : Truth::undecided;
+}
+
+}  // namespace
+
+std::pair<long, Verdict> repetition(const MachineQuestion& question, const ChainProof& proof) {
+  const std::vector<Piece>& pieces = question.pieces;
+  for (std::size_t d = pieces.size(); d > 1; --d) {
+    const auto step = static_cast<std::ptrdiff_t>(pieces.size() / d);
+    if (pieces.size() % d != 0 || !std::equal(pieces.begin() + step, pieces.end(), pieces.begin())) {
+      continue;
+    }
+    const Truth repeats = is_repetition(question, proof, d);
+    if (repeats != Truth::refuted) {
+      return {static_cast<long>(d),
+              repeats == Truth::proved
+                  ? Verdict::proved()
+                  : Verdict::undecided(fmt::format("the motion may be a shorter one taken {} times", d))};
+    }
+  }
+  return {1, Verdict::proved()};
+}
+
+}  // namespace stickslip::numeric::machines
