@@ -223,8 +223,12 @@ std::optional<LinearPhases::Modes> LinearPhases::make_modes(Piece piece) const {
   }
   modes.A = -part_of(B, velocities, modes.moving);
   const std::vector<Ball> squares = eigenvalues_of(modes.A);
+  // Divided by their difference, numbers nearer than this lose too many of their digits.
+  const auto are_apart = [](const Ball& a, const Ball& b) {
+    return (abs(a - b) - abs(a) * Ball(0x1p-16)).is_positive();
+  };
   for (const Ball& square : squares) {
-    if (!(square - (modes.frequencies.empty() ? Ball(0) : squares[0])).is_positive()) {
+    if (!square.is_positive() || !(modes.frequencies.empty() || are_apart(square, squares[0]))) {
       return std::nullopt;
     }
     modes.frequencies.push_back(sqrt(square));
@@ -239,13 +243,15 @@ std::optional<LinearPhases::Modes> LinearPhases::make_modes(Piece piece) const {
     }
     std::vector<Ball> response;
     for (const Ball& square : squares) {
+      if (!are_apart(square, turn)) {
+        return std::nullopt;
+      }
       response.push_back(Ball(1) / (square - turn));
     }
     modes.P.col(k) = zeros::product(function_of(modes.A, squares, response), Matrix(G.col(k)));
   }
   modes.P_rate = sparse_product(modes.P, Omega);
-  const bool is_finite = modes.P.unaryExpr([](const Ball& x) { return x.is_finite(); }).all();
-  return is_finite ? std::optional(modes) : std::nullopt;
+  return modes;
 }
 
 // With c = cos(sqrt(A) t) and s = sin(sqrt(A) t)/sqrt(A) for x - P u, which moves freely.

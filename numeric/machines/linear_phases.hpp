@@ -47,8 +47,8 @@ class LinearPhases {
   // B of the piece. Throws InternalError when the law has no such piece.
   [[nodiscard]] const Matrix& drift(Piece piece) const;
   // exp(B h), for all members of h. Those that were computed for one time are kept, and serve those beside
-  // it: where at most two masses move, and neither dashpots nor the friction depend on their speeds, in
-  // closed form as (5) and (10), else by Arb.
+  // it: where at most two masses move, without dashpots and with friction that does not change with the
+  // speed, in closed form as (5) and (10), else by Arb.
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
   // That times w.
   [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;

@@ -261,11 +261,9 @@ Theorem positive(const Term& a, const Domain& domain) {
   return nonzero(Theorem::order(less(0, a), {product}), domain);
 }
 
-// Hypotheses d ≠ 0 less what the domain implies.
+// ---- Hypotheses d ≠ 0 less what the domain implies.
 
 namespace {
-
-using namespace kernel;
 
 bool has_sine(const Term& term) {
   return term.kind() == Kind::cosine || term.kind() == Kind::sine ||

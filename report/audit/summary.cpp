@@ -357,10 +357,6 @@ std::vector<HypothesisGroup> hypothesis_groups(const Audit& audit) {
 
 namespace {
 
-using proofs::methods::Audit;
-using proofs::methods::Outcome;
-using proofs::methods::Record;
-
 // All claims that the proofs of a record use.
 std::set<std::string> used_by_proofs_of(const Record& record) {
   std::set<std::string> all = record.outcome.uses;

@@ -119,6 +119,51 @@ TEST_CASE("the flows of linear phases are the paper's closed forms") {
 }
 
 TEST_CASE(
+    "undamped phases in closed form are the exponentials of their drifts, also where the load resonates") {
+  const Rational unit(1, 7);
+  for (const int n : {1, 2, 3}) {
+    Machine machine = row_of_masses(n);
+    auto& o = machine.oscillator;
+    o.damping *= Rational(0);
+    for (int i = 0; i < n; ++i) {
+      o.masses[static_cast<std::size_t>(i)] = Rational(1) + i * unit;
+      o.loads.push_back({static_cast<std::size_t>(i), 0, Rational(2) - i, Rational(0)});
+      o.loads.push_back({static_cast<std::size_t>(i), 1, Rational(1, 3) + i, unit});
+      o.loads.push_back({static_cast<std::size_t>(i), 3, unit, Rational(1 - i)});
+    }
+    o.forward.sliding = o.backward.sliding = {{Rational(0), Rational(2), Rational(0)}};
+    // The second is 1e-10 beside sqrt(20), the frequency of a mass between two springs.
+    for (const Rational& omega : {Rational(9, 7), Rational(894427191, 200000000)}) {
+      o.omega = omega;
+      const LinearPhases phases(oscillator_as<Ball>(machine));
+      for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
+        for (const Rational& h : {Rational(3, 5), Rational(-2), Rational(11)}) {
+          const Matrix closed = phases.flow({kind, 0}, Ball(h));
+          const Matrix known = exponential(phases.drift({kind, 0}) * Ball(h).midpoint());
+          for (Eigen::Index i = 0; i < closed.size(); ++i) {
+            CHECK((closed.data()[i] - known.data()[i]).contains_zero());
+            CHECK(is_narrow(closed.data()[i], 1e-20));
+          }
+        }
+      }
+    }
+  }
+  // At a resonance there is no closed form: m x'' + 4 x = cos 2 t.
+  Machine machine = row_of_masses(1);
+  auto& o = machine.oscillator;
+  o.damping *= Rational(0);
+  o.stiffness(0, 0) = Rational(4);
+  o.omega = Rational(2);
+  o.loads = {{0, 1, Rational(1), Rational(0)}};
+  o.forward.sliding = {{Rational(0), Rational(2), Rational(0)}};
+  const LinearPhases phases(oscillator_as<Ball>(machine));
+  // x = t sin(2 t)/4 from rest, less what the friction does.
+  const Matrix flow = phases.flow({PhaseKind::slip, 0}, Ball(3));
+  CHECK(flow(0, 3).overlaps(Ball(3) * sin(Ball(6)) / Ball(4)));
+  CHECK(is_narrow(flow(0, 3), 1e-30));
+}
+
+TEST_CASE(
     "a flow over an uncertain time contains those over its members, and none when it is too uncertain") {
   const LinearPhases phases(oscillator_as<Ball>(row_of_masses(3)));
   const Piece piece{PhaseKind::slip, 1};
