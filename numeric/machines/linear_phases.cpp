@@ -294,12 +294,14 @@ Matrix LinearPhases::in_closed_form(const Modes& modes, const Ball& t) const {
   return flow;
 }
 
+const std::optional<LinearPhases::Modes>& LinearPhases::modes(Piece piece) const {
+  const auto found = modes_.find(piece);
+  return found != modes_.end() ? found->second : modes_.emplace(piece, make_modes(piece)).first->second;
+}
+
 Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
-  const auto [entry, is_new] = modes_.try_emplace(piece);
-  if (is_new) {
-    entry->second = make_modes(piece);
-  }
-  return entry->second ? in_closed_form(*entry->second, t) : exponential(drift(piece) * t);
+  const std::optional<Modes>& known = modes(piece);
+  return known ? in_closed_form(*known, t) : exponential(drift(piece) * t);
 }
 
 // exp(B (m + d)) X = exp(B m) (X + B d X + … + (B d)^(k-1) X/(k-1)! + R), and |R| <= |X| s^k/k! / (1 - s/(k +
@@ -315,14 +317,15 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
     norm = zeros::norm(Matrix(units_.cwiseInverse().asDiagonal() * B * units_.asDiagonal()));
   }
   const Ball middle = h.midpoint();
-  // The nearest of those that are kept, or a new one.
+  // The nearest of those that are kept, or a new one: a closed form costs less than the way from another.
+  const bool is_closed = modes(piece).has_value();
   std::vector<Exponential>& all = flows_[piece];
   const auto distance = [&](const Exponential& one) {
     return std::abs(Ball(one.middle - middle).approximate());
   };
   auto found = std::ranges::min_element(all, {}, distance);
-  if (found == all.end() || !(distance(*found) * norm.approximate() < near_enough)) {
-    if (all.size() >= most_kept) {
+  if (found == all.end() || !(distance(*found) * norm.approximate() <= (is_closed ? 0 : near_enough))) {
+    if (all.size() >= (is_closed ? 1 : most_kept)) {
       all.erase(all.begin());
     }
     all.push_back({middle, flow_at(piece, middle)});
@@ -369,7 +372,8 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
 }
 
 Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
-  return moved(piece, h, Matrix(Matrix::Identity(size_, size_)));
+  return h.is_exact() && modes(piece) ? flow_at(piece, h)
+                                      : moved(piece, h, Matrix(Matrix::Identity(size_, size_)));
 }
 
 Vector LinearPhases::after(Piece piece, const Ball& h, const Vector& w) const {

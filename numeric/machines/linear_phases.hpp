@@ -93,6 +93,7 @@ class LinearPhases {
     std::vector<Ball> frequencies;           // rising
   };
   [[nodiscard]] std::optional<Modes> make_modes(Piece piece) const;
+  [[nodiscard]] const std::optional<Modes>& modes(Piece piece) const;
   [[nodiscard]] Matrix in_closed_form(const Modes& modes, const Ball& t) const;
   [[nodiscard]] Matrix flow_at(Piece piece, const Ball& t) const;
   [[nodiscard]] Matrix make_drift(Piece piece) const;
