@@ -261,6 +261,7 @@ void add_branch(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--all", o.all)->excludes(orbit)->excludes(near);
   orbit->excludes(near);
   c.add("--basin", o.basin);
+  c.add("--without-gaps", o.without_gaps);
   c.add("--csv", o.csv);
   c.add("--plot", o.plot);
   c.add("--out", o.out);

@@ -100,6 +100,7 @@ struct BranchOptions : GivenMachine, Outputs {
   std::optional<State> near;
   bool all = false;                  // likewise
   std::optional<std::string> basin;  // of S of a machine in tables
+  bool without_gaps = false;         // of words of one
 };
 
 struct AttractorsOptions : GivenMachine, Outputs {

@@ -37,6 +37,11 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
     return *done;
   }
   require_no_basin(o.basin);
+  if (o.without_gaps) {
+    throw UsageError(
+        "--without-gaps is for words of a machine in tables: branches of the paper's oscillator have no "
+        "gaps");
+  }
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
   const auto [file, list] = [&] {

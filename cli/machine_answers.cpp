@@ -255,7 +255,8 @@ report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsO
 }
 
 report::machines::SteadyBranch steady_answer(const GivenInTables& given, const BranchOptions& o) {
-  refuse_others(o, given.file, false, {"--period", "--near", "--orbit", "--at", "--csv", "--plot", "--out"});
+  refuse_others(o, given.file, false,
+                {"--period", "--near", "--orbit", "--at", "--without-gaps", "--csv", "--plot", "--out"});
   const auto [path, from, to, at] = along_path(given, o.along);
   const int digits = OrbitsOptions::default_digits;
   report::machines::SteadyBranch result{
@@ -281,8 +282,18 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
   refuse_others(o, given.file, false, {});
   q.machine = at(start);
   const MachineWordOrbits found = find_word_orbits(q);
-  report::machines::Branches result{
-      q, path, from, to, start, o.orbit, o.all, {}, found.seen, found.interrupted, origin(given)};
+  report::machines::Branches result{q,
+                                    path,
+                                    from,
+                                    to,
+                                    start,
+                                    o.orbit,
+                                    o.all,
+                                    o.without_gaps,
+                                    {},
+                                    found.seen,
+                                    found.interrupted,
+                                    origin(given)};
   if (o.orbit && static_cast<std::size_t>(*o.orbit) > found.orbits.size()) {
     throw UsageError(fmt::format("orbit: there is no orbit {} through {} at {} = {}, there are {}", *o.orbit,
                                  q.word.letters(), path, to_string(start), found.orbits.size()));
@@ -291,8 +302,8 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
     const bool wanted = o.orbit ? k + 1 == static_cast<std::size_t>(*o.orbit)
                                 : o.all || found.orbits[k].admissible.truth == Truth::proved;
     if (wanted) {
-      result.branches.push_back(
-          follow_machine_branch({at, from, to, start, guess_of(found.orbits[k], q.machine), q.digits}));
+      result.branches.push_back(follow_machine_branch(
+          {at, from, to, start, guess_of(found.orbits[k], q.machine), q.digits, o.without_gaps}));
       result.interrupted = result.interrupted || result.branches.back().interrupted;
     }
   }

@@ -17,6 +17,9 @@ namespace {
 constexpr long more_bits = 64;
 
 LinearPhases phases_of(const MachineQuestion& question) {
+  if (question.ends) {
+    return {oscillator_as<Ball>(question.ends->first), oscillator_as<Ball>(question.ends->second)};
+  }
   const WorkingPrecision scope(WorkingPrecision::bits() + more_bits);
   LinearPhases phases(oscillator_as<Ball>(question.machine));
   for (const Piece& piece : question.pieces) {
@@ -54,9 +57,26 @@ Chain::Chain(const MachineQuestion& question)
   if (!autonomous_) {
     turn_ = Ball(2 * question.periods) * Ball::pi() / o.omega;
   }
+  const auto speeds_of = [&](const Machine& machine) {
+    std::vector<Ball> speeds;
+    for (std::size_t i = 0; i < size(); ++i) {
+      speeds.push_back(speed_between(machine.oscillator, pieces_[(i + size() - 1) % size()], pieces_[i]));
+    }
+    return speeds;
+  };
+  if (!question.ends) {
+    speeds_ = speeds_of(question.machine);
+    return;
+  }
+  speeds_low_ = speeds_of(question.ends->first);
+  speeds_high_ = speeds_of(question.ends->second);
   for (std::size_t i = 0; i < size(); ++i) {
-    speeds_.push_back(
-        speed_between(question.machine.oscillator, pieces_[(i + size() - 1) % size()], pieces_[i]));
+    speeds_.push_back(Ball::hull(speeds_low_[i], speeds_high_[i]));
+    speed_rates_.push_back(Ball(speeds_high_[i] - speeds_low_[i]) / Ball(2));
+  }
+  if (!autonomous_) {
+    omega_rate_ = (phases_.high()->oscillator().omega - phases_.low()->oscillator().omega) / Ball(2);
+    turn_rate_ = -turn_ * omega_rate_ / o.omega;
   }
 }
 
@@ -126,11 +146,9 @@ Node Chain::conditions(const Nodes& nodes, std::size_t i) const {
   return F;
 }
 
-Link Chain::link(const Nodes& nodes, std::size_t i) const {
+Spread Chain::spread() const {
   const Eigen::Index n = phases_.masses();
   const Eigen::Index j = n + phases_.rubbing();
-  const Passage course = this->course(nodes, i, true);
-  const Vector D = event(i);
   Spread node{Vector::Constant(2 * n, Ball(0)), Matrix::Constant(2 * n, 2 * n, Ball(0))};
   if (!autonomous_) {
     node.time(0) = Ball(1);
@@ -138,7 +156,78 @@ Link Chain::link(const Nodes& nodes, std::size_t i) const {
   for (Eigen::Index k = 1; k < 2 * n; ++k) {
     node.state(k - 1 < j ? k - 1 : k, k) = Ball(1);
   }
-  const Spread reached = at_event(course, D, node);
+  return node;
+}
+
+// The derivatives of what link and conditions are made of, one after the other, by the rules for products.
+Chain::Rates Chain::by_datum(const Nodes& nodes, const Nodes& tangent, std::size_t i) const {
+  const Eigen::Index states = 2 * phases_.masses();
+  const Eigen::Index j = phases_.masses() + phases_.rubbing();
+  const std::size_t next = (i + 1) % size();
+  const Piece piece = pieces_[i];
+  const Passage course = this->course(nodes, i, true);
+  const Matrix &B = phases_.drift(piece), B_rate = phases_.drift_by_datum(piece);
+  const Vector w = beginning(nodes, i);
+  const Eigen::Index loads = w.size() - states;
+  // Of w where the phase begins; what turns does so with theta.
+  Vector w_rate = course.leaves;
+  if (!autonomous_) {
+    w_rate *= omega_rate_ * nodes[i](0) / phases_.oscillator().omega + tangent[i](0);
+  }
+  w_rate(states) = Ball(0);
+  w_rate.head(j) = tangent[i].segment(1, j);
+  w_rate(j) = speed_rates_[i];
+  w_rate.segment(j + 1, states - 1 - j) = tangent[i].tail(states - 1 - j);
+  Node following = tangent[next];
+  if (!autonomous_ && next == 0) {
+    following(0) += turn_rate_;
+  }
+  const Ball longer = autonomous_ ? following(0) : Ball(following(0) - tangent[i](0));
+  const Matrix flow_rate =
+      phases_.flow_by_datum(piece, duration(nodes, i)) + Matrix(sparse_product(B, course.flow) * longer);
+  const Vector leaves_rate = sparse_product(B_rate, w) + sparse_product(B, w_rate);
+  const Vector reached_rate = sparse_product(flow_rate, w) + sparse_product(course.flow, w_rate);
+  const Vector arrives_rate = sparse_product(B_rate, course.reached) + sparse_product(B, reached_rate);
+  const Passage rate{reached_rate,
+                     leaves_rate,
+                     arrives_rate,
+                     flow_rate.topLeftCorner(states, states),
+                     Vector(product(flow_rate.topRightCorner(states, loads), course.leaves.tail(loads))) +
+                         Vector(product(course.flow.topRightCorner(states, loads), leaves_rate.tail(loads))),
+                     {}};
+  const Vector D = event(i);
+  const Vector D_rate = (event_between(*phases_.high(), piece, pieces_[next], speeds_high_[next]) -
+                         event_between(*phases_.low(), piece, pieces_[next], speeds_low_[next])) *
+                        Ball(0.5);
+  Rates rates{Node(states), Matrix(states, states)};
+  rates.conditions.head(states - 1) = following.tail(states - 1) - without(reached_rate);
+  rates.conditions(states - 1) = dot(D, reached_rate) + dot(D_rate, course.reached);
+  // As in at_event, column by column.
+  const Spread node = spread(), at_end{node.time, after_duration(course, node)};
+  const Matrix end_rate = after_duration(rate, node);
+  const Ball speed = dot(D, course.arrives), speed_rate = dot(D_rate, course.arrives) + dot(D, arrives_rate);
+  const Ball of_loads = dot(D.tail(loads), course.arrives.tail(loads)),
+             of_loads_rate = dot(D_rate.tail(loads), course.arrives.tail(loads)) +
+                             dot(D.tail(loads), arrives_rate.tail(loads));
+  for (Eigen::Index k = 0; k < states; ++k) {
+    const Ball later = -(dot(D.head(states), at_end.state.col(k)) + of_loads * node.time(k)) / speed;
+    const Ball later_rate =
+        -(dot(D_rate.head(states), at_end.state.col(k)) + dot(D.head(states), end_rate.col(k)) +
+          of_loads_rate * node.time(k) + later * speed_rate) /
+        speed;
+    rates.M(0, k) = later_rate;
+    rates.M.col(k).tail(states - 1) =
+        without(Vector(end_rate.col(k) + Vector(arrives_rate.head(states) * later) +
+                       Vector(course.arrives.head(states) * later_rate)));
+  }
+  return rates;
+}
+
+Link Chain::link(const Nodes& nodes, std::size_t i) const {
+  const Eigen::Index n = phases_.masses();
+  const Passage course = this->course(nodes, i, true);
+  const Vector D = event(i);
+  const Spread reached = at_event(course, D, spread());
   Link link;
   link.end_velocity.resize(2 * n);
   link.end_velocity(0) = Ball(1);

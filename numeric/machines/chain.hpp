@@ -18,6 +18,8 @@
 // there with the deviation (dt+, w + X'(h) dt+).
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "numeric/machines/linear_phases.hpp"
@@ -38,8 +40,9 @@ using Nodes = std::vector<Node>;
 //   d+ = M d + response(F).
 struct Link {
   Matrix M;
-  Node end_velocity;  // (1, the velocity of the flow at its end, without x_j'')
-  Ball rate;          // g': how fast the event is passed
+  Matrix M_rate = {};  // where M is M + s M_rate for -1 <= s <= 1; else empty
+  Node end_velocity;   // (1, the velocity of the flow at its end, without x_j'')
+  Ball rate;           // g': how fast the event is passed
   [[nodiscard]] Node response(const Node& F) const;
 };
 
@@ -47,6 +50,9 @@ struct MachineQuestion {
   Machine machine;
   std::vector<Piece> pieces;  // piece i begins at node i; neighbours differ
   long periods = 1;           // of the load, if there is one
+  // Where they are given all machines between these two are meant, s = -1 and 1, and `machine` is in the
+  // middle: what LinearPhases assumes of two is assumed.
+  std::optional<std::pair<Machine, Machine>> ends = {};
 };
 
 // At the working precision at which it is made. It keeps what it has computed.
@@ -61,6 +67,14 @@ class Chain {
   // not be transversal.
   [[nodiscard]] Link link(const Nodes& nodes, std::size_t i) const;
 
+  // For all machines between two the derivatives by s of the conditions of phase i and of M, when the nodes
+  // change with s as `tangent` says; `nodes` contain all.
+  struct Rates {
+    Node conditions;
+    Matrix M;
+  };
+  [[nodiscard]] Rates by_datum(const Nodes& nodes, const Nodes& tangent, std::size_t i) const;
+
   [[nodiscard]] const LinearPhases& phases() const { return phases_; }
   // (x, x') at node i.
   [[nodiscard]] Vector state(const Nodes& nodes, std::size_t i) const;
@@ -73,6 +87,8 @@ class Chain {
   [[nodiscard]] Node next(const Nodes& nodes, std::size_t i) const;
   // Phase i from its node: w and w' at its ends, and where it is asked for the derivative of (x, x').
   [[nodiscard]] Passage course(const Nodes& nodes, std::size_t i, bool with_derivative) const;
+  // How the time and (x, x') of a node depend on its numbers.
+  [[nodiscard]] Spread spread() const;
   // Zero where phase i ends, as a row.
   [[nodiscard]] Vector event(std::size_t i) const;
   // Without x_j'.
@@ -83,6 +99,9 @@ class Chain {
   LinearPhases phases_;
   std::vector<Ball> speeds_;  // x_j' at the nodes
   Ball turn_;                 // of all periods
+  // For all machines between two the same at these, and the derivatives by s.
+  std::vector<Ball> speeds_low_, speeds_high_, speed_rates_;
+  Ball omega_rate_, turn_rate_;
 };
 
 }  // namespace stickslip::numeric::machines

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 #include "numeric/zeros/krawczyk.hpp"
@@ -15,6 +17,10 @@ using zeros::product;
 using Matrix = model::MatrixX<Ball>;
 
 namespace {
+
+Matrix middles(const Matrix& A) {
+  return A.unaryExpr([](const Ball& x) { return x.midpoint(); });
+}
 
 bool is_finite(const Matrix& A) {
   return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
@@ -97,33 +103,154 @@ std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
   return inverse;
 }
 
-std::optional<Sweep> sweep(const std::vector<Link>& links, const Nodes& g) {
-  const bool finite = std::all_of(links.begin(), links.end(), [](const Link& l) { return is_finite(l.M); });
+namespace {
+
+// A matrix that depends on s, -1 <= s <= 1, as a polynomial; empty coefficients are zero.
+using OfS = std::array<Matrix, 3>;
+const Matrix zero;
+
+void add(Matrix& sum, const Matrix& a, const Matrix& b) {
+  if (a.size() == 0 || b.size() == 0) {
+    return;
+  }
+  if (sum.size() == 0) {
+    sum = product(a, b);
+  } else {
+    sum += product(a, b);
+  }
+}
+
+// (a + s a_rate) b, what s³ multiplies being in the constant.
+OfS times(const Matrix& a, const Matrix& a_rate, const OfS& b) {
+  OfS result;
+  Matrix cubic;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    add(result.at(i), a, b.at(i));
+    add(i + 1 < b.size() ? result.at(i + 1) : cubic, a_rate, b.at(i));
+  }
+  if (cubic.size() > 0) {
+    result[0] += cubic * Ball::hull(Ball(-1), Ball(1));
+  }
+  return result;
+}
+
+// For all s.
+Matrix all_of(const OfS& a) {
+  Matrix all = a[0];
+  if (a[1].size() > 0) {
+    all += a[1] * Ball::hull(Ball(-1), Ball(1));
+  }
+  if (a[2].size() > 0) {
+    all += a[2] * Ball::hull(Ball(0), Ball(1));
+  }
+  return all;
+}
+
+// Contains the solutions of C(s) x = v, C = 1 - P: with Y(s) = Y + s Y P1 Y near the inverse and |1 - Y(s)
+// C(s)| = e < 1 they are within e/(1 - e) |Y(s) v| of Y(s) v.
+std::optional<Node> solved(const OfS& P, const Node& v) {
+  const Matrix C = Matrix(Matrix::Identity(v.size(), v.size())) - P[0];
+  const auto Y = is_finite(C) ? zeros::row_combinations(C) : std::nullopt;
+  if (!Y) {
+    return std::nullopt;
+  }
+  OfS E;  // Y(s) P - Y(s) + 1
+  const Matrix Y1 = P[1].size() > 0 ? middles(product(*Y, Matrix(product(P[1], *Y)))) : zero;
+  E = times(*Y, Y1, P);
+  E[0] += Matrix(Matrix::Identity(v.size(), v.size())) - *Y;
+  if (Y1.size() > 0) {
+    E[1] -= Y1;
+  }
+  Ball e(0);
+  for (const Matrix& part : E) {
+    e += part.size() > 0 ? zeros::norm(part) : Ball(0);
+  }
+  const Ball room = Ball(1) - e;
+  if (!room.is_positive()) {
+    return std::nullopt;
+  }
+  Node x = product(all_of({*Y, Y1, zero}), v);
+  Ball largest(0);
+  for (const Ball& entry : x) {
+    arb_max(largest.raw(), largest.raw(), abs(entry).upper().raw(), WorkingPrecision::bits());
+  }
+  const Ball most = Ball(largest * e / room).upper();
+  for (Ball& entry : x) {
+    entry += Ball::hull(-most, most);
+  }
+  return x;
+}
+
+// Powers of two, as exponents, in which the links are balanced.
+std::vector<long> units_of(const std::vector<Link>& links) {
+  Eigen::MatrixXd sizes = in_double(links.front().M).cwiseAbs();
+  for (std::size_t i = 1; i < links.size(); ++i) {
+    sizes += in_double(links[i].M).cwiseAbs();
+  }
+  std::vector<long> exponents;
+  for (const Ball& unit : balance(sizes.unaryExpr([](double x) { return Ball(x); }))) {
+    exponents.push_back(std::lround(std::log2(unit.approximate())));
+  }
+  return exponents;
+}
+
+void scale(Ball& x, long exponent) {
+  arb_mul_2exp_si(x.raw(), x.raw(), exponent);
+}
+
+// S M S⁻¹.
+void scale(Matrix& M, const std::vector<long>& units) {
+  for (Eigen::Index k = 0; k < M.cols(); ++k) {
+    for (Eigen::Index i = 0; i < M.rows(); ++i) {
+      scale(M(i, k), units[static_cast<std::size_t>(i)] - units[static_cast<std::size_t>(k)]);
+    }
+  }
+}
+
+// S d, or its inverse.
+Node scaled(Node d, const std::vector<long>& units, long sign) {
+  for (Eigen::Index i = 0; i < d.size(); ++i) {
+    scale(d(i), sign * units[static_cast<std::size_t>(i)]);
+  }
+  return d;
+}
+
+}  // namespace
+
+std::optional<Sweep> sweep(std::vector<Link> links, const Nodes& g) {
+  const bool finite = std::all_of(links.begin(), links.end(),
+                                  [](const Link& l) { return is_finite(l.M) && is_finite(l.M_rate); });
   if (!finite) {
     return std::nullopt;
+  }
+  const std::vector<long> units = units_of(links);
+  for (Link& link : links) {
+    scale(link.M, units);
+    scale(link.M_rate, units);
   }
   const std::size_t count = links.size();
   const std::vector<Matrix> Q = frames(links);
   const Eigen::Index n = links.front().M.rows();
   // e_i = P_i e_0 + h_i.
-  std::vector<Matrix> P{Matrix::Identity(n, n)};
+  std::vector<OfS> P{{Matrix::Identity(n, n), zero, zero}};
   Nodes h{Node::Constant(n, Ball(0))};
   for (std::size_t i = 0; i < count; ++i) {
     const Matrix to = Q[(i + 1) % count].transpose();
-    const Matrix R = product(to, Matrix(product(links[i].M, Q[i])));
-    P.emplace_back(product(R, P[i]));
-    h.emplace_back(product(R, h[i]) + product(to, g[i]));
+    Matrix R, R_rate;
+    add(R, to, product(links[i].M, Q[i]));
+    add(R_rate, to, links[i].M_rate.size() > 0 ? Matrix(product(links[i].M_rate, Q[i])) : zero);
+    P.emplace_back(times(R, R_rate, P[i]));
+    const Node passed = product(R_rate.size() > 0 ? all_of({R, R_rate, zero}) : R, h[i]);
+    h.emplace_back(passed + product(to, scaled(g[i], units, 1)));
   }
-  const Matrix closing = Matrix(Matrix::Identity(n, n)) - P.back();
-  const auto Y = is_finite(closing) ? zeros::row_combinations(closing) : std::nullopt;
-  const auto inverse = Y ? enclosed_inverse(closing, *Y) : std::nullopt;
-  if (!inverse) {
+  const auto first = solved(P.back(), h.back());
+  if (!first) {
     return std::nullopt;
   }
-  const Node first = product(*inverse, h.back());
-  Sweep result{{}, P.back()};
+  Sweep result{{}, all_of(P.back())};
   for (std::size_t i = 0; i < count; ++i) {
-    result.deviations.emplace_back(product(Q[i], Node(product(P[i], first) + h[i])));
+    const Node deviation = product(Q[i], Node(product(all_of(P[i]), *first) + h[i]));
+    result.deviations.emplace_back(scaled(deviation, units, -1));
   }
   return result;
 }
@@ -309,6 +436,89 @@ ChainProof prove_chain(const MachineQuestion& question, const Nodes& guess, long
     }
   }
   return proof;
+}
+
+namespace {
+
+Nodes moved(Nodes nodes, const Nodes& by, const Ball& s) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes[i] += by[i] * s;
+  }
+  return nodes;
+}
+
+// Twice as wide as the deviations, about 0.
+Nodes room_for(const Nodes& deviations) {
+  const double least = std::exp2(-static_cast<double>(WorkingPrecision::bits()) / 2);
+  Nodes room = deviations;
+  for (Node& u : room) {
+    u = u.unaryExpr([&](const Ball& x) {
+      const Ball most = Ball(Ball(2) * abs(x) + Ball(least)).upper();
+      return Ball::hull(-most, most);
+    });
+  }
+  return room;
+}
+
+bool is_inside(const Nodes& nodes, const Nodes& room) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!zeros::is_interior<Eigen::Dynamic>(nodes[i], room[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+// With F the conditions, F(m + s m', s) = F(m, 0) + s times a value of its derivative by s between 0 and s.
+// In a box about the curve the derivatives of F by the nodes are, likewise, those about m at s = 0 and s
+// times how they change along the curve; what Newton's test takes of them, their means between two points of
+// the box for one s, lies in the same balls.
+ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low, const ChainProof& high,
+                       long bits) {
+  constexpr int attempts = 3;
+  const Ball unit = Ball::hull(Ball(-1), Ball(1));
+  MachineQuestion thin = question;
+  thin.ends.reset();
+  const WorkingPrecision scope(bits);
+  Chains chains(thin);
+  const Nodes first = midpoints(low.nodes), last = midpoints(high.nodes);
+  const Nodes tangent = midpoints(moved(moved(last, last, Ball(-0.5)), first, Ball(-0.5)));
+  const Approach approach = approximate(chains, midpoints(moved(first, tangent, Ball(1))), bits);
+  if (!approach.nodes) {
+    return open("Newton's method leads to no closed motion from there");
+  }
+  const Nodes& m = *approach.nodes;
+  const Chain& one = chains.now();
+  const Chain chain(question);
+  const Nodes curve = moved(m, tangent, unit);
+  Nodes F;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    F.push_back(one.conditions(m, i) + chain.by_datum(curve, tangent, i).conditions * unit);
+  }
+  const std::vector<Link> near = links_of(one, m);
+  auto image = sweep(near, responses(near, F));
+  for (int attempt = 0; attempt < attempts && image; ++attempt) {
+    const Nodes room = room_for(image->deviations);
+    const Nodes about = moved(m, room, Ball(1)), unique = moved(curve, room, Ball(1));
+    std::vector<Link> links = links_of(chain, unique);
+    const Nodes g = responses(links, F);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      links[i].M = one.link(about, i).M;
+      links[i].M_rate = chain.by_datum(unique, tangent, i).M;
+    }
+    image = sweep(links, g);
+    if (!image || !is_inside(image->deviations, room)) {
+      continue;
+    }
+    if (!is_inside(low.nodes, moved(about, tangent, Ball(-1))) ||
+        !is_inside(high.nodes, moved(about, tangent, Ball(1)))) {
+      return open("the curve does not end at the motions on both sides");
+    }
+    return {Verdict::proved(), bits, moved(curve, image->deviations, Ball(1)), unique, image->return_map};
+  }
+  return open("no box around the curve passed Newton's test");
 }
 
 namespace {

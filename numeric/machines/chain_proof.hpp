@@ -16,9 +16,9 @@ namespace stickslip::numeric::machines {
 // in balls, in a time that grows with the length of the chain.
 //
 // A product of many ball matrices is useless when it is formed as it stands, for the balls grow as the norms
-// of the factors multiply. So each deviation is written in a frame of its own, d = Q e with Q orthogonal,
-// chosen such that M Q = Q+ R with R nearly triangular (Lohner's method): then the balls grow as the
-// deviations do.
+// of the factors multiply. So each deviation is written in a frame of its own, d = Q e with Q orthogonal in
+// units that balance the links, chosen such that M Q = Q+ R with R nearly triangular (Lohner's method): then
+// the balls grow as the deviations do. Where links change with s, so do products: up to its square.
 
 // Contains the inverse of each member of A, given a matrix Y near it; nothing when |I - Y A| < 1 in the norm
 // of row sums is not proved.
@@ -37,7 +37,7 @@ struct Sweep {
 };
 
 // g: as many as links. Nothing when something is not finite, or 1 may be an eigenvalue of the return map.
-[[nodiscard]] std::optional<Sweep> sweep(const std::vector<Link>& links, const Nodes& g);
+[[nodiscard]] std::optional<Sweep> sweep(std::vector<Link> links, const Nodes& g);
 
 // Existence and uniqueness of a closed chain near a guess, by the interval Newton operator.
 //
@@ -62,6 +62,13 @@ struct ChainProof {
 // rough as Newton's method allows. Undecided when none does, with the reason.
 [[nodiscard]] ChainProof prove_chain(const MachineQuestion& question, const Nodes& guess, long bits,
                                      long most_bits);
+
+// For all machines between the ends of the question, s from -1 to 1, between whose proved chains a curve of
+// nodes m + s m' is laid, m found by Newton's method: its test for all of them at once. Proved: for each of
+// them exactly one closed chain has its nodes in a box about the curve there; these form a curve from the one
+// proved chain to the other; the nodes contain all, and the return map that of each.
+[[nodiscard]] ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low,
+                                     const ChainProof& high, long bits);
 
 // How many times a shorter closed chain the proved one is; undecided where that is not known. With a load the
 // shorter one closes after whole periods of it.

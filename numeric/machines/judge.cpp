@@ -31,7 +31,7 @@ Ball largest(const Vector& v, const Vector& weights) {
 }  // namespace
 
 Watched::Watched(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T, bool reversed)
-    : drift_(phases.drift(piece)), reversed_(reversed), covers_(false) {
+    : phases_(phases), piece_(piece), reversed_(reversed), covers_(false) {
   if (phases.is_smooth(piece)) {
     follow(phases, piece, w, T);
     return;
@@ -62,21 +62,20 @@ void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, c
 }
 
 const Watched::Stretch& Watched::stretch(std::size_t k) const {
-  // From one to the next balls grow; so every now and then from the first.
-  constexpr std::size_t most_in_a_row = 16;
+  // From one to the next balls grow; so every now and then from the first, and where they are wide always.
+  const std::size_t most_in_a_row = phases_.low() == nullptr ? 16 : 1;
   while (stretches_.size() <= k) {
     const std::size_t n = stretches_.size();
     const double start = static_cast<double>(n) * watch_->length;
     const Ball t(start);
-    stretches_.push_back(
-        {start,
-         watch_->length,
-         n % most_in_a_row == 0
-             ? Vector(product(exponential(drift_ * (reversed_ ? Ball(-t) : t)), stretches_[0].w))
-             : Vector(product(watch_->flow, stretches_.back().w)),
-         {},
-         {},
-         {}});
+    stretches_.push_back({start,
+                          watch_->length,
+                          n % most_in_a_row == 0
+                              ? phases_.after(piece_, reversed_ ? Ball(-t) : t, stretches_[0].w)
+                              : Vector(product(watch_->flow, stretches_.back().w)),
+                          {},
+                          {},
+                          {}});
   }
   Stretch& found = stretches_[k];
   if (!found.terms.empty()) {

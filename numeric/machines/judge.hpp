@@ -43,7 +43,8 @@ class Watched {
   void follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T);
 
   const LinearPhases::Watch * watch_ = nullptr;  // nothing on a smooth law, where all stretches are there
-  const Matrix& drift_;
+  const LinearPhases& phases_;
+  Piece piece_;
   bool reversed_;
   std::size_t count_ = 1;
   bool covers_;  // [0, T]

@@ -116,7 +116,34 @@ LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& oscillator)
   }
 }
 
+namespace {
+
+model::FrictionOscillator<Ball> hull(const model::FrictionOscillator<Ball>& a,
+                                     const model::FrictionOscillator<Ball>& b) {
+  std::vector<Ball> numbers;
+  (void)model::mapped<Ball>(b, [&](const Ball& x) { return numbers.emplace_back(x); });
+  std::size_t k = 0;
+  return model::mapped<Ball>(a, [&](const Ball& x) { return Ball::hull(x, numbers.at(k++)); });
+}
+
+template <class M>
+M hull_of(const M& a, const M& b) {
+  return a.binaryExpr(b, [](const Ball& x, const Ball& y) { return Ball::hull(x, y); });
+}
+
+}  // namespace
+
+LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& low,
+                           const model::FrictionOscillator<Ball>& high)
+    : LinearPhases(hull(low, high)) {
+  ends_ = std::make_shared<const std::pair<LinearPhases, LinearPhases>>(low, high);
+  r_ = hull_of(ends_->first.r_, ends_->second.r_);
+}
+
 Matrix LinearPhases::make_drift(Piece piece) const {
+  if (ends_) {
+    return hull_of(ends_->first.drift(piece), ends_->second.drift(piece));
+  }
   const Eigen::Index j = rubbing();
   Matrix B = Matrix::Constant(size_, size_, Ball(0));
   for (Eigen::Index i = 0; i < n_; ++i) {
@@ -210,6 +237,9 @@ Matrix part_of(const Matrix& B, const std::vector<Eigen::Index>& rows,
 std::optional<LinearPhases::Modes> LinearPhases::make_modes(Piece piece) const {
   const Matrix& B = drift(piece);
   const bool sticks = piece.kind == PhaseKind::stick;
+  if (ends_) {
+    return std::nullopt;
+  }
   Modes modes;
   std::vector<Eigen::Index> velocities;
   for (Eigen::Index i = 0; i < size_; ++i) {
@@ -299,9 +329,65 @@ const std::optional<LinearPhases::Modes>& LinearPhases::modes(Piece piece) const
   return found != modes_.end() ? found->second : modes_.emplace(piece, make_modes(piece)).first->second;
 }
 
+Matrix LinearPhases::drift_by_datum(Piece piece) const {
+  return Matrix(ends_->second.drift(piece) - ends_->first.drift(piece)) * Ball(0.5);
+}
+
+FlowsBetween LinearPhases::flows_at(Piece piece, const Ball& t) const {
+  return flows_between(Matrix(ends_->first.drift(piece) + ends_->second.drift(piece)) * Ball(0.5),
+                       drift_by_datum(piece), t, units_.cwiseInverse());
+}
+
+// With h = m + d: the derivative at m times exp(B d), and exp(B m) times that at d, an integral of
+// exp(B (d - u)) B1 exp(B u) over u.
+Matrix LinearPhases::flow_by_datum(Piece piece, const Ball& h) const {
+  const Matrix one = Matrix::Identity(size_, size_);
+  const Ball off = h - nearest(piece, h.midpoint()).middle;
+  const Matrix around = moved(piece, Ball::hull(off, -off), one);
+  const auto& [middle, of_middle, flows] = nearest(piece, h.midpoint());
+  const Ball d = h - middle;
+  const Matrix varies = zeros::product(around, Matrix(sparse_product(drift_by_datum(piece), around) * d));
+  return Matrix(zeros::product(flows.by_s(), around)) + Matrix(zeros::product(of_middle, varies));
+}
+
 Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
+  if (ends_) {
+    return flows_at(piece, t).all();
+  }
   const std::optional<Modes>& known = modes(piece);
   return known ? in_closed_form(*known, t) : exponential(drift(piece) * t);
+}
+
+const Ball& LinearPhases::norm(Piece piece) const {
+  const auto [entry, is_new] = norms_.try_emplace(piece);
+  if (is_new) {
+    entry->second =
+        zeros::norm(Matrix(units_.cwiseInverse().asDiagonal() * drift(piece) * units_.asDiagonal()));
+  }
+  return entry->second;
+}
+
+// A closed form costs less than the way from another.
+const LinearPhases::Exponential& LinearPhases::nearest(Piece piece, const Ball& t) const {
+  constexpr double near_enough = 0x1p-10;
+  const bool is_closed = modes(piece).has_value();
+  std::vector<Exponential>& all = flows_[piece];
+  const auto distance = [&](const Exponential& one) { return std::abs(Ball(one.middle - t).approximate()); };
+  auto found = std::ranges::min_element(all, {}, distance);
+  if (found == all.end() ||
+      !(distance(*found) * norm(piece).approximate() <= (is_closed ? 0 : near_enough))) {
+    if (all.size() >= (is_closed ? 1 : most_kept)) {
+      all.erase(all.begin());
+    }
+    if (ends_) {
+      const FlowsBetween between = flows_at(piece, t);
+      all.push_back({t, between.all(), between});
+    } else {
+      all.push_back({t, flow_at(piece, t), {}});
+    }
+    found = all.end() - 1;
+  }
+  return *found;
 }
 
 // exp(B (m + d)) X = exp(B m) (X + B d X + … + (B d)^(k-1) X/(k-1)! + R), and |R| <= |X| s^k/k! / (1 - s/(k +
@@ -309,29 +395,9 @@ Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
 // units of w: from one exponential to those beside it.
 template <class M>
 M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
-  constexpr double near_enough = 0x1p-10;
   const Matrix& B = drift(piece);
-  const auto [entry, is_new] = norms_.try_emplace(piece);
-  Ball& norm = entry->second;
-  if (is_new) {
-    norm = zeros::norm(Matrix(units_.cwiseInverse().asDiagonal() * B * units_.asDiagonal()));
-  }
-  const Ball middle = h.midpoint();
-  // The nearest of those that are kept, or a new one: a closed form costs less than the way from another.
-  const bool is_closed = modes(piece).has_value();
-  std::vector<Exponential>& all = flows_[piece];
-  const auto distance = [&](const Exponential& one) {
-    return std::abs(Ball(one.middle - middle).approximate());
-  };
-  auto found = std::ranges::min_element(all, {}, distance);
-  if (found == all.end() || !(distance(*found) * norm.approximate() <= (is_closed ? 0 : near_enough))) {
-    if (all.size() >= (is_closed ? 1 : most_kept)) {
-      all.erase(all.begin());
-    }
-    all.push_back({middle, flow_at(piece, middle)});
-    found = all.end() - 1;
-  }
-  const Exponential& known = *found;
+  const Ball& norm = this->norm(piece);
+  const Exponential& known = nearest(piece, h.midpoint());
   const Ball d = h - known.middle;
   if (is_zero(d)) {
     return zeros::product(known.of_middle, X);

@@ -7,12 +7,14 @@
 #include <array>
 #include <compare>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/ball.hpp"
 #include "model/friction_oscillator.hpp"
+#include "numeric/machines/flows_between.hpp"
 #include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::machines {
@@ -34,6 +36,12 @@ struct Piece {
 class LinearPhases {
  public:
   explicit LinearPhases(const model::FrictionOscillator<Ball>& oscillator);
+  // Of all machines between two, s = -1 and 1. Assumes that the drift of each piece, r and what the
+  // oscillator's functions are asked for are linear in s; on no smooth law.
+  LinearPhases(const model::FrictionOscillator<Ball>& low, const model::FrictionOscillator<Ball>& high);
+  // These two; nothing for one machine.
+  [[nodiscard]] const LinearPhases * low() const { return ends_ ? &ends_->first : nullptr; }
+  [[nodiscard]] const LinearPhases * high() const { return ends_ ? &ends_->second : nullptr; }
 
   [[nodiscard]] const model::FrictionOscillator<Ball>& oscillator() const { return oscillator_; }
   [[nodiscard]] Eigen::Index masses() const { return n_; }
@@ -52,6 +60,9 @@ class LinearPhases {
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
   // That times w.
   [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;
+  // For all machines between two the derivatives by s of B, and of exp(B h) for all members of h.
+  [[nodiscard]] Matrix drift_by_datum(Piece piece) const;
+  [[nodiscard]] Matrix flow_by_datum(Piece piece, const Ball& h) const;
 
   // What ends the piece, r on a stick and x_j' else, f = row w, and how its Taylor polynomials are bounded.
   // With the sizes of the numbers of w balanced by S, diagonal, and nu = |S B S⁻¹| in the norm of row sums,
@@ -84,6 +95,7 @@ class LinearPhases {
   struct Exponential {
     Ball middle;
     Matrix of_middle;
+    FlowsBetween between;  // for all machines between two
   };
   // Of the masses that move, x'' = -A x + G u with u the rest of w, u' = Omega u: its natural frequencies,
   // and P such that x = P u is a motion.
@@ -96,6 +108,10 @@ class LinearPhases {
   [[nodiscard]] const std::optional<Modes>& modes(Piece piece) const;
   [[nodiscard]] Matrix in_closed_form(const Modes& modes, const Ball& t) const;
   [[nodiscard]] Matrix flow_at(Piece piece, const Ball& t) const;
+  [[nodiscard]] FlowsBetween flows_at(Piece piece, const Ball& t) const;
+  // The one that is kept nearest to the time, or a new one.
+  [[nodiscard]] const Exponential& nearest(Piece piece, const Ball& t) const;
+  [[nodiscard]] const Ball& norm(Piece piece) const;
   [[nodiscard]] Matrix make_drift(Piece piece) const;
   template <class M>
   [[nodiscard]] M moved(Piece piece, const Ball& h, M X) const;
@@ -110,6 +126,7 @@ class LinearPhases {
   mutable std::map<Piece, Ball> norms_;  // of these, in the units
   mutable std::map<Piece, std::vector<Exponential>> flows_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;
+  std::shared_ptr<const std::pair<LinearPhases, LinearPhases>> ends_;
 };
 
 // exp(A), by Arb.

@@ -32,25 +32,6 @@ constexpr std::size_t most_samples = 5000;
 constexpr std::array fold_distances{16, 19};
 constexpr int most_folds = 8;
 
-State state_of(const MachineOrbit& orbit) {
-  if (orbit.existence.truth != Truth::proved) {
-    return State::undecided;
-  }
-  if (std::ranges::any_of(orbit.conditions, [](const Condition& c) {
-        return c.id == "duration" && c.verdict.truth == Truth::refuted;
-      })) {
-    return State::absent;
-  }
-  if (orbit.admissible.truth != Truth::proved) {
-    return orbit.admissible.truth == Truth::refuted ? State::inadmissible : State::undecided;
-  }
-  const StabilityKind kind = orbit.stability ? orbit.stability->kind : StabilityKind::undecided;
-  return kind == StabilityKind::stable     ? State::stable
-         : kind == StabilityKind::unstable ? State::unstable
-         : kind == StabilityKind::marginal ? State::marginal
-                                           : State::admissible;
-}
-
 bool is_decided(State state) {
   return state != State::undecided && state != State::admissible;
 }
@@ -321,6 +302,31 @@ std::string which_multiplier(const motion::Stability& unstable) {
              : "beyond, multipliers are outside of the unit circle";
 }
 
+Joint joint_of(const MachineBranchQuestion& q, const MachineSample& a, const MachineSample& b) {
+  if (is_fold(a, b)) {
+    const auto turns = Verdict::undecided("the branch turns back");
+    return {turns, turns};
+  }
+  // With the times of one load's phase, which may have passed 0.
+  const Machine at_a = q.at(a.value), at_b = q.at(b.value);
+  const MachineGuess first = guess_of(a.orbit, at_a);
+  MachineGuess second = guess_of(b.orbit, at_b);
+  if (!at_a.oscillator.is_autonomous()) {
+    const double turn = second.duration / static_cast<double>(second.periods);
+    const double turns = std::round((second.events[0].t - first.events[0].t) / turn);
+    for (MachineGuess::Event& event : second.events) {
+      event.t -= turns * turn;
+    }
+  }
+  Joint joint = joint_between(q.at, {a.value, first}, {b.value, second}, a.state);
+  if (a.state != b.state) {
+    joint.state = Verdict::undecided("the state changes");
+  } else if (!is_decided(a.state)) {
+    joint.state = Verdict::undecided("the state is not decided");
+  }
+  return joint;
+}
+
 // What changes between two neighbours, by what is proved of both; nothing that could be named.
 std::optional<MachineChange> change_between(const MachineSample& a, const MachineSample& b) {
   const bool first = branches::is_admissible(a.state), second = branches::is_admissible(b.state);
@@ -356,6 +362,13 @@ std::optional<MachineChange> change_between(const MachineSample& a, const Machin
 }  // namespace
 
 bool MachineBranch::resolved() const {
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const MachineSample &a = samples[k], &b = samples[k + 1];
+    if (!is_fold(a, b) && (joints[k].existence.truth != Truth::proved ||
+                           (a.state == b.state && joints[k].state.truth != Truth::proved))) {
+      return false;
+    }
+  }
   return existence.truth == Truth::proved && !interrupted && first.kind != End::stopped &&
          last.kind != End::stopped &&
          std::ranges::all_of(samples, [](const MachineSample& s) { return is_decided(s.state); });
@@ -401,6 +414,11 @@ MachineBranch follow_machine_branch(const MachineBranchQuestion& question) {
     if (const auto change = change_between(branch.samples[k], branch.samples[k + 1])) {
       branch.changes.push_back(*change);
     }
+  }
+  if (question.without_gaps) {
+    branch.joints = parallel_map(branch.samples.size() - 1, [&](std::size_t k) {
+      return joint_of(question, branch.samples[k], branch.samples[k + 1]);
+    });
   }
   branch.interrupted = interrupted();
   return branch;

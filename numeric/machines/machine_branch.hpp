@@ -2,16 +2,15 @@
 //
 // It is followed in floating point from one value to the next, and at each of them the motion is proved on
 // its own, with its conditions and its stability; where two neighbours differ in what is proved, the values
-// are halved until they are close. So what is said of values is proved, what is said between them is not. At
-// a fold, where the branch turns back, it is followed on.
+// are halved until they are close. At a fold, where the branch turns back, it is followed on. What is said of
+// these values is proved; what is said between them only where it is asked for (curve.hpp).
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "numeric/branches/state.hpp"
-#include "numeric/machines/machine_orbit.hpp"
+#include "numeric/machines/curve.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -21,6 +20,7 @@ struct MachineBranchQuestion {
   Rational start;                              // in between: the guess is of the machine there
   MachineGuess guess;
   int digits = 20;
+  bool without_gaps = false;  // whether the values between those of samples are to be proved, too
 };
 
 // The motion at one value, proved.
@@ -51,9 +51,13 @@ struct MachineBranch {
   std::vector<MachineSample> samples;  // along the branch, in which the start's values rise
   std::vector<MachineChange> changes;  // likewise
   MachineBranchEnd first, last;
+  // Of each sample and the next, where they were asked for: the state is that of both. Across a change of
+  // state and at a fold, where a motion lasts no time, or a state is not decided, its verdict is undecided.
+  std::vector<Joint> joints;
   bool interrupted = false;
 
-  // Whether every sample is decided, and the branch ends for a reason.
+  // Whether every sample is decided, the branch ends for a reason, and, where joints were asked for, all but
+  // those at folds prove what there is to prove.
   [[nodiscard]] bool resolved() const;
 };
 

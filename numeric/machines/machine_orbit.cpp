@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "numeric/machines/chain_proof.hpp"
 #include "numeric/machines/judge.hpp"
 #include "numeric/words/word.hpp"
 
@@ -20,25 +19,6 @@ namespace {
 constexpr long few_bits = 64;
 // How often an undecided condition or stability is looked at with four times the bits.
 constexpr int more_attempts = 2;
-
-Nodes nodes_of(const MachineGuess& guess, const Machine& machine) {
-  const auto n = static_cast<Eigen::Index>(machine.oscillator.size());
-  const Eigen::Index j = n + static_cast<Eigen::Index>(machine.oscillator.rubbing);
-  const bool autonomous = machine.oscillator.is_autonomous();
-  const std::size_t count = guess.events.size();
-  Nodes nodes;
-  for (std::size_t i = 0; i < count; ++i) {
-    const MachineGuess::Event& event = guess.events[i];
-    const double before = i == 0 ? guess.events[count - 1].t - guess.duration : guess.events[i - 1].t;
-    Node u(2 * n);
-    u(0) = Ball(autonomous ? event.t - before : event.t);
-    for (Eigen::Index k = 0; k < 2 * n - 1; ++k) {
-      u(k + 1) = Ball(event.X(k < j ? k : k + 1));
-    }
-    nodes.push_back(u);
-  }
-  return nodes;
-}
 
 std::vector<MachinePhase> phases_of(const Chain& chain, const Nodes& nodes,
                                     const std::vector<Piece>& pieces) {
@@ -107,7 +87,7 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
   const auto is_undecided = [](const Condition& c) { return c.verdict.truth == Truth::undecided; };
   const bool costly = std::ranges::any_of(question.pieces, is_smooth);
   judge_all(orbit, question, proof.nodes, costly ? proof.bits : few_bits);
-  if (!costly && std::ranges::any_of(orbit.conditions, is_undecided)) {
+  if (!costly && proof.bits > few_bits && std::ranges::any_of(orbit.conditions, is_undecided)) {
     judge_all(orbit, question, proof.nodes, proof.bits);
   }
   if (orbit.admissible.truth == Truth::proved) {
@@ -119,6 +99,34 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
 }
 
 }  // namespace
+
+Nodes nodes_of(const MachineGuess& guess, const Machine& machine) {
+  const auto n = static_cast<Eigen::Index>(machine.oscillator.size());
+  const Eigen::Index j = n + static_cast<Eigen::Index>(machine.oscillator.rubbing);
+  const bool autonomous = machine.oscillator.is_autonomous();
+  const std::size_t count = guess.events.size();
+  Nodes nodes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const MachineGuess::Event& event = guess.events[i];
+    const double before = i == 0 ? guess.events[count - 1].t - guess.duration : guess.events[i - 1].t;
+    Node u(2 * n);
+    u(0) = Ball(autonomous ? event.t - before : event.t);
+    for (Eigen::Index k = 0; k < 2 * n - 1; ++k) {
+      u(k + 1) = Ball(event.X(k < j ? k : k + 1));
+    }
+    nodes.push_back(u);
+  }
+  return nodes;
+}
+
+MachineOrbit decided(const MachineQuestion& question, const ChainProof& proof) {
+  MachineOrbit orbit;
+  orbit.pieces = question.pieces;
+  orbit.periods = question.periods;
+  orbit.existence = proof.verdict;
+  decide(orbit, question, proof);
+  return orbit;
+}
 
 std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
   if (with_pieces) {
@@ -184,8 +192,7 @@ MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& gue
       shorter.events.resize(guess.events.size() / static_cast<std::size_t>(times));
       return prove_machine_orbit(machine, shorter, digits, most_bits);
     }
-    orbit.existence = Verdict::proved();
-    decide(orbit, question, proof);
+    orbit = decided(question, proof);
     if (!is_open(orbit)) {
       break;
     }

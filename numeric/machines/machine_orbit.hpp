@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/machines/chain.hpp"
+#include "numeric/machines/chain_proof.hpp"
 #include "numeric/motion/conditions.hpp"
 #include "numeric/motion/stability.hpp"
 
@@ -82,6 +82,12 @@ struct MachineOrbit {
 // for a guess of fewer than two events.
 [[nodiscard]] MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess,
                                                int digits = 20, long most_bits = 1L << 12);
+
+// What holds of a proved chain: of the motion, or of the motions of all machines between two.
+[[nodiscard]] MachineOrbit decided(const MachineQuestion& question, const ChainProof& proof);
+
+// A guess as nodes.
+[[nodiscard]] Nodes nodes_of(const MachineGuess& guess, const Machine& machine);
 
 // A proved motion as a guess, the load's phase being 0 at t = 0.
 [[nodiscard]] MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine);

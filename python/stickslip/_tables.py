@@ -128,15 +128,16 @@ class MachineInTables:
     def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,
                period: Optional[int] = None, orbit: Optional[int] = None,
                near: Optional[Sequence[_Number]] = None, all: bool = False, basin: Optional[_Rectangle] = None,
-               jobs: Optional[int] = None) -> Record:
+               without_gaps: bool = False, jobs: Optional[int] = None) -> Record:
         """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08").
 
-        Of "S", steady sliding along it; basin as of orbits.
+        without_gaps: prove also between the values at which orbits are proved. Of "S", steady sliding along it;
+        basin as of orbits.
         """
         asking = self._asking("branch", word, along=_range(along),
                               at=None if at is None else exact("at", at), period=count("period", period, 100000),
                               orbit=count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all),
-                              basin=_rectangle("basin", basin))
+                              basin=_rectangle("basin", basin), without_gaps=bool(without_gaps))
         return Record(_json.loads(_core.branch_in_tables(asking, conduct(jobs))))
 
     def simulate(self, state: Sequence[_Number], time: Optional[_Number] = None, periods: Optional[_Number] = None,

@@ -285,6 +285,17 @@ void write_branch(Object& json, const MachineBranch& branch, int digits) {
         to.object("orbit", [&](Object& one) { write_orbit(one, sample.orbit, digits); });
       },
       "By rising values; each is proved on its own.");
+  json.list(
+      "joints", branch.joints,
+      [](Object& to, const Joint& joint) {
+        to.has("existence", joint.existence.truth,
+               "On: at each value between there is exactly one such motion near, on one curve.");
+        to.has("state", joint.state.truth, "On: and each of them is in the state of both.");
+        const bool exists = joint.existence.truth == Truth::proved;
+        to.has("reason", orbits::if_any(exists ? joint.state.reason : joint.existence.reason),
+               "Why one of the two is undecided.");
+      },
+      "Of each sample and the next, where --without-gaps asks for them.");
 }
 
 void write(Object& json, const Branches& result) {
@@ -467,7 +478,7 @@ std::vector<File> schemas() {
   basins.basins.question.machine = machine;
   basins.basins.starts = {Eigen::VectorXd::Zero(2)};
   const WordOrbits of_word{{word, {}, {}}, {}};
-  const Branches branches{word, "belt.velocity", 0, 1, 0, {}, false, {}, {}, false, {}};
+  const Branches branches{word, "belt.velocity", 0, 1, 0, {}, false, false, {}, {}, false, {}};
   Motion motion;
   motion.machine = machine;
   SetMotion set;

@@ -53,6 +53,7 @@ struct Branches {
   Rational from, to, start;
   std::optional<int> orbit;  // of those at the start, from 1; nothing: all
   bool all = false;          // that are not admissible, too
+  bool without_gaps = false;
   std::vector<numeric::machines::MachineBranch> branches;
   std::string seen;  // what was met at the start in place of an orbit
   bool interrupted = false;

@@ -283,7 +283,8 @@ std::string command_of(const Branches& result) {
   return fmt::format(
       "stickslip branch {} --along {} {}..{} --at {}{}{}", of_word(result.question, result.origin.file),
       result.parameter, to_string(result.from), to_string(result.to), to_string(result.start),
-      result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "", result.all ? " --all" : "");
+      result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "",
+      std::string(result.all ? " --all" : "") + (result.without_gaps ? " --without-gaps" : ""));
 }
 
 std::string command_of(const Motion& result) {
@@ -300,20 +301,63 @@ std::string command_of(const SetMotion& result) {
                      q.theta == 0 ? "" : fmt::format(" --phi={:.17g}", q.theta), q.time);
 }
 
+namespace {
+
+std::string short_number(const Rational& x) {
+  return rounded(Ball(x), short_digits);
+}
+
+// What is proved of the values between those of the samples.
+std::string gaps_of(const MachineBranch& branch) {
+  std::string gaps;
+  for (std::size_t k = 0; k < branch.joints.size(); ++k) {
+    const Verdict& verdict = branch.joints[k].existence;
+    if (verdict.truth == Truth::proved) {
+      continue;
+    }
+    const std::size_t first = k;
+    while (k + 1 < branch.joints.size() && branch.joints[k + 1].existence.reason == verdict.reason) {
+      ++k;
+    }
+    gaps += fmt::format("{} between {} and {} ({})", gaps.empty() ? "" : ",",
+                        short_number(branch.samples[first].value), short_number(branch.samples[k + 1].value),
+                        verdict.reason);
+  }
+  return branch.joints.empty() ? ""
+         : gaps.empty()
+             ? " At each value between there is exactly one such motion, too: a curve without a gap."
+             : " At each value between there is exactly one such motion, too, but this is not proved" + gaps +
+                   ".";
+}
+
+// Of the samples from one to another.
+std::string between(const MachineBranch& branch, std::ptrdiff_t first, std::ptrdiff_t last) {
+  if (branch.joints.empty() || first == last) {
+    return "";
+  }
+  const auto begin = branch.joints.begin();
+  const auto open = std::count_if(begin + first, begin + last,
+                                  [](const Joint& joint) { return joint.state.truth != Truth::proved; });
+  return open == 0 ? ", and at all values between"
+                   : fmt::format(", and between {} of {} neighbours", last - first - open, last - first);
+}
+
+}  // namespace
+
 BranchRows rows_of(const MachineBranch& branch) {
-  const auto number = [](const Rational& x) { return rounded(Ball(x), short_digits); };
-  BranchRows rows{fmt::format("From {}, {}, to {}, {}: {} motions on the way, each proved on its own.",
-                              number(branch.first.at), branch.first.words, number(branch.last.at),
-                              branch.last.words, branch.samples.size()),
+  BranchRows rows{fmt::format("From {}, {}, to {}, {}: {} motions on the way, each proved on its own.{}",
+                              short_number(branch.first.at), branch.first.words, short_number(branch.last.at),
+                              branch.last.words, branch.samples.size(), gaps_of(branch)),
                   {},
                   {}};
+  const auto begin = branch.samples.begin();
   for (auto now = branch.samples.begin(); now != branch.samples.end();) {
     const auto next = std::find_if(now, branch.samples.end(),
                                    [&](const MachineSample& s) { return s.state != now->state; });
-    rows.pieces.push_back({{number(now->value)},
-                           {number(std::prev(next)->value)},
+    rows.pieces.push_back({{short_number(now->value)},
+                           {short_number(std::prev(next)->value)},
                            {std::to_string(next - now)},
-                           {to_string(now->state)}});
+                           {to_string(now->state) + between(branch, now - begin, next - begin - 1)}});
     now = next;
   }
   for (const MachineChange& change : branch.changes) {

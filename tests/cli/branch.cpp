@@ -167,7 +167,10 @@ TEST_CASE("branch: of a word the admissible orbits, one of the list, or one near
                   "--orbit 3: of OTS there are 2 orbits at ur = 0.438"},
                  {{"branch", "symmetric", "--example", "S", "--omega", "0.58..0.59", "--all"},
                   exit_usage,
-                  "for words of phases"}});
+                  "for words of phases"},
+                 {{"branch", "symmetric", "--example", "S", "--omega", "0.58..0.59", "--without-gaps"},
+                  exit_usage,
+                  "--without-gaps is for words of a machine in tables"}});
 }
 
 TEST_CASE("branch: of a word, and what is not looked for is said") {

@@ -405,6 +405,10 @@ TEST_CASE("commands about a machine in tables: orbits, a branch, a motion, pages
   for (const char * name : {"index.html", "branches.svg", "branches.json", "branches.csv"}) {
     CHECK(std::filesystem::exists(directory / "page/" + name));
   }
+  const Run whole = run({"branch", "OTS", "--along", "spring.1.c", "0.59..0.61", "--without-gaps"});
+  CHECK(whole.code == exit_decided);
+  CHECK(whole.out.find("a curve without a gap") != std::string::npos);
+  CHECK(whole.out.find("129      stable, and at all values between") != std::string::npos);
   CHECK(run({"attractors", "--starts", "5", "--out", directory / "attractors"}).code == exit_decided);
   CHECK(run({"orbits", "OTS", "--out", directory / "orbits"}).code == exit_decided);
   for (const char * name : {"attractors/index.html", "attractors/portrait-1.svg",
@@ -437,7 +441,10 @@ TEST_CASE("steady sliding of a machine in tables, and where its stability is los
                  {{"simulate", "--state=1e400,0,0,0", "--time", "1"}, exit_domain, "a number of state = inf"},
                  {{"branch", "S", "--at", "1", "--along", "belt.velocity", "0.1..0.5"},
                   exit_usage,
-                  "--at does not go with a machine"}},
+                  "--at does not go with a machine"},
+                 {{"branch", "S", "--along", "belt.velocity", "0.1..0.5", "--without-gaps"},
+                  exit_usage,
+                  "--without-gaps does not go with a machine"}},
                 [&](const Words& words) {
                   return stickslip_program(with(words, {"--params", file}));
                 });

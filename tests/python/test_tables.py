@@ -45,6 +45,13 @@ def test_a_branch_has_changes_and_samples(machine):
     assert branch.last.kind == "interval"
 
 
+def test_a_branch_is_proved_at_all_values_where_that_is_asked_for():
+    machine = stickslip.MachineInTables(MACHINE.with_name("stribeck.toml"))
+    branch = machine.branch("ST", ("belt.velocity", "1.2", "1.4"), without_gaps=True).branches[0]
+    assert len(branch.joints) == len(branch.samples) - 1
+    assert {(joint.existence, joint.state) for joint in branch.joints} == {("proved", "proved")}
+
+
 def test_which_starts_end_in_steady_sliding():
     machine = stickslip.MachineInTables(MACHINE.with_name("smooth_stribeck.toml"))
     found = machine.orbits("S", basin=((-2, 2), (0, 2)))

@@ -1,0 +1,341 @@
+// Motions of all machines between two: flows, conditions and links against single machines between them, the
+// sweep against single ones, and curves of motions.
+#include "numeric/machines/curve.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "core/decimal.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+#include "tests/numeric/machines/neighbourhoods.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::machines;
+
+namespace {
+
+// Two masses with dashpots, friction that falls in three pieces, and a load: SI units.
+Machine engineers() {
+  Machine machine;
+  auto& o = machine.oscillator;
+  o.masses = {Rational("5/2"), Rational("4/5")};
+  o.stiffness.resize(2, 2);
+  o.stiffness << Rational(1650), Rational(-450), Rational(-450), Rational(450);
+  o.damping = model::MatrixX<Rational>::Constant(2, 2, Rational(0));
+  o.damping(0, 0) = Rational("3/5");
+  o.rubbing = 1;
+  o.V = Rational("1/20");
+  o.forward = {Rational("27/2"),
+               {{Rational(0), Rational(9), Rational(-30)},
+                {Rational("1/20"), Rational("15/2"), Rational(-6)},
+                {Rational("3/10"), Rational(6), Rational(0)}}};
+  o.backward = o.forward;
+  o.loads = {{1, 1, Rational(12), Rational(0)}};
+  o.omega = Rational("18/5");
+  machine.in_turns = true;
+  return machine;
+}
+
+// A number of a machine, set.
+struct Datum {
+  const char * name;
+  Rational value;
+  std::function<void(model::FrictionOscillator<Rational>&, const Rational&)> set;
+  bool has_linear_inverse = false;
+};
+std::vector<Datum> data() {
+  return {
+      {"frequency", Rational("18/5"), [](auto& o, const Rational& x) { o.omega = x; }},
+      {"belt", Rational("1/20"), [](auto& o, const Rational& x) { o.V = x; }},
+      {"spring", Rational(450),
+       [](auto& o, const Rational& x) { o.stiffness << Rational(1200 + x), Rational(-x), Rational(-x), x; }},
+      {"dashpot", Rational("3/5"), [](auto& o, const Rational& x) { o.damping(0, 0) = x; }},
+      {"mass", Rational("4/5"), [](auto& o, const Rational& x) { o.masses[1] = x; }, true},
+      {"at rest", Rational("27/2"),
+       [](auto& o, const Rational& x) { o.forward.at_rest = o.backward.at_rest = x; }},
+      {"load", Rational(12), [](auto& o, const Rational& x) { o.loads[0].cosine = x; }},
+      {"sliding friction", Rational("15/2"), [](auto& o, const Rational& x) {
+         for (auto * law : {&o.forward, &o.backward}) {
+           law->sliding[0].slope = Rational((x - 9) * 20);
+           law->sliding[1].force = x;
+           law->sliding[1].slope = Rational((6 - x) * 4);
+         }
+       }}};
+}
+
+Machine with(const Datum& datum, const Rational& value) {
+  Machine machine = engineers();
+  datum.set(machine.oscillator, value);
+  return machine;
+}
+
+// The machine at s between two values of the datum, as a curve takes it.
+Machine at_s(const Datum& datum, const Rational& low, const Rational& high, const Rational& s) {
+  const auto between = [&](const Rational& a, const Rational& b) {
+    return Rational(((1 - s) * a + (1 + s) * b) / 2);
+  };
+  return with(datum,
+              datum.has_linear_inverse ? Rational(1 / between(1 / low, 1 / high)) : between(low, high));
+}
+
+MachineOrbit orbit_of(const Machine& machine) {
+  Eigen::VectorXd start(4);
+  start << 0.0, 0.0, 0.0, 0.0;
+  return prove_machine_orbit(machine, settle(machine, start).guess);
+}
+
+Nodes on(const Nodes& m, const Nodes& tangent, const Ball& s) {
+  Nodes nodes = m;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    nodes[i] += tangent[i] * s;
+  }
+  return nodes;
+}
+
+void check_contains(const Matrix& all, const Matrix& one) {
+  for (Eigen::Index i = 0; i < one.size(); ++i) {
+    CHECK(all.data()[i].is_finite());
+    CHECK(all.data()[i].overlaps(one.data()[i]));
+  }
+}
+
+double widest(const Matrix& A) {
+  double most = 0;
+  for (Eigen::Index i = 0; i < A.size(); ++i) {
+    most = std::max(most, A.data()[i].radius().approximate());
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("flows between two matrices contain each one's, and are narrow to the third order") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int round = 0; round < 12; ++round) {
+    Matrix B0(5, 5), B1(5, 5);
+    const double size = std::exp2(-3 * (round % 4));
+    for (Eigen::Index i = 0; i < B0.size(); ++i) {
+      B0.data()[i] = Ball(number(random));
+      B1.data()[i] = Ball(size * number(random));
+    }
+    const Ball t(round % 3 == 0 ? -1.5 : 4.0 / (1 + round));
+    const FlowsBetween flows = flows_between(B0, B1, t, balance(B0));
+    const Matrix all = flows.all(), by_s = flows.by_s();
+    const auto at = [&](double s) { return exponential(Matrix(Matrix(B0 + B1 * Ball(s)) * t)); };
+    for (const double s : {-1.0, -0.6, 0.0, 0.3, 1.0}) {
+      check_contains(all, at(s));
+      if (s < 1) {  // a mean value of the derivative
+        const double h = 0.125;
+        check_contains(by_s, Matrix((at(s + h) - at(s)) / Ball(h)));
+      }
+    }
+    // At s = 0 the polynomial is the flow itself.
+    check_contains(flows.E[0], at(0));
+    CHECK(widest(flows.E[0]) < 1e-20);
+    const Ball rest = flows_between(B0, Matrix(B1 * Ball(0.125)), t, balance(B0)).rest;
+    CHECK(rest.approximate() < flows.rest.approximate() / 400);
+  }
+}
+
+TEST_CASE("what changes along a curve of machines contains the differences between its ends") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  REQUIRE(orbit.existence.truth == Truth::proved);
+  const Nodes m = midpoints(nodes_of(guess_of(orbit, engineers()), engineers()));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const Datum& datum : data()) {
+    CAPTURE(datum.name);
+    const Rational low = datum.value * parse_rational("4095/4096"),
+                   high = datum.value * parse_rational("4097/4096");
+    const MachineQuestion question{
+        at_s(datum, low, high, 0), orbit.pieces, orbit.periods, {{with(datum, low), with(datum, high)}}};
+    const Chain all(question);
+    const Chain first({question.ends->first, orbit.pieces, orbit.periods});
+    const Chain last({question.ends->second, orbit.pieces, orbit.periods});
+    Nodes tangent = m;
+    for (Node& u : tangent) {
+      u = u.unaryExpr([&](const Ball& x) { return Ball(Ball(0x1p-14 * number(random)) * abs(x)); });
+    }
+    const Nodes curve = on(m, tangent, Ball::hull(Ball(-1), Ball(1)));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Chain::Rates rates = all.by_datum(curve, tangent, i);
+      const Nodes below = on(m, tangent, Ball(-1)), above = on(m, tangent, Ball(1));
+      const Node change = (last.conditions(above, i) - first.conditions(below, i)) * Ball(0.5);
+      check_contains(rates.conditions, change);
+      const Matrix of_link = (last.link(above, i).M - first.link(below, i).M) * Ball(0.5);
+      check_contains(rates.M, of_link);
+      // Of the second order in the curve's length.
+      CHECK(widest(rates.conditions) < 0.02);
+      check_contains(all.link(curve, i).M, last.link(above, i).M);
+      check_contains(all.conditions(curve, i), first.conditions(below, i));
+    }
+  }
+}
+
+TEST_CASE("the derivative of a flow by a datum, at a time beside one that is kept") {
+  const Datum spring = data()[2];
+  const Rational width = parse_rational("1e-9");
+  const auto low = oscillator_as<Ball>(with(spring, spring.value - width)),
+             high = oscillator_as<Ball>(with(spring, spring.value + width));
+  const LinearPhases all(low, high), first(low), last(high);
+  for (const Piece& piece : {Piece{motion::PhaseKind::slip, 1}, Piece{motion::PhaseKind::stick}}) {
+    for (const double t : {0.25, 0.25 + 0x1p-17, 0.25 - 0x1p-18}) {
+      const Matrix change = (last.flow(piece, Ball(t)) - first.flow(piece, Ball(t))) * Ball(0.5);
+      const Matrix derivative = all.flow_by_datum(piece, Ball(t));
+      check_contains(derivative, change);
+      CHECK(widest(derivative) < 1e-2 * widest(Matrix(change.cwiseProduct(
+                                            Matrix::Constant(7, 7, Ball::hull(Ball(-1), Ball(1)))))));
+    }
+  }
+}
+
+TEST_CASE("a sweep whose links change contains those of single links") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int round = 0; round < 10; ++round) {
+    std::vector<Link> links(3 + static_cast<std::size_t>(round));
+    Nodes g;
+    const auto matrix = [&](double size) {
+      return Matrix(Matrix::Constant(4, 4, Ball(0)).unaryExpr([&](const Ball&) {
+        return Ball(size * number(random));
+      }));
+    };
+    for (Link& link : links) {
+      link.M = matrix(1);
+      link.M_rate = matrix(1e-3);
+      g.push_back(Node(matrix(1).col(0)));
+    }
+    const auto found = sweep(links, g);
+    REQUIRE(found);
+    for (const double s : {-1.0, -0.4, 0.2, 1.0}) {
+      std::vector<Link> one = links;
+      for (Link& link : one) {
+        link.M += link.M_rate * Ball(s);
+        link.M_rate.resize(0, 0);
+      }
+      const auto single = sweep(one, g);
+      REQUIRE(single);
+      for (std::size_t i = 0; i < links.size(); ++i) {
+        check_contains(found->deviations[i], single->deviations[i]);
+      }
+    }
+  }
+}
+
+TEST_CASE("the cube of s in a product of links is in its return map") {
+  Link link;
+  link.M = Matrix::Constant(1, 1, Ball(2));
+  link.M_rate = Matrix::Constant(1, 1, Ball(0.5));
+  const auto found = sweep(std::vector<Link>(3, link), Nodes(3, Node::Constant(1, Ball(1))));
+  REQUIRE(found);
+  CHECK(found->return_map(0, 0).overlaps(Ball(2.5 * 2.5 * 2.5)));
+  CHECK(found->return_map(0, 0).overlaps(Ball(1.5 * 1.5 * 1.5)));
+  CHECK_FALSE(found->return_map(0, 0).overlaps(Ball(18)));
+}
+
+TEST_CASE("motions between two machines lie on the curve that is proved, for each datum") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  REQUIRE(orbit.admissible.truth == Truth::proved);
+  for (const Datum& datum : data()) {
+    CAPTURE(datum.name);
+    const Rational low = datum.value * parse_rational("999999/1000000"),
+                   high = datum.value * parse_rational("1000001/1000000");
+    const auto proof_at = [&](const Machine& machine) {
+      return prove_chain({machine, orbit.pieces, orbit.periods}, nodes_of(guess_of(orbit, machine), machine),
+                         128, 512);
+    };
+    const MachineQuestion question{
+        at_s(datum, low, high, 0), orbit.pieces, orbit.periods, {{with(datum, low), with(datum, high)}}};
+    const ChainProof at_low = proof_at(with(datum, low)), at_high = proof_at(with(datum, high));
+    const ChainProof curve = prove_curve(question, at_low, at_high, 64);
+    CAPTURE(curve.verdict.reason);
+    REQUIRE(curve.verdict.truth == Truth::proved);
+    for (const char * s : {"-1", "-7/11", "1/5", "1"}) {
+      const ChainProof one = proof_at(at_s(datum, low, high, Rational(s)));
+      REQUIRE(one.verdict.truth == Truth::proved);
+      for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+        check_contains(curve.nodes[i], one.nodes[i]);
+      }
+      const Ball trace = curve.return_map.trace(), of_one = one.return_map.trace();
+      CHECK(trace.overlaps(of_one));
+      CHECK(trace.radius().approximate() < 0.05);
+    }
+    CHECK(state_of(decided(question, curve)) == branches::State::stable);
+    const auto joint = joint_between([&](const Rational& x) { return with(datum, x); },
+                                     {low, guess_of(orbit, with(datum, low))},
+                                     {high, guess_of(orbit, with(datum, high))}, branches::State::stable);
+    CAPTURE(joint.state.reason);
+    CHECK(joint.existence.truth == Truth::proved);
+    CHECK(joint.state.truth == Truth::proved);
+  }
+}
+
+TEST_CASE("a state that is lost between is not said of all, nor is what is not linear joined") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  const Machine machine = engineers();
+  const auto joint = [&](const auto& at, const Rational& a, const Rational& b) {
+    const auto end = [&](const Rational& x) {
+      return MotionAt{x, guess_of(prove_machine_orbit(at(x), guess_of(orbit, machine)), at(x))};
+    };
+    return joint_between(at, end(a), end(b), branches::State::stable);
+  };
+  const auto frequency = [](const Rational& x) {
+    Machine other = engineers();
+    other.oscillator.omega = x;
+    return other;
+  };
+  // Below 3.5878224 r reaches ur while it sticks: the closed motion is still there.
+  const Joint across = joint(frequency, parse_rational("3587822/1000000"), parse_rational("3587823/1000000"));
+  CAPTURE(across.existence.reason);
+  CHECK(across.existence.truth == Truth::proved);
+  CHECK(across.state.truth == Truth::undecided);
+  const Joint inside = joint(frequency, parse_rational("3587823/1000000"), parse_rational("3587824/1000000"));
+  CAPTURE(inside.existence.reason);
+  CHECK(inside.existence.truth == Truth::proved);
+  CHECK(inside.state.truth == Truth::proved);
+
+  const auto refused = [&](const char * what, const auto& at, const Rational& a, const Rational& b,
+                           const char * why) {
+    CAPTURE(what);
+    const Joint found = joint(at, a, b);
+    CHECK(found.existence.truth == Truth::undecided);
+    CHECK(found.existence.reason.find(why) != std::string::npos);
+    CHECK(found.state.truth == Truth::undecided);
+  };
+  const Rational low = parse_rational("3.59999"), high = parse_rational("3.60001");
+  refused(
+      "a square", [&](const Rational& x) { return frequency(Rational(x * x * 5 / 18)); }, low, high,
+      "do not change linearly");
+  refused(
+      "the velocity at which a piece begins",
+      [&](const Rational& x) {
+        Machine other = engineers();
+        for (auto * law : {&other.oscillator.forward, &other.oscillator.backward}) {
+          law->sliding[1].from = Rational(x / 72);
+          law->sliding[0].slope = Rational(Rational("-3/2") * 72 / x);
+          law->sliding[1].slope = Rational(Rational("-3/2") / (Rational("3/10") - x / 72));
+        }
+        return other;
+      },
+      low, high, "do not change linearly");
+  refused(
+      "a mass and a spring",
+      [&](const Rational& x) {
+        Machine other = engineers();
+        other.oscillator.masses[0] = Rational(9 / x);
+        other.oscillator.stiffness(0, 0) = Rational(1650 * x * 5 / 18);
+        return other;
+      },
+      low, high, "do not change linearly");
+  refused(
+      "another multiple of the load",
+      [&](const Rational& x) {
+        Machine other = engineers();
+        other.oscillator.loads.push_back({0, x > Rational("18/5") ? 3 : 2, Rational(0), Rational(0)});
+        return other;
+      },
+      low, high, "do not change linearly");
+}
