@@ -128,10 +128,15 @@ Json read_audit(const std::string& file) {
       throw UsageError(fmt::format("'{}' is not the JSON of an audit: it has no {}", file, key));
     }
   }
-  const auto version = audit.at("schema_version").get<std::string>();
+  const std::string version = text_of(audit.at("schema_version"));
   if (major(version) != major(tools::schema_version)) {
     throw UsageError(fmt::format("'{}' has schema_version {}, which cannot be compared with {}", file,
                                  version, tools::schema_version));
+  }
+  try {
+    static_cast<void>(compare(audit, audit));
+  } catch (const Json::exception& error) {
+    throw UsageError(fmt::format("'{}' is not the JSON of an audit: {}", file, error.what()));
   }
   return audit;
 }

@@ -133,5 +133,9 @@ TEST_CASE("what is no audit, or of a layout with another first number, is refuse
   other.at("schema_version") = "1.9";
   CHECK_THROWS_WITH_AS(static_cast<void>(read(to_text(other))), doctest::Contains("schema_version 1.9"),
                        UsageError);
+  other = sample();
+  other.at("statements").at(0).erase("status");
+  CHECK_THROWS_WITH_AS(static_cast<void>(read(to_text(other))), doctest::Contains("key 'status' not found"),
+                       UsageError);
   CHECK_THROWS_AS(static_cast<void>(read_audit(temporary.path() / "none.json")), InputOutputError);
 }
