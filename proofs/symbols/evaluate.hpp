@@ -27,6 +27,15 @@ Value<S> scalar_value(const S& value) {
   return Value<S>::Constant(1, 1, value);
 }
 
+// In groups of nine digits, as S is made of an int.
+template <class S>
+S whole(const mpz_class& number) {
+  constexpr int group = 1'000'000'000;
+  return number.fits_sint_p()
+             ? S(static_cast<int>(number.get_si()))
+             : S(whole<S>(mpz_class(number / group)) * S(group) + whole<S>(mpz_class(number % group)));
+}
+
 template <class S>
 model::Modes<S> modes(const Lookup<S>& scalar) {
   return {scalar("omega1"), scalar("omega2"), scalar("lambda1"), scalar("lambda2")};
@@ -254,11 +263,8 @@ template <class S>
 Value<S> value_of(const Term& term, const Lookup<S>& scalar) {
   switch (term.op()) {
     case Op::number: {
-      if (!term.number().get_num().fits_sint_p() || !term.number().get_den().fits_sint_p()) {
-        throw NoValue(fmt::format("{} is too long a number", text(term)));
-      }
-      const S numerator(static_cast<int>(term.number().get_num().get_si()));
-      const S denominator(static_cast<int>(term.number().get_den().get_si()));
+      const S numerator = whole<S>(term.number().get_num());
+      const S denominator = whole<S>(term.number().get_den());
       return Value<S>::Constant(term.shape().rows, term.shape().columns, S(numerator / denominator));
     }
     case Op::symbol:

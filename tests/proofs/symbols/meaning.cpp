@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "proofs/checks/premises.hpp"
 #include "proofs/kernel/entrywise.hpp"
@@ -88,6 +89,13 @@ TEST_CASE("every operation means the same to both engines") {
                            power(H1(t - s), 3), -H1(t) / omega, block(2, {H1(t), zero(2, 2), H2(t), I2})}) {
     both_engines_agree(term);
   }
+}
+
+TEST_CASE("numbers of any length have their value") {
+  const Rational long_one = parse_decimal("-3.14159265358979323846264338327950288").value;
+  const Ball value = evaluate<Ball>(Term(long_one), at_point(point()))(0, 0);
+  CHECK(value.overlaps(Ball(long_one)));
+  CHECK(value.radius().approximate() < 1e-25);
 }
 
 TEST_CASE("a motion has no meaning by itself, and derivatives of any order are exact") {
