@@ -335,7 +335,7 @@ symbols::Names names_with(const std::vector<std::string>& further) {
                          std::ranges::none_of(parameters(), [&](const Theorem& one) {
                            return one.conclusion().variables().contains(Variable{name});
                          });
-    if (names.functions.contains(name) || !is_open ||
+    if (name == "t" || name == "pi" || names.functions.contains(name) || !is_open ||
         names.quantities.emplace(name, symbols::Shape{}).first->second != symbols::Shape{}) {
       throw UsageError(
           fmt::format("'{}' has a meaning already: take another name for a symbol of your own", name));

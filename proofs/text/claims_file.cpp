@@ -766,10 +766,10 @@ class Reading {
     if (is_reserved(name)) {
       fail(fmt::format("'{}' is a word of the format: a symbol needs another name", name));
     }
-    if (!is_name(name) || name == "pi" || name == "t") {
+    if (!is_name(name)) {
       fail(fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
     }
-    if (names_.has(name)) {
+    if (name == "t" || name == "pi" || names_.has(name)) {
       fail(fmt::format("'{}' has a meaning already", name));
     }
   }

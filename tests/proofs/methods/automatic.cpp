@@ -203,7 +203,10 @@ TEST_CASE("symbols of one's own are new names") {
   CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"2a"}}),
                        "'2a' is no name for a symbol: a name is a letter, then letters and digits",
                        UsageError);
-  CHECK_THROWS_AS((void)own_claim({"a = 1", {}, {"H"}}), UsageError);
+  for (const char * known : {"H", "t", "pi"}) {
+    CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"a", known}}),
+                         doctest::Contains("has a meaning already"), UsageError);
+  }
   CHECK_THROWS_AS((void)own_claim({"a = 1"}), symbols::ParseError);
 }
 
