@@ -8,10 +8,12 @@
 #include <future>
 #include <mutex>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "core/error.hpp"
 #include "proofs/certificates/statement_files.hpp"
+#include "proofs/certificates/statements.hpp"
 #include "report/audit/certificate_record.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/plot.hpp"
@@ -41,6 +43,19 @@ bool is_newer(const fs::path& file, const fs::path& than) {
   return !error && time >= fs::last_write_time(than, error) && !error;
 }
 
+// The names of all that is stated there.
+std::vector<std::string> stated_in(const fs::path& file) {
+  std::error_code error;
+  std::istringstream lines(fs::exists(file, error) ? tools::read_file(file) : "");
+  std::vector<std::string> names;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Definition ") && line.ends_with(" : Prop :=")) {
+      names.push_back(line.substr(11, line.size() - 21));
+    }
+  }
+  return names;
+}
+
 class Questions {
  public:
   explicit Questions(const fs::path& directory)
@@ -55,6 +70,7 @@ class Questions {
     for (const Json& one : record_.at("foundations")) {
       foundations_.emplace(fs::path(one.at("file").get<std::string>()).stem(), one.at("text"));
     }
+    stated_ = stated_in(directory_ / certificates::statements_name);
     Json& claims = record_.at("claims");
     for (const Json& claim : claims) {
       ++claims_in_[name_of(claim)];
@@ -152,6 +168,8 @@ class Questions {
     const fs::path file = file_of(claim), log = fs::path(file).replace_extension(".log");
     if (fingerprint_of(file) != claim.at("text")) {
       judge(claim, false, "its file is not the one that was written");
+    } else if (claim.at("theorems") != stated_of(claim.at("claim"))) {
+      judge(claim, false, "its theorems are not those that Statements.v has of it");
     } else if (!rests_on_refused(claim)) {
       std::error_code error;
       if (fs::exists(compiled_of(claim), error)) {
@@ -173,6 +191,19 @@ class Questions {
     if (claim.at("accepted") != true) {
       roots_.emplace(name_of(claim), std::pair{claim.at("accepted"), name_of(claim)});
     }
+  }
+  // The names of the claim's theorems. That Statements.v is the one that was written is seen when it is
+  // compiled.
+  [[nodiscard]] std::vector<std::string> stated_of(const std::string& claim) const {
+    const std::string ending = certificates::file_name(claim).substr(5) + "_";
+    std::vector<std::string> names;
+    for (const std::string& name : stated_) {
+      const std::size_t number = name.find_last_not_of("0123456789") + 1;
+      if (name.substr(0, number).ends_with(ending) && name.find('_') + ending.size() == number) {
+        names.push_back(name);
+      }
+    }
+    return names;
   }
   // Of what all claims of a file took, one's.
   [[nodiscard]] std::string share_of(const Json& claim, const std::string& seconds) const {
@@ -419,6 +450,7 @@ class Questions {
   tools::Workshop workshop_;
   std::map<std::string, std::string> foundations_,
       compiled_;                               // by names: the texts' fingerprints, those of .vo
+  std::vector<std::string> stated_;            // the names of all statements
   std::map<std::string, int> claims_in_;       // how many each file holds
   std::vector<std::pair<Json, Json>> before_;  // of each claim: "compiled" and "again"
   // Of what is not accepted: whether it is refused, and the first that is of what it rests on.

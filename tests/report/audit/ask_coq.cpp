@@ -75,6 +75,18 @@ std::string reason_of(const Json& record, const std::string& id) {
 
 // One test, so that what all of them begin with is compiled and recorded once.
 TEST_CASE("manipulated certificates are not accepted") {
+  SUBCASE("the theorems of a claim are all that the statements have of it, under no other name") {
+    for (const auto& [key, value] :
+         {std::pair("theorems", Json::array()), std::pair("claim", Json("other"))}) {
+      const Copy copy;
+      Json record = read_record(copy.path / certificate_record);
+      Json& claim = record.at("claims").at(0);
+      claim[key] = value;
+      write(copy.path / certificate_record, report::tools::to_text(record));
+      CHECK(reason_of(checked(copy.path), claim.at("claim")) ==
+            "its theorems are not those that Statements.v has of it");
+    }
+  }
   SUBCASE("what was compiled has to be what the statement says, whatever stands beside it") {
     const Copy copy;
     write(copy.path / "Claim_1.vo", "");
