@@ -31,7 +31,25 @@ std::string to_string(Truth truth) {
   return "undecided";
 }
 
+namespace {
+
+// Ten, and more where these say the same of two numbers that are not.
+int digits_for(const Ball& one, const Ball& other) {
+  const auto middle = [](const Ball& ball, int digits) {
+    const std::string text = to_string(ball, digits);
+    return text.substr(0, text.find(' '));
+  };
+  int digits = 10;
+  while (digits < 1000 && !one.overlaps(other) && middle(one, digits) == middle(other, digits)) {
+    digits *= 2;
+  }
+  return digits;
+}
+
+}  // namespace
+
 Verdict Verdict::refuted(Witness witness) {
+  const int digits = digits_for(witness.left, witness.right);
   std::vector<std::string> point;
   for (const Coordinate& coordinate : witness.point) {
     point.push_back(fmt::format("${} = {}$", coordinate.name, to_string(coordinate.value)));
@@ -40,7 +58,7 @@ Verdict Verdict::refuted(Witness witness) {
   std::string reason = fmt::format(
       "{}{} is {} and {} is {}{}",
       witness.component.empty() ? "" : fmt::format("entry {}: ", witness.component), witness.left_name,
-      to_string(witness.left, 10), witness.right_name, to_string(witness.right, 10),
+      to_string(witness.left, digits), witness.right_name, to_string(witness.right, digits),
       point.empty() ? "" : fmt::format(" at {}", fmt::join(point, ", ")));
   return {Truth::refuted, std::move(reason), std::move(witness)};
 }

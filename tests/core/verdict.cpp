@@ -25,3 +25,11 @@ TEST_CASE("a refutation names its point and both sides") {
   CHECK(plain(verdict.reason) ==
         "entry (2,1): the left side is 1 and the right side is 2 at omega1 = 0.5, t = 1/3");
 }
+
+TEST_CASE("a refutation shows as many digits as tell both sides apart") {
+  const Ball pi = Ball::pi(), near = pi + Ball(1) / Ball(1000000000) / Ball(1000000000);
+  const std::string reason = Verdict::refuted(Witness{{}, "", pi, near}).reason;
+  CHECK(reason.starts_with("the left side is 3.1415926535897932385 "));
+  CHECK(reason.find("the right side is 3.1415926535897932395 ") != std::string::npos);
+  CHECK(Verdict::refuted(Witness{{}, "", pi, pi}).reason.starts_with("the left side is 3.141592654 "));
+}
