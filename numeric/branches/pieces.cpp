@@ -174,6 +174,19 @@ class Description {
   BranchEnd path_end_;
 };
 
+// Whether the value lies between the end of a piece and the beginning of the next: both may hold one motion
+// there, as the first and the last of a closed branch do, which overlap.
+bool gives_way(const Branch& branch, const Ball& value) {
+  const std::vector<Piece>& pieces = branch.pieces;
+  for (std::size_t k = branch.closed ? 0 : 1; k < pieces.size(); ++k) {
+    const Piece& before = k == 0 ? pieces.back() : pieces[k - 1];
+    if (Ball::hull(before.last, pieces[k].first).contains(value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void describe(const Traced& traced, Branch& branch, std::vector<UnresolvedPart>& unresolved) {
@@ -212,6 +225,7 @@ std::vector<Count> counts_of(const BranchQuestion& question, const std::vector<B
     Count count{ends[k], ends[k + 1]};
     bool known = true;
     for (const Branch& branch : branches) {
+      known = known && !gives_way(branch, middle);
       for (const Piece& piece : branch.pieces) {
         if (Ball::hull(piece.first, piece.last).contains(middle)) {
           known = known && !piece.may_turn;

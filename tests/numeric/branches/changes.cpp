@@ -92,6 +92,23 @@ TEST_CASE("orbits are counted only where no branch may turn, and what is open is
   says(0.595, 0, 0, 0, 0, 0, false);
 }
 
+TEST_CASE("a motion in the first and in the last part of a closed branch is not counted twice") {
+  Branch branch;
+  branch.pieces = {Piece{State::stable, "", Ball(0.52), Ball(0.57), {}, false},
+                   Piece{State::unstable, "", Ball(0.57), Ball(0.51), {}, false},
+                   Piece{State::stable, "", Ball(0.51), Ball(0.53), {}, false}};
+  const auto most = [&branch] {
+    int orbits = 0;
+    for (const Count& count : counts_of(along(S(), "omega", "0.5", "0.6"), {branch}, {})) {
+      orbits = std::max(orbits, count.orbits);
+    }
+    return orbits;
+  };
+  CHECK(most() == 3);
+  branch.closed = true;
+  CHECK(most() == 2);
+}
+
 TEST_CASE("a long decided part between two short undecided ones stays decided") {
   const Described d =
       described({part(State::stable, 1, 0.5, 0.51), part(State::undecided, 1, 0.51, 0.5101),
