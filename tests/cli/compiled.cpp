@@ -70,26 +70,6 @@ TEST_CASE("the LaTeX of every symbol compiles" * doctest::timeout(300)) {
   CHECK(result.code == 0);
 }
 
-TEST_CASE("the article of the audit compiles and fits the page" * doctest::timeout(300)) {
-  const TemporaryDirectory temporary;
-  const Run audit = stickslip_program({"audit", "--out", temporary.path()});
-  REQUIRE(audit.code != exit_io);
-  const Run result = pdflatex(temporary.path(), "audit.tex");
-  CAPTURE(result.out);
-  CHECK(result.code == 0);
-  CHECK(overfull(result.out).empty());
-}
-
-TEST_CASE("the errata compile and fit the page" * doctest::timeout(300)) {
-  const Run errata = stickslip_program({"latex", "--errata"});
-  const TemporaryDirectory temporary;
-  std::ofstream(temporary.path() / "errata.tex") << errata.out;
-  const Run result = pdflatex(temporary.path(), "errata.tex");
-  CAPTURE(result.out);
-  CHECK(result.code == 0);
-  CHECK(overfull(result.out).empty());
-}
-
 TEST_CASE("orbits of every family compile and fit the page" * doctest::timeout(300)) {
   const TemporaryDirectory temporary;
   {

@@ -88,25 +88,6 @@ TEST_CASE("an interruption ends the program with its own exit code") {
   ::close(ends[1]);
 }
 
-TEST_CASE("the audit writes its report, and says what it could not make") {
-  const TemporaryDirectory temporary;
-  const auto out = temporary.path() / "out";
-  const Run result = stickslip_program({"audit", "--json", "--out", out});
-  const Json json = Json::parse(result.out);
-  CHECK(result.code == (json.at("summary").at("decided").get<bool>() ? exit_decided : exit_undecided));
-  CHECK(result.err.find(out.string()) != std::string::npos);
-  CHECK(content(out / "audit.json") == result.out);
-  for (const char * name : {"index.html", "paper.html", "statements.html", "orbits.html"}) {
-    CHECK(content(out / name).ends_with("</html>\n"));
-  }
-  CHECK(content(out / "audit.tex").ends_with("\\end{document}\n"));
-  const bool made = std::filesystem::exists(out / "audit.pdf");
-  CHECK(made == (result.err.find("is not made") == std::string::npos));
-  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(out)) {
-    CHECK_FALSE(entry.path().filename().string().ends_with(".tmp"));
-  }
-}
-
 TEST_CASE("statements are named by kind and by status as well") {
   const Run theorems = stickslip_program({"check", "--list", "theorem"});
   CHECK(theorems.code == exit_decided);

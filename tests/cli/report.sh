@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes the reports that the tests of tests/report/tools look at: the audit, twice, and a list of orbits.
+# Makes the reports that the tests of tests/report/tools look at: the audit, twice, with what it said and its exit code,
+# the errata, lists.
 #
 #   report.sh PROGRAM DIRECTORY
 set -eu
@@ -7,12 +8,17 @@ rm -rf "$2"
 mkdir -p "$2"
 audit() {
   # 2: something is undecided, which is for other tests to judge.
-  "$1" audit --json --out "$2" >"$2.json" || [ $? -eq 2 ]
+  code=0
+  "$1" audit --json --out "$2" >"$2.json" 2>"$2.err" || code=$?
+  echo $code >"$2.code"
+  [ $code -eq 0 ] || [ $code -eq 2 ]
   cmp "$2.json" "$2/audit.json"
 }
 audit "$1" "$2/audit" &
 audit "$1" "$2/again"
 wait $!
+mkdir "$2/errata"
+"$1" latex --errata >"$2/errata/errata.tex"
 "$1" orbits overshooting --example O --out "$2/orbits" >/dev/null
 "$1" orbits nonsticking --chi 0.3 --eta 4 --us 0.1 --V 0.1 --omega 0.6+-1e-6 --p 1 --digits 40 --out "$2/box" >/dev/null || [ $? -eq 2 ]
 "$1" attractors --example P --starts 40 --out "$2/attractors" >/dev/null

@@ -10,6 +10,10 @@
 
 namespace stickslip {
 
+// Writes these; what prelude.sh has had Coq compile of the same text comes with what came of it.
+void write_certificates(const std::filesystem::path& directory,
+                        const proofs::certificates::Certificates& all);
+
 // Writes the certificates of these claims, and of what they rest on, and has Coq check them; CHECKs that it
 // accepts them.
 [[nodiscard]] proofs::certificates::Certificates compiled(const std::filesystem::path& directory,

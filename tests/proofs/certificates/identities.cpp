@@ -5,6 +5,7 @@
 
 #include "proofs/certificates/certificates.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/proofs/certificates/coq.hpp"
 #include "tests/report/temporary.hpp"
 
 using namespace stickslip;
@@ -40,9 +41,7 @@ TEST_CASE("Coq accepts sums of phases, where the argument of a cosine is a phase
       equal(sin(omega * tau), Term(2) * sin(half) * cos(half)),
   })});
   const TemporaryDirectory temporary;
-  for (const certificates::File& file : all.files) {
-    std::ofstream(temporary.path() / file.name) << file.text;
-  }
+  write_certificates(temporary.path(), all);
   const Run made = run("/usr/bin/make", {"--silent", "--directory=" + temporary.path().string()});
   CAPTURE(made.err);
   CAPTURE(made.out);

@@ -6,6 +6,7 @@
 
 #include "proofs/certificates/certificates.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/proofs/certificates/coq.hpp"
 #include "tests/report/temporary.hpp"
 
 using namespace stickslip;
@@ -63,9 +64,9 @@ TEST_CASE("Coq accepts Krawczyk's test, and refuses it for another box, other eq
   const auto [x, y] = solution();
   const certificates::Certificates all = certificates::certificates({claim(x, y)});
   const TemporaryDirectory temporary;
+  write_certificates(temporary.path(), all);
   std::string text;
   for (const certificates::File& file : all.files) {
-    std::ofstream(temporary.path() / file.name) << file.text;
     text = file.name == "Claim_zero.v" ? file.text : text;
   }
   REQUIRE(text.find("zero_of_columns 2") != std::string::npos);

@@ -11,7 +11,7 @@ set -eu
 report=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp "$report"/*.tex "$report"/*.pdf "$work"
+cp "$report"/* "$work"
 cd "$work"
 rm -f "$2.pdf"
 # The contents change the numbers of pages once.
@@ -33,5 +33,5 @@ if [ $# -gt 2 ]; then
   fi
   grep -q 'contentsline {section}' "$2.toc" || { echo "$2.pdf has no contents" >&2; exit 1; }
 fi
-# The report has the same document, made by the program.
-cmp "$2.pdf" "$report/$2.pdf"
+# Where the report has that document, made by the program, it is the same.
+if [ -e "$report/$2.pdf" ]; then cmp "$2.pdf" "$report/$2.pdf"; fi
