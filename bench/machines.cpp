@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/machines.hpp"
+#include "numeric/machines/curve.hpp"
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/settle.hpp"
 
@@ -37,6 +38,28 @@ BENCHMARK_CAPTURE(prove_machine, two, machine_named("two"), begins_at("two"))
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(prove_machine, five, machine_named("five"), begins_at("five"))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+// 1e-5 of the belt's velocity, proved at all values.
+void joint(benchmark::State& state, const Machine& machine, const Eigen::VectorXd& from) {
+  const auto at = [&](const Rational& velocity) {
+    Machine other = machine;
+    other.oscillator.V = velocity;
+    return other;
+  };
+  const auto motion = [&, guess = settle(machine, from).guess](const Rational& velocity) {
+    return MotionAt{velocity, guess_of(prove_machine_orbit(at(velocity), guess), at(velocity))};
+  };
+  const Rational& V = machine.oscillator.V;
+  const MotionAt a = motion(V), b = motion(Rational(V + V / 100000));
+  Joint found;
+  for (auto _ : state) {
+    found = joint_between(at, a, b, numeric::branches::State::stable);
+  }
+  require_proved(state, found.state);
+}
+BENCHMARK_CAPTURE(joint, two, machine_named("two"), begins_at("two"))
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 
