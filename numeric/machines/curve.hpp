@@ -26,9 +26,11 @@ struct MotionAt {
   MachineGuess guess;
 };
 
-// From a to b, in steps that are as long as proofs allow; `at`: the machine at a value of the datum.
-// Undecided where the numbers of the machine, or the datum's inverse, are not linear in the datum, with
-// smooth laws of friction, and where a step would be shorter than 2^-12 of the way.
+// From a to b, in steps that are as long as proofs allow. `at`: the machine at a value of the datum; assumes
+// that each of its numbers is a linear function of the value or a quotient of two, and that the loads'
+// multiples change only with one frequency among several. Undecided where the numbers, or those at the
+// value's inverse, are not linear, with smooth laws of friction, and where a step would be shorter than 2^-12
+// of the way.
 [[nodiscard]] Joint joint_between(const std::function<Machine(const Rational&)>& at, const MotionAt& a,
                                   const MotionAt& b, branches::State state);
 
