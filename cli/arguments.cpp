@@ -39,6 +39,15 @@ Wording wording_of(const PaperInHelp& paper) {
           {"samples_in_period", text(SimulateOptions::samples_in_period)}};
 }
 
+// The names of the options that are given.
+std::set<std::string> typed_of(const CLI::App& app) {
+  std::set<std::string> typed;
+  for (const CLI::Option * option : app.get_options([](const CLI::Option * o) { return o->count() > 0; })) {
+    typed.insert(option->get_name());
+  }
+  return typed;
+}
+
 // A command and its options; parsing it fills these, `check` looks at them, and they are the request. What
 // the help says of each stands in cli/help/.
 template <class Options>
@@ -56,12 +65,9 @@ class Command {
       : help_(help_of(name, wording)), app_(*program.add_subcommand(name, help_.words)) {
     app_.footer(help_.details);
     app_.callback([kept = kept_, &app = app_, &request, check] {
+      const std::set<std::string> typed = typed_of(app);
       if constexpr (std::is_base_of_v<GivenMachine, Options>) {
-        for (const CLI::Option * option : app.get_options()) {
-          if (option->count() > 0) {
-            kept->typed.insert(option->get_name());
-          }
-        }
+        kept->typed = typed;
       }
       check(*kept);
       request = *kept;

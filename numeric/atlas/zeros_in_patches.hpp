@@ -293,7 +293,7 @@ template <class S, int N, class F>
     }
     zero.where = *narrower;
     // The zero at e: e = -Y f(0) + (1 - Y J) e at the middle, de = -Y f_p + (1 - Y J) de.
-    const auto& [a, b] = K->rest;
+    const auto &a = K->rest[0], &b = K->rest[1];
     const S det = (S(1) - a[0]) * (S(1) - b[1]) - a[1] * b[0];
     const auto solved = [&](const std::array<S, 2>& r) {
       return std::array<S, 2>{S(((S(1) - b[1]) * r[0] + a[1] * r[1]) / det),

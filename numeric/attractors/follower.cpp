@@ -86,9 +86,9 @@ Return shortest(const Return& seen, bool has_load, double nearness, double Omega
 
 template <int N, int L>
 bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation::SimulationOf<N, L>::State& X,
-           double mu, long n, long periods) {
+           double mu, long n, long periods, double Omega) {
   constexpr double least = 1e-3;
-  constexpr long parts = 9;  // of which the first, the middle and the last are compared
+  constexpr long parts = 9, half = parts / 2;  // of which the first, the middle and the last are compared
   const long returns = periods / (parts * n);
   std::array<double, parts> farthest{};
   for (double& most : farthest) {
@@ -96,20 +96,21 @@ bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation:
       for (long i = 0; i < n; ++i) {
         simulation.advance(simulation.period());
       }
-      most = std::max(most, distance(simulation.state(), X));
+      most = std::max(most, distance(simulation.state(), X, Omega));
     }
   }
-  const double expected = -std::log(mu) * static_cast<double>(parts / 2 * returns);
+  const double expected = -std::log(mu) * static_cast<double>(half * returns);
   const auto falls = [&](double before, double after) {
     const double by = std::log(before / after);
     return by > least && by > expected / 2 && by < expected * 2;
   };
-  return falls(farthest.front(), farthest[parts / 2]) && falls(farthest[parts / 2], farthest.back());
+  return falls(farthest.front(), farthest[half]) && falls(farthest[half], farthest.back());
 }
 
-template bool nears(simulation::SimulationOf<2, 1>, const model::Vector4<double>&, double, long, long);
+template bool nears(simulation::SimulationOf<2, 1>, const model::Vector4<double>&, double, long, long,
+                    double);
 template bool nears(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>, const Eigen::VectorXd&, double,
-                    long, long);
+                    long, long, double);
 
 std::optional<Return> AnyFollower::steady_word() const {
   constexpr long most = 8;

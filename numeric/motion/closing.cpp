@@ -83,7 +83,7 @@ ClosedMotion closed_over(const ParametricProof& proof, const MotionOf<ParameterJ
   const auto over = [&](const ParameterJet& g, const Ball& at_middle) {
     return proof.over_box(g, at_middle);
   };
-  const Zip zip{over};
+  const Zip<decltype(over)> zip{over};
   ClosedMotion closed{proof.verdict, {}, zip(jets, middle), {}, {}};
   for (std::size_t k = 0; k < middle.phases.size(); ++k) {
     closed.waves.push_back(zip(waves_of<ParameterJet>(jets.oscillator, jets.phases[k]), waves(middle, k)));

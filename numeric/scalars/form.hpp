@@ -221,8 +221,8 @@ struct Form {
     if (is_zero(b.slopes)) {
       return a.chain(a.at * inverse, a.over * inverse, inverse);
     }
-    const S over = a.over / b.over;
-    return {S(a.at / b.at), over, sum_of_products(inverse, a.slopes, S(-over * inverse), b.slopes)};
+    const S quotient = a.over / b.over;
+    return {S(a.at / b.at), quotient, sum_of_products(inverse, a.slopes, S(-quotient * inverse), b.slopes)};
   }
   friend Form operator-(const Form& a) { return a.chain(-a.at, -a.over, S(-1)); }
   friend Form operator+(const Form& a) { return a; }

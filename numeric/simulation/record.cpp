@@ -57,7 +57,7 @@ void follow(Simulation& simulation, Record& record, const RecordPlan& plan, cons
     }
     const auto now = sample_of();
     ++record.samples;
-    Extremes& e = record.energy ? *record.energy : record.energy.emplace(now.energy, now.energy);
+    Extremes& e = record.energy ? *record.energy : record.energy.emplace(Extremes{now.energy, now.energy});
     e = {std::min(e.least, now.energy), std::max(e.greatest, now.energy)};
     if (take) {
       take(now);

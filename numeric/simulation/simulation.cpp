@@ -261,7 +261,7 @@ void SimulationOf<N, L>::prepare(Piece& piece) {
 }
 
 template <int N, int L>
-std::size_t SimulationOf<N, L>::first_piece(int side) const {
+std::ptrdiff_t SimulationOf<N, L>::first_piece(int side) const {
   std::size_t i = 1;
   while (side < 0 && pieces_[i].kind == PhaseKind::slip) {
     ++i;
@@ -481,7 +481,7 @@ std::pair<double, bool> SimulationOf<N, L>::free_part(const Guard& guard, double
 }
 
 template <int N, int L>
-void SimulationOf<N, L>::begin(std::size_t piece, double exit_slope) {
+void SimulationOf<N, L>::begin(std::ptrdiff_t piece, double exit_slope) {
   now_ = piece;
   fresh_ = piece != 0;
   at_upper_ = false;
@@ -547,7 +547,7 @@ void SimulationOf<N, L>::leave_or_stick(double r, std::vector<Transition> * log)
   const bool reaches = std::abs(r) >= bound(side);
   const bool slips = reaches && leaves(side, r) && standstill_ < most_at_once;
   if (slips) {
-    const std::size_t piece = first_piece(side);
+    const std::ptrdiff_t piece = first_piece(side);
     begin(piece, side * (r - (pieces_[piece].force - pieces_[piece].slope * V_)) / m_);
   } else if (before.kind != PhaseKind::stick) {
     begin(0, 0);

@@ -109,8 +109,8 @@ class SimulationOf {
   void pass_end_of_piece(bool upper, std::vector<Transition> * log);
   void leave_or_stick(double r, std::vector<Transition> * log);
   [[nodiscard]] bool leaves(int side, double r) const;
-  void begin(std::size_t piece, double exit_slope);
-  [[nodiscard]] std::size_t first_piece(int side) const;
+  void begin(std::ptrdiff_t piece, double exit_slope);
+  [[nodiscard]] std::ptrdiff_t first_piece(int side) const;
   [[nodiscard]] double bound(int side) const { return side > 0 ? forward_ : backward_; }
 
   // x'' without friction, of the numbers.
@@ -122,9 +122,9 @@ class SimulationOf {
 
   Whole w_, term_;  // the numbers now, and a term of their Taylor polynomials
   Eigen::Matrix<double, N, 1> acceleration_;
-  std::size_t now_ = 0;  // the piece
-  Series watched_{};     // over a step
-  long periods_ = 0;     // the time is periods Theta + t
+  std::ptrdiff_t now_ = 0;  // the piece
+  Series watched_{};        // over a step
+  long periods_ = 0;        // the time is periods Theta + t
   double t_ = 0;
   double left_ = 0;         // of the duration asked for
   long steps_ = 0;          // and of the steps

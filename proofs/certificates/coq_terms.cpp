@@ -43,8 +43,9 @@ bool is_plain(const std::string& name) {
 
 std::string encoded(const std::string& name) {
   std::string text = "v_";
-  for (const unsigned char c : name) {
-    text += std::isalnum(c) != 0 ? std::string(1, static_cast<char>(c)) : fmt::format("_{:x}_", c);
+  for (const char one : name) {
+    const auto c = static_cast<unsigned char>(one);
+    text += std::isalnum(c) != 0 ? std::string(1, one) : fmt::format("_{:x}_", c);
   }
   return text;
 }

@@ -346,7 +346,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
   // Variables last: others speak of them.
   std::erase_if(atoms, [](const Term& atom) { return atom.type().is_scalar(); });
   const auto is_variable = [](const Term& atom) { return atom.kind() == Kind::variable; };
-  std::ranges::stable_partition(atoms, std::not_fn(is_variable));
+  std::stable_partition(atoms.begin(), atoms.end(), std::not_fn(is_variable));
   text += "  forget.\n";
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     text += fmt::format("  {} {}; by_entries; intros{}.\n", is_variable(atoms[i]) ? "revert" : "generalize",

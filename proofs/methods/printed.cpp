@@ -62,7 +62,8 @@ symbols::Term neat_letter(const Term& letter) {
 symbols::Term product_of(const tactics::Monomial& monomial, const std::vector<Term>& letters) {
   std::vector<std::size_t> order(letters.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_partition(order, [&](std::size_t k) { return letters[k].kind() == kernel::Kind::pi; });
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t k) { return letters[k].kind() == kernel::Kind::pi; });
   const Rational size = abs(monomial.coefficient);
   std::optional<symbols::Term> product;
   if (size != 1) {

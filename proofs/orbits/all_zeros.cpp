@@ -281,7 +281,8 @@ Theorem exactly_one_zero(const std::vector<Variable>& unknowns, const std::vecto
 Theorem with_zero(const Theorem& theorem, const std::vector<Variable>& unknowns,
                   const std::vector<Term>& terms, const Box& box, const Substitution& at_value) {
   const Column column(unknowns);
-  const auto& [Y, entries] = column;
+  const Variable& Y = column.Y;
+  const Substitution& entries = column.entries;
   const Term system = column.system(terms);  // with the letters of at_value; then at their values
   const Theorem existence = part(exactly_one_zero(unknowns, terms, box, at_value), 0);
   const Theorem found = Theorem::assume(all({inside(Y, box), equal(system, zero(Y.type))}));

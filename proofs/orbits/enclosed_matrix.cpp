@@ -19,7 +19,7 @@ constexpr long bits = matrix_bits;
 
 // Outwards to multiples of 2^-places, and one of them more.
 Interval rounded(const Interval& range, int places) {
-  const mpz_class unit = mpz_class(1) << places;
+  const mpz_class unit = mpz_class(1) << static_cast<mp_bitcnt_t>(places);
   return {Rational(rounded_down(range.first, unit) - Rational(1, unit)),
           Rational(rounded_down(range.second, unit) + Rational(2, unit))};
 }

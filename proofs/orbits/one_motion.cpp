@@ -61,7 +61,7 @@ class OneMotion {
   [[nodiscard]] Theorem known(const Formula& formula) const { return Theorem::consequence({said_}, formula); }
 
   // Of times that are sums of durations: what follows from their being positive and what they sum up to.
-  [[nodiscard]] Theorem order(const Formula& inequality, std::vector<Positive> also) const {
+  [[nodiscard]] Theorem order(const Formula& inequality, const std::vector<Positive>& also) const {
     const Theorem whole = known(equal(start(count()), period_));
     for (unsigned chosen = 0; chosen < 1U << count(); ++chosen) {
       std::vector<Positive> positives = also;

@@ -309,12 +309,11 @@ class Multipliers {
   [[nodiscard]] Matrix stepped(const Event& event, const Term& flow) const {
     const Term opened_event = event.definition.unfolded(event.arguments);
     std::vector<Term> entries;
-    for (int i = 0; i < matrix_rows * matrix_rows; ++i) {
+    constexpr std::size_t n = matrix_rows;
+    for (std::size_t i = 0; i < n * n; ++i) {
       Symbolic total;
-      for (int k = 0; k < matrix_rows; ++k) {
-        total +=
-            Symbolic(opened_event.parts()[static_cast<std::size_t>(matrix_rows * (i / matrix_rows) + k)]) *
-            Symbolic(flow.parts()[static_cast<std::size_t>(matrix_rows * k + i % matrix_rows)]);
+      for (std::size_t k = 0; k < n; ++k) {
+        total += Symbolic(opened_event.parts()[n * (i / n) + k]) * Symbolic(flow.parts()[n * k + i % n]);
       }
       entries.push_back(total.term);
     }

@@ -99,7 +99,7 @@ std::string fixed(const Question& q) {
     }
     const std::string& name = names_of(q)[i];
     const std::string value = to_string(q.region[i].lower);
-    const std::string one = q.is_in_SI() ? orbits::with_unit(name, value) : name + "=" + value;
+    const std::string one = q.is_in_SI() ? orbits::with_unit(name, value) : fmt::format("{}={}", name, value);
     text += text.empty() ? "" : ", ";
     if (q.is_in_SI() && (begin == 0 || text.size() - begin + one.size() > longest)) {
       text += "\\n";

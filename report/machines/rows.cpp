@@ -104,7 +104,8 @@ std::vector<orbits::ToldEnding> told(const std::vector<MachineAttractor>& all, c
   const bool has_load = !seen.oscillator().is_autonomous();
   std::vector<orbits::ToldEnding> endings;
   for (const MachineAttractor& a : all) {
-    endings.push_back({a, orbits::short_name(a, has_load), "", "", {}, {}});
+    endings.push_back(
+        {static_cast<const attractors::Ending&>(a), orbits::short_name(a, has_load), "", "", {}, {}});
     orbits::ToldEnding& one = endings.back();
     one.remark = a.orbit                    ? remark(*a.orbit)
                  : a.kind == Kind::periodic ? "not proved"

@@ -148,7 +148,7 @@ std::vector<ToldEnding> told(const std::vector<Attractor>& all) {
   std::vector<ToldEnding> endings;
   for (const Attractor& a : all) {
     const std::string period = a.kind == Kind::periodic ? std::to_string(a.periods) : "";
-    endings.push_back({a, short_name(a), period, remark(a), {}, {}});
+    endings.push_back({static_cast<const Ending&>(a), short_name(a), period, remark(a), {}, {}});
     if (a.orbit) {
       endings.back().neighbourhood = a.orbit->orbit.neighbourhood;
       endings.back().stability = a.orbit->orbit.stability;
