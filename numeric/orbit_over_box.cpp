@@ -140,7 +140,8 @@ void join(Orbit& all, const Orbit& part) {
   for (std::size_t k = 0; k < all.values.size(); ++k) {
     all.values[k].value = Ball::hull(all.values[k].value, part.values[k].value);
   }
-  all.motion = Zip{[](const Ball& a, const Ball& b) { return Ball::hull(a, b); }}(all.motion, part.motion);
+  const auto hull = [](const Ball& a, const Ball& b) { return Ball::hull(a, b); };
+  all.motion = Zip<decltype(hull)>{hull}(all.motion, part.motion);
   for (std::size_t k = 0; k < all.conditions.size(); ++k) {
     all.conditions[k] = together(all.conditions[k], part.conditions[k]);
   }

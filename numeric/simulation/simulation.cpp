@@ -164,11 +164,12 @@ SimulationOf<N, L>::SimulationOf(const model::FrictionOscillator<double>& o, dou
   for (Eigen::Index i = 0; i < n_; ++i) {
     rates_.row(i) /= o.masses[static_cast<std::size_t>(i)];
   }
-  const std::size_t slips = o.forward.sliding.size(), count = 1 + slips + o.backward.sliding.size();
-  const auto pieces = std::make_shared<Piece[]>(count);
+  const std::ptrdiff_t slips = std::ssize(o.forward.sliding),
+                       count = 1 + slips + std::ssize(o.backward.sliding);
+  const auto pieces = std::make_shared<Piece[]>(static_cast<std::size_t>(count));
   add_pieces(1, o.forward, &pieces[1]);
   add_pieces(-1, o.backward, &pieces[1 + slips]);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
     prepare(pieces[i]);
   }
   pieces_ = pieces;
@@ -262,7 +263,7 @@ void SimulationOf<N, L>::prepare(Piece& piece) {
 
 template <int N, int L>
 std::ptrdiff_t SimulationOf<N, L>::first_piece(int side) const {
-  std::size_t i = 1;
+  std::ptrdiff_t i = 1;
   while (side < 0 && pieces_[i].kind == PhaseKind::slip) {
     ++i;
   }
