@@ -52,9 +52,9 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
       progress.show(fmt::format("following branches: {} so far, the last from {} to {} ...", ++count,
                                 to_string(branch.first.at, 6), to_string(branch.last.at, 6)));
     };
-    BranchList list = list_branches(asked.question);
-    list.question.found = {};
-    return std::pair(asked.file, std::move(list));
+    BranchList followed = list_branches(asked.question);
+    followed.question.found = {};
+    return std::pair(asked.file, std::move(followed));
   }();
   write_outputs(o, list, file);
   return list.interrupted ? exit_interrupted : is_decided(list) ? exit_decided : exit_undecided;

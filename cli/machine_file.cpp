@@ -93,8 +93,8 @@ TypedParameters contents_of(const GivenFile& file) {
         file.name));
   }
   TypedParameters all = parse_parameters(text, file.name);
-  for (const auto& [name, text] : all) {
-    (void)interval(fmt::format("{}: {}", file.name, name), text);  // throws where it is none, nor a number
+  for (const auto& [name, value] : all) {
+    (void)interval(fmt::format("{}: {}", file.name, name), value);  // throws where it is none, nor a number
   }
   return all;
 }

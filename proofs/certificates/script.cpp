@@ -186,7 +186,7 @@ bool Script::state_between(const Theorem& theorem) {
   const auto [scope, names] = opened_scope(lemma.stated);
   text_ += fmt::format("Lemma {} :\n{}.\nProof.\n{}{}\nQed.\n\n", lemma.name, lemma.stated.text, names,
                        sign(sides[0], scope));
-  for (const std::size_t side : {0, 1}) {
+  for (const std::size_t side : {0U, 1U}) {
     lemma.half = side == 0 ? "proj1" : "proj2";
     library_.lemmas.insert_or_assign(std::pair{sides.at(side).hypotheses(), sides.at(side).conclusion()},
                                      lemma);
