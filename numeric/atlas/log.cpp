@@ -76,6 +76,9 @@ std::string with_sum(const std::string& identity) {
 }
 
 std::string content_of(const fs::path& file) {
+  if (!fs::is_regular_file(file)) {
+    throw InputOutputError(fmt::format("{} is not an ordinary file", file.string()));
+  }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
     fail(file, "be read", errno);

@@ -100,6 +100,16 @@ TEST_CASE("An atlas is ended in order, says what is missing, and goes on") {
     CHECK(is_one_sentence(second.err, "another run works on this atlas"));
     ::close(another);
   }
+  {
+    const std::string leaves = out + ".log/0.leaves";
+    fs::rename(leaves, leaves + ".away");
+    fs::create_directory(leaves);
+    const Run no_file = stickslip_program(with(near_S(out, "6"), {"--resume"}));
+    CHECK(no_file.code == 74);
+    CHECK(is_one_sentence(no_file.err, "0.leaves is not an ordinary file"));
+    fs::remove(leaves);
+    fs::rename(leaves + ".away", leaves);
+  }
   for (const int signal : {SIGTERM, SIGUSR1}) {
     const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     const int process = start(with(near_S(out, "6"), {"--resume"}), nothing);
