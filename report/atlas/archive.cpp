@@ -10,6 +10,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "core/decimal.hpp"
 #include "report/atlas/summary.hpp"
@@ -171,8 +173,20 @@ std::vector<T> each(const std::vector<Leaf>& leaves, const F& f) {
   return values;
 }
 
-void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leaves) {
+// The attributes that the question and the boxes tell.
+std::vector<std::pair<const char *, std::vector<std::string> > > told_by_boxes(
+    const Question& q, const std::vector<Leaf>& leaves) {
   const Tally all = tally(q, leaves);
+  return {{"program", {"stickslip atlas"}},
+          {"command", {"stickslip atlas " + text_of(q)}},
+          {"axes", axis_names(q)},
+          {"decided", {share(all.decided).get_str()}},
+          {"outside", {share(all.outside).get_str()}},
+          {"open", {share(all.open).get_str()}},
+          {"reasons", all_reasons(*q.family)}};
+}
+
+void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leaves) {
   std::string libraries;
   for (const tools::Component& library : tools::libraries()) {
     libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", library.name, library.version);
@@ -185,20 +199,17 @@ void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leav
     lower.push_back(to_string(q.region[i].lower));
     upper.push_back(to_string(q.region[i].upper));
   }
-  put(file, "program", "stickslip atlas");
   put(file, "version", tools::program_version());
   put(file, "libraries", libraries);
-  put(file, "command", "stickslip atlas " + text_of(q));
   put(file, "family", q.family->name);
-  put(file, "axes", axis_names(q));
   put(file, "parameters", names);
   put(file, "lower", lower);
   put(file, "upper", upper);
   put(file, "resolution", q.resolution);
-  put(file, "decided", share(all.decided).get_str());
-  put(file, "outside", share(all.outside).get_str());
-  put(file, "open", share(all.open).get_str());
-  put(file, "reasons", all_reasons(*q.family));
+  for (const auto& [name, values] : told_by_boxes(q, leaves)) {
+    const bool many = std::string_view(name) == "axes" || std::string_view(name) == "reasons";
+    put(file, name, values, !many);
+  }
 }
 
 // Of the axes, box after box, rounded to doubles.
@@ -282,9 +293,6 @@ Question question_of(hid_t file) {
       q.axes.push_back(i);
     }
   }
-  if (texts(file, "axes") != axis_names(q)) {
-    throw InputOutputError("its axes are not those of its parameters that vary");
-  }
   q.resolution = number(file, "resolution");
   require_understood(q);
   return q;
@@ -325,6 +333,11 @@ Archive read_open(hid_t file) {
   }
   if (!gaps(archive.leaves).empty()) {
     throw InputOutputError("its boxes leave gaps");
+  }
+  for (const auto& [name, values] : told_by_boxes(archive.question, archive.leaves)) {
+    if (texts(file, name) != values) {
+      throw InputOutputError(fmt::format("its attribute {} is not what its boxes say", name));
+    }
   }
   return archive;
 }

@@ -31,7 +31,8 @@ struct Archive {
   std::set<numeric::atlas::Tile> elsewhere = {};  // those whose `lower` and `upper` are others in the file
 };
 
-// Throws InputOutputError naming the file when it cannot be read, is no atlas, or does not tile the whole.
+// Throws InputOutputError naming the file when it cannot be read, is no atlas, does not tile the whole, or
+// has attributes that are not those of its parameters and boxes.
 [[nodiscard]] Archive read_archive(const std::filesystem::path& file);
 
 }  // namespace stickslip::report::atlas

@@ -42,6 +42,20 @@ void change_first(const std::string& file, const char * column) {
   H5Fclose(opened);
 }
 
+// Another text, or other texts, all alike.
+void change_attribute(const std::string& file, const char * name) {
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t attribute = H5Aopen(opened, name, H5P_DEFAULT);
+  const hid_t type = H5Aget_type(attribute);
+  const hid_t space = H5Aget_space(attribute);
+  const std::vector<const char *> texts(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), "1/7");
+  CHECK(H5Awrite(attribute, type, texts.data()) >= 0);
+  H5Sclose(space);
+  H5Tclose(type);
+  H5Aclose(attribute);
+  H5Fclose(opened);
+}
+
 TEST_CASE("An atlas that says what is false is found out") {
   const TemporaryDirectory directory;
   const std::string file = directory / "a.h5";
@@ -96,6 +110,14 @@ TEST_CASE("An atlas that says what is false is found out") {
     const Run found = stickslip_program({"atlas", "--verify", wrong, "--sample", "1"});
     CHECK(found.code == 1);
     CHECK(found.out.find(" 1 contradicted") != std::string::npos);
+  }
+  // Attributes that others read and the boxes do not bear out.
+  for (const char * name : {"program", "command", "axes", "decided", "outside", "open", "reasons"}) {
+    write_archive(wrong, archive.question, archive.leaves);
+    change_attribute(wrong, name);
+    const Run found = stickslip_program({"atlas", "--verify", wrong, "--sample", "1"});
+    CHECK(found.code == 74);
+    CHECK(is_one_sentence(found.err, std::string("attribute ") + name));
   }
   // A box is missing.
   std::vector<numeric::atlas::Leaf> leaves = archive.leaves;
