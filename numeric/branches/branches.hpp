@@ -95,7 +95,8 @@ struct UnresolvedPart {
 // How many orbits there are on the branches of the list between two values at which that may change; of those
 // that are admissible the stability of so many is `unsettled`, and of so many more motions that close it is
 // `undecided` whether they are orbits and admissible: neither counts in the numbers before. There may be
-// `more` where all branches are looked for and an unresolved part may hold some.
+// `more` where all branches are looked for and an unresolved part may hold some; and where only some are, and
+// one of these was followed no further: it may come back.
 struct Count {
   Ball from, to;
   int orbits = 0, admissible = 0, stable = 0, unsettled = 0, undecided = 0;

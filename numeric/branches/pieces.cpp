@@ -217,6 +217,10 @@ std::vector<Count> counts_of(const BranchQuestion& question, const std::vector<B
   std::sort(ends.begin(), ends.end(), [](const Ball& a, const Ball& b) {
     return arf_cmp(arb_midref(a.raw()), arb_midref(b.raw())) < 0;
   });
+  // Where all branches are looked for, what is open says where one that stops may go on.
+  const bool goes_on = question.at && std::any_of(branches.begin(), branches.end(), [](const Branch& branch) {
+                         return !branch.first.resolved() || !branch.last.resolved();
+                       });
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     if (!(ends[k + 1] - ends[k] - Ball(resolution)).is_positive()) {
       continue;
@@ -240,8 +244,9 @@ std::vector<Count> counts_of(const BranchQuestion& question, const std::vector<B
         }
       }
     }
-    count.more = std::any_of(open.begin(), open.end(),
-                             [&](const UnresolvedPart& part) { return part.value.contains(middle); });
+    count.more = goes_on || std::any_of(open.begin(), open.end(), [&](const UnresolvedPart& part) {
+                   return part.value.contains(middle);
+                 });
     if (known) {
       counts.push_back(count);
     }

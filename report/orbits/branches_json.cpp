@@ -114,7 +114,10 @@ void write_count(Object& json, const Count& count) {
       "undecided", count.undecided,
       with(number,
            "Further motions that close, of which it is undecided whether they are orbits or admissible."));
-  json.has("more", count.more, "An unresolved part may hold more orbits, which are on no branch.");
+  json.has(
+      "more", count.more,
+      "An unresolved part may hold more orbits, which are on no branch; or a branch was followed no further: "
+      "where it goes on it may have some here.");
 }
 
 // The dimensionless data, and the values of a machine in SI units, in its file or in JSON; but for the load's

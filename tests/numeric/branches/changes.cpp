@@ -92,6 +92,22 @@ TEST_CASE("orbits are counted only where no branch may turn, and what is open is
   says(0.595, 0, 0, 0, 0, 0, false);
 }
 
+TEST_CASE("where a branch may go on that was followed no further it is not said that there are no orbits") {
+  Branch branch;
+  branch.pieces = {Piece{State::stable, "", Ball(0.52), Ball(0.57), {}, false}};
+  branch.first.kind = End::absent;
+  BranchQuestion question = along(S(), "omega", "0.5", "0.6");
+  question.at = parse_rational("0.55");
+  for (const End end : {End::stopped, End::absent}) {
+    branch.last.kind = end;
+    const std::vector<Count> counts = counts_of(question, {branch}, {});
+    REQUIRE(counts.size() == 3);
+    for (const Count& count : counts) {
+      CHECK(count.more == (end == End::stopped));
+    }
+  }
+}
+
 TEST_CASE("a motion in the first and in the last part of a closed branch is not counted twice") {
   Branch branch;
   branch.pieces = {Piece{State::stable, "", Ball(0.52), Ball(0.57), {}, false},
