@@ -200,6 +200,10 @@ class Division {
     result.orbit = all.front()->orbit;
     std::for_each(all.begin() + 1, all.end(), [&](const Part * part) { join(result.orbit, part->orbit); });
     result.orbit.admissible = admissible(result.orbit.conditions);
+    if (!std::ranges::all_of(result.orbit.motion.phases,
+                             [](const Phase& phase) { return phase.duration.is_positive(); })) {
+      result.existence = Verdict::undecided("one of its phases may last no time for some of them");
+    }
     return result;
   }
 

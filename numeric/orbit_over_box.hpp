@@ -9,8 +9,8 @@
 namespace stickslip::numeric {
 
 struct OrbitOverBox {
-  // Of "for each member of the box there is a closed motion, which changes with the member without a jump,
-  // and is that near the candidate's at the middle".
+  // Of "for each member of the box there is a closed motion, all of whose phases last, which changes with the
+  // member without a jump, and is that near the candidate's at the middle".
   Verdict existence;
   std::string split;  // the parameter to split first, where something is undecided
   // Contains the values for all members, with what is decided for all of them; meaningless unless proved. A

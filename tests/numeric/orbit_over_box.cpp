@@ -160,6 +160,25 @@ TEST_CASE("a condition that some members obey and others do not is neither prove
   }
 }
 
+TEST_CASE("where a phase lasts less than no time for some members no orbit of all is said to exist") {
+  // The closing conditions go on; what violates another condition was called an orbit that is not admissible.
+  OrbitQuestion q = data("overshooting", {"0.579", "5.31", "0.418", "1", "1.68", "1.97"});
+  for (const char * radius : {"0.01", "0.03"}) {
+    q.phi = Range{parse_rational("2.9"), parse_rational(radius)};
+    const OrbitList list = list_orbits(q);
+    for (const Orbit& orbit : list.orbits) {
+      for (const motion::Phase& phase : orbit.motion.phases) {
+        CHECK(phase.duration.is_positive());
+      }
+    }
+    const bool open = std::ranges::any_of(list.unresolved, [](const Unresolved& one) {
+      return one.reason.find("one of its phases may last no time") != std::string::npos;
+    });
+    CHECK(open == (std::string(radius) == "0.03"));
+    CHECK(!list.orbits.empty());
+  }
+}
+
 TEST_CASE("over a fold no orbit is said to exist") {
   // Two orbits meet at omega = 0.618247; the box is around each of them and reaches beyond.
   Example example = example_O();
