@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <functional>
 
@@ -327,15 +328,18 @@ symbols::Names names_with(const std::vector<std::string>& further) {
                          std::ranges::all_of(name, [](char c) {
                            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
                          });
-    if (!is_name || name == "I" || name == "det" || name == "for" || name == "but") {
+    if (!is_name) {
       throw UsageError(
-          fmt::format("'{}' is no name for a symbol: a name is a letter, then letters and digits", name));
+          fmt::format("'{}' is no name for a symbol: a name is a letter of a to z or A to Z, then such "
+                      "letters and digits, as alpha for α",
+                      name));
     }
     const bool is_open = checks::stands_for_itself(symbols::scalar(name)) &&
                          std::ranges::none_of(parameters(), [&](const Theorem& one) {
                            return one.conclusion().variables().contains(Variable{name});
                          });
-    if (name == "t" || name == "pi" || names.functions.contains(name) || !is_open ||
+    constexpr std::array words{"t", "pi", "I", "det", "for", "but"};
+    if (std::ranges::count(words, name) > 0 || names.functions.contains(name) || !is_open ||
         names.quantities.emplace(name, symbols::Shape{}).first->second != symbols::Shape{}) {
       throw UsageError(
           fmt::format("'{}' has a meaning already: take another name for a symbol of your own", name));

@@ -86,5 +86,7 @@ TEST_CASE("a line that cannot be read is pointed into") {
   check_refused({{{"prove"}, exit_usage, "STATEMENT"},
                  {{"prove", "a = 1", "--symbols", "a b"}, exit_usage, "'a b' is no name for a symbol"},
                  {{"prove", "omega = 1", "--symbols", "omega"}, exit_usage, "'omega' has a meaning already"},
+                 {{"prove", "I = 1", "--symbols", "I"}, exit_usage, "'I' has a meaning already"},
+                 {{"prove", "α = 1", "--symbols", "α"}, exit_usage, "as alpha for α"},
                  {{"prove", "chi = 1", "--json", "--explain"}, exit_usage, "--explain"}});
 }

@@ -201,9 +201,10 @@ TEST_CASE("symbols of one's own are new names") {
   CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"chi"}}),
                        "'chi' has a meaning already: take another name for a symbol of your own", UsageError);
   CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"2a"}}),
-                       "'2a' is no name for a symbol: a name is a letter, then letters and digits",
+                       "'2a' is no name for a symbol: a name is a letter of a to z or A to Z, then such "
+                       "letters and digits, as alpha for α",
                        UsageError);
-  for (const char * known : {"H", "t", "pi"}) {
+  for (const char * known : {"H", "t", "pi", "I"}) {
     CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"a", known}}),
                          doctest::Contains("has a meaning already"), UsageError);
   }
