@@ -77,6 +77,25 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
   }
   domain_ = parameters();
   domain_.insert(domain_.end(), known_.begin(), known_.end());
+  // From l < x and x < y: l < y.
+  const auto is_bound = [](const Theorem& known, const Term& of) {
+    return known.conclusion().kind() == kernel::Kind::less && known.conclusion().parts()[1] == of &&
+           known.conclusion().parts()[0].kind() == kernel::Kind::number;
+  };
+  for (std::size_t i = 0; i < domain_.size(); ++i) {
+    for (const Theorem& known : known_) {
+      if (known.conclusion().kind() != kernel::Kind::less ||
+          !is_bound(domain_[i], known.conclusion().parts()[0])) {
+        continue;
+      }
+      const Term& y = known.conclusion().parts()[1];
+      if (y.kind() != kernel::Kind::number &&
+          std::ranges::none_of(domain_, [&](const Theorem& one) { return is_bound(one, y); })) {
+        domain_.push_back(Theorem::order(less(domain_[i].conclusion().parts()[0], y),
+                                         {Positive{{domain_[i]}}, Positive{{known}}}));
+      }
+    }
+  }
   for (const Theorem& known : known_) {
     if (known.conclusion().kind() == kernel::Kind::less) {
       const Term gap = known.conclusion().parts()[1] - known.conclusion().parts()[0];

@@ -53,6 +53,9 @@ TEST_CASE("a line of one's own is proved") {
   CHECK(truth_of("x^3 + y^3 + z^3 = 3 x y z", {"x + y + z = 0"}, {"x", "y", "z"}) == Truth::proved);
   CHECK(truth_of("a b = 0", {"a + b = 1", "a^2 + b^2 = 1"}, {"a", "b"}) == Truth::proved);
   CHECK(truth_of("a < c", {"a < b", "b < c"}, {"a", "b", "c"}) == Truth::proved);
+  CHECK(truth_of("1/x > 1/y", {"0 < x < y"}, {"x", "y"}) == Truth::proved);
+  CHECK(truth_of("z > 0", {"y < z", "x < y", "x > 0"}, {"x", "y", "z"}) == Truth::proved);
+  CHECK(truth_of("1/x > 1/y", {"-1 < x < y"}, {"x", "y"}) == Truth::refuted);
   CHECK(truth_of("u v > 0", {"u > 0", "v > 1"}, {"u", "v"}) == Truth::proved);
   CHECK(truth_of("a^2 + b^2 >= 2 a b", {}, {"a", "b"}) == Truth::proved);
   CHECK(truth_of("x^2 + y^2 + z^2 >= x y + y z + z x", {}, {"x", "y", "z"}) == Truth::proved);
