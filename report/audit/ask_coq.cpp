@@ -59,10 +59,12 @@ std::vector<std::string> stated_in(const fs::path& file) {
 class Questions {
  public:
   explicit Questions(const fs::path& directory)
-      : directory_(directory),
-        record_(read_record(directory / certificate_record)),
-        sealed_before_(is_sealed(record_)),
-        workshop_(purpose) {
+      : directory_(directory), record_(read_record(directory / certificate_record)), workshop_(purpose) {
+    if (!is_sealed(record_)) {
+      throw InputOutputError(
+          fmt::format("{} is not as it was made; 'stickslip certify ID --out {}' writes it again",
+                      (directory / certificate_record).string(), directory.string()));
+    }
     tools::require(coqc);
   }
 
@@ -170,6 +172,8 @@ class Questions {
       judge(claim, false, "its file is not the one that was written");
     } else if (claim.at("theorems") != stated_of(claim.at("claim"))) {
       judge(claim, false, "its theorems are not those that Statements.v has of it");
+    } else if (claim.at("imports") != imported_by(file)) {
+      judge(claim, false, "what it rests on is not what its file imports");
     } else if (!rests_on_refused(claim)) {
       std::error_code error;
       if (fs::exists(compiled_of(claim), error)) {
@@ -201,6 +205,16 @@ class Questions {
       const std::size_t number = name.find_last_not_of("0123456789") + 1;
       if (name.substr(0, number).ends_with(ending) && name.find('_') + ending.size() == number) {
         names.push_back(name);
+      }
+    }
+    return names;
+  }
+  // The files of claims among what a claim's file requires.
+  [[nodiscard]] static std::set<std::string> imported_by(const fs::path& file) {
+    std::set<std::string> names;
+    for (const std::string& name : required_by(tools::read_file(file))) {
+      if (name.starts_with("Claim")) {
+        names.insert(name);
       }
     }
     return names;
@@ -333,7 +347,7 @@ class Questions {
   // Of which claims coqchk has said before what it would say now.
   [[nodiscard]] std::set<std::string> known_before() const {
     std::set<std::string> known;
-    if (!sealed_before_ || !std::ranges::all_of(record_.at("foundations"), [&](const Json& one) {
+    if (!std::ranges::all_of(record_.at("foundations"), [&](const Json& one) {
           const auto made = compiled_.find(fs::path(one.at("file").get<std::string>()).stem());
           return made == compiled_.end() || made->second == one.at("compiled");
         })) {
@@ -446,7 +460,6 @@ class Questions {
 
   fs::path directory_;
   Json record_;
-  bool sealed_before_;  // as it was read
   tools::Workshop workshop_;
   std::map<std::string, std::string> foundations_,
       compiled_;                               // by names: the texts' fingerprints, those of .vo

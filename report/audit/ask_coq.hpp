@@ -16,9 +16,9 @@ namespace stickslip::report::audit {
 // of Statements.v that rest on the allowed axioms only. Null where coqc was not asked of it, or of what it
 // rests on. Nothing but the record says which files these are: what they say is for the audit to compare.
 //
-// coqchk is asked of what was accepted and was not seen by it before, as a sealed record says; not where
-// interval arithmetic takes long: it has no virtual machine. Throws InputOutputError as read_record, and
-// where there is no Coq.
+// coqchk is asked of what was accepted and was not seen by it before, as the record says; not where
+// interval arithmetic takes long: it has no virtual machine. Throws InputOutputError as read_record,
+// where the record is not sealed, and where there is no Coq.
 [[nodiscard]] tools::Json checked(const std::filesystem::path& directory);
 
 }  // namespace stickslip::report::audit

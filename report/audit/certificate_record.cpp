@@ -286,6 +286,7 @@ class Compared {
     for (const Json& one : record_.at("without")) {
       without_.emplace(one.at("claim"), one.at("reason"));
     }
+    forged_ = !path.empty() && !is_sealed(record_);
     spoiled_ = path.empty() ? "" : why_none_counts(audit, abbreviations);
   }
 
@@ -293,11 +294,15 @@ class Compared {
     const auto found = claims_.find(record.claim.id);
     if (found == claims_.end()) {
       const auto reason = without_.find(record.claim.id);
-      return reason == without_.end() ? Certified{State::unknown, "", "Coq was not asked"}
-                                      : Certified{State::none, "", reason->second};
+      return forged_                    ? Certified{State::unknown, "", spoiled_}
+             : reason == without_.end() ? Certified{State::unknown, "", "Coq was not asked"}
+                                        : Certified{State::none, "", reason->second};
     }
     const Json& claim = *found->second;
     const std::string file = claim.at("file"), reason = claim.at("reason");
+    if (claim.at("accepted") != true && forged_) {
+      return {State::unknown, file, spoiled_};
+    }
     if (claim.at("accepted") != true) {
       return {claim.at("accepted").is_null() ? State::unknown : State::refused, file,
               reason.empty() ? "Coq was not asked" : reason};
@@ -318,11 +323,11 @@ class Compared {
   // Of all claims: why the record says nothing of them; empty if it does.
   [[nodiscard]] std::string why_none_counts(const methods::Audit& audit,
                                             const std::vector<kernel::Definition>& abbreviations) const {
+    if (forged_) {
+      return "the record is not as it was made";
+    }
     if (record_.at("program").at("version") != tools::program_version()) {
       return "Coq certified it for another version of the program";
-    }
-    if (!is_sealed(record_)) {
-      return "the record is not as it was made";
     }
     for (const auto& [name, says] : record_.at("coq").value("axioms", std::map<std::string, std::string>{})) {
       const auto allowed = allowed_axioms().find(name);
@@ -389,6 +394,7 @@ class Compared {
   fs::path directory_;
   std::map<std::string, const Json *> claims_, files_;
   std::map<std::string, std::string> without_;
+  bool forged_ = false;  // the record is not as it was made
   std::string spoiled_;
   mutable std::map<std::string, std::string> changed_;  // by files: why, or nothing
 };

@@ -221,6 +221,22 @@ TEST_CASE("what Coq said stays when certificates are written again, unless somet
   }
 }
 
+TEST_CASE("of a record that was edited no reason is repeated") {
+  const Accepted accepted;
+  Json record = accepted.record();
+  record["without"].push_back({{"claim", "2"}, {"reason", "says a forger"}});
+  record["claims"].erase(1);
+  record["claims"][0]["accepted"] = false;
+  record["claims"][0]["reason"] = "says a forger";
+  for (const bool with_seal : {false, true}) {
+    write(accepted.path / certificate_record, report::tools::to_text(with_seal ? sealed(record) : record));
+    for (const char * id : {"1", "2"}) {
+      CHECK(accepted.of(id).words == (with_seal ? "says a forger" : "the record is not as it was made"));
+      CHECK((accepted.state(id) == State::unknown) != with_seal);
+    }
+  }
+}
+
 TEST_CASE("without a record nothing is certified, a wrong one is refused") {
   const methods::Audit audit = methods::audit(three_claims());
   const Certification none = certification(audit);
