@@ -17,6 +17,7 @@
 #include "proofs/symbols/parse.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "symbolic/typeset/names.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -338,6 +339,9 @@ symbols::Names names_with(const std::vector<std::string>& further) {
                          std::ranges::none_of(parameters(), [&](const Theorem& one) {
                            return one.conclusion().variables().contains(Variable{name});
                          });
+    if (const std::string other = looks_like(name, names); !other.empty()) {
+      throw UsageError(fmt::format("'{}' is printed as '{}' is: take another name", name, other));
+    }
     constexpr std::array words{"t", "pi", "I", "det", "for", "but"};
     if (std::ranges::count(words, name) > 0 || names.functions.contains(name) || !is_open ||
         names.quantities.emplace(name, symbols::Shape{}).first->second != symbols::Shape{}) {
@@ -374,6 +378,18 @@ Proof automatically() {
     look_for_point(outcome, prover, claim);
     return outcome;
   };
+}
+
+std::string looks_like(const std::string& name, const symbols::Names& known) {
+  const auto look = symbolic::typeset::latex_name;
+  for (const auto * names : {&known.quantities, &known.functions}) {
+    for (const auto& [other, shape] : *names) {
+      if (other != name && look(other) == look(name)) {
+        return other;
+      }
+    }
+  }
+  return "";
 }
 
 Claim own_claim(const OwnStatement& own) {

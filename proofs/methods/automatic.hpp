@@ -6,6 +6,10 @@
 
 #include "proofs/methods/claim.hpp"
 
+namespace stickslip::proofs::symbols {
+struct Names;
+}
+
 namespace stickslip::proofs::methods {
 
 // A statement of one's own and what it assumes, in the paper's symbols and further ones, as typed: the
@@ -22,6 +26,10 @@ inline constexpr const char * own_id = "own";
 // Throws symbols::ParseError for what cannot be read, UsageError for a further symbol that is one of the
 // paper's, or no name.
 [[nodiscard]] Claim own_claim(const OwnStatement& own);
+
+// The symbol that looks in LaTeX as one of that other name would, as x1 does like x_1: with both a formula
+// would be printed that says something else. Empty if there is none.
+[[nodiscard]] std::string looks_like(const std::string& name, const symbols::Names& known);
 
 // Each printed statement by the first of these that derives it: the normal form of both sides; from what is
 // assumed, the equations solved for one of their symbols each and put in; combined as polynomials; for

@@ -15,6 +15,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "proofs/methods/automatic.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/parse.hpp"
 #include "proofs/symbols/table.hpp"
@@ -380,6 +381,9 @@ class Reading {
                    : std::nullopt;
     for (const std::string& name : split(rest.substr(0, std::min(in, colon)), ',')) {
       new_name(name);
+      if (const std::string other = methods::looks_like(name, names_); !other.empty()) {
+        fail(fmt::format("'{}' is printed as '{}' is: take another name", name, other));
+      }
       if (motion) {
         names_.functions.emplace(name, *motion);
         rows_.push_back({.name = name, .shape = *motion, .of_time = true, .is_motion = true});

@@ -211,6 +211,8 @@ TEST_CASE("symbols of one's own are new names") {
     CHECK_THROWS_WITH_AS((void)own_claim({"a = 1", {}, {"a", known}}),
                          doctest::Contains("has a meaning already"), UsageError);
   }
+  CHECK_THROWS_WITH_AS((void)own_claim({"omega_1 = 1", {}, {"omega_1"}}),
+                       "'omega_1' is printed as 'omega1' is: take another name", UsageError);
   CHECK_THROWS_AS((void)own_claim({"a = 1"}), symbols::ParseError);
 }
 

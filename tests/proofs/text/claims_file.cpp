@@ -295,6 +295,10 @@ TEST_CASE("what a file may not say is refused with its place") {
         "F:1: 'symbols' belongs to a paper of its own: begin the file with an entry 'paper'");
   CHECK(refusal("section s\npaper P\n") == "F:2: 'paper' stands before all other entries");
   CHECK(refusal_of("symbols a\n") == "F:3: 'a' has a meaning already");
+  CHECK(refusal_of("symbols omega_0, omega0\n") ==
+        "F:3: 'omega0' is printed as 'omega_0' is: take another name");
+  CHECK(refusal_of("symbols zdot1\nsymbols zdot_1: motion of 2\n") ==
+        "F:4: 'zdot_1' is printed as 'zdot1' is: take another name");
   CHECK(refusal_of("symbols 2a\n") ==
         "F:3: '2a' is no name for a symbol: a name is a letter, then letters and digits");
   for (const char * kind : {"motion", "motion of 9", "motion of", "matrix", "motion of 2x2"}) {
