@@ -104,8 +104,9 @@ void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim) {
     return;
   }
   const bool by_values = !outcome.doubted.empty() && std::ranges::all_of(claim.assumptions, is_substitution);
-  for (const Statement& doubted : outcome.doubted.empty() ? claim.printed : outcome.doubted) {
-    for (const Statement& printed : claim.printed) {
+  const bool as_printed = outcome.doubted.empty();
+  for (const Statement& doubted : as_printed ? claim.printed : outcome.doubted) {
+    for (const Statement& printed : as_printed ? std::vector{doubted} : claim.printed) {
       if (auto refuted = refuted_at_point(prover, claim, printed, {}, doubted)) {
         if (by_values) {
           refuted->decided = {{doubted}};

@@ -263,6 +263,8 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
                           std::size_t most) {
   constexpr std::size_t most_choices = 8;
   constexpr std::size_t draws = 1000;
+  // An equation that holds at so many points in turn holds at all: there is no scene at which it does not.
+  constexpr std::size_t most_agreeing = 40;
   Derivation derivation(prover, claim);
   std::vector<Scene> result;
   Draw draw;
@@ -272,17 +274,23 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
         std::ranges::any_of(open->drawn, [](const Variable& one) { return one.type != real_number; })) {
       break;
     }
-    for (std::size_t k = 0; k < draws && result.size() < most; ++k) {
+    std::size_t agreeing = 0;
+    for (std::size_t k = 0; k < draws && result.size() < most && agreeing < most_agreeing; ++k) {
       tactics::Point values;
       Scene scene{.values = open->values};
       for (const Variable& name : open->drawn) {
         scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
       }
-      if ((!open->failing || holds_nearly(*open->failing, values) == std::optional(false)) &&
-          std::ranges::all_of(open->conditions, [&](const Formula& one) {
-            return holds_nearly(one, values) == std::optional(true);
+      if (std::ranges::any_of(open->conditions, [&](const Formula& one) {
+            return holds_nearly(one, values) != std::optional(true);
           })) {
+        continue;
+      }
+      if (!open->failing || holds_nearly(*open->failing, values) == std::optional(false)) {
         result.push_back(std::move(scene));
+        agreeing = 0;
+      } else if (open->failing->kind() == kernel::Kind::equal) {
+        ++agreeing;
       }
     }
   }
