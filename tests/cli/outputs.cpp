@@ -119,12 +119,15 @@ TEST_CASE("claims are named by whose they are") {
 }
 
 TEST_CASE("check answers by its exit code, whatever the form of its output") {
-  const Run json = stickslip_program({"check", "--json"});
-  const int expected = code_of_check(Json::parse(json.out));
-  CHECK(json.code == expected);
-  const Run lines = stickslip_program({"check"});
-  CHECK(lines.code == expected);
-  const auto claims = Json::parse(json.out).at("summary").at("claims").get<std::ptrdiff_t>();
-  CHECK(std::count(lines.out.begin(), lines.out.end(), '\n') == claims + 1);
-  CHECK(lines.out.find('\x1b') == std::string::npos);
+  for (const Words& asked : {Words{"check", "A1"}, {"check", "4", "44"}}) {
+    const Run json = stickslip_program(with(asked, {"--json"}));
+    const int expected = code_of_check(Json::parse(json.out));
+    CHECK(expected == (asked.size() > 2 ? exit_refuted : exit_decided));
+    CHECK(json.code == expected);
+    const Run lines = stickslip_program(asked);
+    CHECK(lines.code == expected);
+    const auto claims = Json::parse(json.out).at("summary").at("claims").get<std::ptrdiff_t>();
+    CHECK(std::count(lines.out.begin(), lines.out.end(), '\n') == claims + 1);
+    CHECK(lines.out.find('\x1b') == std::string::npos);
+  }
 }

@@ -86,23 +86,26 @@ def test_orbits_of_a_machine_are_those_of_the_program(file, machine):
     assert in_si.svg() == (file.parent / "o.svg").read_text() and "k1 = 1200 N/m" in in_si._repr_svg_()
 
 
-def test_orbits_of_a_word_and_attractors_of_a_machine(file, machine):
-    word = "OTSTSTOTSTST"
-    found = stickslip.orbits(word, machine=machine, period=5, units="si")
-    assert found.json == said("orbits", word, "--params", file, "--period", 5)
-    text = program("orbits", word, "--params", file, "--period", 5, "--units", "si", "--digits", 20).stdout
+def test_orbits_of_a_word_and_attractors_of_a_machine(tmp_path):
+    file, word = write(tmp_path / "O.toml", **LIKE_O), "OTS"
+    machine = stickslip.read_machine(file)
+    found = stickslip.orbits(word, machine=machine, units="si")
+    assert found.json == said("orbits", word, "--params", file)
+    assert stickslip.orbits("OTSOTS", machine=machine, period=2).json == said("orbits", "OTSOTS", "--params", file,
+                                                                              "--period", 2)
+    text = program("orbits", word, "--params", file, "--units", "si", "--digits", 20).stdout
     orbit = found.admissible[0]
-    assert f"{orbit.x10} m" in text and orbit.ur.contains("13.5")
-    assert abs(sum(d.approximate for d in orbit.durations) - 5 / 3.2) < 1e-12
-    does, in_si = (stickslip.attractors(machine=machine, starts=10, units=units) for units in (None, "si"))
-    assert does.json == in_si.json == said("attractors", "--params", file, "--starts", 10)
+    assert f"{orbit.x10} m" in text and orbit.ur.contains("0.1834")
+    assert abs(sum(d.approximate for d in orbit.durations) - 1 / 1.0009254372) < 1e-12
+    does, in_si = (stickslip.attractors(machine=machine, starts=3, units=units) for units in (None, "si"))
+    assert does.json == in_si.json == said("attractors", "--params", file, "--starts", 3)
     assert does[0].word == in_si[0].word == word
     mm, seconds = (float(does.json["machine"]["units"][name]["mid"]) for name in ("length", "time"))
     assert numpy.allclose(in_si[0].state[:2], does[0].state[:2] * mm, rtol=1e-12)
     assert numpy.allclose(in_si[0].state[2:], does[0].state[2:] * mm / seconds, rtol=1e-12)
     assert in_si[0].durations[0].approximate == pytest.approx(does[0].durations[0].approximate * seconds)
     # From where the attractor is, in m and m/s, the orbit is found again.
-    near = stickslip.orbits(word, machine=machine, period=5, units="si", near=tuple(in_si[0].state.tolist()))
+    near = stickslip.orbits(word, machine=machine, units="si", near=tuple(in_si[0].state.tolist()))
     assert near[0].ur == orbit.ur and near[0].Theta == orbit.Theta
 
 
@@ -138,7 +141,7 @@ def test_branches_along_a_value_of_a_machine(file, machine):
     along = stickslip.branch("nonsticking", machine=machine, along=("load_frequency", 7, "7.5"))
     theirs = said("branch", "nonsticking", "--params", file, "--along", "load_frequency", "7..7.5")
     assert along.json == theirs and along.units == "si" and along.parameter == "load_frequency"
-    (file.parent / "O.toml").write_text("".join(f"{name} = {value}\n" for name, value in LIKE_O.items()))
+    write(file.parent / "O.toml", **LIKE_O)
     word = stickslip.branch("OTS", machine=stickslip.read_machine(file.parent / "O.toml"),
                             along=("load_frequency", "1", "1.002"))
     assert word.json == said("branch", "OTS", "--params", file.parent / "O.toml", "--along", "load_frequency",

@@ -4,11 +4,14 @@
 #include <set>
 #include <string>
 
-#include "proofs/methods/claim.hpp"
+#include "proofs/methods/prover.hpp"
 
 namespace stickslip::proofs {
 
 using namespace proofs::methods;
+
+// Of the paper's claims, one for all tests of a process.
+[[nodiscard]] Prover& the_prover();
 
 // The record of that claim, proved when it is first asked for.
 [[nodiscard]] const Record& record(const std::string& id);

