@@ -91,8 +91,7 @@ def test_orbits_of_a_word_and_attractors_of_a_machine(tmp_path):
     machine = stickslip.read_machine(file)
     found = stickslip.orbits(word, machine=machine, units="si")
     assert found.json == said("orbits", word, "--params", file)
-    assert stickslip.orbits("OTSOTS", machine=machine, period=2).json == said("orbits", "OTSOTS", "--params", file,
-                                                                              "--period", 2)
+    assert stickslip.orbits(word, machine=machine, period=2).json == said("orbits", word, "--params", file, "--period", 2)
     text = program("orbits", word, "--params", file, "--units", "si", "--digits", 20).stdout
     orbit = found.admissible[0]
     assert f"{orbit.x10} m" in text and orbit.ur.contains("0.1834")
