@@ -27,9 +27,9 @@ Truth altered(const std::string& id, const std::function<void(Claim&)>& alter) {
 }
 
 }  // namespace
+
 TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
-// namespace
 TEST_CASE("the determinant of (16) has three cosines for factors, and no others") {
   CHECK(record("16.det").outcome.by_kernel);
   CHECK(hypotheses("16.det").empty());

@@ -34,9 +34,9 @@ kernel::Theorem no_solution(const Rational& of_tau, const Rational& of_tau1) {
 }
 
 }  // namespace
+
 TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
-// namespace
 TEST_CASE("O.23 is a theorem at the printed times, and at none with another digit that gives a solution") {
   const Rational printed(4909, 1000), printed1(28275, 10000);
   const methods::Outcome& outcome = record("O.23").outcome;

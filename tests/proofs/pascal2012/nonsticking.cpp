@@ -26,10 +26,10 @@ namespace {
 
 const std::set<std::string> off_load_resonance{"omega - omega1 != 0", "omega - omega2 != 0"};
 
-}
+}  // namespace
+
 TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
-// namespace
 TEST_CASE("V = 0 rests on the stated det H_3 != 0 alone, which keeps the load off resonance as well") {
   CHECK(hypotheses("31").empty());
   CHECK(record("31").outcome.assumed.contains("31.regular"));

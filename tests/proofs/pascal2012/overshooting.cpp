@@ -43,9 +43,9 @@ Verdict verdict_on(const std::string& id, const Term& value) {
 const Entries Ht{"Htilde"}, h_{"h"}, H_{"H"}, G{"Gamma"};
 
 }  // namespace
+
 TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
-// namespace
 TEST_CASE("nineteen of the twenty coefficients are as printed, c_1 has a wrong sign, and only that") {
   for (const std::string& id : coefficient_ids()) {
     CAPTURE(id);

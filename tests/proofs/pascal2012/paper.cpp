@@ -31,9 +31,9 @@ void numbers_below(const kernel::Term& term, std::vector<double>& found) {
 }
 
 }  // namespace
+
 TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
-// namespace
 TEST_CASE("a result of the audit is a claim that stands, or the refutation of one of the paper's") {
   for (const Result& result : paper().results) {
     CAPTURE(result.id);

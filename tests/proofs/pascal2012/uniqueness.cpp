@@ -74,9 +74,9 @@ const Term speed_x = component(3, X(t)), speed_y = component(3, Y(t));
 const Term below_x = sign(V - speed_x), below_y = sign(V - speed_y);
 
 }  // namespace
+
 TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
-// namespace
 TEST_CASE("uniqueness and symmetry are theorems that rest on no more than they say, and need all of it") {
   for (const std::string& id : chain) {
     CAPTURE(id);

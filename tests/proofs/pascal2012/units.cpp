@@ -19,9 +19,9 @@ const k::Theorem& theorem_of(const std::string& id) {
 }
 
 }  // namespace
+
 TEST_SUITE_BEGIN("the_whole_audit" * doctest::skip());
 
-// namespace
 TEST_CASE("Omega is one positive number: there is one, and any two are equal") {
   const k::Variable k1{"k1"}, k2{"k2"}, m1{"m1"}, x{"x"}, y{"y"};
   const auto is_unit = [&](const k::Variable& one) {
