@@ -31,16 +31,20 @@ template <class F>
   std::vector<std::conditional_t<std::is_same_v<Result, bool>, char, Result>> results(n);
   const long bits = WorkingPrecision::bits();
   // What oneTBB guarantees anyway, where the thread sanitizer sees it: all of this happens after what came
-  // before, and before what comes after.
+  // before, and before what comes after, be that a result or an exception.
   std::atomic<std::size_t> done{0};
+  struct InOrder {
+    std::atomic<std::size_t>& done;
+    ~InOrder() { done.fetch_add(1, std::memory_order_acq_rel); }
+  };
   done.store(0, std::memory_order_release);
+  const InOrder after{done};
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
     (void)done.load(std::memory_order_acquire);
+    const InOrder before{done};
     const WorkingPrecision scope(bits);
     results[i] = f(i);
-    done.fetch_add(1, std::memory_order_release);
   });
-  (void)done.load(std::memory_order_acquire);
   return results;
 }
 
