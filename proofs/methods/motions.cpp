@@ -304,7 +304,7 @@ Proof by_periodic_decrease(PeriodicDecrease step) {
   const auto derive = [step = std::move(step)](Derivation& derivation, std::size_t which) {
     const Formula goal = derivation.read(derivation.claim().printed[which]);
     const Decrease decrease(derivation, step.rate, step.weight, goal);
-    const auto [a, b] = decrease.ends();
+    const kernel::Term a = decrease.ends().first, b = decrease.ends().second;
     const kernel::Term E = decrease.E();
     const Variable& t = decrease.time();
     const Theorem kept = never_changes(decrease.continuity(), decrease.never_grows(),
@@ -483,7 +483,7 @@ const ExampleOrbits& orbits_of(const Example& example) {
   const auto found = known.find(example.name);
   return found != known.end()
              ? found->second
-             : known.try_emplace(example.name, example, list_orbits(question_of(example, digits)))
+             : known.emplace(example.name, ExampleOrbits{example, list_orbits(question_of(example, digits))})
                    .first->second;
 }
 

@@ -5,9 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/verdict.hpp"
-#include "proofs/kernel/theorem.hpp"
-#include "proofs/symbols/term.hpp"
+#include "proofs/methods/claim.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -36,9 +34,6 @@ struct Scene {
 // Both sides, in balls, of an entry in which they certainly differ, or of the first.
 [[nodiscard]] Witness witness_of(const symbols::Statement& statement, const Scene& scene);
 
-struct Claim;
-struct Hypothesis;
-struct Outcome;
 // Where the outcome is undecided: refuted, if it is a theorem that there are values with which all that the
 // claim assumes holds and what it prints does not; they are sought where an equation fails that the outcome
 // doubts, or what is printed.

@@ -86,11 +86,11 @@ const Rational share(-729, 100);
 // F_1 + share F_2 is the determinant of rows 1, 2, 3 of (21) and of row 4 + share row 5, by columns a, b, c,
 // d.
 template <class S>
-Eigen::Matrix<S, 4, 4> closing_matrix(const model::ClosingCoefficients<S>& k, const S& share) {
+Eigen::Matrix<S, 4, 4> closing_matrix(const model::ClosingCoefficients<S>& k, const S& factor) {
   Eigen::Matrix<S, 4, 4> rows;
   int column = 0;
   for (const std::array<S, 5> * x : {&k.a, &k.b, &k.c, &k.d}) {
-    rows.col(column++) << x->at(0), x->at(1), x->at(2), S(x->at(3) + share * x->at(4));
+    rows.col(column++) << x->at(0), x->at(1), x->at(2), S(x->at(3) + factor * x->at(4));
   }
   return rows;
 }

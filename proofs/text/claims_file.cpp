@@ -246,9 +246,12 @@ class Reading {
       const auto field = std::ranges::find_if(
           fields, [&](const auto& one) { return line.text.starts_with(std::string(one.first) + " "); });
       if (field == fields.end()) {
-        const auto names = std::views::keys(fields);
+        std::vector<std::string> names;
+        for (const auto& [name, place] : fields) {
+          names.emplace_back(name);
+        }
         fail(fmt::format("'{}': the lines of '{}' begin with {}", first_word(line.text).first,
-                         first_word(entry.head.text).first, fmt::join(names.begin(), names.end(), ", ")));
+                         first_word(entry.head.text).first, fmt::join(names, ", ")));
       }
       if (!field->second->empty()) {
         fail(fmt::format("'{}' stands there twice", field->first));
