@@ -86,7 +86,7 @@ Return shortest(const Return& seen, bool has_load, double nearness, double Omega
 
 template <int N, int L>
 bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation::SimulationOf<N, L>::State& X,
-           double mu, long n, long periods, double Omega) {
+           double mu, long n, long periods) {
   constexpr double least = 1e-3;
   constexpr long parts = 9, half = parts / 2;  // of which the first, the middle and the last are compared
   const long returns = periods / (parts * n);
@@ -96,7 +96,7 @@ bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation:
       for (long i = 0; i < n; ++i) {
         simulation.advance(simulation.period());
       }
-      most = std::max(most, distance(simulation.state(), X, Omega));
+      most = std::max(most, distance(simulation.state(), X));
     }
   }
   const double expected = -std::log(mu) * static_cast<double>(half * returns);
@@ -107,10 +107,9 @@ bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation:
   return falls(farthest.front(), farthest[half]) && falls(farthest[half], farthest.back());
 }
 
-template bool nears(simulation::SimulationOf<2, 1>, const model::Vector4<double>&, double, long, long,
-                    double);
+template bool nears(simulation::SimulationOf<2, 1>, const model::Vector4<double>&, double, long, long);
 template bool nears(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>, const Eigen::VectorXd&, double,
-                    long, long, double);
+                    long, long);
 
 std::optional<Return> AnyFollower::steady_word() const {
   constexpr long most = 8;

@@ -48,12 +48,11 @@ struct Return {
 // Whether the motion, seen every n periods, comes nearer to X as motions do that near a stable orbit with a
 // largest multiplier of the size mu: its farthest in the middle of so many periods is less than in the
 // beginning, and in the end less than in the middle, both by mu to the power of the returns between, within a
-// factor 2 of the exponent, at distances with this Omega. A check; less than a part in 1000 is not
-// distinguished from a torus.
+// factor 2 of the exponent. A check; less than a part in 1000 is not distinguished from a torus.
 template <int N, int L>
 [[nodiscard]] bool nears(simulation::SimulationOf<N, L> simulation,
                          const typename simulation::SimulationOf<N, L>::State& X, double mu, long n,
-                         long periods, double Omega = 1);
+                         long periods);
 
 // Follows one motion. What is said of periods is said of events where there is no load.
 class AnyFollower {
@@ -129,7 +128,7 @@ class FollowerOf : public AnyFollower {
   [[nodiscard]] Eigen::VectorXd state() const override { return simulation_.state(); }
   [[nodiscard]] Return over_periods(long n) const override;
   [[nodiscard]] bool nears(const Eigen::VectorXd& X, double mu, long n, long periods) const override {
-    return attractors::nears(simulation_, X, mu, n, periods, Omega_);
+    return attractors::nears(simulation_, X, mu, n, periods);
   }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 
