@@ -263,7 +263,7 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
                           std::size_t most) {
   constexpr std::size_t most_choices = 8;
   constexpr std::size_t draws = 1000;
-  // An equation that holds at so many points in turn holds at all: there is no scene at which it does not.
+  // An equation of analytic terms that holds at so many points in turn, whatever is assumed, holds at all.
   constexpr std::size_t most_agreeing = 40;
   Derivation derivation(prover, claim);
   std::vector<Scene> result;
@@ -281,16 +281,16 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
       for (const Variable& name : open->drawn) {
         scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
       }
-      if (std::ranges::any_of(open->conditions, [&](const Formula& one) {
-            return holds_nearly(one, values) != std::optional(true);
-          })) {
+      const auto holds = open->failing ? holds_nearly(*open->failing, values) : std::optional(false);
+      if (holds != std::optional(false)) {
+        agreeing += holds && open->failing->kind() == kernel::Kind::equal ? 1 : 0;
         continue;
       }
-      if (!open->failing || holds_nearly(*open->failing, values) == std::optional(false)) {
+      agreeing = 0;
+      if (std::ranges::all_of(open->conditions, [&](const Formula& one) {
+            return holds_nearly(one, values) == std::optional(true);
+          })) {
         result.push_back(std::move(scene));
-        agreeing = 0;
-      } else if (open->failing->kind() == kernel::Kind::equal) {
-        ++agreeing;
       }
     }
   }
