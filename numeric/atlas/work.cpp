@@ -98,11 +98,12 @@ Block work_on(const Question& q, Tile tile, const std::function<bool()>& stop) {
   for (int judged = 0; !tasks.empty() && !is_over(judged) && !stop(); ++judged) {
     auto [here, known] = std::move(tasks.back());
     tasks.pop_back();
-    const bool finest = depth(here) == q.finest();
-    const Finding finding =
-        finest ? judge_finest(q, here, Balls::both, std::move(known)) : judge(q, here, Balls::both, known);
-    const bool outside = finding.reason == static_cast<std::uint8_t>(Reason::outside);
-    if (finding.is_decided() || outside || finest) {
+    if (depth(here) == q.finest()) {
+      block.leaves.push_back({here, judge_finest(q, here, Balls::both, std::move(known))});
+      continue;
+    }
+    const Finding finding = judge(q, here, Balls::both, known);
+    if (finding.is_decided() || finding.reason == static_cast<std::uint8_t>(Reason::outside)) {
       block.leaves.push_back({here, finding});
     } else {
       tasks.push_back({2 * here + 1, known});
