@@ -382,6 +382,9 @@ Proof automatically() {
 
 std::string looks_like(const std::string& name, const symbols::Names& known) {
   const auto look = symbolic::typeset::latex_name;
+  if (name != "I" && look(name) == look("I")) {  // the unit matrix
+    return "I";
+  }
   for (const auto * names : {&known.quantities, &known.functions}) {
     for (const auto& [other, shape] : *names) {
       if (other != name && look(other) == look(name)) {

@@ -213,6 +213,8 @@ TEST_CASE("symbols of one's own are new names") {
   }
   CHECK_THROWS_WITH_AS((void)own_claim({"omega_1 = 1", {}, {"omega_1"}}),
                        "'omega_1' is printed as 'omega1' is: take another name", UsageError);
+  CHECK_THROWS_WITH_AS((void)own_claim({"I_ = 1", {}, {"I_"}}),
+                       "'I_' is printed as 'I' is: take another name", UsageError);
   CHECK_THROWS_AS((void)own_claim({"a = 1"}), symbols::ParseError);
 }
 

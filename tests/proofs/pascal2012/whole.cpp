@@ -18,12 +18,15 @@ using namespace stickslip::proofs::pascal2012;
 
 namespace {
 
-std::vector<Record> whole() {
-  std::vector<Record> result;
-  for (const Claim& claim : paper().claims) {
-    result.push_back(record(claim.id));
-  }
-  return result;
+const std::vector<Record>& whole() {
+  static const std::vector<Record> all = [] {
+    std::vector<Record> result;
+    for (const Claim& claim : paper().claims) {
+      result.push_back(record(claim.id));
+    }
+    return result;
+  }();
+  return all;
 }
 
 // The claim in the form that was proved, without an assumption.
