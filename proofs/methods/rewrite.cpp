@@ -170,7 +170,7 @@ std::string text(const Polynomial& polynomial) {
 }
 
 Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules) {
-  constexpr int most_steps = 10000;
+  constexpr int most_steps = 1000;
   Rewritten result{std::move(polynomial), {}};
   for (int i = 0; i < most_steps; ++i) {
     if (!step(result, rules)) {

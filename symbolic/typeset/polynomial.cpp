@@ -1,11 +1,15 @@
 #include "symbolic/typeset/polynomial.hpp"
 
+#include <flint/fmpq_mpoly_factor.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <optional>
 
 #include "core/error.hpp"
+#include "core/fmpq.hpp"
+#include "core/polynomial.hpp"
+#include "symbolic/algebra/evaluate.hpp"
 
 namespace stickslip::symbolic::typeset {
 
@@ -53,9 +57,9 @@ Term read_term(const ex& product, const Variables& variables) {
   return term;
 }
 
-bool is_number(const Polynomial& polynomial) {
-  return polynomial.size() == 1 && std::all_of(polynomial[0].degrees.begin(), polynomial[0].degrees.end(),
-                                               [](int degree) { return degree == 0; });
+void sort(Polynomial& polynomial, const Alphabet& alphabet) {
+  std::sort(polynomial.begin(), polynomial.end(),
+            [&](const Term& a, const Term& b) { return leads(a.degrees, b.degrees, alphabet); });
 }
 
 // Divides by the content, which gets the sign of the leading term.
@@ -85,81 +89,60 @@ Degrees take_monomial(Polynomial& polynomial) {
   return common;
 }
 
-ex exact_quotient(const ex& dividend, const ex& divisor) {
-  ex quotient;
-  if (!divide(dividend, divisor, quotient)) {
-    throw InternalError("a polynomial to be printed is not divisible by its own factor");
+// FLINT's list of factors.
+struct Factorisation {
+  explicit Factorisation(const PolynomialRing& ring) : context(ring.context()), raw{} {
+    fmpq_mpoly_factor_init(raw, context);
   }
-  return quotient;
+  Factorisation(const Factorisation&) = delete;
+  Factorisation& operator=(const Factorisation&) = delete;
+  ~Factorisation() { fmpq_mpoly_factor_clear(raw, context); }
+
+  const fmpq_mpoly_ctx_struct * context;
+  fmpq_mpoly_factor_t raw;
+};
+
+stickslip::Polynomial in_flint(const Polynomial& polynomial, const PolynomialRing& ring) {
+  stickslip::Polynomial result(ring);
+  for (const auto& [degrees, coefficient] : polynomial) {
+    const std::vector<ulong> exponents(degrees.begin(), degrees.end());
+    const Fmpq exact(algebra::to_rational(coefficient));
+    fmpq_mpoly_push_term_fmpq_ui(result.raw(), exact.raw(), exponents.data(), ring.context());
+  }
+  fmpq_mpoly_sort_terms(result.raw(), ring.context());
+  return result;
 }
 
-bool is_small(const Polynomial& polynomial, const Alphabet& alphabet) {
-  return polynomial.size() <= most_terms_factored || collect_trigonometric(polynomial, alphabet).size() == 1;
+Polynomial from_flint(const fmpq_mpoly_struct& raw, const PolynomialRing& ring, const Alphabet& alphabet) {
+  Polynomial result;
+  std::vector<ulong> exponents(ring.generators());
+  for (slong i = 0; i < fmpq_mpoly_length(&raw, ring.context()); ++i) {
+    Fmpq coefficient;
+    fmpq_mpoly_get_term_coeff_fmpq(coefficient.raw(), &raw, i, ring.context());
+    fmpq_mpoly_get_term_exp_ui(exponents.data(), &raw, i, ring.context());
+    result.push_back({Degrees(exponents.begin(), exponents.end()),
+                      GiNaC::ex_to<numeric>(algebra::to_ex(coefficient.value()))});
+  }
+  sort(result, alphabet);
+  return result;
 }
 
-// What divides all coefficients of the products of cos, sin, tan.
-ex trigonometric_content(const Polynomial& polynomial, const Alphabet& alphabet) {
-  ex content = 0;
-  for (const auto& [degrees, coefficient] : collect_trigonometric(polynomial, alphabet)) {
-    content = gcd(content, to_expression(coefficient, alphabet));
+// The irreducible factors, primitive. FLINT's time does not depend on the order in which symbols were made,
+// as that of GiNaC's factor() does. Where it gives up the polynomial is its own factor.
+std::vector<std::pair<Polynomial, int>> irreducible_factors(const Polynomial& polynomial,
+                                                            const Alphabet& alphabet) {
+  const PolynomialRing ring(alphabet.variables.size());
+  Factorisation found(ring);
+  if (fmpq_mpoly_factor(found.raw, in_flint(polynomial, ring).raw(), ring.context()) == 0) {
+    return {{polynomial, 1}};
   }
-  return content;
-}
-
-void append_sum(const ex& expression, const Alphabet& alphabet, int exponent, Factors& result) {
-  Polynomial sum = to_polynomial(expression, alphabet);
-  if (!is_number(sum)) {
-    make_primitive(sum);
-    result.sums.emplace_back(std::move(sum), exponent);
+  std::vector<std::pair<Polynomial, int>> result;
+  for (slong i = 0; i < found.raw->num; ++i) {
+    Polynomial factor = from_flint(found.raw->poly[i], ring, alphabet);
+    make_primitive(factor);
+    result.emplace_back(std::move(factor), static_cast<int>(fmpz_get_si(found.raw->exp + i)));
   }
-}
-
-void append_product(const ex& product, const Alphabet& alphabet, int exponent, Factors& result) {
-  if (GiNaC::is_a<GiNaC::mul>(product)) {
-    for (const ex& factor : product) {
-      append_product(factor, alphabet, exponent, result);
-    }
-  } else if (GiNaC::is_a<GiNaC::power>(product)) {
-    const int power = GiNaC::ex_to<numeric>(product.op(1)).to_int();
-    append_product(product.op(0), alphabet, exponent * power, result);
-  } else {
-    append_sum(product, alphabet, exponent, result);
-  }
-}
-
-// The variable in which the polynomial is linear with the fewest terms; none: nullopt.
-std::optional<std::size_t> linear_variable(const Polynomial& polynomial) {
-  std::optional<std::size_t> best;
-  std::ptrdiff_t fewest = std::ssize(polynomial) + 1;
-  for (std::size_t i = 0; i < polynomial[0].degrees.size(); ++i) {
-    const auto degree = [i](const Term& term) { return term.degrees[i]; };
-    const auto terms = std::ranges::count(polynomial, 1, degree);
-    if (terms > 0 && terms < fewest &&
-        std::ranges::count(polynomial, 0, degree) + terms == std::ssize(polynomial)) {
-      best = i;
-      fewest = terms;
-    }
-  }
-  return best;
-}
-
-// a x + b is irreducible once it is divided by gcd(a, b): the usual case, and much faster than factor().
-void append_factors(const ex& expression, const Alphabet& alphabet, Factors& result) {
-  const Polynomial polynomial = to_polynomial(expression, alphabet);
-  if (is_number(polynomial)) {
-    return;
-  }
-  if (const auto linear = linear_variable(polynomial)) {
-    const ex& x = alphabet.variables[*linear];
-    const ex expanded = expression.expand();
-    const ex divisor = gcd(expanded.coeff(x, 1), expanded.coeff(x, 0));
-    append_sum(exact_quotient(expanded, divisor), alphabet, 1, result);
-    append_factors(divisor, alphabet, result);
-  } else if (is_small(polynomial, alphabet)) {
-    append_product(factor(expression), alphabet, 1, result);
-  } else {
-    append_sum(expression, alphabet, 1, result);
-  }
+  return result;
 }
 
 // f(-x), primitive; empty if that is ±f.
@@ -229,8 +212,7 @@ Polynomial to_polynomial(const ex& expression, const Alphabet& alphabet) {
   } else if (!expanded.is_zero()) {
     result.push_back(read_term(expanded, variables));
   }
-  std::sort(result.begin(), result.end(),
-            [&](const Term& a, const Term& b) { return leads(a.degrees, b.degrees, alphabet); });
+  sort(result, alphabet);
   return result;
 }
 
@@ -268,12 +250,7 @@ Factors factorise(const Polynomial& polynomial, const Alphabet& alphabet) {
   make_primitive(rest);
   Factors result;
   result.monomial = take_monomial(rest);
-  if (!is_number(rest)) {
-    const ex whole = to_expression(rest, alphabet);
-    const ex content = trigonometric_content(rest, alphabet);
-    append_factors(content, alphabet, result);
-    append_factors(exact_quotient(whole, content), alphabet, result);
-  }
+  result.sums = irreducible_factors(rest, alphabet);
   join_conjugates(result, alphabet);
   result.unit = unit_of(polynomial, result);
   return result;

@@ -40,9 +40,7 @@ struct Factors {
   std::vector<std::pair<Polynomial, int>> sums;
 };
 
-// Assumes a nonzero polynomial. What depends on cos, sin, tan and is linear in nothing is factored only as
-// long as it has at most `most_terms_factored` terms.
-inline constexpr std::size_t most_terms_factored = 60;
+// Assumes a nonzero polynomial.
 [[nodiscard]] Factors factorise(const Polynomial& polynomial, const Alphabet& alphabet);
 
 // The parts of a polynomial by what they contain of cos, sin, tan: degrees in these alone, and coefficient in

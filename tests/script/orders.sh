@@ -85,9 +85,9 @@ for target in "${targets[@]}"; do
     stickslip_python) has python "$here/configured" || refuse "cmake: unknown target $target"; program python/$target ;;
     stickslip_bench) has bench "$here/configured" || refuse "cmake: unknown target $target"; program bench/$target ;;
     test_*) has test "$here/configured" || refuse "cmake: unknown target $target"; program "tests/$target" ;;
-    fuzzers)
+    fuzz_*)
       has fuzz "$STATE/installed" && has test "$here/configured" || refuse "cmake: unknown target $target, or no clang"
-      for name in command_line decimal parameters statement; do program "tests/fuzz/fuzz_$name"; done ;;
+      program "tests/fuzz/$target" ;;
     *) refuse "cmake: unknown target $target" ;;
   esac
 done

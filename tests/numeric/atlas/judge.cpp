@@ -159,7 +159,8 @@ TEST_CASE("Leaves say what the lists of orbits say at points in them") {
                      30) > 0);
 }
 
-TEST_CASE("Leaves of machines in SI units say what the lists of orbits of machines in them say") {
+TEST_CASE("Leaves of machines in SI units say what the lists of orbits of machines in them say" *
+          doctest::test_suite("nightly") * doctest::skip()) {
   const auto machines = [](const families::Family& family, const std::vector<std::string>& values,
                            int resolution, Values kind) {
     Question q = question(family, values, resolution, kind);

@@ -217,6 +217,6 @@ TEST_CASE("random damped machines: periodic motions are proved, and the raw law 
 
 TEST_CASE("random machines on smooth laws of friction: proved, not only near them, and the raw law agrees") {
   const char * const asked = std::getenv("STICKSLIP_SMOOTH_MACHINES");
-  const int rounds = asked == nullptr ? 12 : std::stoi(asked);
+  const int rounds = asked == nullptr ? 6 : std::stoi(asked);
   check_random_machines(true, rounds, rounds / 10);
 }

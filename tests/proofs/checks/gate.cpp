@@ -126,7 +126,7 @@ TEST_CASE("a broken claim takes down those that use it, and no others") {
     ids.merge(ids_named(paper().claims, place));
   }
   const auto whole = records(paper().claims, ids);
-  for (const std::string cut : {"13.E", "38.reversal", "53.F", "62"}) {
+  for (const std::string cut : {"13.E", "62"}) {
     CAPTURE(cut);
     std::set<std::string> users{cut}, changed{cut};
     for (std::size_t before = 0; before != users.size();) {

@@ -50,7 +50,7 @@ FORMS = {
         "branch symmetric --example S --omega 0.586..0.588", "branch nonsticking --example P --omega 0.6..0.61 --at 0.6",
         "branch OTS --example O --ur 0.4375..0.4385 --at 0.438", "branch nonsticking --example P --p 0.9..1.1",
         "branch overshooting --example O --omega 0.9991..1.001",
-        "branch overshooting --chi 0.3351 --eta 5.424 --us 0.3421 --V 0.184 --omega 1.037 --p 0.02293 --ur 0.6..0.63 --at 0.6165",
+        "branch overshooting --chi 0.3351 --eta 5.424 --us 0.3421 --V 0.184 --omega 1.037 --p 0.02293 --ur 0.614..0.618 --at 0.6165",
         "branch nonsticking --params MACHINE --along load_amplitude 4..4.1 --at 4", "branch OS --params MACHINE --along m1 1..1.01"
     ],
     "attractors": [
@@ -107,7 +107,7 @@ FORMS = {
         "simulate --params FREE --state=0,0 --time 100"
     ],
     "machine_set": [
-        "simulate --params TABLES --state=0,0,0,0 --set=1e-6,1e-6,0,1e-5 --time 0.2",
+        "simulate --params TABLES --state=0,0,0,0 --set=1e-6,1e-6,0,1e-5 --time 0.05",
         "simulate --params FREE --state=0,0.1 --set=0.01,0.1 --time 1",
         "simulate --params MACHINE --units si --state=0,0,0,0 --set=1e-5,1e-5,0,1e-4 --time 1"
     ],
