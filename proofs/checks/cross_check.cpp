@@ -140,11 +140,42 @@ bool tell_much(const Sides<Ball>& at) {
   return true;
 }
 
+bool is_equation(const Decided& decided) {
+  return !decided.statement || decided.statement->relation == Relation::equal;
+}
+
+// Whether the relation fails for all members of both sides.
+bool fails(Relation relation, const Sides<Ball>& at) {
+  if (relation == Relation::equal) {
+    return disjoint(at);
+  }
+  const auto all = [&](const auto& holds) {
+    for (Eigen::Index i = 0; i < at.left.size(); ++i) {
+      if (!holds(Ball(at.left(i) - at.right(i)))) {
+        return false;
+      }
+    }
+    return true;
+  };
+  switch (relation) {
+    case Relation::not_equal:
+      return all([](const Ball& x) { return stickslip::is_zero(x); });
+    case Relation::less:
+      return all([](const Ball& x) { return stickslip::is_zero(x) || x.is_positive(); });
+    case Relation::less_or_equal:
+      return all([](const Ball& x) { return x.is_positive(); });
+    case Relation::greater:
+      return all([](const Ball& x) { return stickslip::is_zero(x) || x.is_negative(); });
+    default:
+      return all([](const Ball& x) { return x.is_negative(); });
+  }
+}
+
 bool fails_at(const Claim& claim, const Decided& decided, const Witness& witness) {
   const WorkingPrecision precision(256);
   const Given given(claim);
   BallSides at(given.values, seed_of(claim), witness.point);
-  return disjoint(at(decided));
+  return fails(decided.statement ? decided.statement->relation : Relation::equal, at(decided));
 }
 
 struct Disagreement {
@@ -205,7 +236,7 @@ int confirmed_in_balls(const Claim& claim, const std::vector<Decided>& all) {
 int confirmed_at_witness(const Claim& claim, const std::vector<Decided>& all, const Witness& witness) {
   if (std::none_of(all.begin(), all.end(),
                    [&](const Decided& one) { return fails_at(claim, one, witness); })) {
-    Disagreement{claim}("the balls of both sides are not disjoint at the witness");
+    Disagreement{claim}("in balls, what is called refuted does not fail at the witness");
   }
   return 1;
 }
@@ -339,7 +370,8 @@ CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcom
     return result;
   }
   try {
-    result.exact_points = confirmed_exactly(claim, all, proved);
+    // An inequality that fails at the witness may hold at most points.
+    result.exact_points = std::ranges::all_of(all, is_equation) ? confirmed_exactly(claim, all, proved) : 0;
   } catch (const NoExactValue& reason) {
     result.unchecked = reason.what();
   }

@@ -73,8 +73,8 @@ struct Comparison {
   Verdict verdict;  // proved: the printed value is the correctly rounded one
 };
 
-// An equation that is proved, or refuted, as the claim is: as printed, with what the claim assumes to be
-// "symbol = value" put in, or of two terms that its proof derived.
+// An equation that is proved, or refuted, as the claim is, or an inequality that is refuted: as printed, with
+// what the claim assumes to be "symbol = value" put in, or of two terms that its proof derived.
 struct Decided {
   std::optional<symbols::Statement> statement = {};
   kernel::Term left = 0, right = 0;

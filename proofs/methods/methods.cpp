@@ -163,7 +163,7 @@ Rule cancellation(const Claim& claim, const Term& square, const Scalars& scalars
       return {polynomial(inverse(square) * square, scalars).begin()->first, {{{}, 1}}};
     }
   }
-  throw InternalError(
+  throw UsageError(
       fmt::format("claim {} divides by {} without assuming that it can", claim.id, text(square)));
 }
 
@@ -185,7 +185,11 @@ void add_rules(Rules& known, Prover& prover, const Claim& claim, const Scalars& 
                    statement.right.is_zero() ? statement.right : left * statement.right, statement.relation};
     }
     const Polynomial lead = polynomial(premise.lead.value_or(statement.left), scalars);
-    if (auto rule = solve(residual(statement, scalars), lead, simplifying)) {
+    std::optional<Rule> rule;
+    if (lead.size() == 1) {
+      rule = solve(residual(statement, scalars), lead, simplifying);
+    }
+    if (rule) {
       known.rules.push_back(*std::move(rule));
       known.sources.emplace_back(Source{premise, i});
       collect_letters(statement.left, scalars, known.letters);

@@ -177,7 +177,7 @@ Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules) {
       return result;
     }
   }
-  throw InternalError(fmt::format("rewriting does not end after {} steps", most_steps));
+  throw kernel::KernelError(fmt::format("rewriting does not end after {} steps", most_steps));
 }
 
 std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead, const std::vector<Rule>& rules) {

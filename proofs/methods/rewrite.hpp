@@ -47,8 +47,8 @@ struct Rule {
   Rational scale = 1;
 };
 
-// What is left of the polynomial when no rule applies, and how the rules were applied. Throws
-// InternalError after 10000 steps: the rules do not terminate.
+// What is left of the polynomial when no rule applies, and how the rules were applied. Throws KernelError
+// after 1000 steps: the rules feed themselves.
 struct Rewritten {
   Polynomial rest;
   std::vector<Application> trace;
@@ -56,7 +56,7 @@ struct Rewritten {
 [[nodiscard]] Rewritten rewrite(Polynomial polynomial, const std::vector<Rule>& rules);
 
 // The premise (its residual), simplified by the rules so far, solved for the word of `lead`. Nothing if that
-// word does not occur with a nonzero rational coefficient.
+// word does not occur with a nonzero rational coefficient. Throws InternalError if `lead` is no single word.
 [[nodiscard]] std::optional<Rule> solve(const Polynomial& premise, const Polynomial& lead,
                                         const std::vector<Rule>& rules);
 

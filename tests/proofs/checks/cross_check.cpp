@@ -86,6 +86,30 @@ TEST_CASE("a true equation that is called refuted, and a witness that is none, a
   CHECK(record(at_zero, misled(refuted_at(anywhere))).status == Status::refuted);
 }
 
+TEST_CASE(
+    "an inequality that is called refuted must fail at the witness, at equality, too, if it is strict") {
+  const auto is_refuted_at = [](Relation relation, int value) {
+    const Record made = record({V, 0, relation}, misled(refuted_at({{"V", value}})));
+    return made.status == Status::refuted && made.outcome.cross_check.ball_points == 1;
+  };
+  CHECK(is_refuted_at(Relation::greater, 0));
+  CHECK(is_refuted_at(Relation::greater, -1));
+  CHECK(is_refuted_at(Relation::less, 0));
+  CHECK(is_refuted_at(Relation::not_equal, 0));
+  CHECK(is_refuted_at(Relation::greater_or_equal, -1));
+  CHECK(is_refuted_at(Relation::less_or_equal, 1));
+  for (const auto& [relation, value] : {std::pair{Relation::greater, 1},
+                                        {Relation::less, -1},
+                                        {Relation::not_equal, 1},
+                                        {Relation::greater_or_equal, 0},
+                                        {Relation::less_or_equal, 0},
+                                        {Relation::less_or_equal, -1}}) {
+    CAPTURE(value);
+    CHECK_THROWS_WITH_AS((void)record({V, 0, relation}, misled(refuted_at({{"V", value}}))),
+                         doctest::Contains("witness"), InternalError);
+  }
+}
+
 TEST_CASE("values that are assumed are put in, conditions are not evaluated away") {
   const Statement lag = equation(R(tau - t), R(t));
   CHECK_THROWS_AS((void)record(lag, saying(Verdict::proved())), InternalError);

@@ -183,6 +183,27 @@ TEST_CASE("proofs have names") {
         "as_printed");
 }
 
+TEST_CASE("a method that does not fit is refused or decides nothing, in a sentence") {
+  const auto status = [](const std::string& content) {
+    return to_string(Prover(read(content).claims).prove("mine").status);
+  };
+  const std::string group =
+      "claim g model: .\n  E Z0 = H(t) E Z0\nclaim mine step new: .\n  E Z0 = E E Z0\n  by ";
+  CHECK(status(group + "rewriting g for E Z0\n") != "proved");  // it feeds itself
+  const auto said = [&](const std::string& method) {
+    try {
+      return status(group + method + "\n");
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+  };
+  CHECK(said("rewriting g for E + H(t)") == "claim mine: the premise g cannot be solved as wanted");
+  CHECK(said("rewriting g over E") == "claim mine divides by E without assuming that it can");
+  // Refuted where both sides are the same.
+  CHECK(status("claim mine step new: .\n  V > 0\n  by normal form\n") == "refuted");
+  CHECK(status("claim mine step new: .\n  V != 0\n  by normal form\n") == "refuted");
+}
+
 TEST_CASE("motions of a paper of its own") {
   const std::string paper =
       "paper P\nsymbols w, b, c, v in 0 < w\nsymbols Z: motion of 2\n"
