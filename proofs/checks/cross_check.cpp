@@ -144,31 +144,29 @@ bool is_equation(const Decided& decided) {
   return !decided.statement || decided.statement->relation == Relation::equal;
 }
 
-// Whether the relation fails for all members of both sides.
+// Whether the relation fails, as far as balls tell: they cannot say that two sides are equal, only that they
+// overlap where they are small.
 bool fails(Relation relation, const Sides<Ball>& at) {
-  if (relation == Relation::equal) {
-    return disjoint(at);
-  }
-  const auto all = [&](const auto& holds) {
-    for (Eigen::Index i = 0; i < at.left.size(); ++i) {
-      if (!holds(Ball(at.left(i) - at.right(i)))) {
-        return false;
-      }
-    }
-    return true;
+  const auto less = [](const Value<Ball>& a, const Value<Ball>& b) {
+    return std::equal(a.data(), a.data() + a.size(), b.data(),
+                      [](const Ball& x, const Ball& y) { return (x - y).is_negative(); });
   };
+  const auto agree = [&] { return !disjoint(at) && tell_much(at); };
   switch (relation) {
+    case Relation::equal:
+      return disjoint(at);
     case Relation::not_equal:
-      return all([](const Ball& x) { return stickslip::is_zero(x); });
+      return agree();
     case Relation::less:
-      return all([](const Ball& x) { return stickslip::is_zero(x) || x.is_positive(); });
+      return agree() || less(at.right, at.left);
     case Relation::less_or_equal:
-      return all([](const Ball& x) { return x.is_positive(); });
+      return less(at.right, at.left);
     case Relation::greater:
-      return all([](const Ball& x) { return stickslip::is_zero(x) || x.is_negative(); });
-    default:
-      return all([](const Ball& x) { return x.is_negative(); });
+      return agree() || less(at.left, at.right);
+    case Relation::greater_or_equal:
+      return less(at.left, at.right);
   }
+  return false;
 }
 
 bool fails_at(const Claim& claim, const Decided& decided, const Witness& witness) {

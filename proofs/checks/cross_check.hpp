@@ -3,7 +3,8 @@
 // 1. By a Schwartz–Zippel test, exactly at random rational points of the field (numeric/scalars/exact.hpp):
 //    what is proved must be 0 = 0, what is refuted must not be.
 // 2. In balls, at random real parameters and times, by the model's templates: what is proved must contain
-//    zero in balls that are small; what is refuted must fail at the witness for all members of the balls.
+//    zero in balls that are small; what is refuted must fail at the witness, for which both sides of < or !=
+//    may overlap, small.
 // What holds only under equations is evaluated at points where these hold, in balls (premise_point.hpp).
 #pragma once
 

@@ -98,6 +98,10 @@ TEST_CASE(
   CHECK(is_refuted_at(Relation::not_equal, 0));
   CHECK(is_refuted_at(Relation::greater_or_equal, -1));
   CHECK(is_refuted_at(Relation::less_or_equal, 1));
+  // Where no ball is a single number.
+  const Record at_pi =
+      record({cos(pi() * tau), Term(-1), Relation::greater}, misled(refuted_at({{"tau", 1}})));
+  CHECK(at_pi.status == Status::refuted);
   for (const auto& [relation, value] : {std::pair{Relation::greater, 1},
                                         {Relation::less, -1},
                                         {Relation::not_equal, 1},
