@@ -1,6 +1,7 @@
 #include "numeric/machines/chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "core/error.hpp"
@@ -30,6 +31,13 @@ LinearPhases phases_of(const MachineQuestion& question) {
   return phases;
 }
 
+// Between the values at -1 and 1.
+template <class M>
+InDatum<M> linear(const M& low, const M& high) {
+  const M none = low * Ball(0);
+  return {{M((high + low) * Ball(0.5)), M((high - low) * Ball(0.5)), none, none}};
+}
+
 }  // namespace
 
 Node Link::response(const Node& F) const {
@@ -37,6 +45,26 @@ Node Link::response(const Node& F) const {
   Node d = end_velocity * Ball(-F(last) / rate);
   d.tail(last) -= F.head(last);
   return d;
+}
+
+namespace {
+
+Nodes sum(const Nodes& a, const Nodes& b, const Ball& factor) {
+  Nodes sum = a;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    sum[i] += b[i] * factor;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Nodes Curve::all() const {
+  return sum(sum(m, tangent, Ball::hull(Ball(-1), Ball(1))), bend, Ball::hull(Ball(0), Ball(1)));
+}
+
+Nodes Curve::rates() const {
+  return sum(tangent, bend, Ball::hull(Ball(-2), Ball(2)));
 }
 
 Node midpoint(const Node& u) {
@@ -72,11 +100,15 @@ Chain::Chain(const MachineQuestion& question)
   speeds_high_ = speeds_of(question.ends->second);
   for (std::size_t i = 0; i < size(); ++i) {
     speeds_.push_back(Ball::hull(speeds_low_[i], speeds_high_[i]));
-    speed_rates_.push_back(Ball(speeds_high_[i] - speeds_low_[i]) / Ball(2));
+    speeds_in_datum_.push_back(linear(speeds_low_[i], speeds_high_[i]));
   }
   if (!autonomous_) {
-    omega_rate_ = (phases_.high()->oscillator().omega - phases_.low()->oscillator().omega) / Ball(2);
-    turn_rate_ = -turn_ * omega_rate_ / o.omega;
+    omega_in_datum_ = linear(phases_.low()->oscillator().omega, phases_.high()->oscillator().omega);
+    // 1/(1 + q s) = 1 - q s + q² s² - q³ s³/(1 + q s).
+    const Ball middle = Ball(2 * question.periods) * Ball::pi() / omega_in_datum_.c[0],
+               q = omega_in_datum_.c[1] / omega_in_datum_.c[0],
+               rest = Ball(1) / (Ball(1) + q * Ball::hull(Ball(-1), Ball(1)));
+    turn_in_datum_ = {{middle, -middle * q, middle * q * q, -middle * q * q * q * rest}};
   }
 }
 
@@ -96,14 +128,18 @@ Ball Chain::duration(const Nodes& nodes, std::size_t i) const {
   return autonomous_ ? to(0) : Ball(to(0) - nodes[i](0));
 }
 
-Vector Chain::state(const Nodes& nodes, std::size_t i) const {
+Vector Chain::with(const Ball& speed, const Node& node) const {
   const Eigen::Index n = phases_.masses();
   const Eigen::Index j = n + phases_.rubbing();
   Vector state(2 * n);
-  state.head(j) = nodes[i].segment(1, j);
-  state(j) = speeds_[i];
-  state.tail(2 * n - 1 - j) = nodes[i].tail(2 * n - 1 - j);
+  state.head(j) = node.segment(1, j);
+  state(j) = speed;
+  state.tail(2 * n - 1 - j) = node.tail(2 * n - 1 - j);
   return state;
+}
+
+Vector Chain::state(const Nodes& nodes, std::size_t i) const {
+  return with(speeds_[i], nodes[i]);
 }
 
 Vector Chain::without(const Vector& state) const {
@@ -159,10 +195,45 @@ Spread Chain::spread() const {
   return node;
 }
 
-// The derivatives of what link and conditions are made of, one after the other, by the rules for products.
-Chain::Rates Chain::by_datum(const Nodes& nodes, const Nodes& tangent, std::size_t i) const {
+Node Chain::conditions(const Curve& curve, std::size_t i) const {
+  const Eigen::Index n = phases_.masses();
+  const std::size_t next = (i + 1) % size();
+  const Ball zero(0);
+  const auto state_at = [&](std::size_t k) {
+    const std::array<Ball, 4>& speed = speeds_in_datum_[k].c;
+    return InDatum<Vector>{{with(speed[0], curve.m[k]), with(speed[1], curve.tangent[k]),
+                            with(speed[2], curve.bend[k]), Vector::Constant(2 * n, zero)}};
+  };
+  const auto time_at = [&](std::size_t k) {
+    return InDatum<Ball>{{curve.m[k](0), curve.tangent[k](0), curve.bend[k](0), zero}};
+  };
+  InDatum<Ball> theta{}, h = time_at(next);
+  if (!autonomous_) {
+    theta = omega_in_datum_ * time_at(i);
+    h -= time_at(i);
+    if (next == 0) {
+      h += turn_in_datum_;
+    }
+  }
+  const InDatum<Vector> reached = phases_.after(pieces_[i], h, phases_.whole(state_at(i), theta));
+  InDatum<Vector> apart = state_at(next);
+  for (std::size_t k = 0; k < 4; ++k) {
+    apart.c[k] -= reached.c[k].head(2 * n);
+  }
+  const auto event_of = [&](const LinearPhases& phases, const Ball& speed) {
+    return event_between(phases, pieces_[i], pieces_[next], speed);
+  };
+  const InDatum<Vector> D = linear(event_of(*phases_.low(), speeds_low_[next]),
+                                   event_of(*phases_.high(), speeds_high_[next]));
+  Node F(2 * n);
+  F.head(2 * n - 1) = without(apart.all());
+  F(2 * n - 1) = product(D, reached, dot).all();
+  return F;
+}
+
+// The derivatives of what a link is made of, one after the other, by the rules for products.
+Matrix Chain::link_by_datum(const Nodes& nodes, const Nodes& rates, std::size_t i) const {
   const Eigen::Index states = 2 * phases_.masses();
-  const Eigen::Index j = phases_.masses() + phases_.rubbing();
   const std::size_t next = (i + 1) % size();
   const Piece piece = pieces_[i];
   const Passage course = this->course(nodes, i, true);
@@ -172,17 +243,17 @@ Chain::Rates Chain::by_datum(const Nodes& nodes, const Nodes& tangent, std::size
   // Of w where the phase begins; what turns does so with theta.
   Vector w_rate = course.leaves;
   if (!autonomous_) {
-    w_rate *= omega_rate_ * nodes[i](0) / phases_.oscillator().omega + tangent[i](0);
+    w_rate *= omega_in_datum_.c[1] * nodes[i](0) / phases_.oscillator().omega + rates[i](0);
   }
   w_rate(states) = Ball(0);
-  w_rate.head(j) = tangent[i].segment(1, j);
-  w_rate(j) = speed_rates_[i];
-  w_rate.segment(j + 1, states - 1 - j) = tangent[i].tail(states - 1 - j);
-  Node following = tangent[next];
-  if (!autonomous_ && next == 0) {
-    following(0) += turn_rate_;
+  w_rate.head(states) = with(speeds_in_datum_[i].c[1], rates[i]);
+  Ball longer = rates[next](0);
+  if (!autonomous_) {
+    longer -= rates[i](0);
+    if (next == 0) {
+      longer -= turn_ * omega_in_datum_.c[1] / phases_.oscillator().omega;
+    }
   }
-  const Ball longer = autonomous_ ? following(0) : Ball(following(0) - tangent[i](0));
   const Matrix flow_rate =
       phases_.flow_by_datum(piece, duration(nodes, i)) + Matrix(sparse_product(B, course.flow) * longer);
   const Vector leaves_rate = sparse_product(B_rate, w) + sparse_product(B, w_rate);
@@ -199,9 +270,7 @@ Chain::Rates Chain::by_datum(const Nodes& nodes, const Nodes& tangent, std::size
   const Vector D_rate = (event_between(*phases_.high(), piece, pieces_[next], speeds_high_[next]) -
                          event_between(*phases_.low(), piece, pieces_[next], speeds_low_[next])) *
                         Ball(0.5);
-  Rates rates{Node(states), Matrix(states, states)};
-  rates.conditions.head(states - 1) = following.tail(states - 1) - without(reached_rate);
-  rates.conditions(states - 1) = dot(D, reached_rate) + dot(D_rate, course.reached);
+  Matrix M_rate(states, states);
   // As in at_event, column by column.
   const Spread node = spread(), at_end{node.time, after_duration(course, node)};
   const Matrix end_rate = after_duration(rate, node);
@@ -215,12 +284,12 @@ Chain::Rates Chain::by_datum(const Nodes& nodes, const Nodes& tangent, std::size
         -(dot(D_rate.head(states), at_end.state.col(k)) + dot(D.head(states), end_rate.col(k)) +
           of_loads_rate * node.time(k) + later * speed_rate) /
         speed;
-    rates.M(0, k) = later_rate;
-    rates.M.col(k).tail(states - 1) =
+    M_rate(0, k) = later_rate;
+    M_rate.col(k).tail(states - 1) =
         without(Vector(end_rate.col(k) + Vector(arrives_rate.head(states) * later) +
                        Vector(course.arrives.head(states) * later_rate)));
   }
-  return rates;
+  return M_rate;
 }
 
 Link Chain::link(const Nodes& nodes, std::size_t i) const {

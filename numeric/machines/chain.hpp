@@ -32,6 +32,15 @@ namespace stickslip::numeric::machines {
 using Node = Vector;
 using Nodes = std::vector<Node>;
 
+// For -1 <= s <= 1 the nodes m + s m' + s² m''.
+struct Curve {
+  Nodes m, tangent, bend;
+
+  // Contain all of them, and their derivatives by s.
+  [[nodiscard]] Nodes all() const;
+  [[nodiscard]] Nodes rates() const;
+};
+
 // Exactly the middles of the balls.
 [[nodiscard]] Node midpoint(const Node& u);
 [[nodiscard]] Nodes midpoints(const Nodes& nodes);
@@ -67,13 +76,11 @@ class Chain {
   // not be transversal.
   [[nodiscard]] Link link(const Nodes& nodes, std::size_t i) const;
 
-  // For all machines between two the derivatives by s of the conditions of phase i and of M, when the nodes
-  // change with s as `tangent` says; `nodes` contain all.
-  struct Rates {
-    Node conditions;
-    Matrix M;
-  };
-  [[nodiscard]] Rates by_datum(const Nodes& nodes, const Nodes& tangent, std::size_t i) const;
+  // For all machines between two the conditions of phase i on a curve of nodes; the better, by the third
+  // power of s, the nearer it is to solutions.
+  [[nodiscard]] Node conditions(const Curve& curve, std::size_t i) const;
+  // And the derivative by s of its link's M, when the nodes change with s as `rates` say; `nodes` contain all.
+  [[nodiscard]] Matrix link_by_datum(const Nodes& nodes, const Nodes& rates, std::size_t i) const;
 
   [[nodiscard]] const LinearPhases& phases() const { return phases_; }
   // (x, x') at node i.
@@ -91,7 +98,8 @@ class Chain {
   [[nodiscard]] Spread spread() const;
   // Zero where phase i ends, as a row.
   [[nodiscard]] Vector event(std::size_t i) const;
-  // Without x_j'.
+  // (x, x') with x_j' put in, and without.
+  [[nodiscard]] Vector with(const Ball& speed, const Node& node) const;
   [[nodiscard]] Vector without(const Vector& state) const;
 
   bool autonomous_;
@@ -99,9 +107,10 @@ class Chain {
   LinearPhases phases_;
   std::vector<Ball> speeds_;  // x_j' at the nodes
   Ball turn_;                 // of all periods
-  // For all machines between two the same at these, and the derivatives by s.
-  std::vector<Ball> speeds_low_, speeds_high_, speed_rates_;
-  Ball omega_rate_, turn_rate_;
+  // For all machines between two the same at these, and as functions of s.
+  std::vector<Ball> speeds_low_, speeds_high_;
+  std::vector<InDatum<Ball>> speeds_in_datum_;
+  InDatum<Ball> omega_in_datum_{}, turn_in_datum_{};
 };
 
 }  // namespace stickslip::numeric::machines

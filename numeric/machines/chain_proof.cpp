@@ -471,14 +471,12 @@ bool is_inside(const Nodes& nodes, const Nodes& room) {
 
 }  // namespace
 
-// With F the conditions, F(m + s m', s) = F(m, 0) + s times a value of its derivative by s between 0 and s.
-// In a box about the curve the derivatives of F by the nodes are, likewise, those about m at s = 0 and s
+// In a box about the curve the derivatives of the conditions by the nodes are those about m at s = 0 and s
 // times how they change along the curve; what Newton's test takes of them, their means between two points of
 // the box for one s, lies in the same balls.
 ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low, const ChainProof& high,
                        long bits) {
   constexpr int attempts = 3;
-  const Ball unit = Ball::hull(Ball(-1), Ball(1));
   MachineQuestion thin = question;
   thin.ends.reset();
   const WorkingPrecision scope(bits);
@@ -492,31 +490,34 @@ ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low, c
   const Nodes& m = *approach.nodes;
   const Chain& one = chains.now();
   const Chain chain(question);
-  const Nodes curve = moved(m, tangent, unit);
+  const Curve curve{
+      m, tangent, midpoints(moved(moved(moved(m, m, Ball(-2)), last, Ball(0.5)), first, Ball(0.5)))};
+  const Nodes all = curve.all(), rates = curve.rates();
   Nodes F;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    F.push_back(one.conditions(m, i) + chain.by_datum(curve, tangent, i).conditions * unit);
+    F.push_back(chain.conditions(curve, i));
   }
   const std::vector<Link> near = links_of(one, m);
   auto image = sweep(near, responses(near, F));
   for (int attempt = 0; attempt < attempts && image; ++attempt) {
     const Nodes room = room_for(image->deviations);
-    const Nodes about = moved(m, room, Ball(1)), unique = moved(curve, room, Ball(1));
+    const Nodes about = moved(m, room, Ball(1)), unique = moved(all, room, Ball(1));
     std::vector<Link> links = links_of(chain, unique);
     const Nodes g = responses(links, F);
     for (std::size_t i = 0; i < links.size(); ++i) {
       links[i].M = one.link(about, i).M;
-      links[i].M_rate = chain.by_datum(unique, tangent, i).M;
+      links[i].M_rate = chain.link_by_datum(unique, rates, i);
     }
     image = sweep(links, g);
     if (!image || !is_inside(image->deviations, room)) {
       continue;
     }
-    if (!is_inside(low.nodes, moved(about, tangent, Ball(-1))) ||
-        !is_inside(high.nodes, moved(about, tangent, Ball(1)))) {
+    const Nodes ends = moved(about, curve.bend, Ball(1));
+    if (!is_inside(low.nodes, moved(ends, tangent, Ball(-1))) ||
+        !is_inside(high.nodes, moved(ends, tangent, Ball(1)))) {
       return open("the curve does not end at the motions on both sides");
     }
-    return {Verdict::proved(), bits, moved(curve, image->deviations, Ball(1)), unique, image->return_map};
+    return {Verdict::proved(), bits, moved(all, image->deviations, Ball(1)), unique, image->return_map};
   }
   return open("no box around the curve passed Newton's test");
 }

@@ -46,10 +46,10 @@ Ball size_of(const Matrix& A, const Vector& units) {
 
 }  // namespace
 
-Matrix FlowsBetween::all() const {
-  Matrix A = E[0] + E[1] * Ball::hull(Ball(-1), Ball(1)) + E[2] * Ball::hull(Ball(0), Ball(1));
-  widen(A, *this, rest / Ball(8));
-  return A;
+InDatum<Matrix> FlowsBetween::in_datum() const {
+  Matrix cubic = Matrix::Constant(E[0].rows(), E[0].cols(), Ball(0));
+  widen(cubic, *this, rest / Ball(8));
+  return {{E[0], E[1], E[2], cubic}};
 }
 
 Matrix FlowsBetween::by_s() const {

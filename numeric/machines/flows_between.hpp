@@ -5,13 +5,14 @@
 
 #include "core/ball.hpp"
 #include "model/friction_oscillator.hpp"
+#include "numeric/machines/in_datum.hpp"
 #include "numeric/scalars/scalars.hpp"
 
 namespace stickslip::numeric::machines {
 
 // exp((B0 + s B1) t) = E[0] + s E[1] + s² E[2] + R(s), with S R S⁻¹ at most `rest` in the norm of row sums
 // for all complex |s| <= 2. R has a zero of third order at s = 0; so its entries are at most an eighth of
-// that for |s| <= 1 (Schwarz), and their derivatives by s at most that (Cauchy).
+// that times |s|³ (Schwarz), and for |s| <= 1 their derivatives by s at most that (Cauchy).
 struct FlowsBetween {
   std::array<model::MatrixX<Ball>, 3> E;
   Ball rest;                   // not finite where it could not be bounded
@@ -19,7 +20,7 @@ struct FlowsBetween {
   Eigen::MatrixXi pattern;     // 0 where an entry is zero for all s and t
 
   // For all real |s| <= 1.
-  [[nodiscard]] model::MatrixX<Ball> all() const;
+  [[nodiscard]] InDatum<model::MatrixX<Ball>> in_datum() const;
   [[nodiscard]] model::MatrixX<Ball> by_s() const;
 };
 

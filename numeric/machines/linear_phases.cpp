@@ -352,7 +352,7 @@ Matrix LinearPhases::flow_by_datum(Piece piece, const Ball& h) const {
 
 Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
   if (ends_) {
-    return flows_at(piece, t).all();
+    return flows_at(piece, t).in_datum().all();
   }
   const std::optional<Modes>& known = modes(piece);
   return known ? in_closed_form(*known, t) : exponential(drift(piece) * t);
@@ -381,7 +381,7 @@ const LinearPhases::Exponential& LinearPhases::nearest(Piece piece, const Ball& 
     }
     if (ends_) {
       const FlowsBetween between = flows_at(piece, t);
-      all.push_back({t, between.all(), between});
+      all.push_back({t, between.in_datum().all(), between});
     } else {
       all.push_back({t, flow_at(piece, t), {}});
     }
@@ -390,9 +390,39 @@ const LinearPhases::Exponential& LinearPhases::nearest(Piece piece, const Ball& 
   return *found;
 }
 
-// exp(B (m + d)) X = exp(B m) (X + B d X + … + (B d)^(k-1) X/(k-1)! + R), and |R| <= |X| s^k/k! / (1 - s/(k +
-// 1)) with s = |B| |d| < 1 for each column of X, its largest number, and the norm of row sums, all in the
-// units of w: from one exponential to those beside it.
+Ball LinearPhases::size_of(const Vector& w) const {
+  Ball size(0);
+  for (Eigen::Index i = 0; i < w.size(); ++i) {
+    size = Ball::hull(size, Ball(abs(w(i)) / units_(i)).upper()).upper();
+  }
+  return size;
+}
+
+namespace {
+
+// Adds to x the terms next(x, 1), next(next(x, 1), 2), … of exp(B d) x, until the rest of the series is small
+// enough. Returns that, in parts of |x|: with s = |B| |d| < 1 at most s^k/k! / (1 - s/(k + 1)).
+template <class X, class Next>
+Ball add_terms(X& x, const Ball& s, double enough, const Next& next) {
+  X term = x;
+  Ball rest = s;  // of the terms from the k-th on, if they go on as a geometric series
+  for (int k = 1; k == 1 || rest.approximate() > enough; ++k) {
+    term = next(term, k);
+    x += term;
+    rest *= s / Ball(k + 1);
+    if (!rest.is_finite() || k > most_terms) {
+      break;
+    }
+  }
+  const Ball room = Ball(1) - s;
+  Ball share;
+  arb_indeterminate(share.raw());
+  return room.is_positive() ? Ball(rest / room).upper() : share;
+}
+
+}  // namespace
+
+// exp(B (m + d)) X = exp(B m) exp(B d) X: from one exponential to those beside it.
 template <class M>
 M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   const Matrix& B = drift(piece);
@@ -402,32 +432,16 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   if (is_zero(d)) {
     return zeros::product(known.of_middle, X);
   }
-  const Ball s = Ball(norm * abs(d)).upper();
   const double radius = Ball(norm * d.radius()).approximate();
   const double enough =
       std::max(radius * radius / 4, std::exp2(-static_cast<double>(WorkingPrecision::bits())));
-  Vector sizes = Vector::Constant(X.cols(), Ball(0));
+  Vector sizes(X.cols());
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
-    for (Eigen::Index i = 0; i < X.rows(); ++i) {
-      sizes(k) = Ball::hull(sizes(k), Ball(abs(X(i, k)) / units_(i)).upper()).upper();
-    }
+    sizes(k) = size_of(X.col(k));
   }
-  M term = X;
-  Ball rest = s;  // of the terms from the k-th on, if they go on as a geometric series
-  for (int k = 1; k == 1 || rest.approximate() > enough; ++k) {
-    term = M(sparse_product(B, term) * Ball(d / Ball(k)));
-    X += term;
-    rest *= s / Ball(k + 1);
-    if (!rest.is_finite() || k > most_terms) {
-      break;
-    }
-  }
-  const Ball room = Ball(1) - s;
-  Ball share;
-  arb_indeterminate(share.raw());
-  if (room.is_positive()) {
-    share = Ball(rest / room).upper();
-  }
+  const Ball share = add_terms(X, Ball(norm * abs(d)).upper(), enough, [&](const M& term, int k) {
+    return M(sparse_product(B, term) * Ball(d / Ball(k)));
+  });
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
     for (Eigen::Index i = 0; i < X.rows(); ++i) {
       const Ball R = Ball(units_(i) * sizes(k) * share).upper();
@@ -435,6 +449,30 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
     }
   }
   return zeros::product(known.of_middle, X);
+}
+
+InDatum<Vector> LinearPhases::after(Piece piece, const InDatum<Ball>& h, const InDatum<Vector>& w) const {
+  const Exponential& known = nearest(piece, h.c[0].midpoint());
+  const Matrix none = Matrix::Constant(size_, size_, Ball(0));
+  const InDatum<Matrix> B{{Matrix(ends_->first.drift(piece) + ends_->second.drift(piece)) * Ball(0.5),
+                           drift_by_datum(piece), none, none}};
+  InDatum<Ball> d = h;
+  d.c[0] -= known.middle;
+  InDatum<Vector> moved = w;
+  const Ball size = size_of(w.all());
+  const Ball share = add_terms(
+      moved, Ball(norm(piece) * abs(d.all())).upper(),
+      std::exp2(-static_cast<double>(WorkingPrecision::bits())), [&](const InDatum<Vector>& term, int k) {
+        const auto Bw =
+            product(B, term, [](const Matrix& A, const Vector& x) { return sparse_product(A, x); });
+        return product(Bw, d, [&](const Vector& x, const Ball& y) { return Vector(x * Ball(y / Ball(k))); });
+      });
+  for (Eigen::Index i = 0; i < size_; ++i) {
+    const Ball R = Ball(units_(i) * size * share).upper();
+    moved.c[0](i) += Ball::hull(-R, R);
+  }
+  return product(known.between.in_datum(), moved,
+                 [](const Matrix& A, const Vector& x) { return Vector(zeros::product(A, x)); });
 }
 
 Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
@@ -512,6 +550,39 @@ Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
     const auto [sine, cosine] = sin_cos(Ball(Ball(multiples_[l]) * theta));
     w(k) = cosine;
     w(k + 1) = sine;
+  }
+  return w;
+}
+
+// theta = theta_0 + d with d = s (d_1 + d_2 s + d_3 s²): cos d and sin d to the third order in d, and
+// |cos d - 1 + d²/2| <= d⁴/24, |sin d - d + d³/6| <= |d|⁵/120.
+InDatum<Vector> LinearPhases::whole(const InDatum<Vector>& state, const InDatum<Ball>& theta) const {
+  const Ball odd = Ball::hull(Ball(-1), Ball(1));
+  InDatum<Vector> w;
+  for (std::size_t i = 0; i < 4; ++i) {
+    w.c[i] = Vector::Constant(size_, Ball(0));
+    w.c[i].head(2 * n_) = state.c[i];
+  }
+  w.c[0](2 * n_) = Ball(1);
+  for (std::size_t l = 0; l < multiples_.size(); ++l) {
+    const Ball multiple(multiples_[l]);
+    const auto [sine, cosine] = sin_cos(Ball(multiple * theta.c[0]));
+    const InDatum<Ball> d{
+        {Ball(0), multiple * theta.c[1], multiple * theta.c[2], multiple * theta.c[3]}};
+    const Ball most = abs(d.c[1]) + abs(d.c[2]) + abs(d.c[3]), fourth = most * most * most * most * odd;
+    const InDatum<Ball> square = d * d, cube = square * d;
+    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
+    for (std::size_t i = 0; i < 4; ++i) {
+      Ball cos_d = -square.c[i] / Ball(2), sin_d = d.c[i] - cube.c[i] / Ball(6);
+      if (i == 0) {
+        cos_d += Ball(1);
+      } else if (i == 3) {
+        cos_d += fourth / Ball(24);
+        sin_d += fourth * most / Ball(120);
+      }
+      w.c[i](k) = cosine * cos_d - sine * sin_d;
+      w.c[i](k + 1) = sine * cos_d + cosine * sin_d;
+    }
   }
   return w;
 }

@@ -63,6 +63,9 @@ class LinearPhases {
   // For all machines between two the derivatives by s of B, and of exp(B h) for all members of h.
   [[nodiscard]] Matrix drift_by_datum(Piece piece) const;
   [[nodiscard]] Matrix flow_by_datum(Piece piece, const Ball& h) const;
+  // And as functions of s, all of them: w from (x, x') and theta, and exp(B h) w.
+  [[nodiscard]] InDatum<Vector> whole(const InDatum<Vector>& state, const InDatum<Ball>& theta) const;
+  [[nodiscard]] InDatum<Vector> after(Piece piece, const InDatum<Ball>& h, const InDatum<Vector>& w) const;
 
   // What ends the piece, r on a stick and x_j' else, f = row w, and how its Taylor polynomials are bounded.
   // With the sizes of the numbers of w balanced by S, diagonal, and nu = |S B S⁻¹| in the norm of row sums,
@@ -112,6 +115,8 @@ class LinearPhases {
   // The one that is kept nearest to the time, or a new one.
   [[nodiscard]] const Exponential& nearest(Piece piece, const Ball& t) const;
   [[nodiscard]] const Ball& norm(Piece piece) const;
+  // The largest number in the units of w.
+  [[nodiscard]] Ball size_of(const Vector& w) const;
   [[nodiscard]] Matrix make_drift(Piece piece) const;
   template <class M>
   [[nodiscard]] M moved(Piece piece, const Ball& h, M X) const;
