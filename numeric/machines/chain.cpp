@@ -104,11 +104,10 @@ Chain::Chain(const MachineQuestion& question)
   }
   if (!autonomous_) {
     omega_in_datum_ = linear(phases_.low()->oscillator().omega, phases_.high()->oscillator().omega);
-    // 1/(1 + q s) = 1 - q s + q² s² - q³ s³/(1 + q s).
-    const Ball middle = Ball(2 * question.periods) * Ball::pi() / omega_in_datum_.c[0],
-               q = omega_in_datum_.c[1] / omega_in_datum_.c[0],
-               rest = Ball(1) / (Ball(1) + q * Ball::hull(Ball(-1), Ball(1)));
-    turn_in_datum_ = {{middle, -middle * q, middle * q * q, -middle * q * q * q * rest}};
+    turn_in_datum_ = reciprocal(omega_in_datum_.c[0], omega_in_datum_.c[1]);
+    for (Ball& coefficient : turn_in_datum_.c) {
+      coefficient *= Ball(2 * question.periods) * Ball::pi();
+    }
   }
 }
 
@@ -223,8 +222,8 @@ Node Chain::conditions(const Curve& curve, std::size_t i) const {
   const auto event_of = [&](const LinearPhases& phases, const Ball& speed) {
     return event_between(phases, pieces_[i], pieces_[next], speed);
   };
-  const InDatum<Vector> D = linear(event_of(*phases_.low(), speeds_low_[next]),
-                                   event_of(*phases_.high(), speeds_high_[next]));
+  const InDatum<Vector> D =
+      linear(event_of(*phases_.low(), speeds_low_[next]), event_of(*phases_.high(), speeds_high_[next]));
   Node F(2 * n);
   F.head(2 * n - 1) = without(apart.all());
   F(2 * n - 1) = product(D, reached, dot).all();

@@ -79,7 +79,8 @@ class Chain {
   // For all machines between two the conditions of phase i on a curve of nodes; the better, by the third
   // power of s, the nearer it is to solutions.
   [[nodiscard]] Node conditions(const Curve& curve, std::size_t i) const;
-  // And the derivative by s of its link's M, when the nodes change with s as `rates` say; `nodes` contain all.
+  // And the derivative by s of its link's M, when the nodes change with s as `rates` say; `nodes` contain
+  // all.
   [[nodiscard]] Matrix link_by_datum(const Nodes& nodes, const Nodes& rates, std::size_t i) const;
 
   [[nodiscard]] const LinearPhases& phases() const { return phases_; }

@@ -490,8 +490,8 @@ ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low, c
   const Nodes& m = *approach.nodes;
   const Chain& one = chains.now();
   const Chain chain(question);
-  const Curve curve{
-      m, tangent, midpoints(moved(moved(moved(m, m, Ball(-2)), last, Ball(0.5)), first, Ball(0.5)))};
+  const Curve curve{m, tangent,
+                    midpoints(moved(moved(moved(m, m, Ball(-2)), last, Ball(0.5)), first, Ball(0.5)))};
   const Nodes all = curve.all(), rates = curve.rates();
   Nodes F;
   for (std::size_t i = 0; i < chain.size(); ++i) {

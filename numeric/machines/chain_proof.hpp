@@ -64,9 +64,9 @@ struct ChainProof {
                                      long most_bits);
 
 // For all machines between the ends of the question, s from -1 to 1, between whose proved chains a curve of
-// nodes m + s m' + s² m'' is laid, m found by Newton's method: its test for all of them at once. Proved: for each of
-// them exactly one closed chain has its nodes in a box about the curve there; these form a curve from the one
-// proved chain to the other; the nodes contain all, and the return map that of each.
+// nodes m + s m' + s² m'' is laid, m found by Newton's method: its test for all of them at once. Proved: for
+// each of them exactly one closed chain has its nodes in a box about the curve there; these form a curve from
+// the one proved chain to the other; the nodes contain all, and the return map that of each.
 [[nodiscard]] ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low,
                                      const ChainProof& high, long bits);
 

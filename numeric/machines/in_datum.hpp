@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "core/ball.hpp"
+#include "core/sinc.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -57,6 +59,35 @@ template <class A, class B, class Times>
 }
 [[nodiscard]] inline InDatum<Ball> operator*(const InDatum<Ball>& f, const InDatum<Ball>& g) {
   return product(f, g, [](const Ball& x, const Ball& y) { return Ball(x * y); });
+}
+
+// 1/(a + b s) = (1 - q s + q² s² - q³ s³/(1 + q s))/a with q = b/a. Not finite unless |q| < 1.
+[[nodiscard]] inline InDatum<Ball> reciprocal(const Ball& a, const Ball& b) {
+  const Ball one = Ball(1) / a, q = b / a, rest = Ball(1) / (Ball(1) + q * Ball::hull(Ball(-1), Ball(1)));
+  return {{one, -one * q, one * q * q, -one * q * q * q * rest}};
+}
+
+// Sine and cosine of f_0 + d, d = s (f_1 + f_2 s + f_3 s²), by those of d to the third order, with
+// |cos d - 1 + d²/2| <= d⁴/24 and |sin d - d + d³/6| <= |d|⁵/120.
+[[nodiscard]] inline std::pair<InDatum<Ball>, InDatum<Ball>> sin_cos(const InDatum<Ball>& f) {
+  const auto [sine, cosine] = sin_cos(f.c[0]);
+  const InDatum<Ball> d{{Ball(0), f.c[1], f.c[2], f.c[3]}}, square = d * d, cube = square * d;
+  const Ball most = abs(d.c[1]) + abs(d.c[2]) + abs(d.c[3]);
+  const Ball fourth = most * most * most * most * Ball::hull(Ball(-1), Ball(1));
+  InDatum<Ball> sin_d = d, cos_d = square;
+  for (std::size_t i = 0; i < 4; ++i) {
+    sin_d.c[i] -= cube.c[i] / Ball(6);
+    cos_d.c[i] *= Ball(-0.5);
+  }
+  cos_d.c[0] += Ball(1);
+  cos_d.c[3] += fourth / Ball(24);
+  sin_d.c[3] += fourth * most / Ball(120);
+  InDatum<Ball> sine_of_f = sin_d, cosine_of_f = cos_d;
+  for (std::size_t i = 0; i < 4; ++i) {
+    sine_of_f.c[i] = sine * cos_d.c[i] + cosine * sin_d.c[i];
+    cosine_of_f.c[i] = cosine * cos_d.c[i] - sine * sin_d.c[i];
+  }
+  return {sine_of_f, cosine_of_f};
 }
 
 }  // namespace stickslip::numeric::machines

@@ -554,10 +554,7 @@ Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
   return w;
 }
 
-// theta = theta_0 + d with d = s (d_1 + d_2 s + d_3 s²): cos d and sin d to the third order in d, and
-// |cos d - 1 + d²/2| <= d⁴/24, |sin d - d + d³/6| <= |d|⁵/120.
 InDatum<Vector> LinearPhases::whole(const InDatum<Vector>& state, const InDatum<Ball>& theta) const {
-  const Ball odd = Ball::hull(Ball(-1), Ball(1));
   InDatum<Vector> w;
   for (std::size_t i = 0; i < 4; ++i) {
     w.c[i] = Vector::Constant(size_, Ball(0));
@@ -566,22 +563,15 @@ InDatum<Vector> LinearPhases::whole(const InDatum<Vector>& state, const InDatum<
   w.c[0](2 * n_) = Ball(1);
   for (std::size_t l = 0; l < multiples_.size(); ++l) {
     const Ball multiple(multiples_[l]);
-    const auto [sine, cosine] = sin_cos(Ball(multiple * theta.c[0]));
-    const InDatum<Ball> d{
-        {Ball(0), multiple * theta.c[1], multiple * theta.c[2], multiple * theta.c[3]}};
-    const Ball most = abs(d.c[1]) + abs(d.c[2]) + abs(d.c[3]), fourth = most * most * most * most * odd;
-    const InDatum<Ball> square = d * d, cube = square * d;
+    InDatum<Ball> phase = theta;
+    for (Ball& coefficient : phase.c) {
+      coefficient *= multiple;
+    }
+    const auto [sine, cosine] = sin_cos(phase);
     const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
     for (std::size_t i = 0; i < 4; ++i) {
-      Ball cos_d = -square.c[i] / Ball(2), sin_d = d.c[i] - cube.c[i] / Ball(6);
-      if (i == 0) {
-        cos_d += Ball(1);
-      } else if (i == 3) {
-        cos_d += fourth / Ball(24);
-        sin_d += fourth * most / Ball(120);
-      }
-      w.c[i](k) = cosine * cos_d - sine * sin_d;
-      w.c[i](k + 1) = sine * cos_d + cosine * sin_d;
+      w.c[i](k) = cosine.c[i];
+      w.c[i](k + 1) = sine.c[i];
     }
   }
   return w;

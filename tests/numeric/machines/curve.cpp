@@ -146,6 +146,63 @@ TEST_CASE("flows between two matrices contain each one's, and are narrow to the 
   }
 }
 
+TEST_CASE("polynomials in a datum contain the functions, and are narrow to the fourth order") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto value = [](const InDatum<Ball>& f, const Ball& s) {
+    return Ball(f.c[0] + s * (f.c[1] + s * (f.c[2] + s * f.c[3])));
+  };
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    const double size = std::exp2(-round % 8);
+    const auto some = [&] {
+      return InDatum<Ball>{{Ball(3 * number(random)), Ball(size * number(random)),
+                            Ball(size * number(random)), Ball(size * number(random))}};
+    };
+    const InDatum<Ball> f = some(), g = some(), product = f * g;
+    const auto [sine, cosine] = sin_cos(f);
+    const Ball a(2 + number(random)), b(size * number(random) * 0.9);
+    const InDatum<Ball> inverse = reciprocal(a, b);
+    for (const double at : {-1.0, -0.7, 0.0, 0.2, 1.0}) {
+      const Ball s(at), x = value(f, s);
+      const auto [sine_there, cosine_there] = sin_cos(x);
+      CHECK(value(sine, s).overlaps(sine_there));
+      CHECK(value(cosine, s).overlaps(cosine_there));
+      CHECK(value(product, s).overlaps(Ball(x * value(g, s))));
+      CHECK(value(inverse, s).overlaps(Ball(Ball(1) / (a + b * s))));
+      CHECK(f.all().overlaps(x));
+      CHECK(value(product, s).radius().approximate() <= 8 * std::abs(std::pow(at, 3)) * size * size + 1e-30);
+      CHECK(value(inverse, s).radius().approximate() <=
+            std::abs(std::pow(at, 3)) * std::pow(size, 4) + 1e-30);
+    }
+  }
+  CHECK_FALSE(reciprocal(Ball(1), Ball(-1)).c[3].is_finite());
+}
+
+TEST_CASE("what is reached in a datum, at a time beside one that is kept") {
+  const Datum spring = data()[2];
+  const Rational width = parse_rational("1e-3");
+  const auto low = oscillator_as<Ball>(with(spring, spring.value - width)),
+             high = oscillator_as<Ball>(with(spring, spring.value + width));
+  const LinearPhases all(low, high);
+  const InDatum<Vector> w{{Vector::Constant(7, Ball(0.5)), Vector::Constant(7, Ball(0x1p-8)),
+                           Vector::Constant(7, Ball(-0x1p-9)), Vector::Constant(7, Ball(0x1p-7))}};
+  for (const Piece& piece : {Piece{motion::PhaseKind::slip, 1}, Piece{motion::PhaseKind::stick}}) {
+    for (const double t : {0.25, 0.25 + 0x1p-17, 0.25 - 0x1p-18}) {
+      const InDatum<Ball> h{{Ball(t), Ball(0x1p-11), Ball(-0x1p-12), Ball(0x1p-13)}};
+      const InDatum<Vector> reached = all.after(piece, h, w);
+      for (const double s : {-1.0, -0.5, 0.0, 1.0}) {
+        const auto value = [&](const auto& f) {
+          return f.c[0] + (f.c[1] + (f.c[2] + f.c[3] * Ball(s)) * Ball(s)) * Ball(s);
+        };
+        const LinearPhases one(
+            oscillator_as<Ball>(with(spring, Rational(spring.value + width * Rational(s)))));
+        check_contains(Vector(value(reached)), one.after(piece, Ball(value(h)), Vector(value(w))));
+      }
+    }
+  }
+}
+
 TEST_CASE("what changes along a curve of machines contains the differences between its ends") {
   const MachineOrbit orbit = orbit_of(engineers());
   REQUIRE(orbit.existence.truth == Truth::proved);
@@ -168,7 +225,7 @@ TEST_CASE("what changes along a curve of machines contains the differences betwe
       }
       return nodes;
     };
-    const Curve curve{m, some(0x1p-14), some(0x1p-18)};
+    const Curve curve{m, some(0x1p-14), some(0x1p-14)};
     const Nodes nodes = curve.all();
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Node conditions = all.conditions(curve, i);
@@ -176,9 +233,12 @@ TEST_CASE("what changes along a curve of machines contains the differences betwe
         const Chain one({at_s(datum, low, high, s), orbit.pieces, orbit.periods});
         check_contains(conditions, one.conditions(at(curve, Ball(s)), i));
       }
-      const Matrix of_link = (last.link(at(curve, Ball(1)), i).M - first.link(at(curve, Ball(-1)), i).M) *
-                             Ball(0.5);
-      check_contains(all.link_by_datum(nodes, curve.rates(), i), of_link);
+      const Matrix of_link =
+          (last.link(at(curve, Ball(1)), i).M - first.link(at(curve, Ball(-1)), i).M) * Ball(0.5);
+      const Matrix by_datum = all.link_by_datum(nodes, curve.rates(), i);
+      check_contains(by_datum, of_link);
+      const Chain middle({question.machine, orbit.pieces, orbit.periods});
+      check_contains(by_datum, Matrix(last.link(at(curve, Ball(1)), i).M - middle.link(m, i).M));
       check_contains(all.link(nodes, i).M, last.link(at(curve, Ball(1)), i).M);
       check_contains(all.conditions(nodes, i), first.conditions(at(curve, Ball(-1)), i));
     }
