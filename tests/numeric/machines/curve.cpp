@@ -343,6 +343,40 @@ TEST_CASE("motions between two machines lie on the curve that is proved, for eac
   }
 }
 
+TEST_CASE("without a load a state is decided on as long a curve as is proved") {
+  Machine brake = engineers();
+  auto& o = brake.oscillator;
+  o.masses = {Rational("3/5"), Rational("9/5")};
+  o.stiffness << Rational(2400000), Rational(-2400000), Rational(-2400000), Rational(7400000);
+  o.damping << Rational(200), Rational(-200), Rational(-200), Rational(600);
+  o.rubbing = 0;
+  o.V = Rational("3/25");
+  o.forward = {Rational(1500),
+               {{Rational(0), Rational(1400), Rational(-4000)},
+                {Rational("1/20"), Rational(1200), Rational(-1000)},
+                {Rational("1/5"), Rational(1050), Rational(-125)},
+                {Rational("3/5"), Rational(1000), Rational(0)}}};
+  o.backward = o.forward;
+  o.loads.clear();
+  const MachineOrbit orbit = orbit_of(brake);
+  REQUIRE(orbit.stability);
+  CHECK(orbit.stability->kind == motion::StabilityKind::stable);
+  const auto at = [&](const char * V) {
+    Machine other = brake;
+    other.oscillator.V = parse_rational(V);
+    return other;
+  };
+  const auto proof_of = [&](const Machine& machine) {
+    return prove_chain({machine, orbit.pieces, orbit.periods}, nodes_of(guess_of(orbit, machine), machine),
+                       64, 512);
+  };
+  const MachineQuestion question{brake, orbit.pieces, orbit.periods, {{at("0.11996"), at("0.12004")}}};
+  const ChainProof curve =
+      prove_curve(question, proof_of(question.ends->first), proof_of(question.ends->second), 64);
+  REQUIRE(curve.verdict.truth == Truth::proved);
+  CHECK(state_of(decided(question, curve)) == branches::State::stable);
+}
+
 TEST_CASE("a state that is lost between is not said of all, nor is what is not linear joined") {
   const MachineOrbit orbit = orbit_of(engineers());
   const Machine machine = engineers();
